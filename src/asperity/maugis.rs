@@ -1,0 +1,229 @@
+//! Maugis' adhesive contact of one asperity with a flat, eqs (4)-(7), in closed form.
+//!
+//! The contact is parametrised by theta = arccos(a/c) = arcsec m, where `a` is the contact radius
+//! and `c = m a` the outer radius of the annulus in which the adhesive stress acts. theta -> 0 is
+//! heavy load, theta = pi/2 is a -> 0. Written in `c`, every quantity is finite and smooth up to
+//! theta = pi/2, so neither the square-root edge at break-away nor the fold needs special care.
+//! Attraction without contact belongs to [`super::attraction`], friction to [`super::slip`].
+
+use crate::groups::Groups;
+use crate::root;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// lambda_g^3 above which the overlap has its minimum (the fold) inside (0, pi/2): the contact then
+/// breaks with a > 0. It is where d^2u/dtheta^2 = 0 at theta = pi/2.
+pub const FOLD_LAMBDA_CUBED: f64 = 0.825_154_991_394_896_2;
+
+/// Maugis' contact law with its coefficients, for any local radius factor `g`.
+///
+/// Lengths: radii in b, overlap in sigma; load in E* b^2.
+#[derive(Debug, Clone)]
+pub struct Maugis {
+    /// alpha b / (pi beta h): the factor of the first bracket of eq (4), times g.
+    bracket_2: f64,
+    /// 4 gamma b^2 / (pi h^2): the factor of the second bracket of eq (4).
+    bracket_1: f64,
+    /// 1 / beta^2, the Hertzian term of eq (6), times g.
+    overlap_hertz: f64,
+    /// 2 gamma b / (alpha beta h), the adhesive term of eq (6).
+    overlap_adhesion: f64,
+    /// 4 alpha / (3 beta), the Hertzian term of eq (5), times g.
+    load_hertz: f64,
+    /// 2 gamma b / h, the adhesive term of eq (5).
+    load_adhesion: f64,
+    lambda_cubed: f64,
+}
+
+/// One asperity in contact, and its derivatives along the branch at fixed radius factor g.
+#[derive(Debug, Clone, Copy)]
+pub struct Contact {
+    /// arcsec m, in (0, pi/2].
+    pub theta: f64,
+    /// Overlap u = z - d, eq (6), in sigma.
+    pub overlap: f64,
+    /// Contact radius a, eq (4), in b.
+    pub radius: f64,
+    /// Load P, eq (5), in E* b^2.
+    pub load: f64,
+    /// du/dtheta: negative on the unloading branch, 0 where the contact breaks.
+    pub overlap_rate: f64,
+    /// da/dtheta.
+    pub radius_rate: f64,
+    /// dP/dtheta.
+    pub load_rate: f64,
+    /// du/dg at fixed theta.
+    pub overlap_by_g: f64,
+    /// da/dg at fixed theta.
+    pub radius_by_g: f64,
+}
+
+impl Maugis {
+    /// The contact law of a surface's groups.
+    pub fn new(groups: &Groups) -> Self {
+        let Groups { alpha, beta, gamma, b_over_h, .. } = *groups;
+        Self {
+            bracket_2: alpha * b_over_h / (PI * beta),
+            bracket_1: 4.0 * gamma * b_over_h * b_over_h / PI,
+            overlap_hertz: 1.0 / (beta * beta),
+            overlap_adhesion: 2.0 * gamma * b_over_h / (alpha * beta),
+            load_hertz: 4.0 * alpha / (3.0 * beta),
+            load_adhesion: 2.0 * gamma * b_over_h,
+            lambda_cubed: groups.lambda_cubed(),
+        }
+    }
+
+    /// The contact at `theta` for a summit of radius g R: eqs (4)-(6).
+    #[inline]
+    pub fn at(&self, theta: f64, g: f64) -> Contact {
+        let (sin, cos) = theta.sin_cos();
+        let (bracket_2, bracket_1) = brackets(theta, sin, cos);
+        let inv_g = 1.0 / g;
+        // Eq (4) as k2 c^2 + k1 c = 1; d(bracket)/dtheta = 2 theta sin 2theta and theta cos theta.
+        let factor_2 = self.bracket_2 * inv_g;
+        let k2 = factor_2 * bracket_2;
+        let k1 = self.bracket_1 * bracket_1;
+        let root = (k1 * k1 + 4.0 * k2).sqrt();
+        let c = 2.0 / (k1 + root);
+        // 2 k2 c + k1 equals the root of the discriminant.
+        let c_over_root = c / root;
+        let c_rate = -c_over_root
+            * (factor_2 * 4.0 * theta * sin * cos * c + self.bracket_1 * theta * cos);
+        let c_by_g = c_over_root * k2 * c * inv_g;
+
+        let a = c * cos;
+        let a_rate = c_rate * cos - c * sin;
+        let a_by_g = c_by_g * cos;
+        let hertz = self.overlap_hertz * inv_g;
+        let load_hertz = self.load_hertz * inv_g;
+        let annulus = sin * cos + theta;
+        Contact {
+            theta,
+            overlap: hertz * a * a - self.overlap_adhesion * sin * c,
+            radius: a,
+            load: load_hertz * a * a * a - self.load_adhesion * annulus * c * c,
+            overlap_rate: 2.0 * hertz * a * a_rate
+                - self.overlap_adhesion * (cos * c + sin * c_rate),
+            radius_rate: a_rate,
+            load_rate: 3.0 * load_hertz * a * a * a_rate
+                - 2.0 * self.load_adhesion * c * (cos * cos * c + annulus * c_rate),
+            overlap_by_g: hertz * a * (2.0 * a_by_g - a * inv_g)
+                - self.overlap_adhesion * sin * c_by_g,
+            radius_by_g: a_by_g,
+        }
+    }
+
+    /// Where unloading under displacement control ends: a = 0, or the fold where lambda_g is large.
+    pub fn break_away(&self, g: f64) -> Contact {
+        if self.lambda_cubed * g <= FOLD_LAMBDA_CUBED {
+            return self.at(FRAC_PI_2, g);
+        }
+        // du/dtheta < 0 for heavy load; the first zero going up in theta is the fold.
+        let rate = |theta: f64| self.at(theta, g).overlap_rate / theta.cos();
+        let mut upper = FRAC_PI_2;
+        let mut lower = 0.5 * upper;
+        while rate(lower) >= 0.0 && lower > 1e-12 {
+            upper = lower;
+            lower *= 0.5;
+        }
+        self.at(root::bracketed(rate, lower, upper), g)
+    }
+
+    /// The contact on the unloading branch at an overlap of at least that of break-away.
+    ///
+    /// `guess` is a starting theta; [`Maugis::guess`] makes one from nothing.
+    pub fn at_overlap(&self, overlap: f64, g: f64, guess: f64) -> Contact {
+        let (mut lower, mut upper) = (0.0, FRAC_PI_2);
+        let mut contact = self.at(guess.min(FRAC_PI_2), g);
+        let mut last_step = None;
+        for _ in 0..200 {
+            let theta = contact.theta;
+            let residual = contact.overlap - overlap;
+            // Past the fold the overlap rises again: that is off the branch.
+            if contact.overlap_rate >= 0.0 || residual < 0.0 {
+                upper = theta;
+            } else {
+                lower = theta;
+            }
+            let newton = if contact.overlap_rate < 0.0 { theta - residual / contact.overlap_rate } else { 0.0 };
+            let trusted = newton > lower.max(0.5 * theta) && newton < upper.min(2.0 * theta);
+            let next = match trusted {
+                true => newton,
+                false if lower > 0.0 => (0.5 * (lower + upper)).clamp(0.5 * theta, 2.0 * theta),
+                false => 0.5 * upper,
+            };
+            let step = (next - theta).abs();
+            contact = self.at(next, g);
+            if !trusted {
+                last_step = None;
+                if upper - lower <= 4e-16 * upper {
+                    break;
+                }
+                continue;
+            }
+            // Two Newton steps tell the size of the next; steps that stop shrinking are rounding.
+            let ratio = last_step.map_or(1.0, |last: f64| step / last);
+            if step * ratio * ratio <= 1e-16 * next || (ratio >= 0.5 && step <= 1e-11 * next) {
+                break;
+            }
+            last_step = Some(step);
+        }
+        contact
+    }
+
+    /// A starting theta for [`Maugis::at_overlap`]: eq (4) for heavy load, with Hertz' radius.
+    pub fn guess(&self, overlap: f64, g: f64) -> f64 {
+        let hertz_radius_squared = overlap.max(1e-100) / self.overlap_hertz; // over g
+        let by_bracket_2 = (0.75 / (self.bracket_2 * hertz_radius_squared)).cbrt();
+        let radius = (hertz_radius_squared * g).sqrt();
+        let by_bracket_1 = (2.0 / (self.bracket_1 * radius).max(1e-100)).sqrt();
+        by_bracket_2.min(by_bracket_1).min(1.0)
+    }
+}
+
+/// The two brackets of eq (4) times cos^2 and cos: sin theta cos theta - theta cos 2theta and
+/// theta sin theta - (1 - cos theta), by their Taylor series where the closed forms cancel.
+#[inline]
+fn brackets(theta: f64, sin: f64, cos: f64) -> (f64, f64) {
+    if theta >= 0.5 {
+        let cos_2 = (cos - sin) * (cos + sin);
+        return (sin * cos - theta * cos_2, theta * sin - (1.0 - cos));
+    }
+    let x = theta * theta;
+    let mut bracket_2 = 0.0;
+    let mut bracket_1 = 0.0;
+    for k in (0..SERIES_2.len()).rev() {
+        bracket_2 = bracket_2 * x + SERIES_2[k];
+        bracket_1 = bracket_1 * x + SERIES_1[k];
+    }
+    (bracket_2 * x * theta, bracket_1 * x)
+}
+
+const SERIES_TERMS: usize = 10;
+const SERIES_2: [f64; SERIES_TERMS] = series_2();
+const SERIES_1: [f64; SERIES_TERMS] = series_1();
+
+/// Coefficients of theta^(2k+3): (-1)^k 2^(2k+2) (2k+2)/(2k+3)!.
+const fn series_2() -> [f64; SERIES_TERMS] {
+    let mut out = [0.0; SERIES_TERMS];
+    let mut term = 4.0; // 2^(2k+2) / (2k+1)! with sign
+    let mut k = 0;
+    while k < SERIES_TERMS {
+        out[k] = term / (2 * k + 3) as f64;
+        term *= -4.0 / ((2 * k + 2) * (2 * k + 3)) as f64;
+        k += 1;
+    }
+    out
+}
+
+/// Coefficients of theta^(2k+2): (-1)^k (2k+1)/(2k+2)!.
+const fn series_1() -> [f64; SERIES_TERMS] {
+    let mut out = [0.0; SERIES_TERMS];
+    let mut term = 1.0; // 1 / (2k)! with sign
+    let mut k = 0;
+    while k < SERIES_TERMS {
+        out[k] = term / (2 * k + 2) as f64;
+        term *= -1.0 / ((2 * k + 1) * (2 * k + 2)) as f64;
+        k += 1;
+    }
+    out
+}

@@ -1,0 +1,62 @@
+//! Shear strength of one contact against its radius, eqs (13)-(15): Hurtado and Kim's three regimes.
+//!
+//! Below the first radius an asperity slips as a whole at a constant stress, above the second by
+//! gliding dislocations at a lower one; between them the stress is a power of the radius.
+
+use std::f64::consts::PI;
+
+/// The constants of eq (13): contact radii over b, shear stresses over G*.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlipConstants {
+    /// a_1 / b, the largest radius of concurrent slip.
+    pub radius_1: f64,
+    /// tau_1 / G*.
+    pub stress_1: f64,
+    /// a_2 / b, the smallest radius of dislocation-assisted slip at constant stress.
+    pub radius_2: f64,
+    /// tau_2 / G*.
+    pub stress_2: f64,
+}
+
+impl Default for SlipConstants {
+    /// Hurtado and Kim, Proc. R. Soc. A 455 (1999) 3363-3400: (28, 1/43) and (8e4, 1/1290).
+    fn default() -> Self {
+        Self { radius_1: 28.0, stress_1: 1.0 / 43.0, radius_2: 8e4, stress_2: 1.0 / 1290.0 }
+    }
+}
+
+/// Friction force of one asperity as a function of its contact radius, F = pi a^2 tau (eq 15), in G* b^2.
+#[derive(Debug, Clone)]
+pub struct Slip {
+    constants: SlipConstants,
+    /// M of eq (14).
+    exponent: f64,
+}
+
+impl Slip {
+    /// The law with these constants.
+    pub fn new(constants: SlipConstants) -> Self {
+        let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = constants;
+        Self { constants, exponent: -(stress_1 / stress_2).ln() / (radius_2 / radius_1).ln() }
+    }
+
+    /// The two radii at which the stress has a kink.
+    pub fn kinks(&self) -> [f64; 2] {
+        [self.constants.radius_1, self.constants.radius_2]
+    }
+
+    /// Friction force at contact radius `a`, and dF/da.
+    #[inline]
+    pub fn force(&self, a: f64) -> (f64, f64) {
+        let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.constants;
+        let (stress, power) = if a <= radius_1 {
+            (stress_1, 2.0)
+        } else if a >= radius_2 {
+            (stress_2, 2.0)
+        } else {
+            (stress_1 * (a / radius_1).powf(self.exponent), 2.0 + self.exponent)
+        };
+        let force_over_a = PI * a * stress;
+        (force_over_a * a, power * force_over_a)
+    }
+}

@@ -1,0 +1,200 @@
+//! Load control: the separation at which the population carries a load, and the pull-off load below which
+//! there is none.
+//!
+//! Unloading from heavy load follows the load down to its first minimum over separation. Below that minimum
+//! nothing holds the surfaces together; above it each load has one state.
+
+use crate::error::Error;
+use crate::population::{Population, Sums};
+use crate::root;
+
+/// Separations are searched between these, in sigma.
+const CLOSEST: f64 = -1e60;
+/// All summits that matter are pressed in at this separation, so that load falls as separation grows.
+const ALL_PRESSED: f64 = -12.0;
+/// How densely the load curve is looked at for its first minimum, in sigma.
+const SCAN_STEP: f64 = 0.5;
+/// A pull-off load smaller than exp of this cannot be told from none.
+const SMALLEST_LOG_LOAD: f64 = -640.0;
+/// Below this part of the pull-off load, load minus pull-off load is integrated from the slope: the difference of
+/// the two loads would have lost too many digits.
+const NEAR_PULL_OFF: f64 = 1e-3;
+
+/// Where the surfaces part under load control.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PullOff {
+    /// In sigma.
+    pub separation: f64,
+    /// Negative, in E* b^2 per summit.
+    pub load: f64,
+    /// In G* b^2 per summit.
+    pub friction: f64,
+}
+
+/// The branch of equilibrium states under load control.
+#[derive(Debug, Clone)]
+pub struct Equilibrium {
+    pull_off: Option<PullOff>,
+    /// The largest separation on the branch.
+    farthest: f64,
+}
+
+impl Equilibrium {
+    /// Finds the pull-off point.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] if there is one that cannot be found.
+    pub fn new(population: &Population) -> Result<Self, Error> {
+        if !population.is_adhesive() {
+            return Ok(Self { pull_off: None, farthest: population.farthest() });
+        }
+        let Some((lower, upper)) = bracket_first_minimum(population) else {
+            return Ok(Self { pull_off: None, farthest: population.farthest() });
+        };
+        // The slope in one scale, so that interpolation makes sense.
+        let scale = population.at_separation(lower).log_scale;
+        let slope = |separation: f64| {
+            let sums = population.at_separation(separation);
+            sums.load_slope * (sums.log_scale - scale).min(600.0).exp()
+        };
+        let separation = root::bracketed(slope, lower, upper);
+        let sums = population.at_separation(separation);
+        if sums.load() >= 0.0 {
+            return Err(Error::NotConverged { what: "separation at pull-off", value: separation });
+        }
+        let log_load = (-sums.load()).ln() + sums.log_scale;
+        if log_load < SMALLEST_LOG_LOAD {
+            return Ok(Self { pull_off: None, farthest: separation });
+        }
+        let sums = sums.unscaled();
+        let pull_off = PullOff { separation, load: sums.load(), friction: sums.friction };
+        Ok(Self { pull_off: Some(pull_off), farthest: separation })
+    }
+
+    /// The pull-off point; `None` without adhesion, or where its load is too small for a number.
+    pub fn pull_off(&self) -> Option<PullOff> {
+        self.pull_off
+    }
+
+    /// The smallest load of the branch, where friction sets in: the pull-off load, or 0.
+    pub fn pull_off_load(&self) -> f64 {
+        self.pull_off.map_or(0.0, |point| point.load)
+    }
+
+    /// The largest separation on the branch.
+    pub fn farthest(&self) -> f64 {
+        self.farthest
+    }
+
+    /// ln(load - pull-off load) at a separation on the branch, with its derivative by separation, and the sums.
+    pub fn log_excess(&self, population: &Population, separation: f64) -> (f64, f64, Sums) {
+        let sums = population.at_separation(separation);
+        let Some(pull_off) = self.pull_off else {
+            return (sums.load().max(f64::MIN_POSITIVE).ln() + sums.log_scale, sums.load_slope / sums.load(), sums);
+        };
+        let sums = sums.unscaled();
+        let mut excess = sums.load() - pull_off.load;
+        if excess < NEAR_PULL_OFF * -pull_off.load {
+            excess = crate::population::integrate_short(separation, pull_off.separation, |d| {
+                -population.at_separation(d).unscaled().load_slope
+            });
+        }
+        let excess = excess.max(f64::MIN_POSITIVE);
+        (excess.ln(), sums.load_slope / excess, sums)
+    }
+
+    /// The separation at which ln(load - pull-off load) is this, and the sums there.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`].
+    pub fn at_log_excess(&self, population: &Population, target: f64) -> Result<(f64, Sums), Error> {
+        let failure = Error::NotConverged { what: "ln(load - pull-off load)", value: target };
+        // A bracket, from where the branch ends or the middle of the heights, leftwards to heavy load.
+        let mut upper = self.farthest;
+        let mut lower = self.farthest.min(1.0) - 1.0;
+        let mut step = 2.0;
+        let mut here = self.log_excess(population, lower);
+        while here.0 < target {
+            upper = lower;
+            lower -= step;
+            step *= 2.0;
+            if lower < CLOSEST {
+                return Err(failure);
+            }
+            here = self.log_excess(population, lower);
+        }
+        let mut separation = lower;
+        let mut last_step = f64::MAX;
+        for _ in 0..200 {
+            let (log_excess, slope, sums) = here;
+            let residual = log_excess - target;
+            if residual >= 0.0 {
+                lower = separation;
+            } else {
+                upper = separation;
+            }
+            let newton = separation - residual / slope;
+            let next = if slope < 0.0 && newton > lower && newton < upper { newton } else { 0.5 * (lower + upper) };
+            let change = (next - separation).abs();
+            let resolution = 4.0 * f64::EPSILON * separation.abs().max(f64::MIN_POSITIVE);
+            if residual.abs() <= 4.0 * f64::EPSILON
+                || change <= resolution
+                || upper - lower <= resolution
+                || (residual.abs() < 1e-11 && change >= 0.5 * last_step)
+            {
+                return Ok((separation, sums));
+            }
+            last_step = change;
+            separation = next;
+            here = self.log_excess(population, separation);
+        }
+        Err(failure)
+    }
+}
+
+/// Two separations between which the load has its first minimum, coming from heavy load; `None` where the load
+/// falls as long as it can be represented.
+fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
+    let falls = |separation: f64| population.at_separation(separation).load_slope < 0.0;
+    let farthest = population.farthest();
+    if !population.has_single_minimum() {
+        let mut lower = ALL_PRESSED;
+        while lower < farthest {
+            let upper = lower + SCAN_STEP;
+            if !falls(upper) {
+                return Some((lower, upper)).filter(|_| load_is_negative_beyond(population, upper));
+            }
+            lower = upper;
+        }
+        return None;
+    }
+    let mut step = SCAN_STEP;
+    let mut here = 0.0;
+    if falls(here) {
+        while here < farthest {
+            let next = here + step;
+            if !falls(next) {
+                return Some((here, next)).filter(|_| load_is_negative_beyond(population, next));
+            }
+            here = next;
+            step *= 1.5;
+        }
+        return None;
+    }
+    loop {
+        let next = here - step;
+        if falls(next) {
+            return Some((next, here));
+        }
+        here = next;
+        step *= 1.5;
+        if here < CLOSEST {
+            return None;
+        }
+    }
+}
+
+/// Whether the slope vanishes because a minimum was passed, and not because nothing is left.
+fn load_is_negative_beyond(population: &Population, separation: f64) -> bool {
+    population.at_separation(separation).load() < 0.0
+}

@@ -1,0 +1,95 @@
+//! What can be wrong, in the user's words: which quantity, its value, and what is allowed.
+
+use thiserror::Error;
+
+/// Why the library refuses.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A parameter has no meaning.
+    #[error("{name} = {value}: {allowed}")]
+    InvalidParameter {
+        /// The parameter.
+        name: &'static str,
+        /// Its value.
+        value: Value,
+        /// What it may be.
+        allowed: &'static str,
+    },
+    /// A load is NaN or infinite.
+    #[error("load = {value}: must be finite")]
+    InvalidLoad {
+        /// The load.
+        value: f64,
+    },
+    /// Nothing holds the surfaces together at this load.
+    #[error("load = {load}: below the pull-off load {pull_off}, the surfaces are apart and there is no friction")]
+    Separated {
+        /// The load.
+        load: f64,
+        /// The pull-off load.
+        pull_off: f64,
+    },
+    /// A quantity is meaningful, but outside what the model can be evaluated for.
+    #[error("{name} = {value}: {allowed}")]
+    OutOfRange {
+        /// The quantity.
+        name: &'static str,
+        /// Its value.
+        value: Value,
+        /// What it may be.
+        allowed: &'static str,
+    },
+    /// An iteration failed to converge.
+    #[error("{what} = {value}: no solution was found to full accuracy; please report the parameters")]
+    NotConverged {
+        /// What was solved for.
+        what: &'static str,
+        /// At which value.
+        value: f64,
+    },
+}
+
+/// A value in a message.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Value {
+    /// A number, in the shortest form that reads back as itself.
+    Real(f64),
+    /// A whole number.
+    Integer(i64),
+}
+
+impl std::fmt::Display for Value {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Value::Real(x) => write!(f, "{}", Real(*x)),
+            Value::Integer(i) => write!(f, "{i}"),
+        }
+    }
+}
+
+impl From<f64> for Value {
+    fn from(x: f64) -> Self {
+        Value::Real(x)
+    }
+}
+
+impl From<i32> for Value {
+    fn from(i: i32) -> Self {
+        Value::Integer(i.into())
+    }
+}
+
+/// A float as a person writes it: 0.3, 1.6e11, not three hundred digits.
+struct Real(f64);
+
+impl std::fmt::Display for Real {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let exponent = (self.0.to_bits() >> 52 & 0x7ff) as i32 - 1023;
+        if self.0.to_bits() << 1 == 0 || (-14..54).contains(&exponent) || exponent == 1024 {
+            write!(f, "{}", self.0)
+        } else {
+            write!(f, "{:e}", self.0)
+        }
+    }
+}

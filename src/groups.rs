@@ -1,0 +1,28 @@
+//! The dimensionless groups of the model, eqs (7) and (8).
+
+use std::f64::consts::PI;
+
+/// What a contact depends on beside its heights and radii.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Groups {
+    /// Surface roughness parameter (sigma/R)^(1/2).
+    pub alpha: f64,
+    /// Friction regime parameter (R sigma)^(1/2) / b.
+    pub beta: f64,
+    /// Surface energy parameter w / (E* b).
+    pub gamma: f64,
+    /// Burgers vector over the range of adhesion, b/h.
+    pub b_over_h: f64,
+}
+
+impl Groups {
+    /// lambda^3 of eq (7).
+    pub fn lambda_cubed(&self) -> f64 {
+        4.5 / PI * self.beta * self.gamma * self.gamma * self.b_over_h.powi(3) / self.alpha
+    }
+
+    /// The range of adhesion in standard deviations of height, h/sigma.
+    pub fn reach(&self) -> f64 {
+        1.0 / (self.alpha * self.beta * self.b_over_h)
+    }
+}

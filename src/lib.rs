@@ -1,0 +1,29 @@
+//! Friction laws from contact physics, callable from any solver.
+//!
+//! Two rough elastic surfaces touch at their summits; adhesion pulls them together (Maugis), each summit's shear
+//! strength depends on its own contact radius (Hurtado and Kim), and summits out of contact still attract. Summed
+//! over the distribution of heights, friction depends on load and scale (Adams and Muftu, Nanotechnology 16, 2005).
+//!
+//! ```
+//! use asperity::{Model, Params};
+//!
+//! let model = Model::new(&Params::default())?;
+//! let mu = model.friction_at_load(1.0);
+//! assert!(mu > model.friction_at_load(100.0));
+//! # Ok::<(), asperity::Error>(())
+//! ```
+
+pub mod asperity;
+mod equilibrium;
+mod error;
+pub mod groups;
+mod law;
+mod model;
+mod params;
+pub mod population;
+mod root;
+pub mod surface;
+
+pub use error::Error;
+pub use model::{Model, State, Summary};
+pub use params::{HeightFamily, Params};

@@ -1,0 +1,292 @@
+//! A surface pair ready for use: all that a caller asks, in the caller's units.
+
+use crate::equilibrium::Equilibrium;
+use crate::error::Error;
+use crate::groups::Groups;
+use crate::law::Law;
+use crate::params::{finite, Params};
+use crate::population::{Population, Sums};
+
+/// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
+const HEAVIEST_LOAD: f64 = 1e80;
+/// Separations beyond this many sigma are out of range.
+const FARTHEST_SEPARATION: f64 = 1e50;
+
+/// The friction law of a surface pair. Immutable: threads may share it.
+#[derive(Debug, Clone)]
+pub struct Model {
+    params: Params,
+    groups: Groups,
+    population: Population,
+    equilibrium: Equilibrium,
+    law: Law,
+    units: Units,
+}
+
+/// What turns the sums per summit into the caller's units.
+#[derive(Debug, Clone, Copy)]
+struct Units {
+    /// N E* b^2.
+    load: f64,
+    /// N G* b^2.
+    force: f64,
+    /// N b^2.
+    area: f64,
+    /// sigma.
+    length: f64,
+    /// N.
+    count: f64,
+}
+
+/// The exact state of the contact at a load or a separation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Normal load [force].
+    pub load: f64,
+    /// Separation d of the mean planes of summit heights and flat [length].
+    pub separation: f64,
+    /// Friction force [force].
+    pub friction_force: f64,
+    /// Friction coefficient, capped; see [`Model::friction_at_load`].
+    pub friction_coefficient: f64,
+    /// d(friction force)/d(load); infinite at the pull-off load itself.
+    pub dforce_dload: f64,
+    /// d(friction coefficient)/d(load) [1/force]; 0 where the coefficient is capped.
+    pub dmu_dload: f64,
+    /// d(load)/d(separation) [force/length].
+    pub dload_dseparation: f64,
+    /// Real area of contact [length^2].
+    pub real_area: f64,
+    /// Number of summits in contact.
+    pub contacting: f64,
+    /// Number of summits that attract without contact.
+    pub attracted: f64,
+    /// The part of the load that those carry, <= 0 [force].
+    pub attraction_load: f64,
+}
+
+/// Constants of a model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Summary {
+    /// (sigma/R)^(1/2).
+    pub alpha: f64,
+    /// (R sigma)^(1/2)/b.
+    pub beta: f64,
+    /// w/(E* b).
+    pub gamma: f64,
+    /// Maugis' parameter at the mean radius, eq (7).
+    pub lambda: f64,
+    /// Skew of the summit heights.
+    pub skew: f64,
+    /// Kurtosis of the summit heights (3 for Gaussian).
+    pub kurtosis: f64,
+    /// The least load that holds the surfaces together, <= 0 [force].
+    pub pull_off_load: f64,
+    /// Friction force at the pull-off load [force].
+    pub pull_off_friction_force: f64,
+    /// Friction force at zero load [force].
+    pub zero_load_friction_force: f64,
+    /// The lightest load the compiled law covers [force].
+    pub min_table_load: f64,
+    /// The heaviest load the compiled law covers [force].
+    pub max_table_load: f64,
+    /// Largest relative error of the compiled friction force found when it was built.
+    pub table_error: f64,
+}
+
+impl Model {
+    /// The model of a surface pair.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] or [`Error::OutOfRange`] naming the first parameter at fault.
+    pub fn new(params: &Params) -> Result<Self, Error> {
+        let (groups, heights, radius) = params.surface()?;
+        let units = Units::new(params);
+        let population = Population::new(&groups, params.slip, heights, radius, params.attraction);
+        let equilibrium = Equilibrium::new(&population)?;
+        let law = Law::new(&population, &equilibrium)?;
+        Ok(Self { params: *params, groups, population, equilibrium, law, units })
+    }
+
+    /// The parameters it was made from.
+    pub fn params(&self) -> &Params {
+        &self.params
+    }
+
+    /// Friction coefficient F/P, at most `max_friction_coefficient`, which it is also for pull-off <= load <= 0;
+    /// 0 below pull-off; NaN for a load that is not finite.
+    pub fn friction_at_load(&self, load: f64) -> f64 {
+        let force = self.friction_force_at_load(load);
+        self.coefficient(load, force)
+    }
+
+    /// Friction force F; 0 below pull-off; NaN for a load that is not finite.
+    pub fn friction_force_at_load(&self, load: f64) -> f64 {
+        self.friction_force_and_slope(load).0
+    }
+
+    /// Friction force and its slope dF/dP.
+    pub fn friction_force_and_slope(&self, load: f64) -> (f64, f64) {
+        match self.state_at_load(load) {
+            Ok(state) => (state.friction_force, state.dforce_dload),
+            Err(Error::Separated { .. }) => (0.0, 0.0),
+            Err(_) => (f64::NAN, f64::NAN),
+        }
+    }
+
+    /// The exact state at a load, without the compiled law.
+    ///
+    /// # Errors
+    /// [`Error::InvalidLoad`], [`Error::Separated`] below pull-off, [`Error::OutOfRange`].
+    pub fn state_at_load(&self, load: f64) -> Result<State, Error> {
+        if !finite(load) {
+            return Err(Error::InvalidLoad { value: load });
+        }
+        let pull_off = self.pull_off_load();
+        if load < pull_off {
+            return Err(Error::Separated { load, pull_off });
+        }
+        if load > HEAVIEST_LOAD * self.units.load {
+            return Err(Error::OutOfRange {
+                name: "load",
+                value: load.into(),
+                allowed: "must be below 1e80 composite_modulus burgers_vector^2 asperity_count",
+            });
+        }
+        if let Some(point) = self.equilibrium.pull_off() {
+            if load == pull_off {
+                let mut state = self.state(load, point.separation, &self.population.at_separation(point.separation));
+                state.dforce_dload = f64::INFINITY;
+                state.dload_dseparation = 0.0;
+                return Ok(state);
+            }
+        } else if load == 0.0 {
+            return Err(Error::OutOfRange {
+                name: "load",
+                value: load.into(),
+                allowed: "without adhesion the surfaces part at zero load, at no finite separation; must be > 0",
+            });
+        }
+        // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
+        let log_excess = (load - pull_off).ln() - self.units.load.ln();
+        let (separation, sums) = self.equilibrium.at_log_excess(&self.population, log_excess)?;
+        Ok(self.state(load, separation, &sums))
+    }
+
+    /// The exact state at a separation, in contact or not, on the branch of load control or beyond it.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] for a separation that is not finite, [`Error::OutOfRange`].
+    pub fn state_at_separation(&self, separation: f64) -> Result<State, Error> {
+        if !finite(separation) {
+            return Err(Error::InvalidParameter {
+                name: "separation",
+                value: separation.into(),
+                allowed: "must be finite",
+            });
+        }
+        let dimensionless = separation / self.units.length;
+        if dimensionless.abs() > FARTHEST_SEPARATION {
+            return Err(Error::OutOfRange {
+                name: "separation",
+                value: separation.into(),
+                allowed: "must be within 1e50 height_std of zero",
+            });
+        }
+        let sums = self.population.at_separation(dimensionless);
+        let load = self.units.of_load(&sums, sums.load());
+        Ok(self.state(load, dimensionless, &sums))
+    }
+
+    /// The constants of the model.
+    pub fn summary(&self) -> Summary {
+        let pull_off = self.equilibrium.pull_off();
+        let zero_load = match self.state_at_load(0.0) {
+            Ok(state) => state.friction_force,
+            Err(_) => 0.0,
+        };
+        Summary {
+            alpha: self.groups.alpha,
+            beta: self.groups.beta,
+            gamma: self.groups.gamma,
+            lambda: self.groups.lambda_cubed().cbrt(),
+            skew: self.population.heights().skew(),
+            kurtosis: self.population.heights().kurtosis(),
+            pull_off_load: self.pull_off_load(),
+            pull_off_friction_force: pull_off.map_or(0.0, |point| point.friction * self.units.force),
+            zero_load_friction_force: zero_load,
+            min_table_load: self.pull_off_load() + self.law.range().0 * self.units.load,
+            max_table_load: self.pull_off_load() + self.law.range().1 * self.units.load,
+            table_error: self.law.error(),
+        }
+    }
+
+    fn pull_off_load(&self) -> f64 {
+        self.equilibrium.pull_off_load() * self.units.load
+    }
+
+    fn coefficient(&self, load: f64, force: f64) -> f64 {
+        let cap = self.params.max_friction_coefficient;
+        if !finite(load) || !finite(force) {
+            f64::NAN
+        } else if load < self.pull_off_load() {
+            0.0
+        } else if load <= 0.0 || force >= cap * load {
+            cap
+        } else {
+            force / load
+        }
+    }
+
+    fn state(&self, load: f64, separation: f64, sums: &Sums) -> State {
+        let units = &self.units;
+        let friction_force = units.of(units.force, sums, sums.friction);
+        let on_branch = separation <= self.equilibrium.farthest();
+        let coefficient = if on_branch || load > 0.0 { self.coefficient(load, friction_force) } else { 0.0 };
+        let dforce_dload = if sums.load_slope == 0.0 {
+            0.0
+        } else {
+            units.force / units.load * (sums.friction_slope / sums.load_slope)
+        };
+        let capped = load <= 0.0 || coefficient >= self.params.max_friction_coefficient;
+        State {
+            load,
+            separation: separation * units.length,
+            friction_force,
+            friction_coefficient: coefficient,
+            dforce_dload,
+            dmu_dload: if capped { 0.0 } else { (dforce_dload - coefficient) / load },
+            dload_dseparation: units.of(units.load / units.length, sums, sums.load_slope),
+            real_area: units.of(units.area, sums, sums.area),
+            contacting: units.of(units.count, sums, sums.contacting),
+            attracted: units.of(units.count, sums, sums.attracted),
+            attraction_load: units.of_load(sums, sums.load_attracted),
+        }
+    }
+}
+
+impl Units {
+    fn new(params: &Params) -> Self {
+        let area = params.burgers_vector * params.burgers_vector * params.asperity_count;
+        Self {
+            load: params.composite_modulus * area,
+            force: params.effective_shear_modulus * area,
+            area,
+            length: params.height_std,
+            count: params.asperity_count,
+        }
+    }
+
+    /// A sum in a unit; the scale of the sums and the unit together, since one may be tiny and the other large.
+    fn of(&self, unit: f64, sums: &Sums, value: f64) -> f64 {
+        if sums.log_scale > -600.0 {
+            sums.log_scale.exp() * unit * value
+        } else {
+            (sums.log_scale + unit.ln()).exp() * value
+        }
+    }
+
+    fn of_load(&self, sums: &Sums, value: f64) -> f64 {
+        self.of(self.load, sums, value)
+    }
+}

@@ -1,0 +1,347 @@
+//! A surface pair in the user's own consistent units, validated, and turned into dimensionless groups.
+
+use crate::asperity::slip::SlipConstants;
+use crate::error::Error;
+use crate::groups::Groups;
+use crate::surface::heights::weibull::{self, Weibull};
+use crate::surface::heights::Heights;
+use crate::surface::radius::RadiusProfile;
+
+/// The family of the distribution of summit heights.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum HeightFamily {
+    /// Eq (17).
+    Gaussian,
+    /// Eqs (18)-(21), with its shape omega.
+    Weibull {
+        /// omega > 0; 3.602 has no skew, more is negative skew.
+        shape: f64,
+    },
+}
+
+/// Two rough elastic surfaces, as the equivalent rough surface against a flat.
+///
+/// All quantities are in one consistent system of units. Loads, forces and areas are totals over
+/// `asperity_count` summits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Params {
+    /// E* [stress]: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+    pub composite_modulus: f64,
+    /// G* = 2 G1 G2/(G1 + G2) [stress].
+    pub effective_shear_modulus: f64,
+    /// w [force/length]; 0 is Hertzian contact.
+    pub work_of_adhesion: f64,
+    /// h [length], the range of the adhesive stress w/h.
+    pub adhesion_range: f64,
+    /// b [length], Burgers vector.
+    pub burgers_vector: f64,
+    /// sigma [length], standard deviation of summit heights.
+    pub height_std: f64,
+    /// R [length], mean radius of summit curvature.
+    pub summit_radius: f64,
+    /// N, summit density times nominal area; need not be whole.
+    pub asperity_count: f64,
+    /// How summit heights are distributed.
+    pub heights: HeightFamily,
+    /// Whether summits out of contact attract.
+    pub attraction: bool,
+    /// epsilon of eq (3), in [-1, 1].
+    pub radius_amplitude: f64,
+    /// rho of eq (3), > 0; read only where epsilon is not 0.
+    pub radius_rate: f64,
+    /// Constants of the shear strength, eq (13).
+    pub slip: SlipConstants,
+    /// Cap on every friction coefficient returned; may be infinite.
+    pub max_friction_coefficient: f64,
+}
+
+impl Default for Params {
+    /// The paper's default case: alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1.
+    fn default() -> Self {
+        let mut params = Self {
+            composite_modulus: 1.0,
+            effective_shear_modulus: 1.0,
+            work_of_adhesion: 0.0,
+            adhesion_range: 1.0,
+            burgers_vector: 1.0,
+            height_std: 1.0,
+            summit_radius: 1.0,
+            asperity_count: 1.0,
+            heights: HeightFamily::Gaussian,
+            attraction: true,
+            radius_amplitude: 0.0,
+            radius_rate: 0.5,
+            slip: SlipConstants::default(),
+            max_friction_coefficient: 1000.0,
+        };
+        params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
+        params
+    }
+}
+
+/// Raw quantities beyond this, or below its inverse, could overflow when combined.
+const LARGEST: f64 = 1e60;
+
+const POSITIVE: &str = "must be finite and > 0";
+const MAGNITUDE: &str = "must be between 1e-60 and 1e60; choose other units";
+
+impl Params {
+    /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8).
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] or [`Error::OutOfRange`]; the parameters are then as before.
+    pub fn set_dimensionless(
+        &mut self,
+        alpha: f64,
+        beta: f64,
+        gamma: f64,
+        b_over_h: f64,
+        poisson: f64,
+    ) -> Result<(), Error> {
+        positive("alpha", alpha)?;
+        positive("beta", beta)?;
+        if gamma != 0.0 {
+            magnitude("gamma", gamma, "must be finite and >= 0")?;
+        }
+        positive("b_over_h", b_over_h)?;
+        poisson_ratio("poisson", poisson)?;
+        self.write_dimensionless(alpha, beta, gamma, b_over_h, poisson);
+        Ok(())
+    }
+
+    fn write_dimensionless(&mut self, alpha: f64, beta: f64, gamma: f64, b_over_h: f64, poisson: f64) {
+        self.composite_modulus = 2.0 / (1.0 - poisson);
+        self.effective_shear_modulus = 2.0;
+        self.burgers_vector = 1.0;
+        self.asperity_count = 1.0;
+        self.height_std = alpha * beta;
+        self.summit_radius = beta / alpha;
+        self.work_of_adhesion = gamma * self.composite_modulus;
+        self.adhesion_range = 1.0 / b_over_h;
+    }
+
+    /// E* and G* of two isotropic bodies; an infinite Young's modulus is a rigid body.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] or [`Error::OutOfRange`]; the parameters are then as before.
+    pub fn set_materials(&mut self, young_1: f64, poisson_1: f64, young_2: f64, poisson_2: f64) -> Result<(), Error> {
+        const YOUNG: &str = "must be > 0; INFINITY is a rigid body";
+        let rigid = |young: f64| young == f64::INFINITY;
+        for (name, young) in [("E1", young_1), ("E2", young_2)] {
+            if !rigid(young) {
+                magnitude(name, young, YOUNG)?;
+            }
+        }
+        poisson_ratio("nu1", poisson_1)?;
+        poisson_ratio("nu2", poisson_2)?;
+        if rigid(young_1) && rigid(young_2) {
+            return Err(Error::InvalidParameter {
+                name: "E2",
+                value: young_2.into(),
+                allowed: "at least one of the two bodies must be elastic (finite)",
+            });
+        }
+        // Compliances: those of a rigid body are 0.
+        let compliance = |young: f64, factor: f64| if rigid(young) { 0.0 } else { factor / young };
+        self.composite_modulus = 1.0
+            / (compliance(young_1, 1.0 - poisson_1 * poisson_1) + compliance(young_2, 1.0 - poisson_2 * poisson_2));
+        self.effective_shear_modulus =
+            1.0 / (compliance(young_1, 1.0 + poisson_1) + compliance(young_2, 1.0 + poisson_2));
+        Ok(())
+    }
+
+    /// Weibull heights of this skew.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] at or below -1.13955, the limit of the family; [`Error::OutOfRange`] where the
+    /// shape would lie outside what the library evaluates. The parameters are then as before.
+    pub fn set_skew(&mut self, skew: f64) -> Result<(), Error> {
+        if !finite(skew) || skew <= weibull::SKEW_LIMIT {
+            return Err(Error::InvalidParameter {
+                name: "skew",
+                value: skew.into(),
+                allowed: "must be finite and > -1.13955, the limit of the Weibull family",
+            });
+        }
+        let shape = Weibull::shape_of_skew(skew).ok_or(Error::OutOfRange {
+            name: "skew",
+            value: skew.into(),
+            allowed: "must be that of a Weibull shape between 0.3 and 1e6: -1.13954 to 17",
+        })?;
+        self.heights = HeightFamily::Weibull { shape };
+        Ok(())
+    }
+
+    /// The groups of eqs (7) and (8), heights and radii; every number is checked on the way.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] or [`Error::OutOfRange`], naming the first offence.
+    pub(crate) fn surface(&self) -> Result<(Groups, Heights, RadiusProfile), Error> {
+        positive("composite_modulus", self.composite_modulus)?;
+        positive("effective_shear_modulus", self.effective_shear_modulus)?;
+        if self.work_of_adhesion.to_bits() << 1 != 0 {
+            magnitude("work_of_adhesion", self.work_of_adhesion, "must be finite and >= 0")?;
+        }
+        positive("adhesion_range", self.adhesion_range)?;
+        positive("burgers_vector", self.burgers_vector)?;
+        positive("height_std", self.height_std)?;
+        positive("summit_radius", self.summit_radius)?;
+        positive("asperity_count", self.asperity_count)?;
+        let heights = self.checked_heights()?;
+        let radius = self.checked_radius()?;
+        self.check_slip()?;
+        let cap = self.max_friction_coefficient;
+        if nan(cap) || cap <= 0.0 {
+            return Err(Error::InvalidParameter {
+                name: "max_friction_coefficient",
+                value: cap.into(),
+                allowed: "must be > 0; INFINITY is no cap",
+            });
+        }
+
+        let groups = Groups {
+            alpha: (self.height_std / self.summit_radius).sqrt(),
+            beta: (self.height_std * self.summit_radius).sqrt() / self.burgers_vector,
+            gamma: self.work_of_adhesion / (self.composite_modulus * self.burgers_vector),
+            b_over_h: self.burgers_vector / self.adhesion_range,
+        };
+        let within = |name: &'static str, value: f64, lower: f64, upper: f64, allowed: &'static str| {
+            if value >= lower && value <= upper {
+                return Ok(());
+            }
+            Err(Error::OutOfRange { name, value: value.into(), allowed })
+        };
+        within(
+            "alpha",
+            groups.alpha,
+            1e-5,
+            10.0,
+            "(height_std/summit_radius)^(1/2) must be between 1e-5 and 10",
+        )?;
+        within(
+            "beta",
+            groups.beta,
+            0.1,
+            1e8,
+            "(height_std summit_radius)^(1/2)/burgers_vector must be between 0.1 and 1e8",
+        )?;
+        if groups.gamma != 0.0 {
+            within(
+                "gamma",
+                groups.gamma,
+                1e-9,
+                10.0,
+                "work_of_adhesion/(composite_modulus burgers_vector) must be 0 or between 1e-9 and 10",
+            )?;
+        }
+        within(
+            "b/h",
+            groups.b_over_h,
+            1e-3,
+            100.0,
+            "burgers_vector/adhesion_range must be between 1e-3 and 100",
+        )?;
+        Ok((groups, heights, radius))
+    }
+
+    fn checked_heights(&self) -> Result<Heights, Error> {
+        match self.heights {
+            HeightFamily::Gaussian => Ok(Heights::Gaussian),
+            HeightFamily::Weibull { shape } => {
+                if !finite(shape) || shape <= 0.0 {
+                    return Err(Error::InvalidParameter {
+                        name: "weibull_shape",
+                        value: shape.into(),
+                        allowed: POSITIVE,
+                    });
+                }
+                let (smallest, largest) = weibull::SHAPE_RANGE;
+                if shape < smallest || shape > largest {
+                    return Err(Error::OutOfRange {
+                        name: "weibull_shape",
+                        value: shape.into(),
+                        allowed: "must be between 0.3 and 1e6",
+                    });
+                }
+                Ok(Heights::Weibull(Weibull::new(shape)))
+            }
+        }
+    }
+
+    fn checked_radius(&self) -> Result<RadiusProfile, Error> {
+        let (amplitude, rate) = (self.radius_amplitude, self.radius_rate);
+        if nan(amplitude) || !(-1.0..=1.0).contains(&amplitude) {
+            return Err(Error::InvalidParameter {
+                name: "radius_amplitude",
+                value: amplitude.into(),
+                allowed: "must be between -1 and 1",
+            });
+        }
+        if !finite(rate) || rate <= 0.0 {
+            return Err(Error::InvalidParameter { name: "radius_rate", value: rate.into(), allowed: POSITIVE });
+        }
+        if amplitude != 0.0 && !(1e-6..=1e3).contains(&rate) {
+            return Err(Error::OutOfRange {
+                name: "radius_rate",
+                value: rate.into(),
+                allowed: "must be between 1e-6 and 1000 where radius_amplitude is not 0",
+            });
+        }
+        Ok(RadiusProfile { amplitude, rate })
+    }
+
+    fn check_slip(&self) -> Result<(), Error> {
+        let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.slip;
+        positive("slip_radius_1", radius_1)?;
+        positive("slip_stress_1", stress_1)?;
+        positive("slip_radius_2", radius_2)?;
+        positive("slip_stress_2", stress_2)?;
+        // A relative distance, so that the exponent of the power law between the radii stays finite.
+        if radius_2 <= radius_1 * (1.0 + 1e-9) {
+            return Err(Error::InvalidParameter {
+                name: "slip_radius_2",
+                value: radius_2.into(),
+                allowed: "must be greater than slip_radius_1",
+            });
+        }
+        if stress_2 * radius_2 * radius_2 < stress_1 * radius_1 * radius_1 * (1.0 - 1e-12) {
+            return Err(Error::InvalidParameter {
+                name: "slip_stress_2",
+                value: stress_2.into(),
+                allowed: "must be at least slip_stress_1 (slip_radius_1/slip_radius_2)^2, so that the friction force \
+                          of a summit does not fall as its contact grows",
+            });
+        }
+        Ok(())
+    }
+}
+
+/// Tested by bits: a comparison with a signalling NaN would raise a floating-point exception.
+pub(crate) fn finite(x: f64) -> bool {
+    x.to_bits() >> 52 & 0x7ff != 0x7ff
+}
+
+pub(crate) fn nan(x: f64) -> bool {
+    x.to_bits() << 1 > 0x7ff << 53
+}
+
+fn positive(name: &'static str, value: f64) -> Result<(), Error> {
+    magnitude(name, value, POSITIVE)
+}
+
+fn magnitude(name: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
+    if !finite(value) || value <= 0.0 {
+        return Err(Error::InvalidParameter { name, value: value.into(), allowed });
+    }
+    if !(1.0 / LARGEST..=LARGEST).contains(&value) {
+        return Err(Error::OutOfRange { name, value: value.into(), allowed: MAGNITUDE });
+    }
+    Ok(())
+}
+
+fn poisson_ratio(name: &'static str, value: f64) -> Result<(), Error> {
+    if nan(value) || !(value > -1.0 && value <= 0.5) {
+        return Err(Error::InvalidParameter { name, value: value.into(), allowed: "must be > -1 and <= 0.5" });
+    }
+    Ok(())
+}

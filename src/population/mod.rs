@@ -1,0 +1,659 @@
+//! The sums over all summits at a given separation, eqs (2), (12), (16), and their slopes.
+//!
+//! Each sum is an integral over height z of an asperity's law times the height density. The range is cut
+//! where the integrand is not smooth: at break-away (square-root edge or jump), at the ends of attraction,
+//! at the kinks of the slip law, at the foot of the height distribution. Between the cuts, panels are no
+//! longer than the distance to the nearest singularity allows, so that 16 Gauss points each give the
+//! integral to rounding; near break-away the variable is theta, in which the edge is smooth.
+//!
+//! Heights, overlaps and separations are in sigma; sums are per summit, loads in E* b^2, friction in
+//! G* b^2, areas in b^2.
+
+mod break_edges;
+mod gauss_legendre;
+mod nodes;
+
+pub use gauss_legendre::integrate_short;
+
+use crate::asperity::attraction::{self, Attraction, ATTRACTION_LAMBDA_CUBED};
+use crate::asperity::maugis::{Contact, Maugis};
+use crate::asperity::slip::{Slip, SlipConstants};
+use crate::groups::Groups;
+use crate::root;
+use crate::surface::heights::{Heights, SHORTEST_PANEL, UNDERFLOW};
+use crate::surface::radius::RadiusProfile;
+use break_edges::{BreakEdges, Edge};
+use nodes::Nodes;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// One panel reaches from theta to no less than this fraction of it: u(theta) has its singularity at 0.
+const THETA_RATIO: f64 = 0.6;
+/// One panel of attraction with varying radius spans no more than this ratio of sqrt(gap terms).
+const CIRCLE_RATIO: f64 = 4.0;
+/// Where the contact curve is this many panels long, height itself serves as the variable.
+const LONG_CURVE: f64 = 1.5;
+/// No sum needs as many panels; it bounds the time of a call.
+const MOST_PANELS: usize = 4000;
+
+/// A population of summits pressed against a flat.
+#[derive(Debug, Clone)]
+pub struct Population {
+    maugis: Maugis,
+    attraction: Option<Attraction>,
+    slip: Slip,
+    heights: Heights,
+    radius: RadiusProfile,
+    edges: BreakEdges,
+    lambda_cubed: f64,
+    nodes: Option<Nodes>,
+}
+
+/// The sums at one separation, all to be multiplied by exp(`log_scale`).
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Sums {
+    /// Keeps sums of a nearly empty tail from underflowing.
+    pub log_scale: f64,
+    /// Load of the summits in contact.
+    pub load_contacting: f64,
+    /// Load of the summits that attract without contact, <= 0.
+    pub load_attracted: f64,
+    /// Friction force.
+    pub friction: f64,
+    /// Real area of contact.
+    pub area: f64,
+    /// Fraction of summits in contact.
+    pub contacting: f64,
+    /// Fraction of summits that attract without contact.
+    pub attracted: f64,
+    /// d(load)/d(separation).
+    pub load_slope: f64,
+    /// d(friction)/d(separation).
+    pub friction_slope: f64,
+}
+
+impl Sums {
+    /// The load of all summits.
+    pub fn load(&self) -> f64 {
+        self.load_contacting + self.load_attracted
+    }
+
+    /// The sums themselves: `log_scale` 0.
+    pub fn unscaled(&self) -> Self {
+        let scale = self.log_scale.exp();
+        Self {
+            log_scale: 0.0,
+            load_contacting: scale * self.load_contacting,
+            load_attracted: scale * self.load_attracted,
+            friction: scale * self.friction,
+            area: scale * self.area,
+            contacting: scale * self.contacting,
+            attracted: scale * self.attracted,
+            load_slope: scale * self.load_slope,
+            friction_slope: scale * self.friction_slope,
+        }
+    }
+
+    /// Adds one contacting summit, `weight` times.
+    #[inline]
+    fn add_contact(&mut self, weight: f64, summit: &Summit) {
+        self.contacting += weight;
+        self.load_contacting += weight * summit.load;
+        self.friction += weight * summit.friction;
+        self.area += weight * summit.area;
+        self.load_slope -= weight * summit.load_by_overlap;
+        self.friction_slope -= weight * summit.friction_by_overlap;
+    }
+
+    /// Adds one attracted summit, `weight` times.
+    #[inline]
+    fn add_attraction(&mut self, weight: f64, summit: &Summit) {
+        self.attracted += weight;
+        self.load_attracted += weight * summit.load;
+        self.load_slope -= weight * summit.load_by_overlap;
+    }
+}
+
+/// What one summit contributes.
+#[derive(Debug, Clone, Copy, Default)]
+struct Summit {
+    load: f64,
+    friction: f64,
+    area: f64,
+    load_by_overlap: f64,
+    friction_by_overlap: f64,
+}
+
+/// What walks the panels hands its nodes to.
+trait Sink {
+    /// A panel begins; all its nodes follow.
+    fn panel(&mut self, _from: &Point, _to: &Point) {}
+    /// A node: its height, its weight without the density, and the contact there.
+    fn node(&mut self, z: f64, weight: f64, contact: &Contact);
+}
+
+/// Sums the nodes, weighted with the density of heights.
+struct Summing<'a> {
+    population: &'a Population,
+    sums: &'a mut Sums,
+}
+
+impl Sink for Summing<'_> {
+    fn node(&mut self, z: f64, weight: f64, contact: &Contact) {
+        let density = self.population.density(z, self.sums.log_scale);
+        self.sums.add_contact(weight * density, &self.population.summit(contact));
+    }
+}
+
+/// A summit in contact, at its height.
+#[derive(Debug, Clone, Copy)]
+struct Point {
+    z: f64,
+    g: f64,
+    g_rate: f64,
+    contact: Contact,
+}
+
+impl Population {
+    /// The population of a surface; `attract` says whether summits out of contact attract.
+    pub fn new(
+        groups: &Groups,
+        slip: SlipConstants,
+        heights: Heights,
+        radius: RadiusProfile,
+        attract: bool,
+    ) -> Self {
+        let maugis = Maugis::new(groups);
+        let highest = heights.far_tail();
+        let edges = BreakEdges::new(&maugis, &radius, heights.far_foot(), highest);
+        let mut population = Self {
+            maugis,
+            attraction: (attract && groups.gamma > 0.0).then(|| Attraction::new(groups)),
+            slip: Slip::new(slip),
+            heights,
+            radius,
+            edges,
+            lambda_cubed: groups.lambda_cubed(),
+            nodes: None,
+        };
+        if radius.is_constant() {
+            population.nodes = Some(Nodes::new(&population));
+        }
+        population
+    }
+
+    /// The height distribution.
+    pub fn heights(&self) -> &Heights {
+        &self.heights
+    }
+
+    /// Whether anything attracts.
+    pub fn is_adhesive(&self) -> bool {
+        self.lambda_cubed > 0.0
+    }
+
+    /// Whether load against separation can have but one minimum: the law of equal summits changes sign once
+    /// in slope, and a log-concave density adds no sign change (variation diminishing).
+    pub fn has_single_minimum(&self) -> bool {
+        self.radius.is_constant() && self.heights.is_log_concave()
+    }
+
+    /// A separation beyond which nothing touches or attracts, in any number that can be represented.
+    pub fn farthest(&self) -> f64 {
+        self.heights.far_tail() + self.attraction.as_ref().map_or(0.0, |a| a.reach) - self.edges.deepest()
+    }
+
+    /// The sums at a separation.
+    pub fn at_separation(&self, separation: f64) -> Sums {
+        let edges = self.edges.at_separation(&self.maugis, &self.radius, separation);
+        let foot = self.heights.foot().map_or(f64::NEG_INFINITY, |(foot, _)| foot);
+        let attraction_start =
+            self.attraction.as_ref().map_or(f64::INFINITY, |law| separation - law.reach).max(foot);
+        let first_edge = edges.iter().next();
+        // Whether the lowest summits are in contact.
+        let mut contact = match first_edge {
+            Some(edge) => edge.rate < 0.0,
+            None => self.edges.all_in_contact(&self.maugis, &self.radius, separation),
+        };
+        let contact_start = if contact { foot } else { first_edge.map_or(f64::INFINITY, |edge| edge.z.max(foot)) };
+        let mut sums =
+            Sums { log_scale: self.log_scale(contact_start.min(attraction_start)), ..Sums::default() };
+        if sums.log_scale < UNDERFLOW {
+            return sums;
+        }
+
+        // Going up, summits are alternately out of contact and in contact.
+        let mut lower_edge: Option<&Edge> = None;
+        for upper_edge in edges.iter().map(Some).chain([None]) {
+            let lower = lower_edge.map_or(foot, |edge| edge.z.max(foot));
+            let upper = upper_edge.map_or(f64::INFINITY, |edge| edge.z);
+            if contact {
+                let (lower, upper) = self.heights.worth_summing(lower, upper);
+                self.add_contacts(&mut sums, separation, (lower, lower_edge), (upper, upper_edge));
+            } else {
+                let (lower, upper) = self.heights.worth_summing(lower.max(attraction_start), upper);
+                self.add_attractions(&mut sums, separation, lower, upper, upper_edge);
+            }
+            if let Some(edge) = upper_edge {
+                self.add_edge(&mut sums, separation, edge);
+            }
+            contact = !contact;
+            lower_edge = upper_edge;
+        }
+        sums
+    }
+
+    /// ln of the largest density at or above a height.
+    fn log_scale(&self, start: f64) -> f64 {
+        let at = start.max(self.heights.mode());
+        let (log_density, _) = self.heights.log_density(at);
+        if log_density.is_finite() {
+            log_density
+        } else {
+            0.0 // a density that is singular at its foot
+        }
+    }
+
+    /// The density at a height, over exp(log_scale).
+    #[inline]
+    fn density(&self, z: f64, log_scale: f64) -> f64 {
+        (self.heights.log_density(z).0 - log_scale).exp()
+    }
+
+    /// What a contact contributes, friction included.
+    #[inline]
+    fn summit(&self, contact: &Contact) -> Summit {
+        let (friction, friction_by_radius) = self.slip.force(contact.radius);
+        let inv_rate = if contact.overlap_rate < 0.0 { 1.0 / contact.overlap_rate } else { 0.0 };
+        Summit {
+            load: contact.load,
+            friction,
+            area: PI * contact.radius * contact.radius,
+            load_by_overlap: contact.load_rate * inv_rate,
+            friction_by_overlap: friction_by_radius * contact.radius_rate * inv_rate,
+        }
+    }
+
+    /// The slopes' share of a moving edge: what a summit loses there at once, times how fast heights pass it.
+    fn add_edge(&self, sums: &mut Sums, separation: f64, edge: &Edge) {
+        let density = self.density(edge.z, sums.log_scale);
+        if density == 0.0 {
+            return;
+        }
+        let below = self.attraction_at(separation, edge.z).map_or(0.0, |attracted| attracted.load);
+        let passing = density / edge.rate.abs();
+        sums.load_slope -= passing * (edge.contact.load - below);
+        sums.friction_slope -= passing * self.slip.force(edge.contact.radius).0;
+    }
+
+    /// The attraction of a summit out of contact, where there is one.
+    fn attraction_at(&self, separation: f64, z: f64) -> Option<attraction::Attracted> {
+        let law = self.attraction.as_ref()?;
+        let g = self.radius.factor(z);
+        let overlap = z - separation;
+        (self.lambda_cubed * g < ATTRACTION_LAMBDA_CUBED && overlap >= -law.reach)
+            .then(|| law.at(law.circle(overlap, g), g))
+    }
+
+    /// The contact of a summit `rise` above another, from a starting theta.
+    fn point(&self, from: &Point, rise: f64, guess: f64) -> Point {
+        let z = from.z + rise;
+        let (g, g_rate) = self.radius.at(z);
+        Point { z, g, g_rate, contact: self.maugis.at_overlap(from.contact.overlap + rise, g, guess) }
+    }
+
+    /// The contact of a summit of height z, from nothing.
+    fn point_cold(&self, separation: f64, z: f64) -> Point {
+        let (g, g_rate) = self.radius.at(z);
+        let overlap = z - separation;
+        Point { z, g, g_rate, contact: self.maugis.at_overlap(overlap, g, self.maugis.guess(overlap, g)) }
+    }
+
+    /// Adds the summits in contact between two heights, either of which may be an edge.
+    fn add_contacts(
+        &self,
+        sums: &mut Sums,
+        separation: f64,
+        (lower, lower_edge): (f64, Option<&Edge>),
+        (upper, upper_edge): (f64, Option<&Edge>),
+    ) {
+        if upper <= lower {
+            return;
+        }
+        if let Some(nodes) = &self.nodes {
+            return self.add_tabulated(nodes, sums, separation, lower, upper);
+        }
+        let mut sink = Summing { population: self, sums };
+        let start = match lower_edge {
+            Some(edge) if edge.z == lower => self.edge_point(edge),
+            _ => self.point_cold(separation, lower),
+        };
+        match upper_edge {
+            // A second edge above, where a falling radius lets tall summits break first: from both ends.
+            Some(edge) if edge.z == upper => {
+                let middle = 0.5 * (lower + upper);
+                self.march(self.from_foot(start, middle, &mut sink), middle, &mut sink);
+                self.march(self.edge_point(edge), middle, &mut sink);
+            }
+            _ => self.march(self.from_foot(start, upper, &mut sink), upper, &mut sink),
+        }
+    }
+
+    /// Adds the summits in contact between two heights from nodes that are the same at every separation; only
+    /// panels across which the density is not smooth are walked anew.
+    fn add_tabulated(&self, nodes: &Nodes, sums: &mut Sums, separation: f64, lower: f64, upper: f64) {
+        for panel in nodes.panels() {
+            let (z_from, z_to) = (separation + panel.from.z, separation + panel.to.z);
+            if z_to <= lower {
+                continue;
+            }
+            if z_from >= upper {
+                return;
+            }
+            let from_start = z_from >= lower;
+            if from_start && z_to - z_from <= 1.001 * self.heights.smooth_length(z_from) {
+                for node in panel.nodes() {
+                    let weight = node.weight * self.density(separation + node.overlap, sums.log_scale);
+                    sums.add_contact(weight, &node.summit);
+                }
+                continue;
+            }
+            let mut sink = Summing { population: self, sums };
+            let end = z_to.min(upper);
+            let start = if from_start {
+                panel.from.raised(separation)
+            } else {
+                let start = self.point_cold(separation, lower);
+                self.from_foot(start, end, &mut sink)
+            };
+            self.march(start, end, &mut sink);
+        }
+        let last = nodes.last_point().raised(separation);
+        let mut sink = Summing { population: self, sums };
+        if last.z >= lower {
+            self.march(last, upper, &mut sink);
+        } else {
+            let start = self.point_cold(separation, lower);
+            self.march(self.from_foot(start, upper, &mut sink), upper, &mut sink);
+        }
+    }
+
+    fn edge_point(&self, edge: &Edge) -> Point {
+        let (g, g_rate) = self.radius.at(edge.z);
+        Point { z: edge.z, g, g_rate, contact: edge.contact }
+    }
+
+    /// Where the range begins at the foot of the distribution, sums a first panel in which the power law of the
+    /// density is smooth; returns where it ends.
+    fn from_foot(&self, start: Point, upper: f64, sink: &mut impl Sink) -> Point {
+        let Some(panel) = self.foot_panel(start.z, upper, || self.clearance(&start)) else {
+            return start;
+        };
+        let mut guess = start.contact.theta;
+        for (v, w) in gauss_legendre::nodes(0.0, 1.0) {
+            let (rise, rate) = panel.at(v);
+            let point = self.point(&start, rise, guess);
+            guess = point.contact.theta;
+            sink.node(point.z, w * rate, &point.contact);
+        }
+        self.point(&start, panel.length, guess)
+    }
+
+    /// The first panel above the foot, if the range begins there; `clearance` is the distance from the foot to
+    /// where the law of one asperity is singular.
+    fn foot_panel(&self, start: f64, upper: f64, clearance: impl FnOnce() -> f64) -> Option<FootPanel> {
+        let (foot, exponent) = self.heights.foot()?;
+        if start > foot {
+            return None;
+        }
+        // z = foot + length v^p turns phi dz ~ v^(p (exponent + 1) - 1) into at least v^8, and leaves a law
+        // that is a power series in z - foot.
+        let power = (9.0 / (exponent + 1.0)).max(1.0);
+        let shortest = SHORTEST_PANEL.powf(1.0 / (exponent + 1.0).min(1.0));
+        let length =
+            (0.02 * clearance().min(1.0).min(self.radius.smooth_length(foot))).max(shortest).min(upper - foot);
+        Some(FootPanel { length, power })
+    }
+
+    /// How far from z towards `end` a panel may reach, as far as heights and radii go.
+    fn smooth_length(&self, z: f64, upwards: bool) -> f64 {
+        if upwards {
+            self.heights.smooth_length(z).min(self.radius.smooth_length(z))
+        } else {
+            // Going down, what lies below is nearer: the distance that z would allow going up, less itself.
+            let mut length = 1.0_f64;
+            for _ in 0..60 {
+                let below = z - length;
+                if self.heights.smooth_length(below).min(self.radius.smooth_length(below)) >= length {
+                    break;
+                }
+                length *= 0.5;
+            }
+            length
+        }
+    }
+
+    /// Walks panels from a point to a height, and hands every node to `sink`: height, weight, contact.
+    fn march(&self, start: Point, end: f64, sink: &mut impl Sink) {
+        let upwards = end >= start.z;
+        self.march_by(start, end, |z| self.smooth_length(z, upwards), sink);
+    }
+
+    /// Walks panels no longer than `smooth_length` of where each begins.
+    fn march_by(&self, start: Point, end: f64, smooth_length: impl Fn(f64) -> f64, sink: &mut impl Sink) {
+        let direction = if end >= start.z { 1.0 } else { -1.0 };
+        let constant_radius = self.radius.is_constant();
+        let mut here = start;
+        for _ in 0..MOST_PANELS {
+            let remaining = direction * (end - here.z);
+            if remaining <= 0.0 {
+                return;
+            }
+            let mut length = smooth_length(here.z);
+            if length > 0.8 * remaining {
+                length = remaining;
+            }
+            let theta_far = self.theta_limit(&here);
+            let curve = self.maugis.at(theta_far, here.g).overlap - here.contact.overlap;
+            length = length.min(curve);
+            let mut there = self.point(&here, direction * length, here.contact.theta);
+            if let Some(rise) = self.first_cut(&here, &there) {
+                length = rise.abs();
+                there = self.point(&here, rise, there.contact.theta);
+            }
+            sink.panel(&here, &there);
+            if curve > LONG_CURVE * length && self.clearance(&here) > length {
+                for (rise, weight) in gauss_legendre::nodes(0.0, direction * length) {
+                    let part = rise / (direction * length);
+                    let guess = here.contact.theta + part * (there.contact.theta - here.contact.theta);
+                    let point = self.point(&here, rise, guess);
+                    sink.node(point.z, weight, &point.contact);
+                }
+            } else {
+                let theta_end = if constant_radius {
+                    there.contact.theta
+                } else if length == curve {
+                    theta_far
+                } else {
+                    let overlap = here.contact.overlap + length;
+                    self.maugis.at_overlap(overlap, here.g, there.contact.theta).theta
+                };
+                for (theta, weight) in gauss_legendre::nodes(theta_end, here.contact.theta) {
+                    let reference = self.maugis.at(theta, here.g);
+                    let rise = direction * (reference.overlap - here.contact.overlap);
+                    let weight = weight * reference.overlap_rate.abs();
+                    if constant_radius {
+                        sink.node(here.z + rise, weight, &reference);
+                    } else {
+                        let point = self.point(&here, rise, theta);
+                        sink.node(point.z, weight, &point.contact);
+                    }
+                }
+            }
+            here = there;
+        }
+    }
+
+    /// How far down in theta one panel may reach: u(theta) is singular at 0, and between the slip law's radii the
+    /// friction force is a fractional power of the radius, singular at theta = pi/2.
+    fn theta_limit(&self, here: &Point) -> f64 {
+        let theta = here.contact.theta;
+        let by_curve = THETA_RATIO * theta;
+        if here.contact.radius < 0.999_999 * self.slip.kinks()[0] {
+            return by_curve;
+        }
+        by_curve.max(theta - 2.0 * (FRAC_PI_2 - theta))
+    }
+
+    /// How far the overlap is above that of break-away.
+    fn clearance(&self, point: &Point) -> f64 {
+        point.contact.overlap - self.maugis.break_away(point.g).overlap
+    }
+
+    /// The rise to the first height between two contacts where the integrand has a kink: the contact radius
+    /// passes one of the slip law's radii. Where the contact radius has an extremum between them, that.
+    fn first_cut(&self, here: &Point, there: &Point) -> Option<f64> {
+        let mut whole = there.z - here.z;
+        let inside = |rise: f64| {
+            let part = rise / (there.z - here.z);
+            (part > 1e-9 && part < 1.0 - 1e-9).then_some(rise)
+        };
+        let mut cut = None;
+        let mut there = *there;
+        if !self.radius.is_constant() && here.radius_rises() != there.radius_rises() {
+            let rate = |rise: f64| self.point(here, rise, there.contact.theta).radius_rise();
+            cut = inside(root::bracketed(rate, 0.0, whole));
+            if let Some(rise) = cut {
+                there = self.point(here, rise, there.contact.theta);
+                whole = rise;
+            }
+        }
+        for kink in self.slip.kinks() {
+            let (a, b) = (here.contact.radius - kink, there.contact.radius - kink);
+            if (a < 0.0) != (b < 0.0) {
+                let excess = |rise: f64| self.point(here, rise, there.contact.theta).contact.radius - kink;
+                if let Some(rise) = inside(root::bracketed(excess, 0.0, whole)) {
+                    cut = Some(rise);
+                    there = self.point(here, rise, there.contact.theta);
+                    whole = rise;
+                }
+            }
+        }
+        cut
+    }
+
+    /// Adds the summits that attract without contact between two heights.
+    fn add_attractions(
+        &self,
+        sums: &mut Sums,
+        separation: f64,
+        lower: f64,
+        upper: f64,
+        upper_edge: Option<&Edge>,
+    ) {
+        let Some(law) = &self.attraction else { return };
+        let Some((lower, upper)) = self.where_attraction_exists(lower, upper) else { return };
+        let log_scale = sums.log_scale;
+        // Heights at the far end of attraction: there it sets in with a jump.
+        if lower == separation - law.reach {
+            let g = self.radius.factor(lower);
+            sums.load_slope -= self.density(lower, log_scale) * law.at(law.circle(-law.reach, g), g).load;
+        }
+        let mut sink = |z: f64, overlap: f64, weight: f64| {
+            let g = self.radius.factor(z);
+            let attracted = law.at(law.circle(overlap, g), g);
+            let summit = Summit {
+                load: attracted.load,
+                load_by_overlap: attracted.load_by_overlap,
+                ..Summit::default()
+            };
+            sums.add_attraction(weight * self.density(z, log_scale), &summit);
+        };
+        let mut z = lower;
+        let mut overlap = if lower == separation - law.reach { -law.reach } else { lower - separation };
+        if let Some(panel) = self.foot_panel(z, upper, || overlap + law.reach) {
+            for (v, w) in gauss_legendre::nodes(0.0, 1.0) {
+                let (rise, rate) = panel.at(v);
+                sink(z + rise, overlap + rise, w * rate);
+            }
+            z += panel.length;
+            overlap += panel.length;
+        }
+        // Overlaps are small differences of heights: keep the ends that are known as overlaps.
+        let end = match upper_edge {
+            Some(edge) if edge.z == upper => edge.contact.overlap,
+            _ => upper - separation,
+        };
+        for _ in 0..MOST_PANELS {
+            if overlap >= end {
+                return;
+            }
+            let mut length = self.smooth_length(z, true);
+            if length > 0.8 * (end - overlap) {
+                length = end - overlap;
+            }
+            let g = self.radius.factor(z);
+            let here = law.at(law.circle(overlap, g), g);
+            let mut circle_end = law.circle(overlap + length, g);
+            if !self.radius.is_constant() {
+                let farthest = law.at_rate(CIRCLE_RATIO * here.overlap_rate, g);
+                if farthest.overlap - here.overlap < length {
+                    length = farthest.overlap - here.overlap;
+                    circle_end = farthest.circle;
+                }
+            }
+            for (circle, weight) in gauss_legendre::nodes(here.circle, circle_end) {
+                let reference = law.at(circle, g);
+                let rise = reference.overlap - here.overlap;
+                sink(z + rise, overlap + rise, weight * reference.overlap_rate);
+            }
+            z += length;
+            overlap += length;
+        }
+    }
+
+    /// The part of a range of heights in which summits out of contact attract: lambda_g^3 < 9/32.
+    fn where_attraction_exists(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+        let exists = |z: f64| self.lambda_cubed * self.radius.factor(z) - ATTRACTION_LAMBDA_CUBED;
+        if lower >= upper {
+            return None;
+        }
+        // g is monotonic in z, so that there is at most one threshold.
+        match (exists(lower) < 0.0, exists(upper) < 0.0) {
+            (true, true) => Some((lower, upper)),
+            (false, false) => None,
+            (true, false) => Some((lower, root::bracketed(exists, lower, upper))),
+            (false, true) => Some((root::bracketed(exists, lower, upper), upper)),
+        }
+    }
+}
+
+/// The first panel above the foot of a distribution, in the variable v of z = foot + length v^power.
+struct FootPanel {
+    length: f64,
+    power: f64,
+}
+
+impl FootPanel {
+    /// The height above the foot and its derivative by v.
+    fn at(&self, v: f64) -> (f64, f64) {
+        let rise = self.length * v.powf(self.power);
+        (rise, self.power * rise / v)
+    }
+}
+
+impl Point {
+    /// The same contact of a higher summit at a larger separation.
+    fn raised(&self, separation: f64) -> Self {
+        Point { z: self.z + separation, ..*self }
+    }
+
+    /// The sign of da/dz at fixed separation, as a quantity that is smooth also at break-away.
+    fn radius_rise(&self) -> f64 {
+        let c = &self.contact;
+        -(c.radius_rate * (1.0 - c.overlap_by_g * self.g_rate) + c.radius_by_g * self.g_rate * c.overlap_rate)
+    }
+
+    fn radius_rises(&self) -> bool {
+        self.radius_rise() > 0.0
+    }
+}

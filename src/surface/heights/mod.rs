@@ -1,0 +1,151 @@
+//! The distribution of summit heights, standardised: mean 0, standard deviation 1, height z in sigma.
+//!
+//! A family gives its log density with its slope, its support, and how long a piece of the height axis
+//! one quadrature panel may cover; the sums over the population need nothing else.
+
+pub mod weibull;
+
+use weibull::Weibull;
+
+/// Contributions below exp(-NEGLIGIBLE) of the largest are left out of the sums.
+const NEGLIGIBLE: f64 = 46.0;
+/// Densities below exp of this are taken as zero.
+pub const UNDERFLOW: f64 = -2000.0;
+/// The longest panel, in sigma, on which a standardised density is a polynomial to rounding.
+pub const LONGEST_PANEL: f64 = 1.5;
+/// The largest change of ln phi over one panel.
+const STEEPEST_PANEL: f64 = 14.0;
+
+/// A standardised height distribution.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Heights {
+    /// Eq (17).
+    Gaussian,
+    /// Eqs (18)-(21).
+    Weibull(Weibull),
+}
+
+impl Heights {
+    /// ln phi(z) and its slope; minus infinity and 0 outside the support.
+    #[inline]
+    pub fn log_density(&self, z: f64) -> (f64, f64) {
+        match self {
+            Heights::Gaussian => {
+                const LN_SQRT_2_PI: f64 = 0.918_938_533_204_672_8;
+                (-0.5 * z * z - LN_SQRT_2_PI, -z)
+            }
+            Heights::Weibull(weibull) => {
+                if z > -weibull.mean() {
+                    weibull.log_density(z)
+                } else {
+                    (f64::NEG_INFINITY, 0.0)
+                }
+            }
+        }
+    }
+
+    /// Where the support begins, with the exponent p of phi ~ (z - foot)^p there; `None` if it is endless.
+    pub fn foot(&self) -> Option<(f64, f64)> {
+        match self {
+            Heights::Gaussian => None,
+            Heights::Weibull(weibull) => Some((-weibull.mean(), weibull.shape() - 1.0)),
+        }
+    }
+
+    /// The part of a range of heights that is not negligible beside the rest of it.
+    pub fn worth_summing(&self, lower: f64, upper: f64) -> (f64, f64) {
+        match self {
+            Heights::Gaussian => {
+                let (near_lower, near_upper) = (lower.max(0.0), upper.min(0.0));
+                (
+                    lower.max(-near_upper.hypot((2.0 * NEGLIGIBLE).sqrt())),
+                    upper.min(near_lower.hypot((2.0 * NEGLIGIBLE).sqrt())),
+                )
+            }
+            Heights::Weibull(weibull) => {
+                // Load grows as height^(3/2), which for a heavy tail competes with the density.
+                let growth = 2.0 / weibull.shape() * NEGLIGIBLE.ln();
+                let highest =
+                    weibull.height_of_hazard(weibull.hazard(lower) + NEGLIGIBLE + growth);
+                let hazard = weibull.hazard(upper).min(1.0) * (-NEGLIGIBLE).exp();
+                let lowest = weibull.height_of_hazard(hazard.max(f64::MIN_POSITIVE));
+                // Where a power-law foot holds a part that is not negligible, the range begins there.
+                let is_foot = lowest + weibull.mean() < 0.01;
+                (if is_foot { lower } else { lower.max(lowest) }, upper.min(highest))
+            }
+        }
+    }
+
+    /// The foot, or a height below which the density cannot be represented.
+    pub fn far_foot(&self) -> f64 {
+        match self {
+            Heights::Gaussian => -self.far_tail(),
+            Heights::Weibull(weibull) => -weibull.mean(),
+        }
+    }
+
+    /// A height above which the density cannot be represented.
+    pub fn far_tail(&self) -> f64 {
+        match self {
+            Heights::Gaussian => (-2.0 * UNDERFLOW).sqrt(),
+            Heights::Weibull(weibull) => weibull.height_of_hazard(-UNDERFLOW),
+        }
+    }
+
+    /// Where the density is largest.
+    pub fn mode(&self) -> f64 {
+        match self {
+            Heights::Gaussian => 0.0,
+            Heights::Weibull(weibull) => {
+                let shape = weibull.shape();
+                if shape > 1.0 {
+                    weibull.height_of_hazard(1.0 - 1.0 / shape)
+                } else {
+                    -weibull.mean()
+                }
+            }
+        }
+    }
+
+    /// How far above z one quadrature panel may reach.
+    pub fn smooth_length(&self, z: f64) -> f64 {
+        let mut length = LONGEST_PANEL;
+        if let Some((foot, _)) = self.foot() {
+            length = length.min((2.0 * (z - foot)).max(SHORTEST_PANEL));
+        }
+        loop {
+            let steepest = self.log_density(z).1.abs().max(self.log_density(z + length).1.abs());
+            if length * steepest <= STEEPEST_PANEL || length <= SHORTEST_PANEL || steepest.is_infinite() {
+                return length;
+            }
+            length *= 0.5;
+        }
+    }
+
+    /// Whether ln phi is concave: the load of equal summits then has a single minimum.
+    pub fn is_log_concave(&self) -> bool {
+        match self {
+            Heights::Gaussian => true,
+            Heights::Weibull(weibull) => weibull.shape() >= 1.0,
+        }
+    }
+
+    /// Third standardised moment.
+    pub fn skew(&self) -> f64 {
+        match self {
+            Heights::Gaussian => 0.0,
+            Heights::Weibull(weibull) => weibull.skew(),
+        }
+    }
+
+    /// Fourth standardised moment.
+    pub fn kurtosis(&self) -> f64 {
+        match self {
+            Heights::Gaussian => 3.0,
+            Heights::Weibull(weibull) => weibull.kurtosis(),
+        }
+    }
+}
+
+/// The shortest panel, in sigma: what lies within it of a singular point is negligible.
+pub const SHORTEST_PANEL: f64 = 1e-8;
