@@ -90,7 +90,8 @@ impl Equilibrium {
     pub fn log_excess(&self, population: &Population, separation: f64) -> (f64, f64, Sums) {
         let sums = population.at_separation(separation);
         let Some(pull_off) = self.pull_off else {
-            return (sums.load().max(f64::MIN_POSITIVE).ln() + sums.log_scale, sums.load_slope / sums.load(), sums);
+            let load = sums.load().max(f64::MIN_POSITIVE);
+            return (load.ln() + sums.log_scale, sums.load_slope / load, sums);
         };
         let sums = sums.unscaled();
         let mut excess = sums.load() - pull_off.load;

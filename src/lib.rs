@@ -14,6 +14,7 @@
 //! ```
 
 pub mod asperity;
+mod capi;
 mod equilibrium;
 mod error;
 pub mod groups;

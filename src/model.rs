@@ -9,6 +9,8 @@ use crate::population::{Population, Sums};
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
+/// A friction coefficient above this is not told from infinity.
+const LARGEST_COEFFICIENT: f64 = 1e140;
 /// Separations beyond this many sigma are out of range.
 const FARTHEST_SEPARATION: f64 = 1e50;
 
@@ -134,18 +136,32 @@ impl Model {
         }
     }
 
+    /// Friction coefficient, as [`Model::friction_at_load`], and its slope, 0 where it is capped.
+    pub fn friction_and_slope(&self, load: f64) -> (f64, f64) {
+        let (force, slope) = self.friction_force_and_slope(load);
+        let mu = self.coefficient(load, force);
+        let capped = !finite(load) || load <= 0.0 || mu >= self.params.max_friction_coefficient;
+        (mu, if capped { mu * 0.0 } else { ratio(slope - mu, load) })
+    }
+
+    /// What is wrong with a load, if anything: not finite, or below pull-off.
+    pub fn offence(&self, load: f64) -> Option<Error> {
+        if !finite(load) {
+            return Some(Error::InvalidLoad { value: load });
+        }
+        let pull_off = self.pull_off_load();
+        (load < pull_off).then_some(Error::Separated { load, pull_off })
+    }
+
     /// The exact state at a load, without the compiled law.
     ///
     /// # Errors
     /// [`Error::InvalidLoad`], [`Error::Separated`] below pull-off, [`Error::OutOfRange`].
     pub fn state_at_load(&self, load: f64) -> Result<State, Error> {
-        if !finite(load) {
-            return Err(Error::InvalidLoad { value: load });
+        if let Some(offence) = self.offence(load) {
+            return Err(offence);
         }
         let pull_off = self.pull_off_load();
-        if load < pull_off {
-            return Err(Error::Separated { load, pull_off });
-        }
         if load > HEAVIEST_LOAD * self.units.load {
             return Err(Error::OutOfRange {
                 name: "load",
@@ -185,14 +201,14 @@ impl Model {
                 allowed: "must be finite",
             });
         }
-        let dimensionless = separation / self.units.length;
-        if dimensionless.abs() > FARTHEST_SEPARATION {
+        if separation.abs() > FARTHEST_SEPARATION * self.units.length {
             return Err(Error::OutOfRange {
                 name: "separation",
                 value: separation.into(),
                 allowed: "must be within 1e50 height_std of zero",
             });
         }
+        let dimensionless = separation / self.units.length;
         let sums = self.population.at_separation(dimensionless);
         let load = self.units.of_load(&sums, sums.load());
         Ok(self.state(load, dimensionless, &sums))
@@ -231,7 +247,7 @@ impl Model {
             f64::NAN
         } else if load < self.pull_off_load() {
             0.0
-        } else if load <= 0.0 || force >= cap * load {
+        } else if load <= force / cap.min(LARGEST_COEFFICIENT) {
             cap
         } else {
             force / load
@@ -255,13 +271,23 @@ impl Model {
             friction_force,
             friction_coefficient: coefficient,
             dforce_dload,
-            dmu_dload: if capped { 0.0 } else { (dforce_dload - coefficient) / load },
+            dmu_dload: if capped { 0.0 } else { ratio(dforce_dload - coefficient, load) },
             dload_dseparation: units.of(units.load / units.length, sums, sums.load_slope),
             real_area: units.of(units.area, sums, sums.area),
             contacting: units.of(units.count, sums, sums.contacting),
             attracted: units.of(units.count, sums, sums.attracted),
             attraction_load: units.of_load(sums, sums.load_attracted),
         }
+    }
+}
+
+/// a/b for b > 0, saturating where it would overflow.
+fn ratio(a: f64, b: f64) -> f64 {
+    const LARGEST: f64 = 1e300;
+    if a.abs() >= LARGEST * b.min(1.0) {
+        LARGEST.copysign(a)
+    } else {
+        a / b
     }
 }
 

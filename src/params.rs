@@ -80,10 +80,10 @@ impl Default for Params {
 }
 
 /// Raw quantities beyond this, or below its inverse, could overflow when combined.
-const LARGEST: f64 = 1e60;
+const LARGEST: f64 = 1e40;
 
 const POSITIVE: &str = "must be finite and > 0";
-const MAGNITUDE: &str = "must be between 1e-60 and 1e60; choose other units";
+const MAGNITUDE: &str = "must be between 1e-40 and 1e40; choose other units";
 
 impl Params {
     /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8).
@@ -100,7 +100,7 @@ impl Params {
     ) -> Result<(), Error> {
         positive("alpha", alpha)?;
         positive("beta", beta)?;
-        if gamma != 0.0 {
+        if gamma.to_bits() << 1 != 0 {
             magnitude("gamma", gamma, "must be finite and >= 0")?;
         }
         positive("b_over_h", b_over_h)?;
@@ -126,7 +126,7 @@ impl Params {
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`]; the parameters are then as before.
     pub fn set_materials(&mut self, young_1: f64, poisson_1: f64, young_2: f64, poisson_2: f64) -> Result<(), Error> {
         const YOUNG: &str = "must be > 0; INFINITY is a rigid body";
-        let rigid = |young: f64| young == f64::INFINITY;
+        let rigid = infinite;
         for (name, young) in [("E1", young_1), ("E2", young_2)] {
             if !rigid(young) {
                 magnitude(name, young, YOUNG)?;
@@ -143,8 +143,8 @@ impl Params {
         }
         // Compliances: those of a rigid body are 0.
         let compliance = |young: f64, factor: f64| if rigid(young) { 0.0 } else { factor / young };
-        self.composite_modulus = 1.0
-            / (compliance(young_1, 1.0 - poisson_1 * poisson_1) + compliance(young_2, 1.0 - poisson_2 * poisson_2));
+        self.composite_modulus =
+            1.0 / (compliance(young_1, 1.0 - poisson_1 * poisson_1) + compliance(young_2, 1.0 - poisson_2 * poisson_2));
         self.effective_shear_modulus =
             1.0 / (compliance(young_1, 1.0 + poisson_1) + compliance(young_2, 1.0 + poisson_2));
         Ok(())
@@ -190,13 +190,8 @@ impl Params {
         let heights = self.checked_heights()?;
         let radius = self.checked_radius()?;
         self.check_slip()?;
-        let cap = self.max_friction_coefficient;
-        if nan(cap) || cap <= 0.0 {
-            return Err(Error::InvalidParameter {
-                name: "max_friction_coefficient",
-                value: cap.into(),
-                allowed: "must be > 0; INFINITY is no cap",
-            });
+        if !infinite(self.max_friction_coefficient) {
+            magnitude("max_friction_coefficient", self.max_friction_coefficient, "must be > 0; INFINITY is no cap")?;
         }
 
         let groups = Groups {
@@ -211,13 +206,7 @@ impl Params {
             }
             Err(Error::OutOfRange { name, value: value.into(), allowed })
         };
-        within(
-            "alpha",
-            groups.alpha,
-            1e-5,
-            10.0,
-            "(height_std/summit_radius)^(1/2) must be between 1e-5 and 10",
-        )?;
+        within("alpha", groups.alpha, 1e-5, 10.0, "(height_std/summit_radius)^(1/2) must be between 1e-5 and 10")?;
         within(
             "beta",
             groups.beta,
@@ -234,13 +223,7 @@ impl Params {
                 "work_of_adhesion/(composite_modulus burgers_vector) must be 0 or between 1e-9 and 10",
             )?;
         }
-        within(
-            "b/h",
-            groups.b_over_h,
-            1e-3,
-            100.0,
-            "burgers_vector/adhesion_range must be between 1e-3 and 100",
-        )?;
+        within("b/h", groups.b_over_h, 1e-3, 100.0, "burgers_vector/adhesion_range must be between 1e-3 and 100")?;
         Ok((groups, heights, radius))
     }
 
@@ -319,6 +302,11 @@ impl Params {
 /// Tested by bits: a comparison with a signalling NaN would raise a floating-point exception.
 pub(crate) fn finite(x: f64) -> bool {
     x.to_bits() >> 52 & 0x7ff != 0x7ff
+}
+
+/// Plus infinity.
+fn infinite(x: f64) -> bool {
+    x.to_bits() == f64::INFINITY.to_bits()
 }
 
 pub(crate) fn nan(x: f64) -> bool {

@@ -31,8 +31,7 @@ pub fn bracketed(mut f: impl FnMut(f64) -> f64, lower: f64, upper: f64) -> f64 {
         let xi = (a - b) / (c - b);
         let phi = (fa - fb) / (fc - fb);
         t = if phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi {
-            fa / (fb - fa) * fc / (fb - fc)
-                + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+            fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
         } else {
             0.5
         };

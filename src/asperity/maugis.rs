@@ -86,8 +86,7 @@ impl Maugis {
         let c = 2.0 / (k1 + root);
         // 2 k2 c + k1 equals the root of the discriminant.
         let c_over_root = c / root;
-        let c_rate = -c_over_root
-            * (factor_2 * 4.0 * theta * sin * cos * c + self.bracket_1 * theta * cos);
+        let c_rate = -c_over_root * (factor_2 * 4.0 * theta * sin * cos * c + self.bracket_1 * theta * cos);
         let c_by_g = c_over_root * k2 * c * inv_g;
 
         let a = c * cos;
@@ -101,13 +100,11 @@ impl Maugis {
             overlap: hertz * a * a - self.overlap_adhesion * sin * c,
             radius: a,
             load: load_hertz * a * a * a - self.load_adhesion * annulus * c * c,
-            overlap_rate: 2.0 * hertz * a * a_rate
-                - self.overlap_adhesion * (cos * c + sin * c_rate),
+            overlap_rate: 2.0 * hertz * a * a_rate - self.overlap_adhesion * (cos * c + sin * c_rate),
             radius_rate: a_rate,
             load_rate: 3.0 * load_hertz * a * a * a_rate
                 - 2.0 * self.load_adhesion * c * (cos * cos * c + annulus * c_rate),
-            overlap_by_g: hertz * a * (2.0 * a_by_g - a * inv_g)
-                - self.overlap_adhesion * sin * c_by_g,
+            overlap_by_g: hertz * a * (2.0 * a_by_g - a * inv_g) - self.overlap_adhesion * sin * c_by_g,
             radius_by_g: a_by_g,
         }
     }

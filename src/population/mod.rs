@@ -155,13 +155,7 @@ struct Point {
 
 impl Population {
     /// The population of a surface; `attract` says whether summits out of contact attract.
-    pub fn new(
-        groups: &Groups,
-        slip: SlipConstants,
-        heights: Heights,
-        radius: RadiusProfile,
-        attract: bool,
-    ) -> Self {
+    pub fn new(groups: &Groups, slip: SlipConstants, heights: Heights, radius: RadiusProfile, attract: bool) -> Self {
         let maugis = Maugis::new(groups);
         let highest = heights.far_tail();
         let edges = BreakEdges::new(&maugis, &radius, heights.far_foot(), highest);
@@ -206,8 +200,7 @@ impl Population {
     pub fn at_separation(&self, separation: f64) -> Sums {
         let edges = self.edges.at_separation(&self.maugis, &self.radius, separation);
         let foot = self.heights.foot().map_or(f64::NEG_INFINITY, |(foot, _)| foot);
-        let attraction_start =
-            self.attraction.as_ref().map_or(f64::INFINITY, |law| separation - law.reach).max(foot);
+        let attraction_start = self.attraction.as_ref().map_or(f64::INFINITY, |law| separation - law.reach).max(foot);
         let first_edge = edges.iter().next();
         // Whether the lowest summits are in contact.
         let mut contact = match first_edge {
@@ -215,8 +208,7 @@ impl Population {
             None => self.edges.all_in_contact(&self.maugis, &self.radius, separation),
         };
         let contact_start = if contact { foot } else { first_edge.map_or(f64::INFINITY, |edge| edge.z.max(foot)) };
-        let mut sums =
-            Sums { log_scale: self.log_scale(contact_start.min(attraction_start)), ..Sums::default() };
+        let mut sums = Sums { log_scale: self.log_scale(contact_start.min(attraction_start)), ..Sums::default() };
         if sums.log_scale < UNDERFLOW {
             return sums;
         }
@@ -409,8 +401,7 @@ impl Population {
         // that is a power series in z - foot.
         let power = (9.0 / (exponent + 1.0)).max(1.0);
         let shortest = SHORTEST_PANEL.powf(1.0 / (exponent + 1.0).min(1.0));
-        let length =
-            (0.02 * clearance().min(1.0).min(self.radius.smooth_length(foot))).max(shortest).min(upper - foot);
+        let length = (0.02 * clearance().min(1.0).min(self.radius.smooth_length(foot))).max(shortest).min(upper - foot);
         Some(FootPanel { length, power })
     }
 
@@ -542,14 +533,7 @@ impl Population {
     }
 
     /// Adds the summits that attract without contact between two heights.
-    fn add_attractions(
-        &self,
-        sums: &mut Sums,
-        separation: f64,
-        lower: f64,
-        upper: f64,
-        upper_edge: Option<&Edge>,
-    ) {
+    fn add_attractions(&self, sums: &mut Sums, separation: f64, lower: f64, upper: f64, upper_edge: Option<&Edge>) {
         let Some(law) = &self.attraction else { return };
         let Some((lower, upper)) = self.where_attraction_exists(lower, upper) else { return };
         let log_scale = sums.log_scale;
@@ -561,11 +545,8 @@ impl Population {
         let mut sink = |z: f64, overlap: f64, weight: f64| {
             let g = self.radius.factor(z);
             let attracted = law.at(law.circle(overlap, g), g);
-            let summit = Summit {
-                load: attracted.load,
-                load_by_overlap: attracted.load_by_overlap,
-                ..Summit::default()
-            };
+            let summit =
+                Summit { load: attracted.load, load_by_overlap: attracted.load_by_overlap, ..Summit::default() };
             sums.add_attraction(weight * self.density(z, log_scale), &summit);
         };
         let mut z = lower;

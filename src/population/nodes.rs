@@ -50,10 +50,11 @@ impl Nodes {
     }
 
     pub fn panels(&self) -> impl Iterator<Item = Panel<'_>> {
-        self.ends
-            .windows(2)
-            .zip(self.nodes.chunks(POINTS))
-            .map(|(ends, nodes)| Panel { from: &ends[0], to: &ends[1], nodes })
+        self.ends.windows(2).zip(self.nodes.chunks(POINTS)).map(|(ends, nodes)| Panel {
+            from: &ends[0],
+            to: &ends[1],
+            nodes,
+        })
     }
 
     /// Where the tabulated panels end.

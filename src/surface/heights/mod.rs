@@ -65,8 +65,7 @@ impl Heights {
             Heights::Weibull(weibull) => {
                 // Load grows as height^(3/2), which for a heavy tail competes with the density.
                 let growth = 2.0 / weibull.shape() * NEGLIGIBLE.ln();
-                let highest =
-                    weibull.height_of_hazard(weibull.hazard(lower) + NEGLIGIBLE + growth);
+                let highest = weibull.height_of_hazard(weibull.hazard(lower) + NEGLIGIBLE + growth);
                 let hazard = weibull.hazard(upper).min(1.0) * (-NEGLIGIBLE).exp();
                 let lowest = weibull.height_of_hazard(hazard.max(f64::MIN_POSITIVE));
                 // Where a power-law foot holds a part that is not negligible, the range begins there.

@@ -34,9 +34,7 @@ impl Weibull {
             let excess = |n: i32| exp_m1_minus(ln_moment_ratio(n, x));
             (
                 series(x, |j| powi(3, j) - 3.0 * powi(2, j) + 3.0) + excess(3) - 3.0 * excess(2),
-                series(x, |j| powi(4, j) - 4.0 * powi(3, j) + 6.0 * powi(2, j) - 4.0)
-                    + excess(4)
-                    - 4.0 * excess(3)
+                series(x, |j| powi(4, j) - 4.0 * powi(3, j) + 6.0 * powi(2, j) - 4.0) + excess(4) - 4.0 * excess(3)
                     + 6.0 * excess(2),
             )
         } else {
@@ -90,10 +88,7 @@ impl Weibull {
         let t = self.shape * (self.ln_b1 + relative);
         let hazard = t.min(600.0).exp();
         let y = z + self.mean;
-        (
-            (self.shape / self.mean).ln() + t - relative - hazard,
-            (self.shape - 1.0 - self.shape * hazard) / y,
-        )
+        ((self.shape / self.mean).ln() + t - relative - hazard, (self.shape - 1.0 - self.shape * hazard) / y)
     }
 
     /// The cumulative hazard (C y)^omega at z.
@@ -166,8 +161,7 @@ const ZETA_MINUS_1: [f64; 54] = [
     2.2204460507980423997e-16,
     1.110223025141065656e-16,
     5.551115124845479754e-17,
-    2.7755575621361171278e-17
-,
+    2.7755575621361171278e-17,
 ];
 
 fn powi(base: i32, exponent: usize) -> f64 {

@@ -1,0 +1,83 @@
+//! What every entry point passes through: no panic crosses it, and every failure leaves a message.
+
+use super::last_error;
+use super::status::{asperity_status, ASPERITY_INTERNAL, ASPERITY_NULL_POINTER, ASPERITY_OK};
+use crate::error::{Error, Value};
+use std::panic::{catch_unwind, AssertUnwindSafe};
+
+/// Why an entry point fails.
+pub enum Failure {
+    /// An argument that must not be NULL is.
+    Null(&'static str),
+    /// The library refuses.
+    Error(Error),
+    /// It refuses one element of an array.
+    Element(usize, Error),
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Failure::Error(error)
+    }
+}
+
+impl std::fmt::Display for Failure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Failure::Null(name) => write!(f, "{name} is NULL: pass a valid pointer"),
+            Failure::Error(error) => write!(f, "{error}"),
+            Failure::Element(index, error) => write!(f, "element {index}: {error}"),
+        }
+    }
+}
+
+impl Failure {
+    fn status(&self) -> asperity_status {
+        match self {
+            Failure::Null(_) => ASPERITY_NULL_POINTER,
+            Failure::Error(error) | Failure::Element(_, error) => error.status(),
+        }
+    }
+}
+
+/// Runs the body of an entry point that returns a status.
+pub fn status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_status {
+    match catch_unwind(AssertUnwindSafe(body)) {
+        Ok(Ok(())) => ASPERITY_OK,
+        Ok(Err(failure)) => {
+            last_error::set(&failure);
+            failure.status()
+        }
+        Err(_) => {
+            last_error::set(&"internal error: a bug in asperity; please report the call and its arguments");
+            ASPERITY_INTERNAL
+        }
+    }
+}
+
+/// Runs the body of an entry point that returns a number; NaN if it panics.
+pub fn value(body: impl FnOnce() -> f64) -> f64 {
+    catch_unwind(AssertUnwindSafe(body)).unwrap_or(f64::NAN)
+}
+
+/// Reads through a pointer of the caller.
+///
+/// # Safety
+/// `pointer` is NULL or points to a `T` that lives as long as the call.
+pub unsafe fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
+    pointer.as_ref().ok_or(Failure::Null(name))
+}
+
+/// Writes through a pointer of the caller.
+///
+/// # Safety
+/// `pointer` is NULL or points to a `T` that lives as long as the call and that nobody else uses.
+pub unsafe fn reference_mut<'a, T>(pointer: *mut T, name: &'static str) -> Result<&'a mut T, Failure> {
+    pointer.as_mut().ok_or(Failure::Null(name))
+}
+
+/// The error of a struct whose `struct_size` is not one this library knows.
+pub fn wrong_struct_size(size: u64, allowed: &'static str) -> Failure {
+    let value = Value::Integer(i64::try_from(size).unwrap_or(i64::MAX));
+    Failure::Error(Error::InvalidParameter { name: "struct_size", value, allowed })
+}

@@ -1,0 +1,120 @@
+//! The calls of a solver's inner loop.
+
+use super::boundary::{self, reference, Failure};
+use super::model::asperity_model;
+use super::status::asperity_status;
+use crate::model::Model;
+
+/// Friction coefficient F/P at a load.
+///
+/// @param model  a model
+/// @param load   normal load [force]
+/// @return F/load for load > 0, at most `max_friction_coefficient`; for pull-off <= load <= 0, where F is finite and
+///         F/load is not, `max_friction_coefficient`; 0 below pull-off (a separated contact has no friction); a quiet
+///         NaN for a NaN or infinite load or a NULL model
+///
+/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model, load: f64) -> f64 {
+    boundary::value(|| model.as_ref().map_or(f64::NAN, |handle| handle.model.friction_at_load(load)))
+}
+
+/// Friction force F at a load.
+///
+/// @param model  a model
+/// @param load   normal load [force]
+/// @return F [force], finite and positive also at zero and negative load down to pull-off; 0 below pull-off; a quiet NaN
+///         for a NaN or infinite load or a NULL model
+///
+/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_model, load: f64) -> f64 {
+    boundary::value(|| model.as_ref().map_or(f64::NAN, |handle| handle.model.friction_force_at_load(load)))
+}
+
+/// Friction coefficients at many loads, and their slopes.
+///
+/// Every element is as `asperity_friction_at_load` gives it. All elements are filled, then the first offence, if any,
+/// is reported; `asperity_last_error` names its index.
+///
+/// @param model      must not be NULL
+/// @param n          number of loads; 0 is fine
+/// @param load       n loads [force]; must not be NULL unless n = 0
+/// @param mu         receives n coefficients; NULL to skip; may be `load` itself
+/// @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load` itself
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`
+///
+/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_friction_at_loads(
+    model: *const asperity_model,
+    n: usize,
+    load: *const f64,
+    mu: *mut f64,
+    dmu_dload: *mut f64,
+) -> asperity_status {
+    boundary::status(|| {
+        let model = &reference(model, "model")?.model;
+        batch(model, n, load, mu, dmu_dload, Model::friction_and_slope)
+    })
+}
+
+/// Friction forces at many loads, and their slopes.
+///
+/// Every element is as `asperity_friction_force_at_load` gives it. All elements are filled, then the first offence, if
+/// any, is reported; `asperity_last_error` names its index.
+///
+/// @param model         must not be NULL
+/// @param n             number of loads; 0 is fine
+/// @param load          n loads [force]; must not be NULL unless n = 0
+/// @param force         receives n forces [force]; NULL to skip; may be `load` itself
+/// @param dforce_dload  receives n slopes dF/d(load), INFINITY at the pull-off load itself; NULL to skip; may be `load`
+///                      itself
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`
+///
+/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_friction_force_at_loads(
+    model: *const asperity_model,
+    n: usize,
+    load: *const f64,
+    force: *mut f64,
+    dforce_dload: *mut f64,
+) -> asperity_status {
+    boundary::status(|| {
+        let model = &reference(model, "model")?.model;
+        batch(model, n, load, force, dforce_dload, Model::friction_force_and_slope)
+    })
+}
+
+/// Evaluates element by element, through raw pointers: outputs may overlap the input, and need no alignment.
+unsafe fn batch(
+    model: &Model,
+    n: usize,
+    load: *const f64,
+    value: *mut f64,
+    slope: *mut f64,
+    evaluate: impl Fn(&Model, f64) -> (f64, f64),
+) -> Result<(), Failure> {
+    if n == 0 {
+        return Ok(());
+    }
+    if load.is_null() {
+        return Err(Failure::Null("load"));
+    }
+    let mut offence = None;
+    for i in 0..n {
+        let at = load.add(i).read_unaligned();
+        let (v, s) = evaluate(model, at);
+        if offence.is_none() {
+            offence = model.offence(at).map(|error| Failure::Element(i, error));
+        }
+        if !value.is_null() {
+            value.add(i).write_unaligned(v);
+        }
+        if !slope.is_null() {
+            slope.add(i).write_unaligned(s);
+        }
+    }
+    offence.map_or(Ok(()), Err)
+}

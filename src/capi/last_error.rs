@@ -1,0 +1,66 @@
+//! The message of a thread's last failure, copied out on request.
+//!
+//! The thread-local has no destructor, so that a host may unload the library while threads that used it live on.
+
+use std::cell::RefCell;
+use std::ffi::c_char;
+use std::fmt::{Display, Write};
+
+/// Longer messages are cut.
+const CAPACITY: usize = 512;
+
+struct Message {
+    bytes: [u8; CAPACITY],
+    length: usize,
+}
+
+thread_local! {
+    static MESSAGE: RefCell<Message> = const { RefCell::new(Message { bytes: [0; CAPACITY], length: 0 }) };
+}
+
+impl Write for Message {
+    fn write_str(&mut self, text: &str) -> std::fmt::Result {
+        for &byte in text.as_bytes() {
+            if self.length == CAPACITY {
+                break;
+            }
+            self.bytes[self.length] = byte;
+            self.length += 1;
+        }
+        Ok(())
+    }
+}
+
+/// Stores a message for this thread.
+pub fn set(message: &dyn Display) {
+    MESSAGE.with(|cell| {
+        if let Ok(mut stored) = cell.try_borrow_mut() {
+            stored.length = 0;
+            let _ = write!(stored, "{message}");
+        }
+    });
+}
+
+/// Copies this thread's last message out.
+///
+/// The message of the last call on this thread that returned a status other than `ASPERITY_OK`; empty if there was
+/// none. Calls that succeed leave it as it is.
+///
+/// @param buffer  receives the message, NUL-terminated, cut to fit; NULL to ask for the length only
+/// @param length  size of `buffer` in bytes
+/// @return the whole length of the message in bytes, without the NUL: `length` must exceed it for all to fit
+///
+/// Threads: each has its own message.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_last_error(buffer: *mut c_char, length: usize) -> usize {
+    MESSAGE.with(|cell| {
+        let Ok(message) = cell.try_borrow() else { return 0 };
+        if !buffer.is_null() && length > 0 {
+            let count = message.length.min(length - 1);
+            // SAFETY: the caller gives `length` bytes at `buffer`; count + 1 <= length.
+            std::ptr::copy_nonoverlapping(message.bytes.as_ptr(), buffer.cast::<u8>(), count);
+            *buffer.add(count) = 0;
+        }
+        message.length
+    })
+}

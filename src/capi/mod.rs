@@ -1,0 +1,14 @@
+//! The C interface. It knows nothing of physics: it checks pointers, converts structs, contains panics.
+//!
+//! Every entry point passes through [`boundary::status`] or [`boundary::value`]. All `unsafe` of the library is
+//! in this folder.
+#![allow(unsafe_code, non_camel_case_types)]
+
+mod boundary;
+mod evaluate;
+mod last_error;
+mod model;
+mod params;
+mod state;
+mod status;
+mod version;

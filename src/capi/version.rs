@@ -1,0 +1,48 @@
+//! Versions of the library and its binary interface.
+
+use std::ffi::c_char;
+
+/// Major version of the header.
+pub const ASPERITY_VERSION_MAJOR: i32 = 0;
+/// Minor version of the header.
+pub const ASPERITY_VERSION_MINOR: i32 = 1;
+/// Patch version of the header.
+pub const ASPERITY_VERSION_PATCH: i32 = 0;
+/// Version of the binary interface the header describes; compare with `asperity_abi_version()` of the library loaded.
+pub const ASPERITY_ABI_VERSION: u32 = 1;
+
+// The header's version is the package's.
+const _: () = assert!(
+    is_number(env!("CARGO_PKG_VERSION_MAJOR"), ASPERITY_VERSION_MAJOR)
+        && is_number(env!("CARGO_PKG_VERSION_MINOR"), ASPERITY_VERSION_MINOR)
+        && is_number(env!("CARGO_PKG_VERSION_PATCH"), ASPERITY_VERSION_PATCH)
+);
+
+const fn is_number(text: &str, number: i32) -> bool {
+    let bytes = text.as_bytes();
+    let mut value = 0;
+    let mut i = 0;
+    while i < bytes.len() {
+        value = 10 * value + (bytes[i] - b'0') as i32;
+        i += 1;
+    }
+    value == number
+}
+
+/// The binary interface of the library loaded: it changes only when compiled callers must be compiled again.
+///
+/// Threads: any.
+#[no_mangle]
+pub extern "C" fn asperity_abi_version() -> u32 {
+    ASPERITY_ABI_VERSION
+}
+
+/// The version of the library loaded, "major.minor.patch".
+///
+/// @return a constant string, never NULL
+///
+/// Threads: any.
+#[no_mangle]
+pub extern "C" fn asperity_version() -> *const c_char {
+    concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
+}

@@ -1,0 +1,36 @@
+//! The committed header is what the sources generate.
+
+use std::path::Path;
+
+/// Set to write the header instead of comparing it: `make header`.
+const WRITE: &str = "ASPERITY_WRITE_HEADER";
+
+#[test]
+fn committed_header_is_what_the_sources_generate() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let path = root.join("include/asperity.h");
+    let config = cbindgen::Config::from_file(root.join("cbindgen.toml")).expect("cbindgen.toml");
+    // The C interface alone, a file per subject, in the order in which a reader needs them.
+    let files = ["version", "status", "last_error", "params", "model", "evaluate", "state"];
+    let builder = files
+        .iter()
+        .fold(cbindgen::Builder::new(), |builder, file| builder.with_src(root.join(format!("src/capi/{file}.rs"))));
+    let bindings = builder.with_config(config).generate().expect("bindings");
+    let mut generated = Vec::new();
+    bindings.write(&mut generated);
+    if std::env::var_os(WRITE).is_some() {
+        std::fs::write(&path, &generated).expect("include/asperity.h");
+        return;
+    }
+    let committed = std::fs::read(&path).expect("include/asperity.h");
+    assert!(
+        committed == generated,
+        "include/asperity.h differs from what the sources generate: run `make header` and commit the result"
+    );
+}
+
+#[test]
+fn header_version_is_the_package_version() {
+    let header = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/include/asperity.h")).expect("header");
+    assert!(header.contains(&format!("#define ASPERITY_VERSION \"{}\"", env!("CARGO_PKG_VERSION"))));
+}

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Installs what the demo and the tests need beside cargo, a C compiler and make.
+#
+# usage: tests/setup.sh [core] [hosts]     (core when no group is named)
+# As root on Debian or Ubuntu it installs what is missing; otherwise it prints the one command that would, and fails.
+set -euo pipefail
+
+core="g++ gfortran cmake pkg-config python3 python3-venv python3-dev libgsl-dev valgrind"
+hosts=""
+
+packages=""
+for group in "${@:-core}"; do
+    case "$group" in
+    core) packages+=" $core" ;;
+    hosts) packages+=" $hosts" ;;
+    *) echo "tests/setup.sh: unknown group '$group': core or hosts" >&2; exit 2 ;;
+    esac
+done
+
+if ! command -v dpkg-query >/dev/null; then
+    echo "tests/setup.sh: not a Debian system; install the equivalents of:$packages" >&2
+    exit 1
+fi
+missing=""
+for package in $packages; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=" $package"
+done
+[ -n "$missing" ] || exit 0
+
+if [ "$(id -u)" != 0 ]; then
+    echo "Some packages that the tests need are missing. Install them with:" >&2
+    echo "    sudo apt-get install -y --no-install-recommends$missing" >&2
+    exit 1
+fi
+echo "installing:$missing"
+export DEBIAN_FRONTEND=noninteractive
+# shellcheck disable=SC2086
+apt-get install -y -qq --no-install-recommends $missing >/dev/null 2>&1 ||
+    { apt-get update -qq && apt-get install -y -qq --no-install-recommends $missing >/dev/null; }
