@@ -2,7 +2,7 @@
 # make package   what of that needs cargo; after it `make install` as root runs no compiler
 #
 # LIBDIR, INCLUDEDIR and DATADIR default to lib, include and share under PREFIX. CARGO_TARGET_DIR and
-# CARGO_BUILD_TARGET are honoured. For Linux, other ELF systems and macOS; on Windows use CMake, which installs the same.
+# CARGO_BUILD_TARGET are honoured. For Linux, other ELF systems and macOS; on Windows use CMake.
 
 PREFIX ?= /usr/local
 LIBDIR ?= $(PREFIX)/lib

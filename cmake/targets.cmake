@@ -1,5 +1,5 @@
-# The targets asperity::asperity and asperity::static, as they are in a build tree. cargo is always run: it knows what is
-# out of date. The shared library is copied to where its soname can be found beside it.
+# The targets asperity::asperity and asperity::static, as they are in a build tree. cargo is always run: it knows what
+# is out of date. Its libraries are copied to where the name in the soname stands beside the shared one.
 set(ASPERITY_STAGE "${CMAKE_CURRENT_BINARY_DIR}/lib")
 
 set(asperity_rustc_args "--print=native-static-libs=${asperity_target_dir}/native-static-libs")
