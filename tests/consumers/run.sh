@@ -112,10 +112,12 @@ with_cmake fetch-content -DFETCHCONTENT_SOURCE_DIR_ASPERITY="$root"
 check fetch-content shared
 
 for wanted in "$major.$((minor + 1))" "$((major + 1)).0" "$major.$minor.99;EXACT"; do
-    if cmake -S tests/consumers/find-package-shared -B "$work/refused" -DASPERITY_WANTED="$wanted" >"$work/log" 2>&1; then
+    if cmake -S tests/consumers/find-package-shared -B "$work/refused" -DASPERITY_WANTED="$wanted" \
+        >"$work/log" 2>&1; then
         fail "find_package(asperity $wanted) accepts version $version"
     fi
-    grep -qF "version: $version" "$work/log" || { cat "$work/log"; fail "find_package(asperity $wanted) failed otherwise"; }
+    grep -qF "version: $version" "$work/log" ||
+        { cat "$work/log" >&2; fail "find_package(asperity $wanted) failed for another reason"; }
     rm -rf "$work/refused"
 done
 echo "find_package refuses versions that are not there"
