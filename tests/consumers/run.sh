@@ -2,11 +2,11 @@
 # Installs asperity into a temporary folder, by make and by CMake, checks what was installed, and builds and runs the
 # projects beside this script against it: each uses the library as one kind of user does.
 #
-# usage: tests/consumers/run.sh      needs cargo, cc, c++, make, cmake, pkg-config, readelf, nm, git
+# usage: tests/consumers/run.sh      needs cargo, cc, c++, make, cmake, pkg-config, readelf, nm, git, python3
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-for tool in cargo cc c++ make cmake pkg-config readelf nm git; do
+for tool in cargo cc c++ make cmake pkg-config readelf nm git python3; do
     command -v "$tool" >/dev/null ||
         { echo "tests/consumers/run.sh: $tool is missing; run tests/setup.sh core" >&2; exit 1; }
 done
@@ -111,6 +111,24 @@ check add-subdirectory static consumer_static
 with_cmake fetch-content -DFETCHCONTENT_SOURCE_DIR_ASPERITY="$root"
 check fetch-content shared
 
+# ---- Documentation ----
+# follow PAGE: does what the page says, in a copy of the source tree and with a home of its own.
+follow() {
+    local folder=$work/$(basename "$1" .md)
+    mkdir -p "$folder/source" "$folder/home"
+    git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -t "$folder/source"
+    CARGO_HOME=${CARGO_HOME:-$HOME/.cargo} RUSTUP_HOME=${RUSTUP_HOME:-$HOME/.rustup} HOME=$folder/home \
+        env -u PKG_CONFIG_PATH -u CMAKE_PREFIX_PATH python3 tests/consumers/follow_docs.py "$1" "$folder/source"
+}
+
+follow docs/install.md
+follow docs/cpp.md
+mkdir -p "$work/modelica"
+python3 tests/consumers/follow_docs.py docs/modelica.md "$work/modelica"
+with_make modelica
+check modelica static
+
+# ---- Refusals ----
 for wanted in "$major.$((minor + 1))" "$((major + 1)).0" "$major.$minor.99;EXACT"; do
     if cmake -S tests/consumers/find-package-shared -B "$work/refused" -DASPERITY_WANTED="$wanted" \
         >"$work/log" 2>&1; then

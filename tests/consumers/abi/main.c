@@ -2,8 +2,8 @@
  *
  * Sizes and offsets: fields follow one another without gaps up to the end of the struct. Inputs: a field made invalid
  * is the one that the library names. Outputs: no byte past struct_size is written, and every field holds its own
- * quantity, known from tests/reference/cases.json (case "fig3 beta=1000 noncontacting=True" at 1 sigma: loads in E* b^2,
- * friction in G* b^2), from closed forms, or from another call. Exit status: 0 where all of it holds. */
+ * quantity, known from tests/reference/cases.json (case "fig3 beta=1000 noncontacting=True" at 1 sigma: loads in
+ * E* b^2, friction in G* b^2), from closed forms, or from another call. Exit status: 0 where all of it holds. */
 
 #define _GNU_SOURCE
 
