@@ -20,7 +20,7 @@ cargo build --release -j1 --locked --quiet
 export LD_LIBRARY_PATH="$target/release${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
 
 strict="-std=f2008 -Wall -Wextra -Werror"
-traps="-g -fcheck=all -ffpe-trap=invalid,zero,overflow"
+traps="-g -fcheck=all,no-array-temps -ffpe-trap=invalid,zero,overflow"
 link="-L$target/release -lasperity"
 
 # shellcheck disable=SC2086
