@@ -495,6 +495,10 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     real(c_double), target :: mu
+    if (owns(self) .and. .not. present(slope) .and. .not. present(stat)) then
+      mu = asperity_friction_at_load(self%handle, load)
+      if (.not. is_nan(mu)) return
+    end if
     call evaluate(asperity_friction_at_loads, self, 1_c_size_t, c_loc(load), c_loc(mu), scalar_address(slope), &
                   stat, errmsg)
   end function friction_rank_0
@@ -506,6 +510,10 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     real(c_double), target :: force
+    if (owns(self) .and. .not. present(slope) .and. .not. present(stat)) then
+      force = asperity_friction_force_at_load(self%handle, load)
+      if (.not. is_nan(force)) return
+    end if
     call evaluate(asperity_friction_force_at_loads, self, 1_c_size_t, c_loc(load), c_loc(force), &
                   scalar_address(slope), stat, errmsg)
   end function force_rank_0
@@ -601,6 +609,14 @@ contains
     if (status == ASPERITY_SEPARATED .and. .not. present(stat)) return
     call report(status, stat, errmsg)
   end subroutine evaluate
+
+  ! By its bits: a comparison may trap.
+  pure function is_nan(x)
+    real(c_double), intent(in) :: x
+    logical :: is_nan
+    integer(c_int64_t), parameter :: INFINITY_BITS = int(z'7FF0000000000000', c_int64_t)
+    is_nan = iand(transfer(x, 0_c_int64_t), huge(0_c_int64_t)) > INFINITY_BITS
+  end function is_nan
 
   subroutine require_same_shape(load, slope)
     integer, intent(in) :: load(:), slope(:)
