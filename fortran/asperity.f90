@@ -303,7 +303,8 @@ module asperity
     !   slope  real(c_double), intent(out), optional, of the shape of load: d(mu)/d(load) [1/force], 0 where mu is
     !          capped
     ! A load below pull-off gives stat = ASPERITY_SEPARATED, but never stops the program: no friction is an answer.
-    ! All elements are filled before an error is reported; errmsg counts them from 1, in array element order.
+    ! All elements are filled before an error is reported; errmsg counts them from 1, in array element order. A slope
+    ! of another shape than load always stops the program.
     generic, public :: friction_at_load => friction_rank_0, friction_rank_1, friction_rank_2, friction_rank_3
 
     ! force = law%friction_force_at_load(load [, slope] [, stat] [, errmsg])

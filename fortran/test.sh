@@ -78,6 +78,10 @@ diff <(block fortran) fortran/examples/minimal.f90
 block sh | sed "s#target/#$target/#g" >"$build/page.sh"
 bash -euo pipefail "$build/page.sh" >"$build/page.txt"
 diff <(block text) "$build/page.txt"
+# shellcheck disable=SC2086
+compile fortran/examples/minimal.f90 "$build/asperity.o" "$target/release/libasperity.a" -lpthread -ldl -lm \
+    -o "$build/minimal_static"
+"$build/minimal_static" | diff "$build/page.txt" -
 echo "docs/fortran.md: its $(grep -c . "$build/page.sh") lines of commands print what it says"
 
 # The twin of the C example.
