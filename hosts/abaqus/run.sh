@@ -8,7 +8,9 @@ cd "$(dirname "$0")/../.."
 started=$(date +%s.%N)
 
 for tool in cargo gfortran; do
-    command -v "$tool" >/dev/null || { echo "hosts/abaqus/run.sh: $tool is missing: run tests/setup.sh core" >&2; exit 1; }
+    command -v "$tool" >/dev/null && continue
+    echo "hosts/abaqus/run.sh: $tool is missing: run tests/setup.sh core" >&2
+    exit 1
 done
 
 mkdir -p "${CARGO_TARGET_DIR:-target}"
@@ -73,7 +75,10 @@ awk -v started="$started" -v now="$(date +%s.%N)" '
     $1 == "mu" || $1 == "tangent" || $1 == "mu_single" { keep($1) }
     $1 == "iterations" && $2 > iterations { iterations = $2 }
     END {
-        if (seen["mu"] < 5 || seen["tangent"] < 6 || seen["mu_single"] != 1) { print "abaqus  FAIL  measures are missing"; exit 1 }
+        if (seen["mu"] < 5 || seen["tangent"] < 6 || seen["mu_single"] != 1) {
+            print "abaqus  FAIL  measures are missing"
+            exit 1
+        }
         printf "abaqus  PASS  max |t/p - mu(p)|/mu = %.0e (limit %.0e), in single precision %.0e (limit %.0e), " \
                "tangent vs differences %.0e (limit %.0e), Newton %d iterations (limit 7)  %.1f s\n",
                worst["mu"], limit["mu"], worst["mu_single"], limit["mu_single"], worst["tangent"], limit["tangent"],
