@@ -13,7 +13,8 @@ fail() {
 python3 -m venv "$environment" || fail "no virtual environment: apt-get install python3-venv"
 "$environment/bin/pip" install --quiet --disable-pip-version-check exudyn==1.13.6 scipy ||
     fail "pip cannot install exudyn and scipy"
-"$environment/bin/pip" install --quiet --disable-pip-version-check ./python || fail "the asperity package does not install"
+"$environment/bin/pip" install --quiet --disable-pip-version-check ./python ||
+    fail "the asperity package does not install"
 status=0
 "$environment/bin/python" hosts/exudyn/stick_slip.py || status=$?
 [ "$status" -le 1 ] || fail "the oscillator ended with status $status"

@@ -40,7 +40,7 @@ def pressing_load(t):
 
 
 def normal_force(y, y_rate):
-    """Of the belt on the mass."""
+    """Of the belt on the mass; 0 where they are apart: this contact does not pull."""
     return max(0.0, -CONTACT_STIFFNESS * y - CONTACT_DAMPING * y_rate)
 
 
@@ -55,6 +55,8 @@ class BeltContact:
         """springForceUserFunction: the force that resists displacement and velocity."""
         self.calls += 1
         load = normal_force(displacement[1], velocity[1])
+        if load == 0:  # adhesion would give friction at zero load, but a gap has none
+            return [0.0, 0.0, 0.0]
         friction = self.friction(load) * math.tanh((velocity[0] - BELT_SPEED) / SLIP_SCALE)
         return [friction, -load, 0.0]
 
@@ -66,10 +68,12 @@ class BeltContact:
         """jacobianUserFunction: factor d(spring force)/dq + factor_rate d(spring force)/dq_rate."""
         self.calls += 1
         load = normal_force(q[1], q_rate[1])
+        matrix = np.zeros((3, 3))
+        if load == 0:
+            return matrix
         friction, slope = self.friction_and_slope(load)
         sign = math.tanh((q_rate[0] - BELT_SPEED) / SLIP_SCALE)
-        load_by_y = -(factor * CONTACT_STIFFNESS + factor_rate * CONTACT_DAMPING) if load > 0 else 0.0
-        matrix = np.zeros((3, 3))
+        load_by_y = -(factor * CONTACT_STIFFNESS + factor_rate * CONTACT_DAMPING)
         matrix[0, 0] = factor_rate * friction * (1 - sign * sign) / SLIP_SCALE
         matrix[0, 1] = slope * sign * load_by_y
         matrix[1, 1] = -load_by_y
@@ -84,7 +88,7 @@ def oscillator(contact, own_jacobian):
     mass = mbs.AddObject(MassPoint(mass=MASS, nodeNumber=node))
     markers = [mbs.AddMarker(MarkerBodyPosition(bodyNumber=n)) for n in (mbs.AddObject(ObjectGround()), mass)]
     mbs.AddObject(CartesianSpringDamper(markerNumbers=markers, stiffness=[SPRING, 0.0, SPRING]))
-    mbs.AddLoad(Force(markerNumber=markers[1], loadVectorUserFunction=lambda mbs, t, load: [0.0, -pressing_load(t), 0.0]))
+    mbs.AddLoad(Force(markerNumber=markers[1], loadVectorUserFunction=lambda mbs, t, load: [0, -pressing_load(t), 0]))
     if own_jacobian:
         zero = np.zeros((3, 3))
         mbs.AddObject(
@@ -132,7 +136,8 @@ def reference(model, times):
     def rates(t, state):
         x, y, x_rate, y_rate = state
         load = normal_force(y, y_rate)
-        friction = model.state_at_load(load).friction_force * math.tanh((x_rate - BELT_SPEED) / SLIP_SCALE)
+        exact = model.state_at_load(load).friction_force if load > 0 else 0.0
+        friction = exact * math.tanh((x_rate - BELT_SPEED) / SLIP_SCALE)
         return [x_rate, y_rate, (-SPRING * x - friction) / MASS, (load - pressing_load(t)) / MASS]
 
     solution = solve_ivp(
@@ -159,20 +164,21 @@ def report_newton(model):
 
     def secant(load):
         friction = model.friction_force_at_load(load)
-        return friction, friction / load if load > 0 else 0.0
+        return friction, friction / load
 
     def none(load):
         return model.friction_force_at_load(load), 0.0
 
     contact = BeltContact(model.friction_force_at_load, None)
     _, x, iterations, _ = run(contact, step=COARSE_STEP)
-    print(f"  Newton in steps of {1e6 * COARSE_STEP:.0f} us: by differences {iterations:.2f} a step, {contact.calls} calls")
+    print(f"  Newton iterations in each step of {1e6 * COARSE_STEP:.0f} us, and calls of the law in all:")
+    print(f"    Jacobian by differences: {iterations:.2f}, {contact.calls} calls")
     for name, derivative in (("the slope of the law", slope), ("mu as the slope", secant), ("no slope", none)):
         contact = BeltContact(model.friction_force_at_load, derivative)
         _, again, iterations, _ = run(contact, own_jacobian=True, step=COARSE_STEP)
         if not np.max(np.abs(again - x)) < 1e-6 * np.ptp(x):
             raise RuntimeError(f"Newton's method with {name} gives another motion")
-        print(f"    own Jacobian with {name}: {iterations:.2f} a step, {contact.calls} calls")
+        print(f"    own Jacobian with {name}: {iterations:.2f}, {contact.calls} calls")
 
 
 def main():
@@ -185,8 +191,8 @@ def main():
     mu = model.state_at_load(MEAN_LOAD).friction_coefficient
     _, x_constant, _, constant_time = run(BeltContact(lambda load: mu * load, None))
     print(
-        f"  amplitude {1e3 * amplitude:.4f} mm, sticks {sticking_part(x_rate):.0%} of the time; with constant mu the mass "
-        f"is up to {np.max(np.abs(x_constant - x)) / amplitude:.1%} of the amplitude elsewhere"
+        f"  amplitude {1e3 * amplitude:.4f} mm, sticks {sticking_part(x_rate):.0%} of the time; with constant mu the "
+        f"mass is up to {np.max(np.abs(x_constant - x)) / amplitude:.1%} of the amplitude elsewhere"
     )
     report_newton(model)
     print(f"  cost: constant mu {constant_time:.2f} s, law {law_time:.2f} s, ratio {law_time / constant_time:.2f}")

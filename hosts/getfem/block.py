@@ -93,7 +93,8 @@ class Block:
         model.add_isotropic_linearized_elasticity_brick(self.integration, "u", "lame", "shear")
         model.add_Dirichlet_condition_with_multipliers(self.integration, "u", self.displacements, 2, "top")
         model.add_basic_contact_brick(
-            "u", "normal_force", "friction_force", "r", normal, tangential, "mu", "gap", "area", 1, "minus_one", "before"
+            "u", "normal_force", "friction_force", "r", normal, tangential, "mu", "gap", "area", 1, "minus_one",
+            "before",
         )
         return model
 
@@ -170,7 +171,7 @@ def state_error(state, exact):
     load = np.sum(state["pressure"] * state["area"])
     friction = np.sum(state["traction"] * state["area"])
     errors.append(np.max(np.abs(state["reaction"] - [friction, load])) / load)
-    return max(errors), int(np.sum(slipping))
+    return float(np.max(errors)), int(np.sum(slipping))  # np.max keeps NaN
 
 
 def check(model, states):
@@ -180,8 +181,9 @@ def check(model, states):
     slipping = [n for _, n in results]
     if not 0 < slipping[PARTIAL] < nodes or slipping[-1] != nodes:
         raise RuntimeError(f"slipping nodes of {nodes} are {slipping}: expected some, then all")
-    print(f"  slipping nodes of {nodes} after each step: {slipping}; solutions per step: {[s['rounds'] for s in states]}")
-    return float(np.max([error for error, _ in results]))  # keeps NaN
+    print(f"  slipping nodes of {nodes} after each step: {slipping}")
+    print(f"  solutions that each step took: {[s['rounds'] for s in states]}")
+    return float(np.max([error for error, _ in results]))
 
 
 def total(state, quantity):
@@ -191,13 +193,11 @@ def total(state, quantity):
 def compare(law, constant):
     """What the pressure in the coefficient changes."""
     for name, states in (("mu(p)", law), ("constant mu", constant)):
-        last, partial = states[-1], states[PARTIAL]
-        stuck = np.abs(partial["slip"]) <= 1e-9
+        last = states[-1]
+        friction, load = -total(last, "traction"), total(last, "pressure")
         print(
-            f"  {name:11s}: mu {last['mu'].min():.4f} to {last['mu'].max():.4f}, slides at "
-            f"{-total(last, 'traction'):.2f} N = {-total(last, 'traction') / total(last, 'pressure'):.5f} of the load, "
-            f"peak traction {np.max(np.abs(last['traction'])):.2f} MPa, sticks on {np.sum(partial['area'][stuck]):.1f} mm2 "
-            f"at {SHEAR[PARTIAL - 1] * 1e3:.1f} um"
+            f"  {name:11s}: mu {last['mu'].min():.4f} to {last['mu'].max():.4f}, slides at {friction:.2f} N = "
+            f"{friction / load:.5f} of the load, peak traction {np.max(np.abs(last['traction'])):.2f} MPa"
         )
 
 
@@ -242,8 +242,8 @@ def main(picture):
     print(f"  cost: constant mu {constant_time:.1f} s, law {law_time:.1f} s, ratio {law_time / constant_time:.2f}")
     passed = error <= LIMIT
     print(
-        f"getfem  {'PASS' if passed else 'FAIL'}  max |traction / mu(p) p - 1|, imbalance = {error:.1e}  (limit {LIMIT:.0e})"
-        f"  {time.perf_counter() - start:.1f} s"
+        f"getfem  {'PASS' if passed else 'FAIL'}  max |traction / mu(p) p - 1|, imbalance = {error:.1e}"
+        f"  (limit {LIMIT:.0e})  {time.perf_counter() - start:.1f} s"
     )
     return 0 if passed else 1
 

@@ -16,7 +16,8 @@ fail() {
     fail "GetFEM or Matplotlib is missing: apt-get install python3-getfem python3-matplotlib"
 /usr/bin/python3 -m venv --system-site-packages "$environment" ||
     fail "no virtual environment: apt-get install python3-venv"
-"$environment/bin/pip" install --quiet --disable-pip-version-check ./python || fail "the asperity package does not install"
+"$environment/bin/pip" install --quiet --disable-pip-version-check ./python ||
+    fail "the asperity package does not install"
 mkdir -p "$target/hosts/getfem"
 status=0
 "$environment/bin/python" hosts/getfem/block.py "$target/hosts/getfem/block.svg" || status=$?

@@ -2,14 +2,13 @@
 // Four runs (two speeds, two loads) must follow the closed form of a sliding block, a fifth the load transfer of a
 // block whose mass lies above the pads. All quantities in SI units.
 #include "Simbody.h"
-#include "asperity.h"
+#include "asperity.hpp"
 
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 using namespace SimTK;
@@ -23,44 +22,30 @@ constexpr double stiffness = 2e6, damping = 2e3;     // of one pad, along the no
 constexpr double slip_scale = 1e-3;                  // the sign of the slip rate v is tanh(v/slip_scale)
 constexpr double pad_area = 0.5e-6, summit_density = 1e11;
 
-struct ModelDeleter {
-    void operator()(asperity_model *model) const { asperity_free(model); }
-};
-using Model = std::unique_ptr<asperity_model, ModelDeleter>;
-
-void check(asperity_status status) {
-    if (status == ASPERITY_OK) return;
-    char message[400];
-    asperity_last_error(message, sizeof message);
-    throw std::runtime_error(message);
-}
-
 // Polished steel on steel, one pad.
-Model steel_pad() {
-    asperity_params params;
-    check(asperity_params_init(&params));
-    check(asperity_params_set_materials(&params, 2.1e11, 0.3, 2.1e11, 0.3));
-    params.work_of_adhesion = 0.05;
-    params.adhesion_range = params.burgers_vector = 2.5e-10;
-    params.height_std = 20e-9;
-    params.summit_radius = 20e-6;
-    params.asperity_count = summit_density * pad_area;
-    asperity_model *model = nullptr;
-    check(asperity_create(&params, &model));
-    return Model(model);
+asperity::Model steel_pad() {
+    asperity::Params params;
+    params.set_materials(2.1e11, 0.3, 2.1e11, 0.3)
+        .work_of_adhesion(0.05)
+        .adhesion_range(2.5e-10)
+        .burgers_vector(2.5e-10)
+        .height_std(20e-9)
+        .summit_radius(20e-6)
+        .asperity_count(summit_density * pad_area);
+    return asperity::Model(params);
 }
 
 // What a pad does with its load: the law, or Coulomb's constant coefficient for the comparison of cost.
 class Friction {
 public:
-    explicit Friction(const asperity_model &model) : m_model(&model) {}
+    explicit Friction(const asperity::Model &model) : m_model(&model) {}
     explicit Friction(double coefficient) : m_coefficient(coefficient) {}
     double force(double load) const {
-        return m_model ? asperity_friction_force_at_load(m_model, load) : m_coefficient * load;
+        return m_model ? m_model->friction_force_at_load(load) : m_coefficient * load;
     }
 
 private:
-    const asperity_model *m_model = nullptr;
+    const asperity::Model *m_model = nullptr;
     double m_coefficient = 0;
 };
 
@@ -152,12 +137,7 @@ private:
 };
 
 // Friction force from the integrals themselves, not from the compiled law that the block uses.
-double exact_force(const asperity_model &model, double load) {
-    asperity_state state;
-    state.struct_size = sizeof state;
-    check(asperity_state_at_load(&model, load, &state));
-    return state.friction_force;
-}
+double exact_force(const asperity::Model &model, double load) { return model.state_at_load(load).friction_force; }
 
 // m dv/dt = -F tanh(v/w) has the solution sinh(v/w) = sinh(v0/w) exp(-F t/(m w)); without overflow for large v0/w.
 double sliding_speed(double speed, double force, double time) {
@@ -175,7 +155,7 @@ double stopping_distance(double speed, double force) {
 double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 // Largest deviation of v(t) and of the stopping distance from the closed form, relative to v0 and to the distance.
-double braking_error(const asperity_model &model, const Case &c) {
+double braking_error(const asperity::Model &model, const Case &c) {
     const double weight = mass * gravity + c.dead_load;
     const double force = 2 * exact_force(model, weight / 2);
     const double stop = mass * c.speed / force;
@@ -199,7 +179,7 @@ struct Transfer {
 
 // Steady sliding with the mass centre at height h: the moments about it vanish, F = F(N1) + F(N2), N1 + N2 = W. The
 // pitch, (N2 - N1)/(2 k half_base), is small, but moves the pads by more than the limit allows to forget.
-Transfer load_transfer(const asperity_model &model, double weight, double height) {
+Transfer load_transfer(const asperity::Model &model, double weight, double height) {
     Transfer t{weight / 2, weight / 2, 0};
     for (int i = 0; i < 60; ++i) { // contracts by |F'(N1) - F'(N2)| h/(2 half_base), far below 1
         const double front_force = exact_force(model, t.front), rear_force = exact_force(model, t.rear);
@@ -213,7 +193,7 @@ Transfer load_transfer(const asperity_model &model, double weight, double height
     return t;
 }
 
-double transfer_error(const asperity_model &model, const Case &c) {
+double transfer_error(const asperity::Model &model, const Case &c) {
     const double weight = mass * gravity + c.dead_load;
     const Transfer t = load_transfer(model, weight, c.height);
     Block block(c, Friction(model), t.front, t.rear);
@@ -234,7 +214,7 @@ double seconds(const Case &c, const Friction &friction, double stop) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void report_cost(const asperity_model &model, const Case &c) {
+void report_cost(const asperity::Model &model, const Case &c) {
     const double weight = mass * gravity + c.dead_load;
     const double mu = 2 * exact_force(model, weight / 2) / weight;
     const double stop = c.speed / (mu * weight / mass);
@@ -250,12 +230,12 @@ void report_cost(const asperity_model &model, const Case &c) {
 
 int main() try {
     const auto start = std::chrono::steady_clock::now();
-    const Model model = steel_pad();
+    const asperity::Model model = steel_pad();
     double error = 0;
     for (const double speed : {0.5, 2.0})
-        for (const double dead_load : {0.0, 60.0}) error = worse(error, braking_error(*model, {speed, dead_load, 0}));
-    error = worse(error, transfer_error(*model, {2.0, 0.0, 0.1}));
-    report_cost(*model, {2.0, 0.0, 0});
+        for (const double dead_load : {0.0, 60.0}) error = worse(error, braking_error(model, {speed, dead_load, 0}));
+    error = worse(error, transfer_error(model, {2.0, 0.0, 0.1}));
+    report_cost(model, {2.0, 0.0, 0});
     const bool pass = error <= limit; // false for NaN
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::printf("simbody  %s  max error of speed, stopping distance, deceleration = %.1e  (limit %.0e)  %.1f s\n",
