@@ -4,6 +4,7 @@
 #include "Simbody.h"
 #include "asperity.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -17,9 +18,9 @@ namespace {
 
 constexpr double limit = 1e-6;
 constexpr double mass = 1.0, gravity = 9.81;
-constexpr double half_base = 0.05;                   // pads at x = -half_base and +half_base of the mass centre
-constexpr double stiffness = 2e6, damping = 2e3;     // of one pad, along the normal
-constexpr double slip_scale = 1e-3;                  // the sign of the slip rate v is tanh(v/slip_scale)
+constexpr double half_base = 0.05;               // pads at x = -half_base and +half_base of the mass centre
+constexpr double stiffness = 2e6, damping = 2e3; // of one pad, along the normal
+constexpr double slip_scale = 1e-3;              // the sign of the slip rate v is tanh(v/slip_scale)
 constexpr double pad_area = 0.5e-6, summit_density = 1e11;
 
 // Polished steel on steel, one pad.
@@ -38,43 +39,41 @@ asperity::Model steel_pad() {
 // What a pad does with its load: the law, or Coulomb's constant coefficient for the comparison of cost.
 class Friction {
 public:
-    explicit Friction(const asperity::Model &model) : m_model(&model) {}
-    explicit Friction(double coefficient) : m_coefficient(coefficient) {}
+    explicit Friction(const asperity::Model &model) : model_(&model) {}
+    explicit Friction(double coefficient) : coefficient_(coefficient) {}
     double force(double load) const {
-        return m_model ? m_model->friction_force_at_load(load) : m_coefficient * load;
+        return model_ ? model_->friction_force_at_load(load) : coefficient_ * load;
     }
 
 private:
-    const asperity::Model *m_model = nullptr;
-    double m_coefficient = 0;
+    const asperity::Model *model_ = nullptr;
+    double coefficient_ = 0;
 };
 
 // One pad against the floor y = 0. The load is that of the state the force is asked for: nothing is lagged.
 class Pad : public Force::Custom::Implementation {
 public:
     Pad(const MobilizedBody &body, const Vec3 &station, const Friction &friction)
-        : m_body(body), m_station(station), m_friction(friction) {}
+        : body_(body), station_(station), friction_(friction) {}
 
     void calcForce(const State &state, Vector_<SpatialVec> &body_forces, Vector_<Vec3> &, Vector &) const override {
-        const Vec3 position = m_body.findStationLocationInGround(state, m_station);
-        const Vec3 velocity = m_body.findStationVelocityInGround(state, m_station);
+        const Vec3 position = body_.findStationLocationInGround(state, station_);
+        const Vec3 velocity = body_.findStationVelocityInGround(state, station_);
         const double load = -stiffness * position[1] - damping * velocity[1];
         if (position[1] >= 0 || load <= 0) return;
-        const double friction = m_friction.force(load) * std::tanh(velocity[0] / slip_scale);
-        m_body.applyForceToBodyPoint(state, m_station, Vec3(-friction, load, 0), body_forces);
+        const double friction = friction_.force(load) * std::tanh(velocity[0] / slip_scale);
+        body_.applyForceToBodyPoint(state, station_, Vec3(-friction, load, 0), body_forces);
     }
 
     Real calcPotentialEnergy(const State &state) const override {
-        const double overlap = std::max(0.0, -m_body.findStationLocationInGround(state, m_station)[1]);
+        const double overlap = std::max(0.0, -body_.findStationLocationInGround(state, station_)[1]);
         return 0.5 * stiffness * overlap * overlap;
     }
 
-    bool shouldBeParallelIfPossible() const override { return false; } // far too cheap for a thread of its own
-
 private:
-    MobilizedBody m_body;
-    Vec3 m_station;
-    Friction m_friction;
+    MobilizedBody body_;
+    Vec3 station_;
+    Friction friction_;
 };
 
 struct Case {
@@ -86,54 +85,54 @@ struct Case {
 class Block {
 public:
     Block(const Case &c, const Friction &friction, double front_load, double rear_load)
-        : m_matter(m_system), m_forces(m_system), m_gravity(m_forces, m_matter, Vec3(0, -gravity, 0)),
-          m_body(m_matter.Ground(), Transform(),
-                 Body::Rigid(MassProperties(mass, Vec3(0), UnitInertia::brick(half_base, 0.02, 0.02) * mass)),
+        : matter_(system_), forces_(system_), gravity_(forces_, matter_, Vec3(0, -gravity, 0)),
+          body_(matter_.Ground(), Transform(),
+                 Body::Rigid(MassProperties(mass, Vec3(0), UnitInertia::brick(half_base, 0.02, 0.02))),
                  Transform()) {
         new_pad(half_base, c.height, friction);
         new_pad(-half_base, c.height, friction);
-        Force::ConstantForce(m_forces, m_body, Vec3(0), Vec3(0, -c.dead_load, 0));
-        m_system.realizeTopology();
-        m_state = m_system.getDefaultState();
+        Force::ConstantForce(forces_, body_, Vec3(0), Vec3(0, -c.dead_load, 0));
+        system_.realizeTopology();
+        state_ = system_.getDefaultState();
         set_start(c, front_load, rear_load);
     }
 
     // Advances to `time` and gives position and velocity along x.
     std::pair<double, double> at(double time) {
-        if (!m_integrator) {
-            m_integrator = std::make_unique<RungeKuttaMersonIntegrator>(m_system);
-            m_integrator->setAccuracy(1e-9);
-            m_stepper = std::make_unique<TimeStepper>(m_system, *m_integrator);
-            m_stepper->initialize(m_state);
+        if (!integrator_) {
+            integrator_ = std::make_unique<RungeKuttaMersonIntegrator>(system_);
+            integrator_->setAccuracy(1e-9);
+            stepper_ = std::make_unique<TimeStepper>(system_, *integrator_);
+            stepper_->initialize(state_);
         }
-        m_stepper->stepTo(time);
-        const State &state = m_stepper->getState();
-        return {m_body.getOneQ(state, 1), m_body.getOneU(state, 1)};
+        stepper_->stepTo(time);
+        const State &state = stepper_->getState();
+        return {body_.getOneQ(state, 1), body_.getOneU(state, 1)};
     }
 
 private:
     void new_pad(double x, double height, const Friction &friction) {
-        Force::Custom(m_forces, new Pad(m_body, Vec3(x, -height, 0), friction));
+        Force::Custom(forces_, new Pad(body_, Vec3(x, -height, 0), friction));
     }
 
     // Overlaps load/stiffness under both pads fix height and pitch of the body.
     void set_start(const Case &c, double front_load, double rear_load) {
         const double pitch = std::asin((rear_load - front_load) / stiffness / (2 * half_base));
         const double mean_overlap = 0.5 * (front_load + rear_load) / stiffness;
-        m_body.setOneQ(m_state, 0, pitch);
-        m_body.setOneQ(m_state, 1, 0);
-        m_body.setOneQ(m_state, 2, c.height * std::cos(pitch) - mean_overlap);
-        m_body.setOneU(m_state, 1, c.speed);
+        body_.setOneQ(state_, 0, pitch);
+        body_.setOneQ(state_, 1, 0);
+        body_.setOneQ(state_, 2, c.height * std::cos(pitch) - mean_overlap);
+        body_.setOneU(state_, 1, c.speed);
     }
 
-    MultibodySystem m_system;
-    SimbodyMatterSubsystem m_matter;
-    GeneralForceSubsystem m_forces;
-    Force::UniformGravity m_gravity;
-    MobilizedBody::Planar m_body;
-    State m_state;
-    std::unique_ptr<RungeKuttaMersonIntegrator> m_integrator;
-    std::unique_ptr<TimeStepper> m_stepper;
+    MultibodySystem system_;
+    SimbodyMatterSubsystem matter_;
+    GeneralForceSubsystem forces_;
+    Force::UniformGravity gravity_;
+    MobilizedBody::Planar body_;
+    State state_;
+    std::unique_ptr<RungeKuttaMersonIntegrator> integrator_;
+    std::unique_ptr<TimeStepper> stepper_;
 };
 
 // Friction force from the integrals themselves, not from the compiled law that the block uses.
