@@ -7,13 +7,15 @@
  *     double force = asperity_eval_friction_force(&table, load, NULL);
  *
  * Self-contained but for the declaration of asperity_table: C99, C++, CUDA, HIP; no libm, no branch on data but the
- * caps. In a kernel copy table.row_count * 8 doubles from table.rows to the device, and point a copy of the struct there.
+ * caps. For a kernel, copy table.row_count * 8 doubles from table.rows to the device and point a copy of the struct
+ * there.
  *
  * Where the library answers from the table, these functions give the same bits, provided that the compiler does not
  * contract a*b + c into a fused multiply-add: GCC does so with -march of a processor that has it, unless -std=c99 or
  * -ffp-contract=off is given; with contraction the last bit or two may differ. Clang, CUDA and HIP are told below.
  *
- * NaN says that the table does not answer (a load outside it, a row left out, a load that is not finite): ask the library.
+ * NaN says that the table does not answer (a load outside it, a row left out, a load that is not finite): ask the
+ * library.
  */
 #ifndef ASPERITY_EVAL_H
 #define ASPERITY_EVAL_H
@@ -30,7 +32,7 @@
 #endif
 
 #if defined(__CUDA_ARCH__)
-/* Rounded after each operation, never contracted. HIP's intrinsics of these names promise less than the pragma below. */
+/* Rounded after each operation, never contracted. HIP's functions of these names may be: there the pragma tells. */
 #define ASPERITY_EVAL_ADD(a, b) __dadd_rn((a), (b))
 #define ASPERITY_EVAL_MUL(a, b) __dmul_rn((a), (b))
 #else

@@ -289,7 +289,8 @@ static int as_the_library(const asperity_model *model, double load, const struct
 /* Loads are rounded: one that is next to an end of the table may belong to either side of it. */
 static int within_range(const asperity_summary *summary, double load)
 {
-    return load >= nextafter(summary->min_table_load, -INFINITY) && load <= nextafter(summary->max_table_load, INFINITY);
+    return load >= nextafter(summary->min_table_load, -INFINITY) &&
+           load <= nextafter(summary->max_table_load, INFINITY);
 }
 
 static struct tally compare(const asperity_model *model, const asperity_table *table, const double *load,
@@ -329,8 +330,8 @@ static void judge(const char *where, const asperity_table *table, struct tally t
     uint64_t row, left_out = 0;
     for (row = 0; row < table->row_count; ++row)
         left_out += isnan(table->rows[8 * row]) != 0;
-    printf("  %-42s %3u rows, %2u left out; loads: %lu with the library's bits (%lu pulling, %lu pushing and capped), %lu separated, "
-           "%lu NaN\n",
+    printf("  %-42s %4u rows, %u left out; loads: %lu with the library's bits (%lu pulling, %lu pushing and capped), "
+           "%lu separated, %lu NaN\n",
            where, (unsigned)table->row_count, (unsigned)left_out, tally.compared, tally.pulling, tally.capped,
            tally.separated, tally.unanswered);
     require(tally.wrong == 0, where);

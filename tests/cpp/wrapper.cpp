@@ -298,6 +298,7 @@ void slip_gives_the_force_a_smooth_sign() {
 
     EXPECT(model.slip_force(REFERENCE_LOAD, -rate, transition) == -force.value);
     EXPECT(model.slip_force(REFERENCE_LOAD, 0.0, transition) == 0.0);
+    EXPECT(model.slip_force_and_slopes(model.summary().pull_off_load, 0.0, transition).dforce_dload == 0.0);
     EXPECT(close(model.slip_force(REFERENCE_LOAD, 1e3, transition), REFERENCE_FORCE, 1e-7));
     EXPECT(std::isnan(model.slip_force(REFERENCE_LOAD, INF, transition)));
     EXPECT(std::isnan(model.slip_force_and_slopes(REFERENCE_LOAD, rate, 0.0).dforce_dslip_rate));
