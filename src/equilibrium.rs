@@ -10,15 +10,15 @@ use crate::root;
 
 /// Separations are searched between these, in sigma.
 const CLOSEST: f64 = -1e60;
-/// All summits that matter are pressed in at this separation, so that load falls as separation grows.
-const ALL_PRESSED: f64 = -12.0;
-/// How densely the load curve is looked at for its first minimum, in sigma.
-const SCAN_STEP: f64 = 0.5;
+/// The load curve is looked at for its first minimum from this separation, in sigma...
+const SCAN_START: f64 = -6.0;
+/// ...in steps of this: sums over the heights change on the scale of their standard deviation, not faster.
+const SCAN_STEP: f64 = 1.0;
 /// A pull-off load smaller than exp of this cannot be told from none.
 const SMALLEST_LOG_LOAD: f64 = -640.0;
 /// Below this part of the pull-off load, load minus pull-off load is integrated from the slope: the difference of
 /// the two loads would have lost too many digits.
-const NEAR_PULL_OFF: f64 = 1e-3;
+const NEAR_PULL_OFF: f64 = 1e-4;
 
 /// Where the surfaces part under load control.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -174,7 +174,13 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
     let falls = |separation: f64| population.at_separation(separation).load_slope < 0.0;
     let farthest = population.farthest();
     if !population.has_single_minimum() {
-        let mut lower = ALL_PRESSED;
+        let mut lower = SCAN_START;
+        while !falls(lower) {
+            lower = 2.0 * lower - 1.0;
+            if lower < CLOSEST {
+                return None;
+            }
+        }
         while lower < farthest {
             let upper = lower + SCAN_STEP;
             if !falls(upper) {

@@ -16,8 +16,10 @@ const CONDITIONS: usize = 2 * NODES;
 /// The branch is followed from this separation, in sigma; heavier loads are evaluated exactly.
 const CLOSEST: f64 = -12.0;
 /// Largest error of ln F, and of its slope relative to the slope, at which a panel is good.
-const VALUE_TOLERANCE: f64 = 4e-12;
-const SLOPE_TOLERANCE: f64 = 4e-10;
+const VALUE_TOLERANCE: f64 = 1e-11;
+const SLOPE_TOLERANCE: f64 = 1e-9;
+/// The first panels are this wide, in sigma.
+const FIRST_WIDTH: f64 = 2.2;
 /// Panels are not halved below this width, in sigma.
 const NARROWEST: f64 = 0.1;
 
@@ -102,13 +104,16 @@ impl Curve {
         let mut from = curve.sample(population, equilibrium, closest)?;
         let lightest = from.log_excess - log_range;
         check.push(from);
+        let mut width = FIRST_WIDTH;
         while from.separation < end && (log_pull_off.is_some() || from.log_excess > lightest) {
-            let width = 2.2_f64.max(0.4 * -from.separation);
-            let mut to = from.separation + width;
-            if to + 0.5 > end {
+            let mut to = from.separation + width.max(0.4 * -from.separation);
+            if to + 0.25 * width > end {
                 to = end;
             }
+            let panels = curve.panels.len();
             from = curve.follow(population, equilibrium, from, to, check)?;
+            // Wider where one panel did, narrower where it took several.
+            width = if curve.panels.len() == panels + 1 { 1.3 * width } else { (0.7 * width).max(1.0) };
         }
         Ok(curve)
     }
