@@ -38,7 +38,8 @@ static _Noreturn void fail(const char *format, ...) {
     if (running) MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     va_list arguments;
     va_start(arguments, format);
-    printf("lammps  FAIL  rank %d: ", rank);
+    if (running) printf("column: rank %d: ", rank);    /* run.sh says FAIL once, whatever the number of ranks */
+    else printf("lammps  FAIL  ");
     vprintf(format, arguments);
     printf("\n");
     fflush(stdout);
