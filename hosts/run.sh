@@ -40,16 +40,14 @@ for host in "${hosts[@]}"; do
         tail -n 15 "$logs/$host.log" | sed 's/^/    /'
     fi
     verdicts+=$verdict$'\n'
-    costs+=$(grep -E "^$host +cost " "$logs/$host.log" | tail -n 1)$'\n'
+    cost=$(grep -E "^($host)? +cost[: ]" "$logs/$host.log" | tail -n 1 | sed -E "s/^($host)? +cost:? +//")
+    [ -z "$cost" ] || costs+="$host $cost"$'\n'
 done
 
-align() {
-    sed '/^$/d' | awk '{ name = $1; word = $2; sub(/^[^ ]+ +[^ ]+ +/, ""); printf "%-10s %-5s %s\n", name, word, $0 }'
-}
 echo
-echo "cost of a step, or a solution, with the law"
-printf '%s' "$costs" | align
+echo "what the law costs against a constant coefficient"
+printf '%s' "$costs" | awk '{ name = $1; sub(/^[^ ]+ /, ""); printf "%-10s %s\n", name, $0 }'
 echo
-printf '%s' "$verdicts" | align
+printf '%s' "$verdicts" | awk '{ name = $1; word = $2; sub(/^[^ ]+ +[^ ]+ +/, ""); printf "%-10s %-5s %s\n", name, word, $0 }'
 echo "$((number - failed)) of $number hosts passed in $((SECONDS - begin)) s"
 [ "$failed" -eq 0 ]

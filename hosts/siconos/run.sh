@@ -17,6 +17,7 @@ mkdir -p "$build"
 gcc -std=c11 -O2 -Wall -Wextra -Werror -Iinclude -isystem /usr/include/siconos \
     -isystem /usr/include/siconos/numerics hosts/siconos/brush.c -o "$build/brush" \
     -L"$target/release" -lasperity -Wl,-rpath,"$target/release" -lsiconos_numerics -lm || fail "brush.c does not build"
+export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 status=0
 "$build/brush" || status=$?
 [ "$status" -le 1 ] || fail "brush ended with status $status"
