@@ -48,6 +48,7 @@ echo
 echo "what the law costs against a constant coefficient"
 printf '%s' "$costs" | awk '{ name = $1; sub(/^[^ ]+ /, ""); printf "%-10s %s\n", name, $0 }'
 echo
-printf '%s' "$verdicts" | awk '{ name = $1; word = $2; sub(/^[^ ]+ +[^ ]+ +/, ""); printf "%-10s %-5s %s\n", name, word, $0 }'
+printf '%s' "$verdicts" |
+    awk '{ name = $1; word = $2; sub(/^[^ ]+ +[^ ]+ +/, ""); printf "%-10s %-5s %s\n", name, word, $0 }'
 echo "$((number - failed)) of $number hosts passed in $((SECONDS - begin)) s"
 [ "$failed" -eq 0 ]

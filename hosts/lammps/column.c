@@ -412,6 +412,7 @@ static int judge(char **path) {
     for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
         const double a = value_of(one, same[i]), b = value_of(two, same[i]);
         printf("column: %-16s %.12g on one rank, %.12g on two\n", same[i], a, b);
+        if (!isfinite(b / a)) fail("%s is not a number, or 0", same[i]);
         disagreement = fmax(disagreement, fabs(b / a - 1));
     }
     const double excess = fmax(value_of(one, "law_excess"), value_of(two, "law_excess"));

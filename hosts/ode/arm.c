@@ -6,6 +6,7 @@
  *
  * usage: arm [FILE.svg]        measures the gains; draws the errors step by step */
 #define _GNU_SOURCE
+#include <fenv.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -143,6 +144,7 @@ int main(int count, char **arguments) {
     arm_case cases[CASES] = {{.gain = -0.2}, {.gain = 0.5}, {.gain = 0.9}, {.gain = 1.2}};
     int good = 1;
     dInitODE2(0);
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
     asperity_model *model = steel_on_steel();
     for (int i = 0; i < CASES; i++) {
         arm_case *c = &cases[i];

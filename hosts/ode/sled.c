@@ -84,7 +84,8 @@ static void sled_build(sled *s, const asperity_model *model, int one_foot) {
     s->body = dBodyCreate(s->world);
     dMassSetBoxTotal(&inertia, mass, length, width, height);
     dBodySetMass(s->body, &inertia);
-    dGeomSetBody(one_foot ? dCreateSphere(s->space, 0.5 * height) : dCreateBox(s->space, length, width, height), s->body);
+    const double radius = 0.5 * height;
+    dGeomSetBody(one_foot ? dCreateSphere(s->space, radius) : dCreateBox(s->space, length, width, height), s->body);
     if (one_foot) keep_upright(s);
     dBodySetPosition(s->body, 0, 0, 0.5 * height - 1e-5);
     law_stepper_init(&s->stepper, s->world, s->space);
