@@ -92,7 +92,7 @@ def test_parameters_reach_the_library_unchanged() -> None:
     with Model(params) as model:
         back = _header.asperity_params()
         _library.check(_library.LIBRARY.asperity_get_params(model._open().pointer, back))
-    found = {name: getattr(back, name) for name, _ in back._fields_[1:]}
+    found = {field[0]: getattr(back, field[0]) for field in back._fields_[1:]}
     expected = dict(vars(params), height_distribution=_header.ASPERITY_HEIGHTS_WEIBULL, attraction=0)
     assert found == expected
 

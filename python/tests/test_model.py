@@ -15,7 +15,7 @@ import numpy.typing as npt
 import pytest
 
 from asperity import Error, Model, Params, State, Status, Summary
-from asperity.model import LIBRARY
+from asperity._library import LIBRARY
 
 METHODS = ["friction_at_load", "friction_force_at_load"]
 

@@ -72,7 +72,7 @@ def test_arguments_that_do_not_fit_together_are_refused(arguments: dict[str, Any
 @pytest.mark.parametrize("name", ["summit_density", "nominal_area"])
 @pytest.mark.parametrize("value", [-1.0, 0.0, math.nan, math.inf])
 def test_density_and_area_must_be_positive_each(name: str, value: float) -> None:
-    surface = {"summit_density": 1.0, "nominal_area": 1.0, name: value}
+    surface: dict[str, Any] = {"summit_density": 1.0, "nominal_area": 1.0, name: value}
     with pytest.raises(Error, match=f"{name} = {value}: must be finite and > 0"):
         Params.si(**SURFACE, **STIFFNESS, **surface)
 

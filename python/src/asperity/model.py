@@ -42,9 +42,9 @@ class _Handle:
 class Model:
     """The friction law of two surfaces: friction coefficient and force as functions of the normal load.
 
-    Making one takes milliseconds, a call well below a microsecond more than Python's own cost. A model may be shared
-    by threads; calls run in parallel, since they hold no lock of Python's. It pickles and copies through its
-    parameters. Use it in a `with` statement, or call `close`, to free its memory at a known time.
+    Making one takes milliseconds: make it once, ask it often. A model may be shared by threads; calls run in parallel,
+    since they do not hold the interpreter lock. It pickles and copies through its parameters. Use it in a `with`
+    statement, or call `close`, to free its memory at a known time.
 
     Loads of `friction_at_load` and `friction_force_at_load`, one or many:
 
