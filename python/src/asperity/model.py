@@ -8,6 +8,7 @@ over. That is why `set_params` makes a new handle instead of changing the old on
 from __future__ import annotations
 
 import ctypes
+import math
 import numbers
 import weakref
 from types import TracebackType
@@ -189,7 +190,7 @@ class Model:
             values, slopes = _evaluate_array(handle, batch, np.asarray(float(load)), True)
             return float(values), float(slopes)
         value: float = scalar(handle.pointer, float(load))
-        if value != value:
+        if math.isnan(value):  # quiet, where a comparison of Python's may raise a floating-point exception
             _refuse(handle, float(load))
         return value
 
