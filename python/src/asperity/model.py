@@ -37,7 +37,7 @@ class _Handle:
         self.pointer = ctypes.POINTER(_header.asperity_model)()
         check(LIBRARY.asperity_create(ctypes.byref(params._as_struct()), ctypes.byref(self.pointer)))
         # At exit a daemon thread may still be inside a call: the system takes the memory then.
-        weakref.finalize(self, LIBRARY.asperity_free, self.pointer).atexit = False
+        weakref.finalize(self, LIBRARY.asperity_free, self.pointer).atexit = False  # type: ignore[misc, unused-ignore]
 
 
 class Model:
