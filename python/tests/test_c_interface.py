@@ -97,6 +97,6 @@ def test_parameters_reach_the_library_unchanged() -> None:
     assert found == expected
 
 
-def test_the_message_belongs_to_the_thread_and_reads_whole() -> None:
+def test_the_message_reads_whole() -> None:
     _library.LIBRARY.asperity_params_set_skew(Params.dimensionless(alpha=1, beta=1, gamma=0)._as_struct(), np.nan)
     assert _library.last_error() == "skew = NaN: must be finite and > -1.13955, the limit of the Weibull family"

@@ -107,7 +107,7 @@ def test_without_matplotlib_it_says_so_and_prints_nothing(tmp_path: Path) -> Non
         ("curve --alpha x", 2, "--alpha: invalid float value: 'x'"),
         ("curve --alpha 1 --E1 3", 2, "--alpha is dimensionless, --E1 physical: choose one"),
         ("curve --E1 3", 2, "physical parameters need --work-of-adhesion, --adhesion-range, --burgers-vector"),
-        (f"curve {POLYSILICON} --asperity-count 3", 2, "give either asperity_count, or summit_density and nominal_area"),
+        (f"curve {POLYSILICON} --asperity-count 3", 2, "asperity_count, or summit_density and nominal_area"),
         ("curve --skew 1 --weibull-shape 2", 2, "do not give weibull_shape too"),
         ("curve --count 1", 2, "--count 1: must be 2 or more"),
         ("curve --lowest 0", 2, "--lowest 0: must be finite and > 0"),

@@ -25,9 +25,8 @@ print(_library.PATH)
 def run(*command: object, **environment: str) -> str:
     words = [str(word) for word in command]
     kept = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "ASPERITY"))}
-    done = subprocess.run(
-        words, env={**kept, **environment}, capture_output=True, text=True, timeout=600, check=False
-    )  # fmt: skip
+    merged = {**kept, **environment}
+    done = subprocess.run(words, env=merged, capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 

@@ -50,7 +50,8 @@ def test_the_figure_is_drawn(example: list[object], tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "arguments", [("-", "1"), ("-", "x"), ("-", "3", "0"), ("-", "3", "2", "1"), ("-", "3", "1", "inf"), ("-", *"12345")]
+    "arguments",
+    [("-", "1"), ("-", "x"), ("-", "3", "0"), ("-", "3", "2", "1"), ("-", "3", "1", "inf"), ("-", *"12345")],
 )
 def test_a_wrong_command_line_is_refused(example: list[object], twin: Path, arguments: tuple[str, ...]) -> None:
     ours, theirs = run(*example, *arguments), run(twin, *arguments)

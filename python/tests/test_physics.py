@@ -83,7 +83,8 @@ def test_constant_shear_strength_makes_friction_stress_times_area() -> None:
     with Model(params) as model:
         for load in (1e-2, 1.0, 1e3):
             state = model.state_at_load(load)
-            assert state.friction_force == pytest.approx(0.01 * params.effective_shear_modulus * state.real_area, rel=1e-11)
+            stress = 0.01 * params.effective_shear_modulus
+            assert state.friction_force == pytest.approx(stress * state.real_area, rel=1e-11)
             assert model.friction_force_at_load(load) == pytest.approx(state.friction_force, rel=1e-9)
 
 

@@ -106,7 +106,8 @@ def _params(parser: argparse.ArgumentParser, options: argparse.Namespace) -> Par
     others = _given(options, _OPTIONS)
     others["attraction"] = not options.no_attraction
     if groups and physical:
-        parser.error(f"{_flag(next(iter(groups)))} is dimensionless, {_flag(next(iter(physical)))} physical: choose one")
+        one, other = _flag(next(iter(groups))), _flag(next(iter(physical)))
+        parser.error(f"{one} is dimensionless, {other} physical: choose one")
     if physical:
         missing = [_flag(name) for name in _REQUIRED if name not in physical]
         if missing:
