@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import math
+import struct
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,16 @@ class Recorder:
 
 def doubles(*numbers: float) -> Any:
     return (ctypes.c_double * len(numbers))(*numbers)
+
+
+def table_force(table: Any, load: float) -> float:
+    """F by the rows of a table, as the header describes them."""
+    (bits,) = struct.unpack("<Q", struct.pack("<d", load - table.pull_off_load))
+    index = (bits >> table.shift) - table.base
+    assert 0 <= index < table.row_count
+    below = bits & ((1 << table.shift) - 1)
+    (t,) = struct.unpack("<d", struct.pack("<Q", below | 0x3FF0000000000000))
+    return sum(float(table.rows[8 * index + k]) * (t - 1.0) ** k for k in range(8))
 
 
 def test_every_function_of_the_header_works() -> None:
@@ -65,6 +76,18 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.friction_force_at_load(model, 50.0) == force[0]
     assert math.isclose(force[0], 50.0 * mu[0], rel_tol=1e-15)
 
+    # Value and slope together, by pressure on an area of 5, and with a smooth sign of the slip rate.
+    one, other = doubles(0.0), doubles(0.0)
+    assert lib.friction_force_and_slope_at_load(model, 50.0, one) == force[0] and one[0] == slope[0]
+    assert lib.friction_and_slope_at_load(model, 50.0, one) == mu[0]
+    assert math.isclose(lib.friction_at_pressure(model, 10.0, 5.0, other), mu[0], rel_tol=1e-14)
+    assert math.isclose(other[0], 5.0 * one[0], rel_tol=1e-12)
+    assert math.isclose(lib.shear_stress_at_pressure(model, 10.0, 5.0, other), force[0] / 5.0, rel_tol=1e-14)
+    assert math.isclose(other[0], slope[0], rel_tol=1e-12)
+    assert math.isclose(lib.slip_force(model, 50.0, -0.3, 0.2, one, other), force[0] * math.tanh(-1.5), rel_tol=1e-14)
+    assert math.isclose(one[0], slope[0] * math.tanh(-1.5), rel_tol=1e-14)
+    assert math.isclose(other[0], force[0] / (0.2 * math.cosh(1.5) ** 2), rel_tol=1e-13)
+
     state = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
     assert lib.state_at_load(model, 50.0, state) == Status.OK
     assert math.isclose(state.friction_force, force[0], rel_tol=1e-9)
@@ -76,6 +99,12 @@ def test_every_function_of_the_header_works() -> None:
     summary = _header.asperity_summary(struct_size=ctypes.sizeof(_header.asperity_summary))
     assert lib.summary_of(model, summary) == Status.OK
     assert abs(summary.skew) < 1e-9
+
+    table = _header.asperity_table(struct_size=ctypes.sizeof(_header.asperity_table))
+    assert lib.table_of(model, table) == Status.OK
+    assert table.layout_version == _header.ASPERITY_TABLE_LAYOUT
+    assert table.pull_off_load == summary.pull_off_load
+    assert math.isclose(table_force(table, 50.0), force[0], rel_tol=1e-14)
     lib.free(model)
     lib.free(None)
 

@@ -14,7 +14,7 @@ import pytest
 
 from asperity import Params, State, Status, Summary, _header
 
-STRUCTS = ("asperity_params", "asperity_state", "asperity_summary")
+STRUCTS = ("asperity_params", "asperity_state", "asperity_summary", "asperity_table")
 TYPES = {
     "double": ctypes.c_double,
     "uint64_t": ctypes.c_uint64,
@@ -116,5 +116,5 @@ def test_dataclasses_have_the_fields_of_the_structs(python: Any, c: str) -> None
 
 
 def test_statuses_are_those_of_the_header(header: str) -> None:
-    names = [name for name in constants(header) if not re.search("VERSION|HEIGHTS", name)]
+    names = [name for name in constants(header) if not re.search("VERSION|HEIGHTS|TABLE", name)]
     assert [f"ASPERITY_{status.name}" for status in Status] == names
