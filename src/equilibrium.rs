@@ -104,27 +104,42 @@ impl Equilibrium {
         (excess.ln(), sums.load_slope / excess, sums)
     }
 
-    /// The separation at which ln(load - pull-off load) is this, and the sums there.
+    /// The separation at which ln(load - pull-off load) is this, and the sums there, from a guess if there is one.
     ///
     /// # Errors
     /// [`Error::NotConverged`].
-    pub fn at_log_excess(&self, population: &Population, target: f64) -> Result<(f64, Sums), Error> {
+    pub fn at_log_excess(
+        &self,
+        population: &Population,
+        target: f64,
+        guess: Option<f64>,
+    ) -> Result<(f64, Sums), Error> {
         let failure = Error::NotConverged { what: "ln(load - pull-off load)", value: target };
-        // A bracket, from where the branch ends or the middle of the heights, leftwards to heavy load.
         let mut upper = self.farthest;
-        let mut lower = self.farthest.min(1.0) - 1.0;
-        let mut step = 2.0;
-        let mut here = self.log_excess(population, lower);
-        while here.0 < target {
-            upper = lower;
-            lower -= step;
-            step *= 2.0;
-            if lower < CLOSEST {
-                return Err(failure);
+        let (mut separation, mut here, mut lower);
+        match guess {
+            Some(guess) => {
+                separation = guess.min(upper);
+                here = self.log_excess(population, separation);
+                lower = CLOSEST;
             }
-            here = self.log_excess(population, lower);
+            None => {
+                // A bracket, from where the branch ends or the middle of the heights, leftwards to heavy load.
+                lower = upper.min(1.0) - 1.0;
+                let mut step = 2.0;
+                here = self.log_excess(population, lower);
+                while here.0 < target {
+                    upper = lower;
+                    lower -= step;
+                    step *= 4.0;
+                    if lower < CLOSEST {
+                        return Err(failure);
+                    }
+                    here = self.log_excess(population, lower);
+                }
+                separation = lower;
+            }
         }
-        let mut separation = lower;
         let mut last_step = f64::MAX;
         for _ in 0..200 {
             let (log_excess, slope, sums) = here;

@@ -3,7 +3,7 @@
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::groups::Groups;
-use crate::law::Law;
+use crate::law::{Law, Scales};
 use crate::params::{finite, Params};
 use crate::population::{Population, Sums};
 
@@ -106,7 +106,7 @@ impl Model {
         let units = Units::new(params);
         let population = Population::new(&groups, params.slip, heights, radius, params.attraction);
         let equilibrium = Equilibrium::new(&population)?;
-        let law = Law::new(&population, &equilibrium)?;
+        let law = Law::new(&population, &equilibrium, Scales { load: units.load, force: units.force })?;
         Ok(Self { params: *params, groups, population, equilibrium, law, units })
     }
 
@@ -128,10 +128,25 @@ impl Model {
     }
 
     /// Friction force and its slope dF/dP.
+    #[inline]
     pub fn friction_force_and_slope(&self, load: f64) -> (f64, f64) {
+        // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
+        if finite(load) {
+            if let Some(answer) = self.law.at_load(load) {
+                return answer;
+            }
+        }
+        self.exact_force_and_slope(load)
+    }
+
+    /// Loads that the table does not answer.
+    #[cold]
+    fn exact_force_and_slope(&self, load: f64) -> (f64, f64) {
         match self.state_at_load(load) {
             Ok(state) => (state.friction_force, state.dforce_dload),
             Err(Error::Separated { .. }) => (0.0, 0.0),
+            // Without adhesion nothing is left at zero load.
+            Err(Error::OutOfRange { .. }) if load == 0.0 => (0.0, f64::INFINITY),
             Err(_) => (f64::NAN, f64::NAN),
         }
     }
@@ -185,7 +200,8 @@ impl Model {
         }
         // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
         let log_excess = (load - pull_off).ln() - self.units.load.ln();
-        let (separation, sums) = self.equilibrium.at_log_excess(&self.population, log_excess)?;
+        let guess = self.law.separation(log_excess);
+        let (separation, sums) = self.equilibrium.at_log_excess(&self.population, log_excess, guess)?;
         Ok(self.state(load, separation, &sums))
     }
 
@@ -217,10 +233,6 @@ impl Model {
     /// The constants of the model.
     pub fn summary(&self) -> Summary {
         let pull_off = self.equilibrium.pull_off();
-        let zero_load = match self.state_at_load(0.0) {
-            Ok(state) => state.friction_force,
-            Err(_) => 0.0,
-        };
         Summary {
             alpha: self.groups.alpha,
             beta: self.groups.beta,
@@ -230,9 +242,9 @@ impl Model {
             kurtosis: self.population.heights().kurtosis(),
             pull_off_load: self.pull_off_load(),
             pull_off_friction_force: pull_off.map_or(0.0, |point| point.friction * self.units.force),
-            zero_load_friction_force: zero_load,
-            min_table_load: self.pull_off_load() + self.law.range().0 * self.units.load,
-            max_table_load: self.pull_off_load() + self.law.range().1 * self.units.load,
+            zero_load_friction_force: self.friction_force_at_load(0.0),
+            min_table_load: self.law.range().0,
+            max_table_load: self.law.range().1,
             table_error: self.law.error(),
         }
     }

@@ -1,0 +1,259 @@
+//! The branch of load control as a smooth curve through exact states, from which the table is filled.
+//!
+//! The coordinate is s = arsinh((x/|pull-off|)^(1/2)) with x = load - pull-off: near pull-off, where load has its
+//! minimum over separation, it is linear in separation, far from it logarithmic in load; without adhesion it is
+//! ln(x)/2. In it ln F is smooth on the whole branch. Panels of exact states at Chebyshev points, each with its slope,
+//! are joined by Hermite interpolation, and a panel that misses the exact states between its nodes is halved.
+
+use crate::equilibrium::Equilibrium;
+use crate::error::Error;
+use crate::population::Population;
+
+/// Exact states per panel.
+const NODES: usize = 8;
+/// Interpolation conditions per panel: value and slope at every node.
+const CONDITIONS: usize = 2 * NODES;
+/// The branch is followed from this separation, in sigma; heavier loads are evaluated exactly.
+const CLOSEST: f64 = -20.0;
+/// Largest error of ln F, and of its slope relative to the slope, at which a panel is good.
+const VALUE_TOLERANCE: f64 = 4e-12;
+const SLOPE_TOLERANCE: f64 = 4e-10;
+/// Panels are not halved below this width, in sigma.
+const NARROWEST: f64 = 0.02;
+
+/// What s measures.
+#[derive(Debug, Clone, Copy)]
+struct Coordinate {
+    /// ln |pull-off load|, if there is one.
+    log_pull_off: Option<f64>,
+}
+
+/// An exact state on the branch.
+#[derive(Debug, Clone, Copy)]
+pub struct Sample {
+    separation: f64,
+    /// ln(load - pull-off load).
+    pub log_excess: f64,
+    s: f64,
+    /// ln F.
+    pub log_force: f64,
+    /// d(ln F)/ds.
+    slope: f64,
+    /// d(ln F)/d(ln x).
+    pub log_slope: f64,
+}
+
+/// A stretch of the curve, with s falling as separation grows.
+#[derive(Debug, Clone)]
+struct Panel {
+    /// s at its ends.
+    lowest: f64,
+    highest: f64,
+    nodes: [f64; NODES],
+    /// ln F in Newton's form, each node twice.
+    log_force: [f64; CONDITIONS],
+    /// Separation in Newton's form, each node once.
+    separation: [f64; NODES],
+}
+
+/// The curve, from heavy to light load.
+#[derive(Debug, Clone)]
+pub struct Curve {
+    coordinate: Coordinate,
+    panels: Vec<Panel>,
+}
+
+impl Coordinate {
+    fn of(self, log_excess: f64) -> f64 {
+        match self.log_pull_off {
+            Some(log_pull_off) => (0.5 * (log_excess - log_pull_off)).exp().asinh(),
+            None => 0.5 * log_excess,
+        }
+    }
+
+    /// ds/d(ln x).
+    fn rate(self, s: f64) -> f64 {
+        match self.log_pull_off {
+            Some(_) => 0.5 * s.tanh(),
+            None => 0.5,
+        }
+    }
+}
+
+impl Curve {
+    /// Follows the branch from heavy load down to pull-off, or down to `decades` below the heaviest load. Hands every exact
+    /// state that is not a node to `check`.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] where the branch cannot be followed.
+    pub fn new(
+        population: &Population,
+        equilibrium: &Equilibrium,
+        log_range: f64,
+        check: &mut Vec<Sample>,
+    ) -> Result<Self, Error> {
+        let log_pull_off = equilibrium.pull_off().map(|point| (-point.load).ln());
+        let mut curve = Self { coordinate: Coordinate { log_pull_off }, panels: Vec::new() };
+        let end = equilibrium.farthest();
+        let closest = CLOSEST.min(end - 10.0);
+        let mut from = curve.sample(population, equilibrium, closest)?;
+        let lightest = from.log_excess - log_range;
+        check.push(from);
+        while from.separation < end && (log_pull_off.is_some() || from.log_excess > lightest) {
+            let width = 1.5_f64.max(0.4 * -from.separation);
+            let mut to = from.separation + width;
+            if to + 0.5 > end {
+                to = end;
+            }
+            from = curve.follow(population, equilibrium, from, to, check)?;
+        }
+        Ok(curve)
+    }
+
+    /// Adds the panel between two separations, halved as often as it takes; returns the state at its end.
+    fn follow(
+        &mut self,
+        population: &Population,
+        equilibrium: &Equilibrium,
+        from: Sample,
+        to: f64,
+        check: &mut Vec<Sample>,
+    ) -> Result<Sample, Error> {
+        let (middle, half) = (0.5 * (from.separation + to), 0.5 * (to - from.separation));
+        let mut nodes = [from; NODES];
+        for (j, node) in nodes.iter_mut().enumerate() {
+            let angle = std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64;
+            *node = self.sample(population, equilibrium, middle - half * angle.cos())?;
+        }
+        let end = match equilibrium.pull_off() {
+            Some(point) if point.separation == to => Sample {
+                separation: to,
+                log_excess: f64::NEG_INFINITY,
+                s: 0.0,
+                log_force: point.friction.ln(),
+                slope: f64::NAN,
+                log_slope: f64::NAN,
+            },
+            _ => self.sample(population, equilibrium, to)?,
+        };
+        let between = self.sample(population, equilibrium, middle + 0.1 * half)?;
+        let panel = Panel::new(from.s, end.s, &nodes);
+        let good = [from, between, end].iter().all(|sample| panel.is_good(sample));
+        if !good && 2.0 * half > NARROWEST {
+            let next = self.follow(population, equilibrium, from, middle, check)?;
+            return self.follow(population, equilibrium, next, to, check);
+        }
+        self.panels.push(panel);
+        check.push(between);
+        if end.slope.is_finite() {
+            check.push(end);
+        }
+        Ok(end)
+    }
+
+    fn sample(&self, population: &Population, equilibrium: &Equilibrium, separation: f64) -> Result<Sample, Error> {
+        let (log_excess, rate, sums) = equilibrium.log_excess(population, separation);
+        if !(rate < 0.0 && sums.friction > 0.0) {
+            return Err(Error::NotConverged { what: "load on the branch at separation", value: separation });
+        }
+        let s = self.coordinate.of(log_excess);
+        let log_slope = sums.friction_slope / sums.friction / rate;
+        Ok(Sample {
+            separation,
+            log_excess,
+            s,
+            log_force: sums.friction.ln() + sums.log_scale,
+            slope: log_slope / self.coordinate.rate(s),
+            log_slope,
+        })
+    }
+
+    /// The range of ln(load - pull-off) it covers; the lower end is minus infinity where it begins at pull-off.
+    pub fn log_range(&self) -> (f64, f64) {
+        let (Some(first), Some(last)) = (self.panels.first(), self.panels.last()) else {
+            return (0.0, 0.0);
+        };
+        let log = |s: f64| match self.coordinate.log_pull_off {
+            Some(log_pull_off) => 2.0 * s.sinh().ln() + log_pull_off,
+            None => 2.0 * s,
+        };
+        let lower = if last.lowest > 0.0 || self.coordinate.log_pull_off.is_none() {
+            log(last.lowest)
+        } else {
+            f64::NEG_INFINITY
+        };
+        (lower, log(first.highest))
+    }
+
+    /// ln F and d(ln F)/d(ln x) at ln x.
+    pub fn at(&self, log_excess: f64) -> (f64, f64) {
+        let s = self.coordinate.of(log_excess);
+        let (log_force, slope) = self.panel(s).log_force_at(s);
+        (log_force, slope * self.coordinate.rate(s))
+    }
+
+    /// The separation at ln x, to a few digits, where the curve covers it.
+    pub fn separation(&self, log_excess: f64) -> Option<f64> {
+        let s = self.coordinate.of(log_excess);
+        let panel = self.panel(s);
+        (s >= panel.lowest && s <= panel.highest).then(|| panel.separation_at(s))
+    }
+
+    fn panel(&self, s: f64) -> &Panel {
+        let index = self.panels.partition_point(|panel| panel.lowest > s);
+        &self.panels[index.min(self.panels.len() - 1)]
+    }
+}
+
+impl Panel {
+    fn new(highest: f64, lowest: f64, samples: &[Sample; NODES]) -> Self {
+        let nodes = samples.map(|sample| sample.s);
+        // Divided differences; between the two copies of a node they are the slope.
+        let mut log_force = [0.0; CONDITIONS];
+        for (i, value) in log_force.iter_mut().enumerate() {
+            *value = samples[i / 2].log_force;
+        }
+        for order in 1..CONDITIONS {
+            for i in (order..CONDITIONS).rev() {
+                let (a, b) = (nodes[(i - order) / 2], nodes[i / 2]);
+                log_force[i] = if order == 1 && i % 2 == 1 {
+                    samples[i / 2].slope
+                } else {
+                    (log_force[i] - log_force[i - 1]) / (b - a)
+                };
+            }
+        }
+        let mut separation = samples.map(|sample| sample.separation);
+        for order in 1..NODES {
+            for i in (order..NODES).rev() {
+                separation[i] = (separation[i] - separation[i - 1]) / (nodes[i] - nodes[i - order]);
+            }
+        }
+        Self { lowest, highest, nodes, log_force, separation }
+    }
+
+    /// ln F and its derivative by s.
+    fn log_force_at(&self, s: f64) -> (f64, f64) {
+        let (mut value, mut slope) = (self.log_force[CONDITIONS - 1], 0.0);
+        for i in (0..CONDITIONS - 1).rev() {
+            let distance = s - self.nodes[i / 2];
+            slope = slope * distance + value;
+            value = value * distance + self.log_force[i];
+        }
+        (value, slope)
+    }
+
+    fn separation_at(&self, s: f64) -> f64 {
+        let mut value = self.separation[NODES - 1];
+        for i in (0..NODES - 1).rev() {
+            value = value * (s - self.nodes[i]) + self.separation[i];
+        }
+        value
+    }
+
+    fn is_good(&self, sample: &Sample) -> bool {
+        let (value, slope) = self.log_force_at(sample.s);
+        (value - sample.log_force).abs() <= VALUE_TOLERANCE
+            && (sample.slope.is_nan() || (slope - sample.slope).abs() <= SLOPE_TOLERANCE * sample.slope.abs())
+    }
+}
