@@ -201,9 +201,9 @@ static void draw_curves(FILE *svg, const axes *a, const row *rows, int n, double
 
 static void draw_legend(FILE *svg, double constant, double middle)
 {
-    const int x = RIGHT - 345, y = TOP + 14;
+    const int x = RIGHT - 375, y = TOP + 14;
 
-    fprintf(svg, "<rect x=\"%d\" y=\"%d\" width=\"335\" height=\"56\" fill=\"white\" stroke=\"#999\"/>\n", x, y);
+    fprintf(svg, "<rect x=\"%d\" y=\"%d\" width=\"365\" height=\"56\" fill=\"white\" stroke=\"#999\"/>\n", x, y);
     fprintf(svg, "<path class=\"law\" d=\"M%d %d h36\"/>\n", x + 10, y + 18);
     fprintf(svg, "<text x=\"%d\" y=\"%d\">contact physics (asperity)</text>\n", x + 56, y + 23);
     fprintf(svg, "<path class=\"constant\" d=\"M%d %d h36\"/>\n", x + 10, y + 40);
