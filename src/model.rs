@@ -3,7 +3,7 @@
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::groups::Groups;
-use crate::law::{Law, Scales};
+use crate::law::{Law, Scales, Table};
 use crate::params::{finite, Params};
 use crate::population::{Population, Sums};
 
@@ -23,6 +23,8 @@ pub struct Model {
     equilibrium: Equilibrium,
     law: Law,
     units: Units,
+    /// 1 / max_friction_coefficient, of a finite one.
+    inverse_cap: f64,
 }
 
 /// What turns the sums per summit into the caller's units.
@@ -107,7 +109,8 @@ impl Model {
         let population = Population::new(&groups, params.slip, heights, radius, params.attraction);
         let equilibrium = Equilibrium::new(&population)?;
         let law = Law::new(&population, &equilibrium, Scales { load: units.load, force: units.force })?;
-        Ok(Self { params: *params, groups, population, equilibrium, law, units })
+        let inverse_cap = 1.0 / params.max_friction_coefficient.min(LARGEST_COEFFICIENT);
+        Ok(Self { params: *params, groups, population, equilibrium, law, units, inverse_cap })
     }
 
     /// The parameters it was made from.
@@ -118,8 +121,7 @@ impl Model {
     /// Friction coefficient F/P, at most `max_friction_coefficient`, which it is also for pull-off <= load <= 0;
     /// 0 below pull-off; NaN for a load that is not finite.
     pub fn friction_at_load(&self, load: f64) -> f64 {
-        let force = self.friction_force_at_load(load);
-        self.coefficient(load, force)
+        self.friction_and_slope(load).0
     }
 
     /// Friction force F; 0 below pull-off; NaN for a load that is not finite.
@@ -127,21 +129,35 @@ impl Model {
         self.friction_force_and_slope(load).0
     }
 
-    /// Friction force and its slope dF/dP.
-    #[inline]
-    pub fn friction_force_and_slope(&self, load: f64) -> (f64, f64) {
-        // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
-        if finite(load) {
-            if let Some(answer) = self.law.at_load(load) {
-                return answer;
-            }
-        }
-        self.exact_force_and_slope(load)
+    /// Friction coefficient, as [`Model::friction_at_load`], and its slope, 0 where it is capped.
+    pub fn friction_and_slope(&self, load: f64) -> (f64, f64) {
+        self.tabulated_coefficient(load).unwrap_or_else(|| self.exact_coefficient(load))
     }
 
-    /// Loads that the table does not answer.
-    #[cold]
-    fn exact_force_and_slope(&self, load: f64) -> (f64, f64) {
+    /// Friction force and its slope dF/dP, infinite at the pull-off load itself.
+    pub fn friction_force_and_slope(&self, load: f64) -> (f64, f64) {
+        self.tabulated_force(load).unwrap_or_else(|| self.exact_force(load))
+    }
+
+    /// Friction force and slope where the compiled law answers.
+    #[inline]
+    pub(crate) fn tabulated_force(&self, load: f64) -> Option<(f64, f64)> {
+        // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
+        if !finite(load) {
+            return None;
+        }
+        self.law.at_load(load)
+    }
+
+    /// Friction coefficient and slope where the compiled law answers.
+    #[inline]
+    pub(crate) fn tabulated_coefficient(&self, load: f64) -> Option<(f64, f64)> {
+        let (force, slope) = self.tabulated_force(load)?;
+        Some(self.coefficient_and_slope(load, force, slope))
+    }
+
+    /// Friction force and slope without the compiled law.
+    pub(crate) fn exact_force(&self, load: f64) -> (f64, f64) {
         match self.state_at_load(load) {
             Ok(state) => (state.friction_force, state.dforce_dload),
             Err(Error::Separated { .. }) => (0.0, 0.0),
@@ -151,12 +167,16 @@ impl Model {
         }
     }
 
-    /// Friction coefficient, as [`Model::friction_at_load`], and its slope, 0 where it is capped.
-    pub fn friction_and_slope(&self, load: f64) -> (f64, f64) {
-        let (force, slope) = self.friction_force_and_slope(load);
-        let mu = self.coefficient(load, force);
-        let capped = !finite(load) || load <= 0.0 || mu >= self.params.max_friction_coefficient;
-        (mu, if capped { mu * 0.0 } else { ratio(slope - mu, load) })
+    /// Friction coefficient and slope without the compiled law.
+    pub(crate) fn exact_coefficient(&self, load: f64) -> (f64, f64) {
+        match self.offence(load) {
+            None => {
+                let (force, slope) = self.exact_force(load);
+                self.coefficient_and_slope(load, force, slope)
+            }
+            Some(Error::Separated { .. }) => (0.0, 0.0),
+            Some(_) => (f64::NAN, f64::NAN),
+        }
     }
 
     /// What is wrong with a load, if anything: not finite, or below pull-off.
@@ -253,37 +273,55 @@ impl Model {
         self.equilibrium.pull_off_load() * self.units.load
     }
 
-    fn coefficient(&self, load: f64, force: f64) -> f64 {
-        let cap = self.params.max_friction_coefficient;
-        if !finite(load) || !finite(force) {
-            f64::NAN
-        } else if load < self.pull_off_load() {
-            0.0
-        } else if load <= force / cap.min(LARGEST_COEFFICIENT) {
-            cap
+    /// The inverse of the cap on friction coefficients: loads up to this times the force are capped.
+    pub(crate) fn inverse_cap(&self) -> f64 {
+        self.inverse_cap
+    }
+
+    /// The compiled law.
+    pub(crate) fn table(&self) -> Table<'_> {
+        self.law.table()
+    }
+
+    /// F/P from the force at a load not below pull-off, capped.
+    #[inline]
+    pub(crate) fn coefficient(&self, load: f64, force: f64) -> f64 {
+        if load <= force * self.inverse_cap {
+            self.params.max_friction_coefficient
         } else {
             force / load
         }
     }
 
+    /// F/P and its slope from the force and its slope at a load not below pull-off.
+    #[inline]
+    fn coefficient_and_slope(&self, load: f64, force: f64, slope: f64) -> (f64, f64) {
+        let mu = self.coefficient(load, force);
+        (mu, if load <= force * self.inverse_cap { 0.0 } else { ratio(slope - mu, load) })
+    }
+
     fn state(&self, load: f64, separation: f64, sums: &Sums) -> State {
         let units = &self.units;
         let friction_force = units.of(units.force, sums, sums.friction);
-        let on_branch = separation <= self.equilibrium.farthest();
-        let coefficient = if on_branch || load > 0.0 { self.coefficient(load, friction_force) } else { 0.0 };
         let dforce_dload = if sums.load_slope == 0.0 {
             0.0
         } else {
             units.force / units.load * (sums.friction_slope / sums.load_slope)
         };
-        let capped = load <= 0.0 || coefficient >= self.params.max_friction_coefficient;
+        // Beyond pull-off no load is in equilibrium: a pulling one has no coefficient.
+        let on_branch = separation <= self.equilibrium.farthest();
+        let (coefficient, dmu_dload) = if on_branch || load > 0.0 {
+            self.coefficient_and_slope(load, friction_force, dforce_dload)
+        } else {
+            (0.0, 0.0)
+        };
         State {
             load,
             separation: separation * units.length,
             friction_force,
             friction_coefficient: coefficient,
             dforce_dload,
-            dmu_dload: if capped { 0.0 } else { ratio(dforce_dload - coefficient, load) },
+            dmu_dload,
             dload_dseparation: units.of(units.load / units.length, sums, sums.load_slope),
             real_area: units.of(units.area, sums, sums.area),
             contacting: units.of(units.count, sums, sums.contacting),

@@ -10,6 +10,8 @@ pub fn bracketed(mut f: impl FnMut(f64) -> f64, lower: f64, upper: f64) -> f64 {
     if (fa < 0.0) == (fb < 0.0) {
         return if fa.abs() < fb.abs() { a } else { b };
     }
+    // A root at zero has no relative resolution.
+    let resolution = 1e-18 * (upper - lower).abs();
     let mut t = 0.5;
     for _ in 0..200 {
         let x = a + t * (b - a);
@@ -24,7 +26,7 @@ pub fn bracketed(mut f: impl FnMut(f64) -> f64, lower: f64, upper: f64) -> f64 {
         }
         (a, fa) = (x, fx);
         let best = if fa.abs() < fb.abs() { a } else { b };
-        let smallest = 2.0 * f64::EPSILON * best.abs() / (b - a).abs();
+        let smallest = (2.0 * f64::EPSILON * best.abs() + resolution) / (b - a).abs().max(resolution);
         if fa == 0.0 || smallest >= 0.5 {
             return best;
         }

@@ -83,9 +83,9 @@ impl Maugis {
         let k2 = factor_2 * bracket_2;
         let k1 = self.bracket_1 * bracket_1;
         let root = (k1 * k1 + 4.0 * k2).sqrt();
-        let c = 2.0 / (k1 + root);
-        // 2 k2 c + k1 equals the root of the discriminant.
-        let c_over_root = c / root;
+        // c = 2/(k1 + root); 2 k2 c + k1 equals the root.
+        let c_over_root = 2.0 / ((k1 + root) * root);
+        let c = c_over_root * root;
         let c_rate = -c_over_root * (factor_2 * 4.0 * theta * sin * cos * c + self.bracket_1 * theta * cos);
         let c_by_g = c_over_root * k2 * c * inv_g;
 
@@ -142,7 +142,9 @@ impl Maugis {
                 lower = theta;
             }
             let newton = if contact.overlap_rate < 0.0 { theta - residual / contact.overlap_rate } else { 0.0 };
-            let trusted = newton > lower.max(0.5 * theta) && newton < upper.min(2.0 * theta);
+            // A tiny step may leave the bracket by rounding.
+            let trusted = (newton - theta).abs() <= 1e-9 * theta
+                || newton > lower.max(0.5 * theta) && newton < upper.min(2.0 * theta);
             let next = match trusted {
                 true => newton,
                 false if lower > 0.0 => (0.5 * (lower + upper)).clamp(0.5 * theta, 2.0 * theta),
@@ -159,7 +161,7 @@ impl Maugis {
             }
             // Two Newton steps tell the size of the next; steps that stop shrinking are rounding.
             let ratio = last_step.map_or(1.0, |last: f64| step / last);
-            if step * ratio * ratio <= 1e-16 * next || (ratio >= 0.5 && step <= 1e-11 * next) {
+            if step <= 4e-16 * next || step * ratio * ratio <= 1e-16 * next || (ratio >= 0.5 && step <= 1e-11 * next) {
                 break;
             }
             last_step = Some(step);
@@ -186,13 +188,16 @@ fn brackets(theta: f64, sin: f64, cos: f64) -> (f64, f64) {
         return (sin * cos - theta * cos_2, theta * sin - (1.0 - cos));
     }
     let x = theta * theta;
-    let mut bracket_2 = 0.0;
-    let mut bracket_1 = 0.0;
-    for k in (0..SERIES_2.len()).rev() {
-        bracket_2 = bracket_2 * x + SERIES_2[k];
-        bracket_1 = bracket_1 * x + SERIES_1[k];
-    }
-    (bracket_2 * x * theta, bracket_1 * x)
+    (even_odd(&SERIES_2, x) * x * theta, even_odd(&SERIES_1, x) * x)
+}
+
+/// A polynomial by its even and odd parts, whose sums do not wait for each other.
+#[inline]
+fn even_odd(c: &[f64; SERIES_TERMS], x: f64) -> f64 {
+    let y = x * x;
+    let even = c[0] + y * (c[2] + y * (c[4] + y * (c[6] + y * c[8])));
+    let odd = c[1] + y * (c[3] + y * (c[5] + y * (c[7] + y * c[9])));
+    even + x * odd
 }
 
 const SERIES_TERMS: usize = 10;

@@ -1,6 +1,6 @@
 //! What every entry point passes through: no panic crosses it, and every failure leaves a message.
 
-use super::last_error;
+use super::{fp_environment, last_error};
 use super::status::{asperity_status, ASPERITY_INTERNAL, ASPERITY_NULL_POINTER, ASPERITY_OK};
 use crate::error::{Error, Value};
 use std::panic::{catch_unwind, AssertUnwindSafe};
@@ -40,8 +40,13 @@ impl Failure {
     }
 }
 
-/// Runs the body of an entry point that returns a status.
+/// Runs the body of an entry point that returns a status, and keeps the caller's floating-point environment.
 pub fn status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_status {
+    fp_environment::held(|| fast_status(body))
+}
+
+/// Runs the body of an entry point of a solver's inner loop, which itself sees to the floating-point environment.
+pub fn fast_status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_status {
     match catch_unwind(AssertUnwindSafe(body)) {
         Ok(Ok(())) => ASPERITY_OK,
         Ok(Err(failure)) => {
@@ -55,8 +60,8 @@ pub fn status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_status {
     }
 }
 
-/// Runs the body of an entry point that returns a number; NaN if it panics.
-pub fn value(body: impl FnOnce() -> f64) -> f64 {
+/// Runs the body of an entry point of a solver's inner loop that returns a number; NaN if it panics.
+pub fn fast_value(body: impl FnOnce() -> f64) -> f64 {
     catch_unwind(AssertUnwindSafe(body)).unwrap_or(f64::NAN)
 }
 

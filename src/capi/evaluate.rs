@@ -1,5 +1,6 @@
 //! The calls of a solver's inner loop.
 
+use super::batch::{self, Arrays, Quantity};
 use super::boundary::{self, reference, Failure};
 use super::model::asperity_model;
 use super::status::asperity_status;
@@ -16,7 +17,7 @@ use crate::model::Model;
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model, load: f64) -> f64 {
-    boundary::value(|| model.as_ref().map_or(f64::NAN, |handle| handle.model.friction_at_load(load)))
+    boundary::fast_value(|| model.as_ref().map_or(f64::NAN, |handle| Quantity::Coefficient.value_at(&handle.model, load)))
 }
 
 /// Friction force F at a load.
@@ -29,7 +30,7 @@ pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model,
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_model, load: f64) -> f64 {
-    boundary::value(|| model.as_ref().map_or(f64::NAN, |handle| handle.model.friction_force_at_load(load)))
+    boundary::fast_value(|| model.as_ref().map_or(f64::NAN, |handle| Quantity::Force.value_at(&handle.model, load)))
 }
 
 /// Friction coefficients at many loads, and their slopes.
@@ -53,9 +54,9 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
     mu: *mut f64,
     dmu_dload: *mut f64,
 ) -> asperity_status {
-    boundary::status(|| {
+    boundary::fast_status(|| {
         let model = &reference(model, "model")?.model;
-        batch(model, n, load, mu, dmu_dload, Model::friction_and_slope)
+        evaluate(model, Quantity::Coefficient, n, load, mu, dmu_dload)
     })
 }
 
@@ -81,40 +82,22 @@ pub unsafe extern "C" fn asperity_friction_force_at_loads(
     force: *mut f64,
     dforce_dload: *mut f64,
 ) -> asperity_status {
-    boundary::status(|| {
+    boundary::fast_status(|| {
         let model = &reference(model, "model")?.model;
-        batch(model, n, load, force, dforce_dload, Model::friction_force_and_slope)
+        evaluate(model, Quantity::Force, n, load, force, dforce_dload)
     })
 }
 
-/// Evaluates element by element, through raw pointers: outputs may overlap the input, and need no alignment.
-unsafe fn batch(
+unsafe fn evaluate(
     model: &Model,
+    quantity: Quantity,
     n: usize,
     load: *const f64,
     value: *mut f64,
     slope: *mut f64,
-    evaluate: impl Fn(&Model, f64) -> (f64, f64),
 ) -> Result<(), Failure> {
-    if n == 0 {
-        return Ok(());
-    }
-    if load.is_null() {
+    if n > 0 && load.is_null() {
         return Err(Failure::Null("load"));
     }
-    let mut offence = None;
-    for i in 0..n {
-        let at = load.add(i).read_unaligned();
-        let (v, s) = evaluate(model, at);
-        if offence.is_none() {
-            offence = model.offence(at).map(|error| Failure::Element(i, error));
-        }
-        if !value.is_null() {
-            value.add(i).write_unaligned(v);
-        }
-        if !slope.is_null() {
-            slope.add(i).write_unaligned(s);
-        }
-    }
-    offence.map_or(Ok(()), Err)
+    batch::evaluate(model, quantity, Arrays { n, load, value, slope })
 }

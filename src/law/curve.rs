@@ -10,22 +10,24 @@ use crate::error::Error;
 use crate::population::Population;
 
 /// Exact states per panel.
-const NODES: usize = 8;
+const NODES: usize = 10;
 /// Interpolation conditions per panel: value and slope at every node.
 const CONDITIONS: usize = 2 * NODES;
 /// The branch is followed from this separation, in sigma; heavier loads are evaluated exactly.
-const CLOSEST: f64 = -20.0;
+const CLOSEST: f64 = -12.0;
 /// Largest error of ln F, and of its slope relative to the slope, at which a panel is good.
 const VALUE_TOLERANCE: f64 = 4e-12;
 const SLOPE_TOLERANCE: f64 = 4e-10;
 /// Panels are not halved below this width, in sigma.
-const NARROWEST: f64 = 0.02;
+const NARROWEST: f64 = 0.1;
 
 /// What s measures.
 #[derive(Debug, Clone, Copy)]
 struct Coordinate {
     /// ln |pull-off load|, if there is one.
     log_pull_off: Option<f64>,
+    /// The force whose logarithm is taken relative to: that at pull-off, where small changes must be resolved.
+    force: f64,
 }
 
 /// An exact state on the branch.
@@ -35,7 +37,7 @@ pub struct Sample {
     /// ln(load - pull-off load).
     pub log_excess: f64,
     s: f64,
-    /// ln F.
+    /// ln F over the reference force of the curve.
     pub log_force: f64,
     /// d(ln F)/ds.
     slope: f64,
@@ -93,14 +95,15 @@ impl Curve {
         check: &mut Vec<Sample>,
     ) -> Result<Self, Error> {
         let log_pull_off = equilibrium.pull_off().map(|point| (-point.load).ln());
-        let mut curve = Self { coordinate: Coordinate { log_pull_off }, panels: Vec::new() };
+        let force = equilibrium.pull_off().map_or(1.0, |point| point.friction);
+        let mut curve = Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new() };
         let end = equilibrium.farthest();
         let closest = CLOSEST.min(end - 10.0);
         let mut from = curve.sample(population, equilibrium, closest)?;
         let lightest = from.log_excess - log_range;
         check.push(from);
         while from.separation < end && (log_pull_off.is_some() || from.log_excess > lightest) {
-            let width = 1.5_f64.max(0.4 * -from.separation);
+            let width = 2.2_f64.max(0.4 * -from.separation);
             let mut to = from.separation + width;
             if to + 0.5 > end {
                 to = end;
@@ -130,7 +133,7 @@ impl Curve {
                 separation: to,
                 log_excess: f64::NEG_INFINITY,
                 s: 0.0,
-                log_force: point.friction.ln(),
+                log_force: 0.0,
                 slope: f64::NAN,
                 log_slope: f64::NAN,
             },
@@ -162,7 +165,7 @@ impl Curve {
             separation,
             log_excess,
             s,
-            log_force: sums.friction.ln() + sums.log_scale,
+            log_force: (sums.friction / self.coordinate.force).ln() + sums.log_scale,
             slope: log_slope / self.coordinate.rate(s),
             log_slope,
         })
@@ -185,11 +188,16 @@ impl Curve {
         (lower, log(first.highest))
     }
 
-    /// ln F and d(ln F)/d(ln x) at ln x.
+    /// F and d(ln F)/d(ln x) at ln x.
     pub fn at(&self, log_excess: f64) -> (f64, f64) {
         let s = self.coordinate.of(log_excess);
         let (log_force, slope) = self.panel(s).log_force_at(s);
-        (log_force, slope * self.coordinate.rate(s))
+        (self.coordinate.force * log_force.exp(), slope * self.coordinate.rate(s))
+    }
+
+    /// F of an exact state.
+    pub fn force_of(&self, sample: &Sample) -> f64 {
+        self.coordinate.force * sample.log_force.exp()
     }
 
     /// The separation at ln x, to a few digits, where the curve covers it.

@@ -21,20 +21,54 @@ const FRACTIONS: [u32; 3] = [2, 3, 4];
 /// The table begins at this part of the pull-off load above it, at least.
 const NEAREST_TO_PULL_OFF: f64 = 5e-10;
 /// Without adhesion it covers this range of ln(load).
-const LOG_RANGE: f64 = 80.0;
+const LOG_RANGE: f64 = 60.0;
 /// The largest relative error of the force, and of its slope, of a row that is kept.
 const VALUE_TOLERANCE: f64 = 5e-11;
 const SLOPE_TOLERANCE: f64 = 5e-9;
 
 const MANTISSA_BITS: u32 = 52;
-const MANTISSA_MASK: u64 = (1 << MANTISSA_BITS) - 1;
-const ONE: u64 = 1023 << MANTISSA_BITS;
+const MANTISSA_MASK: u64 = Table::MANTISSA;
+const ONE: u64 = Table::ONE;
 
 /// One row: coefficients of powers of (mantissa of x - mantissa where the row begins). The first is NaN where the row
 /// is left out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, align(64))]
 pub struct Row(pub [f64; COEFFICIENTS]);
+
+/// What an evaluation of the table needs.
+///
+/// With x = load - pull_off, the row is that of index (bits of x >> shift) - base, as unsigned integers; no such row means
+/// that the table does not answer.
+#[derive(Debug, Clone, Copy)]
+pub struct Table<'a> {
+    /// The rows.
+    pub rows: &'a [Row],
+    /// How far the bits of x are shifted right.
+    pub shift: u32,
+    /// The shifted bits of the first row.
+    pub base: u64,
+    /// The pull-off load.
+    pub pull_off: f64,
+    /// Whether no row is left out.
+    pub complete: bool,
+}
+
+impl Table<'_> {
+    /// The mantissa's bits.
+    pub const MANTISSA: u64 = (1 << 52) - 1;
+    /// The bits of 1.0.
+    pub const ONE: u64 = 1023 << 52;
+    /// 2^-e has these bits less those of 2^e.
+    pub const TWICE_BIAS: u64 = 2046 << 52;
+
+}
+
+/// The bits of the mantissa that say where within its row x lies.
+#[inline]
+pub fn within_row(shift: u32) -> u64 {
+    !(u64::MAX << shift)
+}
 
 /// Friction force against load.
 #[derive(Debug, Clone)]
@@ -45,6 +79,8 @@ pub struct Law {
     base: u64,
     pull_off: f64,
     error: f64,
+    /// Whether no row is left out.
+    complete: bool,
     curve: Curve,
 }
 
@@ -78,6 +114,7 @@ impl Law {
             base: 0,
             pull_off: equilibrium.pull_off_load() * scales.load,
             error: 0.0,
+            complete: false,
             curve,
         };
         for fraction in FRACTIONS {
@@ -92,6 +129,7 @@ impl Law {
             }
         }
         law.certify(&samples, scales);
+        law.complete = law.rows.iter().all(|row| !row.0[0].is_nan());
         Ok(law)
     }
 
@@ -104,8 +142,8 @@ impl Law {
             let start = f64::from_bits(bits);
             let binade = f64::from_bits(bits & !MANTISSA_MASK);
             let x = start + part * width * binade;
-            let (log_force, log_slope) = self.curve.at((x / scales.load).ln());
-            let force = scales.force * log_force.exp();
+            let (force, log_slope) = self.curve.at((x / scales.load).ln());
+            let force = scales.force * force;
             // The slope by the part of the row.
             (force, force * log_slope / x * width * binade)
         };
@@ -158,7 +196,7 @@ impl Law {
             }) else {
                 continue;
             };
-            let exact = scales.force * sample.log_force.exp();
+            let exact = scales.force * self.curve.force_of(sample);
             let error = (force / exact - 1.0).abs();
             let slope_error = (slope / (exact * sample.log_slope / x) - 1.0).abs();
             if error > 2.0 * VALUE_TOLERANCE || slope_error > 2.0 * SLOPE_TOLERANCE {
@@ -185,12 +223,22 @@ impl Law {
     fn at_excess(&self, x: f64) -> Option<(f64, f64)> {
         let row = &self.rows[self.row_of(x)?].0;
         let bits = x.to_bits();
-        let mantissa = f64::from_bits(bits & MANTISSA_MASK | ONE);
-        let start = f64::from_bits((bits >> self.shift << self.shift) & MANTISSA_MASK | ONE);
-        let (force, rate) = polynomial(row, mantissa - start);
+        let t = f64::from_bits(bits & within_row(self.shift) | ONE) - 1.0;
+        let (force, rate) = polynomial(row, t);
         // 1/2^exponent: dF/dx = dF/d(mantissa) / 2^exponent
-        let inverse_binade = f64::from_bits((2046 << MANTISSA_BITS) - (bits & !MANTISSA_MASK));
+        let inverse_binade = f64::from_bits(Table::TWICE_BIAS - (bits & !MANTISSA_MASK));
         (!force.is_nan()).then_some((force, rate * inverse_binade))
+    }
+
+    /// The table itself.
+    pub fn table(&self) -> Table<'_> {
+        Table {
+            rows: &self.rows,
+            shift: self.shift,
+            base: self.base,
+            pull_off: self.pull_off,
+            complete: self.complete,
+        }
     }
 
     /// The lightest and heaviest load of the table.

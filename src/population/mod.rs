@@ -123,6 +123,34 @@ struct Summit {
     friction_by_overlap: f64,
 }
 
+/// A starting value of theta between two points: theta^-3 is nearly linear in overlap under load.
+struct Guess {
+    cubic: [f64; 4],
+    /// Where the cubic may not leave.
+    range: (f64, f64),
+}
+
+impl Guess {
+    /// From values and slopes at two points `rise` apart.
+    fn new(from: &Point, to: &Point, rise: f64) -> Self {
+        let value = |point: &Point| point.contact.theta.powi(-3);
+        let slope = |point: &Point| -3.0 * rise * point.theta_slope() / point.contact.theta.powi(4);
+        let (start, start_slope, end_slope) = (value(from), slope(from), slope(to));
+        let end = value(to);
+        let change = end - start;
+        let cubic =
+            [start, start_slope, 3.0 * change - 2.0 * start_slope - end_slope, start_slope + end_slope - 2.0 * change];
+        Self { cubic, range: (0.5 * start.min(end), 2.0 * start.max(end)) }
+    }
+
+    /// Where `part` of the rise is done.
+    fn at(&self, part: f64) -> f64 {
+        let [a, b, c, d] = self.cubic;
+        let value = a + part * (b + part * (c + part * d));
+        1.0 / value.clamp(self.range.0, self.range.1).cbrt()
+    }
+}
+
 /// What walks the panels hands its nodes to.
 trait Sink {
     /// A panel begins; all its nodes follow.
@@ -255,7 +283,7 @@ impl Population {
     #[inline]
     fn summit(&self, contact: &Contact) -> Summit {
         let (friction, friction_by_radius) = self.slip.force(contact.radius);
-        let inv_rate = if contact.overlap_rate < 0.0 { 1.0 / contact.overlap_rate } else { 0.0 };
+        let inv_rate = if contact.overlap_rate < -1e-100 { 1.0 / contact.overlap_rate } else { 0.0 };
         Summit {
             load: contact.load,
             friction,
@@ -342,7 +370,7 @@ impl Population {
                 return;
             }
             let from_start = z_from >= lower;
-            if from_start && z_to - z_from <= 1.001 * self.heights.smooth_length(z_from) {
+            if from_start && self.heights.is_smooth(z_from, z_to) {
                 for node in panel.nodes() {
                     let weight = node.weight * self.density(separation + node.overlap, sums.log_scale);
                     sums.add_contact(weight, &node.summit);
@@ -446,17 +474,16 @@ impl Population {
             let theta_far = self.theta_limit(&here);
             let curve = self.maugis.at(theta_far, here.g).overlap - here.contact.overlap;
             length = length.min(curve);
-            let mut there = self.point(&here, direction * length, here.contact.theta);
-            if let Some(rise) = self.first_cut(&here, &there) {
-                length = rise.abs();
-                there = self.point(&here, rise, there.contact.theta);
+            let mut there = self.point(&here, direction * length, here.guess_towards(theta_far, length / curve));
+            if let Some(cut) = self.first_cut(&here, &there) {
+                length = (cut.z - here.z).abs();
+                there = cut;
             }
             sink.panel(&here, &there);
             if curve > LONG_CURVE * length && self.clearance(&here) > length {
+                let guess = Guess::new(&here, &there, direction * length);
                 for (rise, weight) in gauss_legendre::nodes(0.0, direction * length) {
-                    let part = rise / (direction * length);
-                    let guess = here.contact.theta + part * (there.contact.theta - here.contact.theta);
-                    let point = self.point(&here, rise, guess);
+                    let point = self.point(&here, rise, guess.at(rise / (direction * length)));
                     sink.node(point.z, weight, &point.contact);
                 }
             } else {
@@ -468,6 +495,8 @@ impl Population {
                     let overlap = here.contact.overlap + length;
                     self.maugis.at_overlap(overlap, here.g, there.contact.theta).theta
                 };
+                // How the true theta departs, by the end of the panel, from that at the radius of its beginning.
+                let drift = (there.contact.theta / theta_end - 1.0) / length;
                 for (theta, weight) in gauss_legendre::nodes(theta_end, here.contact.theta) {
                     let reference = self.maugis.at(theta, here.g);
                     let rise = direction * (reference.overlap - here.contact.overlap);
@@ -475,7 +504,7 @@ impl Population {
                     if constant_radius {
                         sink.node(here.z + rise, weight, &reference);
                     } else {
-                        let point = self.point(&here, rise, theta);
+                        let point = self.point(&here, rise, theta * (1.0 + drift * rise.abs()));
                         sink.node(point.z, weight, &point.contact);
                     }
                 }
@@ -492,7 +521,8 @@ impl Population {
         if here.contact.radius < 0.999_999 * self.slip.kinks()[0] {
             return by_curve;
         }
-        by_curve.max(theta - 2.0 * (FRAC_PI_2 - theta))
+        // What lies nearer to theta = pi/2 than 1e-4 is negligible.
+        by_curve.max(theta - (2.0 * (FRAC_PI_2 - theta)).max(1e-4))
     }
 
     /// How far the overlap is above that of break-away.
@@ -500,36 +530,64 @@ impl Population {
         point.contact.overlap - self.maugis.break_away(point.g).overlap
     }
 
-    /// The rise to the first height between two contacts where the integrand has a kink: the contact radius
-    /// passes one of the slip law's radii. Where the contact radius has an extremum between them, that.
-    fn first_cut(&self, here: &Point, there: &Point) -> Option<f64> {
-        let mut whole = there.z - here.z;
-        let inside = |rise: f64| {
-            let part = rise / (there.z - here.z);
-            (part > 1e-9 && part < 1.0 - 1e-9).then_some(rise)
-        };
+    /// The first summit between two where the integrand has a kink: its contact radius is one of the slip law's
+    /// radii. Where the contact radius has an extremum between the two, the summit of that.
+    fn first_cut(&self, here: &Point, there: &Point) -> Option<Point> {
         let mut cut = None;
         let mut there = *there;
-        if !self.radius.is_constant() && here.radius_rises() != there.radius_rises() {
-            let rate = |rise: f64| self.point(here, rise, there.contact.theta).radius_rise();
-            cut = inside(root::bracketed(rate, 0.0, whole));
-            if let Some(rise) = cut {
-                there = self.point(here, rise, there.contact.theta);
-                whole = rise;
+        if !self.radius.is_constant() && (here.radius_rise() > 0.0) != (there.radius_rise() > 0.0) {
+            let mut theta = there.contact.theta;
+            let rate = |rise: f64| {
+                let point = self.point(here, rise, theta);
+                theta = point.contact.theta;
+                point.radius_rise()
+            };
+            let rise = root::bracketed(rate, 0.0, there.z - here.z);
+            if is_inside(rise, there.z - here.z) {
+                there = self.point(here, rise, theta);
+                cut = Some(there);
             }
         }
         for kink in self.slip.kinks() {
-            let (a, b) = (here.contact.radius - kink, there.contact.radius - kink);
-            if (a < 0.0) != (b < 0.0) {
-                let excess = |rise: f64| self.point(here, rise, there.contact.theta).contact.radius - kink;
-                if let Some(rise) = inside(root::bracketed(excess, 0.0, whole)) {
-                    cut = Some(rise);
-                    there = self.point(here, rise, there.contact.theta);
-                    whole = rise;
+            if (here.contact.radius < kink) != (there.contact.radius < kink) {
+                let point = self.point_of_radius(here, &there, kink);
+                if is_inside(point.z - here.z, there.z - here.z) {
+                    there = point;
+                    cut = Some(point);
                 }
             }
         }
         cut
+    }
+
+    /// The summit between two whose contact radius is `radius`, by Newton's method within the bracket.
+    fn point_of_radius(&self, here: &Point, there: &Point, radius: f64) -> Point {
+        let rising = there.contact.radius > here.contact.radius;
+        let (mut lower, mut upper) = (0.0, 1.0);
+        let whole = there.z - here.z;
+        let mut point = *there;
+        let mut part = 1.0;
+        for _ in 0..100 {
+            let excess = point.contact.radius - radius;
+            if (excess > 0.0) == rising {
+                upper = part;
+            } else {
+                lower = part;
+            }
+            let slope = point.radius_slope() * whole;
+            let newton = if excess.abs() < slope.abs() { part - excess / slope } else { lower };
+            let next = if newton > lower && newton < upper { newton } else { 0.5 * (lower + upper) };
+            let change = next - part;
+            // theta to first order in the step.
+            let theta = point.contact.theta;
+            let guess = theta + (change * whole * point.theta_slope()).clamp(-0.5 * theta, 0.5 * theta);
+            part = next;
+            point = self.point(here, part * whole, guess);
+            if change.abs() <= 1e-14 * part || upper - lower <= 1e-14 * part {
+                break;
+            }
+        }
+        point
     }
 
     /// Adds the summits that attract without contact between two heights.
@@ -628,13 +686,36 @@ impl Point {
         Point { z: self.z + separation, ..*self }
     }
 
-    /// The sign of da/dz at fixed separation, as a quantity that is smooth also at break-away.
+    /// A starting theta on the way to a contact of smaller theta, when `part` of the overlap between is gone.
+    fn guess_towards(&self, theta_far: f64, part: f64) -> f64 {
+        let (from, to) = (self.contact.theta.powi(-3), theta_far.powi(-3));
+        1.0 / (from + part * (to - from)).cbrt()
+    }
+
+    /// dtheta/dz at fixed separation.
+    fn theta_slope(&self) -> f64 {
+        let rate = self.contact.overlap_rate;
+        if rate < -1e-100 {
+            (1.0 - self.contact.overlap_by_g * self.g_rate) / rate
+        } else {
+            0.0 // at break-away it is infinite
+        }
+    }
+
+    /// da/dz at fixed separation.
+    fn radius_slope(&self) -> f64 {
+        self.contact.radius_rate * self.theta_slope() + self.contact.radius_by_g * self.g_rate
+    }
+
+    /// da/dz times a positive factor that makes it smooth also at break-away.
     fn radius_rise(&self) -> f64 {
         let c = &self.contact;
         -(c.radius_rate * (1.0 - c.overlap_by_g * self.g_rate) + c.radius_by_g * self.g_rate * c.overlap_rate)
     }
+}
 
-    fn radius_rises(&self) -> bool {
-        self.radius_rise() > 0.0
-    }
+/// Whether a rise ends well inside a range.
+fn is_inside(rise: f64, whole: f64) -> bool {
+    let part = rise / whole;
+    part > 1e-9 && part < 1.0 - 1e-9
 }

@@ -3,10 +3,11 @@
 use super::gauss_legendre::POINTS;
 use super::{Point, Population, Sink, Summit};
 use crate::asperity::maugis::Contact;
-use crate::surface::heights::LONGEST_PANEL;
 
 /// Panels are tabulated up to this overlap, in sigma: enough for all summits at separations above -8.
 const LARGEST_OVERLAP: f64 = 18.0;
+/// The longest panel, in sigma: short enough for the steep upper tails too.
+const LONGEST: f64 = 1.0;
 /// A tabulated panel takes 0.9 kB; deeper ones are walked when needed.
 const MOST_PANELS: usize = 48;
 
@@ -45,7 +46,7 @@ impl Nodes {
         let contact = population.maugis.break_away(1.0);
         let start = Point { z: contact.overlap, g: 1.0, g_rate: 0.0, contact };
         let mut collecting = Collecting { population, table: Nodes { ends: vec![start], nodes: Vec::new() } };
-        population.march_by(start, LARGEST_OVERLAP, |_| LONGEST_PANEL, &mut collecting);
+        population.march_by(start, LARGEST_OVERLAP, |_| LONGEST, &mut collecting);
         collecting.table
     }
 

@@ -12,9 +12,10 @@ const NEGLIGIBLE: f64 = 46.0;
 /// Densities below exp of this are taken as zero.
 pub const UNDERFLOW: f64 = -2000.0;
 /// The longest panel, in sigma, on which a standardised density is a polynomial to rounding.
-pub const LONGEST_PANEL: f64 = 1.5;
-/// The largest change of ln phi over one panel.
-const STEEPEST_PANEL: f64 = 14.0;
+const LONGEST_PANEL: f64 = 1.5;
+/// The largest change of ln phi over one panel: of a parabola, and of what may fall doubly exponentially.
+const STEEPEST_GAUSSIAN_PANEL: f64 = 14.0;
+const STEEPEST_PANEL: f64 = 10.0;
 
 /// A standardised height distribution.
 #[derive(Debug, Clone, PartialEq)]
@@ -109,16 +110,21 @@ impl Heights {
     /// How far above z one quadrature panel may reach.
     pub fn smooth_length(&self, z: f64) -> f64 {
         let mut length = LONGEST_PANEL;
-        if let Some((foot, _)) = self.foot() {
-            length = length.min((2.0 * (z - foot)).max(SHORTEST_PANEL));
-        }
-        loop {
-            let steepest = self.log_density(z).1.abs().max(self.log_density(z + length).1.abs());
-            if length * steepest <= STEEPEST_PANEL || length <= SHORTEST_PANEL || steepest.is_infinite() {
-                return length;
-            }
+        while length > SHORTEST_PANEL && !self.is_smooth(z, z + length) {
             length *= 0.5;
         }
+        length
+    }
+
+    /// Whether one quadrature panel may reach from one height to another.
+    pub fn is_smooth(&self, from: f64, to: f64) -> bool {
+        let length = to - from;
+        if self.foot().is_some_and(|(foot, _)| length > 2.0 * (from - foot)) {
+            return false;
+        }
+        let steepest = self.log_density(from).1.abs().max(self.log_density(to).1.abs());
+        let limit = if matches!(self, Heights::Gaussian) { STEEPEST_GAUSSIAN_PANEL } else { STEEPEST_PANEL };
+        length * steepest <= limit
     }
 
     /// Whether ln phi is concave: the load of equal summits then has a single minimum.

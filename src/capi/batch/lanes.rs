@@ -1,0 +1,154 @@
+//! The vector form of the law, written once for any number of lanes.
+
+use super::{one, Arrays, Quantity};
+use crate::law::{within_row, Row, Table, COEFFICIENTS};
+use crate::model::Model;
+use std::mem::size_of;
+
+/// A vector of floats, with its masks and integers; every method is one or two instructions.
+///
+/// # Safety
+/// The processor has the instructions of the implementation, and the calling function is compiled for them.
+pub unsafe trait Lanes: Copy {
+    const COUNT: usize;
+    /// A truth value per lane.
+    type Mask: Copy;
+    /// A 64-bit integer per lane.
+    type Bits: Copy;
+
+    unsafe fn read(at: *const f64) -> Self;
+    unsafe fn write(self, at: *mut f64);
+    unsafe fn splat(x: f64) -> Self;
+    unsafe fn add(self, other: Self) -> Self;
+    unsafe fn sub(self, other: Self) -> Self;
+    unsafe fn mul(self, other: Self) -> Self;
+    unsafe fn max(self, other: Self) -> Self;
+    /// self/other where the mask is set, itself elsewhere, without raising a flag there.
+    unsafe fn div_where(self, mask: Self::Mask, other: Self) -> Self;
+    /// self < other, false for NaN, without raising a flag.
+    unsafe fn lt(self, other: Self) -> Self::Mask;
+    unsafe fn is_nan(self) -> Self::Mask;
+    /// NaN, signalling or not, or infinite; without raising a flag.
+    unsafe fn not_finite(self) -> Self::Mask;
+    /// `other` where the mask is set.
+    unsafe fn or_where(self, mask: Self::Mask, other: Self) -> Self;
+    unsafe fn bits(self) -> Self::Bits;
+    unsafe fn from_bits(bits: Self::Bits) -> Self;
+    /// The row of each lane, at an offset in bytes, transposed: coefficient j of all lanes in vector j.
+    unsafe fn rows(rows: *const Row, offset: Self::Bits) -> [Self; COEFFICIENTS];
+
+    unsafe fn splat_bits(x: u64) -> Self::Bits;
+    unsafe fn and_bits(a: Self::Bits, b: Self::Bits) -> Self::Bits;
+    unsafe fn or_bits(a: Self::Bits, b: Self::Bits) -> Self::Bits;
+    unsafe fn sub_bits(a: Self::Bits, b: Self::Bits) -> Self::Bits;
+    unsafe fn shift_right(a: Self::Bits, count: u32) -> Self::Bits;
+    /// a < 0 or a >= bound, as signed integers.
+    unsafe fn outside(a: Self::Bits, bound: u64) -> Self::Mask;
+    unsafe fn or_bits_where(a: Self::Bits, mask: Self::Mask, b: Self::Bits) -> Self::Bits;
+
+    unsafe fn or_mask(a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    unsafe fn not_mask(a: Self::Mask) -> Self::Mask;
+    /// Bit i for lane i.
+    unsafe fn lanes_of(mask: Self::Mask) -> u32;
+}
+
+const SIGN_AND_EXPONENT: u64 = !Table::MANTISSA;
+/// log2 of the size of a row.
+const ROW_SHIFT: u32 = size_of::<Row>().trailing_zeros();
+/// Lighter positive loads may make a slope overflow: the scalar call takes care.
+const LIGHTEST: f64 = 1e-100;
+
+/// Evaluates all full vectors; returns how many elements they are.
+#[inline(always)]
+pub unsafe fn evaluate<L: Lanes>(
+    model: &Model,
+    quantity: Quantity,
+    arrays: Arrays,
+    offence: &mut Option<(usize, f64)>,
+) -> usize {
+    let table = model.table();
+    let inverse_cap = model.inverse_cap();
+    let with_slope = !arrays.slope.is_null();
+    let full = arrays.n / L::COUNT * L::COUNT;
+    let mut i = 0;
+    while i < full {
+        let loads = L::read(arrays.load.add(i));
+        let (force, force_slope, mut slow) = force::<L>(&table, loads, with_slope);
+        let (value, slope) = match quantity {
+            Quantity::Force => (force, force_slope),
+            Quantity::Coefficient => {
+                // Where the coefficient is capped, or the load so light that the slope may overflow.
+                let least = force.mul(L::splat(inverse_cap)).max(L::splat(LIGHTEST));
+                slow = L::or_mask(slow, L::not_mask(least.lt(loads)));
+                let fast = L::not_mask(slow);
+                // Only what cannot trap is divided.
+                let mu = force.div_where(fast, loads);
+                let slope = if with_slope { force_slope.sub(mu).div_where(fast, loads) } else { mu };
+                (mu, slope)
+            }
+        };
+        // The input, before an output that may be the same array is written.
+        let mut kept = [0.0; 8];
+        let slow = L::lanes_of(slow);
+        if slow != 0 {
+            loads.write(kept.as_mut_ptr());
+        }
+        if !arrays.value.is_null() {
+            value.write(arrays.value.add(i));
+        }
+        if with_slope {
+            slope.write(arrays.slope.add(i));
+        }
+        if slow != 0 {
+            for (lane, &load) in kept.iter().enumerate().take(L::COUNT) {
+                if slow >> lane & 1 != 0 {
+                    one(model, quantity, arrays, i + lane, load, offence);
+                }
+            }
+        }
+        i += L::COUNT;
+    }
+    full
+}
+
+/// Force and slope from the table, and the lanes that it does not answer, whose values mean nothing.
+#[inline(always)]
+unsafe fn force<L: Lanes>(table: &Table, loads: L, with_slope: bool) -> (L, L, L::Mask) {
+    // Arithmetic with a signalling NaN would raise a flag: leave what is not finite out first.
+    let not_finite = loads.not_finite();
+    let x = loads.or_where(not_finite, L::splat(1.0)).sub(L::splat(table.pull_off)).bits();
+    // The row's offset in bytes: its index times 64.
+    let shifted = L::and_bits(L::shift_right(x, table.shift - ROW_SHIFT), L::splat_bits(u64::MAX << ROW_SHIFT));
+    let offset = L::sub_bits(shifted, L::splat_bits(table.base << ROW_SHIFT));
+    let mut slow = L::or_mask(not_finite, L::outside(offset, (table.rows.len() as u64) << ROW_SHIFT));
+    let offset = L::or_bits_where(offset, slow, L::splat_bits(0));
+    let one = L::splat_bits(Table::ONE);
+    let within_row = L::and_bits(x, L::splat_bits(within_row(table.shift)));
+    let t = L::from_bits(L::or_bits(within_row, one)).sub(L::splat(1.0));
+    // Loading whole rows and transposing them takes half the time of gather instructions.
+    let c = L::rows(table.rows.as_ptr(), offset);
+    if !table.complete {
+        slow = L::or_mask(slow, c[0].is_nan());
+    }
+    // The same order of operations as the scalar polynomial.
+    let t2 = t.mul(t);
+    let t4 = t2.mul(t2);
+    let low = c[0].add(c[1].mul(t)).add(c[2].add(c[3].mul(t)).mul(t2));
+    let high = c[4].add(c[5].mul(t)).add(c[6].add(c[7].mul(t)).mul(t2));
+    let value = low.add(high.mul(t4));
+    if !with_slope {
+        return (value, value, slow);
+    }
+    let low = c[1].add(times::<L>(2.0, c[2]).mul(t));
+    let low = low.add(times::<L>(3.0, c[3]).add(times::<L>(4.0, c[4]).mul(t)).mul(t2));
+    let high = times::<L>(5.0, c[5]).add(times::<L>(6.0, c[6]).mul(t)).add(times::<L>(7.0, c[7]).mul(t2));
+    let rate = low.add(high.mul(t4));
+    let binade = L::and_bits(L::or_bits_where(x, slow, one), L::splat_bits(SIGN_AND_EXPONENT));
+    let inverse_binade = L::from_bits(L::sub_bits(L::splat_bits(Table::TWICE_BIAS), binade));
+    (value, rate.mul(inverse_binade), slow)
+}
+
+#[inline(always)]
+unsafe fn times<L: Lanes>(factor: f64, coefficient: L) -> L {
+    L::splat(factor).mul(coefficient)
+}
