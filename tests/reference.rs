@@ -163,24 +163,28 @@ fn figures_3_to_10_and_the_limits_are_reproduced() {
     comparison.finish(226);
 }
 
-/// What float64 can reach: steep variation of radius has breaking edges that nearly meet, and in the upper tail of a
-/// large Weibull shape an error of one unit in the separation is thousands in the load.
-fn tolerance_of(case: &Case) -> Tolerance {
-    let steep = case.name.starts_with("steep radius variation");
-    let value = if steep || case.params.weibull_shape > Some(50.0) { 1e-10 } else { 1e-12 };
-    Tolerance { value, slope: 1e-9 }
+/// Where float64 cannot reach 1e-12: with steep radii contact breaks at heights that nearly meet, and in the upper tail
+/// of a large Weibull shape an error of one unit in the separation is thousands in the load.
+fn is_ill_conditioned(case: &Case) -> bool {
+    case.name.starts_with("steep radius variation") || case.params.weibull_shape > Some(50.0)
 }
 
 #[test]
 fn surfaces_from_all_over_parameter_space_are_reproduced() {
-    let mut comparison = Comparison::default();
+    let (mut ordinary, mut ill_conditioned) = (Comparison::default(), Comparison::default());
     for case in read("wide.json") {
         let model = model(&case.params);
         for row in &case.rows {
-            comparison.row(&case, row, &state_of_row(&model, &case, row), &tolerance_of(&case));
+            let state = state_of_row(&model, &case, row);
+            if is_ill_conditioned(&case) {
+                ill_conditioned.row(&case, row, &state, &Tolerance { value: 1e-10, slope: 1e-9 });
+            } else {
+                ordinary.row(&case, row, &state, &Tolerance { value: 1e-12, slope: 1e-10 });
+            }
         }
     }
-    comparison.finish(394);
+    ordinary.finish(359);
+    ill_conditioned.finish(35);
 }
 
 #[test]
