@@ -246,7 +246,7 @@ impl Params {
                         allowed: "must be between 0.3 and 1e6",
                     });
                 }
-                Ok(Heights::Weibull(Weibull::new(shape)))
+                Ok(Heights::Weibull(Box::new(Weibull::new(shape))))
             }
         }
     }

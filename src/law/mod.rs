@@ -61,7 +61,6 @@ impl Table<'_> {
     pub const ONE: u64 = 1023 << 52;
     /// 2^-e has these bits less those of 2^e.
     pub const TWICE_BIAS: u64 = 2046 << 52;
-
 }
 
 /// The bits of the mantissa that say where within its row x lies.
@@ -232,13 +231,7 @@ impl Law {
 
     /// The table itself.
     pub fn table(&self) -> Table<'_> {
-        Table {
-            rows: &self.rows,
-            shift: self.shift,
-            base: self.base,
-            pull_off: self.pull_off,
-            complete: self.complete,
-        }
+        Table { rows: &self.rows, shift: self.shift, base: self.base, pull_off: self.pull_off, complete: self.complete }
     }
 
     /// The lightest and heaviest load of the table.

@@ -351,10 +351,10 @@ impl Population {
             // A second edge above, where a falling radius lets tall summits break first: from both ends.
             Some(edge) if edge.z == upper => {
                 let middle = 0.5 * (lower + upper);
-                self.march(self.from_foot(start, middle, &mut sink), middle, &mut sink);
+                self.march(self.above_foot(start, middle, &mut sink), middle, &mut sink);
                 self.march(self.edge_point(edge), middle, &mut sink);
             }
-            _ => self.march(self.from_foot(start, upper, &mut sink), upper, &mut sink),
+            _ => self.march(self.above_foot(start, upper, &mut sink), upper, &mut sink),
         }
     }
 
@@ -383,7 +383,7 @@ impl Population {
                 panel.from.raised(separation)
             } else {
                 let start = self.point_cold(separation, lower);
-                self.from_foot(start, end, &mut sink)
+                self.above_foot(start, end, &mut sink)
             };
             self.march(start, end, &mut sink);
         }
@@ -393,7 +393,7 @@ impl Population {
             self.march(last, upper, &mut sink);
         } else {
             let start = self.point_cold(separation, lower);
-            self.march(self.from_foot(start, upper, &mut sink), upper, &mut sink);
+            self.march(self.above_foot(start, upper, &mut sink), upper, &mut sink);
         }
     }
 
@@ -404,7 +404,7 @@ impl Population {
 
     /// Where the range begins at the foot of the distribution, sums a first panel in which the power law of the
     /// density is smooth; returns where it ends.
-    fn from_foot(&self, start: Point, upper: f64, sink: &mut impl Sink) -> Point {
+    fn above_foot(&self, start: Point, upper: f64, sink: &mut impl Sink) -> Point {
         let Some(panel) = self.foot_panel(start.z, upper, || self.clearance(&start)) else {
             return start;
         };

@@ -23,7 +23,9 @@ pub enum Heights {
     /// Eq (17).
     Gaussian,
     /// Eqs (18)-(21).
-    Weibull(Weibull),
+    ///
+    /// Boxed, so that the compiler cannot evaluate ahead of the match what only Weibull heights have.
+    Weibull(Box<Weibull>),
 }
 
 impl Heights {
