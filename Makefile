@@ -1,8 +1,8 @@
 # make demo      build the library, run the C example, draw its friction curve
 # make test      everything that is checked before a release, in order
-# make install   header, libraries and asperity.pc under $(DESTDIR)$(PREFIX)
 # make header    write include/asperity.h anew from the sources
 # make clean     remove what was built
+# make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
 #
 # CARGO_TARGET_DIR is honoured; CC, CFLAGS, LDFLAGS, DESTDIR and PREFIX too.
 
@@ -10,25 +10,23 @@ SHELL := /bin/bash
 
 CARGO_TARGET_DIR ?= target
 export CARGO_TARGET_DIR
-PREFIX ?= /usr/local
 CARGO ?= cargo
-INSTALL ?= install
 
 TARGET := $(abspath $(CARGO_TARGET_DIR))
 RELEASE := $(TARGET)/release
 EXAMPLE := $(TARGET)/friction_curve
 FIGURE := $(TARGET)/friction_curve.svg
-VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
-SHARED := libasperity$(if $(filter Darwin,$(shell uname -s)),.dylib,.so)
 
 WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Werror
 
 # The scripts of `make test` that check other languages and hosts; each is run as it is, from the root.
 TEST_SCRIPTS := tests/c/run.sh
 
-.PHONY: all demo test install header clean library
+.PHONY: all demo test header clean library
 
 all: library
+
+include cmake/install.mk
 
 library:
 	$(CARGO) build --release --locked
@@ -46,16 +44,6 @@ test:
 	@echo "== cargo test"; $(CARGO) test --release --locked
 	@set -e; for script in $(TEST_SCRIPTS); do echo "== $$script"; "$$script"; done
 	@echo "== all tests passed"
-
-install: library
-	$(INSTALL) -d "$(DESTDIR)$(PREFIX)/include" "$(DESTDIR)$(PREFIX)/lib/pkgconfig"
-	$(INSTALL) -m 644 include/asperity.h "$(DESTDIR)$(PREFIX)/include"
-	$(INSTALL) -m 755 $(RELEASE)/$(SHARED) "$(DESTDIR)$(PREFIX)/lib"
-	$(INSTALL) -m 644 $(RELEASE)/libasperity.a "$(DESTDIR)$(PREFIX)/lib"
-	printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' 'Name: asperity' \
-	    'Description: Friction laws from contact physics' 'Version: $(VERSION)' 'Cflags: -I$${includedir}' \
-	    'Libs: -L$${libdir} -lasperity' 'Libs.private: -lm -lpthread -ldl' \
-	    > "$(DESTDIR)$(PREFIX)/lib/pkgconfig/asperity.pc"
 
 header:
 	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test header

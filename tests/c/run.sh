@@ -92,7 +92,7 @@ sed -n 's/^It prints `\(.*\)`\. .*/\1/p' README.md >"$build/readme.expected"
 [ -s "$build/readme.c" ] && [ -s "$build/readme.expected" ] ||
     { echo "tests/c/run.sh: README.md has no C program, or does not say what it prints" >&2; exit 1; }
 prefix=$build/prefix
-make --silent install PREFIX="$prefix"
+make --silent install PREFIX="$prefix" >"$build/install.log" 2>&1 || { cat "$build/install.log" >&2; exit 1; }
 # shellcheck disable=SC2046,SC2086
 "$cc" -std=c11 $warnings "$build/readme.c" $(PKG_CONFIG_PATH=$prefix/lib/pkgconfig pkg-config --cflags --libs asperity) \
     -Wl,-rpath,"$prefix/lib" -o "$build/readme-shared"
@@ -104,5 +104,3 @@ for linking in shared static; do
     diff "$build/readme.expected" "$build/readme.out" ||
         { echo "tests/c/run.sh: README.md tells another output than its program gives ($linking)" >&2; exit 1; }
 done
-make --silent install DESTDIR="$build/staged" PREFIX=/usr
-[ "$(find "$build/staged" -type f | wc -l)" = 4 ] || { echo "tests/c/run.sh: make install lacks a file" >&2; exit 1; }
