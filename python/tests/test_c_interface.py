@@ -34,7 +34,8 @@ def table_force(table: Any, load: float) -> float:
     assert 0 <= index < table.row_count
     below = bits & ((1 << table.shift) - 1)
     (t,) = struct.unpack("<d", struct.pack("<Q", below | 0x3FF0000000000000))
-    return sum(float(table.rows[8 * index + k]) * (t - 1.0) ** k for k in range(8))
+    row: list[float] = table.rows[8 * index : 8 * index + 8]
+    return float(sum(c * (t - 1.0) ** k for k, c in enumerate(row)))
 
 
 def test_every_function_of_the_header_works() -> None:
