@@ -1,5 +1,6 @@
 # make demo      build the library, run the C example, draw its friction curve
 # make test      everything that is checked before a release, in order
+# make hosts     the law inside other people's solvers
 # make header    write include/asperity.h anew from the sources
 # make clean     remove what was built
 # make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
@@ -20,9 +21,10 @@ FIGURE := $(TARGET)/friction_curve.svg
 WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Werror
 
 # The scripts of `make test` that check other languages and hosts; each is run as it is, from the root.
-TEST_SCRIPTS := tests/c/run.sh
+TEST_SCRIPTS := tests/c/run.sh tests/cpp/run.sh fortran/test.sh python/test.sh tests/examples/run.sh \
+    tests/consumers/run.sh
 
-.PHONY: all demo test header clean library
+.PHONY: all demo test hosts header clean library
 
 all: library
 
@@ -43,7 +45,12 @@ test:
 	@echo "== cargo clippy"; $(CARGO) clippy --release --locked --all-targets -- -D warnings
 	@echo "== cargo test"; $(CARGO) test --release --locked
 	@set -e; for script in $(TEST_SCRIPTS); do echo "== $$script"; "$$script"; done
+	@$(MAKE) --no-print-directory hosts
 	@echo "== all tests passed"
+
+hosts:
+	@echo "== tests/setup.sh hosts"; tests/setup.sh hosts
+	@echo "== hosts/run.sh"; hosts/run.sh
 
 header:
 	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test header
