@@ -167,12 +167,13 @@ void dimensionless_groups_come_back_from_the_model() {
 }
 
 void skew_chooses_the_weibull_shape() {
-    // Table 1 of the paper: no skew at omega = 3.602; an exponential distribution, omega = 1, has skew 2.
+    // Table 1 of the paper: no skew at omega = 3.602. Rayleigh's distribution, omega = 2, has the skew
+    // 2 pi^(1/2) (pi - 3)/(4 - pi)^(3/2).
     Params params;
     EXPECT(params.height_distribution() == asperity::Heights::gaussian);
     EXPECT(close(params.set_skew(0.0).weibull_shape(), 3.602, 2e-4));
     EXPECT(params.height_distribution() == asperity::Heights::weibull);
-    EXPECT(close(params.set_skew(2.0).weibull_shape(), 1.0, 1e-9));
+    EXPECT(close(params.set_skew(0.6311106578189372).weibull_shape(), 2.0, 1e-9));
     const Error error = thrown_by([&] { params.set_skew(-1.2); });
     EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
     EXPECT(begins(error.what(), "skew = -1.2: must be "));
