@@ -22,7 +22,7 @@ WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Werror
 
 # The scripts of `make test` that check other languages and hosts; each is run as it is, from the root.
 TEST_SCRIPTS := tests/c/run.sh tests/cpp/run.sh fortran/test.sh python/test.sh tests/examples/run.sh \
-    tests/consumers/run.sh
+    tests/consumers/run.sh tests/c/eval.sh
 
 .PHONY: all demo test hosts header clean library
 

@@ -627,7 +627,7 @@ double asperity_friction_force_and_slope_at_load(const struct asperity_model *mo
  *
  * @param model          a model
  * @param pressure       nominal contact pressure [stress], positive in compression
- * @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-100 to 1e100
+ * @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-60 to 1e60
  * @param dmu_dpressure  receives d(mu)/d(pressure) [1/stress]; NULL to skip
  * @return as `asperity_friction_at_load` at that load; a quiet NaN also for an area that is not allowed
  *
@@ -665,7 +665,7 @@ double asperity_shear_stress_at_pressure(const struct asperity_model *model,
  * @param model              a model
  * @param load               normal load [force]
  * @param slip_rate          tangential velocity [length/time], signed
- * @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-100 to 1e100
+ * @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-60 to 1e60
  * @param dforce_dload       receives the derivative by load; NULL to skip
  * @param dforce_dslip_rate  receives the derivative by slip rate [force time/length]; NULL to skip
  * @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a rate that is not allowed, a NULL model

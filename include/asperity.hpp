@@ -357,7 +357,7 @@ public:
 
     /// Friction coefficient at a nominal contact pressure [stress], positive in compression.
     ///
-    /// The summits of the model, asperity_count, belong to nominal_area [length^2], from 1e-100 to 1e100: the load is
+    /// The summits of the model, asperity_count, belong to nominal_area [length^2], from 1e-60 to 1e60: the load is
     /// pressure times that area. An integration point's own area plays no part. A quiet NaN also for an area that is
     /// not allowed.
     double friction_at_pressure(double pressure, double nominal_area) const noexcept {
@@ -388,7 +388,7 @@ public:
     /// Friction force of a sliding contact, F(load) tanh(slip_rate / transition_rate) [force].
     ///
     /// It has the sign of slip_rate [length/time]: the force on the body that slips is minus this. transition_rate,
-    /// from 1e-100 to 1e100, is where the force reaches 76 % of the law's. A quiet NaN for a load or rate that is not
+    /// from 1e-60 to 1e60, is where the force reaches 76 % of the law's. A quiet NaN for a load or rate that is not
     /// finite or not allowed.
     double slip_force(double load, double slip_rate, double transition_rate) const noexcept {
         return asperity_slip_force(handle_.get(), load, slip_rate, transition_rate, nullptr, nullptr);

@@ -164,7 +164,7 @@ double braking_error(const asperity::Model &model, const Case &c) {
         const double time = i * stop * 1.02 / 40;
         speed_error = worse(speed_error, std::fabs(block.at(time).second - sliding_speed(c.speed, force, time)));
     }
-    const double distance = block.at(stop + 40 * slip_scale * mass / force).first;
+    const double distance = block.at(stop + 60 * slip_scale * mass / force).first;
     const double expected = stopping_distance(c.speed, force);
     const double distance_error = std::fabs(distance / expected - 1);
     std::printf("  v0 = %.1f m/s, load %6.2f N: mu = %.5f, dv = %.1e v0, stops in %.6f m (closed form %.6f, %.1e)\n",

@@ -8,7 +8,7 @@ use crate::params::finite;
 use crate::regularised::smooth_sign;
 
 /// Areas and rates must lie between the inverse of this and this, pressures below its square.
-const LARGEST: f64 = 1e100;
+const LARGEST: f64 = 1e60;
 
 /// Friction coefficient at a load, with its slope.
 ///
@@ -59,7 +59,7 @@ pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
 ///
 /// @param model          a model
 /// @param pressure       nominal contact pressure [stress], positive in compression
-/// @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-100 to 1e100
+/// @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-60 to 1e60
 /// @param dmu_dpressure  receives d(mu)/d(pressure) [1/stress]; NULL to skip
 /// @return as `asperity_friction_at_load` at that load; a quiet NaN also for an area that is not allowed
 ///
@@ -76,8 +76,9 @@ pub unsafe extern "C" fn asperity_friction_at_pressure(
             Some(load) => at(model, Quantity::Coefficient, load),
             None => (f64::NAN, f64::NAN),
         };
-        // A slope of 1e300 or more is a saturated one already.
-        write(dmu_dpressure, if slope.abs() < 1e200 { slope * nominal_area } else { slope });
+        // A slope of 1e300 or more is a saturated one already. Tested by bits: comparing a NaN may raise a flag.
+        let moderate = slope.to_bits() & !(1 << 63) < 1e200_f64.to_bits();
+        write(dmu_dpressure, slope * if moderate { nominal_area } else { 1.0 });
         mu
     })
 }
@@ -119,7 +120,7 @@ pub unsafe extern "C" fn asperity_shear_stress_at_pressure(
 /// @param model              a model
 /// @param load               normal load [force]
 /// @param slip_rate          tangential velocity [length/time], signed
-/// @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-100 to 1e100
+/// @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-60 to 1e60
 /// @param dforce_dload       receives the derivative by load; NULL to skip
 /// @param dforce_dslip_rate  receives the derivative by slip rate [force time/length]; NULL to skip
 /// @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a rate that is not allowed, a NULL model
@@ -142,8 +143,8 @@ pub unsafe extern "C" fn asperity_slip_force(
         }
         let (force, slope) = at(model, Quantity::Force, load);
         let (sign, sign_rate) = fp_environment::held(|| smooth_sign(slip_rate, transition_rate));
-        // At pull-off the slope is infinite; times a sign of zero it is zero.
-        write(dforce_dload, if sign == 0.0 { 0.0 } else { slope * sign });
+        // At pull-off the slope is infinite; times a sign of zero it is zero, and the product must not be formed ahead.
+        write(dforce_dload, sign * if sign == 0.0 { 0.0 } else { slope });
         write(dforce_dslip_rate, force * sign_rate);
         force * sign
     })

@@ -54,10 +54,10 @@ impl Weibull {
         let (smallest, largest) = SHAPE_RANGE;
         let residual = |ln_shape: f64| Self::new(ln_shape.exp()).skew - skew;
         let (lower, upper) = (smallest.ln(), largest.ln());
-        if residual(lower) < 0.0 || residual(upper) > 0.0 {
+        if residual(lower) < -1e-12 || residual(upper) > 1e-12 {
             return None;
         }
-        Some(root::bracketed(residual, lower, upper).exp())
+        Some(root::bracketed(residual, lower, upper).exp().clamp(smallest, largest))
     }
 
     /// omega.
