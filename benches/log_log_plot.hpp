@@ -30,7 +30,7 @@ public:
 
 private:
     static constexpr int kWidth = 420, kHeight = 320;
-    static constexpr double kLeft = 60, kRight = 15, kTop = 35, kBottom = 50;
+    static constexpr double kLeft = 60, kRight = 30, kTop = 35, kBottom = 50;
 
     LogLogPlot(std::FILE *file, const Panel &panel, double offset) : file_(file), panel_(panel), offset_(offset) {
         for (const auto &[x, y] : panel.points) {
@@ -51,7 +51,8 @@ private:
     }
 
     void line(double x1, double y1, double x2, double y2) const {
-        std::fprintf(file_, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#ccc\"/>\n", x1, y1, x2, y2);
+        std::fprintf(file_, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#ccc\"/>\n", x1, y1, x2,
+                     y2);
     }
     void text(double x, double y, const std::string &label, const char *more) const {
         std::fprintf(file_, "<text x=\"%.1f\" y=\"%.1f\" %s>%s</text>\n", x, y, more, label.c_str());
@@ -75,15 +76,20 @@ private:
         text(0.5 * (left + right), 20, panel_.title, "text-anchor=\"middle\" font-weight=\"bold\"");
         text(0.5 * (left + right), kHeight - 10, panel_.x_label, "text-anchor=\"middle\"");
         char turned[80];
-        const double y = 0.5 * (bottom + top);
-        std::snprintf(turned, sizeof turned, "text-anchor=\"middle\" transform=\"rotate(-90 %.1f %.1f)\"", offset_ + 15, y);
-        text(offset_ + 15, y, panel_.y_label, turned);
+        const double x = offset_ + 15, y = 0.5 * (bottom + top);
+        std::snprintf(turned, sizeof turned, "text-anchor=\"middle\" transform=\"rotate(-90 %.1f %.1f)\"", x, y);
+        text(x, y, panel_.y_label, turned);
+        curve();
+    }
+
+    void curve() const {
         std::fprintf(file_, "<polyline fill=\"none\" stroke=\"#1f5fa8\" stroke-width=\"2\" points=\"");
-        for (const auto &[px, py] : panel_.points) std::fprintf(file_, "%.1f,%.1f ", x_of(std::log10(px)), y_of(std::log10(py)));
+        for (const auto &[x, y] : panel_.points)
+            std::fprintf(file_, "%.1f,%.1f ", x_of(std::log10(x)), y_of(std::log10(y)));
         std::fprintf(file_, "\"/>\n");
-        for (const auto &[px, py] : panel_.points)
-            std::fprintf(file_, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"#1f5fa8\"/>\n", x_of(std::log10(px)),
-                         y_of(std::log10(py)));
+        for (const auto &[x, y] : panel_.points)
+            std::fprintf(file_, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"#1f5fa8\"/>\n", x_of(std::log10(x)),
+                         y_of(std::log10(y)));
     }
 
     std::FILE *file_;

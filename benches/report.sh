@@ -9,42 +9,54 @@ cd "$(dirname "$0")/.."
 work=$(dirname "$program")
 document=docs/performance.md
 
-command -v valgrind >/dev/null || { echo "benches/report.sh: valgrind is missing: tests/setup.sh installs it" >&2; exit 1; }
+if ! command -v valgrind >/dev/null; then
+    echo "benches/report.sh: valgrind is missing: tests/setup.sh installs it" >&2
+    exit 1
+fi
 
-# Instructions of a call per contact: what two more passes over the loads add.
+collected() {
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" --only "$1" "$2" >"$work/callgrind.log" 2>&1 ||
+        { cat "$work/callgrind.log" >&2; return 1; }
+    awk '/Collected/ { print $NF }' "$work/callgrind.log"
+}
+
+# Instructions per call: what more passes add to one.
 instructions() {
-    local passes count=() loads
-    loads=$("$program" --loads)
-    for passes in 1 3; do
-        valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" --only "$1" "$passes" >"$work/callgrind.log" 2>&1 ||
-            { cat "$work/callgrind.log" >&2; return 1; }
-        count+=("$(awk '/Collected/ { print $NF }' "$work/callgrind.log")")
-    done
-    awk -v a="${count[0]}" -v b="${count[1]}" -v n="$loads" 'BEGIN { printf "%.1f", (b - a) / (2 * n) }'
+    local name=$1 calls_per_pass=$2 more=$3 one several
+    one=$(collected "$name" 1)
+    several=$(collected "$name" $((1 + more)))
+    awk -v count=$((several - one)) -v calls=$((more * calls_per_pass)) 'BEGIN { printf "%.0f", count / calls }'
+}
+
+of_processor() { awk -F'[ \t]*: *' -v key="$1" '$1 == key { print $2; exit }' /proc/cpuinfo; }
+
+vectors() {
+    if grep -qw avx512dq /proc/cpuinfo; then echo AVX-512
+    elif grep -qw avx2 /proc/cpuinfo; then echo AVX2
+    else echo "no AVX2"
+    fi
 }
 
 results=$work/results.md
+"$program" --list >"$work/calls.txt"
 {
     echo "Measured $(date -u '+%Y-%m-%d %H:%M') UTC by \`make bench\` on $(nproc) cores of" \
-        "$(awk -F': *' '/model name/ { print $2; exit }' /proc/cpuinfo)" \
-        "(family $(awk -F': *' '/cpu family/ { print $2; exit }' /proc/cpuinfo)," \
-        "model $(awk -F': *' '/^model\t/ { print $2; exit }' /proc/cpuinfo)," \
-        "$(grep -qw avx512dq /proc/cpuinfo && echo AVX-512 || { grep -qw avx2 /proc/cpuinfo && echo AVX2 || echo 'no AVX2'; }));" \
+        "$(of_processor 'model name') (family $(of_processor 'cpu family'), model $(of_processor model), $(vectors));" \
         "load average at the start $(cut -d' ' -f1 /proc/loadavg)." \
-        "$("${CXX:-c++}" --version | head -1), $(rustc --version), glibc $(getconf GNU_LIBC_VERSION | cut -d' ' -f2)."
+        "$("${CXX:-c++}" --version | head -1), $(rustc --version), $(getconf GNU_LIBC_VERSION)."
     echo
     "$program" docs/performance.svg
     echo
     echo "### Instructions"
     echo
-    echo "Counted by $(valgrind --version)'s callgrind per contact, loop included."
+    echo "Counted by $(valgrind --version)'s callgrind, per contact for batch calls, loop included."
     echo
-    echo "| call | instructions per contact |"
+    echo "| call | instructions |"
     echo "|---|---|"
-    for call in exp "scalar mu" "scalar F" "batch mu" "batch F" "batch F and dF/dP"; do
-        count=$(instructions "$call")
-        echo "| $call | $count |"
-    done
+    while IFS='|' read -r name calls_per_pass more; do
+        count=$(instructions "$name" "$calls_per_pass" "$more")
+        echo "| $name | $count |"
+    done <"$work/calls.txt"
 } >"$results"
 
 awk -v results="$results" '
