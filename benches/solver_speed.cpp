@@ -367,7 +367,8 @@ void report_threads(const Model &model, int trials, int passes) {
         processor.push_back(2.0 * one.processor / two.processor);
     }
     const double fastest = spread_of(one_wall).least / spread_of(two_wall).least;
-    std::printf("\n### Two threads on one model\n\nContacts per second of batch mu, two threads over one, %d trials.\n\n"
+    std::printf("\n### Two threads on one model\n\n"
+                "Contacts per second of batch mu, two threads over one, %d trials.\n\n"
                 "| | two over one | limit | |\n|---|---|---|---|\n"
                 "| the fastest trial of each | %s | 1.9 | %s |\n"
                 "| trials: median (least to most) | %s | | |\n"
@@ -461,7 +462,7 @@ void report_times(const std::vector<Surface> &surfaces) {
         for (Contestant &call : slow_calls(surface, models.back().get(), solver.load)) slow.push_back(std::move(call));
     }
     report_slow_calls(Interleaved(std::move(slow), kSlowCalls), surfaces);
-    report_threads(solver.model, 60, 100);
+    report_threads(solver.model, 300, 50);
 }
 
 int measure(const std::string &plot) {
