@@ -101,6 +101,11 @@
 #define ASPERITY_HEIGHTS_WEIBULL 1
 
 /**
+ * Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
+ */
+#define ASPERITY_TABLE_LAYOUT 1
+
+/**
  * A friction law ready for use; opaque.
  */
 typedef struct asperity_model asperity_model;
@@ -308,6 +313,54 @@ typedef struct asperity_summary {
    */
   double table_error;
 } asperity_summary;
+
+/**
+ * A read-only view of the compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
+ *
+ * `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load, found
+ * from the bits of x: its index is (bits(x) >> shift) - base as unsigned 64-bit integers; where that is not below
+ * `row_count` the table does not answer. Its variable t has the bits of x below `shift` as its mantissa: t = (those bits |
+ * bits of 1.0) - 1.0. Its value is F, its derivative by t times 2^-(exponent of x) is dF/d(load). A row whose first
+ * coefficient is NaN is left out. Copy the rows where they are needed and change the pointer.
+ */
+typedef struct asperity_table {
+  /**
+   * Set by the caller to `sizeof(asperity_table)`; no more than that is written.
+   */
+  uint64_t struct_size;
+  /**
+   * `row_count` rows of 8 doubles, aligned to 64 bytes.
+   */
+  const double *rows;
+  /**
+   * Number of rows.
+   */
+  uint64_t row_count;
+  /**
+   * Shifted bits of x at which the first row begins.
+   */
+  uint64_t base;
+  /**
+   * How far the bits of x are shifted.
+   */
+  uint32_t shift;
+  /**
+   * `ASPERITY_TABLE_LAYOUT`.
+   */
+  uint32_t layout_version;
+  /**
+   * The pull-off load [force].
+   */
+  double pull_off_load;
+  /**
+   * Cap on the friction coefficient.
+   */
+  double max_friction_coefficient;
+  /**
+   * Loads up to this times F have the capped coefficient.
+   */
+  double inverse_cap;
+} asperity_table;
 
 #ifdef __cplusplus
 extern "C" {
@@ -539,6 +592,94 @@ asperity_status asperity_friction_force_at_loads(const struct asperity_model *mo
                                                  double *dforce_dload);
 
 /**
+ * Friction coefficient at a load, with its slope.
+ *
+ * @param model      a model
+ * @param load       normal load [force]
+ * @param dmu_dload  receives d(mu)/d(load) [1/force], 0 where mu is capped and below pull-off, NaN where mu is; NULL to skip
+ * @return as `asperity_friction_at_load`
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_friction_and_slope_at_load(const struct asperity_model *model,
+                                           double load,
+                                           double *dmu_dload);
+
+/**
+ * Friction force at a load, with its slope.
+ *
+ * @param model         a model
+ * @param load          normal load [force]
+ * @param dforce_dload  receives dF/d(load), INFINITY at the pull-off load itself, 0 below it, NaN where F is; NULL to skip
+ * @return as `asperity_friction_force_at_load`
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_friction_force_and_slope_at_load(const struct asperity_model *model,
+                                                 double load,
+                                                 double *dforce_dload);
+
+/**
+ * Friction coefficient at a contact pressure, for solvers that hand over load per area.
+ *
+ * The model's `asperity_count` summits belong to `nominal_area`: the load is pressure times that area. The library
+ * never guesses it; an integration point's own area plays no part, only summits per area do.
+ *
+ * @param model          a model
+ * @param pressure       nominal contact pressure [stress], positive in compression
+ * @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-100 to 1e100
+ * @param dmu_dpressure  receives d(mu)/d(pressure) [1/stress]; NULL to skip
+ * @return as `asperity_friction_at_load` at that load; a quiet NaN also for an area that is not allowed
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_friction_at_pressure(const struct asperity_model *model,
+                                     double pressure,
+                                     double nominal_area,
+                                     double *dmu_dpressure);
+
+/**
+ * Frictional shear stress at a contact pressure: friction force per nominal area.
+ *
+ * @param model               a model
+ * @param pressure            nominal contact pressure [stress], positive in compression
+ * @param nominal_area        as for `asperity_friction_at_pressure`
+ * @param dstress_dpressure   receives d(stress)/d(pressure); NULL to skip
+ * @return friction force over `nominal_area` [stress], finite also at zero and negative pressure down to pull-off; 0 below
+ *         pull-off; a quiet NaN for a pressure that is not finite, an area that is not allowed, a NULL model
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_shear_stress_at_pressure(const struct asperity_model *model,
+                                         double pressure,
+                                         double nominal_area,
+                                         double *dstress_dpressure);
+
+/**
+ * Friction force of a sliding contact, with a smooth sign of the slip rate, and its two slopes.
+ *
+ * F(load) tanh(slip_rate / transition_rate), for solvers that integrate through zero slip rate. A contact that shall stick
+ * creeps instead, the slower the smaller `transition_rate`. The force opposes the slip rate of the body it acts on: give
+ * it the opposite sign there.
+ *
+ * @param model              a model
+ * @param load               normal load [force]
+ * @param slip_rate          tangential velocity [length/time], signed
+ * @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-100 to 1e100
+ * @param dforce_dload       receives the derivative by load; NULL to skip
+ * @param dforce_dslip_rate  receives the derivative by slip rate [force time/length]; NULL to skip
+ * @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a rate that is not allowed, a NULL model
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_slip_force(const struct asperity_model *model,
+                           double load,
+                           double slip_rate,
+                           double transition_rate,
+                           double *dforce_dload,
+                           double *dforce_dslip_rate);
+
+/**
  * The exact state at a load: integrates the model, uses no table.
  *
  * @param model  must not be NULL
@@ -579,6 +720,19 @@ asperity_status asperity_state_at_separation(const struct asperity_model *model,
  */
 asperity_status asperity_summary_of(const struct asperity_model *model,
                                     struct asperity_summary *summary);
+
+/**
+ * Gives a view of the compiled law of a model.
+ *
+ * @param model  must not be NULL
+ * @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model; must not be NULL; its
+ *               `struct_size` must be set; untouched on failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
+ *
+ * Threads: may share the model and the view.
+ */
+asperity_status asperity_table_of(const struct asperity_model *model,
+                                  struct asperity_table *table);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -22,6 +22,7 @@ mod law;
 mod model;
 mod params;
 pub mod population;
+pub mod regularised;
 mod root;
 pub mod surface;
 

@@ -1,7 +1,7 @@
 //! What every entry point passes through: no panic crosses it, and every failure leaves a message.
 
-use super::{fp_environment, last_error};
 use super::status::{asperity_status, ASPERITY_INTERNAL, ASPERITY_NULL_POINTER, ASPERITY_OK};
+use super::{fp_environment, last_error};
 use crate::error::{Error, Value};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 

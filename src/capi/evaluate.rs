@@ -17,7 +17,9 @@ use crate::model::Model;
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model, load: f64) -> f64 {
-    boundary::fast_value(|| model.as_ref().map_or(f64::NAN, |handle| Quantity::Coefficient.value_at(&handle.model, load)))
+    boundary::fast_value(|| {
+        model.as_ref().map_or(f64::NAN, |handle| Quantity::Coefficient.value_at(&handle.model, load))
+    })
 }
 
 /// Friction force F at a load.

@@ -11,6 +11,8 @@ mod fp_environment;
 mod last_error;
 mod model;
 mod params;
+mod slope;
 mod state;
 mod status;
+mod table;
 mod version;

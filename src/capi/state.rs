@@ -112,7 +112,11 @@ impl asperity_summary {
 ///
 /// # Safety
 /// `out` is NULL or points to a struct of the size its first field says.
-unsafe fn fill<T>(out: *mut T, name: &'static str, make: impl FnOnce(u64) -> Result<T, Error>) -> Result<(), Failure> {
+pub(super) unsafe fn fill<T>(
+    out: *mut T,
+    name: &'static str,
+    make: impl FnOnce(u64) -> Result<T, Error>,
+) -> Result<(), Failure> {
     if out.is_null() {
         return Err(Failure::Null(name));
     }

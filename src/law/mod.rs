@@ -12,6 +12,8 @@ use crate::error::Error;
 use crate::population::Population;
 use curve::{Curve, Sample};
 
+pub use curve::BRANCH;
+
 /// Coefficients per row: a polynomial of degree 7, one cache line.
 pub const COEFFICIENTS: usize = 8;
 /// Rows of one table at most: 64 KiB.
@@ -61,7 +63,6 @@ impl Table<'_> {
     pub const ONE: u64 = 1023 << 52;
     /// 2^-e has these bits less those of 2^e.
     pub const TWICE_BIAS: u64 = 2046 << 52;
-
 }
 
 /// The bits of the mantissa that say where within its row x lies.
@@ -232,13 +233,7 @@ impl Law {
 
     /// The table itself.
     pub fn table(&self) -> Table<'_> {
-        Table {
-            rows: &self.rows,
-            shift: self.shift,
-            base: self.base,
-            pull_off: self.pull_off,
-            complete: self.complete,
-        }
+        Table { rows: &self.rows, shift: self.shift, base: self.base, pull_off: self.pull_off, complete: self.complete }
     }
 
     /// The lightest and heaviest load of the table.

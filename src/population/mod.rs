@@ -213,10 +213,10 @@ impl Population {
         self.lambda_cubed > 0.0
     }
 
-    /// Whether load against separation can have but one minimum: the law of equal summits changes sign once
-    /// in slope, and a log-concave density adds no sign change (variation diminishing).
+    /// Whether load against separation can have but one minimum: the slope of the law of equal summits changes sign once,
+    /// and a log-concave density, as all families have, adds no change of sign (it diminishes variation).
     pub fn has_single_minimum(&self) -> bool {
-        self.radius.is_constant() && self.heights.is_log_concave()
+        self.radius.is_constant()
     }
 
     /// A separation beyond which nothing touches or attracts, in any number that can be represented.
@@ -269,7 +269,7 @@ impl Population {
         if log_density.is_finite() {
             log_density
         } else {
-            0.0 // a density that is singular at its foot
+            0.0 // at the foot, above which the density falls
         }
     }
 
@@ -351,10 +351,10 @@ impl Population {
             // A second edge above, where a falling radius lets tall summits break first: from both ends.
             Some(edge) if edge.z == upper => {
                 let middle = 0.5 * (lower + upper);
-                self.march(self.from_foot(start, middle, &mut sink), middle, &mut sink);
+                self.march(self.above_foot(start, middle, &mut sink), middle, &mut sink);
                 self.march(self.edge_point(edge), middle, &mut sink);
             }
-            _ => self.march(self.from_foot(start, upper, &mut sink), upper, &mut sink),
+            _ => self.march(self.above_foot(start, upper, &mut sink), upper, &mut sink),
         }
     }
 
@@ -383,7 +383,7 @@ impl Population {
                 panel.from.raised(separation)
             } else {
                 let start = self.point_cold(separation, lower);
-                self.from_foot(start, end, &mut sink)
+                self.above_foot(start, end, &mut sink)
             };
             self.march(start, end, &mut sink);
         }
@@ -393,7 +393,7 @@ impl Population {
             self.march(last, upper, &mut sink);
         } else {
             let start = self.point_cold(separation, lower);
-            self.march(self.from_foot(start, upper, &mut sink), upper, &mut sink);
+            self.march(self.above_foot(start, upper, &mut sink), upper, &mut sink);
         }
     }
 
@@ -404,7 +404,7 @@ impl Population {
 
     /// Where the range begins at the foot of the distribution, sums a first panel in which the power law of the
     /// density is smooth; returns where it ends.
-    fn from_foot(&self, start: Point, upper: f64, sink: &mut impl Sink) -> Point {
+    fn above_foot(&self, start: Point, upper: f64, sink: &mut impl Sink) -> Point {
         let Some(panel) = self.foot_panel(start.z, upper, || self.clearance(&start)) else {
             return start;
         };
@@ -428,8 +428,8 @@ impl Population {
         // z = foot + length v^p turns phi dz ~ v^(p (exponent + 1) - 1) into at least v^8, and leaves a law
         // that is a power series in z - foot.
         let power = (9.0 / (exponent + 1.0)).max(1.0);
-        let shortest = SHORTEST_PANEL.powf(1.0 / (exponent + 1.0).min(1.0));
-        let length = (0.02 * clearance().min(1.0).min(self.radius.smooth_length(foot))).max(shortest).min(upper - foot);
+        let length =
+            (0.02 * clearance().min(1.0).min(self.radius.smooth_length(foot))).max(SHORTEST_PANEL).min(upper - foot);
         Some(FootPanel { length, power })
     }
 

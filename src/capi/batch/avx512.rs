@@ -8,12 +8,7 @@ use std::arch::x86_64::*;
 
 /// Evaluates all full vectors; returns how many elements they are.
 #[target_feature(enable = "avx512f,avx512dq")]
-pub unsafe fn evaluate(
-    model: &Model,
-    quantity: Quantity,
-    arrays: Arrays,
-    offence: &mut Option<(usize, f64)>,
-) -> usize {
+pub unsafe fn evaluate(model: &Model, quantity: Quantity, arrays: Arrays, offence: &mut Option<(usize, f64)>) -> usize {
     lanes::evaluate::<__m512d>(model, quantity, arrays, offence)
 }
 

@@ -39,7 +39,7 @@ impl Quantity {
 
     /// The quantity at one load and its slope.
     #[inline]
-    fn at(self, model: &Model, load: f64) -> (f64, f64) {
+    pub fn at(self, model: &Model, load: f64) -> (f64, f64) {
         let tabulated = match self {
             Quantity::Coefficient => model.tabulated_coefficient(load),
             Quantity::Force => model.tabulated_force(load),
@@ -107,12 +107,7 @@ unsafe fn one(
 
 /// As many elements as fill vectors; how many those are.
 #[cfg(target_arch = "x86_64")]
-unsafe fn vectors(
-    model: &Model,
-    quantity: Quantity,
-    arrays: Arrays,
-    offence: &mut Option<(usize, f64)>,
-) -> usize {
+unsafe fn vectors(model: &Model, quantity: Quantity, arrays: Arrays, offence: &mut Option<(usize, f64)>) -> usize {
     if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
         avx512::evaluate(model, quantity, arrays, offence)
     } else if is_x86_feature_detected!("avx2") {

@@ -23,7 +23,9 @@ pub enum Heights {
     /// Eq (17).
     Gaussian,
     /// Eqs (18)-(21).
-    Weibull(Weibull),
+    ///
+    /// Boxed, so that the compiler cannot evaluate ahead of the match what only Weibull heights have.
+    Weibull(Box<Weibull>),
 }
 
 impl Heights {
@@ -125,14 +127,6 @@ impl Heights {
         let steepest = self.log_density(from).1.abs().max(self.log_density(to).1.abs());
         let limit = if matches!(self, Heights::Gaussian) { STEEPEST_GAUSSIAN_PANEL } else { STEEPEST_PANEL };
         length * steepest <= limit
-    }
-
-    /// Whether ln phi is concave: the load of equal summits then has a single minimum.
-    pub fn is_log_concave(&self) -> bool {
-        match self {
-            Heights::Gaussian => true,
-            Heights::Weibull(weibull) => weibull.shape() >= 1.0,
-        }
     }
 
     /// Third standardised moment.

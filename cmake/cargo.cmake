@@ -1,0 +1,78 @@
+# What cargo and rustc must be asked, and what their files are called on the target platform.
+#
+# In:  ASPERITY_RUST_TARGET, the target triple for cross compilation (rustc's host by default);
+#      environment CARGO_TARGET_DIR, shared with `make install` where it is set.
+# Out: ASPERITY_CARGO_DIR and the file names in it, ASPERITY_SONAME, ASPERITY_NATIVE_LIBS.
+
+find_program(ASPERITY_CARGO cargo HINTS "$ENV{CARGO_HOME}/bin" "$ENV{HOME}/.cargo/bin" "$ENV{USERPROFILE}/.cargo/bin")
+find_program(ASPERITY_RUSTC rustc HINTS "$ENV{CARGO_HOME}/bin" "$ENV{HOME}/.cargo/bin" "$ENV{USERPROFILE}/.cargo/bin")
+mark_as_advanced(ASPERITY_CARGO ASPERITY_RUSTC)
+if(NOT ASPERITY_CARGO OR NOT ASPERITY_RUSTC)
+  message(FATAL_ERROR "asperity: cargo and rustc not found; install Rust from https://rustup.rs, "
+                      "or set ASPERITY_CARGO and ASPERITY_RUSTC")
+endif()
+
+# ---- Target triple ----
+if(NOT DEFINED CACHE{ASPERITY_RUST_TARGET})
+  set(asperity_triple "$ENV{CARGO_BUILD_TARGET}")
+  if(NOT asperity_triple)
+    execute_process(COMMAND "${ASPERITY_RUSTC}" -vV OUTPUT_VARIABLE asperity_triple)
+    string(REGEX MATCH "host: ([^\r\n]+)" asperity_triple "${asperity_triple}")
+    set(asperity_triple "${CMAKE_MATCH_1}")
+  endif()
+  set(ASPERITY_RUST_TARGET "${asperity_triple}" CACHE STRING "Rust target triple to build asperity for")
+endif()
+
+# ---- Where cargo writes ----
+# A folder of its own: these libraries are linked with a soname, those of a plain `cargo build` are not.
+if(DEFINED ENV{CARGO_TARGET_DIR})
+  get_filename_component(asperity_target_dir "$ENV{CARGO_TARGET_DIR}/install" ABSOLUTE)
+else()
+  set(asperity_target_dir "${CMAKE_CURRENT_BINARY_DIR}/cargo")
+endif()
+set(ASPERITY_CARGO_DIR "${asperity_target_dir}/${ASPERITY_RUST_TARGET}/release")
+
+# ---- File names ----
+# ASPERITY_CARGO_*: as cargo writes them; ASPERITY_SHARED_FILE and its links: as they are installed.
+if(ASPERITY_RUST_TARGET MATCHES "windows-msvc")
+  set(ASPERITY_SHARED_FILE asperity.dll)
+  set(ASPERITY_IMPORT_FILE asperity.dll.lib)
+  set(ASPERITY_STATIC_FILE asperity.lib)
+elseif(ASPERITY_RUST_TARGET MATCHES "windows")
+  set(ASPERITY_SHARED_FILE asperity.dll)
+  set(ASPERITY_IMPORT_FILE libasperity.dll.a)
+  set(ASPERITY_STATIC_FILE libasperity.a)
+elseif(ASPERITY_RUST_TARGET MATCHES "apple")
+  set(ASPERITY_SHARED_FILE "libasperity.${PROJECT_VERSION}.dylib")
+  set(ASPERITY_SHARED_LINKS "libasperity.${PROJECT_VERSION_MAJOR}.dylib" libasperity.dylib)
+  set(ASPERITY_STATIC_FILE libasperity.a)
+  set(ASPERITY_SONAME "@rpath/libasperity.${PROJECT_VERSION_MAJOR}.dylib")
+  set(ASPERITY_SONAME_FLAG "-Wl,-install_name,${ASPERITY_SONAME}")
+else()
+  set(ASPERITY_SHARED_FILE "libasperity.so.${PROJECT_VERSION}")
+  set(ASPERITY_SHARED_LINKS "libasperity.so.${PROJECT_VERSION_MAJOR}" libasperity.so)
+  set(ASPERITY_STATIC_FILE libasperity.a)
+  set(ASPERITY_SONAME "libasperity.so.${PROJECT_VERSION_MAJOR}")
+  set(ASPERITY_SONAME_FLAG "-Wl,-soname,${ASPERITY_SONAME}")
+endif()
+if(ASPERITY_SHARED_LINKS)
+  list(GET ASPERITY_SHARED_LINKS -1 ASPERITY_CARGO_SHARED)
+else()
+  set(ASPERITY_CARGO_SHARED "${ASPERITY_SHARED_FILE}")
+endif()
+
+# ---- System libraries that the static library needs ----
+# rustc names those of its standard library when it links an empty crate; asperity adds none. Compilers add libgcc_s
+# themselves, and its name would break `cc -static`.
+set(asperity_probe "${CMAKE_CURRENT_BINARY_DIR}/native-static-libs")
+file(WRITE "${asperity_probe}.rs" "")
+execute_process(
+  COMMAND "${ASPERITY_RUSTC}" --target "${ASPERITY_RUST_TARGET}" --crate-type staticlib
+          "--print=native-static-libs=${asperity_probe}" -o "${asperity_probe}.a" "${asperity_probe}.rs"
+  RESULT_VARIABLE asperity_probe_failed OUTPUT_QUIET ERROR_VARIABLE asperity_probe_message)
+if(asperity_probe_failed)
+  message(FATAL_ERROR "asperity: rustc cannot build for ${ASPERITY_RUST_TARGET}:\n${asperity_probe_message}")
+endif()
+file(STRINGS "${asperity_probe}" asperity_probe_libs)
+separate_arguments(ASPERITY_NATIVE_LIBS NATIVE_COMMAND "${asperity_probe_libs}")
+list(FILTER ASPERITY_NATIVE_LIBS EXCLUDE REGEX "^(-lgcc_s|/defaultlib:.*)$")

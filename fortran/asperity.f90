@@ -1,0 +1,714 @@
+! asperity: friction laws from contact physics, callable from any solver. Fortran 2008.
+!
+! The first part is the C interface of include/asperity.h under its own names, argument by argument. The second part,
+! type(friction_model), is what most programs use: it frees itself, takes scalars and arrays, and reports errors the
+! Fortran way, by stat= and errmsg=, or by stopping with the message where stat= is absent.
+!
+! Units: one consistent system of the caller's choice. Loads, forces and areas are totals over asperity_count summits.
+! Threads: a model may be shared by all calls that take it intent(in); not while it is changed or freed.
+! Two C constants have the names of functions, which Fortran does not tell apart; here they are
+! ASPERITY_HEADER_VERSION and ASPERITY_HEADER_ABI_VERSION.
+module asperity
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_loc, &
+                                         c_null_ptr, c_ptr, c_size_t
+  use, intrinsic :: iso_fortran_env, only: error_unit
+  implicit none
+  private
+
+  ! ---- The C interface: constants ----
+
+  character(*), parameter, public :: ASPERITY_HEADER_VERSION = '0.1.0'
+  integer(c_int32_t), parameter, public :: ASPERITY_VERSION_MAJOR = 0
+  integer(c_int32_t), parameter, public :: ASPERITY_VERSION_MINOR = 1
+  integer(c_int32_t), parameter, public :: ASPERITY_VERSION_PATCH = 0
+  integer(c_int32_t), parameter, public :: ASPERITY_HEADER_ABI_VERSION = 1  ! compare with asperity_abi_version()
+
+  integer(c_int32_t), parameter, public :: ASPERITY_OK = 0
+  integer(c_int32_t), parameter, public :: ASPERITY_NULL_POINTER = 1
+  integer(c_int32_t), parameter, public :: ASPERITY_INVALID_PARAMETER = 2
+  integer(c_int32_t), parameter, public :: ASPERITY_INVALID_LOAD = 3     ! NaN or infinite
+  integer(c_int32_t), parameter, public :: ASPERITY_SEPARATED = 4        ! load below the pull-off load
+  integer(c_int32_t), parameter, public :: ASPERITY_OUT_OF_RANGE = 5     ! finite, but beyond what can be evaluated
+  integer(c_int32_t), parameter, public :: ASPERITY_NOT_CONVERGED = 6
+  integer(c_int32_t), parameter, public :: ASPERITY_INTERNAL = 255       ! a bug in the library
+
+  integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_GAUSSIAN = 0
+  integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_WEIBULL = 1
+
+  ! ---- The C interface: types ----
+
+  ! Two rough elastic surfaces, as the equivalent rough surface against a flat. Start from asperity_params_init.
+  type, bind(c), public :: asperity_params
+    integer(c_int64_t) :: struct_size = 0         ! set by asperity_params_init
+    real(c_double) :: composite_modulus           ! E* [stress], > 0
+    real(c_double) :: effective_shear_modulus     ! G* [stress], > 0
+    real(c_double) :: work_of_adhesion            ! w [force/length], >= 0; 0 is Hertzian contact
+    real(c_double) :: adhesion_range              ! h [length], > 0
+    real(c_double) :: burgers_vector              ! b [length], > 0
+    real(c_double) :: height_std                  ! sigma [length], > 0: standard deviation of summit heights
+    real(c_double) :: summit_radius               ! R [length], > 0: mean radius of the summits
+    real(c_double) :: asperity_count              ! N [-], > 0: summit density times nominal area; need not be whole
+    integer(c_int32_t) :: height_distribution     ! ASPERITY_HEIGHTS_GAUSSIAN or ASPERITY_HEIGHTS_WEIBULL
+    integer(c_int32_t) :: attraction              ! 1: summits out of contact attract; 0: they do not
+    real(c_double) :: weibull_shape               ! omega [-], > 0; read only for ASPERITY_HEIGHTS_WEIBULL
+    real(c_double) :: radius_amplitude            ! epsilon [-], -1 to 1: how much the radius grows with height
+    real(c_double) :: radius_rate                 ! rho [-], > 0: how fast it does
+    real(c_double) :: slip_radius_1               ! a_1/b [-], > 0: shear strength is slip_stress_1 up to this radius
+    real(c_double) :: slip_stress_1               ! tau_1/G* [-], > 0
+    real(c_double) :: slip_radius_2               ! a_2/b [-], > slip_radius_1: it is slip_stress_2 from this one on
+    real(c_double) :: slip_stress_2               ! tau_2/G* [-], > 0
+    real(c_double) :: max_friction_coefficient    ! cap on every coefficient returned [-], > 0; infinity allowed
+  end type asperity_params
+
+  ! The exact state of the contact, in the units of the parameters.
+  type, bind(c), public :: asperity_state
+    integer(c_int64_t) :: struct_size = 96        ! bytes of this type; leave it
+    real(c_double) :: load                        ! P [force]; negative pulls
+    real(c_double) :: separation                  ! d [length], flat to mean of the summit heights
+    real(c_double) :: friction_force              ! F [force]
+    real(c_double) :: friction_coefficient        ! F/P [-], capped
+    real(c_double) :: dforce_dload                ! dF/dP [-]; infinity at the pull-off load itself
+    real(c_double) :: dmu_dload                   ! d(F/P)/dP [1/force]; 0 where the coefficient is capped
+    real(c_double) :: dload_dseparation           ! dP/dd [force/length]: minus the contact stiffness
+    real(c_double) :: real_area                   ! real area of contact [length^2]
+    real(c_double) :: contacting                  ! number of summits in contact
+    real(c_double) :: attracted                   ! number of summits that attract without contact
+    real(c_double) :: attraction_load             ! part of the load carried by those [force], <= 0
+  end type asperity_state
+
+  ! Constants of a model, in the units of the parameters.
+  type, bind(c), public :: asperity_summary
+    integer(c_int64_t) :: struct_size = 104       ! bytes of this type; leave it
+    real(c_double) :: alpha                       ! (sigma/R)^(1/2) [-]
+    real(c_double) :: beta                        ! (R sigma)^(1/2)/b [-]
+    real(c_double) :: gamma                       ! w/(E* b) [-]
+    real(c_double) :: lambda                      ! Maugis' adhesion parameter [-]
+    real(c_double) :: skew                        ! of the summit heights [-]
+    real(c_double) :: kurtosis                    ! of the summit heights [-]; 3 for Gaussian
+    real(c_double) :: pull_off_load               ! the least load that holds the surfaces together [force], <= 0
+    real(c_double) :: pull_off_friction_force     ! F there [force]
+    real(c_double) :: zero_load_friction_force    ! F at zero load [force]
+    real(c_double) :: min_table_load              ! the lightest load of the compiled law [force]
+    real(c_double) :: max_table_load              ! the heaviest load of the compiled law [force]
+    real(c_double) :: table_error                 ! largest relative error of its force found when it was built [-]
+  end type asperity_summary
+
+  ! ---- The C interface: functions ----
+  ! A model is a type(c_ptr). All functions of type integer(c_int32_t) return a status.
+
+  interface
+    ! The binary interface of the library loaded.
+    function asperity_abi_version() result(version) bind(c)
+      import :: c_int32_t
+      integer(c_int32_t) :: version
+    end function asperity_abi_version
+
+    ! The version of the library loaded: a C string; asperity_version_text() is the Fortran one.
+    function asperity_version() result(version) bind(c)
+      import :: c_ptr
+      type(c_ptr) :: version
+    end function asperity_version
+
+    ! What a status means: a C string; asperity_status_text() is the Fortran one.
+    function asperity_status_string(status) result(text) bind(c)
+      import :: c_int32_t, c_ptr
+      integer(c_int32_t), intent(in), value :: status
+      type(c_ptr) :: text
+    end function asperity_status_string
+
+    ! Copies this thread's last message out; asperity_error_message() is the Fortran way.
+    function asperity_last_error(buffer, length) result(whole_length) bind(c)
+      import :: c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: buffer            ! receives `length` bytes at most; c_null_ptr: only ask
+      integer(c_size_t), intent(in), value :: length
+      integer(c_size_t) :: whole_length                   ! of the message, without its final NUL
+    end function asperity_last_error
+
+    ! The paper's default case: alpha .01, beta 1000, gamma .001, nu .3 in units b = G = 1, N = 1.
+    function asperity_params_init(params) result(status) bind(c)
+      import :: asperity_params, c_int32_t
+      type(asperity_params), intent(out) :: params
+      integer(c_int32_t) :: status
+    end function asperity_params_init
+
+    ! Sets material, adhesion and roughness from the paper's groups; loads are then P/(N G b^2).
+    function asperity_params_set_dimensionless(params, alpha, beta, gamma, b_over_h, poisson) result(status) bind(c)
+      import :: asperity_params, c_double, c_int32_t
+      type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
+      real(c_double), intent(in), value :: alpha          ! (sigma/R)^(1/2) > 0
+      real(c_double), intent(in), value :: beta           ! (R sigma)^(1/2)/b > 0
+      real(c_double), intent(in), value :: gamma          ! w/(E* b) >= 0
+      real(c_double), intent(in), value :: b_over_h       ! > 0, typically 1
+      real(c_double), intent(in), value :: poisson        ! above -1, at most 0.5
+      integer(c_int32_t) :: status
+    end function asperity_params_set_dimensionless
+
+    ! Sets E* and G* from Young's modulus [stress] and Poisson's ratio of the two bodies; E1 or E2 may be infinite.
+    function asperity_params_set_materials(params, E1, nu1, E2, nu2) result(status) bind(c)
+      import :: asperity_params, c_double, c_int32_t
+      type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
+      real(c_double), intent(in), value :: E1, nu1, E2, nu2
+      integer(c_int32_t) :: status
+    end function asperity_params_set_materials
+
+    ! Chooses Weibull heights with this skew, above -1.13955.
+    function asperity_params_set_skew(params, skew) result(status) bind(c)
+      import :: asperity_params, c_double, c_int32_t
+      type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
+      real(c_double), intent(in), value :: skew
+      integer(c_int32_t) :: status
+    end function asperity_params_set_skew
+
+    ! Makes a model; free it with asperity_free.
+    function asperity_create(params, model) result(status) bind(c)
+      import :: asperity_params, c_int32_t, c_ptr
+      type(asperity_params), intent(in) :: params
+      type(c_ptr), intent(inout) :: model                 ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_create
+
+    ! Gives a model other parameters, all or nothing.
+    function asperity_set_params(model, params) result(status) bind(c)
+      import :: asperity_params, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      type(asperity_params), intent(in) :: params
+      integer(c_int32_t) :: status
+    end function asperity_set_params
+
+    ! Copies the parameters of a model out.
+    function asperity_get_params(model, params) result(status) bind(c)
+      import :: asperity_params, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      type(asperity_params), intent(inout) :: params
+      integer(c_int32_t) :: status
+    end function asperity_get_params
+
+    ! Frees a model, once; c_null_ptr is fine.
+    subroutine asperity_free(model) bind(c)
+      import :: c_ptr
+      type(c_ptr), intent(in), value :: model
+    end subroutine asperity_free
+
+    ! Friction coefficient [-] at a load [force]; NaN for a load that is not finite, or for c_null_ptr.
+    pure function asperity_friction_at_load(model, load) result(mu) bind(c)
+      import :: c_double, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load
+      real(c_double) :: mu
+    end function asperity_friction_at_load
+
+    ! Friction force [force] at a load [force]; NaN for a load that is not finite, or for c_null_ptr.
+    pure function asperity_friction_force_at_load(model, load) result(force) bind(c)
+      import :: c_double, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load
+      real(c_double) :: force
+    end function asperity_friction_force_at_load
+
+    ! Friction coefficients at many loads, and their slopes. Every element is filled, then the first offence reported.
+    function asperity_friction_at_loads(model, n, load, mu, dmu_dload) result(status) bind(c)
+      import :: c_int32_t, c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: load              ! n real(c_double) [force]
+      type(c_ptr), intent(in), value :: mu                ! receives n real(c_double) [-]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: dmu_dload         ! receives n real(c_double) [1/force]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_friction_at_loads
+
+    ! Friction forces at many loads, and their slopes. Every element is filled, then the first offence reported.
+    function asperity_friction_force_at_loads(model, n, load, force, dforce_dload) result(status) bind(c)
+      import :: c_int32_t, c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: load              ! n real(c_double) [force]
+      type(c_ptr), intent(in), value :: force             ! receives n real(c_double) [force]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: dforce_dload      ! receives n real(c_double) [-]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_friction_force_at_loads
+
+    ! The exact state at a load [force], from the pull-off load upwards.
+    function asperity_state_at_load(model, load, state) result(status) bind(c)
+      import :: asperity_state, c_double, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load
+      type(asperity_state), intent(inout) :: state        ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_state_at_load
+
+    ! The exact state at a separation [length], also beyond the pull-off point.
+    function asperity_state_at_separation(model, separation, state) result(status) bind(c)
+      import :: asperity_state, c_double, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: separation
+      type(asperity_state), intent(inout) :: state        ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_state_at_separation
+
+    ! The constants of a model.
+    function asperity_summary_of(model, summary) result(status) bind(c)
+      import :: asperity_summary, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      type(asperity_summary), intent(inout) :: summary    ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_summary_of
+  end interface
+
+  public :: asperity_abi_version, asperity_version, asperity_status_string, asperity_last_error
+  public :: asperity_params_init, asperity_params_set_dimensionless, asperity_params_set_materials
+  public :: asperity_params_set_skew, asperity_create, asperity_set_params, asperity_get_params, asperity_free
+  public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
+  public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
+
+  ! ---- The Fortran interface ----
+
+  ! A friction law that frees itself.
+  !
+  !     type(friction_model) :: law
+  !     call law%create(params)
+  !     mu = law%friction_at_load(load)
+  !
+  ! b = a makes a model of its own for b. A model belongs to the variable that it was created in: a bitwise copy of
+  ! the variable, as allocate(source=) makes, never frees it, and is refused until create is called on it. The same
+  ! holds for a law in a type that is assigned as a whole, where the compiler (gfortran 12) moves bits: assign the law.
+  !
+  ! In every procedure below
+  !   stat    integer, intent(out), optional: 0 or one of the ASPERITY_ statuses; without it an error stops the
+  !           program with the message on the error unit
+  !   errmsg  character(*), intent(inout), optional: the message, cut or padded; as it was if there is no error
+  type, public :: friction_model
+    private
+    type(c_ptr) :: handle = c_null_ptr
+    type(c_ptr) :: owner = c_null_ptr      ! address of `handle` in the variable that the model was created in
+  contains
+    ! call law%create(params [, stat] [, errmsg])
+    !   params  type(asperity_params), intent(in)
+    ! Makes the model. A model that was there before is freed; on failure it stays.
+    procedure, public :: create => create_model
+
+    ! call law%set_params(params [, stat] [, errmsg])    other parameters, all or nothing; no other thread may use law
+    ! call law%get_params(params [, stat] [, errmsg])    params: type(asperity_params), intent(out)
+    procedure, public :: set_params => set_model_params
+    procedure, public :: get_params => get_model_params
+
+    ! call law%free()    frees the model now; the main program's variables are not freed by the language
+    ! law%c_model()      the type(c_ptr) for the functions of the C interface; law still owns it
+    procedure, public :: free => free_model
+    procedure, public :: c_model
+
+    ! mu = law%friction_at_load(load [, slope] [, stat] [, errmsg])
+    !   load   real(c_double), intent(in), rank 0 to 3 [force]
+    !   mu     real(c_double), of the shape of load [-]: F/load for load > 0, at most max_friction_coefficient, which
+    !          it is also where pull-off <= load <= 0; 0 below pull-off; NaN for a load that is not finite
+    !   slope  real(c_double), intent(out), optional, of the shape of load: d(mu)/d(load) [1/force], 0 where mu is
+    !          capped
+    ! A load below pull-off gives stat = ASPERITY_SEPARATED, but never stops the program: no friction is an answer.
+    ! All elements are filled before an error is reported; errmsg counts them from 1, in array element order. A slope
+    ! of another shape than load always stops the program.
+    generic, public :: friction_at_load => friction_rank_0, friction_rank_1, friction_rank_2, friction_rank_3
+
+    ! force = law%friction_force_at_load(load [, slope] [, stat] [, errmsg])
+    !   the same for F [force] and dF/d(load) [-]; finite down to pull-off, where the slope is infinite
+    generic, public :: friction_force_at_load => force_rank_0, force_rank_1, force_rank_2, force_rank_3
+
+    ! call law%state_at_load(load, state [, stat] [, errmsg])                the exact state at a load [force]
+    ! call law%state_at_separation(separation, state [, stat] [, errmsg])    the same at a separation [length]
+    !   state  type(asperity_state), intent(inout); as it was on failure
+    procedure, public :: state_at_load => model_state_at_load
+    procedure, public :: state_at_separation => model_state_at_separation
+
+    ! call law%summary(constants [, stat] [, errmsg])
+    !   constants  type(asperity_summary), intent(inout); as it was on failure
+    procedure, public :: summary => model_summary
+
+    generic, public :: assignment(=) => copy_model
+    procedure, private :: copy_model
+    procedure, private :: friction_rank_0, friction_rank_1, friction_rank_2, friction_rank_3
+    procedure, private :: force_rank_0, force_rank_1, force_rank_2, force_rank_3
+    final :: finalise_model
+  end type friction_model
+
+  public :: asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
+
+  abstract interface
+    function batch_function(model, n, load, value, slope) result(status) bind(c)
+      import :: c_int32_t, c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: load, value, slope
+      integer(c_int32_t) :: status
+    end function batch_function
+  end interface
+
+  character(*), parameter :: NOT_CREATED = 'friction_model: no model here: call create on this variable first; a ' // &
+                                           'bitwise copy, as allocate(source=) makes, has none'
+
+contains
+
+  ! Stops the program with the message if a status is not ASPERITY_OK:
+  !     call asperity_check(asperity_params_set_skew(params, -0.5_c_double))
+  subroutine asperity_check(status)
+    integer(c_int32_t), intent(in) :: status
+    if (status /= ASPERITY_OK) call stop_with(asperity_error_message())
+  end subroutine asperity_check
+
+  ! This thread's last message; empty if there was none.
+  function asperity_error_message() result(message)
+    character(:), allocatable :: message
+    character(kind=c_char), target :: buffer(1024)
+    integer :: i, length
+    length = int(asperity_last_error(c_loc(buffer), size(buffer, kind=c_size_t)))
+    length = min(length, size(buffer) - 1)
+    allocate(character(length) :: message)
+    do i = 1, length
+      message(i:i) = buffer(i)
+    end do
+  end function asperity_error_message
+
+  ! What a status means.
+  function asperity_status_text(status) result(text)
+    integer(c_int32_t), intent(in) :: status
+    character(:), allocatable :: text
+    text = fortran_text(asperity_status_string(status))
+  end function asperity_status_text
+
+  ! The version of the library loaded, 'major.minor.patch'.
+  function asperity_version_text() result(text)
+    character(:), allocatable :: text
+    text = fortran_text(asperity_version())
+  end function asperity_version_text
+
+  ! ---- Making and freeing ----
+
+  subroutine create_model(self, params, stat, errmsg)
+    class(friction_model), intent(inout), target :: self
+    type(asperity_params), intent(in) :: params
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    made = c_null_ptr
+    status = asperity_create(params, made)
+    if (status == ASPERITY_OK) call take(self, made)
+    call report(status, stat, errmsg)
+  end subroutine create_model
+
+  subroutine set_model_params(self, params, stat, errmsg)
+    class(friction_model), intent(inout), target :: self
+    type(asperity_params), intent(in) :: params
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. is_created(self, stat, errmsg)) return
+    call report(asperity_set_params(self%handle, params), stat, errmsg)
+  end subroutine set_model_params
+
+  subroutine get_model_params(self, params, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    type(asperity_params), intent(out) :: params
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. is_created(self, stat, errmsg)) return
+    call report(asperity_get_params(self%handle, params), stat, errmsg)
+  end subroutine get_model_params
+
+  subroutine free_model(self)
+    class(friction_model), intent(inout), target :: self
+    if (owns(self)) call asperity_free(self%handle)
+    self%handle = c_null_ptr
+    self%owner = c_null_ptr
+  end subroutine free_model
+
+  function c_model(self) result(model)
+    class(friction_model), intent(in), target :: self
+    type(c_ptr) :: model
+    model = c_null_ptr
+    if (owns(self)) model = self%handle
+  end function c_model
+
+  subroutine copy_model(self, other)
+    class(friction_model), intent(inout), target :: self
+    class(friction_model), intent(in), target :: other
+    type(asperity_params) :: params
+    if (c_associated(c_loc(self%handle), c_loc(other%handle))) return
+    if (.not. c_associated(other%handle)) then
+      call free_model(self)
+      return
+    end if
+    ! `other` may be a temporary that the compiler made of its variable: it need not own the model to be read.
+    call asperity_check(asperity_get_params(other%handle, params))
+    call create_model(self, params)
+  end subroutine copy_model
+
+  impure elemental subroutine finalise_model(self)  ! elemental: for arrays of any rank
+    type(friction_model), intent(inout) :: self
+    call free_model(self)
+  end subroutine finalise_model
+
+  subroutine take(self, made)
+    class(friction_model), intent(inout), target :: self
+    type(c_ptr), intent(in) :: made
+    call free_model(self)
+    self%handle = made
+    self%owner = c_loc(self%handle)
+  end subroutine take
+
+  function owns(self)
+    class(friction_model), intent(in), target :: self
+    logical :: owns
+    owns = c_associated(self%owner, c_loc(self%handle))
+  end function owns
+
+  ! ---- Evaluation ----
+
+  subroutine model_state_at_load(self, load, state, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in) :: load
+    type(asperity_state), intent(inout) :: state
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. is_created(self, stat, errmsg)) return
+    call report(asperity_state_at_load(self%handle, load, state), stat, errmsg)
+  end subroutine model_state_at_load
+
+  subroutine model_state_at_separation(self, separation, state, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in) :: separation
+    type(asperity_state), intent(inout) :: state
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. is_created(self, stat, errmsg)) return
+    call report(asperity_state_at_separation(self%handle, separation, state), stat, errmsg)
+  end subroutine model_state_at_separation
+
+  subroutine model_summary(self, constants, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    type(asperity_summary), intent(inout) :: constants
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. is_created(self, stat, errmsg)) return
+    call report(asperity_summary_of(self%handle, constants), stat, errmsg)
+  end subroutine model_summary
+
+  function friction_rank_0(self, load, slope, stat, errmsg) result(mu)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), target :: load
+    real(c_double), intent(out), optional, target :: slope
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: mu
+    if (owns(self) .and. .not. present(slope) .and. .not. present(stat)) then
+      mu = asperity_friction_at_load(self%handle, load)
+      if (.not. is_nan(mu)) return
+    end if
+    call evaluate(asperity_friction_at_loads, self, 1_c_size_t, c_loc(load), c_loc(mu), scalar_address(slope), &
+                  stat, errmsg)
+  end function friction_rank_0
+
+  function force_rank_0(self, load, slope, stat, errmsg) result(force)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), target :: load
+    real(c_double), intent(out), optional, target :: slope
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: force
+    if (owns(self) .and. .not. present(slope) .and. .not. present(stat)) then
+      force = asperity_friction_force_at_load(self%handle, load)
+      if (.not. is_nan(force)) return
+    end if
+    call evaluate(asperity_friction_force_at_loads, self, 1_c_size_t, c_loc(load), c_loc(force), &
+                  scalar_address(slope), stat, errmsg)
+  end function force_rank_0
+
+  function friction_rank_1(self, load, slope, stat, errmsg) result(mu)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), contiguous, target :: load(:)
+    real(c_double), intent(out), optional, contiguous, target :: slope(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: mu(size(load))
+    if (present(slope)) call require_same_shape(shape(load), shape(slope))
+    call evaluate(asperity_friction_at_loads, self, size(load, kind=c_size_t), address(load), &
+                  address(mu), address(slope), stat, errmsg)
+  end function friction_rank_1
+
+  function friction_rank_2(self, load, slope, stat, errmsg) result(mu)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), contiguous, target :: load(:,:)
+    real(c_double), intent(out), optional, contiguous, target :: slope(:,:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: mu(size(load, 1), size(load, 2))
+    if (present(slope)) call require_same_shape(shape(load), shape(slope))
+    call evaluate(asperity_friction_at_loads, self, size(load, kind=c_size_t), address(load), &
+                  address(mu), address(slope), stat, errmsg)
+  end function friction_rank_2
+
+  function friction_rank_3(self, load, slope, stat, errmsg) result(mu)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), contiguous, target :: load(:,:,:)
+    real(c_double), intent(out), optional, contiguous, target :: slope(:,:,:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: mu(size(load, 1), size(load, 2), size(load, 3))
+    if (present(slope)) call require_same_shape(shape(load), shape(slope))
+    call evaluate(asperity_friction_at_loads, self, size(load, kind=c_size_t), address(load), &
+                  address(mu), address(slope), stat, errmsg)
+  end function friction_rank_3
+
+  function force_rank_1(self, load, slope, stat, errmsg) result(force)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), contiguous, target :: load(:)
+    real(c_double), intent(out), optional, contiguous, target :: slope(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: force(size(load))
+    if (present(slope)) call require_same_shape(shape(load), shape(slope))
+    call evaluate(asperity_friction_force_at_loads, self, size(load, kind=c_size_t), address(load), &
+                  address(force), address(slope), stat, errmsg)
+  end function force_rank_1
+
+  function force_rank_2(self, load, slope, stat, errmsg) result(force)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), contiguous, target :: load(:,:)
+    real(c_double), intent(out), optional, contiguous, target :: slope(:,:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: force(size(load, 1), size(load, 2))
+    if (present(slope)) call require_same_shape(shape(load), shape(slope))
+    call evaluate(asperity_friction_force_at_loads, self, size(load, kind=c_size_t), address(load), &
+                  address(force), address(slope), stat, errmsg)
+  end function force_rank_2
+
+  function force_rank_3(self, load, slope, stat, errmsg) result(force)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), contiguous, target :: load(:,:,:)
+    real(c_double), intent(out), optional, contiguous, target :: slope(:,:,:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: force(size(load, 1), size(load, 2), size(load, 3))
+    if (present(slope)) call require_same_shape(shape(load), shape(slope))
+    call evaluate(asperity_friction_force_at_loads, self, size(load, kind=c_size_t), address(load), &
+                  address(force), address(slope), stat, errmsg)
+  end function force_rank_3
+
+  ! Every rank ends here, as the array that it is in memory.
+  subroutine evaluate(batch, self, n, load, value, slope, stat, errmsg)
+    procedure(batch_function) :: batch
+    class(friction_model), intent(in), target :: self
+    integer(c_size_t), intent(in) :: n
+    type(c_ptr), intent(in) :: load, value, slope
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), pointer :: values(:)
+    integer(c_int32_t) :: status
+    if (.not. is_created(self, stat, errmsg)) then
+      call c_f_pointer(value, values, [n])
+      values = asperity_friction_at_load(c_null_ptr, 0.0_c_double)  ! a quiet NaN
+      return
+    end if
+    status = batch(self%handle, n, load, value, slope)
+    if (status == ASPERITY_SEPARATED .and. .not. present(stat)) return
+    call report(status, stat, errmsg)
+  end subroutine evaluate
+
+  ! By its bits: a comparison may trap.
+  pure function is_nan(x)
+    real(c_double), intent(in) :: x
+    logical :: is_nan
+    integer(c_int64_t), parameter :: INFINITY_BITS = int(z'7FF0000000000000', c_int64_t)
+    is_nan = iand(transfer(x, 0_c_int64_t), huge(0_c_int64_t)) > INFINITY_BITS
+  end function is_nan
+
+  subroutine require_same_shape(load, slope)
+    integer, intent(in) :: load(:), slope(:)
+    if (any(load /= slope)) call stop_with('friction_model: slope must have the shape of load')
+  end subroutine require_same_shape
+
+  ! The address of an array; c_null_ptr if it is absent.
+  function address(array)
+    real(c_double), intent(in), optional, target :: array(*)
+    type(c_ptr) :: address
+    address = c_null_ptr
+    if (present(array)) address = c_loc(array)
+  end function address
+
+  function scalar_address(scalar)
+    real(c_double), intent(in), optional, target :: scalar
+    type(c_ptr) :: scalar_address
+    scalar_address = c_null_ptr
+    if (present(scalar)) scalar_address = c_loc(scalar)
+  end function scalar_address
+
+  ! ---- Errors ----
+
+  function is_created(self, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    logical :: is_created
+    is_created = owns(self)
+    if (.not. is_created) call report_message(ASPERITY_NULL_POINTER, NOT_CREATED, stat, errmsg)
+  end function is_created
+
+  subroutine report(status, stat, errmsg)
+    integer(c_int32_t), intent(in) :: status
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (status == ASPERITY_OK) then
+      if (present(stat)) stat = 0
+    else
+      call report_message(status, counted_from_one(asperity_error_message()), stat, errmsg)
+    end if
+  end subroutine report
+
+  subroutine report_message(status, message, stat, errmsg)
+    integer(c_int32_t), intent(in) :: status
+    character(*), intent(in) :: message
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (present(errmsg)) errmsg = message
+    if (.not. present(stat)) call stop_with(message)
+    if (present(stat)) stat = int(status)
+  end subroutine report_message
+
+  ! The C library names the offending element of an array, 'element 0: ...', by the index that C gives it.
+  function counted_from_one(message) result(counted)
+    character(*), intent(in) :: message
+    character(:), allocatable :: counted
+    character(*), parameter :: PREFIX = 'element '
+    character(20) :: number
+    integer(c_int64_t) :: index_in_c
+    integer :: colon, failed
+    counted = message
+    colon = index(message, ':')
+    if (index(message, PREFIX) /= 1 .or. colon == 0) return
+    read (message(len(PREFIX) + 1:colon - 1), *, iostat=failed) index_in_c
+    if (failed /= 0) return
+    write (number, '(i0)') index_in_c + 1
+    counted = PREFIX // trim(number) // message(colon:)
+  end function counted_from_one
+
+  subroutine stop_with(message)
+    character(*), intent(in) :: message
+    write (error_unit, '(a)') 'asperity: ' // message
+    error stop 1
+  end subroutine stop_with
+
+  ! A constant C string as a Fortran one.
+  function fortran_text(text) result(converted)
+    type(c_ptr), intent(in) :: text
+    character(:), allocatable :: converted
+    character(kind=c_char), pointer :: characters(:)
+    integer :: i, length
+    call c_f_pointer(text, characters, [huge(0)])
+    length = 0
+    do while (iachar(characters(length + 1)) /= 0)
+      length = length + 1
+    end do
+    allocate(character(length) :: converted)
+    do i = 1, length
+      converted(i:i) = characters(i)
+    end do
+  end function fortran_text
+
+end module asperity

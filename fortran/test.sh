@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# Builds the library and checks the Fortran module: against the C header, against mechanics, under valgrind, and
+# against the C example. Run from anywhere; builds in target/fortran (or under CARGO_TARGET_DIR).
+#
+# usage: fortran/test.sh
+set -euo pipefail
+cd "$(dirname "$0")/.."
+started=$SECONDS
+
+for tool in cargo cc gfortran nm python3 valgrind; do
+    command -v "$tool" >/dev/null || { echo "fortran/test.sh: $tool is missing: run tests/setup.sh core" >&2; exit 1; }
+done
+
+mkdir -p "${CARGO_TARGET_DIR:-target}"
+target=$(cd "${CARGO_TARGET_DIR:-target}" && pwd)
+build=$target/fortran
+rm -rf "$build"
+mkdir -p "$build"
+cargo build --release -j1 --locked --quiet
+export LD_LIBRARY_PATH="$target/release${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
+
+strict="-std=f2008 -Wall -Wextra -Werror"
+traps="-g -fcheck=all,no-array-temps -ffpe-trap=invalid,zero,overflow"
+link="-L$target/release -lasperity"
+
+# shellcheck disable=SC2086
+compile() { gfortran $strict $traps -J"$build" -I"$build" "$@"; }
+
+compile -c fortran/asperity.f90 -o "$build/asperity.o"
+compile -c fortran/tests/checking.f90 -o "$build/checking.o"
+for test in c_interface friction_law stops; do
+    compile -c "fortran/tests/$test.f90" -o "$build/$test.o"
+    # shellcheck disable=SC2086
+    compile "$build/$test.o" "$build/asperity.o" "$build/checking.o" $link -o "$build/$test"
+done
+
+# The module against the header: names, types, sizes, offsets.
+python3 fortran/tests/check_header.py include/asperity.h fortran/asperity.f90 "$build/c_interface.o" "$build"
+cc -Iinclude "$build/layout.c" -o "$build/layout_c"
+# shellcheck disable=SC2086
+compile "$build/layout.f90" "$build/asperity.o" $link -o "$build/layout_fortran"
+"$build/layout_c" >"$build/layout_c.txt"
+"$build/layout_fortran" >"$build/layout_fortran.txt"
+diff "$build/layout_c.txt" "$build/layout_fortran.txt"
+echo "sizes and offsets agree: $(wc -l <"$build/layout_c.txt") of them"
+
+"$build/c_interface"
+"$build/friction_law"
+
+# Leaks and double frees. Uninitialised values are left to the library's own tests: its compiler may evaluate, and
+# then discard, the branch that is not taken.
+valgrind -q --undef-value-errors=no --leak-check=full --errors-for-leak-kinds=definite,indirect,possible \
+    --error-exitcode=1 "$build/friction_law" >"$build/valgrind.txt" 2>&1 || { cat "$build/valgrind.txt" >&2; exit 1; }
+echo "valgrind: no leak, no invalid access"
+
+# Without stat= an error stops the program: message and exit status.
+stops() {
+    local status=0
+    "$build/stops" "$1" >"$build/stops.out" 2>"$build/stops.err" || status=$?
+    if [ "$status" != 1 ] || [ -s "$build/stops.out" ] || ! grep -qxF "asperity: $2" "$build/stops.err"; then
+        echo "FAIL: $1: exit status $status, not 1, or another message than '$2':" >&2
+        cat "$build/stops.out" "$build/stops.err" >&2
+        exit 1
+    fi
+}
+stops parameter 'summit_radius = 0: must be finite and > 0'
+stops never_created "friction_model: no model here: call create on this variable first; a bitwise copy, as \
+allocate(source=) makes, has none"
+stops load 'element 2: load = inf: must be finite'
+stops scalar 'element 1: load = -inf: must be finite'
+stops shape 'friction_model: slope must have the shape of load'
+stops status 'skew = -5: must be finite and > -1.13955, the limit of the Weibull family'
+echo "errors without stat= stop the program: 6 ways"
+
+# The page: its program is the example, its commands run as they stand and print what it says.
+block() { awk -v kind="\`\`\`$1" '$0 == kind {inside = 1; next} /^```/ {inside = 0} inside' docs/fortran.md; }
+diff <(block fortran) fortran/examples/minimal.f90
+block sh | sed "s#target/#$target/#g" >"$build/page.sh"
+bash -euo pipefail "$build/page.sh" >"$build/page.txt"
+diff <(block text) "$build/page.txt"
+# shellcheck disable=SC2086
+compile fortran/examples/minimal.f90 "$build/asperity.o" "$target/release/libasperity.a" -lpthread -ldl -lm \
+    -o "$build/minimal_static"
+"$build/minimal_static" | diff "$build/page.txt" -
+echo "docs/fortran.md: its $(grep -c . "$build/page.sh") lines of commands print what it says"
+
+# The twin of the C example.
+# shellcheck disable=SC2086
+compile fortran/examples/friction_curve.f90 "$build/asperity.o" $link -o "$build/friction_curve_fortran"
+cc -std=c11 -O1 -Iinclude c_examples/friction_curve.c $link -lm -o "$build/friction_curve_c"
+for loads in "" "200 1e-12 1e6"; do
+    # shellcheck disable=SC2086
+    "$build/friction_curve_fortran" $loads >"$build/curve_fortran.txt"
+    # shellcheck disable=SC2086
+    "$build/friction_curve_c" - $loads >"$build/curve_c.txt"
+    diff "$build/curve_c.txt" "$build/curve_fortran.txt"
+done
+echo "friction_curve prints the table of the C example, to the digit"
+
+echo "fortran  PASS  $((SECONDS - started)) s"

@@ -1,0 +1,298 @@
+! Every function of include/asperity.h, called from Fortran under its own name. What is expected comes from the
+! paper's definitions, from closed forms of Hertzian contact, or from a quadrature written here.
+program c_interface
+  use, intrinsic :: iso_c_binding
+  use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, ieee_value
+  use asperity
+  use checking
+  implicit none
+
+  real(c_double), parameter :: PI = 3.14159265358979323846_c_double
+
+  call versions_and_texts
+  call default_parameters
+  call dimensionless_parameters
+  call material_parameters
+  call skewed_heights
+  call life_of_a_model
+  call errors_of_values
+  call batches
+  call hertzian_states
+  call adhesive_summary
+  call finish('the C interface from Fortran')
+
+contains
+
+  subroutine versions_and_texts
+    character(*), parameter :: DOT = '.'
+    character(32) :: version
+    integer :: status
+    call check('the library has the binary interface of the module', &
+               asperity_abi_version() == ASPERITY_HEADER_ABI_VERSION)
+    write (version, '(i0, a, i0, a, i0)') ASPERITY_VERSION_MAJOR, DOT, ASPERITY_VERSION_MINOR, DOT, &
+                                          ASPERITY_VERSION_PATCH
+    call check_text('the version is made of its parts', ASPERITY_HEADER_VERSION, trim(version))
+    call check('asperity_version is never NULL', c_associated(asperity_version()))
+    call check_text('the library has the version of the module', asperity_version_text(), ASPERITY_HEADER_VERSION)
+    call check('a status string is never NULL', c_associated(asperity_status_string(-1_c_int32_t)))
+    do status = 1, 6
+      call check('a status has a text', len(asperity_status_text(status)) > 0)
+      call check('... of its own', asperity_status_text(status) /= asperity_status_text(status - 1))
+    end do
+  end subroutine versions_and_texts
+
+  subroutine default_parameters
+    type(asperity_params) :: p
+    call check('asperity_params_init succeeds', asperity_params_init(p) == ASPERITY_OK)
+    call check('struct_size is the size of the type', p%struct_size == c_sizeof(p))
+    call check_close('E* = 2/(1 - nu)', p%composite_modulus, 2 / 0.7_c_double, 1e-15_c_double)
+    call check_close('G* = 2', p%effective_shear_modulus, 2.0_c_double, 1e-15_c_double)
+    call check_close('w = gamma E*', p%work_of_adhesion, 0.002_c_double / 0.7_c_double, 1e-15_c_double)
+    call check_close('sigma = alpha beta', p%height_std, 10.0_c_double, 1e-15_c_double)
+    call check_close('R = beta/alpha', p%summit_radius, 1e5_c_double, 1e-15_c_double)
+    call check('h = b = N = 1', all(identical([p%adhesion_range, p%burgers_vector, p%asperity_count], 1.0_c_double)))
+    call check('Gaussian heights, attraction on', &
+               p%height_distribution == ASPERITY_HEIGHTS_GAUSSIAN .and. p%attraction == 1)
+    call check_close('a_1/b of Hurtado and Kim', p%slip_radius_1, 28.0_c_double, 1e-15_c_double)
+    call check_close('tau_1/G*', p%slip_stress_1, 1 / 43.0_c_double, 1e-15_c_double)
+    call check_close('a_2/b', p%slip_radius_2, 8e4_c_double, 1e-15_c_double)
+    call check_close('tau_2/G*', p%slip_stress_2, 1 / 1290.0_c_double, 1e-15_c_double)
+    call check('epsilon = 0', identical(p%radius_amplitude, 0.0_c_double))
+    call check('rho = 0.5', identical(p%radius_rate, 0.5_c_double))
+    call check('coefficients are capped at 1000', identical(p%max_friction_coefficient, 1000.0_c_double))
+  end subroutine default_parameters
+
+  subroutine dimensionless_parameters
+    type(asperity_params) :: p
+    call asperity_check(asperity_params_init(p))
+    call asperity_check(asperity_params_set_dimensionless(p, alpha=0.02_c_double, beta=500.0_c_double, &
+                        gamma=0.003_c_double, b_over_h=2.0_c_double, poisson=0.25_c_double))
+    call check_close('E* = 2/(1 - nu) of the paper', p%composite_modulus, 2 / 0.75_c_double, 1e-15_c_double)
+    call check_close('sigma = alpha beta b', p%height_std, 10.0_c_double, 1e-15_c_double)
+    call check_close('R = beta b/alpha', p%summit_radius, 25000.0_c_double, 1e-15_c_double)
+    call check_close('w = gamma E* b', p%work_of_adhesion, 0.008_c_double, 1e-14_c_double)
+    call check_close('h = b/(b/h)', p%adhesion_range, 0.5_c_double, 1e-15_c_double)
+    call check('alpha = 0 is refused', asperity_params_set_dimensionless(p, 0.0_c_double, 500.0_c_double, &
+               0.0_c_double, 1.0_c_double, 0.25_c_double) == ASPERITY_INVALID_PARAMETER)
+    call check_close('... and the parameters are untouched', p%summit_radius, 25000.0_c_double, 1e-15_c_double)
+  end subroutine dimensionless_parameters
+
+  subroutine material_parameters
+    real(c_double), parameter :: E1 = 160e9, NU1 = 0.22, E2 = 70e9, NU2 = 0.35
+    real(c_double) :: g1, g2
+    type(asperity_params) :: p
+    call asperity_check(asperity_params_init(p))
+    call asperity_check(asperity_params_set_materials(p, E1, NU1, E2, NU2))
+    g1 = E1 / (2 * (1 + NU1))
+    g2 = E2 / (2 * (1 + NU2))
+    call check_close('1/E* is the sum over the bodies', p%composite_modulus, &
+                     1 / ((1 - NU1**2) / E1 + (1 - NU2**2) / E2), 1e-14_c_double)
+    call check_close('G* = 2 G1 G2/(G1 + G2)', p%effective_shear_modulus, 2 * g1 * g2 / (g1 + g2), 1e-14_c_double)
+    call asperity_check(asperity_params_set_materials(p, E1, NU1, ieee_value(1.0_c_double, ieee_positive_inf), NU2))
+    call check_close('a rigid body adds nothing to 1/E*', p%composite_modulus, E1 / (1 - NU1**2), 1e-14_c_double)
+    call check_close('against a rigid body G* = 2 G1', p%effective_shear_modulus, 2 * g1, 1e-14_c_double)
+  end subroutine material_parameters
+
+  ! Skew from the moments of the Weibull distribution, B_n = Gamma(1 + n/omega).
+  subroutine skewed_heights
+    real(c_double), parameter :: SKEWS(3) = [-0.9_c_double, 0.4_c_double, 2.0_c_double]
+    type(asperity_params) :: p
+    integer :: i
+    call asperity_check(asperity_params_init(p))
+    do i = 1, size(SKEWS)
+      call asperity_check(asperity_params_set_skew(p, SKEWS(i)))
+      call check('a skew makes the heights Weibull', p%height_distribution == ASPERITY_HEIGHTS_WEIBULL)
+      call check_close('the Weibull shape has the skew', weibull_skew(p%weibull_shape), SKEWS(i), 1e-9_c_double)
+    end do
+    call asperity_check(asperity_params_set_skew(p, 0.0_c_double))
+    call check_close('no skew is omega = 3.602, as in the paper', p%weibull_shape, 3.602_c_double, 2e-4_c_double)
+    call check('skew -1.2 is outside the family', &
+               asperity_params_set_skew(p, -1.2_c_double) == ASPERITY_INVALID_PARAMETER)
+  end subroutine skewed_heights
+
+  function weibull_skew(omega) result(skew)
+    real(c_double), intent(in) :: omega
+    real(c_double) :: skew, b1, b2, b3
+    b1 = gamma(1 + 1 / omega)
+    b2 = gamma(1 + 2 / omega)
+    b3 = gamma(1 + 3 / omega)
+    skew = (b3 - 3 * b1 * b2 + 2 * b1**3) / sqrt(b2 - b1**2)**3
+  end function weibull_skew
+
+  subroutine life_of_a_model
+    type(asperity_params) :: p, back
+    type(c_ptr) :: model, untouched
+    call asperity_check(asperity_params_init(p))
+    model = c_null_ptr
+    p%height_std = -1
+    call check('a negative height_std is refused', asperity_create(p, model) == ASPERITY_INVALID_PARAMETER)
+    call check('... and the handle is untouched', .not. c_associated(model))
+    call check_text('... with a message', asperity_error_message(), 'height_std = -1: must be finite and > 0')
+    p%height_std = 10
+    call asperity_check(asperity_create(p, model))
+    p%asperity_count = 7
+    call asperity_check(asperity_set_params(model, p))
+    back%asperity_count = 0
+    call asperity_check(asperity_get_params(model, back))
+    call check('parameters come back as they were set', identical(back%asperity_count, 7.0_c_double))
+    untouched = model
+    p%attraction = 2
+    call check('attraction = 2 is refused', asperity_set_params(model, p) == ASPERITY_INVALID_PARAMETER)
+    call asperity_check(asperity_get_params(untouched, back))
+    call check('... and the model is as before', back%attraction == 1)
+    call asperity_free(model)
+    call asperity_free(c_null_ptr)
+  end subroutine life_of_a_model
+
+  subroutine errors_of_values
+    type(asperity_params) :: p
+    type(c_ptr) :: model
+    character(kind=c_char), target :: few(6)
+    integer(c_size_t) :: length
+    call asperity_check(asperity_params_init(p))
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    call check('mu at NaN is NaN', ieee_is_nan(asperity_friction_at_load(model, nan())))
+    call check('F at infinity is NaN', &
+               ieee_is_nan(asperity_friction_force_at_load(model, ieee_value(1.0_c_double, ieee_positive_inf))))
+    call check('mu of no model is NaN', ieee_is_nan(asperity_friction_at_load(c_null_ptr, 1.0_c_double)))
+    call check('parameters of no model', asperity_get_params(c_null_ptr, p) == ASPERITY_NULL_POINTER)
+    length = asperity_last_error(c_null_ptr, 0_c_size_t)
+    call check('the length of the message without a buffer', length == len(asperity_error_message()))
+    call check('a short buffer does not change the length', asperity_last_error(c_loc(few), 6_c_size_t) == length)
+    call check('a message is cut to fit and ended', few(5) == 'l' .and. few(6) == c_null_char)
+    call asperity_free(model)
+  end subroutine errors_of_values
+
+  subroutine batches
+    integer, parameter :: N = 6
+    type(asperity_params) :: p
+    type(c_ptr) :: model
+    real(c_double), target :: load(N), mu(N), slope(N), force(N), dforce(N)
+    integer :: i
+    call asperity_check(asperity_params_init(p))
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    load = [(10.0_c_double**(i - 2), i=1, N)]
+    call asperity_check(asperity_friction_at_loads(model, int(N, c_size_t), c_loc(load), c_loc(mu), c_loc(slope)))
+    call asperity_check(asperity_friction_force_at_loads(model, int(N, c_size_t), c_loc(load), c_loc(force), &
+                                                         c_loc(dforce)))
+    do i = 1, N
+      call check('an element is as the scalar call gives it', &
+                 identical(mu(i), asperity_friction_at_load(model, load(i))) .and. &
+                 identical(force(i), asperity_friction_force_at_load(model, load(i))))
+      call check_close('F = mu P', mu(i) * load(i), force(i), 1e-15_c_double)
+      call check_close('dF/dP = mu + P d(mu)/dP', mu(i) + load(i) * slope(i), dforce(i), 1e-13_c_double)
+    end do
+    call asperity_check(asperity_friction_at_loads(model, int(N, c_size_t), c_loc(load), c_null_ptr, c_loc(slope)))
+    load(3) = nan()
+    call check('NaN among the loads', asperity_friction_at_loads(model, int(N, c_size_t), c_loc(load), c_loc(mu), &
+               c_null_ptr) == ASPERITY_INVALID_LOAD)
+    call check('... all elements are filled nevertheless', ieee_is_nan(mu(3)) .and. mu(N) > 0)
+    call check('no loads, no work', asperity_friction_at_loads(model, 0_c_size_t, c_null_ptr, c_null_ptr, &
+               c_null_ptr) == ASPERITY_OK)
+    call asperity_free(model)
+  end subroutine batches
+
+  ! Without adhesion, with the shear strength of small contacts everywhere: Greenwood and Williamson's closed forms.
+  !   n = N/2 erfc(t/sqrt 2)    A = pi N R sigma (phi(t) - t n/N)    F = tau_1 A    t = d/sigma
+  subroutine hertzian_states
+    real(c_double), parameter :: T(3) = [-0.5_c_double, 1.0_c_double, 3.0_c_double]
+    real(c_double) :: fraction, area
+    type(asperity_params) :: p
+    type(asperity_state) :: state, at_load
+    type(c_ptr) :: model
+    integer :: i
+    call asperity_check(asperity_params_init(p))
+    p%work_of_adhesion = 0
+    p%asperity_count = 1000
+    p%slip_radius_1 = 1e6_c_double
+    p%slip_radius_2 = 1e7_c_double
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    do i = 1, size(T)
+      call asperity_check(asperity_state_at_separation(model, T(i) * p%height_std, state))
+      fraction = erfc(T(i) / sqrt(2.0_c_double)) / 2
+      area = PI * p%asperity_count * p%summit_radius * p%height_std * (normal_density(T(i)) - T(i) * fraction)
+      call check_close('n = N/2 erfc(t/sqrt 2)', state%contacting, p%asperity_count * fraction, 1e-10_c_double)
+      call check_close('A = pi N R sigma (phi - t Q)', state%real_area, area, 1e-10_c_double)
+      call check_close('P = 4/3 N E* R^1/2 sigma^3/2 I', state%load, hertz_load(p, T(i)), 1e-10_c_double)
+      call check_close('F = tau_1 A', state%friction_force, p%slip_stress_1 * p%effective_shear_modulus * area, &
+                       1e-10_c_double)
+      call check('without adhesion nothing attracts', identical(state%attracted, 0.0_c_double))
+      call asperity_check(asperity_state_at_load(model, state%load, at_load))
+      call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)
+      call check_close('... and so is its friction', at_load%friction_force, state%friction_force, 1e-9_c_double)
+    end do
+    call check('without adhesion there is no contact at negative load', &
+               asperity_state_at_load(model, -1.0_c_double, state) == ASPERITY_SEPARATED)
+    call asperity_free(model)
+  end subroutine hertzian_states
+
+  pure function normal_density(t) result(density)
+    real(c_double), intent(in) :: t
+    real(c_double) :: density
+    density = exp(-t**2 / 2) / sqrt(2 * PI)
+  end function normal_density
+
+  ! The integral of (z - t)^(3/2) phi(z), with z = t + s^2, by Simpson's rule.
+  pure function hertz_load(p, t) result(load)
+    type(asperity_params), intent(in) :: p
+    real(c_double), intent(in) :: t
+    integer, parameter :: PANELS = 2000
+    real(c_double) :: load, s, step
+    integer :: i
+    step = 4.0_c_double / PANELS
+    load = 0
+    do i = 1, PANELS
+      s = i * step
+      load = load + merge(4, 2, mod(i, 2) == 1) * 2 * s**4 * normal_density(t + s**2)
+    end do
+    load = load * step / 3
+    load = 4 * p%asperity_count * p%composite_modulus * sqrt(p%summit_radius) * sqrt(p%height_std)**3 / 3 * load
+  end function hertz_load
+
+  subroutine adhesive_summary
+    type(asperity_params) :: p
+    type(asperity_summary) :: s
+    type(asperity_state) :: state
+    type(c_ptr) :: model
+    call asperity_check(asperity_params_init(p))
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    call asperity_check(asperity_summary_of(model, s))
+    call check('struct_size is the size of the type', s%struct_size == c_sizeof(s) .and. &
+               state%struct_size == c_sizeof(state))
+    call check_close('alpha', s%alpha, 0.01_c_double, 1e-14_c_double)
+    call check_close('beta', s%beta, 1000.0_c_double, 1e-14_c_double)
+    call check_close('gamma', s%gamma, 0.001_c_double, 1e-14_c_double)
+    call check_close('lambda^3 = 9 beta gamma^2/(2 pi alpha), with b = h', s%lambda**3, &
+                     9 * s%beta * s%gamma**2 / (2 * PI * s%alpha), 1e-13_c_double)
+    call check('Gaussian heights have no skew', identical(s%skew, 0.0_c_double))
+    call check('... and kurtosis 3', identical(s%kurtosis, 3.0_c_double))
+    call check('adhesion holds the surfaces at some negative load', s%pull_off_load < 0)
+    call check('friction grows from pull-off to zero load', &
+               s%pull_off_friction_force > 0 .and. s%zero_load_friction_force > s%pull_off_friction_force)
+    call asperity_check(asperity_state_at_load(model, 0.0_c_double, state))
+    call check_close('friction at zero load', state%friction_force, s%zero_load_friction_force, &
+                     2 * s%table_error + 1e-11_c_double)
+    call check('the table covers a range', s%min_table_load < s%max_table_load)
+    call check('the table is accurate', s%table_error >= 0 .and. s%table_error < 1e-6_c_double)
+    call check('a state whose size is not set is refused', wrong_size_is_refused(model))
+    call asperity_free(model)
+  end subroutine adhesive_summary
+
+  function wrong_size_is_refused(model) result(refused)
+    type(c_ptr), intent(in) :: model
+    logical :: refused
+    type(asperity_state) :: state
+    state%struct_size = 0
+    refused = asperity_state_at_load(model, 1.0_c_double, state) == ASPERITY_INVALID_PARAMETER
+  end function wrong_size_is_refused
+
+  function nan()
+    real(c_double) :: nan
+    nan = ieee_value(1.0_c_double, ieee_quiet_nan)
+  end function nan
+
+end program c_interface

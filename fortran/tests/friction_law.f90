@@ -1,0 +1,288 @@
+! type(friction_model): shapes, slopes, errors, copies and the freeing of models; run under valgrind as well.
+program friction_law
+  use, intrinsic :: iso_c_binding
+  use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
+  use asperity
+  use checking
+  implicit none
+
+  type :: slider
+    type(friction_model) :: law
+    real(c_double) :: mass = 1
+  end type slider
+
+  call shapes
+  call slopes
+  call monotone_and_consistent
+  call the_ends_of_the_law
+  call states
+  call error_reports
+  call parameters
+  call copies
+  call freeing
+  call finish('friction_model')
+
+contains
+
+  subroutine shapes
+    type(friction_model) :: law
+    real(c_double) :: load(24), mu(24), force(24), slope(24)
+    real(c_double) :: load_2(4, 6), mu_2(4, 6), slope_2(4, 6), mu_3(2, 3, 4), slope_3(2, 3, 4)
+    real(c_double) :: of_one(1), none(0)
+    integer :: i
+    call law%create(default_parameters())
+    load = [(1.6_c_double**(i - 8), i=1, 24)]
+    mu = law%friction_at_load(load, slope)
+    force = law%friction_force_at_load(load)
+    do i = 1, size(load)
+      call check('rank 0 is as the C call', &
+                 identical(law%friction_at_load(load(i)), asperity_friction_at_load(law%c_model(), load(i))))
+      call check('rank 1 is as rank 0', identical(mu(i), law%friction_at_load(load(i))))
+      call check('... and so is the force', identical(force(i), law%friction_force_at_load(load(i))))
+    end do
+    load_2 = reshape(load, shape(load_2))
+    mu_2 = law%friction_at_load(load_2, slope_2)
+    call check('rank 2', all(identical(reshape(mu_2, [24]), mu)))
+    call check('slopes of rank 2', all(identical(reshape(slope_2, [24]), slope)))
+    mu_2 = law%friction_at_load(load_2)
+    call check('rank 2 without slopes', all(identical(reshape(mu_2, [24]), mu)))
+    mu_3 = law%friction_at_load(reshape(load, shape(mu_3)), slope_3)
+    call check('rank 3', all(identical(reshape(mu_3, [24]), mu)))
+    call check('slopes of rank 3', all(identical(reshape(slope_3, [24]), slope)))
+    mu_2 = law%friction_force_at_load(load_2, slope_2)
+    call check('forces of rank 2', all(identical(reshape(mu_2, [24]), force)))
+    mu_3 = law%friction_force_at_load(reshape(load, shape(mu_3)), slope_3)
+    call check('forces of rank 3', all(identical(reshape(mu_3, [24]), force)))
+    call check('slopes of the force have no holes', all(identical(reshape(slope_3, [24]), reshape(slope_2, [24]))))
+    slope_2 = 0
+    mu_2(1:4:2, :) = law%friction_at_load(load_2(1:4:2, :), slope_2(1:4:2, :))
+    call check('slices with a stride', all(identical(mu_2(3, :), mu(3::4))))
+    call check('... their slopes', all(identical(slope_2(3, :), slope(3::4))))
+    call check('... and nothing between', all(identical(slope_2(2:4:2, :), 0.0_c_double)))
+    of_one = law%friction_at_load(load(5:5))
+    call check('an array of one', identical(of_one(1), mu(5)))
+    none = law%friction_at_load(load(1:0))
+    call check('an empty array', size(none) == 0)
+  end subroutine shapes
+
+  ! Slopes against differences of the values, of fourth order.
+  subroutine slopes
+    type(friction_model) :: law
+    real(c_double) :: load, step, mu, force, dmu, dforce
+    integer :: i
+    call law%create(default_parameters())
+    do i = -1, 5
+      load = 3 * 10.0_c_double**i
+      step = load / 100
+      mu = law%friction_at_load(load, dmu)
+      force = law%friction_force_at_load(load, dforce)
+      call check_close('d(mu)/dP is the secant', dmu, &
+                       difference(law%friction_at_load(load + step * [-2, -1, 1, 2]), step), 1e-6_c_double)
+      call check_close('dF/dP is the secant', dforce, &
+                       difference(law%friction_force_at_load(load + step * [-2, -1, 1, 2]), step), 1e-6_c_double)
+      call check_close('F = mu P', mu * load, force, 1e-15_c_double)
+    end do
+  end subroutine slopes
+
+  pure function difference(value, step)
+    real(c_double), intent(in) :: value(4), step  ! values at -2, -1, 1 and 2 steps
+    real(c_double) :: difference
+    difference = (8 * (value(3) - value(2)) - (value(4) - value(1))) / (12 * step)
+  end function difference
+
+  subroutine monotone_and_consistent
+    integer, parameter :: N = 200
+    type(friction_model) :: law
+    type(asperity_summary) :: constants
+    type(asperity_state) :: state
+    real(c_double) :: load(N), force(N), mu(N)
+    integer :: i
+    call law%create(default_parameters())
+    call law%summary(constants)
+    load = [(constants%pull_off_load + 1e-3_c_double * 1.12_c_double**i, i=1, N)]
+    force = law%friction_force_at_load(load)
+    call check('more load, more friction force', all(force(2:) > force(:N - 1)))
+    call check('friction force is positive from pull-off on', all(force > 0))
+    mu = law%friction_at_load(load)
+    call check('more load, less friction coefficient', all(mu(2:) <= mu(:N - 1)))
+    do i = 1, N, 20
+      call law%state_at_load(load(i), state)
+      call check_close('the law is the exact state', force(i), state%friction_force, &
+                       2 * constants%table_error + 1e-12_c_double)
+    end do
+  end subroutine monotone_and_consistent
+
+  subroutine the_ends_of_the_law
+    type(friction_model) :: law
+    type(asperity_params) :: p
+    type(asperity_summary) :: constants
+    real(c_double) :: mu(3), force(3)
+    integer :: stat
+    character(40) :: errmsg
+    p = default_parameters()
+    p%max_friction_coefficient = 5
+    call law%create(p)
+    call law%summary(constants)
+    mu = law%friction_at_load([0.5_c_double, 0.0_c_double, 2.0_c_double] * constants%pull_off_load)
+    force = law%friction_force_at_load([0.5_c_double, 0.0_c_double, 2.0_c_double] * constants%pull_off_load)
+    call check('from pull-off to zero load the coefficient is its cap', all(identical(mu(1:2), 5.0_c_double)))
+    call check('... where the force is finite and positive', all(force(1:2) > 0))
+    call check('below pull-off there is no friction', all(identical([mu(3), force(3)], 0.0_c_double)))
+    errmsg = 'as it was'
+    mu(1) = law%friction_at_load(2 * constants%pull_off_load, stat=stat, errmsg=errmsg)
+    call check('... which stat tells', stat == ASPERITY_SEPARATED)
+    call check_text('... and errmsg', errmsg(1:12), 'element 1: l')
+  end subroutine the_ends_of_the_law
+
+  subroutine states
+    type(friction_model) :: law
+    type(asperity_state) :: state, back
+    integer :: stat
+    call law%create(default_parameters())
+    call law%state_at_load(10.0_c_double, state)
+    call check_close('the state has the load', state%load, 10.0_c_double, 1e-12_c_double)
+    call law%state_at_separation(state%separation, back)
+    call check_close('load of the separation of the load', back%load, 10.0_c_double, 1e-9_c_double)
+    call check_close('area too', back%real_area, state%real_area, 1e-9_c_double)
+    back%load = 1
+    call law%state_at_separation(nan(), back, stat)
+    call check('a separation that is NaN is refused', stat == ASPERITY_INVALID_PARAMETER)
+    call check('... and the state is untouched', identical(back%load, 1.0_c_double))
+  end subroutine states
+
+  subroutine error_reports
+    type(friction_model) :: law
+    type(asperity_params) :: p
+    type(asperity_state) :: state
+    type(asperity_summary) :: constants
+    real(c_double) :: mu(4)
+    character(80) :: errmsg
+    character(10) :: short
+    integer :: stat
+    p = default_parameters()
+    p%weibull_shape = -2
+    p%height_distribution = ASPERITY_HEIGHTS_WEIBULL
+    stat = -1
+    call law%create(p, stat, errmsg)
+    call check('a parameter without meaning is refused', stat == ASPERITY_INVALID_PARAMETER)
+    call check_text('the message names it, its value and what is allowed', errmsg, &
+                    'weibull_shape = -2: must be finite and > 0')
+    call law%create(p, stat, short)
+    call check_text('a short errmsg is cut', short, 'weibull_sh')
+    call law%get_params(p, stat, errmsg)
+    call check('a law that was never created has no parameters', stat == ASPERITY_NULL_POINTER)
+    call check_text('... and says what to do', errmsg(1:54), 'friction_model: no model here: call create on this var')
+    mu(1:2) = law%friction_at_load([1.0_c_double, 2.0_c_double], stat=stat)
+    call check('nor has it friction', stat == ASPERITY_NULL_POINTER .and. all(ieee_is_nan(mu(1:2))))
+    call law%state_at_load(1.0_c_double, state, stat)
+    call check('nor a state', stat == ASPERITY_NULL_POINTER)
+    call law%summary(constants, stat)
+    call check('nor constants', stat == ASPERITY_NULL_POINTER)
+    call law%set_params(default_parameters(), stat)
+    call check('nor can they be set', stat == ASPERITY_NULL_POINTER)
+    call check('it has no C model', .not. c_associated(law%c_model()))
+    call law%create(default_parameters(), stat, errmsg)
+    call check('success is 0', stat == 0)
+    call check('... and leaves errmsg', errmsg(1:14) == 'friction_model')
+    mu = law%friction_at_load([1.0_c_double, 2.0_c_double, nan(), 4.0_c_double], stat=stat, errmsg=errmsg)
+    call check('NaN is refused', stat == ASPERITY_INVALID_LOAD)
+    call check_text('... and its element counted from one', errmsg, 'element 3: load = NaN: must be finite')
+    call check('all elements are filled', ieee_is_nan(mu(3)) .and. mu(4) > 0)
+  end subroutine error_reports
+
+  subroutine parameters
+    type(friction_model) :: law
+    type(asperity_params) :: p, back
+    real(c_double) :: of_one, of_ten
+    integer :: stat
+    p = default_parameters()
+    call law%create(p)
+    of_one = law%friction_force_at_load(3.0_c_double)
+    p%asperity_count = 10
+    call law%set_params(p)
+    call law%get_params(back)
+    call check('the parameters are those that were set', identical(back%asperity_count, 10.0_c_double))
+    of_ten = law%friction_force_at_load(30.0_c_double)
+    call check_close('ten summits carry ten times the load with ten times the friction', of_ten, 10 * of_one, &
+                     1e-12_c_double)
+    p%asperity_count = -1
+    call law%set_params(p, stat)
+    call check('a negative count is refused', stat == ASPERITY_INVALID_PARAMETER)
+    call law%create(p, stat)
+    call check('... by create too', stat == ASPERITY_INVALID_PARAMETER)
+    call check('... and the law is as before', identical(law%friction_force_at_load(30.0_c_double), of_ten))
+  end subroutine parameters
+
+  subroutine copies
+    type(friction_model) :: a, b
+    type(friction_model), allocatable :: bitwise
+    type(slider) :: s
+    type(asperity_params) :: p
+    real(c_double) :: before
+    integer :: stat
+    call a%create(default_parameters())
+    before = a%friction_at_load(1.0_c_double)
+    b = a
+    p = default_parameters()
+    p%height_std = 20
+    call b%set_params(p)
+    call check('a copy is a model of its own', identical(a%friction_at_load(1.0_c_double), before))
+    call check('... that was changed alone', abs(b%friction_at_load(1.0_c_double) - before) > 0.01_c_double * before)
+    call assign(a, a)
+    call check('a = a changes nothing', identical(a%friction_at_load(1.0_c_double), before))
+    allocate(bitwise, source=a)
+    call bitwise%get_params(p, stat)
+    call check('a bitwise copy is refused', stat == ASPERITY_NULL_POINTER)
+    deallocate(bitwise)
+    call check('... and frees nothing', identical(a%friction_at_load(1.0_c_double), before))
+    call s%law%create(default_parameters())
+    call check('a law may be part of a type', identical(s%law%friction_at_load(1.0_c_double), before))
+    call b%free()
+    a = b
+    call check('a copy of nothing is nothing', .not. c_associated(a%c_model()))
+  end subroutine copies
+
+  subroutine assign(a, b)
+    type(friction_model), intent(inout) :: a
+    type(friction_model), intent(in) :: b
+    a = b
+  end subroutine assign
+
+  ! What these leave behind, valgrind tells.
+  subroutine freeing
+    type(friction_model) :: again
+    type(friction_model), allocatable :: several(:)
+    integer :: i
+    do i = 1, 2
+      call again%create(default_parameters())
+    end do
+    call again%free()
+    call again%free()
+    call check('a freed law is gone', .not. c_associated(again%c_model()))
+    call again%create(default_parameters())
+    allocate(several(2))
+    call several(1)%create(default_parameters())
+    several(2) = several(1)
+    call check('laws in an array', identical(several(1)%friction_at_load(1.0_c_double), &
+                                             several(2)%friction_at_load(1.0_c_double)))
+    deallocate(several)
+    call local_law
+  end subroutine freeing
+
+  subroutine local_law
+    type(friction_model) :: law
+    call law%create(default_parameters())
+    call check('a local law works until it goes out of scope', law%friction_at_load(1.0_c_double) > 0)
+  end subroutine local_law
+
+  function default_parameters() result(p)
+    type(asperity_params) :: p
+    call asperity_check(asperity_params_init(p))
+  end function default_parameters
+
+  function nan()
+    real(c_double) :: nan
+    nan = ieee_value(1.0_c_double, ieee_quiet_nan)
+  end function nan
+
+end program friction_law

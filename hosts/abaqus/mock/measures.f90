@@ -1,0 +1,71 @@
+! What the mock hosts measure, and the law by another path: the C functions, for one patch of surface of given area.
+module measures
+  use, intrinsic :: iso_c_binding
+  use, intrinsic :: iso_fortran_env, only: error_unit
+  use asperity
+  use asperity_surfaces, only: state_surface
+  implicit none
+  private
+  public :: check, difference, finish, largest, patch_friction, patch_law, worse
+
+  ! [mm^2], any: the law per area must not depend on it. A power of two, so that no scaling rounds.
+  real(c_double), parameter, public :: PATCH_AREA = 0.03125_c_double
+
+  integer :: failures = 0
+
+contains
+
+  subroutine check(claim, holds)
+    character(*), intent(in) :: claim
+    logical, intent(in) :: holds
+    if (holds) return
+    failures = failures + 1
+    write (error_unit, '(a)') 'FAIL: ' // claim
+  end subroutine check
+
+  ! Keeps the largest error met. The error of a NaN is huge.
+  subroutine worse(largest_so_far, error)
+    real(c_double), intent(inout) :: largest_so_far
+    real(c_double), intent(in) :: error
+    if (error <= largest_so_far) return
+    largest_so_far = error
+  end subroutine worse
+
+  ! Prints a measure for run.sh, and fails above its limit.
+  subroutine largest(name, error, limit)
+    character(*), intent(in) :: name
+    real(c_double), intent(in) :: error, limit
+    write (*, '(a, 2es10.1)') name, error, limit
+    call check(name // ' is above its limit', error <= limit)
+  end subroutine largest
+
+  subroutine finish
+    if (failures > 0) error stop 1
+  end subroutine finish
+
+  ! Summits of PATCH_AREA, as a user without Abaqus would count them.
+  function patch_law(surface) result(model)
+    integer, intent(in) :: surface
+    type(c_ptr) :: model
+    type(asperity_params) :: params
+    call state_surface(surface, params)
+    params%asperity_count = params%asperity_count * PATCH_AREA
+    model = c_null_ptr
+    call asperity_check(asperity_create(params, model))
+  end function patch_law
+
+  function patch_friction(model, pressure) result(mu)
+    type(c_ptr), intent(in) :: model
+    real(c_double), intent(in) :: pressure
+    real(c_double) :: mu
+    mu = asperity_friction_at_load(model, pressure * PATCH_AREA)
+  end function patch_friction
+
+  ! A derivative from values at -2, -1, 1 and 2 steps.
+  pure function difference(value, step)
+    real(c_double), intent(in) :: value(4), step
+    real(c_double) :: difference
+    difference = (8 * (value(3) - value(2)) - (value(4) - value(1))) / (12 * step)
+  end function difference
+
+end module measures

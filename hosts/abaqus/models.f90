@@ -1,0 +1,93 @@
+! One model for each surface, made once at the start of the analysis and shared by all threads.
+!
+! make_models is called by UEXTERNALDB or VEXTERNALDB before there are contact points, so on one thread. From then on
+! the models are only read, which needs no lock. Nothing is made on demand: a friction routine that finds no model
+! stops the analysis and says why.
+module asperity_models
+  use, intrinsic :: iso_c_binding, only: c_double
+  use asperity, only: asperity_params, friction_model
+  use asperity_surfaces, only: NUMBER_OF_SURFACES, state_surface
+  implicit none
+  private
+  public :: make_models, free_models, friction_coefficients, shear_strength
+
+  type(friction_model), save :: laws(NUMBER_OF_SURFACES)
+  logical, save :: made = .false.
+  character(400), save :: refusal = 'no model was made: call make_models of module asperity_models at the start ' // &
+                                    'of the analysis, from UEXTERNALDB (LOP = 0 and 4) or VEXTERNALDB (lOp = 0)'
+
+  interface
+    ! Prints the message and stops the analysis; of the host, in standard.f90 or explicit.f90.
+    subroutine stop_analysis(message)
+      character(*), intent(in) :: message
+    end subroutine stop_analysis
+  end interface
+
+contains
+
+  ! refused  .true. if a surface was; the first call of a friction routine then stops the analysis with the message
+  subroutine make_models(refused)
+    logical, intent(out) :: refused
+    type(asperity_params) :: params
+    character(300) :: message
+    integer :: number, stat
+    refused = .false.
+    if (made) return
+    do number = 1, NUMBER_OF_SURFACES
+      call state_surface(number, params)
+      call laws(number)%create(params, stat, message)
+      if (stat == 0) cycle
+      write (refusal, '(a, i0, 2a)') 'surface ', number, ': ', trim(message)
+      refused = .true.
+      return
+    end do
+    made = .true.
+  end subroutine make_models
+
+  subroutine free_models
+    integer :: number
+    made = .false.
+    do number = 1, NUMBER_OF_SURFACES
+      call laws(number)%free()
+    end do
+  end subroutine free_models
+
+  ! Friction coefficients [-] and their slopes d(mu)/dp [1/stress] at pressures [stress].
+  subroutine friction_coefficients(surface, pressure, mu, slope)
+    real(c_double), intent(in) :: surface  ! its number, as a property of the input file
+    real(c_double), intent(in), contiguous :: pressure(:)
+    real(c_double), intent(out), contiguous :: mu(:), slope(:)
+    integer :: stat
+    mu = 0
+    slope = 0
+    if (.not. is_ready(surface)) return
+    mu = laws(nint(surface))%friction_at_load(pressure, slope, stat)  ! stat: NaN gives NaN, separation gives 0
+  end subroutine friction_coefficients
+
+  ! Shear stress that slips [stress] at a pressure [stress], and its slope [-]. It is the law's friction force, which
+  ! adhesion makes positive also at zero pressure.
+  subroutine shear_strength(surface, pressure, strength, slope)
+    real(c_double), intent(in) :: surface, pressure
+    real(c_double), intent(out) :: strength, slope
+    integer :: stat
+    strength = 0
+    slope = 0
+    if (.not. is_ready(surface)) return
+    strength = laws(nint(surface))%friction_force_at_load(pressure, slope, stat)
+    slope = min(slope, huge(slope))  ! infinite at the pull-off pressure itself
+  end subroutine shear_strength
+
+  function is_ready(surface)
+    real(c_double), intent(in) :: surface
+    logical :: is_ready
+    character(160) :: message
+    is_ready = made .and. abs(surface - anint(surface)) <= 0 .and. &
+               surface >= 1 .and. surface <= NUMBER_OF_SURFACES
+    if (is_ready) return
+    if (.not. made) call stop_analysis(refusal)
+    write (message, '(a, g0.6, a, i0, a)') 'the first property of *FRICTION is ', surface, &
+      ': it must be the number of a surface of surfaces.f90, 1 to ', NUMBER_OF_SURFACES, ', and PROPERTIES= its count'
+    if (made) call stop_analysis(message)
+  end function is_ready
+
+end module asperity_models

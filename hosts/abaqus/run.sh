@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# Compiles the Abaqus user subroutines with gfortran and drives them from mock hosts that call the published argument
+# lists. Abaqus itself is not run. Builds in target/abaqus (or under CARGO_TARGET_DIR).
+#
+# usage: hosts/abaqus/run.sh
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+started=$(date +%s.%N)
+
+for tool in cargo gfortran; do
+    command -v "$tool" >/dev/null && continue
+    echo "hosts/abaqus/run.sh: $tool is missing: run tests/setup.sh core" >&2
+    exit 1
+done
+
+mkdir -p "${CARGO_TARGET_DIR:-target}"
+target=$(cd "${CARGO_TARGET_DIR:-target}" && pwd)
+build=$target/abaqus
+here=$PWD/hosts/abaqus
+rm -rf "$build"
+cargo build --release -j1 --locked --quiet
+export LD_LIBRARY_PATH="$target/release${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
+export OMP_NUM_THREADS=4
+
+# The argument lists are the host's: most arguments are not for us, and the mock calls them without an interface.
+flags="-std=f2008 -ffree-form -Wall -Wextra -Werror -Wno-unused-dummy-argument -Wno-unused-parameter -g -O1 -fopenmp
+    -fcheck=bounds -ffpe-trap=invalid,zero,overflow"
+
+# Joins the files of a solver into the one that it wants, as the page says, and compiles it with its mock host.
+#   make NAME MOCK_INCLUDES "USER FILES" MOCK FILES...
+make_host() {
+    local name=$1 includes=$here/mock/$2 files=$3
+    shift 3
+    local dir=$build/$name
+    mkdir -p "$dir"
+    # shellcheck disable=SC2086
+    (cd "$here" && { echo '!DIR$ FREEFORM'; cat ../../fortran/asperity.f90 $files; }) >"$dir/user.for"
+    # shellcheck disable=SC2086
+    (cd "$dir" && gfortran $flags -I"$includes" -c user.for && for file in measures "$@"; do
+        gfortran $flags -I"$includes" -c "$here/mock/$file.f90"
+    done && gfortran -fopenmp ./*.o -L"$target/release" -lasperity -o host)
+}
+standard="surfaces.f90 models.f90 standard.f90 fric.f90"
+explicit="surfaces.f90 models.f90 explicit.f90 vfric_coef.f90"
+make_host slip_rate standard "$standard fric_coef_slip_rate.f90" call_slip_rate standard_host
+make_host slip_data standard "$standard fric_coef_slip_data.f90" call_slip_data standard_host
+make_host explicit_single single "$explicit" explicit_host
+make_host explicit_double double "$explicit" explicit_host
+
+# The commands of the page make the same file.
+awk '$0 == "```sh" {inside = 1; next} /^```/ {inside = 0} inside' hosts/abaqus/README.md |
+    sed "s#> user.for#> $build/page.for#" | bash -euo pipefail
+cmp "$build/page.for" "$build/slip_data/user.for"
+
+for host in slip_rate slip_data explicit_single explicit_double; do
+    "$build/$host/host" >"$build/$host/measures.txt" || { echo "abaqus  FAIL  $host" >&2; exit 1; }
+done
+
+# What must stop the analysis does, and says why.
+stops() {
+    local status=0
+    "$build/slip_data/host" "$1" >/dev/null 2>"$build/stops.txt" || status=$?
+    if [ "$status" != 7 ] || ! grep -q "^\*\*\*ERROR: asperity: .*$2" "$build/stops.txt"; then
+        echo "abaqus  FAIL  '$1' must stop the analysis with: $2" >&2
+        cat "$build/stops.txt" >&2
+        exit 1
+    fi
+}
+stops unmade 'no model was made: call make_models'
+stops surface 'the first property of \*FRICTION is 3.*1 to 2'
+stops stiffness 'the stick stiffness, must be > 0'
+
+awk -v started="$started" -v now="$(date +%s.%N)" '
+    function keep(name) { if ($2 + 0 > worst[name]) worst[name] = $2 + 0; limit[name] = $3; seen[name]++ }
+    $1 == "mu" || $1 == "tangent" || $1 == "mu_single" { keep($1) }
+    $1 == "iterations" && $2 > iterations { iterations = $2 }
+    END {
+        if (seen["mu"] < 5 || seen["tangent"] < 6 || seen["mu_single"] != 1) {
+            print "abaqus  FAIL  measures are missing"
+            exit 1
+        }
+        printf "abaqus  PASS  max |t/p - mu(p)|/mu = %.0e (limit %.0e), in single precision %.0e (limit %.0e), " \
+               "tangent vs differences %.0e (limit %.0e), Newton %d iterations (limit 7)  %.1f s\n",
+               worst["mu"], limit["mu"], worst["mu_single"], limit["mu_single"], worst["tangent"], limit["tangent"],
+               iterations, now - started
+    }' "$build"/*/measures.txt

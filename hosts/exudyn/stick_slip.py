@@ -1,0 +1,212 @@
+"""Stick-slip in Exudyn: a mass on a belt, pressed by a load that varies, with the friction of the law inside Newton's
+iterations. The normal force is that of a contact spring, so it belongs to the state that Newton asks for. SciPy solves
+the same equations, with friction from the exact integrals, for comparison. SI units.
+"""
+
+import math
+import sys
+import time
+
+import asperity
+import exudyn
+import numpy as np
+from exudyn.itemInterface import (
+    CartesianSpringDamper, Force, MarkerBodyPosition, MassPoint, NodePoint, ObjectGenericODE2, ObjectGround, SensorNode,
+)
+from scipy.integrate import solve_ivp
+
+LIMIT = 1e-4
+END = 0.4
+STEP, COARSE_STEP = 5e-5, 2e-4  # to compare with SciPy; as one would take it, to count iterations with
+MASS, SPRING = 0.1, 2000.0
+CONTACT_STIFFNESS, CONTACT_DAMPING = 1e5, 60.0
+BELT_SPEED, SLIP_SCALE = 0.02, 0.002  # the sign of the slip rate v is tanh(v/SLIP_SCALE)
+MEAN_LOAD, SWING, FREQUENCY = 10.0, 0.6, 8.0
+AT_REST = [0.0, -MEAN_LOAD / CONTACT_STIFFNESS]
+
+
+def steel_on_steel():
+    """Polished steel, 1 mm2."""
+    return asperity.Model(
+        asperity.Params.si(
+            E1=2.1e11, nu1=0.3, E2=2.1e11, nu2=0.3, work_of_adhesion=0.05, adhesion_range=2.5e-10,
+            burgers_vector=2.5e-10, height_std=20e-9, summit_radius=20e-6, summit_density=1e11, nominal_area=1e-6,
+        )
+    )
+
+
+def pressing_load(t):
+    return MEAN_LOAD * (1 + SWING * math.sin(2 * math.pi * FREQUENCY * t))
+
+
+def normal_force(y, y_rate):
+    """Of the belt on the mass; 0 where they are apart: this contact does not pull."""
+    return max(0.0, -CONTACT_STIFFNESS * y - CONTACT_DAMPING * y_rate)
+
+
+class BeltContact:
+    """What Exudyn calls, within Newton's iterations, for the forces between mass and belt; counts the calls."""
+
+    def __init__(self, friction, friction_and_slope):
+        self.friction, self.friction_and_slope = friction, friction_and_slope
+        self.calls = 0
+
+    def spring_force(self, mbs, t, item, displacement, velocity, stiffness, damping, offset):
+        """springForceUserFunction: the force that resists displacement and velocity."""
+        self.calls += 1
+        load = normal_force(displacement[1], velocity[1])
+        if load == 0:  # adhesion would give friction at zero load, but a gap has none
+            return [0.0, 0.0, 0.0]
+        friction = self.friction(load) * math.tanh((velocity[0] - BELT_SPEED) / SLIP_SCALE)
+        return [friction, -load, 0.0]
+
+    def force(self, mbs, t, item, q, q_rate):
+        """forceUserFunction: the same on the right-hand side."""
+        return [-f for f in self.spring_force(mbs, t, item, q, q_rate, None, None, None)]
+
+    def jacobian(self, mbs, t, item, q, q_rate, factor, factor_rate):
+        """jacobianUserFunction: factor d(spring force)/dq + factor_rate d(spring force)/dq_rate."""
+        self.calls += 1
+        load = normal_force(q[1], q_rate[1])
+        matrix = np.zeros((3, 3))
+        if load == 0:
+            return matrix
+        friction, slope = self.friction_and_slope(load)
+        sign = math.tanh((q_rate[0] - BELT_SPEED) / SLIP_SCALE)
+        load_by_y = -(factor * CONTACT_STIFFNESS + factor_rate * CONTACT_DAMPING)
+        matrix[0, 0] = factor_rate * friction * (1 - sign * sign) / SLIP_SCALE
+        matrix[0, 1] = slope * sign * load_by_y
+        matrix[1, 1] = -load_by_y
+        return matrix
+
+
+def oscillator(contact, own_jacobian):
+    """The multibody system and its sensor. With its own Jacobian the contact is an ObjectGenericODE2 on the node of the
+    mass; otherwise it is a connector, which Exudyn differentiates by differences."""
+    mbs = exudyn.SystemContainer().AddSystem()
+    node = mbs.AddNode(NodePoint(initialCoordinates=[*AT_REST, 0.0]))
+    mass = mbs.AddObject(MassPoint(mass=MASS, nodeNumber=node))
+    markers = [mbs.AddMarker(MarkerBodyPosition(bodyNumber=n)) for n in (mbs.AddObject(ObjectGround()), mass)]
+    mbs.AddObject(CartesianSpringDamper(markerNumbers=markers, stiffness=[SPRING, 0.0, SPRING]))
+    mbs.AddLoad(Force(markerNumber=markers[1], loadVectorUserFunction=lambda mbs, t, load: [0, -pressing_load(t), 0]))
+    if own_jacobian:
+        zero = np.zeros((3, 3))
+        mbs.AddObject(
+            ObjectGenericODE2(
+                nodeNumbers=[node], massMatrix=zero, stiffnessMatrix=zero, dampingMatrix=zero, forceVector=[0.0] * 3,
+                forceUserFunction=contact.force, jacobianUserFunction=contact.jacobian,
+            )
+        )
+    else:
+        mbs.AddObject(CartesianSpringDamper(markerNumbers=markers, springForceUserFunction=contact.spring_force))
+    sensor = mbs.AddSensor(
+        SensorNode(nodeNumber=node, storeInternal=True, outputVariableType=exudyn.OutputVariableType.Displacement)
+    )
+    mbs.Assemble()
+    return mbs, sensor
+
+
+def settings(step):
+    result = exudyn.SimulationSettings()
+    result.solution.file.write = False
+    result.solution.sensors.writePeriod = step
+    integration = result.timeIntegration
+    integration.endTime, integration.numberOfSteps = END, round(END / step)
+    integration.verboseMode = 0
+    integration.generalizedAlpha.spectralRadius = 0.9
+    integration.newton.useModifiedNewton = False
+    integration.newton.relativeTolerance, integration.newton.absoluteTolerance = 1e-9, 1e-10
+    return result
+
+
+def run(contact, own_jacobian=False, step=STEP):
+    """Times, positions, Newton iterations per step, wall time."""
+    mbs, sensor = oscillator(contact, own_jacobian)
+    start = time.perf_counter()
+    if not mbs.SolveDynamic(settings(step), storeSolver=True):
+        raise RuntimeError("Exudyn has not solved the motion")
+    wall = time.perf_counter() - start
+    motion = mbs.GetSensorStoredData(sensor)
+    return motion[:, 0], motion[:, 1], mbs.sys["dynamicSolver"].it.newtonStepsCount * step / END, wall
+
+
+def reference(model, times):
+    """The motion by SciPy, with the friction force from the integrals: no table, nothing of Exudyn."""
+
+    def rates(t, state):
+        x, y, x_rate, y_rate = state
+        load = normal_force(y, y_rate)
+        exact = model.state_at_load(load).friction_force if load > 0 else 0.0
+        friction = exact * math.tanh((x_rate - BELT_SPEED) / SLIP_SCALE)
+        return [x_rate, y_rate, (-SPRING * x - friction) / MASS, (load - pressing_load(t)) / MASS]
+
+    solution = solve_ivp(
+        rates, (0.0, END), [*AT_REST, 0.0, 0.0], method="Radau", rtol=1e-8, atol=1e-12, t_eval=times
+    )
+    if solution.status != 0:
+        raise RuntimeError(f"SciPy: {solution.message}")
+    return solution.y[0], solution.y[2]
+
+
+def sticking_part(x_rate):
+    """Part of the time in which the mass moves with the belt; demands that it does both."""
+    sticking = np.mean(np.abs(x_rate - BELT_SPEED) < SLIP_SCALE)
+    if not 0.2 < sticking < 0.8:
+        raise RuntimeError(f"the mass sticks {sticking:.0%} of the time: no stick-slip")
+    return sticking
+
+
+def report_newton(model):
+    """Newton's iterations with the slope of the law, with friction/load in its place, and without one."""
+
+    def slope(load):
+        return model.friction_force_at_load(load, slope=True)
+
+    def secant(load):
+        friction = model.friction_force_at_load(load)
+        return friction, friction / load
+
+    def none(load):
+        return model.friction_force_at_load(load), 0.0
+
+    contact = BeltContact(model.friction_force_at_load, None)
+    _, x, iterations, _ = run(contact, step=COARSE_STEP)
+    print(f"  Newton iterations in each step of {1e6 * COARSE_STEP:.0f} us, and calls of the law in all:")
+    print(f"    Jacobian by differences: {iterations:.2f}, {contact.calls} calls")
+    for name, derivative in (("the slope of the law", slope), ("mu as the slope", secant), ("no slope", none)):
+        contact = BeltContact(model.friction_force_at_load, derivative)
+        _, again, iterations, _ = run(contact, own_jacobian=True, step=COARSE_STEP)
+        if not np.max(np.abs(again - x)) < 1e-6 * np.ptp(x):
+            raise RuntimeError(f"Newton's method with {name} gives another motion")
+        print(f"    own Jacobian with {name}: {iterations:.2f}, {contact.calls} calls")
+
+
+def main():
+    start = time.perf_counter()
+    model = steel_on_steel()
+    times, x, _, law_time = run(BeltContact(model.friction_force_at_load, None))
+    expected, x_rate = reference(model, times)
+    amplitude = np.ptp(expected) / 2
+    error = np.max(np.abs(x - expected)) / amplitude
+    mu = model.state_at_load(MEAN_LOAD).friction_coefficient
+    _, x_constant, _, constant_time = run(BeltContact(lambda load: mu * load, None))
+    print(
+        f"  amplitude {1e3 * amplitude:.4f} mm, sticks {sticking_part(x_rate):.0%} of the time; with constant mu the "
+        f"mass is up to {np.max(np.abs(x_constant - x)) / amplitude:.1%} of the amplitude elsewhere"
+    )
+    report_newton(model)
+    print(f"  cost: constant mu {constant_time:.2f} s, law {law_time:.2f} s, ratio {law_time / constant_time:.2f}")
+    passed = error <= LIMIT
+    print(
+        f"exudyn  {'PASS' if passed else 'FAIL'}  max |x - x_scipy| / amplitude = {error:.1e}  (limit {LIMIT:.0e})"
+        f"  {time.perf_counter() - start:.1f} s"
+    )
+    return 0 if passed else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (RuntimeError, ValueError) as error:
+        print(f"exudyn  FAIL  {error}")
+        sys.exit(1)

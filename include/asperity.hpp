@@ -1,0 +1,540 @@
+// asperity for C++17: friction laws from contact physics, callable from any solver.
+//
+// Values, ownership and exceptions over the C interface in asperity.h, whose units, parameters and threading rules hold
+// here too. Header only: link libasperity, nothing else.
+//
+//     asperity::Params params;
+//     params.set_materials(160e9, 0.22, 160e9, 0.22).work_of_adhesion(0.063).adhesion_range(0.384e-9) ... ;
+//     const asperity::Model model(params);
+//     double mu = model.friction_at_load(1e-3);
+//
+// Errors: calls that cannot do what they are asked throw asperity::Error, with the status and the message of the
+// library. Calls for the inner loop of a solver never throw for a load: they return a number for every load.
+// Threads: a const Model may be shared. Floating point: no call raises invalid, divide-by-zero or overflow.
+
+#ifndef ASPERITY_HPP
+#define ASPERITY_HPP
+
+#if !(__cplusplus >= 201703L || (defined(_MSVC_LANG) && _MSVC_LANG >= 201703L))
+#error "asperity.hpp needs C++17 or later; asperity.h works with every C++"
+#endif
+
+#include "asperity.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace asperity {
+
+/// What a call of the C interface returns: ASPERITY_OK or why it failed.
+using Status = asperity_status;
+/// The exact state of a contact; its fields are described in asperity.h.
+using State = asperity_state;
+/// Constants of a model; its fields are described in asperity.h.
+using Summary = asperity_summary;
+/// A view of the compiled law, for asperity_eval.h; its fields are described in asperity.h.
+using Table = asperity_table;
+
+// ---- Versions ----
+
+/// Version of the library loaded, "major.minor.patch".
+inline const char *version() noexcept { return asperity_version(); }
+
+/// Binary interface of the library loaded; a program compiled against another one, ASPERITY_ABI_VERSION of the header,
+/// must be compiled again.
+inline std::uint32_t abi_version() noexcept { return asperity_abi_version(); }
+
+// ---- Errors ----
+
+/// What a status means, in a few words; a constant string.
+inline const char *status_string(Status status) noexcept { return asperity_status_string(status); }
+
+/// Why a call failed: the status, and in what() a message that names parameter, value and what is allowed.
+class Error : public std::runtime_error {
+public:
+    /// An error with this status and message.
+    Error(Status status, const std::string &message) : std::runtime_error(message), status_(status) {}
+
+    /// One of the ASPERITY_ constants, never ASPERITY_OK.
+    Status status() const noexcept { return status_; }
+
+private:
+    Status status_;
+};
+
+/// The message of the last call on this thread that failed; empty if none did.
+inline std::string last_error() {
+    std::string message(asperity_last_error(nullptr, 0) + 1, '\0');
+    asperity_last_error(message.data(), message.size());
+    message.pop_back();
+    return message;
+}
+
+/// Throws Error with this thread's last message unless the status, just returned by a C call, is ASPERITY_OK.
+inline void check(Status status) {
+    if (status != ASPERITY_OK) {
+        throw Error(status, last_error());
+    }
+}
+
+// ---- Arrays ----
+
+/// A view of contiguous elements that somebody else owns: a pointer and a number, as std::span of C++20.
+///
+/// Made from any container with data() and size() (std::vector, std::array, std::span, Eigen::VectorXd, ...), from a C
+/// array, or from pointer and size.
+template <class T>
+class Span {
+    template <class Range>
+    using Element = std::remove_pointer_t<decltype(std::data(std::declval<Range &>()))>;
+
+    // The array conversion T(*)[] lets const be added, but no derived class pass for its base.
+    template <class Range>
+    using IfRange = std::enable_if_t<
+        !std::is_same_v<std::remove_cv_t<std::remove_reference_t<Range>>, Span> &&
+        std::is_convertible_v<Element<std::remove_reference_t<Range>> (*)[], T (*)[]>>;
+
+public:
+    /// No elements.
+    constexpr Span() noexcept = default;
+
+    /// `size` elements from `data` on.
+    constexpr Span(T *data, std::size_t size) noexcept : data_(data), size_(size) {}
+
+    /// The elements of a container, which must outlive the view.
+    template <class Range, class = IfRange<Range>>
+    constexpr Span(Range &&range) noexcept
+        : data_(std::data(range)), size_(static_cast<std::size_t>(std::size(range))) {}
+
+    /// The first element; may be null if there is none.
+    constexpr T *data() const noexcept { return data_; }
+
+    /// The number of elements.
+    constexpr std::size_t size() const noexcept { return size_; }
+
+private:
+    T *data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+/// A friction coefficient, force or stress at one load or pressure, and its derivative with respect to that.
+struct ValueAndSlope {
+    double value;
+    double slope;
+};
+
+/// A friction force with a smooth sign of the slip rate, and its derivatives.
+struct SlipForce {
+    double value;
+    double dforce_dload;
+    double dforce_dslip_rate;
+};
+
+/// Friction coefficients or forces at many loads, and their derivatives with respect to the load.
+struct ValuesAndSlopes {
+    std::vector<double> value;
+    std::vector<double> slope;
+};
+
+// ---- Parameters ----
+
+/// Families of the distribution of summit heights.
+enum class Heights : std::int32_t {
+    gaussian = ASPERITY_HEIGHTS_GAUSSIAN, ///< eq (17), the default
+    weibull = ASPERITY_HEIGHTS_WEIBULL,   ///< eqs (18)-(21): skewed, with weibull_shape
+};
+
+/// Two rough elastic surfaces, in one consistent system of units of your choice.
+///
+/// A value. Each parameter has a reader and a setter of its name; setters can be chained and check nothing, Model does.
+class Params {
+public:
+    /// The paper's default case: alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1.
+    Params() { check(asperity_params_init(&c_)); }
+
+    /// A copy of initialised C parameters.
+    explicit Params(const asperity_params &params) noexcept : c_(params) {}
+
+    /// The default case with other dimensionless groups; see set_dimensionless.
+    static Params dimensionless(double alpha, double beta, double gamma, double b_over_h = 1.0, double poisson = 0.3) {
+        Params params;
+        params.set_dimensionless(alpha, beta, gamma, b_over_h, poisson);
+        return params;
+    }
+
+    /// Sets material, adhesion and roughness from alpha = (sigma/R)^(1/2), beta = (R sigma)^(1/2)/b, gamma = w/(E* b),
+    /// b/h and Poisson's ratio, in the paper's units b = G = 1, N = 1. The other parameters stay as they are.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
+    Params &set_dimensionless(double alpha, double beta, double gamma, double b_over_h = 1.0, double poisson = 0.3) {
+        check(asperity_params_set_dimensionless(&c_, alpha, beta, gamma, b_over_h, poisson));
+        return *this;
+    }
+
+    /// Sets E* and G* from Young's moduli [stress] and Poisson's ratios of the two bodies; infinity is a rigid body.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
+    Params &set_materials(double E1, double nu1, double E2, double nu2) {
+        check(asperity_params_set_materials(&c_, E1, nu1, E2, nu2));
+        return *this;
+    }
+
+    /// Chooses Weibull heights with this skew.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
+    Params &set_skew(double skew) {
+        check(asperity_params_set_skew(&c_, skew));
+        return *this;
+    }
+
+    /// E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+    double composite_modulus() const noexcept { return c_.composite_modulus; }
+    /// Sets E* [stress].
+    Params &composite_modulus(double value) noexcept { return set(c_.composite_modulus, value); }
+
+    /// G* [stress], > 0: 2 G1 G2/(G1 + G2).
+    double effective_shear_modulus() const noexcept { return c_.effective_shear_modulus; }
+    /// Sets G* [stress].
+    Params &effective_shear_modulus(double value) noexcept { return set(c_.effective_shear_modulus, value); }
+
+    /// w [force/length], >= 0: work of adhesion; 0 is Hertzian contact.
+    double work_of_adhesion() const noexcept { return c_.work_of_adhesion; }
+    /// Sets w [force/length].
+    Params &work_of_adhesion(double value) noexcept { return set(c_.work_of_adhesion, value); }
+
+    /// h [length], > 0: range of adhesion.
+    double adhesion_range() const noexcept { return c_.adhesion_range; }
+    /// Sets h [length].
+    Params &adhesion_range(double value) noexcept { return set(c_.adhesion_range, value); }
+
+    /// b [length], > 0: Burgers vector.
+    double burgers_vector() const noexcept { return c_.burgers_vector; }
+    /// Sets b [length].
+    Params &burgers_vector(double value) noexcept { return set(c_.burgers_vector, value); }
+
+    /// sigma [length], > 0: standard deviation of summit heights.
+    double height_std() const noexcept { return c_.height_std; }
+    /// Sets sigma [length].
+    Params &height_std(double value) noexcept { return set(c_.height_std, value); }
+
+    /// R [length], > 0: mean radius of curvature of the summits.
+    double summit_radius() const noexcept { return c_.summit_radius; }
+    /// Sets R [length].
+    Params &summit_radius(double value) noexcept { return set(c_.summit_radius, value); }
+
+    /// N, > 0: number of summits, summit density times nominal area; need not be whole.
+    double asperity_count() const noexcept { return c_.asperity_count; }
+    /// Sets N.
+    Params &asperity_count(double value) noexcept { return set(c_.asperity_count, value); }
+
+    /// Family of the summit heights.
+    Heights height_distribution() const noexcept { return static_cast<Heights>(c_.height_distribution); }
+    /// Sets the family of the summit heights.
+    Params &height_distribution(Heights value) noexcept {
+        return set(c_.height_distribution, static_cast<std::int32_t>(value));
+    }
+
+    /// Whether summits out of contact attract.
+    bool attraction() const noexcept { return c_.attraction != 0; }
+    /// Sets whether summits out of contact attract.
+    Params &attraction(bool value) noexcept { return set(c_.attraction, value ? 1 : 0); }
+
+    /// omega > 0: shape of the Weibull heights; read only for those.
+    double weibull_shape() const noexcept { return c_.weibull_shape; }
+    /// Sets omega.
+    Params &weibull_shape(double value) noexcept { return set(c_.weibull_shape, value); }
+
+    /// epsilon, -1 to 1: how much the radius grows with height, eq (3).
+    double radius_amplitude() const noexcept { return c_.radius_amplitude; }
+    /// Sets epsilon.
+    Params &radius_amplitude(double value) noexcept { return set(c_.radius_amplitude, value); }
+
+    /// rho > 0: how fast it does.
+    double radius_rate() const noexcept { return c_.radius_rate; }
+    /// Sets rho.
+    Params &radius_rate(double value) noexcept { return set(c_.radius_rate, value); }
+
+    /// a_1/b > 0: up to this contact radius the shear strength is slip_stress_1, eq (13).
+    double slip_radius_1() const noexcept { return c_.slip_radius_1; }
+    /// Sets a_1/b.
+    Params &slip_radius_1(double value) noexcept { return set(c_.slip_radius_1, value); }
+
+    /// tau_1/G* > 0.
+    double slip_stress_1() const noexcept { return c_.slip_stress_1; }
+    /// Sets tau_1/G*.
+    Params &slip_stress_1(double value) noexcept { return set(c_.slip_stress_1, value); }
+
+    /// a_2/b > a_1/b: from this contact radius on the shear strength is slip_stress_2.
+    double slip_radius_2() const noexcept { return c_.slip_radius_2; }
+    /// Sets a_2/b.
+    Params &slip_radius_2(double value) noexcept { return set(c_.slip_radius_2, value); }
+
+    /// tau_2/G* > 0.
+    double slip_stress_2() const noexcept { return c_.slip_stress_2; }
+    /// Sets tau_2/G*.
+    Params &slip_stress_2(double value) noexcept { return set(c_.slip_stress_2, value); }
+
+    /// Cap on every friction coefficient returned, > 0; may be infinite.
+    double max_friction_coefficient() const noexcept { return c_.max_friction_coefficient; }
+    /// Sets the cap.
+    Params &max_friction_coefficient(double value) noexcept { return set(c_.max_friction_coefficient, value); }
+
+    /// The C struct, to pass to the C interface.
+    const asperity_params &c() const noexcept { return c_; }
+
+private:
+    template <class T>
+    Params &set(T &field, T value) noexcept {
+        field = value;
+        return *this;
+    }
+
+    asperity_params c_;
+};
+
+// ---- The model ----
+
+/// A friction law ready for use: owns the C model, moves, does not copy.
+///
+/// A Model that was moved from holds nothing: it may be assigned to or destroyed; friction at one load or pressure is
+/// NaN, other calls throw Error (ASPERITY_NULL_POINTER).
+class Model {
+public:
+    /// Checks the parameters and compiles the law, in milliseconds.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
+    explicit Model(const Params &params = Params()) {
+        asperity_model *model = nullptr;
+        check(asperity_create(&params.c(), &model));
+        handle_.reset(model);
+    }
+
+    /// Gives the model other parameters, all or nothing: when it throws, the model is as before.
+    ///
+    /// Throws as the constructor. No other thread may use the model during the call.
+    void set_params(const Params &params) { check(asperity_set_params(handle_.get(), &params.c())); }
+
+    /// The parameters of the model.
+    Params params() const {
+        asperity_params params;
+        check(asperity_get_params(handle_.get(), &params));
+        return Params(params);
+    }
+
+    /// Friction coefficient F/P at a normal load [force].
+    ///
+    /// At most max_friction_coefficient, which it is at and below zero load down to pull-off; 0 below pull-off; a quiet
+    /// NaN for a NaN or infinite load.
+    double friction_at_load(double load) const noexcept { return asperity_friction_at_load(handle_.get(), load); }
+
+    /// Friction force F [force] at a normal load [force].
+    ///
+    /// Finite and positive down to pull-off; 0 below; a quiet NaN for a NaN or infinite load.
+    double friction_force_at_load(double load) const noexcept {
+        return asperity_friction_force_at_load(handle_.get(), load);
+    }
+
+    /// Friction coefficient as friction_at_load, and its slope d(mu)/d(load) [1/force]: 0 where it is capped.
+    ValueAndSlope friction_and_slope_at_load(double load) const noexcept {
+        ValueAndSlope mu;
+        mu.value = asperity_friction_and_slope_at_load(handle_.get(), load, &mu.slope);
+        return mu;
+    }
+
+    /// Friction force as friction_force_at_load, and its slope dF/d(load): infinite at the pull-off load itself.
+    ValueAndSlope friction_force_and_slope_at_load(double load) const noexcept {
+        ValueAndSlope force;
+        force.value = asperity_friction_force_and_slope_at_load(handle_.get(), load, &force.slope);
+        return force;
+    }
+
+    /// Friction coefficient at a nominal contact pressure [stress], positive in compression.
+    ///
+    /// The summits of the model, asperity_count, belong to nominal_area [length^2], from 1e-100 to 1e100: the load is
+    /// pressure times that area. An integration point's own area plays no part. A quiet NaN also for an area that is
+    /// not allowed.
+    double friction_at_pressure(double pressure, double nominal_area) const noexcept {
+        return asperity_friction_at_pressure(handle_.get(), pressure, nominal_area, nullptr);
+    }
+
+    /// Friction coefficient as friction_at_pressure, and its slope d(mu)/d(pressure) [1/stress].
+    ValueAndSlope friction_and_slope_at_pressure(double pressure, double nominal_area) const noexcept {
+        ValueAndSlope mu;
+        mu.value = asperity_friction_at_pressure(handle_.get(), pressure, nominal_area, &mu.slope);
+        return mu;
+    }
+
+    /// Frictional shear stress, friction force per nominal area, at a nominal contact pressure [stress].
+    ///
+    /// As friction_at_pressure, but finite also at zero pressure and down to pull-off.
+    double shear_stress_at_pressure(double pressure, double nominal_area) const noexcept {
+        return asperity_shear_stress_at_pressure(handle_.get(), pressure, nominal_area, nullptr);
+    }
+
+    /// Shear stress as shear_stress_at_pressure, and its slope d(stress)/d(pressure).
+    ValueAndSlope shear_stress_and_slope_at_pressure(double pressure, double nominal_area) const noexcept {
+        ValueAndSlope stress;
+        stress.value = asperity_shear_stress_at_pressure(handle_.get(), pressure, nominal_area, &stress.slope);
+        return stress;
+    }
+
+    /// Friction force of a sliding contact, F(load) tanh(slip_rate / transition_rate) [force].
+    ///
+    /// It has the sign of slip_rate [length/time]: the force on the body that slips is minus this. transition_rate,
+    /// from 1e-100 to 1e100, is where the force reaches 76 % of the law's. A quiet NaN for a load or rate that is not
+    /// finite or not allowed.
+    double slip_force(double load, double slip_rate, double transition_rate) const noexcept {
+        return asperity_slip_force(handle_.get(), load, slip_rate, transition_rate, nullptr, nullptr);
+    }
+
+    /// Friction force as slip_force, and its derivatives by load and by slip rate [force time/length].
+    SlipForce slip_force_and_slopes(double load, double slip_rate, double transition_rate) const noexcept {
+        SlipForce force;
+        force.value = asperity_slip_force(handle_.get(), load, slip_rate, transition_rate, &force.dforce_dload,
+                                          &force.dforce_dslip_rate);
+        return force;
+    }
+
+    /// Friction coefficients at many loads, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as friction_at_load gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param loads      normal loads [force]
+    /// @param mu         receives as many coefficients; may be `loads` itself
+    /// @param dmu_dload  receives as many slopes [1/force]; none by default
+    /// @return ASPERITY_OK, or what is wrong with the first load that has no friction: ASPERITY_SEPARATED (below
+    ///         pull-off) or ASPERITY_INVALID_LOAD (NaN, infinite); last_error() names its index
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    Status friction_at_load(Span<const double> loads, Span<double> mu, Span<double> dmu_dload = {}) const {
+        return many(asperity_friction_at_loads, loads, mu, dmu_dload);
+    }
+
+    /// Friction forces at many loads, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as friction_force_at_load gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param loads         normal loads [force]
+    /// @param force         receives as many forces [force]; may be `loads` itself
+    /// @param dforce_dload  receives as many slopes; none by default
+    /// @return as for coefficients
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    Status friction_force_at_load(Span<const double> loads, Span<double> force, Span<double> dforce_dload = {}) const {
+        return many(asperity_friction_force_at_loads, loads, force, dforce_dload);
+    }
+
+    /// Friction coefficients at many loads.
+    ///
+    /// Throws Error (ASPERITY_SEPARATED, ASPERITY_INVALID_LOAD) that names the first load without friction.
+    std::vector<double> friction_at_load(Span<const double> loads) const {
+        std::vector<double> mu(loads.size());
+        check(friction_at_load(loads, mu));
+        return mu;
+    }
+
+    /// Friction forces [force] at many loads.
+    ///
+    /// Throws Error (ASPERITY_SEPARATED, ASPERITY_INVALID_LOAD) that names the first load without friction.
+    std::vector<double> friction_force_at_load(Span<const double> loads) const {
+        std::vector<double> force(loads.size());
+        check(friction_force_at_load(loads, force));
+        return force;
+    }
+
+    /// Friction coefficients at many loads and their slopes [1/force].
+    ///
+    /// Throws Error (ASPERITY_SEPARATED, ASPERITY_INVALID_LOAD) that names the first load without friction.
+    ValuesAndSlopes friction_and_slope_at_load(Span<const double> loads) const {
+        ValuesAndSlopes result{std::vector<double>(loads.size()), std::vector<double>(loads.size())};
+        check(friction_at_load(loads, result.value, result.slope));
+        return result;
+    }
+
+    /// Friction forces [force] at many loads and their slopes.
+    ///
+    /// Throws Error (ASPERITY_SEPARATED, ASPERITY_INVALID_LOAD) that names the first load without friction.
+    ValuesAndSlopes friction_force_and_slope_at_load(Span<const double> loads) const {
+        ValuesAndSlopes result{std::vector<double>(loads.size()), std::vector<double>(loads.size())};
+        check(friction_force_at_load(loads, result.value, result.slope));
+        return result;
+    }
+
+    /// The exact state at a load [force], from the pull-off load upwards: integrates the model, uses no table.
+    ///
+    /// Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
+    State state_at_load(double load) const {
+        State state;
+        state.struct_size = sizeof state;
+        check(asperity_state_at_load(handle_.get(), load, &state));
+        return state;
+    }
+
+    /// The exact state at a separation [length] from the mean of the summit heights, also beyond the pull-off point.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE).
+    State state_at_separation(double separation) const {
+        State state;
+        state.struct_size = sizeof state;
+        check(asperity_state_at_separation(handle_.get(), separation, &state));
+        return state;
+    }
+
+    /// The constants of the model: dimensionless groups, pull-off, extent and error of the compiled law.
+    Summary summary() const {
+        Summary summary;
+        summary.struct_size = sizeof summary;
+        check(asperity_summary_of(handle_.get(), &summary));
+        return summary;
+    }
+
+    /// A view of the compiled law, which asperity_eval.h evaluates where the library cannot be called.
+    ///
+    /// Valid until set_params, and as long as the C model lives: moving the Model keeps it.
+    Table table() const {
+        Table table;
+        table.struct_size = sizeof table;
+        check(asperity_table_of(handle_.get(), &table));
+        return table;
+    }
+
+    /// The C model, to pass to the C interface; still owned by this object, null if that was moved from.
+    const asperity_model *c() const noexcept { return handle_.get(); }
+
+private:
+    using Batch = asperity_status (*)(const asperity_model *, std::size_t, const double *, double *, double *);
+
+    struct Free {
+        void operator()(asperity_model *model) const noexcept { asperity_free(model); }
+    };
+
+    Status many(Batch batch, Span<const double> loads, Span<double> value, Span<double> slope) const {
+        require_size("values", value.size(), loads.size());
+        if (slope.data() != nullptr) {
+            require_size("slopes", slope.size(), loads.size());
+        }
+        const Status status = batch(handle_.get(), loads.size(), loads.data(), value.data(), slope.data());
+        if (status == ASPERITY_NULL_POINTER) {
+            check(status);
+        }
+        return status;
+    }
+
+    static void require_size(const char *name, std::size_t size, std::size_t loads) {
+        if (size != loads) {
+            throw Error(ASPERITY_INVALID_PARAMETER, std::string("size of ") + name + " = " + std::to_string(size) +
+                                                        ": must be the number of loads, " + std::to_string(loads));
+        }
+    }
+
+    std::unique_ptr<asperity_model, Free> handle_;
+};
+
+} // namespace asperity
+
+#endif // ASPERITY_HPP

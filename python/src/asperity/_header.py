@@ -1,0 +1,146 @@
+"""What `include/asperity.h` declares, for ctypes: its constants, structs and prototypes, in the header's order.
+
+Nothing is loaded here; a test compares every line with the header and with what a C compiler makes of it.
+"""
+
+from __future__ import annotations
+
+from ctypes import POINTER, Structure, c_char, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64
+from typing import Any
+
+ASPERITY_VERSION = "0.1.0"
+ASPERITY_VERSION_MAJOR = 0
+ASPERITY_VERSION_MINOR = 1
+ASPERITY_VERSION_PATCH = 0
+ASPERITY_ABI_VERSION = 1
+
+ASPERITY_OK = 0
+ASPERITY_NULL_POINTER = 1
+ASPERITY_INVALID_PARAMETER = 2
+ASPERITY_INVALID_LOAD = 3
+ASPERITY_SEPARATED = 4
+ASPERITY_OUT_OF_RANGE = 5
+ASPERITY_NOT_CONVERGED = 6
+ASPERITY_INTERNAL = 255
+
+ASPERITY_HEIGHTS_GAUSSIAN = 0
+ASPERITY_HEIGHTS_WEIBULL = 1
+
+ASPERITY_TABLE_LAYOUT = 1
+
+
+class asperity_model(Structure):
+    """Opaque."""
+
+
+asperity_status = c_int32
+
+
+class asperity_params(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("composite_modulus", c_double),
+        ("effective_shear_modulus", c_double),
+        ("work_of_adhesion", c_double),
+        ("adhesion_range", c_double),
+        ("burgers_vector", c_double),
+        ("height_std", c_double),
+        ("summit_radius", c_double),
+        ("asperity_count", c_double),
+        ("height_distribution", c_int32),
+        ("attraction", c_int32),
+        ("weibull_shape", c_double),
+        ("radius_amplitude", c_double),
+        ("radius_rate", c_double),
+        ("slip_radius_1", c_double),
+        ("slip_stress_1", c_double),
+        ("slip_radius_2", c_double),
+        ("slip_stress_2", c_double),
+        ("max_friction_coefficient", c_double),
+    ]
+
+
+class asperity_state(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("load", c_double),
+        ("separation", c_double),
+        ("friction_force", c_double),
+        ("friction_coefficient", c_double),
+        ("dforce_dload", c_double),
+        ("dmu_dload", c_double),
+        ("dload_dseparation", c_double),
+        ("real_area", c_double),
+        ("contacting", c_double),
+        ("attracted", c_double),
+        ("attraction_load", c_double),
+    ]
+
+
+class asperity_summary(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("alpha", c_double),
+        ("beta", c_double),
+        ("gamma", c_double),
+        ("lambda", c_double),
+        ("skew", c_double),
+        ("kurtosis", c_double),
+        ("pull_off_load", c_double),
+        ("pull_off_friction_force", c_double),
+        ("zero_load_friction_force", c_double),
+        ("min_table_load", c_double),
+        ("max_table_load", c_double),
+        ("table_error", c_double),
+    ]
+
+
+class asperity_table(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("rows", POINTER(c_double)),
+        ("row_count", c_uint64),
+        ("base", c_uint64),
+        ("shift", c_uint32),
+        ("layout_version", c_uint32),
+        ("pull_off_load", c_double),
+        ("max_friction_coefficient", c_double),
+        ("inverse_cap", c_double),
+    ]
+
+
+_model = POINTER(asperity_model)
+_params = POINTER(asperity_params)
+_state = POINTER(asperity_state)
+_summary = POINTER(asperity_summary)
+_table = POINTER(asperity_table)
+_doubles = POINTER(c_double)
+
+# name: (what it returns, what it takes)
+PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
+    "asperity_abi_version": (c_uint32, []),
+    "asperity_version": (c_char_p, []),
+    "asperity_status_string": (c_char_p, [asperity_status]),
+    "asperity_last_error": (c_size_t, [POINTER(c_char), c_size_t]),
+    "asperity_params_init": (asperity_status, [_params]),
+    "asperity_params_set_dimensionless": (asperity_status, [_params, *5 * [c_double]]),
+    "asperity_params_set_materials": (asperity_status, [_params, *4 * [c_double]]),
+    "asperity_params_set_skew": (asperity_status, [_params, c_double]),
+    "asperity_create": (asperity_status, [_params, POINTER(_model)]),
+    "asperity_set_params": (asperity_status, [_model, _params]),
+    "asperity_get_params": (asperity_status, [_model, _params]),
+    "asperity_free": (None, [_model]),
+    "asperity_friction_at_load": (c_double, [_model, c_double]),
+    "asperity_friction_force_at_load": (c_double, [_model, c_double]),
+    "asperity_friction_at_loads": (asperity_status, [_model, c_size_t, _doubles, _doubles, _doubles]),
+    "asperity_friction_force_at_loads": (asperity_status, [_model, c_size_t, _doubles, _doubles, _doubles]),
+    "asperity_friction_and_slope_at_load": (c_double, [_model, c_double, _doubles]),
+    "asperity_friction_force_and_slope_at_load": (c_double, [_model, c_double, _doubles]),
+    "asperity_friction_at_pressure": (c_double, [_model, c_double, c_double, _doubles]),
+    "asperity_shear_stress_at_pressure": (c_double, [_model, c_double, c_double, _doubles]),
+    "asperity_slip_force": (c_double, [_model, c_double, c_double, c_double, _doubles, _doubles]),
+    "asperity_state_at_load": (asperity_status, [_model, c_double, _state]),
+    "asperity_state_at_separation": (asperity_status, [_model, c_double, _state]),
+    "asperity_summary_of": (asperity_status, [_model, _summary]),
+    "asperity_table_of": (asperity_status, [_model, _table]),
+}

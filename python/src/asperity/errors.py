@@ -1,0 +1,45 @@
+"""What the library refuses, as an exception."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+from . import _header
+
+
+class Status(IntEnum):
+    """Why a call failed; the numbers are those of the C interface."""
+
+    OK = _header.ASPERITY_OK
+    NULL_POINTER = _header.ASPERITY_NULL_POINTER
+    INVALID_PARAMETER = _header.ASPERITY_INVALID_PARAMETER
+    INVALID_LOAD = _header.ASPERITY_INVALID_LOAD
+    SEPARATED = _header.ASPERITY_SEPARATED
+    OUT_OF_RANGE = _header.ASPERITY_OUT_OF_RANGE
+    NOT_CONVERGED = _header.ASPERITY_NOT_CONVERGED
+    INTERNAL = _header.ASPERITY_INTERNAL
+
+    @property
+    def description(self) -> str:
+        """What the status means, in the library's words."""
+        from ._library import LIBRARY  # it needs this module
+
+        text: bytes = LIBRARY.asperity_status_string(self)
+        return text.decode()
+
+
+class Error(ValueError):
+    """A value that the library refuses. The message names the quantity, its value and what is allowed.
+
+    Attributes:
+        status: why, as a `Status`.
+    """
+
+    status: Status
+
+    def __init__(self, message: str, status: Status) -> None:
+        super().__init__(message)
+        self.status = status
+
+    def __reduce__(self) -> tuple[type[Error], tuple[str, Status]]:
+        return type(self), (str(self), self.status)

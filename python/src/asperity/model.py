@@ -1,0 +1,245 @@
+"""The friction law of two surfaces, ready for use.
+
+A handle of the library belongs to one `_Handle`, which every call holds while it runs. So `set_params` and `close`
+may come at any time, also from another thread: they only let go of the handle, and it is freed when its last call is
+over. That is why `set_params` makes a new handle instead of changing the old one.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import numbers
+import weakref
+from types import TracebackType
+from typing import Any, Literal, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _header
+from ._library import LIBRARY, check
+from .errors import Error, Status
+from .params import Params
+from .results import State, Summary
+
+Loads = Union["npt.NDArray[Any]", "list[Any]", "tuple[Any, ...]"]
+Array = npt.NDArray[np.float64]
+
+_DOUBLES = ctypes.POINTER(ctypes.c_double)
+
+
+class _Handle:
+    """A model of the library and the parameters it was made from; freed once, with the last reference."""
+
+    def __init__(self, params: Params) -> None:
+        self.params = params
+        self.pointer = ctypes.POINTER(_header.asperity_model)()
+        check(LIBRARY.asperity_create(ctypes.byref(params._as_struct()), ctypes.byref(self.pointer)))
+        # At exit a daemon thread may still be inside a call: the system takes the memory then.
+        weakref.finalize(self, LIBRARY.asperity_free, self.pointer).atexit = False  # type: ignore[misc, unused-ignore]
+
+
+class Model:
+    """The friction law of two surfaces: friction coefficient and force as functions of the normal load.
+
+    Making one takes milliseconds: make it once, ask it often. A model may be shared by threads; calls run in parallel,
+    since they do not hold the interpreter lock. It pickles and copies through its parameters. Use it in a `with`
+    statement, or call `close`, to free its memory at a known time.
+
+    Loads of `friction_at_load` and `friction_force_at_load`, one or many:
+
+    - load >= pull-off load: the friction; the coefficient is at most `max_friction_coefficient`, which it also is
+      for loads <= 0, where F is finite and F/P is not;
+    - below the pull-off load: 0, since a separated contact has no friction. This is no error;
+    - NaN, infinite, or too heavy to be evaluated: `Error`, which for arrays names the index of the first such load.
+
+    Args:
+        params: the surfaces.
+
+    Raises:
+        Error: a parameter that the library refuses; the message names it, its value and what is allowed.
+    """
+
+    _handle: _Handle | None = None
+
+    def __init__(self, params: Params) -> None:
+        self.set_params(params)
+
+    @property
+    def params(self) -> Params:
+        """The parameters of the model."""
+        return self._open().params
+
+    def set_params(self, params: Params) -> None:
+        """Gives the model other parameters; if that raises, the model is as before."""
+        if not isinstance(params, Params):
+            raise TypeError(f"params = {params!r}: must be a Params")
+        self._handle = _Handle(params)
+
+    @overload
+    def friction_at_load(self, load: float, *, slope: Literal[False] = ...) -> float: ...
+    @overload
+    def friction_at_load(self, load: float, *, slope: Literal[True]) -> tuple[float, float]: ...
+    @overload
+    def friction_at_load(self, load: Loads, *, slope: Literal[False] = ...) -> Array: ...
+    @overload
+    def friction_at_load(self, load: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
+
+    def friction_at_load(self, load: Any, *, slope: bool = False) -> Any:
+        """Friction coefficient F/P at a load, or at many.
+
+        Args:
+            load: normal load [force]: a number, or an array (or nested sequence) of any shape. Contiguous arrays of
+                float64 are read where they are.
+            slope: whether to return d(mu)/d(load) [1/force] too, 0 where mu is capped.
+
+        Returns:
+            mu, or (mu, slope): a float for a number, an array of the same shape for an array.
+
+        Raises:
+            Error: a load that is NaN, infinite, or too heavy; the class tells more.
+        """
+        one, one_with_slope = LIBRARY.asperity_friction_at_load, LIBRARY.asperity_friction_and_slope_at_load
+        return self._evaluate(one, one_with_slope, LIBRARY.asperity_friction_at_loads, load, slope)
+
+    @overload
+    def friction_force_at_load(self, load: float, *, slope: Literal[False] = ...) -> float: ...
+    @overload
+    def friction_force_at_load(self, load: float, *, slope: Literal[True]) -> tuple[float, float]: ...
+    @overload
+    def friction_force_at_load(self, load: Loads, *, slope: Literal[False] = ...) -> Array: ...
+    @overload
+    def friction_force_at_load(self, load: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
+
+    def friction_force_at_load(self, load: Any, *, slope: bool = False) -> Any:
+        """Friction force F at a load, or at many.
+
+        Args:
+            load: normal load [force], as for `friction_at_load`.
+            slope: whether to return dF/d(load) too, infinite at the pull-off load itself.
+
+        Returns:
+            F [force], or (F, slope): a float for a number, an array of the same shape for an array.
+
+        Raises:
+            Error: a load that is NaN, infinite, or too heavy; the class tells more.
+        """
+        one, one_with_slope = LIBRARY.asperity_friction_force_at_load, LIBRARY.asperity_friction_force_and_slope_at_load
+        return self._evaluate(one, one_with_slope, LIBRARY.asperity_friction_force_at_loads, load, slope)
+
+    def state_at_load(self, load: float) -> State:
+        """The exact state at a load [force], integrated without the compiled law.
+
+        Raises:
+            Error: a load below the pull-off load (status SEPARATED), not finite, or out of range.
+        """
+        return self._state(LIBRARY.asperity_state_at_load, load)
+
+    def state_at_separation(self, separation: float) -> State:
+        """The exact state at a separation [length], also beyond the pull-off point, where no load could hold it.
+
+        Args:
+            separation: of the flat from the mean of the summit heights; may be negative.
+
+        Raises:
+            Error: a separation that is not finite, or out of range.
+        """
+        return self._state(LIBRARY.asperity_state_at_separation, separation)
+
+    def summary(self) -> Summary:
+        """The constants of the model: dimensionless groups, pull-off load, range and error of the compiled law."""
+        handle = self._open()
+        struct = _header.asperity_summary(struct_size=ctypes.sizeof(_header.asperity_summary))
+        check(LIBRARY.asperity_summary_of(handle.pointer, ctypes.byref(struct)))
+        return Summary(*_values(struct))
+
+    def close(self) -> None:
+        """Frees the model, once no call uses it; afterwards every call raises. Closing twice is fine."""
+        self._handle = None
+
+    def __enter__(self) -> Model:
+        self._open()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def __reduce__(self) -> tuple[type[Model], tuple[Params]]:
+        return type(self), (self.params,)
+
+    def __repr__(self) -> str:
+        return "<closed Model>" if self._handle is None else f"Model({self._handle.params!r})"
+
+    def _open(self) -> _Handle:
+        handle = self._handle
+        if handle is None:
+            raise Error("the model is closed", Status.NULL_POINTER)
+        return handle
+
+    def _state(self, call: Any, at: float) -> State:
+        return _state(self._open(), call, at)
+
+    def _evaluate(self, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool) -> Any:
+        handle = self._open()
+        if not isinstance(load, numbers.Real):
+            return _evaluate_array(handle, many, _as_array(load), slope)
+        found = ctypes.c_double()
+        value: float
+        if slope:
+            value = one_with_slope(handle.pointer, float(load), ctypes.byref(found))
+        else:
+            value = one(handle.pointer, float(load))
+        if math.isnan(value):  # quiet, where a comparison of Python's may raise a floating-point exception
+            _refuse(handle, float(load))
+        return (value, found.value) if slope else value
+
+
+def _as_array(load: Any) -> Array:
+    array = np.asarray(load)
+    if array.dtype.kind not in "iuf" and array.size > 0:
+        raise TypeError(f"load: must be real numbers, not an array of {array.dtype}")
+    return np.asarray(array, dtype=np.float64, order="C")
+
+
+def _evaluate_array(handle: _Handle, many: Any, load: Array, slope: bool) -> Any:
+    values = np.empty(load.shape)
+    slopes = np.empty(load.shape) if slope else None
+    status = many(handle.pointer, load.size, _data(load), _data(values), None if slopes is None else _data(slopes))
+    # The library reports the first offence of any kind; loads below pull-off are none here, NaN answers always are.
+    if status not in (_header.ASPERITY_OK, _header.ASPERITY_SEPARATED, _header.ASPERITY_INVALID_LOAD):
+        check(status)
+    refused = np.isnan(values)
+    if refused.any():
+        index = np.unravel_index(int(np.argmax(refused)), load.shape)
+        _refuse(handle, float(load[index]), index)
+    return values if slopes is None else (values, slopes)
+
+
+def _refuse(handle: _Handle, load: float, index: tuple[Any, ...] = ()) -> None:
+    """Raises the library's own message about a load that it answered with NaN."""
+    try:
+        _state(handle, LIBRARY.asperity_state_at_load, load)
+    except Error as error:
+        if not index:
+            raise
+        place = int(index[0]) if len(index) == 1 else tuple(map(int, index))
+        raise Error(f"element {place}: {error}", error.status) from None
+    raise Error(f"load = {load}: no friction was found; a bug in asperity, please report it", Status.INTERNAL)
+
+
+def _state(handle: _Handle, call: Any, at: float) -> State:
+    struct = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
+    check(call(handle.pointer, at, ctypes.byref(struct)))
+    return State(*_values(struct))
+
+
+def _values(struct: ctypes.Structure) -> list[float]:
+    """The fields of a struct after its size."""
+    return [getattr(struct, field[0]) for field in struct._fields_[1:]]
+
+
+def _data(array: Array) -> Any:
+    return array.ctypes.data_as(_DOUBLES)

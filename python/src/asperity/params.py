@@ -1,0 +1,285 @@
+"""Two rough elastic surfaces, as parameters: an immutable value in one consistent system of units."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import numbers
+from dataclasses import MISSING, dataclass, fields
+from typing import TYPE_CHECKING, Any, Literal
+
+from . import _header
+from ._library import LIBRARY, check
+from .errors import Error, Status
+
+if TYPE_CHECKING:
+    from typing_extensions import TypedDict, Unpack
+
+    class Options(TypedDict, total=False):
+        """What every way to make parameters takes beside its own: the fields with a default, and `skew`."""
+
+        height_distribution: Literal["gaussian", "weibull"]
+        attraction: bool
+        weibull_shape: float
+        skew: float
+        radius_amplitude: float
+        radius_rate: float
+        slip_radius_1: float
+        slip_stress_1: float
+        slip_radius_2: float
+        slip_stress_2: float
+        max_friction_coefficient: float
+
+
+_DISTRIBUTIONS = {"gaussian": _header.ASPERITY_HEIGHTS_GAUSSIAN, "weibull": _header.ASPERITY_HEIGHTS_WEIBULL}
+
+
+def _initialised() -> _header.asperity_params:
+    struct = _header.asperity_params()
+    check(LIBRARY.asperity_params_init(ctypes.byref(struct)))
+    return struct
+
+
+_DEFAULT: Any = _initialised()
+
+
+@dataclass(frozen=True, repr=False)
+class Params:
+    """Two rough elastic surfaces, as the equivalent rough surface against a flat.
+
+    All quantities are in one consistent system of units of your choice: SI, mm-N-MPa, or the paper's b = G = 1.
+    Loads, forces and areas are totals over `asperity_count` summits. `Params.si` and `Params.dimensionless` are
+    the usual ways to make one, `replace` gives a changed copy. What a number may be is checked by `Model`.
+
+    Attributes:
+        composite_modulus: E* [stress] > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+        effective_shear_modulus: G* [stress] > 0: 2 G1 G2/(G1 + G2).
+        work_of_adhesion: w [force/length] >= 0; 0 is Hertzian contact.
+        adhesion_range: h [length] > 0: range of adhesion, within which surfaces attract with the stress w/h.
+        burgers_vector: b [length] > 0: the length that the scale dependence of friction is measured in.
+        height_std: sigma [length] > 0: standard deviation of summit heights.
+        summit_radius: R [length] > 0: mean radius of curvature of the summits.
+        asperity_count: N > 0: summit density times nominal area; need not be whole.
+        height_distribution: "gaussian" or "weibull".
+        attraction: whether summits out of contact attract.
+        weibull_shape: omega > 0, 3.602 for no skew; read only for "weibull".
+        radius_amplitude: epsilon, -1 to 1: the radius grows with height z as R (1 + epsilon tanh(rho z/sigma)).
+        radius_rate: rho > 0.
+        slip_radius_1: a_1/b > 0: up to this contact radius the shear strength is slip_stress_1.
+        slip_stress_1: tau_1/G* > 0.
+        slip_radius_2: a_2/b > a_1/b: from this contact radius on the shear strength is slip_stress_2.
+        slip_stress_2: tau_2/G* > 0; tau_2 a_2^2 must not be below tau_1 a_1^2.
+        max_friction_coefficient: cap > 0 on every friction coefficient returned; may be infinite.
+    """
+
+    composite_modulus: float
+    effective_shear_modulus: float
+    work_of_adhesion: float
+    adhesion_range: float
+    burgers_vector: float
+    height_std: float
+    summit_radius: float
+    asperity_count: float
+    height_distribution: Literal["gaussian", "weibull"] = "gaussian"
+    attraction: bool = True
+    weibull_shape: float = _DEFAULT.weibull_shape
+    radius_amplitude: float = _DEFAULT.radius_amplitude
+    radius_rate: float = _DEFAULT.radius_rate
+    slip_radius_1: float = _DEFAULT.slip_radius_1
+    slip_stress_1: float = _DEFAULT.slip_stress_1
+    slip_radius_2: float = _DEFAULT.slip_radius_2
+    slip_stress_2: float = _DEFAULT.slip_stress_2
+    max_friction_coefficient: float = _DEFAULT.max_friction_coefficient
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = getattr(self, field.name)
+            object.__setattr__(self, field.name, _CHECKS.get(field.name, _real)(field.name, value))
+
+    @classmethod
+    def dimensionless(
+        cls,
+        *,
+        alpha: float,
+        beta: float,
+        gamma: float,
+        b_over_h: float = 1.0,
+        poisson: float = 0.3,
+        **options: Unpack[Options],
+    ) -> Params:
+        """The paper's dimensionless case: b = 1, G = 1, N = 1, so that loads are P/(N G b^2).
+
+        Args:
+            alpha: (sigma/R)^(1/2) > 0, surface roughness.
+            beta: (R sigma)^(1/2)/b > 0, friction regime.
+            gamma: w/(E* b) >= 0, surface energy.
+            b_over_h: Burgers vector over range of adhesion > 0.
+            poisson: Poisson's ratio, above -1, at most 0.5.
+            **options: any field with a default, and `skew`: Weibull heights of this skew, above -1.13955.
+
+        Raises:
+            Error: a value that the library refuses.
+            TypeError: an unknown name, or names that exclude each other.
+        """
+        struct = _initialised()
+        groups = {"alpha": alpha, "beta": beta, "gamma": gamma, "b_over_h": b_over_h, "poisson": poisson}
+        values = [_real(name, value) for name, value in groups.items()]
+        check(LIBRARY.asperity_params_set_dimensionless(ctypes.byref(struct), *values))
+        return cls(**(_physical(struct) | _options(options)))
+
+    @classmethod
+    def si(
+        cls,
+        *,
+        work_of_adhesion: float,
+        adhesion_range: float,
+        burgers_vector: float,
+        height_std: float,
+        summit_radius: float,
+        composite_modulus: float | None = None,
+        effective_shear_modulus: float | None = None,
+        E1: float | None = None,
+        nu1: float | None = None,
+        E2: float | None = None,
+        nu2: float | None = None,
+        asperity_count: float | None = None,
+        summit_density: float | None = None,
+        nominal_area: float | None = None,
+        **options: Unpack[Options],
+    ) -> Params:
+        """Physical parameters, in SI units (any other consistent system serves as well).
+
+        Stiffness is either `composite_modulus` and `effective_shear_modulus`, or the two bodies `E1`, `nu1`, `E2`,
+        `nu2`. The number of summits is either `asperity_count`, or `summit_density` and `nominal_area`.
+
+        Args:
+            work_of_adhesion: w [J/m^2] >= 0.
+            adhesion_range: h [m] > 0.
+            burgers_vector: b [m] > 0.
+            height_std: sigma [m] > 0.
+            summit_radius: R [m] > 0.
+            composite_modulus: E* [Pa] > 0.
+            effective_shear_modulus: G* [Pa] > 0.
+            E1: Young's modulus of the first body [Pa] > 0; `math.inf` is a rigid one, which one of the two may be.
+            nu1: its Poisson's ratio, above -1, at most 0.5.
+            E2: Young's modulus of the second body [Pa].
+            nu2: its Poisson's ratio.
+            asperity_count: N > 0.
+            summit_density: summits per area [1/m^2] > 0.
+            nominal_area: [m^2] > 0.
+            **options: any field with a default, and `skew`: Weibull heights of this skew, above -1.13955.
+
+        Raises:
+            Error: a value that the library refuses.
+            TypeError: an unknown name, one missing, or names that exclude each other.
+        """
+        moduli = {"composite_modulus": composite_modulus, "effective_shear_modulus": effective_shear_modulus}
+        bodies = {"E1": E1, "nu1": nu1, "E2": E2, "nu2": nu2}
+        if _one_of(moduli, bodies) is bodies:
+            moduli = _moduli(bodies)
+        count = {"asperity_count": asperity_count}
+        surface = {"summit_density": summit_density, "nominal_area": nominal_area}
+        if _one_of(count, surface) is surface:
+            density, area = (_positive(name, value) for name, value in surface.items())
+            count = {"asperity_count": density * area}
+        named: dict[str, Any] = {
+            "work_of_adhesion": work_of_adhesion,
+            "adhesion_range": adhesion_range,
+            "burgers_vector": burgers_vector,
+            "height_std": height_std,
+            "summit_radius": summit_radius,
+        }
+        return cls(**(moduli | named | count | _options(options)))
+
+    def replace(self, **changes: Any) -> Params:
+        """A copy with some fields changed; `skew` is understood too, and a `weibull_shape` means Weibull heights."""
+        kept = {field.name: getattr(self, field.name) for field in fields(self)}
+        return type(self)(**(kept | _options(changes)))
+
+    def __repr__(self) -> str:
+        shown = [field for field in fields(self) if getattr(self, field.name) != field.default]
+        return f"Params({', '.join(f'{field.name}={_literal(getattr(self, field.name))}' for field in shown)})"
+
+    def _as_struct(self) -> _header.asperity_params:
+        struct = _initialised()
+        for field in fields(self):
+            value = getattr(self, field.name)
+            setattr(struct, field.name, _DISTRIBUTIONS[value] if field.name == "height_distribution" else value)
+        return struct
+
+
+def _physical(struct: _header.asperity_params) -> dict[str, Any]:
+    """The fields that have no default."""
+    required = [field.name for field in fields(Params) if field.default is MISSING]
+    return {name: getattr(struct, name) for name in required}
+
+
+def _options(given: Any) -> dict[str, Any]:
+    """Fields to set, with `skew` and a lone `weibull_shape` turned into the height distribution that they mean."""
+    changes = dict(given)
+    if "skew" in changes:
+        excluded = {"weibull_shape", "height_distribution"} & changes.keys()
+        if excluded:
+            raise TypeError(f"skew chooses the height distribution: do not give {' or '.join(sorted(excluded))} too")
+        struct = _initialised()
+        check(LIBRARY.asperity_params_set_skew(ctypes.byref(struct), _real("skew", changes.pop("skew"))))
+        changes |= {"height_distribution": "weibull", "weibull_shape": getattr(struct, "weibull_shape")}
+    elif "weibull_shape" in changes:
+        changes.setdefault("height_distribution", "weibull")
+    return changes
+
+
+def _moduli(bodies: dict[str, Any]) -> dict[str, float | None]:
+    struct: Any = _initialised()
+    values = [_real(name, value) for name, value in bodies.items()]
+    check(LIBRARY.asperity_params_set_materials(ctypes.byref(struct), *values))
+    return {
+        "composite_modulus": struct.composite_modulus,
+        "effective_shear_modulus": struct.effective_shear_modulus,
+    }
+
+
+def _one_of(first: dict[str, Any], second: dict[str, Any]) -> dict[str, Any]:
+    """The one of two groups of arguments that is given: all of it, and nothing of the other."""
+    given = [group for group in (first, second) if any(value is not None for value in group.values())]
+    if len(given) != 1 or any(value is None for value in given[0].values()):
+        raise TypeError(f"give either {_listed(first)}, or {_listed(second)}")
+    return given[0]
+
+
+def _listed(names: Any) -> str:
+    *most, last = names
+    return f"{', '.join(most)} and {last}" if most else str(last)
+
+
+def _real(name: str, value: Any) -> float:
+    if not isinstance(value, numbers.Real):
+        raise TypeError(f"{name} = {value!r}: must be a real number")
+    return float(value)
+
+
+def _positive(name: str, value: Any) -> float:
+    number = _real(name, value)
+    if not (math.isfinite(number) and number > 0):
+        raise Error(f"{name} = {number}: must be finite and > 0", Status.INVALID_PARAMETER)
+    return number
+
+
+def _distribution(name: str, value: Any) -> str:
+    if value not in _DISTRIBUTIONS:
+        raise Error(f"{name} = {value!r}: must be 'gaussian' or 'weibull'", Status.INVALID_PARAMETER)
+    return str(value)
+
+
+def _flag(name: str, value: Any) -> bool:
+    if value not in (False, True):
+        raise Error(f"{name} = {value!r}: must be True or False", Status.INVALID_PARAMETER)
+    return bool(value)
+
+
+_CHECKS: dict[str, Any] = {"height_distribution": _distribution, "attraction": _flag}
+
+
+def _literal(value: Any) -> str:
+    """As Python reads it back."""
+    return f'float("{value}")' if isinstance(value, float) and not math.isfinite(value) else repr(value)

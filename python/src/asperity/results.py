@@ -1,0 +1,69 @@
+"""What a model tells beside friction: the exact state of the contact, and the constants of the model."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class State:
+    """The exact state of the contact, in the units of the parameters.
+
+    Attributes:
+        load: normal load P [force]; negative pulls.
+        separation: of the flat from the mean of the summit heights [length].
+        friction_force: F [force].
+        friction_coefficient: F/P, capped, as `Model.friction_at_load` gives it.
+        dforce_dload: dF/dP; infinite at the pull-off load itself.
+        dmu_dload: d(F/P)/dP [1/force]; 0 where the coefficient is capped.
+        dload_dseparation: dP/dd [force/length]: minus the contact stiffness.
+        real_area: real area of contact [length^2].
+        contacting: number of summits in contact.
+        attracted: number of summits that attract without contact.
+        attraction_load: part of the load that those carry, <= 0 [force].
+    """
+
+    load: float
+    separation: float
+    friction_force: float
+    friction_coefficient: float
+    dforce_dload: float
+    dmu_dload: float
+    dload_dseparation: float
+    real_area: float
+    contacting: float
+    attracted: float
+    attraction_load: float
+
+
+@dataclass(frozen=True)
+class Summary:
+    """Constants of a model, in the units of the parameters.
+
+    Attributes:
+        alpha: (sigma/R)^(1/2), surface roughness.
+        beta: (R sigma)^(1/2)/b, friction regime.
+        gamma: w/(E* b), surface energy.
+        lambda_: Maugis' adhesion parameter: small is DMT, large is JKR.
+        skew: of the summit heights.
+        kurtosis: of the summit heights; 3 for Gaussian.
+        pull_off_load: the least load that holds the surfaces together, <= 0 [force].
+        pull_off_friction_force: friction force at the pull-off load [force].
+        zero_load_friction_force: friction force at zero load [force].
+        min_table_load: the lightest load that the compiled law covers [force]; lighter ones are evaluated exactly.
+        max_table_load: the heaviest load that the compiled law covers [force]; heavier ones are evaluated exactly.
+        table_error: largest relative error of the compiled friction force found when it was built.
+    """
+
+    alpha: float
+    beta: float
+    gamma: float
+    lambda_: float
+    skew: float
+    kurtosis: float
+    pull_off_load: float
+    pull_off_friction_force: float
+    zero_load_friction_force: float
+    min_table_load: float
+    max_table_load: float
+    table_error: float

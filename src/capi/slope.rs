@@ -1,0 +1,173 @@
+//! Value and slope of one contact in one call: by load, by pressure, and with a smooth sign of the slip rate.
+
+use super::batch::Quantity;
+use super::boundary;
+use super::fp_environment;
+use super::model::asperity_model;
+use crate::params::finite;
+use crate::regularised::smooth_sign;
+
+/// Areas and rates must lie between the inverse of this and this, pressures below its square.
+const LARGEST: f64 = 1e100;
+
+/// Friction coefficient at a load, with its slope.
+///
+/// @param model      a model
+/// @param load       normal load [force]
+/// @param dmu_dload  receives d(mu)/d(load) [1/force], 0 where mu is capped and below pull-off, NaN where mu is; NULL to skip
+/// @return as `asperity_friction_at_load`
+///
+/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
+    model: *const asperity_model,
+    load: f64,
+    dmu_dload: *mut f64,
+) -> f64 {
+    boundary::fast_value(|| {
+        let (mu, slope) = at(model, Quantity::Coefficient, load);
+        write(dmu_dload, slope);
+        mu
+    })
+}
+
+/// Friction force at a load, with its slope.
+///
+/// @param model         a model
+/// @param load          normal load [force]
+/// @param dforce_dload  receives dF/d(load), INFINITY at the pull-off load itself, 0 below it, NaN where F is; NULL to skip
+/// @return as `asperity_friction_force_at_load`
+///
+/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
+    model: *const asperity_model,
+    load: f64,
+    dforce_dload: *mut f64,
+) -> f64 {
+    boundary::fast_value(|| {
+        let (force, slope) = at(model, Quantity::Force, load);
+        write(dforce_dload, slope);
+        force
+    })
+}
+
+/// Friction coefficient at a contact pressure, for solvers that hand over load per area.
+///
+/// The model's `asperity_count` summits belong to `nominal_area`: the load is pressure times that area. The library
+/// never guesses it; an integration point's own area plays no part, only summits per area do.
+///
+/// @param model          a model
+/// @param pressure       nominal contact pressure [stress], positive in compression
+/// @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-100 to 1e100
+/// @param dmu_dpressure  receives d(mu)/d(pressure) [1/stress]; NULL to skip
+/// @return as `asperity_friction_at_load` at that load; a quiet NaN also for an area that is not allowed
+///
+/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_friction_at_pressure(
+    model: *const asperity_model,
+    pressure: f64,
+    nominal_area: f64,
+    dmu_dpressure: *mut f64,
+) -> f64 {
+    boundary::fast_value(|| {
+        let (mu, slope) = match load_of(pressure, nominal_area) {
+            Some(load) => at(model, Quantity::Coefficient, load),
+            None => (f64::NAN, f64::NAN),
+        };
+        // A slope of 1e300 or more is a saturated one already.
+        write(dmu_dpressure, if slope.abs() < 1e200 { slope * nominal_area } else { slope });
+        mu
+    })
+}
+
+/// Frictional shear stress at a contact pressure: friction force per nominal area.
+///
+/// @param model               a model
+/// @param pressure            nominal contact pressure [stress], positive in compression
+/// @param nominal_area        as for `asperity_friction_at_pressure`
+/// @param dstress_dpressure   receives d(stress)/d(pressure); NULL to skip
+/// @return friction force over `nominal_area` [stress], finite also at zero and negative pressure down to pull-off; 0 below
+///         pull-off; a quiet NaN for a pressure that is not finite, an area that is not allowed, a NULL model
+///
+/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_shear_stress_at_pressure(
+    model: *const asperity_model,
+    pressure: f64,
+    nominal_area: f64,
+    dstress_dpressure: *mut f64,
+) -> f64 {
+    boundary::fast_value(|| {
+        let Some(load) = load_of(pressure, nominal_area) else {
+            write(dstress_dpressure, f64::NAN);
+            return f64::NAN;
+        };
+        let (force, slope) = at(model, Quantity::Force, load);
+        write(dstress_dpressure, slope);
+        force / nominal_area
+    })
+}
+
+/// Friction force of a sliding contact, with a smooth sign of the slip rate, and its two slopes.
+///
+/// F(load) tanh(slip_rate / transition_rate), for solvers that integrate through zero slip rate. A contact that shall stick
+/// creeps instead, the slower the smaller `transition_rate`. The force opposes the slip rate of the body it acts on: give
+/// it the opposite sign there.
+///
+/// @param model              a model
+/// @param load               normal load [force]
+/// @param slip_rate          tangential velocity [length/time], signed
+/// @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-100 to 1e100
+/// @param dforce_dload       receives the derivative by load; NULL to skip
+/// @param dforce_dslip_rate  receives the derivative by slip rate [force time/length]; NULL to skip
+/// @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a rate that is not allowed, a NULL model
+///
+/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_slip_force(
+    model: *const asperity_model,
+    load: f64,
+    slip_rate: f64,
+    transition_rate: f64,
+    dforce_dload: *mut f64,
+    dforce_dslip_rate: *mut f64,
+) -> f64 {
+    boundary::fast_value(|| {
+        if !finite(slip_rate) || !is_allowed(transition_rate) {
+            write(dforce_dload, f64::NAN);
+            write(dforce_dslip_rate, f64::NAN);
+            return f64::NAN;
+        }
+        let (force, slope) = at(model, Quantity::Force, load);
+        let (sign, sign_rate) = fp_environment::held(|| smooth_sign(slip_rate, transition_rate));
+        // At pull-off the slope is infinite; times a sign of zero it is zero.
+        write(dforce_dload, if sign == 0.0 { 0.0 } else { slope * sign });
+        write(dforce_dslip_rate, force * sign_rate);
+        force * sign
+    })
+}
+
+unsafe fn at(model: *const asperity_model, quantity: Quantity, load: f64) -> (f64, f64) {
+    model.as_ref().map_or((f64::NAN, f64::NAN), |handle| quantity.at(&handle.model, load))
+}
+
+unsafe fn write(out: *mut f64, value: f64) {
+    if !out.is_null() {
+        out.write_unaligned(value);
+    }
+}
+
+fn load_of(pressure: f64, nominal_area: f64) -> Option<f64> {
+    let size = pressure.to_bits() & !(1 << 63);
+    let allowed = size <= (LARGEST * LARGEST).to_bits() && is_allowed(nominal_area);
+    // The product of what cannot raise a flag, should it be evaluated ahead.
+    let (p, a) = if allowed { (pressure, nominal_area) } else { (0.0, 1.0) };
+    allowed.then_some(p * a)
+}
+
+/// Compares bits, which order positive numbers: comparing a signalling NaN would raise a flag.
+fn is_allowed(x: f64) -> bool {
+    ((1.0 / LARGEST).to_bits()..=LARGEST.to_bits()).contains(&x.to_bits())
+}

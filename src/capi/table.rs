@@ -1,0 +1,75 @@
+//! The compiled table handed out, for code that cannot call out of a kernel.
+
+use super::boundary;
+use super::boundary::reference;
+use super::model::asperity_model;
+use super::state::fill;
+use super::status::asperity_status;
+use std::mem::size_of;
+
+/// Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
+pub const ASPERITY_TABLE_LAYOUT: u32 = 1;
+
+/// A read-only view of the compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
+///
+/// `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load, found
+/// from the bits of x: its index is (bits(x) >> shift) - base as unsigned 64-bit integers; where that is not below
+/// `row_count` the table does not answer. Its variable t has the bits of x below `shift` as its mantissa: t = (those bits |
+/// bits of 1.0) - 1.0. Its value is F, its derivative by t times 2^-(exponent of x) is dF/d(load). A row whose first
+/// coefficient is NaN is left out. Copy the rows where they are needed and change the pointer.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct asperity_table {
+    /// Set by the caller to `sizeof(asperity_table)`; no more than that is written.
+    pub struct_size: u64,
+    /// `row_count` rows of 8 doubles, aligned to 64 bytes.
+    pub rows: *const f64,
+    /// Number of rows.
+    pub row_count: u64,
+    /// Shifted bits of x at which the first row begins.
+    pub base: u64,
+    /// How far the bits of x are shifted.
+    pub shift: u32,
+    /// `ASPERITY_TABLE_LAYOUT`.
+    pub layout_version: u32,
+    /// The pull-off load [force].
+    pub pull_off_load: f64,
+    /// Cap on the friction coefficient.
+    pub max_friction_coefficient: f64,
+    /// Loads up to this times F have the capped coefficient.
+    pub inverse_cap: f64,
+}
+
+/// Gives a view of the compiled law of a model.
+///
+/// @param model  must not be NULL
+/// @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model; must not be NULL; its
+///               `struct_size` must be set; untouched on failure
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
+///
+/// Threads: may share the model and the view.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_table_of(
+    model: *const asperity_model,
+    table: *mut asperity_table,
+) -> asperity_status {
+    boundary::status(|| {
+        let model = &reference(model, "model")?.model;
+        let view = model.table();
+        fill(table, "table", |struct_size| {
+            Ok(asperity_table {
+                struct_size,
+                rows: view.rows.as_ptr().cast(),
+                row_count: view.rows.len() as u64,
+                base: view.base,
+                shift: view.shift,
+                layout_version: ASPERITY_TABLE_LAYOUT,
+                pull_off_load: view.pull_off,
+                max_friction_coefficient: model.params().max_friction_coefficient,
+                inverse_cap: model.inverse_cap(),
+            })
+        })
+    })
+}
+
+const _: () = assert!(size_of::<crate::law::Row>() == 64);

@@ -1,0 +1,432 @@
+// What asperity.hpp promises, called from C++ with floating-point traps on.
+//
+// Reference figures: case "fig3 beta=1000 noncontacting=True" at separation 1 sigma of tests/reference/cases.json,
+// which an independent program computed; loads there are in E* b^2, friction in G* b^2.
+
+#include <asperity.hpp>
+#include <asperity_eval.h>
+
+#include <fenv.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace {
+
+using asperity::Error;
+using asperity::Model;
+using asperity::Params;
+
+int failures = 0;
+
+void expect(bool holds, const char *claim, int line) {
+    if (!holds) {
+        std::fprintf(stderr, "tests/cpp/wrapper.cpp:%d: does not hold: %s\n", line, claim);
+        ++failures;
+    }
+}
+
+#define EXPECT(claim) expect(claim, #claim, __LINE__)
+
+bool close(double value, double expected, double tolerance) {
+    return std::fabs(value - expected) <= tolerance * std::fabs(expected);
+}
+
+/// The status and message that a call throws; ASPERITY_OK if it throws nothing.
+template <class Call>
+Error thrown_by(Call call) {
+    try {
+        call();
+    } catch (const Error &error) {
+        return error;
+    }
+    return Error(ASPERITY_OK, "nothing was thrown");
+}
+
+bool begins(const char *text, const char *with) { return std::strncmp(text, with, std::strlen(with)) == 0; }
+
+constexpr double INF = std::numeric_limits<double>::infinity();
+constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
+
+// ---- Versions and errors ----
+
+void versions_are_those_of_the_header() {
+    EXPECT(std::strcmp(asperity::version(), ASPERITY_VERSION) == 0);
+    EXPECT(asperity::abi_version() == ASPERITY_ABI_VERSION);
+    const std::string numbers = std::to_string(ASPERITY_VERSION_MAJOR) + "." + std::to_string(ASPERITY_VERSION_MINOR) +
+                                "." + std::to_string(ASPERITY_VERSION_PATCH);
+    EXPECT(numbers == ASPERITY_VERSION);
+}
+
+void every_status_has_its_own_words() {
+    EXPECT(std::strcmp(asperity::status_string(ASPERITY_OK), "success") == 0);
+    EXPECT(std::strcmp(asperity::status_string(77), "unknown status") == 0);
+    const std::array<asperity::Status, 7> statuses{ASPERITY_NULL_POINTER, ASPERITY_INVALID_PARAMETER,
+                                                   ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE,
+                                                   ASPERITY_NOT_CONVERGED, ASPERITY_INTERNAL};
+    for (const asperity::Status a : statuses) {
+        for (const asperity::Status b : statuses) {
+            EXPECT((a == b) == (std::strcmp(asperity::status_string(a), asperity::status_string(b)) == 0));
+        }
+    }
+}
+
+void an_error_carries_status_and_message() {
+    const Error error = thrown_by([] { Model(Params().height_std(-2.0)); });
+    EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(begins(error.what(), "height_std = -2: must be "));
+    EXPECT(asperity::last_error() == error.what());
+
+    const std::exception &base = error;
+    EXPECT(std::strcmp(base.what(), error.what()) == 0);
+    asperity::check(ASPERITY_OK);
+    EXPECT(thrown_by([] { asperity::check(ASPERITY_SEPARATED); }).status() == ASPERITY_SEPARATED);
+
+    std::string elsewhere = "not asked";
+    std::thread([&] { elsewhere = asperity::last_error(); }).join();
+    EXPECT(elsewhere.empty());
+}
+
+// ---- Parameters ----
+
+/// Every setter of Params changes its own field of the C struct and no other.
+template <class Value>
+void field_is_set(Params &(Params::*set)(Value) noexcept, Value (Params::*get)() const noexcept, Value value,
+                  std::size_t offset) {
+    Params params;
+    const Params before;
+    EXPECT(&(params.*set)(value) == &params);
+    EXPECT((params.*get)() == value);
+    EXPECT((before.*get)() != value);
+
+    std::array<unsigned char, sizeof(asperity_params)> bytes{}, old{};
+    std::memcpy(bytes.data(), &params.c(), bytes.size());
+    std::memcpy(old.data(), &before.c(), old.size());
+    const std::size_t size = sizeof(Value) == sizeof(double) ? sizeof(double) : sizeof(std::int32_t);
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        EXPECT(bytes[i] == old[i] || (i >= offset && i < offset + size));
+    }
+}
+
+#define FIELD(name, value) \
+    field_is_set<decltype(Params().name())>(&Params::name, &Params::name, value, offsetof(asperity_params, name))
+
+void each_setter_sets_its_own_field() {
+    FIELD(composite_modulus, 3.5);
+    FIELD(effective_shear_modulus, 3.5);
+    FIELD(work_of_adhesion, 3.5);
+    FIELD(adhesion_range, 3.5);
+    FIELD(burgers_vector, 3.5);
+    FIELD(height_std, 3.5);
+    FIELD(summit_radius, 3.5);
+    FIELD(asperity_count, 3.5);
+    FIELD(height_distribution, asperity::Heights::weibull);
+    FIELD(attraction, false);
+    FIELD(weibull_shape, 2.0);
+    FIELD(radius_amplitude, 0.25);
+    FIELD(radius_rate, 2.0);
+    FIELD(slip_radius_1, 30.0);
+    FIELD(slip_stress_1, 0.02);
+    FIELD(slip_radius_2, 9e4);
+    FIELD(slip_stress_2, 7e-4);
+    FIELD(max_friction_coefficient, INF);
+}
+
+void materials_give_the_moduli_of_both_bodies() {
+    // Steel on a rigid body: E* = E/(1 - nu^2), G* = 2 G with G = E/(2 (1 + nu)).
+    const Params params = Params().set_materials(210e9, 0.3, INF, 0.3);
+    EXPECT(close(params.composite_modulus(), 210e9 / 0.91, 1e-15));
+    EXPECT(close(params.effective_shear_modulus(), 210e9 / 1.3, 1e-15));
+
+    Params changed = params;
+    EXPECT(thrown_by([&] { changed.set_materials(-1.0, 0.3, INF, 0.3); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(changed.composite_modulus() == params.composite_modulus());
+}
+
+void dimensionless_groups_come_back_from_the_model() {
+    const asperity::Summary summary = Model(Params::dimensionless(0.02, 500.0, 0.002, 0.8, 0.25)).summary();
+    EXPECT(close(summary.alpha, 0.02, 1e-14));
+    EXPECT(close(summary.beta, 500.0, 1e-14));
+    EXPECT(close(summary.gamma, 0.002, 1e-14));
+    EXPECT(summary.skew == 0.0);
+    EXPECT(summary.kurtosis == 3.0);
+
+    Params params = Params().asperity_count(50.0).radius_amplitude(0.5);
+    params.set_dimensionless(0.02, 500.0, 0.002);
+    EXPECT(params.asperity_count() == 1.0);
+    EXPECT(params.radius_amplitude() == 0.5);
+}
+
+void skew_chooses_the_weibull_shape() {
+    // Table 1 of the paper: no skew at omega = 3.602. Rayleigh's distribution, omega = 2, has the skew
+    // 2 pi^(1/2) (pi - 3)/(4 - pi)^(3/2).
+    Params params;
+    EXPECT(params.height_distribution() == asperity::Heights::gaussian);
+    EXPECT(close(params.set_skew(0.0).weibull_shape(), 3.602, 2e-4));
+    EXPECT(params.height_distribution() == asperity::Heights::weibull);
+    EXPECT(close(params.set_skew(0.6311106578189364).weibull_shape(), 2.0, 1e-9));
+    const Error error = thrown_by([&] { params.set_skew(-1.2); });
+    EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(begins(error.what(), "skew = -1.2: must be "));
+}
+
+// ---- The model ----
+
+void a_model_moves_and_does_not_copy() {
+    static_assert(!std::is_copy_constructible_v<Model> && !std::is_copy_assignable_v<Model>);
+    static_assert(std::is_nothrow_move_constructible_v<Model> && std::is_nothrow_move_assignable_v<Model>);
+
+    Model first;
+    const double mu = first.friction_at_load(100.0);
+    Model second(std::move(first));
+    EXPECT(second.friction_at_load(100.0) == mu);
+    EXPECT(first.c() == nullptr && second.c() != nullptr);
+    EXPECT(std::isnan(first.friction_at_load(100.0)));
+    EXPECT(std::isnan(first.friction_and_slope_at_load(100.0).slope));
+    EXPECT(std::isnan(first.friction_and_slope_at_pressure(1.0, 100.0).slope));
+    EXPECT(std::isnan(first.slip_force_and_slopes(100.0, 1.0, 1.0).dforce_dload));
+    EXPECT(thrown_by([&] { first.summary(); }).status() == ASPERITY_NULL_POINTER);
+    EXPECT(thrown_by([&] { first.table(); }).status() == ASPERITY_NULL_POINTER);
+    EXPECT(thrown_by([&] { first.friction_at_load(std::vector<double>{1.0}); }).status() == ASPERITY_NULL_POINTER);
+    first = std::move(second);
+    EXPECT(first.friction_at_load(100.0) == mu);
+}
+
+void parameters_change_all_or_nothing() {
+    Model model;
+    EXPECT(model.params().asperity_count() == 1.0);
+    const double force = model.friction_force_at_load(100.0);
+    EXPECT(thrown_by([&] { model.set_params(Params().summit_radius(0.0)); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(model.friction_force_at_load(100.0) == force);
+
+    // Twice the summits carry twice the load with twice the friction.
+    model.set_params(Params().asperity_count(2.0));
+    EXPECT(model.params().asperity_count() == 2.0);
+    EXPECT(close(model.friction_force_at_load(200.0), 2.0 * force, 1e-9));
+}
+
+// ---- Friction ----
+
+constexpr double REFERENCE_LOAD = 939.4461111241189 * (2.0 / 0.7); // E* = 2/(1 - 0.3)
+constexpr double REFERENCE_FORCE = 1711.9722909384257 * 2.0;       // G* = 2
+constexpr double REFERENCE_SLOPE = 1.5229765753034687 * 0.7;
+
+void friction_is_that_of_the_reference() {
+    const Model model(Params::dimensionless(0.01, 1000.0, 0.001));
+    const double mu = REFERENCE_FORCE / REFERENCE_LOAD;
+    EXPECT(close(model.friction_force_at_load(REFERENCE_LOAD), REFERENCE_FORCE, 1e-7));
+    EXPECT(close(model.friction_at_load(REFERENCE_LOAD), mu, 1e-7));
+
+    const asperity::ValueAndSlope force = model.friction_force_and_slope_at_load(REFERENCE_LOAD);
+    EXPECT(close(force.value, REFERENCE_FORCE, 1e-7) && close(force.slope, REFERENCE_SLOPE, 1e-6));
+    // d(F/P)/dP = (dF/dP - F/P)/P
+    const asperity::ValueAndSlope coefficient = model.friction_and_slope_at_load(REFERENCE_LOAD);
+    EXPECT(close(coefficient.value, mu, 1e-7));
+    EXPECT(close(coefficient.slope, (REFERENCE_SLOPE - mu) / REFERENCE_LOAD, 1e-5));
+}
+
+void states_are_those_of_the_reference() {
+    const Model model;
+    const asperity::State state = model.state_at_separation(model.params().height_std());
+    EXPECT(close(state.load, REFERENCE_LOAD, 1e-7));
+    EXPECT(close(state.friction_force, REFERENCE_FORCE, 1e-7));
+    EXPECT(close(state.real_area, 318699.2525830931, 1e-7));
+    EXPECT(close(state.contacting, 0.17776420898559706, 1e-7));
+    EXPECT(close(state.attraction_load, -2.1044486779808658 * (2.0 / 0.7), 1e-6));
+
+    const asperity::State same = model.state_at_load(state.load);
+    EXPECT(close(same.separation, state.separation, 1e-9));
+    EXPECT(close(same.friction_force, state.friction_force, 1e-9));
+}
+
+void friction_is_defined_at_every_load() {
+    const Model model;
+    const double pull_off = model.summary().pull_off_load;
+    EXPECT(pull_off < 0.0);
+    EXPECT(model.friction_at_load(0.0) == 1000.0);
+    EXPECT(model.friction_force_at_load(pull_off) > 0.0);
+    EXPECT(model.friction_at_load(2.0 * pull_off) == 0.0);
+    EXPECT(model.friction_force_at_load(2.0 * pull_off) == 0.0);
+    EXPECT(std::isnan(model.friction_at_load(NOT_A_NUMBER)));
+    EXPECT(std::isnan(model.friction_force_at_load(INF)));
+    EXPECT(model.friction_force_and_slope_at_load(2.0 * pull_off).value == 0.0);
+    EXPECT(thrown_by([&] { model.state_at_load(2.0 * pull_off); }).status() == ASPERITY_SEPARATED);
+    EXPECT(thrown_by([&] { model.state_at_load(INF); }).status() == ASPERITY_INVALID_LOAD);
+    EXPECT(thrown_by([&] { model.state_at_separation(NOT_A_NUMBER); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
+void pressure_is_load_per_area_of_the_summits() {
+    const Model model;
+    const double area = 250.0, pressure = REFERENCE_LOAD / area;
+    const double mu = REFERENCE_FORCE / REFERENCE_LOAD;
+    EXPECT(close(model.friction_at_pressure(pressure, area), mu, 1e-7));
+    EXPECT(close(model.shear_stress_at_pressure(pressure, area), REFERENCE_FORCE / area, 1e-7));
+
+    const asperity::ValueAndSlope coefficient = model.friction_and_slope_at_pressure(pressure, area);
+    EXPECT(coefficient.value == model.friction_at_pressure(pressure, area));
+    EXPECT(close(coefficient.slope, (REFERENCE_SLOPE - mu) / pressure, 1e-5));
+    const asperity::ValueAndSlope stress = model.shear_stress_and_slope_at_pressure(pressure, area);
+    EXPECT(stress.value == model.shear_stress_at_pressure(pressure, area));
+    EXPECT(close(stress.slope, REFERENCE_SLOPE, 1e-6));
+
+    const double pull_off = model.summary().pull_off_load;
+    EXPECT(model.shear_stress_at_pressure(0.0, area) > 0.0);
+    EXPECT(model.shear_stress_and_slope_at_pressure(2.0 * pull_off / area, area).value == 0.0);
+    EXPECT(std::isnan(model.friction_at_pressure(pressure, 0.0)));
+    EXPECT(std::isnan(model.friction_and_slope_at_pressure(pressure, -area).slope));
+    EXPECT(std::isnan(model.shear_stress_and_slope_at_pressure(NOT_A_NUMBER, area).slope));
+}
+
+void slip_gives_the_force_a_smooth_sign() {
+    const Model model;
+    const double rate = 0.02, transition = 0.05;
+    const double sign = std::tanh(rate / transition);
+    const asperity::SlipForce force = model.slip_force_and_slopes(REFERENCE_LOAD, rate, transition);
+    EXPECT(force.value == model.slip_force(REFERENCE_LOAD, rate, transition));
+    EXPECT(close(force.value, REFERENCE_FORCE * sign, 1e-7));
+    EXPECT(close(force.dforce_dload, REFERENCE_SLOPE * sign, 1e-6));
+    // tanh' = 1 - tanh^2
+    EXPECT(close(force.dforce_dslip_rate, REFERENCE_FORCE * (1.0 - sign * sign) / transition, 1e-7));
+
+    EXPECT(model.slip_force(REFERENCE_LOAD, -rate, transition) == -force.value);
+    EXPECT(model.slip_force(REFERENCE_LOAD, 0.0, transition) == 0.0);
+    EXPECT(model.slip_force_and_slopes(model.summary().pull_off_load, 0.0, transition).dforce_dload == 0.0);
+    EXPECT(close(model.slip_force(REFERENCE_LOAD, 1e3, transition), REFERENCE_FORCE, 1e-7));
+    EXPECT(std::isnan(model.slip_force(REFERENCE_LOAD, INF, transition)));
+    EXPECT(std::isnan(model.slip_force_and_slopes(REFERENCE_LOAD, rate, 0.0).dforce_dslip_rate));
+}
+
+void the_table_answers_as_the_model() {
+    Model made;
+    const asperity::Table table = made.table();
+    const Model model(std::move(made));
+    EXPECT(table.layout_version == ASPERITY_TABLE_LAYOUT);
+    EXPECT(table.pull_off_load == model.summary().pull_off_load);
+    EXPECT(table.max_friction_coefficient == 1000.0);
+    double slope = 0.0;
+    EXPECT(close(asperity_eval_friction_force(&table, REFERENCE_LOAD, &slope), REFERENCE_FORCE, 1e-7));
+    EXPECT(close(slope, REFERENCE_SLOPE, 1e-6));
+    EXPECT(close(asperity_eval_friction(&table, REFERENCE_LOAD, nullptr), REFERENCE_FORCE / REFERENCE_LOAD, 1e-7));
+    EXPECT(std::isnan(asperity_eval_friction(&table, 2.0 * model.summary().max_table_load, nullptr)));
+}
+
+// ---- Many loads ----
+
+template <class Loads>
+void a_range_gives_what_its_elements_give(const Model &model, const Loads &loads) {
+    const std::vector<double> mu = model.friction_at_load(loads);
+    const std::vector<double> force = model.friction_force_at_load(loads);
+    const auto [mu_again, dmu] = model.friction_and_slope_at_load(loads);
+    const auto [force_again, dforce] = model.friction_force_and_slope_at_load(loads);
+    EXPECT(mu.size() == std::size(loads) && dforce.size() == std::size(loads));
+    EXPECT(mu == mu_again && force == force_again);
+    for (std::size_t i = 0; i < mu.size(); ++i) {
+        const double load = std::data(loads)[i];
+        EXPECT(mu[i] == model.friction_at_load(load) && force[i] == model.friction_force_at_load(load));
+        EXPECT(dmu[i] == model.friction_and_slope_at_load(load).slope);
+        EXPECT(dforce[i] == model.friction_force_and_slope_at_load(load).slope);
+    }
+}
+
+void every_contiguous_range_will_do() {
+    const Model model;
+    const std::vector<double> vector{1e-3, 1.0, 1e3};
+    double plain[] = {10.0, 20.0};
+    a_range_gives_what_its_elements_give(model, vector);
+    a_range_gives_what_its_elements_give(model, std::array<double, 4>{1.0, 2.0, 3.0, 4.0});
+    a_range_gives_what_its_elements_give(model, plain);
+    a_range_gives_what_its_elements_give(model, std::vector<double>{});
+    EXPECT(model.friction_at_load({vector.data() + 1, 2}) == model.friction_at_load(std::vector<double>{1.0, 1e3}));
+
+    static_assert(std::is_convertible_v<std::vector<double> &, asperity::Span<double>>);
+    static_assert(!std::is_convertible_v<const std::vector<double> &, asperity::Span<double>>);
+    static_assert(!std::is_convertible_v<std::vector<float> &, asperity::Span<const double>>);
+    static_assert(!std::is_convertible_v<double, asperity::Span<const double>>);
+}
+
+void a_solver_gets_every_element_and_the_first_offence() {
+    const Model model;
+    const double pull_off = model.summary().pull_off_load;
+    const std::vector<double> loads{1.0, 2.0 * pull_off, NOT_A_NUMBER, 100.0};
+    std::array<double, 4> mu{}, dmu{}, force{}, dforce{};
+    EXPECT(model.friction_at_load(loads, mu, dmu) == ASPERITY_SEPARATED);
+    EXPECT(begins(asperity::last_error().c_str(), "element 1: "));
+    EXPECT(model.friction_force_at_load(loads, force, dforce) == ASPERITY_SEPARATED);
+    EXPECT(mu[0] == model.friction_at_load(1.0) && mu[1] == 0.0 && std::isnan(mu[2]));
+    EXPECT(mu[3] == model.friction_at_load(100.0) && dmu[3] == model.friction_and_slope_at_load(100.0).slope);
+    EXPECT(force[1] == 0.0 && force[3] == model.friction_force_at_load(100.0));
+
+    const Error error = thrown_by([&] { model.friction_force_at_load(loads); });
+    EXPECT(error.status() == ASPERITY_SEPARATED && begins(error.what(), "element 1: "));
+
+    // Nothing but values, in place.
+    std::vector<double> in_place{1.0, 100.0};
+    EXPECT(model.friction_at_load(in_place, in_place) == ASPERITY_OK);
+    EXPECT(in_place[1] == mu[3]);
+}
+
+void arrays_of_other_sizes_are_refused_before_anything_is_written() {
+    const Model model;
+    std::vector<double> mu(3, -1.0), slope(1, -1.0);
+    const std::vector<double> loads{1.0, 2.0};
+    const Error values = thrown_by([&] { model.friction_at_load(loads, mu); });
+    EXPECT(values.status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(std::strcmp(values.what(), "size of values = 3: must be the number of loads, 2") == 0);
+    mu.resize(2);
+    EXPECT(thrown_by([&] { model.friction_force_at_load(loads, mu, slope); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(mu[0] == -1.0 && slope[0] == -1.0);
+}
+
+void threads_share_a_model() {
+    const Model model;
+    const double expected = model.friction_at_load(REFERENCE_LOAD);
+    std::array<double, 4> mu{};
+    std::vector<std::thread> threads;
+    for (double &own : mu) {
+        threads.emplace_back([&] {
+            feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+            own = model.friction_at_load(REFERENCE_LOAD);
+        });
+    }
+    for (std::thread &thread : threads) {
+        thread.join();
+    }
+    for (const double each : mu) {
+        EXPECT(each == expected);
+    }
+}
+
+} // namespace
+
+int main() {
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    versions_are_those_of_the_header();
+    every_status_has_its_own_words();
+    an_error_carries_status_and_message();
+    each_setter_sets_its_own_field();
+    materials_give_the_moduli_of_both_bodies();
+    dimensionless_groups_come_back_from_the_model();
+    skew_chooses_the_weibull_shape();
+    a_model_moves_and_does_not_copy();
+    parameters_change_all_or_nothing();
+    friction_is_that_of_the_reference();
+    states_are_those_of_the_reference();
+    friction_is_defined_at_every_load();
+    pressure_is_load_per_area_of_the_summits();
+    slip_gives_the_force_a_smooth_sign();
+    the_table_answers_as_the_model();
+    every_contiguous_range_will_do();
+    a_solver_gets_every_element_and_the_first_offence();
+    arrays_of_other_sizes_are_refused_before_anything_is_written();
+    threads_share_a_model();
+    return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

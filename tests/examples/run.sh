@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# The same example in C, C++, Fortran and Python prints the same table, to the last digit.
+#
+# usage: tests/examples/run.sh      needs cargo, cc, g++, gfortran, python3 with venv; fetches NumPy from PyPI
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+
+for tool in cargo cc g++ gfortran python3; do
+    command -v "$tool" >/dev/null ||
+        { echo "tests/examples/run.sh: $tool is missing; run tests/setup.sh core" >&2; exit 1; }
+done
+CARGO_TARGET_DIR=$(realpath -m "${CARGO_TARGET_DIR:-target}")
+export CARGO_TARGET_DIR
+build=$CARGO_TARGET_DIR/tests-examples
+mkdir -p "$build/modules"
+cargo build --release --locked --quiet
+link=(-L"$CARGO_TARGET_DIR/release" -Wl,-rpath,"$CARGO_TARGET_DIR/release" -lasperity -lm)
+
+cc -std=c11 -Wall -Wextra -Wpedantic -Werror -Iinclude c_examples/friction_curve.c -o "$build/c" "${link[@]}"
+g++ -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iinclude c_examples/friction_curve.cpp -o "$build/cpp" \
+    "${link[@]}"
+gfortran -std=f2018 -Wall -Wextra -J "$build/modules" fortran/asperity.f90 fortran/examples/friction_curve.f90 \
+    -o "$build/fortran" "${link[@]}"
+
+# The Python package as it is in the source tree, with the library just built.
+python=$build/venv/bin/python
+[ -x "$python" ] || python3 -m venv "$build/venv"
+"$python" -c "import numpy" 2>/dev/null || "$python" -m pip --quiet --disable-pip-version-check install "numpy>=1.22"
+export PYTHONPATH=python/src PYTHONDONTWRITEBYTECODE=1 ASPERITY_LIBRARY=$CARGO_TARGET_DIR/release/libasperity.so
+
+# compare LOADS LOWEST HIGHEST
+compare() {
+    "$build/c" - "$@" >"$build/c.txt"
+    "$build/cpp" "$@" >"$build/cpp.txt"
+    "$build/fortran" "$@" >"$build/fortran.txt"
+    "$python" python/examples/friction_curve.py - "$@" >"$build/python.txt"
+    [ "$(grep -vc '^#' "$build/c.txt")" = "$1" ] ||
+        { echo "tests/examples/run.sh: friction_curve.c does not print $1 loads" >&2; exit 1; }
+    for language in cpp fortran python; do
+        diff "$build/c.txt" "$build/$language.txt" ||
+            { echo "tests/examples/run.sh: the table of $language differs from that of C" >&2; exit 1; }
+    done
+    echo "$1 loads from $2 to $3 N: four languages, one table"
+}
+
+compare 33 1e-8 1
+compare 7 3e-6 0.02
