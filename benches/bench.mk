@@ -1,0 +1,13 @@
+# make bench: measures speed and accuracy, and rewrites docs/performance.md and docs/performance.svg.
+# Needs libgsl-dev and valgrind (tests/setup.sh). A missed limit is shown in the document; it is no failure.
+
+bench_target := $(abspath $(or $(CARGO_TARGET_DIR),target))
+bench_program := $(bench_target)/bench/solver_speed
+
+.PHONY: bench
+bench:
+	cargo build --release
+	mkdir -p $(bench_target)/bench
+	$(CXX) -std=c++17 -O2 -Wall -Wextra -Iinclude benches/solver_speed.cpp -o $(bench_program) \
+	    -L$(bench_target)/release -Wl,-rpath,$(bench_target)/release -lasperity -lgsl -lgslcblas -lm -pthread
+	CXX="$(CXX)" benches/report.sh $(bench_program)

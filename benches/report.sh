@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# Measures, counts instructions, and puts the results between the marks in docs/performance.md, with date and machine.
+#
+# usage: benches/report.sh PROGRAM      (make bench builds the program and calls this)
+set -euo pipefail
+
+program=$1
+cd "$(dirname "$0")/.."
+work=$(dirname "$program")
+document=docs/performance.md
+
+if ! command -v valgrind >/dev/null; then
+    echo "benches/report.sh: valgrind is missing: tests/setup.sh installs it" >&2
+    exit 1
+fi
+
+collected() {
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" --only "$1" "$2" >"$work/callgrind.log" 2>&1 ||
+        { cat "$work/callgrind.log" >&2; return 1; }
+    awk '/Collected/ { print $NF }' "$work/callgrind.log"
+}
+
+# Instructions per call: what more passes add to one.
+instructions() {
+    local name=$1 calls_per_pass=$2 more=$3 one several
+    one=$(collected "$name" 1)
+    several=$(collected "$name" $((1 + more)))
+    awk -v count=$((several - one)) -v calls=$((more * calls_per_pass)) 'BEGIN { printf "%.0f", count / calls }'
+}
+
+of_processor() { awk -F'[ \t]*: *' -v key="$1" '$1 == key { print $2; exit }' /proc/cpuinfo; }
+
+vectors() {
+    if grep -qw avx512dq /proc/cpuinfo; then echo AVX-512
+    elif grep -qw avx2 /proc/cpuinfo; then echo AVX2
+    else echo "no AVX2"
+    fi
+}
+
+results=$work/results.md
+"$program" --list >"$work/calls.txt"
+{
+    echo "Measured $(date -u '+%Y-%m-%d %H:%M') UTC by \`make bench\` on $(nproc) cores of" \
+        "$(of_processor 'model name') (family $(of_processor 'cpu family'), model $(of_processor model), $(vectors));" \
+        "load average at the start $(cut -d' ' -f1 /proc/loadavg)." \
+        "$("${CXX:-c++}" --version | head -1), $(rustc --version), $(getconf GNU_LIBC_VERSION)."
+    echo
+    "$program" docs/performance.svg
+    echo
+    echo "### Instructions"
+    echo
+    echo "Counted by $(valgrind --version)'s callgrind, per contact for batch calls, loop included."
+    echo
+    echo "| call | instructions |"
+    echo "|---|---|"
+    while IFS='|' read -r name calls_per_pass more; do
+        count=$(instructions "$name" "$calls_per_pass" "$more")
+        echo "| $name | $count |"
+    done <"$work/calls.txt"
+} >"$results"
+
+awk -v results="$results" '
+    /^<!-- measured: begin/ { print; print ""; while ((getline line < results) > 0) print line; skip = 1; begun = 1 }
+    /^<!-- measured: end/ { print ""; skip = 0; ended = 1 }
+    !skip { print }
+    END { exit !(begun && ended) }' "$document" >"$work/performance.md" ||
+    { echo "benches/report.sh: $document has lost its marks" >&2; exit 1; }
+cp "$work/performance.md" "$document"
+if grep -q MISSED "$results"; then grep MISSED "$results"; else echo "all limits met"; fi
