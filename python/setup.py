@@ -64,7 +64,7 @@ class BuildWithLibrary(build_py):
 
 
 class PlatformWheel(bdist_wheel):
-    """Tags the wheel for any Python 3 of one platform: the library is called by ctypes, so no Python ABI is involved."""
+    """Tags the wheel for any Python 3 of one platform: ctypes calls the library, no Python ABI is involved."""
 
     def get_tag(self):
         tag = super().get_tag()[2]

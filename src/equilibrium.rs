@@ -10,15 +10,15 @@ use crate::root;
 
 /// Separations are searched between these, in sigma.
 const CLOSEST: f64 = -1e60;
-/// All summits that matter are pressed in at this separation, so that load falls as separation grows.
-const ALL_PRESSED: f64 = -12.0;
-/// How densely the load curve is looked at for its first minimum, in sigma.
-const SCAN_STEP: f64 = 0.5;
+/// The load curve is looked at for its first minimum from this separation, in sigma...
+const SCAN_START: f64 = -6.0;
+/// ...in steps of this: sums over the heights change on the scale of their standard deviation, not faster.
+const SCAN_STEP: f64 = 1.0;
 /// A pull-off load smaller than exp of this cannot be told from none.
 const SMALLEST_LOG_LOAD: f64 = -640.0;
 /// Below this part of the pull-off load, load minus pull-off load is integrated from the slope: the difference of
 /// the two loads would have lost too many digits.
-const NEAR_PULL_OFF: f64 = 1e-3;
+const NEAR_PULL_OFF: f64 = 1e-4;
 
 /// Where the surfaces part under load control.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,9 +48,28 @@ impl Equilibrium {
         if !population.is_adhesive() {
             return Ok(Self { pull_off: None, farthest: population.farthest() });
         }
-        let Some((lower, upper)) = bracket_first_minimum(population) else {
-            return Ok(Self { pull_off: None, farthest: population.farthest() });
-        };
+        match bracket_first_minimum(population) {
+            Some(bracket) => Self::within(population, bracket),
+            None => Ok(Self { pull_off: None, farthest: population.farthest() }),
+        }
+    }
+
+    /// The branch that ends before a separation at which the load was found to rise already.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] if no minimum can be found before it.
+    pub fn ending_before(population: &Population, rising: f64) -> Result<Self, Error> {
+        let mut step = 1e-3;
+        while step < 100.0 {
+            if falls(population, rising - step) {
+                return Self::within(population, (rising - step, rising));
+            }
+            step *= 2.0;
+        }
+        Err(Error::NotConverged { what: "separation at pull-off", value: rising })
+    }
+
+    fn within(population: &Population, (lower, upper): (f64, f64)) -> Result<Self, Error> {
         // The slope in one scale, so that interpolation makes sense.
         let scale = population.at_separation(lower).log_scale;
         let slope = |separation: f64| {
@@ -149,10 +168,15 @@ impl Equilibrium {
             } else {
                 upper = separation;
             }
-            let newton = separation - residual / slope;
-            let next = if slope < 0.0 && newton > lower && newton < upper { newton } else { 0.5 * (lower + upper) };
-            let change = (next - separation).abs();
+            let newton = if slope < 0.0 { separation - residual / slope } else { lower };
             let resolution = 4.0 * f64::EPSILON * separation.abs().max(f64::MIN_POSITIVE);
+            let next = if (newton - separation).abs() <= resolution || (newton > lower && newton < upper) {
+                newton
+            } else {
+                // No step to the left is longer than the distance from 1.
+                0.5 * (lower.max(2.0 * separation - 4.0) + upper)
+            };
+            let change = (next - separation).abs();
             if residual.abs() <= 4.0 * f64::EPSILON
                 || change <= resolution
                 || upper - lower <= resolution
@@ -171,43 +195,46 @@ impl Equilibrium {
 /// Two separations between which the load has its first minimum, coming from heavy load; `None` where the load
 /// falls as long as it can be represented.
 fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
-    let falls = |separation: f64| population.at_separation(separation).load_slope < 0.0;
     let farthest = population.farthest();
-    if !population.has_single_minimum() {
-        let mut lower = ALL_PRESSED;
-        while lower < farthest {
-            let upper = lower + SCAN_STEP;
-            if !falls(upper) {
-                return Some((lower, upper)).filter(|_| load_is_negative_beyond(population, upper));
-            }
-            lower = upper;
-        }
-        return None;
-    }
+    // A first look at the middle of the heights; where there may be several minima, from heavy load.
+    let single = population.has_single_minimum();
+    let mut here = if single { 0.0 } else { SCAN_START };
     let mut step = SCAN_STEP;
-    let mut here = 0.0;
-    if falls(here) {
-        while here < farthest {
-            let next = here + step;
-            if !falls(next) {
-                return Some((here, next)).filter(|_| load_is_negative_beyond(population, next));
-            }
-            here = next;
-            step *= 1.5;
-        }
-        return None;
-    }
-    loop {
-        let next = here - step;
-        if falls(next) {
-            return Some((next, here));
-        }
-        here = next;
+    while !falls(population, here) {
+        here -= step;
         step *= 1.5;
         if here < CLOSEST {
             return None;
         }
     }
+    step = SCAN_STEP;
+    while here < farthest {
+        let next = here + step;
+        if !falls(population, next) {
+            if !load_is_negative_beyond(population, next) {
+                return None;
+            }
+            return Some(if single { (here, next) } else { first_bracket(population, here, next) });
+        }
+        here = next;
+        // Far out the heights change on the scale of their distance.
+        step = if single { 1.5 * step } else { SCAN_STEP.max(0.1 * here) };
+    }
+    None
+}
+
+/// The first part of a bracket across which the slope changes sign: where radii vary, the load may have a shallow
+/// minimum before the deepest one.
+fn first_bracket(population: &Population, lower: f64, upper: f64) -> (f64, f64) {
+    const PARTS: u32 = 16;
+    let at = |part: u32| lower + (upper - lower) * f64::from(part) / f64::from(PARTS);
+    let first = (1..PARTS).find(|&part| !falls(population, at(part))).unwrap_or(PARTS);
+    (at(first - 1), at(first))
+}
+
+/// Whether the load falls as separation grows.
+fn falls(population: &Population, separation: f64) -> bool {
+    population.at_separation(separation).load_slope < 0.0
 }
 
 /// Whether the slope vanishes because a minimum was passed, and not because nothing is left.

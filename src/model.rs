@@ -3,7 +3,7 @@
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::groups::Groups;
-use crate::law::{Law, Scales, Table};
+use crate::law::{self, Law, Scales, Table};
 use crate::params::{finite, Params};
 use crate::population::{Population, Sums};
 
@@ -11,6 +11,8 @@ use crate::population::{Population, Sums};
 const HEAVIEST_LOAD: f64 = 1e80;
 /// A friction coefficient above this is not told from infinity.
 const LARGEST_COEFFICIENT: f64 = 1e140;
+/// No load curve has more minima than this.
+const MOST_MINIMA: usize = 8;
 /// Separations beyond this many sigma are out of range.
 const FARTHEST_SEPARATION: f64 = 1e50;
 
@@ -107,8 +109,20 @@ impl Model {
         let (groups, heights, radius) = params.surface()?;
         let units = Units::new(params);
         let population = Population::new(&groups, params.slip, heights, radius, params.attraction);
-        let equilibrium = Equilibrium::new(&population)?;
-        let law = Law::new(&population, &equilibrium, Scales { load: units.load, force: units.force })?;
+        let scales = Scales { load: units.load, force: units.force };
+        let mut equilibrium = Equilibrium::new(&population)?;
+        let mut law = Law::new(&population, &equilibrium, scales);
+        for _ in 0..MOST_MINIMA {
+            match law {
+                // Following the branch found an earlier minimum than the search did.
+                Err(Error::NotConverged { what: law::BRANCH, value }) => {
+                    equilibrium = Equilibrium::ending_before(&population, value)?;
+                    law = Law::new(&population, &equilibrium, scales);
+                }
+                _ => break,
+            }
+        }
+        let law = law?;
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(LARGEST_COEFFICIENT);
         Ok(Self { params: *params, groups, population, equilibrium, law, units, inverse_cap })
     }

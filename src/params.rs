@@ -166,7 +166,7 @@ impl Params {
         let shape = Weibull::shape_of_skew(skew).ok_or(Error::OutOfRange {
             name: "skew",
             value: skew.into(),
-            allowed: "must be that of a Weibull shape between 0.3 and 1e6: -1.13954 to 17",
+            allowed: "must be that of a Weibull shape between 1 and 1e6: -1.13954 to 2",
         })?;
         self.heights = HeightFamily::Weibull { shape };
         Ok(())
@@ -243,7 +243,7 @@ impl Params {
                     return Err(Error::OutOfRange {
                         name: "weibull_shape",
                         value: shape.into(),
-                        allowed: "must be between 0.3 and 1e6",
+                        allowed: "must be between 1 and 1e6",
                     });
                 }
                 Ok(Heights::Weibull(Box::new(Weibull::new(shape))))

@@ -5,8 +5,9 @@
 # As root on Debian or Ubuntu it installs what is missing; otherwise it prints the one command that would, and fails.
 set -euo pipefail
 
-core="g++ gfortran cmake pkg-config python3 python3-venv python3-dev libgsl-dev valgrind"
-hosts=""
+core="g++ gfortran clang cmake pkg-config python3 python3-venv libgsl-dev valgrind"
+hosts="libode-dev libsiconos-numerics-dev liblammps-dev libsimbody-dev python3-getfem python3-matplotlib pkg-config
+    python3-venv"
 
 packages=""
 for group in "${@:-core}"; do

@@ -14,6 +14,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// breaks with a > 0. It is where d^2u/dtheta^2 = 0 at theta = pi/2.
 pub const FOLD_LAMBDA_CUBED: f64 = 0.825_154_991_394_896_2;
 
+/// A Newton step in theta, over theta, so small that the derivatives at its beginning carry the contact along.
+const FIRST_ORDER_STEP: f64 = 1e-13;
+
 /// Maugis' contact law with its coefficients, for any local radius factor `g`.
 ///
 /// Lengths: radii in b, overlap in sigma; load in E* b^2.
@@ -55,6 +58,21 @@ pub struct Contact {
     pub overlap_by_g: f64,
     /// da/dg at fixed theta.
     pub radius_by_g: f64,
+}
+
+impl Contact {
+    /// The contact at a theta so near that first order is exact, where its overlap is known to be `overlap`.
+    #[inline]
+    fn moved(self, theta: f64, overlap: f64) -> Self {
+        let step = theta - self.theta;
+        Self {
+            theta,
+            overlap,
+            radius: self.radius + step * self.radius_rate,
+            load: self.load + step * self.load_rate,
+            ..self
+        }
+    }
 }
 
 impl Maugis {
@@ -151,6 +169,9 @@ impl Maugis {
                 false => 0.5 * upper,
             };
             let step = (next - theta).abs();
+            if trusted && step <= FIRST_ORDER_STEP * theta {
+                return contact.moved(next, overlap);
+            }
             contact = self.at(next, g);
             if !trusted {
                 last_step = None;
@@ -161,7 +182,7 @@ impl Maugis {
             }
             // Two Newton steps tell the size of the next; steps that stop shrinking are rounding.
             let ratio = last_step.map_or(1.0, |last: f64| step / last);
-            if step <= 4e-16 * next || step * ratio * ratio <= 1e-16 * next || (ratio >= 0.5 && step <= 1e-11 * next) {
+            if step * ratio * ratio <= 1e-16 * next || (ratio >= 0.5 && step <= 1e-11 * next) {
                 break;
             }
             last_step = Some(step);

@@ -15,11 +15,20 @@ const NODES: usize = 10;
 const CONDITIONS: usize = 2 * NODES;
 /// The branch is followed from this separation, in sigma; heavier loads are evaluated exactly.
 const CLOSEST: f64 = -12.0;
+/// The branch is followed from at least this much above the pull-off load, in ln(load).
+const LOG_ABOVE_PULL_OFF: f64 = 9.0;
 /// Largest error of ln F, and of its slope relative to the slope, at which a panel is good.
-const VALUE_TOLERANCE: f64 = 4e-12;
-const SLOPE_TOLERANCE: f64 = 4e-10;
+const VALUE_TOLERANCE: f64 = 1e-11;
+const SLOPE_TOLERANCE: f64 = 1e-9;
+/// The first panels are this wide, in sigma.
+const FIRST_WIDTH: f64 = 2.2;
+/// No more than about this many exact states are spent; what they do not resolve is evaluated exactly when asked for.
+const MOST_SAMPLES: usize = 600;
 /// Panels are not halved below this width, in sigma.
 const NARROWEST: f64 = 0.1;
+
+/// What is not found where the load rises with separation already: the branch ends before.
+pub const BRANCH: &str = "load on the branch at separation";
 
 /// What s measures.
 #[derive(Debug, Clone, Copy)]
@@ -63,6 +72,8 @@ struct Panel {
 pub struct Curve {
     coordinate: Coordinate,
     panels: Vec<Panel>,
+    /// Exact states spent.
+    samples: usize,
 }
 
 impl Coordinate {
@@ -96,19 +107,25 @@ impl Curve {
     ) -> Result<Self, Error> {
         let log_pull_off = equilibrium.pull_off().map(|point| (-point.load).ln());
         let force = equilibrium.pull_off().map_or(1.0, |point| point.friction);
-        let mut curve = Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new() };
+        let mut curve = Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0 };
         let end = equilibrium.farthest();
-        let closest = CLOSEST.min(end - 10.0);
-        let mut from = curve.sample(population, equilibrium, closest)?;
+        let mut from = curve.sample(population, equilibrium, CLOSEST.min(end - 10.0))?;
+        // Adhesion that is strong beside the roughness: on to loads well above pull-off.
+        while log_pull_off.is_some_and(|pull_off| from.log_excess < pull_off + LOG_ABOVE_PULL_OFF) {
+            from = curve.sample(population, equilibrium, 1.5 * from.separation.min(CLOSEST))?;
+        }
         let lightest = from.log_excess - log_range;
         check.push(from);
+        let mut width = FIRST_WIDTH;
         while from.separation < end && (log_pull_off.is_some() || from.log_excess > lightest) {
-            let width = 2.2_f64.max(0.4 * -from.separation);
-            let mut to = from.separation + width;
-            if to + 0.5 > end {
+            let mut to = from.separation + width.max(0.4 * -from.separation);
+            if to + 0.25 * width > end || curve.samples > MOST_SAMPLES {
                 to = end;
             }
+            let panels = curve.panels.len();
             from = curve.follow(population, equilibrium, from, to, check)?;
+            // Wider where one panel did, narrower where it took several.
+            width = if curve.panels.len() == panels + 1 { 1.3 * width } else { (0.7 * width).max(1.0) };
         }
         Ok(curve)
     }
@@ -142,7 +159,8 @@ impl Curve {
         let between = self.sample(population, equilibrium, middle + 0.1 * half)?;
         let panel = Panel::new(from.s, end.s, &nodes);
         let good = [from, between, end].iter().all(|sample| panel.is_good(sample));
-        if !good && 2.0 * half > NARROWEST {
+        self.samples += NODES + 2;
+        if !good && 2.0 * half > NARROWEST && self.samples < MOST_SAMPLES {
             let next = self.follow(population, equilibrium, from, middle, check)?;
             return self.follow(population, equilibrium, next, to, check);
         }
@@ -157,7 +175,7 @@ impl Curve {
     fn sample(&self, population: &Population, equilibrium: &Equilibrium, separation: f64) -> Result<Sample, Error> {
         let (log_excess, rate, sums) = equilibrium.log_excess(population, separation);
         if !(rate < 0.0 && sums.friction > 0.0) {
-            return Err(Error::NotConverged { what: "load on the branch at separation", value: separation });
+            return Err(Error::NotConverged { what: BRANCH, value: separation });
         }
         let s = self.coordinate.of(log_excess);
         let log_slope = sums.friction_slope / sums.friction / rate;

@@ -12,6 +12,8 @@ use crate::error::Error;
 use crate::population::Population;
 use curve::{Curve, Sample};
 
+pub use curve::BRANCH;
+
 /// Coefficients per row: a polynomial of degree 7, one cache line.
 pub const COEFFICIENTS: usize = 8;
 /// Rows of one table at most: 64 KiB.

@@ -213,10 +213,10 @@ impl Population {
         self.lambda_cubed > 0.0
     }
 
-    /// Whether load against separation can have but one minimum: the law of equal summits changes sign once
-    /// in slope, and a log-concave density adds no sign change (variation diminishing).
+    /// Whether load against separation can have but one minimum: the slope of the law of equal summits changes sign once,
+    /// and a log-concave density, as all families have, adds no change of sign (it diminishes variation).
     pub fn has_single_minimum(&self) -> bool {
-        self.radius.is_constant() && self.heights.is_log_concave()
+        self.radius.is_constant()
     }
 
     /// A separation beyond which nothing touches or attracts, in any number that can be represented.
@@ -269,7 +269,7 @@ impl Population {
         if log_density.is_finite() {
             log_density
         } else {
-            0.0 // a density that is singular at its foot
+            0.0 // at the foot, above which the density falls
         }
     }
 
@@ -428,8 +428,8 @@ impl Population {
         // z = foot + length v^p turns phi dz ~ v^(p (exponent + 1) - 1) into at least v^8, and leaves a law
         // that is a power series in z - foot.
         let power = (9.0 / (exponent + 1.0)).max(1.0);
-        let shortest = SHORTEST_PANEL.powf(1.0 / (exponent + 1.0).min(1.0));
-        let length = (0.02 * clearance().min(1.0).min(self.radius.smooth_length(foot))).max(shortest).min(upper - foot);
+        let length =
+            (0.02 * clearance().min(1.0).min(self.radius.smooth_length(foot))).max(SHORTEST_PANEL).min(upper - foot);
         Some(FootPanel { length, power })
     }
 

@@ -26,6 +26,8 @@ ASPERITY_INTERNAL = 255
 ASPERITY_HEIGHTS_GAUSSIAN = 0
 ASPERITY_HEIGHTS_WEIBULL = 1
 
+ASPERITY_TABLE_LAYOUT = 1
+
 
 class asperity_model(Structure):
     """Opaque."""
@@ -93,10 +95,25 @@ class asperity_summary(Structure):
     ]
 
 
+class asperity_table(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("rows", POINTER(c_double)),
+        ("row_count", c_uint64),
+        ("base", c_uint64),
+        ("shift", c_uint32),
+        ("layout_version", c_uint32),
+        ("pull_off_load", c_double),
+        ("max_friction_coefficient", c_double),
+        ("inverse_cap", c_double),
+    ]
+
+
 _model = POINTER(asperity_model)
 _params = POINTER(asperity_params)
 _state = POINTER(asperity_state)
 _summary = POINTER(asperity_summary)
+_table = POINTER(asperity_table)
 _doubles = POINTER(c_double)
 
 # name: (what it returns, what it takes)
@@ -117,7 +134,13 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_friction_force_at_load": (c_double, [_model, c_double]),
     "asperity_friction_at_loads": (asperity_status, [_model, c_size_t, _doubles, _doubles, _doubles]),
     "asperity_friction_force_at_loads": (asperity_status, [_model, c_size_t, _doubles, _doubles, _doubles]),
+    "asperity_friction_and_slope_at_load": (c_double, [_model, c_double, _doubles]),
+    "asperity_friction_force_and_slope_at_load": (c_double, [_model, c_double, _doubles]),
+    "asperity_friction_at_pressure": (c_double, [_model, c_double, c_double, _doubles]),
+    "asperity_shear_stress_at_pressure": (c_double, [_model, c_double, c_double, _doubles]),
+    "asperity_slip_force": (c_double, [_model, c_double, c_double, c_double, _doubles, _doubles]),
     "asperity_state_at_load": (asperity_status, [_model, c_double, _state]),
     "asperity_state_at_separation": (asperity_status, [_model, c_double, _state]),
     "asperity_summary_of": (asperity_status, [_model, _summary]),
+    "asperity_table_of": (asperity_status, [_model, _table]),
 }

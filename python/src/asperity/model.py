@@ -8,6 +8,7 @@ over. That is why `set_params` makes a new handle instead of changing the old on
 from __future__ import annotations
 
 import ctypes
+import math
 import numbers
 import weakref
 from types import TracebackType
@@ -36,15 +37,15 @@ class _Handle:
         self.pointer = ctypes.POINTER(_header.asperity_model)()
         check(LIBRARY.asperity_create(ctypes.byref(params._as_struct()), ctypes.byref(self.pointer)))
         # At exit a daemon thread may still be inside a call: the system takes the memory then.
-        weakref.finalize(self, LIBRARY.asperity_free, self.pointer).atexit = False
+        weakref.finalize(self, LIBRARY.asperity_free, self.pointer).atexit = False  # type: ignore[misc, unused-ignore]
 
 
 class Model:
     """The friction law of two surfaces: friction coefficient and force as functions of the normal load.
 
-    Making one takes milliseconds, a call well below a microsecond more than Python's own cost. A model may be shared
-    by threads; calls run in parallel, since they hold no lock of Python's. It pickles and copies through its
-    parameters. Use it in a `with` statement, or call `close`, to free its memory at a known time.
+    Making one takes milliseconds: make it once, ask it often. A model may be shared by threads; calls run in parallel,
+    since they do not hold the interpreter lock. It pickles and copies through its parameters. Use it in a `with`
+    statement, or call `close`, to free its memory at a known time.
 
     Loads of `friction_at_load` and `friction_force_at_load`, one or many:
 
@@ -99,7 +100,8 @@ class Model:
         Raises:
             Error: a load that is NaN, infinite, or too heavy; the class tells more.
         """
-        return self._evaluate(LIBRARY.asperity_friction_at_load, LIBRARY.asperity_friction_at_loads, load, slope)
+        one, one_with_slope = LIBRARY.asperity_friction_at_load, LIBRARY.asperity_friction_and_slope_at_load
+        return self._evaluate(one, one_with_slope, LIBRARY.asperity_friction_at_loads, load, slope)
 
     @overload
     def friction_force_at_load(self, load: float, *, slope: Literal[False] = ...) -> float: ...
@@ -123,9 +125,8 @@ class Model:
         Raises:
             Error: a load that is NaN, infinite, or too heavy; the class tells more.
         """
-        return self._evaluate(
-            LIBRARY.asperity_friction_force_at_load, LIBRARY.asperity_friction_force_at_loads, load, slope
-        )
+        one, one_with_slope = LIBRARY.asperity_friction_force_at_load, LIBRARY.asperity_friction_force_and_slope_at_load
+        return self._evaluate(one, one_with_slope, LIBRARY.asperity_friction_force_at_loads, load, slope)
 
     def state_at_load(self, load: float) -> State:
         """The exact state at a load [force], integrated without the compiled law.
@@ -181,17 +182,19 @@ class Model:
     def _state(self, call: Any, at: float) -> State:
         return _state(self._open(), call, at)
 
-    def _evaluate(self, scalar: Any, batch: Any, load: Any, slope: bool) -> Any:
+    def _evaluate(self, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool) -> Any:
         handle = self._open()
         if not isinstance(load, numbers.Real):
-            return _evaluate_array(handle, batch, _as_array(load), slope)
+            return _evaluate_array(handle, many, _as_array(load), slope)
+        found = ctypes.c_double()
+        value: float
         if slope:
-            values, slopes = _evaluate_array(handle, batch, np.asarray(float(load)), True)
-            return float(values), float(slopes)
-        value: float = scalar(handle.pointer, float(load))
-        if value != value:
+            value = one_with_slope(handle.pointer, float(load), ctypes.byref(found))
+        else:
+            value = one(handle.pointer, float(load))
+        if math.isnan(value):  # quiet, where a comparison of Python's may raise a floating-point exception
             _refuse(handle, float(load))
-        return value
+        return (value, found.value) if slope else value
 
 
 def _as_array(load: Any) -> Array:
@@ -201,10 +204,10 @@ def _as_array(load: Any) -> Array:
     return np.asarray(array, dtype=np.float64, order="C")
 
 
-def _evaluate_array(handle: _Handle, batch: Any, load: Array, slope: bool) -> Any:
+def _evaluate_array(handle: _Handle, many: Any, load: Array, slope: bool) -> Any:
     values = np.empty(load.shape)
     slopes = np.empty(load.shape) if slope else None
-    status = batch(handle.pointer, load.size, _data(load), _data(values), None if slopes is None else _data(slopes))
+    status = many(handle.pointer, load.size, _data(load), _data(values), None if slopes is None else _data(slopes))
     # The library reports the first offence of any kind; loads below pull-off are none here, NaN answers always are.
     if status not in (_header.ASPERITY_OK, _header.ASPERITY_SEPARATED, _header.ASPERITY_INVALID_LOAD):
         check(status)

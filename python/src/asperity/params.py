@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import math
 import numbers
-from dataclasses import dataclass, fields
+from dataclasses import MISSING, dataclass, fields
 from typing import TYPE_CHECKING, Any, Literal
 
 from . import _header
@@ -210,7 +210,8 @@ class Params:
 
 def _physical(struct: _header.asperity_params) -> dict[str, Any]:
     """The fields that have no default."""
-    return {name: getattr(struct, name) for name, _ in _header.asperity_params._fields_[1:9]}
+    required = [field.name for field in fields(Params) if field.default is MISSING]
+    return {name: getattr(struct, name) for name in required}
 
 
 def _options(given: Any) -> dict[str, Any]:

@@ -129,14 +129,6 @@ impl Heights {
         length * steepest <= limit
     }
 
-    /// Whether ln phi is concave: the load of equal summits then has a single minimum.
-    pub fn is_log_concave(&self) -> bool {
-        match self {
-            Heights::Gaussian => true,
-            Heights::Weibull(weibull) => weibull.shape() >= 1.0,
-        }
-    }
-
     /// Third standardised moment.
     pub fn skew(&self) -> f64 {
         match self {

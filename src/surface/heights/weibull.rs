@@ -4,8 +4,8 @@
 use crate::root;
 use statrs::function::gamma::ln_gamma;
 
-/// The smallest and largest shape the library evaluates.
-pub const SHAPE_RANGE: (f64, f64) = (0.3, 1e6);
+/// The smallest and largest shape the library evaluates: below 1 the density has a pole at its foot.
+pub const SHAPE_RANGE: (f64, f64) = (1.0, 1e6);
 
 /// The skew of a Weibull distribution as omega -> infinity: -12 sqrt(6) zeta(3) / pi^3.
 pub const SKEW_LIMIT: f64 = -1.139_547_099_404_648_7;

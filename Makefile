@@ -1,0 +1,60 @@
+# make demo      build the library, run the C example, draw its friction curve
+# make test      everything that is checked before a release, in order
+# make hosts     the law inside other people's solvers
+# make header    write include/asperity.h anew from the sources
+# make clean     remove what was built
+# make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
+#
+# CARGO_TARGET_DIR is honoured; CC, CFLAGS, LDFLAGS, DESTDIR and PREFIX too.
+
+SHELL := /bin/bash
+
+CARGO_TARGET_DIR ?= target
+export CARGO_TARGET_DIR
+CARGO ?= cargo
+
+TARGET := $(abspath $(CARGO_TARGET_DIR))
+RELEASE := $(TARGET)/release
+EXAMPLE := $(TARGET)/friction_curve
+FIGURE := $(TARGET)/friction_curve.svg
+
+WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Werror
+
+# The scripts of `make test` that check other languages and hosts; each is run as it is, from the root.
+TEST_SCRIPTS := tests/c/run.sh tests/cpp/run.sh fortran/test.sh python/test.sh tests/examples/run.sh \
+    tests/consumers/run.sh
+
+.PHONY: all demo test hosts header clean library
+
+all: library
+
+include cmake/install.mk
+
+library:
+	$(CARGO) build --release --locked
+
+demo: library
+	$(CC) $(WARNINGS) $(CFLAGS) -Iinclude c_examples/friction_curve.c -o $(EXAMPLE) \
+	    -L$(RELEASE) -Wl,-rpath,$(RELEASE) $(LDFLAGS) -lasperity -lm
+	$(EXAMPLE) $(FIGURE)
+	@echo "The friction curve is drawn in $(FIGURE)"
+
+test:
+	@echo "== tests/setup.sh core"; tests/setup.sh core
+	@echo "== cargo fmt --check"; $(CARGO) fmt --check
+	@echo "== cargo clippy"; $(CARGO) clippy --release --locked --all-targets -- -D warnings
+	@echo "== cargo test"; $(CARGO) test --release --locked
+	@set -e; for script in $(TEST_SCRIPTS); do echo "== $$script"; "$$script"; done
+	@$(MAKE) --no-print-directory hosts
+	@echo "== all tests passed"
+
+hosts:
+	@echo "== tests/setup.sh hosts"; tests/setup.sh hosts
+	@echo "== hosts/run.sh"; hosts/run.sh
+
+header:
+	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test header
+
+clean:
+	$(CARGO) clean
+	rm -f $(EXAMPLE) $(FIGURE)

@@ -1,0 +1,328 @@
+/* Friction coefficient of a polysilicon MEMS contact over eight decades of normal load, in SI units.
+ *
+ * usage: friction_curve [FIGURE [LOADS [LOWEST [HIGHEST]]]]
+ *   FIGURE   SVG file to draw the curve in; "-" or nothing for none
+ *   LOADS    number of loads, 2 to 100000 (33)
+ *   LOWEST   lowest load [N], > 0 (1e-8)
+ *   HIGHEST  highest load [N], > LOWEST (1)
+ *
+ * The table goes to standard output, one load a line, messages to standard error. Contacts and area are means over
+ * many such pairs of surfaces, so at the lightest loads there is less than one contact.
+ * Exit status: 0, 1 if the library or a file refuses, 2 for a wrong command line. */
+
+#include <asperity.h>
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FAILED = 1, USAGE = 2, MAX_LOADS = 100000 };
+
+typedef struct options {
+    const char *figure;
+    int loads;
+    double lowest, highest;
+} options;
+
+typedef struct row {
+    double load, mu, friction, area, contacts;
+} row;
+
+/* Two polysilicon surfaces that touch over a nominal area of 100 um x 100 um.
+ *
+ * E, nu: 152 to 164 GPa for films of four makers (Sharpe, Jackson, Coles and LaVan, IMECE 2000, MEMS, 255-259);
+ *   0.22 (Sharpe, Yuan, Vaidyanathan and Edwards, Proc. IEEE MEMS 1997, 424-429). Both bodies are of it.
+ * b: silicon slips along <110>/2, 0.5431 nm/sqrt 2 (Hirth and Lothe, Theory of Dislocations).
+ * w: van der Waals attraction of the oxide skins, A/(12 pi D^2) with A = 6.5e-20 J, silica, and D = 0.165 nm
+ *   (Israelachvili, Intermolecular and Surface Forces). That van der Waals forces hold such surfaces together was
+ *   measured by DelRio, de Boer, Knapp, Reedy, Clews and Dunn, Nature Materials 4 (2005), 629-634.
+ * h: the same as b, as in Adams and Muftu, Nanotechnology 16 (2005).
+ * sigma: 5 nm, amid the rms roughness of a few to ten nanometres of the films of DelRio et al.
+ * summit density: one a grain, of about 0.3 um across, so 10 per um^2: an assumption about the film.
+ * R: such that density R sigma = 0.05, as on the surfaces of Greenwood and Williamson, Proc. R. Soc. A 295 (1966), 300.
+ *
+ * Density and R depend on the resolution of the microscope (Bora et al., Tribology Letters 19 (2005), 37-48): for
+ * a device of your own, measure them at the scale of the contacts, and replace these. */
+static const double E = 160e9;              /* [Pa] */
+static const double NU = 0.22;
+static const double BURGERS = 0.384e-9;     /* [m] */
+static const double ADHESION = 0.063;       /* w [J/m^2] */
+static const double SIGMA = 5e-9;           /* [m] */
+static const double RADIUS = 1e-6;          /* R [m] */
+static const double DENSITY = 1e13;         /* summits [1/m^2] */
+static const double NOMINAL_AREA = 1e-8;    /* [m^2] */
+
+/* ---- The contact ---- */
+
+static int library_failed(const char *call)
+{
+    char message[512];
+    asperity_last_error(message, sizeof message);
+    fprintf(stderr, "friction_curve: %s: %s\n", call, message);
+    return FAILED;
+}
+
+static int make_contact(asperity_model **model)
+{
+    asperity_params params;
+
+    asperity_params_init(&params);
+    if (asperity_params_set_materials(&params, E, NU, E, NU) != ASPERITY_OK)
+        return library_failed("asperity_params_set_materials");
+    params.work_of_adhesion = ADHESION;
+    params.adhesion_range = BURGERS;
+    params.burgers_vector = BURGERS;
+    params.height_std = SIGMA;
+    params.summit_radius = RADIUS;
+    params.asperity_count = DENSITY * NOMINAL_AREA;
+    if (asperity_create(&params, model) != ASPERITY_OK)
+        return library_failed("asperity_create");
+    return 0;
+}
+
+/* Loads are evenly spaced in the logarithm. */
+static double load_of(const options *o, int i)
+{
+    return o->lowest * pow(o->highest / o->lowest, (double)i / (o->loads - 1));
+}
+
+static int evaluate(const asperity_model *model, const options *o, row *rows)
+{
+    for (int i = 0; i < o->loads; i++) {
+        const double load = load_of(o, i);
+        asperity_state state;
+
+        state.struct_size = sizeof state;
+        if (asperity_state_at_load(model, load, &state) != ASPERITY_OK)
+            return library_failed("asperity_state_at_load");
+        rows[i].load = load;
+        rows[i].mu = asperity_friction_at_load(model, load);
+        rows[i].friction = asperity_friction_force_at_load(model, load);
+        rows[i].area = state.real_area;
+        rows[i].contacts = state.contacting;
+    }
+    return 0;
+}
+
+static int print_table(const row *rows, int n)
+{
+    printf("# load [N], mu, friction force [N], real area [m^2], contacts\n");
+    for (int i = 0; i < n; i++)
+        printf("%.9e %.9e %.9e %.9e %.9e\n", rows[i].load, rows[i].mu, rows[i].friction, rows[i].area,
+               rows[i].contacts);
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        fprintf(stderr, "friction_curve: cannot write the table: %s\n", strerror(errno));
+        return FAILED;
+    }
+    return 0;
+}
+
+/* ---- The figure ---- */
+
+enum { WIDTH = 760, HEIGHT = 480, LEFT = 80, RIGHT = 730, TOP = 50, BOTTOM = 410 };
+
+typedef struct axes {
+    int first_decade, last_decade;
+    double mu_step, mu_top;
+} axes;
+
+/* 1, 2 or 5 times a power of ten: about five steps up to `top`. */
+static double tick_step(double top)
+{
+    const double raw = top / 5;
+    const double decade = pow(10, floor(log10(raw)));
+    const double digit = raw / decade;
+    return decade * (digit > 5 ? 10 : digit > 2 ? 5 : digit > 1 ? 2 : 1);
+}
+
+static axes choose_axes(const row *rows, int n, double constant)
+{
+    double top = constant;
+    axes a;
+
+    for (int i = 0; i < n; i++)
+        top = fmax(top, rows[i].mu);
+    a.first_decade = (int)floor(log10(rows[0].load) + 1e-9);
+    a.last_decade = (int)ceil(log10(rows[n - 1].load) - 1e-9);
+    if (a.last_decade == a.first_decade)
+        a.last_decade++;
+    a.mu_step = tick_step(top);
+    a.mu_top = a.mu_step * ceil(top / a.mu_step);
+    return a;
+}
+
+static double x_of(const axes *a, double load)
+{
+    return LEFT + (RIGHT - LEFT) * (log10(load) - a->first_decade) / (a->last_decade - a->first_decade);
+}
+
+static double y_of(const axes *a, double mu)
+{
+    return BOTTOM - (BOTTOM - TOP) * mu / a->mu_top;
+}
+
+static void draw_axes(FILE *svg, const axes *a)
+{
+    const int every = 1 + (a->last_decade - a->first_decade) / 12;
+
+    for (int k = a->first_decade; k <= a->last_decade; k += every) {
+        const double x = x_of(a, pow(10, k));
+        fprintf(svg, "<path class=\"grid\" d=\"M%.2f %d V%d\"/>\n", x, TOP, BOTTOM);
+        fprintf(svg, "<text x=\"%.2f\" y=\"%d\" text-anchor=\"middle\">10<tspan dy=\"-6\" font-size=\"11\">%s%d</tspan>"
+                     "</text>\n", x, BOTTOM + 22, k < 0 ? "&#8722;" : "", abs(k));
+    }
+    for (int k = 0; k * a->mu_step <= a->mu_top * (1 + 1e-9); k++) {
+        const double y = y_of(a, k * a->mu_step);
+        fprintf(svg, "<path class=\"grid\" d=\"M%d %.2f H%d\"/>\n", LEFT, y, RIGHT);
+        fprintf(svg, "<text x=\"%d\" y=\"%.2f\" text-anchor=\"end\">%g</text>\n", LEFT - 8, y + 5, k * a->mu_step);
+    }
+    fprintf(svg, "<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" fill=\"none\" stroke=\"black\"/>\n",
+            LEFT, TOP, RIGHT - LEFT, BOTTOM - TOP);
+    fprintf(svg, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">normal load <tspan font-style=\"italic\">P</tspan>"
+                 " [N]</text>\n", (LEFT + RIGHT) / 2, BOTTOM + 52);
+    fprintf(svg, "<text transform=\"translate(28 %d) rotate(-90)\" text-anchor=\"middle\">friction coefficient "
+                 "<tspan font-style=\"italic\">&#956;</tspan> = <tspan font-style=\"italic\">F</tspan>/"
+                 "<tspan font-style=\"italic\">P</tspan> [&#8211;]</text>\n", (TOP + BOTTOM) / 2);
+    fprintf(svg, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">Friction of two polysilicon surfaces, "
+                 "100 &#181;m &#215; 100 &#181;m</text>\n", (LEFT + RIGHT) / 2, TOP - 18);
+}
+
+static void draw_curves(FILE *svg, const axes *a, const row *rows, int n, double constant)
+{
+    fprintf(svg, "<path class=\"constant\" d=\"M%d %.2f H%d\"/>\n", LEFT, y_of(a, constant), RIGHT);
+    fprintf(svg, "<path class=\"law\" d=\"");
+    for (int i = 0; i < n; i++)
+        fprintf(svg, "%s%.2f %.2f", i == 0 ? "M" : " L", x_of(a, rows[i].load), y_of(a, rows[i].mu));
+    fprintf(svg, "\"/>\n");
+}
+
+static void draw_legend(FILE *svg, double constant, double middle)
+{
+    const int x = RIGHT - 375, y = TOP + 14;
+
+    fprintf(svg, "<rect x=\"%d\" y=\"%d\" width=\"365\" height=\"56\" fill=\"white\" stroke=\"#999\"/>\n", x, y);
+    fprintf(svg, "<path class=\"law\" d=\"M%d %d h36\"/>\n", x + 10, y + 18);
+    fprintf(svg, "<text x=\"%d\" y=\"%d\">contact physics (asperity)</text>\n", x + 56, y + 23);
+    fprintf(svg, "<path class=\"constant\" d=\"M%d %d h36\"/>\n", x + 10, y + 40);
+    fprintf(svg, "<text x=\"%d\" y=\"%d\">constant &#956; = %.3f, right at %.3g N</text>\n", x + 56, y + 45, constant,
+            middle);
+}
+
+static void draw(FILE *svg, const row *rows, int n, double constant, double middle)
+{
+    const axes a = choose_axes(rows, n, constant);
+
+    fprintf(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
+                 "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"15\">\n", WIDTH, HEIGHT, WIDTH, HEIGHT);
+    fprintf(svg, "<style>path { fill: none } .grid { stroke: #ddd } .law { stroke: #1b4f8a; stroke-width: 2.5 } "
+                 ".constant { stroke: #b5442c; stroke-width: 2; stroke-dasharray: 9 6 }</style>\n");
+    fprintf(svg, "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n");
+    draw_axes(svg, &a);
+    draw_curves(svg, &a, rows, n, constant);
+    draw_legend(svg, constant, middle);
+    fprintf(svg, "</svg>\n");
+}
+
+/* Beside the law the figure has what a solver takes today: one number. It is chosen fairly, as the law's own
+ * coefficient at the middle of the loads on the logarithmic axis, so that both agree there. */
+static int write_figure(const asperity_model *model, const options *o, const row *rows)
+{
+    const double middle = sqrt(o->lowest) * sqrt(o->highest);
+    FILE *svg = fopen(o->figure, "w");
+    int failed;
+
+    if (svg == NULL) {
+        fprintf(stderr, "friction_curve: cannot write %s: %s\n", o->figure, strerror(errno));
+        return FAILED;
+    }
+    draw(svg, rows, o->loads, asperity_friction_at_load(model, middle), middle);
+    failed = ferror(svg);
+    if (fclose(svg) != 0 || failed) {
+        fprintf(stderr, "friction_curve: cannot write %s: %s\n", o->figure, strerror(errno));
+        return FAILED;
+    }
+    return 0;
+}
+
+/* ---- The command line ---- */
+
+static int refuse(const char *format, ...)
+{
+    va_list arguments;
+
+    fprintf(stderr, "friction_curve: ");
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fprintf(stderr, "\nusage: friction_curve [FIGURE.svg|- [LOADS [LOWEST [HIGHEST]]]]\n");
+    return USAGE;
+}
+
+static int read_number(const char *name, const char *text, double *number)
+{
+    char *end;
+
+    *number = strtod(text, &end);
+    if (end == text || *end != '\0' || !isfinite(*number))
+        return refuse("%s = '%s': must be a finite number", name, text);
+    return 0;
+}
+
+static int read_options(int argc, char **argv, options *o)
+{
+    double loads = o->loads;
+
+    if (argc > 5)
+        return refuse("%d arguments: at most 4", argc - 1);
+    if (argc > 1 && strcmp(argv[1], "-") != 0)
+        o->figure = argv[1];
+    if ((argc > 2 && read_number("LOADS", argv[2], &loads)) ||
+        (argc > 3 && read_number("LOWEST", argv[3], &o->lowest)) ||
+        (argc > 4 && read_number("HIGHEST", argv[4], &o->highest)))
+        return USAGE;
+    if (loads < 2 || loads > MAX_LOADS || loads != floor(loads))
+        return refuse("LOADS = %s: must be a whole number, 2 to %d", argv[2], MAX_LOADS);
+    if (o->lowest <= 0)
+        return refuse("LOWEST = %g N: must be > 0, the axis is logarithmic", o->lowest);
+    if (o->highest <= o->lowest)
+        return refuse("HIGHEST = %g N: must be above LOWEST = %g N", o->highest, o->lowest);
+    if (!isfinite(o->highest / o->lowest))
+        return refuse("HIGHEST = %g N: too far above LOWEST = %g N", o->highest, o->lowest);
+    o->loads = (int)loads;
+    return 0;
+}
+
+static int run(const asperity_model *model, const options *o)
+{
+    row *rows = malloc((size_t)o->loads * sizeof *rows);
+    int status;
+
+    if (rows == NULL) {
+        fprintf(stderr, "friction_curve: out of memory for %d loads\n", o->loads);
+        return FAILED;
+    }
+    status = evaluate(model, o, rows);
+    if (status == 0)
+        status = print_table(rows, o->loads);
+    if (status == 0 && o->figure != NULL)
+        status = write_figure(model, o, rows);
+    free(rows);
+    return status;
+}
+
+int main(int argc, char **argv)
+{
+    options o = { NULL, 33, 1e-8, 1.0 };
+    asperity_model *model = NULL;
+    int status = read_options(argc, argv, &o);
+
+    if (status == 0)
+        status = make_contact(&model);
+    if (status == 0)
+        status = run(model, &o);
+    asperity_free(model);
+    return status;
+}

@@ -1,0 +1,164 @@
+/* When is a lagged normal force stable? A hinged arm in ODE presses its tip on a moving belt (SI units). The belt pulls
+ * the tip towards the hinge, a leading brake shoe: the balance of moments, N l = M + F H, makes N grow with mu, and mu
+ * falls with N. With mu taken from the force of the step before, each step multiplies the error by the gain
+ *     g = -dln(mu)/dln(N) * mu H/(l - mu H),     positive, with an alternating sign: unstable where g > 1.
+ * A trailing shoe has l + mu H there: its gain is below 1 as long as F grows with N, so it is always stable.
+ *
+ * usage: arm [FILE.svg]        measures the gains; draws the errors step by step */
+#define _GNU_SOURCE
+#include <fenv.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "law_step.h"
+
+enum { STEPS = 60, CASES = 4 };
+static const double hinge_height = 0.1, tip_radius = 0.005, belt_speed = 1, normal_force = 500;
+
+typedef struct arm_case {
+    double gain;                   /* wanted; negative: the belt runs the other way, a trailing shoe */
+    double lagged[STEPS], current[STEPS];   /* |N/N* - 1| after each step */
+    double measured_gain;
+} arm_case;
+
+static _Noreturn void fail(const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    printf("ode  FAIL  ");
+    vprintf(format, arguments);
+    printf("\n");
+    va_end(arguments);
+    exit(1);
+}
+
+static asperity_model *steel_on_steel(void) {
+    asperity_params params;
+    asperity_model *model = NULL;
+    char message[400];
+    if (asperity_params_init(&params) == ASPERITY_OK &&
+        asperity_params_set_materials(&params, 207e9, 0.3, 207e9, 0.3) == ASPERITY_OK) {
+        params.work_of_adhesion = 0.03;
+        params.adhesion_range = params.burgers_vector = 0.25e-9;
+        params.height_std = 2.5e-9;
+        params.summit_radius = 25e-6;
+        params.asperity_count = 1e10 * 1e-4;
+        if (asperity_create(&params, &model) == ASPERITY_OK) return model;
+    }
+    asperity_last_error(message, sizeof message);
+    fail("%s", message);
+}
+
+/* The arm's reach and the moment on it, such that N* = normal_force has the gain wanted. */
+static void reach_and_moment(const asperity_model *model, double gain, double *reach, double *moment) {
+    asperity_state state = {.struct_size = sizeof state};
+    if (asperity_state_at_load(model, normal_force, &state) != ASPERITY_OK) fail("no state at %g N", normal_force);
+    const double mu = state.friction_coefficient;
+    const double elasticity = -state.dmu_dload * state.load / mu;      /* -dln(mu)/dln(N) */
+    *reach = hinge_height * mu * (1 + elasticity / gain);              /* of gain < 0: l + mu H in place of l - mu H */
+    if (gain < 0) *reach = hinge_height * mu * (elasticity / -gain - 1);
+    *moment = normal_force * (*reach - (gain > 0 ? 1 : -1) * mu * hinge_height);
+}
+
+/* Steps an arm from a normal force off by 1e-3, and notes how far off it is after each step. */
+static void run_arm(const asperity_model *model, double gain, int max_passes, double *error) {
+    double reach, moment;
+    dMass inertia;
+    reach_and_moment(model, gain, &reach, &moment);
+    if (reach <= 0) fail("no arm has the gain %g", gain);
+    const dWorldID world = dWorldCreate();
+    const dSpaceID space = dHashSpaceCreate(0);
+    dWorldSetCFM(world, 0);
+    dWorldSetERP(world, 0);              /* the tip stays where it is: nothing but N changes */
+    dCreatePlane(space, 0, 0, 1, 0);
+    const dBodyID arm = dBodyCreate(world);
+    dMassSetSphereTotal(&inertia, 1, 0.05);
+    dBodySetMass(arm, &inertia);
+    dGeomSetBody(dCreateSphere(space, tip_radius), arm);
+    dBodySetPosition(arm, reach, 0, tip_radius - 1e-12);
+    const dJointID hinge = dJointCreateHinge(world, 0);
+    dJointAttach(hinge, arm, 0);
+    dJointSetHingeAnchor(hinge, 0, 0, hinge_height);
+    dJointSetHingeAxis(hinge, 0, 1, 0);
+
+    law_stepper stepper;
+    law_stepper_init(&stepper, world, space);
+    stepper.body[0] = arm;
+    stepper.bodies = 1;
+    stepper.quick = 1;
+    dWorldSetQuickStepNumIterations(world, 2000);
+    stepper.model = model;
+    stepper.max_passes = max_passes;
+    stepper.first_load = normal_force * 1.001;
+    stepper.surface_velocity = gain > 0 ? -belt_speed : belt_speed;
+    for (int step = 0; step < STEPS; step++) {
+        dBodyAddTorque(arm, 0, moment, 0);
+        if (law_stepper_step(&stepper, 1e-4) == 0) fail("%s", stepper.failure);
+        const double found = stepper.pairs == 1 ? stepper.pair[0].normal_force : 0;   /* 0: thrown off the belt */
+        error[step] = fabs(found / normal_force - 1);
+    }
+    law_stepper_destroy(&stepper);
+    dSpaceDestroy(space);
+    dWorldDestroy(world);
+}
+
+static double x_of(int step) { return 60 + 500.0 * step / (STEPS - 1); }
+
+static double y_of(double error) { return 20 + 260.0 * (1 - log10(fmin(fmax(error, 1e-11), 10))) / 12; }
+
+/* A line, and its label beside the error after the step label_step. */
+static void draw_line(FILE *svg, const double *error, const char *colour, const char *dash, int label_step,
+                      const char *label) {
+    fprintf(svg, "<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" stroke-dasharray=\"%s\" points=\"",
+            colour, dash);
+    for (int step = 0; step < STEPS; step++) fprintf(svg, "%.1f,%.1f ", x_of(step), y_of(error[step]));
+    fprintf(svg, "\"/>\n<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\">%s</text>\n", x_of(label_step) + 8,
+            y_of(error[label_step]), colour, label);
+}
+
+static void draw(const char *path, const arm_case *cases) {
+    FILE *svg = fopen(path, "w");
+    if (!svg) fail("cannot write %s", path);
+    fprintf(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 700 330\" font-family=\"sans-serif\" "
+                 "font-size=\"12\">\n<rect width=\"700\" height=\"330\" fill=\"white\"/>\n");
+    for (int decade = 0; decade >= -10; decade -= 2) {
+        const double y = y_of(pow(10, decade));
+        fprintf(svg, "<line x1=\"60\" x2=\"560\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"#ddd\"/>\n", y, y);
+        fprintf(svg, "<text x=\"54\" y=\"%.1f\" text-anchor=\"end\">1e%d</text>\n", y + 4, decade);
+    }
+    for (int step = 0; step < STEPS; step += 10)
+        fprintf(svg, "<text x=\"%.1f\" y=\"298\" text-anchor=\"middle\">%d</text>\n", x_of(step), step);
+    fprintf(svg, "<text x=\"310\" y=\"318\" text-anchor=\"middle\">time step</text>\n"
+                 "<text x=\"66\" y=\"14\">|N/N* - 1| of an arm on a belt; g: gain of a lagged normal force</text>\n");
+    draw_line(svg, cases[0].lagged, "#1b7837", "none", 9, "trailing, g = 0.2");
+    draw_line(svg, cases[1].lagged, "#2166ac", "none", 20, "lagged, g = 0.5");
+    draw_line(svg, cases[2].lagged, "#b35806", "none", STEPS - 1, "lagged, g = 0.9");
+    draw_line(svg, cases[3].lagged, "#b2182b", "none", STEPS - 1, "lagged, g = 1.2");
+    draw_line(svg, cases[3].current, "#b2182b", "2 4", STEPS - 1, "current, g = 1.2");
+    fprintf(svg, "</svg>\n");
+    if (fclose(svg) != 0) fail("cannot write %s", path);
+}
+
+int main(int count, char **arguments) {
+    arm_case cases[CASES] = {{.gain = -0.2}, {.gain = 0.5}, {.gain = 0.9}, {.gain = 1.2}};
+    int good = 1;
+    dInitODE2(0);
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    asperity_model *model = steel_on_steel();
+    for (int i = 0; i < CASES; i++) {
+        arm_case *c = &cases[i];
+        run_arm(model, c->gain, 1, c->lagged);
+        run_arm(model, c->gain, 30, c->current);
+        c->measured_gain = c->lagged[3] / c->lagged[2];
+        /* An error e off the fixed point changes the gain by some multiple of e, here 1e-3 at most. */
+        good &= fabs(c->measured_gain - fabs(c->gain)) < 0.01 && c->current[STEPS - 1] < 1e-9;
+        printf("arm: gain %.2f, measured %.4f; after %d steps N is off by %.0e, with the current force by %.0e\n",
+               fabs(c->gain), c->measured_gain, STEPS, c->lagged[STEPS - 1], c->current[STEPS - 1]);
+    }
+    if (count > 1) draw(arguments[1], cases);
+    asperity_free(model);
+    dCloseODE();
+    if (!good) fail("the arm's gain of lagged forces, or its current force, is not as mechanics has it");
+    return 0;
+}

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Runs the law inside real solvers, one after the other, and prints one line for each; fails if one fails.
+#
+# usage: hosts/run.sh [HOST...]        all hosts/*/run.sh when none is named
+# The packages are those of `tests/setup.sh hosts`; what a host printed is left in target/hosts/HOST.log.
+set -uo pipefail
+cd "$(dirname "$0")/.."
+logs=$(realpath -m "${CARGO_TARGET_DIR:-target}")/hosts
+mkdir -p "$logs"
+
+hosts=("$@")
+if [ $# -eq 0 ]; then
+    for script in hosts/*/run.sh; do
+        hosts+=("$(basename "$(dirname "$script")")")
+    done
+fi
+
+echo "building the library"
+cargo build --quiet --release --locked -j1 || exit 1
+
+verdicts="" costs="" failed=0 number=0 begin=$SECONDS
+for host in "${hosts[@]}"; do
+    number=$((number + 1)) start=$SECONDS
+    printf '[%d/%d] %s ... ' "$number" "${#hosts[@]}" "$host"
+    if [ ! -x "hosts/$host/run.sh" ]; then
+        echo "no hosts/$host/run.sh"
+        verdicts+="$host  FAIL  no hosts/$host/run.sh"$'\n' failed=$((failed + 1))
+        continue
+    fi
+    status=0
+    "hosts/$host/run.sh" >"$logs/$host.log" 2>&1 || status=$?
+    verdict=$(grep -E "^$host +(PASS|FAIL)( |$)" "$logs/$host.log" | tail -n 1)
+    # Both the status and the verdict must say so: a script that dies early has neither.
+    if [ "$status" -eq 0 ] && [[ "$verdict" =~ ^$host\ +PASS ]]; then
+        echo "passed in $((SECONDS - start)) s"
+    else
+        failed=$((failed + 1))
+        [[ "$verdict" =~ ^$host\ +FAIL ]] || verdict="$host  FAIL  ended with status $status without a verdict"
+        echo "FAILED; the end of $logs/$host.log:"
+        tail -n 15 "$logs/$host.log" | sed 's/^/    /'
+    fi
+    verdicts+=$verdict$'\n'
+    cost=$(grep -E "^($host)? +cost[: ]" "$logs/$host.log" | tail -n 1 | sed -E "s/^($host)? +cost:? +//")
+    [ -z "$cost" ] || costs+="$host $cost"$'\n'
+done
+
+echo
+echo "what the law costs against a constant coefficient"
+printf '%s' "$costs" | awk '{ name = $1; sub(/^[^ ]+ /, ""); printf "%-10s %s\n", name, $0 }'
+echo
+printf '%s' "$verdicts" |
+    awk '{ name = $1; word = $2; sub(/^[^ ]+ +[^ ]+ +/, ""); printf "%-10s %-5s %s\n", name, word, $0 }'
+echo "$((number - failed)) of $number hosts passed in $((SECONDS - begin)) s"
+[ "$failed" -eq 0 ]

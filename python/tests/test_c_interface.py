@@ -1,0 +1,132 @@
+"""Every function of the header, called through the ctypes layer as a C program would."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import struct
+from typing import Any
+
+import numpy as np
+
+from asperity import Model, Params, Status, _header, _library
+
+
+class Recorder:
+    """The library, and which of its functions were asked for."""
+
+    def __init__(self) -> None:
+        self.called: set[str] = set()
+
+    def __getattr__(self, name: str) -> Any:
+        self.called.add(f"asperity_{name}")
+        return getattr(_library.LIBRARY, f"asperity_{name}")
+
+
+def doubles(*numbers: float) -> Any:
+    return (ctypes.c_double * len(numbers))(*numbers)
+
+
+def table_force(table: Any, load: float) -> float:
+    """F by the rows of a table, as the header describes them."""
+    (bits,) = struct.unpack("<Q", struct.pack("<d", load - table.pull_off_load))
+    index = (bits >> table.shift) - table.base
+    assert 0 <= index < table.row_count
+    below = bits & ((1 << table.shift) - 1)
+    (t,) = struct.unpack("<d", struct.pack("<Q", below | 0x3FF0000000000000))
+    row: list[float] = table.rows[8 * index : 8 * index + 8]
+    return float(sum(c * (t - 1.0) ** k for k, c in enumerate(row)))
+
+
+def test_every_function_of_the_header_works() -> None:
+    lib = Recorder()
+    params, back = _header.asperity_params(), _header.asperity_params()
+    model = ctypes.POINTER(_header.asperity_model)()
+
+    assert lib.abi_version() == _header.ASPERITY_ABI_VERSION
+    assert lib.version().decode() == _header.ASPERITY_VERSION
+    assert lib.status_string(Status.SEPARATED) != lib.status_string(Status.OK) != b""
+
+    assert lib.params_init(params) == Status.OK
+    assert params.struct_size == ctypes.sizeof(params)
+    assert lib.params_set_dimensionless(params, 0.02, 500.0, 0.002, 2.0, 0.25) == Status.OK
+    assert (params.height_std, params.summit_radius) == (10.0, 25000.0)
+    assert lib.params_set_materials(params, 3.0, 0.5, math.inf, 0.0) == Status.OK
+    assert math.isclose(params.composite_modulus, 4.0, rel_tol=1e-15)
+    assert lib.params_set_skew(params, 0.0) == Status.OK
+    assert params.height_distribution == _header.ASPERITY_HEIGHTS_WEIBULL
+    assert abs(params.weibull_shape - 3.602) < 5e-4  # Table 1 of the paper
+
+    assert lib.params_set_skew(params, -2.0) == Status.INVALID_PARAMETER
+    text = ctypes.create_string_buffer(200)
+    assert lib.last_error(text, 200) == len(text.value)
+    assert text.value.startswith(b"skew = -2:")
+
+    assert lib.create(params, model) == Status.OK
+    assert lib.get_params(model, back) == Status.OK
+    assert bytes(back) == bytes(params)
+    params.asperity_count = 7.0
+    assert lib.set_params(model, params) == Status.OK
+    assert lib.get_params(model, back) == Status.OK
+    assert back.asperity_count == 7.0
+
+    mu, force, slope = doubles(0.0), doubles(0.0), doubles(0.0)
+    assert lib.friction_at_loads(model, 1, doubles(50.0), mu, None) == Status.OK
+    assert lib.friction_force_at_loads(model, 1, doubles(50.0), force, slope) == Status.OK
+    assert lib.friction_at_load(model, 50.0) == mu[0]
+    assert lib.friction_force_at_load(model, 50.0) == force[0]
+    assert math.isclose(force[0], 50.0 * mu[0], rel_tol=1e-15)
+
+    # Value and slope together, by pressure on an area of 5, and with a smooth sign of the slip rate.
+    one, other = doubles(0.0), doubles(0.0)
+    assert lib.friction_force_and_slope_at_load(model, 50.0, one) == force[0] and one[0] == slope[0]
+    assert lib.friction_and_slope_at_load(model, 50.0, one) == mu[0]
+    assert math.isclose(lib.friction_at_pressure(model, 10.0, 5.0, other), mu[0], rel_tol=1e-14)
+    assert math.isclose(other[0], 5.0 * one[0], rel_tol=1e-12)
+    assert math.isclose(lib.shear_stress_at_pressure(model, 10.0, 5.0, other), force[0] / 5.0, rel_tol=1e-14)
+    assert math.isclose(other[0], slope[0], rel_tol=1e-12)
+    assert math.isclose(lib.slip_force(model, 50.0, -0.3, 0.2, one, other), force[0] * math.tanh(-1.5), rel_tol=1e-14)
+    assert math.isclose(one[0], slope[0] * math.tanh(-1.5), rel_tol=1e-14)
+    assert math.isclose(other[0], force[0] / (0.2 * math.cosh(1.5) ** 2), rel_tol=1e-13)
+
+    state = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
+    assert lib.state_at_load(model, 50.0, state) == Status.OK
+    assert math.isclose(state.friction_force, force[0], rel_tol=1e-9)
+    assert math.isclose(state.dforce_dload, slope[0], rel_tol=1e-6)
+    separation = state.separation
+    assert lib.state_at_separation(model, separation, state) == Status.OK
+    assert math.isclose(state.load, 50.0, rel_tol=1e-9)
+
+    summary = _header.asperity_summary(struct_size=ctypes.sizeof(_header.asperity_summary))
+    assert lib.summary_of(model, summary) == Status.OK
+    assert abs(summary.skew) < 1e-9
+
+    table = _header.asperity_table(struct_size=ctypes.sizeof(_header.asperity_table))
+    assert lib.table_of(model, table) == Status.OK
+    assert table.layout_version == _header.ASPERITY_TABLE_LAYOUT
+    assert table.pull_off_load == summary.pull_off_load
+    assert math.isclose(table_force(table, 50.0), force[0], rel_tol=1e-14)
+    lib.free(model)
+    lib.free(None)
+
+    assert lib.called == set(_header.PROTOTYPES)
+
+
+def test_parameters_reach_the_library_unchanged() -> None:
+    params = Params.si(
+        composite_modulus=1.1e11, effective_shear_modulus=6.5e10, work_of_adhesion=0.06, adhesion_range=4e-10,
+        burgers_vector=3e-10, height_std=5e-9, summit_radius=1e-6, asperity_count=1.5e5, attraction=False,
+        height_distribution="weibull", weibull_shape=2.5, radius_amplitude=-0.3, radius_rate=0.7, slip_radius_1=30.0,
+        slip_stress_1=0.02, slip_radius_2=7e4, slip_stress_2=8e-4, max_friction_coefficient=12.0,
+    )  # fmt: skip
+    with Model(params) as model:
+        back = _header.asperity_params()
+        _library.check(_library.LIBRARY.asperity_get_params(model._open().pointer, back))
+    found = {field[0]: getattr(back, field[0]) for field in back._fields_[1:]}
+    expected = dict(vars(params), height_distribution=_header.ASPERITY_HEIGHTS_WEIBULL, attraction=0)
+    assert found == expected
+
+
+def test_the_message_reads_whole() -> None:
+    _library.LIBRARY.asperity_params_set_skew(Params.dimensionless(alpha=1, beta=1, gamma=0)._as_struct(), np.nan)
+    assert _library.last_error() == "skew = NaN: must be finite and > -1.13955, the limit of the Weibull family"

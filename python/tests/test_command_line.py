@@ -1,0 +1,131 @@
+"""`python -m asperity`: the table, the figure, and what it says of bad input."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from asperity import Model, Params, __version__
+
+POLYSILICON = (
+    "--E1 160e9 --nu1 0.22 --E2 160e9 --nu2 0.22 --work-of-adhesion 0.063 --adhesion-range 0.384e-9 "
+    "--burgers-vector 0.384e-9 --height-std 5e-9 --summit-radius 1e-6 --summit-density 1e13 --nominal-area 1e-8"
+)
+
+
+def asperity(arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "asperity", *arguments.split()]
+    return subprocess.run(command, capture_output=True, text=True, timeout=60, check=False, **options)
+
+
+def table(text: str) -> list[list[float]]:
+    head, *lines = text.splitlines()
+    assert head == "# load, friction coefficient, friction force, real area, contacting summits"
+    return [[float(word) for word in line.split()] for line in lines]
+
+
+def test_version() -> None:
+    assert asperity("--version").stdout == f"asperity {__version__} (library {__version__}, ABI 1)\n"
+
+
+def test_the_table_is_that_of_the_model(params: Params) -> None:
+    done = asperity("curve --figure - --lowest 0.01 --highest 100 --count 5")
+    assert (done.returncode, done.stderr) == (0, "")
+    rows = table(done.stdout)
+    assert [row[0] for row in rows] == pytest.approx([0.01, 0.1, 1, 10, 100], rel=1e-9)
+    with Model(params) as model:
+        for load, *found in rows:
+            state = model.state_at_load(load)
+            expected = [state.friction_coefficient, state.friction_force, state.real_area, state.contacting]
+            assert found == pytest.approx(expected, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    "arguments, changes",
+    [
+        ("--skew -0.5", {"skew": -0.5}),
+        ("--weibull-shape 2", {"weibull_shape": 2}),
+        ("--no-attraction", {"attraction": False}),
+        ("--radius-amplitude -0.5 --radius-rate 1.5", {"radius_amplitude": -0.5, "radius_rate": 1.5}),
+        ("--slip-radius-1 20 --slip-stress-1 0.02", {"slip_radius_1": 20, "slip_stress_1": 0.02}),
+        ("--slip-radius-2 9e4 --slip-stress-2 9e-4", {"slip_radius_2": 9e4, "slip_stress_2": 9e-4}),
+        ("--max-friction-coefficient 0.5", {"max_friction_coefficient": 0.5}),
+    ],
+)
+def test_options_are_parameters(params: Params, arguments: str, changes: dict[str, Any]) -> None:
+    done = asperity(f"curve --figure - --lowest 1 --highest 10 --count 2 {arguments}")
+    with Model(params.replace(**changes)) as model, Model(params) as plain:
+        expected = model.friction_at_load(1.0)
+        assert expected != pytest.approx(plain.friction_at_load(1.0), rel=1e-6)
+    assert table(done.stdout)[0][1] == pytest.approx(expected, rel=1e-9)
+
+
+def test_physical_parameters() -> None:
+    rows = table(asperity(f"curve --figure - {POLYSILICON}").stdout)
+    params = Params.si(
+        E1=160e9, nu1=0.22, E2=160e9, nu2=0.22, work_of_adhesion=0.063, adhesion_range=0.384e-9, height_std=5e-9,
+        burgers_vector=0.384e-9, summit_radius=1e-6, summit_density=1e13, nominal_area=1e-8,
+    )  # fmt: skip
+    unit = params.asperity_count * params.composite_modulus * params.burgers_vector**2
+    assert len(rows) == 33
+    assert (rows[0][0], rows[-1][0]) == pytest.approx((1e-4 * unit, 1e4 * unit), rel=1e-8)
+    with Model(params) as model:
+        assert rows[16][1] == pytest.approx(model.friction_at_load(rows[16][0]), rel=1e-8)
+
+
+@pytest.mark.parametrize("ending, start", [("svg", b"<?xml"), ("png", b"\x89PNG"), ("pdf", b"%PDF")])
+def test_the_figure_is_drawn(tmp_path: Path, ending: str, start: bytes) -> None:
+    done = asperity(f"curve --count 5 --figure curve.{ending}", cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (0, f"asperity: the curve is drawn in curve.{ending}\n")
+    assert (tmp_path / f"curve.{ending}").read_bytes().startswith(start)
+    assert len(table(done.stdout)) == 5
+
+
+def test_the_figure_has_a_name_unless_one_is_given(tmp_path: Path) -> None:
+    asperity("curve --count 2", cwd=tmp_path)
+    assert [file.name for file in tmp_path.iterdir()] == ["friction_curve.svg"]
+
+
+def test_without_matplotlib_it_says_so_and_prints_nothing(tmp_path: Path) -> None:
+    (tmp_path / "matplotlib.py").write_text("raise ImportError('No module named matplotlib')")
+    done = asperity("curve", cwd=tmp_path)  # -m puts the working directory first
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith("asperity: drawing needs matplotlib") and "pip install matplotlib" in done.stderr
+    assert asperity("curve --figure - --count 2", cwd=tmp_path).returncode == 0
+
+
+@pytest.mark.parametrize(
+    "arguments, status, message",
+    [
+        ("", 2, "COMMAND"),
+        ("draw", 2, "invalid choice: 'draw'"),
+        ("curve --alph 1", 2, "unrecognized arguments: --alph"),
+        ("curve --alpha x", 2, "--alpha: invalid float value: 'x'"),
+        ("curve --alpha 1 --E1 3", 2, "--alpha is dimensionless, --E1 physical: choose one"),
+        ("curve --E1 3", 2, "physical parameters need --work-of-adhesion, --adhesion-range, --burgers-vector"),
+        (f"curve {POLYSILICON} --asperity-count 3", 2, "asperity_count, or summit_density and nominal_area"),
+        ("curve --skew 1 --weibull-shape 2", 2, "do not give weibull_shape too"),
+        ("curve --count 1", 2, "--count 1: must be 2 or more"),
+        ("curve --lowest 0", 2, "--lowest 0: must be finite and > 0"),
+        ("curve --lowest nan", 2, "--lowest nan: must be finite and > 0"),
+        ("curve --lowest 3 --highest 2", 2, "--highest 2: must be finite and above the lowest load, 3"),
+        ("curve --alpha -1", 1, "asperity: alpha = -1: must be finite and > 0"),
+        ("curve --skew -2", 1, "asperity: skew = -2: must be finite and > -1.13955"),
+        ("curve --figure no/such/directory/curve.svg", 1, "No such file or directory"),
+        ("curve --figure curve.xyz", 1, "'xyz' is not supported"),
+    ],
+)
+def test_bad_input_is_refused(tmp_path: Path, arguments: str, status: int, message: str) -> None:
+    done = asperity(arguments, cwd=tmp_path)
+    assert done.returncode == status
+    assert message in done.stderr and "Traceback" not in done.stderr
+
+
+def test_a_reader_may_leave_early() -> None:
+    command = f"'{sys.executable}' -m asperity curve --figure - --count 5000 | head -n 1"
+    done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=60, check=True)
+    assert done.stderr == "" and done.stdout.startswith("# load")

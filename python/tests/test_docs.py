@@ -1,0 +1,75 @@
+"""Every code block of the guide runs, in the order of the page, in an environment with nothing installed.
+
+A `text` block after a `sh` or `python` block is what the latter prints.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import venv
+from pathlib import Path
+
+import pytest
+
+BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+MARK = "-- end of block {} --"
+
+
+def blocks(page: Path) -> list[tuple[str, str]]:
+    return BLOCK.findall(page.read_text(encoding="utf-8"))
+
+
+def outputs(text: str, count: int) -> list[str]:
+    """What each block printed."""
+    found = []
+    for i in range(count):
+        part, mark, text = text.partition(MARK.format(i) + "\n")
+        assert mark, f"block {i} did not end; it printed:\n{part}"
+        found.append(part)
+    return found
+
+
+def run(command: list[str], source: str, directory: Path, environment: dict[str, str]) -> str:
+    done = subprocess.run(
+        command, input=source, cwd=directory, env=environment, capture_output=True, text=True, timeout=600, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def checkout(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A directory that looks like the checkout to the commands of the guide, and keeps what they write."""
+    directory = tmp_path_factory.mktemp("checkout")
+    (directory / "python").symlink_to(root / "python")
+    return directory
+
+
+@pytest.fixture(scope="module")
+def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """A fresh virtual environment, active."""
+    directory = tmp_path_factory.mktemp("venv")
+    venv.create(directory, with_pip=True)
+    kept = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "ASPERITY"))}
+    return {**kept, "VIRTUAL_ENV": str(directory), "PATH": f"{directory / 'bin'}{os.pathsep}{os.environ['PATH']}"}
+
+
+def check_page(page: Path, checkout: Path, environment: dict[str, str]) -> None:
+    found = blocks(page)
+    assert {kind for kind, _ in found} <= {"sh", "python", "text"}
+    for kind, command, echo in (("sh", ["bash", "-eu"], "echo '{}'\n"), ("python", ["python", "-"], "print('{}')\n")):
+        chosen = [i for i, (name, _) in enumerate(found) if name == kind]
+        source = "".join(found[i][1] + echo.format(MARK.format(n)) for n, i in enumerate(chosen))
+        printed = outputs(run(command, source, checkout, environment), len(chosen))
+        for i, output in zip(chosen, printed):
+            if i + 1 < len(found) and found[i + 1][0] == "text":
+                assert output == found[i + 1][1]
+
+
+def test_the_guide_runs_and_prints_what_it_says(root: Path, checkout: Path, environment: dict[str, str]) -> None:
+    check_page(root / "docs" / "python.md", checkout, environment)
+    assert len(list((checkout / "wheels").glob("asperity-*-py3-none-*.whl"))) == 1
+    assert (checkout / "friction_curve.svg").read_text(encoding="utf-8").startswith("<?xml")
+    check_page(root / "python" / "README.md", checkout, environment)  # in what the guide installed

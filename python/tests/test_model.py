@@ -1,0 +1,336 @@
+"""The contract of a model: shapes, slopes, loads that are refused, memory, lifetime."""
+
+from __future__ import annotations
+
+import copy
+import ctypes
+import gc
+import math
+import pickle
+import tracemalloc
+from typing import Any, Callable
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+
+from asperity import Error, Model, Params, State, Status, Summary
+from asperity._library import LIBRARY
+
+METHODS = ["friction_at_load", "friction_force_at_load"]
+
+
+def call(model: Model, method: str) -> Callable[..., Any]:
+    return getattr(model, method)  # type: ignore[no-any-return]
+
+
+# ---- Shapes ----
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("number", [10.0, 10, np.float64(10), np.float32(10), np.int64(10)])
+def test_a_number_gives_a_float(model: Model, method: str, number: Any) -> None:
+    value = call(model, method)(number)
+    assert type(value) is float and value == call(model, method)(10.0)
+    value_again, slope = call(model, method)(number, slope=True)
+    assert type(value_again) is float and type(slope) is float and value_again == value
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("shape", [(), (0,), (7,), (3, 4), (2, 0, 3), (2, 3, 4)])
+def test_an_array_gives_an_array_of_its_shape(model: Model, method: str, shape: tuple[int, ...]) -> None:
+    loads = np.geomspace(1e-3, 1e3, math.prod(shape)).reshape(shape)
+    values, slopes = call(model, method)(loads, slope=True)
+    assert type(values) is np.ndarray and values.shape == slopes.shape == shape
+    assert values.dtype == slopes.dtype == np.float64
+    assert np.array_equal(values, call(model, method)(loads))
+    assert values.ravel().tolist() == [call(model, method)(load) for load in loads.ravel()]
+
+
+@pytest.mark.parametrize(
+    "loads",
+    [
+        [1.0, 2.0, 4.0],
+        (1, 2, 4),
+        np.array([1, 2, 4], dtype=np.int16),
+        np.array([1, 2, 4], dtype=np.float32),
+        np.array([1, 2, 4], dtype=">f8"),
+        np.array([4.0, 2.0, 1.0])[::-1],
+        np.frombuffer(b"\0" + np.array([1.0, 2.0, 4.0]).tobytes(), dtype=np.uint8)[1:].view(np.float64),
+    ],
+    ids=["list", "tuple", "int16", "float32", "big-endian", "reversed", "unaligned"],
+)
+def test_any_real_sequence_serves(model: Model, loads: Any) -> None:
+    assert model.friction_at_load(loads).tolist() == [model.friction_at_load(x) for x in (1.0, 2.0, 4.0)]
+
+
+def test_order_of_memory_does_not_matter(model: Model) -> None:
+    loads = np.geomspace(1, 100, 12).reshape(3, 4)
+    assert np.array_equal(model.friction_at_load(np.asfortranarray(loads)), model.friction_at_load(loads))
+
+
+@pytest.mark.parametrize("loads", ["1", None, 1j, ["1"], [None], [1j], [[1.0], "x"]])
+def test_what_is_no_real_number_is_refused(model: Model, loads: Any) -> None:
+    with pytest.raises((TypeError, ValueError), match="real numbers|inhomogeneous"):
+        model.friction_at_load(loads)
+
+
+def test_an_integer_too_large_for_a_float_is_refused(model: Model) -> None:
+    with pytest.raises(OverflowError):
+        model.friction_at_load(10**400)
+
+
+# ---- No copies ----
+
+
+def test_a_contiguous_float64_array_is_read_where_it_is(model: Model, monkeypatch: pytest.MonkeyPatch) -> None:
+    loads = np.geomspace(1e-3, 1e3, 1000)
+    loads.flags.writeable = False
+    before = loads.tobytes()
+    seen = []
+    batch = LIBRARY.asperity_friction_at_loads
+
+    def spy(pointer: Any, n: int, load: Any, *rest: Any) -> int:
+        seen.append(ctypes.cast(load, ctypes.c_void_p).value)
+        return int(batch(pointer, n, load, *rest))
+
+    monkeypatch.setattr(LIBRARY, "asperity_friction_at_loads", spy)
+    model.friction_at_load(loads)
+    model.friction_at_load(loads.reshape(10, 100))
+    model.friction_at_load(loads[::2])
+    assert seen[:2] == 2 * [loads.ctypes.data]
+    assert seen[2] != loads.ctypes.data
+    assert loads.tobytes() == before
+
+
+def test_memory_is_that_of_the_answer(model: Model) -> None:
+    loads = np.linspace(1, 2, 1_000_000)
+    tracemalloc.start()
+    try:
+        model.friction_at_load(loads)
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert loads.nbytes <= peak < 1.25 * loads.nbytes
+
+
+# ---- Slopes ----
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("load", [1e-2, 1.0, 30.0, 5e3])
+def test_slopes_are_those_of_finite_differences(model: Model, method: str, load: float) -> None:
+    step = 1e-4 * load
+    around = call(model, method)(load + step * np.array([-2.0, -1.0, 1.0, 2.0]))
+    difference = float(np.dot(around, [1.0, -8.0, 8.0, -1.0]) / (12 * step))
+    assert call(model, method)(load, slope=True)[1] == pytest.approx(difference, rel=1e-7)
+
+
+# ---- Loads at the edge of contact ----
+
+
+def test_between_pull_off_and_zero_the_force_is_finite_and_the_coefficient_capped(sticky: Params) -> None:
+    with Model(sticky) as model:
+        pull_off = model.summary().pull_off_load
+        assert pull_off < -1e-3
+        loads = np.linspace(pull_off, 0, 5)
+        assert (model.friction_at_load(loads) == sticky.max_friction_coefficient).all()
+        forces, slopes = model.friction_force_at_load(loads, slope=True)
+        assert (np.diff(forces) > 0).all() and forces[0] > 0
+        assert slopes[0] == math.inf and np.isfinite(slopes[1:]).all()
+        assert (model.friction_at_load(loads, slope=True)[1] == 0).all()
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_below_pull_off_friction_is_zero_and_no_error(sticky: Params, method: str) -> None:
+    with Model(sticky) as model:
+        below = 1.001 * model.summary().pull_off_load
+        assert call(model, method)(below) == 0
+        assert call(model, method)(below, slope=True) == (0, 0)
+        values, slopes = call(model, method)(np.array([below, 1.0, -1e300]), slope=True)
+        assert values[[0, 2]].tolist() == slopes[[0, 2]].tolist() == [0, 0] and values[1] > 0
+        with pytest.raises(Error, match="below the pull-off load") as caught:
+            model.state_at_load(below)
+        assert caught.value.status is Status.SEPARATED
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("load, status", [(math.nan, 3), (math.inf, 3), (-math.inf, 3), (1e300, 5)])
+def test_loads_without_an_answer_raise_and_name_their_index(
+    model: Model, method: str, load: float, status: int
+) -> None:
+    friction = call(model, method)
+    cases: list[tuple[Any, str]] = [
+        (load, "load = "),
+        ([1.0, load, 2.0, math.nan], "element 1: load = "),
+        ([-1e9, 1.0, load], "element 2: load = "),  # a separated element comes first
+        ([[1.0, 2.0], [3.0, load]], r"element \(1, 1\): load = "),
+        (np.array(load), "load = "),
+    ]
+    for loads, message in cases:
+        for slope in (False, True):
+            with pytest.raises(Error, match=f"^{message}") as caught:
+                friction(loads, slope=slope)
+            assert caught.value.status == status
+
+
+def test_the_cap_is_a_parameter(params: Params) -> None:
+    with Model(params.replace(max_friction_coefficient=1.5)) as capped, Model(params) as model:
+        loads = np.geomspace(1e-3, 1e4, 50)
+        expected = np.minimum(model.friction_at_load(loads), 1.5)
+        assert (expected == 1.5).any() and (expected < 1.5).any()
+        assert capped.friction_at_load(loads) == pytest.approx(expected, rel=1e-12)
+
+
+# ---- Results ----
+
+
+def test_results_are_frozen_dataclasses(model: Model) -> None:
+    state, summary = model.state_at_load(10.0), model.summary()
+    assert isinstance(state, State) and isinstance(summary, Summary)
+    assert state == model.state_at_load(10.0)
+    assert state.load == 10.0 and summary.alpha == pytest.approx(0.01, rel=1e-14)
+    for result in (state, summary):
+        with pytest.raises(AttributeError):
+            result.load = 1.0  # type: ignore[union-attr, misc]
+        assert all(type(value) is float for value in vars(result).values())
+        assert pickle.loads(pickle.dumps(result)) == result
+
+
+def test_load_and_separation_lead_to_the_same_state(model: Model) -> None:
+    at_load = model.state_at_load(10.0)
+    at_separation = model.state_at_separation(at_load.separation)
+    for name, value in vars(at_load).items():
+        assert getattr(at_separation, name) == pytest.approx(value, rel=1e-8), name
+
+
+def test_the_compiled_law_is_as_good_as_the_summary_says(model: Model) -> None:
+    error = model.summary().table_error
+    assert 0 < error < 1e-9
+    for load in np.geomspace(1e-3, 1e5, 40):
+        exact = model.state_at_load(load)
+        assert model.friction_force_at_load(load) == pytest.approx(exact.friction_force, rel=error + 1e-11)
+        assert model.friction_at_load(load) == pytest.approx(exact.friction_coefficient, rel=error + 1e-11)
+
+
+@pytest.mark.parametrize("separation", [math.nan, math.inf])
+def test_separations_must_be_finite(model: Model, separation: float) -> None:
+    with pytest.raises(Error, match="^separation = ") as caught:
+        model.state_at_separation(separation)
+    assert caught.value.status is Status.INVALID_PARAMETER
+
+
+# ---- Parameters ----
+
+
+@pytest.mark.parametrize(
+    "change, message, status",
+    [
+        ({"summit_radius": -1.0}, "summit_radius = -1: must be finite and > 0", Status.INVALID_PARAMETER),
+        ({"weibull_shape": -2.0}, "weibull_shape = -2: must be finite and > 0", Status.INVALID_PARAMETER),
+        ({"radius_amplitude": 1.5}, "radius_amplitude = 1.5: must be between -1 and 1", Status.INVALID_PARAMETER),
+        ({"height_std": math.nan}, "height_std = NaN: must be finite", Status.INVALID_PARAMETER),
+        ({"height_std": 1e30}, "alpha = .* must be between", Status.OUT_OF_RANGE),
+    ],
+)
+def test_a_model_refuses_parameters_with_the_librarys_message(
+    params: Params, model: Model, change: dict[str, float], message: str, status: Status
+) -> None:
+    bad = params.replace(**change)
+    with pytest.raises(Error, match=message) as caught:
+        Model(bad)
+    assert caught.value.status is status
+    assert isinstance(caught.value, ValueError)
+    before = model.friction_at_load(10.0)
+    with pytest.raises(Error, match=message):
+        model.set_params(bad)
+    assert model.friction_at_load(10.0) == before and model.params == params
+
+
+def test_other_parameters_are_another_law(params: Params, model: Model) -> None:
+    other = params.replace(asperity_count=2)
+    half = model.friction_at_load(5.0)
+    model.set_params(other)
+    assert model.params == other
+    assert model.friction_at_load(10.0) == pytest.approx(half, rel=1e-10)  # twice the summits carry twice the load
+
+
+def test_params_must_be_params(model: Model) -> None:
+    with pytest.raises(TypeError, match="must be a Params"):
+        Model({"alpha": 1})  # type: ignore[arg-type]
+
+
+# ---- Lifetime ----
+
+
+class Freed:
+    """Counts how often each handle is freed, and frees it."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.count = 0
+        self.free = LIBRARY.asperity_free
+        monkeypatch.setattr(LIBRARY, "asperity_free", self)
+
+    def __call__(self, pointer: Any) -> None:
+        self.count += 1
+        self.free(pointer)
+
+
+def test_a_handle_is_freed_once(params: Params, monkeypatch: pytest.MonkeyPatch) -> None:
+    freed = Freed(monkeypatch)
+    with Model(params) as model:
+        assert freed.count == 0
+    assert freed.count == 1
+    model.close()
+    del model
+    gc.collect()
+    assert freed.count == 1
+
+    model = Model(params)
+    model.set_params(params.replace(asperity_count=2))
+    assert freed.count == 2
+    del model
+    gc.collect()
+    assert freed.count == 3
+
+    with pytest.raises(Error):
+        Model(params.replace(height_std=-1))
+    gc.collect()
+    assert freed.count == 3
+
+
+def test_a_closed_model_raises(params: Params) -> None:
+    model = Model(params)
+    model.close()
+    uses: list[Callable[[], Any]] = [
+        lambda: model.friction_at_load(1.0), lambda: model.friction_at_load([1.0]), lambda: model.state_at_load(1.0),
+        lambda: model.summary(), lambda: model.params, lambda: pickle.dumps(model), model.__enter__,
+    ]  # fmt: skip
+    for use in uses:
+        with pytest.raises(Error, match="the model is closed"):
+            use()
+    assert repr(model) == "<closed Model>"
+    model.set_params(params)
+    assert model.friction_at_load(1.0) > 0
+
+
+def test_a_model_pickles_and_copies_through_its_parameters(model: Model) -> None:
+    for twin in (pickle.loads(pickle.dumps(model)), copy.copy(model), copy.deepcopy(model)):
+        assert twin.params == model.params
+        assert twin._handle is not model._handle
+        assert twin.friction_at_load(3.0) == model.friction_at_load(3.0)
+    assert repr(model) == f"Model({model.params!r})"
+
+
+def test_an_error_pickles_with_its_status() -> None:
+    error = pickle.loads(pickle.dumps(Error("load = NaN: must be finite", Status.INVALID_LOAD)))
+    assert (str(error), error.status) == ("load = NaN: must be finite", Status.INVALID_LOAD)
+    assert "pull-off" in Status.SEPARATED.description
+
+
+def as_array(model: Model, loads: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    """Read by mypy: the types of both forms."""
+    number: float = model.friction_at_load(1.0)
+    pair: tuple[float, float] = model.friction_force_at_load(1.0, slope=True)
+    values, slopes = model.friction_at_load(loads, slope=True)
+    return values * number + slopes * pair[1]

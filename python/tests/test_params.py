@@ -1,0 +1,126 @@
+"""Parameters are immutable values; each way to make them gives what the definitions of the quantities say."""
+
+from __future__ import annotations
+
+import math
+import pickle
+from dataclasses import FrozenInstanceError
+from typing import Any
+
+import pytest
+
+from asperity import Error, Model, Params, Status
+
+SURFACE: dict[str, Any] = dict(
+    work_of_adhesion=0.06, adhesion_range=4e-10, burgers_vector=4e-10, height_std=5e-9, summit_radius=1e-6
+)
+STIFFNESS: dict[str, Any] = dict(composite_modulus=8e10, effective_shear_modulus=6e10)
+
+
+def test_dimensionless_is_the_papers_case() -> None:
+    params = Params.dimensionless(alpha=0.02, beta=500, gamma=0.002, b_over_h=2, poisson=0.25)
+    assert params.composite_modulus == pytest.approx(2 / (1 - 0.25), rel=1e-15)
+    assert params.effective_shear_modulus == 2
+    assert params.burgers_vector == params.asperity_count == 1
+    assert math.sqrt(params.height_std / params.summit_radius) == pytest.approx(0.02, rel=1e-15)
+    assert math.sqrt(params.height_std * params.summit_radius) == pytest.approx(500, rel=1e-15)
+    assert params.work_of_adhesion == pytest.approx(0.002 * params.composite_modulus, rel=1e-15)
+    assert params.adhesion_range == 0.5
+
+
+def test_two_bodies_give_the_moduli_of_their_definitions() -> None:
+    params = Params.si(**SURFACE, E1=200e9, nu1=0.3, E2=70e9, nu2=0.2, asperity_count=1)
+    assert params.composite_modulus == pytest.approx(1 / ((1 - 0.3**2) / 200e9 + (1 - 0.2**2) / 70e9), rel=1e-14)
+    first, second = 200e9 / 2 / 1.3, 70e9 / 2 / 1.2
+    assert params.effective_shear_modulus == pytest.approx(2 * first * second / (first + second), rel=1e-14)
+
+
+def test_one_body_may_be_rigid() -> None:
+    params = Params.si(**SURFACE, E1=70e9, nu1=0.2, E2=math.inf, nu2=0.0, asperity_count=1)
+    assert params.composite_modulus == pytest.approx(70e9 / (1 - 0.2**2), rel=1e-14)
+    assert params.effective_shear_modulus == pytest.approx(2 * 70e9 / 2.4, rel=1e-14)
+    with pytest.raises(Error, match="at least one of the two bodies must be elastic"):
+        Params.si(**SURFACE, E1=math.inf, nu1=0.2, E2=math.inf, nu2=0.0, asperity_count=1)
+
+
+def test_summits_are_counted_or_density_times_area() -> None:
+    assert Params.si(**SURFACE, **STIFFNESS, summit_density=1e13, nominal_area=2e-8).asperity_count == 1e13 * 2e-8
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        ({}, "composite_modulus and effective_shear_modulus, or E1, nu1, E2 and nu2"),
+        ({"composite_modulus": 1e9}, "composite_modulus and effective_shear_modulus, or E1, nu1, E2 and nu2"),
+        (STIFFNESS | {"nu1": 0.3}, "composite_modulus and effective_shear_modulus, or E1, nu1, E2 and nu2"),
+        ({"E1": 1e9, "nu1": 0.3, "E2": 1e9}, "or E1, nu1, E2 and nu2"),
+        (STIFFNESS, "asperity_count, or summit_density and nominal_area"),
+        (STIFFNESS | {"summit_density": 1e13}, "asperity_count, or summit_density and nominal_area"),
+        (STIFFNESS | {"summit_density": 1e13, "nominal_area": 1.0, "asperity_count": 5}, "asperity_count, or summit"),
+        (STIFFNESS | {"asperity_count": 5, "skew": 0, "weibull_shape": 2}, "do not give weibull_shape too"),
+        (STIFFNESS | {"asperity_count": 5, "skew": 0, "height_distribution": "gaussian"}, "height_distribution too"),
+        (STIFFNESS | {"asperity_count": 5, "roughness": 5}, "roughness"),
+        (STIFFNESS | {"asperity_count": "5"}, "asperity_count = '5': must be a real number"),
+        (STIFFNESS | {"asperity_count": 5, "skew": None}, "skew = None: must be a real number"),
+    ],
+)
+def test_arguments_that_do_not_fit_together_are_refused(arguments: dict[str, Any], message: str) -> None:
+    with pytest.raises(TypeError, match=message):
+        Params.si(**SURFACE, **arguments)
+
+
+@pytest.mark.parametrize("name", ["summit_density", "nominal_area"])
+@pytest.mark.parametrize("value", [-1.0, 0.0, math.nan, math.inf])
+def test_density_and_area_must_be_positive_each(name: str, value: float) -> None:
+    surface: dict[str, Any] = {"summit_density": 1.0, "nominal_area": 1.0, name: value}
+    with pytest.raises(Error, match=f"{name} = {value}: must be finite and > 0"):
+        Params.si(**SURFACE, **STIFFNESS, **surface)
+
+
+@pytest.mark.parametrize(
+    "change, message",
+    [
+        ({"height_distribution": "lognormal"}, "height_distribution = 'lognormal': must be 'gaussian' or 'weibull'"),
+        ({"attraction": 2}, "attraction = 2: must be True or False"),
+        ({"skew": -1.2}, "skew = -1.2: must be finite and > -1.13955"),
+    ],
+)
+def test_values_outside_a_set_are_refused_at_once(params: Params, change: dict[str, Any], message: str) -> None:
+    with pytest.raises(Error, match=message) as caught:
+        params.replace(**change)
+    assert caught.value.status is Status.INVALID_PARAMETER
+
+
+def test_skew_chooses_weibull_heights_of_that_skew(params: Params) -> None:
+    # Table 1 of the paper: skew, shape.
+    for skew, shape in [(-1, 40.74), (-0.5, 7.493), (0, 3.602), (0.5, 2.216), (1, 1.564)]:
+        skewed = params.replace(skew=skew)
+        assert skewed.height_distribution == "weibull"
+        assert skewed.weibull_shape == pytest.approx(shape, rel=2e-4)
+        assert skewed == Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001, skew=skew)
+        with Model(skewed) as model:
+            assert model.summary().skew == pytest.approx(skew, abs=1e-9)
+
+
+def test_a_shape_alone_means_weibull_heights(params: Params) -> None:
+    assert params.replace(weibull_shape=2.0).height_distribution == "weibull"
+    assert params.replace(weibull_shape=2.0, height_distribution="gaussian").height_distribution == "gaussian"
+
+
+def test_parameters_are_immutable_values(params: Params) -> None:
+    same = Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+    other = params.replace(asperity_count=2)
+    assert params == same and hash(params) == hash(same)
+    assert params != other and params.asperity_count == 1 and other.asperity_count == 2
+    assert other.replace(asperity_count=1) == params
+    assert pickle.loads(pickle.dumps(other)) == other
+    with pytest.raises(FrozenInstanceError):
+        params.asperity_count = 3.0  # type: ignore[misc]
+
+
+def test_the_repr_shows_what_is_not_default_and_reads_back(params: Params) -> None:
+    changed = params.replace(skew=1, attraction=False, max_friction_coefficient=math.inf)
+    for one in (params, changed):
+        assert eval(repr(one)) == one
+    assert "slip_radius_1" not in repr(changed)
+    assert 'max_friction_coefficient=float("inf")' in repr(changed)

@@ -1,0 +1,102 @@
+"""Threads: calls run while the interpreter does, and a model may be changed or closed under its users."""
+
+from __future__ import annotations
+
+import ctypes
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import numpy as np
+import pytest
+
+from asperity import Error, Model, Params, _library
+
+
+def turns_during(call: Any) -> int:
+    """How many times this thread gets its turn, a millisecond of sleep each, while another is inside `call`."""
+    spans: list[tuple[float, float]] = []
+
+    def timed() -> None:
+        start = time.perf_counter()
+        call()
+        spans.append((start, time.perf_counter()))
+
+    turns: list[float] = []
+    thread = threading.Thread(target=timed)
+    thread.start()
+    while thread.is_alive():
+        time.sleep(0.001)
+        turns.append(time.perf_counter())
+    thread.join()
+    (start, end), margin = spans[0], 0.02
+    return sum(start + margin < turn < end - margin for turn in turns)
+
+
+def test_a_call_does_not_hold_the_interpreter(model: Model) -> None:
+    # Heavier than the table: each load is integrated, and the call lasts some tenths of a second.
+    heavy = 2 * model.summary().max_table_load
+    once = time.perf_counter()
+    model.friction_force_at_load(np.full(200, heavy))
+    each = (time.perf_counter() - once) / 200
+    loads = np.full(int(0.4 / each), heavy)
+    assert turns_during(lambda: model.friction_force_at_load(loads)) > 20
+
+    # The same call by a loader that keeps the interpreter lock: this test can tell.
+    keeping = ctypes.PyDLL(_library.PATH).asperity_friction_force_at_loads
+    keeping.argtypes = _library.LIBRARY.asperity_friction_force_at_loads.argtypes
+    pointer = loads.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+    assert turns_during(lambda: keeping(model._open().pointer, loads.size, pointer, None, None)) == 0
+
+
+def test_threads_share_a_model(model: Model) -> None:
+    loads = np.geomspace(1e-3, 1e5, 5000)
+    alone = model.friction_at_load(loads)
+    with ThreadPoolExecutor(4) as pool:
+        for together in pool.map(model.friction_at_load, [loads] * 16):
+            assert np.array_equal(together, alone)
+
+
+def test_each_thread_has_its_own_message(model: Model) -> None:
+    def refused(load: float) -> str:
+        with pytest.raises(Error) as caught:
+            for _ in range(200):
+                try:
+                    model.state_at_load(load)
+                except Error as error:
+                    assert f"load = {load:g}: below" in str(error)
+            model.state_at_load(load)
+        return str(caught.value)
+
+    with ThreadPoolExecutor(4) as pool:
+        for load, message in zip((-1.0, -2.0, -3.0, -4.0), pool.map(refused, (-1.0, -2.0, -3.0, -4.0))):
+            assert message.startswith(f"load = {load:g}: below the pull-off load")
+
+
+def test_a_model_may_be_changed_and_closed_while_others_use_it(params: Params) -> None:
+    laws = [params, params.replace(asperity_count=2)]
+    loads = np.geomspace(1e-2, 1e2, 2000)
+    expected = []
+    for law in laws:
+        with Model(law) as alone:
+            expected.append(alone.friction_at_load(loads).tobytes())
+    shared, stop, seen = Model(params), threading.Event(), set()
+
+    def use() -> None:
+        while not stop.is_set():
+            try:
+                seen.add(shared.friction_at_load(loads).tobytes())
+            except Error as error:
+                assert "closed" in str(error)
+
+    with ThreadPoolExecutor(3) as pool:
+        users = [pool.submit(use) for _ in range(3)]
+        for i in range(30):
+            shared.set_params(laws[i % 2])
+            if i % 5 == 0:
+                shared.close()
+        stop.set()
+        for user in users:
+            user.result(timeout=30)
+    assert seen <= set(expected)

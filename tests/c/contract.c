@@ -1,0 +1,648 @@
+/* The contract of the C interface, clause by clause: what is written and what is not, what a status means, what a
+ * message says, what friction is at and below zero load, how a batch behaves, how large the structs are. */
+
+#include <asperity.h>
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "check.h"
+#include "surfaces.h"
+
+static char message[512];
+
+static const char *last_message(void)
+{
+    asperity_last_error(message, sizeof message);
+    return message;
+}
+
+static int says(const char *text)
+{
+    return strstr(last_message(), text) != NULL;
+}
+
+static asperity_model *model_of(asperity_params p)
+{
+    asperity_model *model = NULL;
+    CHECK(asperity_create(&p, &model) == ASPERITY_OK, "no model: %s", last_message());
+    if (model == NULL)
+        exit(1);
+    return model;
+}
+
+static asperity_summary summary_of(const asperity_model *model)
+{
+    asperity_summary summary;
+    summary.struct_size = sizeof summary;
+    CHECK(asperity_summary_of(model, &summary) == ASPERITY_OK, "no summary: %s", last_message());
+    return summary;
+}
+
+static asperity_state state_at(const asperity_model *model, double load)
+{
+    asperity_state state;
+    state.struct_size = sizeof state;
+    CHECK(asperity_state_at_load(model, load, &state) == ASPERITY_OK, "load %g: %s", load, last_message());
+    return state;
+}
+
+static int close_to(double a, double b, double relative)
+{
+    return fabs(a - b) <= relative * fabs(b);
+}
+
+/* ---- Sizes ---- */
+
+static void sizes_and_offsets_are_those_of_the_first_version(void)
+{
+#define OFFSET(type, field, expected)                                                                                  \
+    printf("offsetof(" #type ", " #field ") = %zu\n", offsetof(type, field));                                          \
+    CHECK(offsetof(type, field) == (expected), "offset of " #field)
+    printf("sizeof(asperity_params) = %zu, asperity_state %zu, asperity_summary %zu\n", sizeof(asperity_params),
+           sizeof(asperity_state), sizeof(asperity_summary));
+    CHECK(sizeof(asperity_params) >= 144, "asperity_params has lost a field");
+    CHECK(sizeof(asperity_state) >= 96, "asperity_state has lost a field");
+    CHECK(sizeof(asperity_summary) >= 104, "asperity_summary has lost a field");
+    OFFSET(asperity_params, struct_size, 0);
+    OFFSET(asperity_params, composite_modulus, 8);
+    OFFSET(asperity_params, asperity_count, 64);
+    OFFSET(asperity_params, height_distribution, 72);
+    OFFSET(asperity_params, attraction, 76);
+    OFFSET(asperity_params, weibull_shape, 80);
+    OFFSET(asperity_params, max_friction_coefficient, 136);
+    OFFSET(asperity_state, load, 8);
+    OFFSET(asperity_state, friction_force, 24);
+    OFFSET(asperity_state, attraction_load, 88);
+    OFFSET(asperity_summary, alpha, 8);
+    OFFSET(asperity_summary, pull_off_load, 56);
+    OFFSET(asperity_summary, table_error, 96);
+#undef OFFSET
+}
+
+static void versions_agree_with_the_header(void)
+{
+    char version[32];
+    snprintf(version, sizeof version, "%d.%d.%d", ASPERITY_VERSION_MAJOR, ASPERITY_VERSION_MINOR,
+             ASPERITY_VERSION_PATCH);
+    CHECK(strcmp(asperity_version(), version) == 0, "%s, not %s", asperity_version(), version);
+    CHECK(strcmp(ASPERITY_VERSION, version) == 0, "%s, not %s", ASPERITY_VERSION, version);
+    CHECK(asperity_abi_version() == ASPERITY_ABI_VERSION, "%u", asperity_abi_version());
+}
+
+static void every_status_has_its_own_words(void)
+{
+    const asperity_status known[] = { ASPERITY_OK, ASPERITY_NULL_POINTER, ASPERITY_INVALID_PARAMETER,
+                                      ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE,
+                                      ASPERITY_NOT_CONVERGED, ASPERITY_INTERNAL };
+    const int n = sizeof known / sizeof *known;
+    for (int i = 0; i < n; i++) {
+        const char *words = asperity_status_string(known[i]);
+        CHECK(words != NULL && *words != '\0' && strcmp(words, "unknown status") != 0, "status %d", known[i]);
+        for (int k = 0; k < i; k++)
+            CHECK(strcmp(words, asperity_status_string(known[k])) != 0, "%d and %d are both '%s'", i, k, words);
+    }
+    CHECK(strcmp(asperity_status_string(-1), "unknown status") == 0, "%s", asperity_status_string(-1));
+    CHECK(strcmp(asperity_status_string(7), "unknown status") == 0, "%s", asperity_status_string(7));
+}
+
+/* ---- Parameters ---- */
+
+static void init_sets_the_default_case_of_the_paper(void)
+{
+    asperity_params p;
+    memset(&p, 0xa5, sizeof p);
+    CHECK(asperity_params_init(&p) == ASPERITY_OK, "init");
+    CHECK(p.struct_size == sizeof p, "struct_size %llu", (unsigned long long)p.struct_size);
+    CHECK(close_to(p.composite_modulus, 2 / 0.7, 1e-15) && p.effective_shear_modulus == 2, "moduli");
+    CHECK(close_to(p.work_of_adhesion, 0.001 * 2 / 0.7, 1e-15), "w = %g", p.work_of_adhesion);
+    CHECK(p.adhesion_range == 1 && p.burgers_vector == 1 && p.asperity_count == 1, "h, b, N");
+    CHECK(close_to(p.height_std, 10, 1e-15) && close_to(p.summit_radius, 1e5, 1e-15), "sigma, R");
+    CHECK(p.height_distribution == ASPERITY_HEIGHTS_GAUSSIAN && p.attraction == 1, "heights, attraction");
+    CHECK(p.radius_amplitude == 0 && p.radius_rate == 0.5, "epsilon, rho");
+    CHECK(p.slip_radius_1 == 28 && p.slip_stress_1 == 1.0 / 43, "first slip constants");
+    CHECK(p.slip_radius_2 == 8e4 && p.slip_stress_2 == 1.0 / 1290, "second slip constants");
+    CHECK(p.max_friction_coefficient == 1000, "cap %g", p.max_friction_coefficient);
+}
+
+static void setters_set_what_they_say_and_nothing_else(void)
+{
+    asperity_params p = surface(8), expected;
+
+    p.radius_amplitude = 0.25;
+    p.max_friction_coefficient = 7;
+    expected = p;
+    CHECK(asperity_params_set_dimensionless(&p, 0.02, 500, 0.003, 0.5, 0.2) == ASPERITY_OK, "%s", last_message());
+    CHECK(close_to(p.composite_modulus, 2 / 0.8, 1e-15) && p.effective_shear_modulus == 2, "moduli");
+    CHECK(close_to(p.height_std, 10, 1e-15) && close_to(p.summit_radius, 25000, 1e-15), "sigma, R");
+    CHECK(close_to(p.work_of_adhesion, 0.0075, 1e-15) && p.adhesion_range == 2, "w, h");
+    CHECK(p.burgers_vector == 1 && p.asperity_count == 1, "b, N");
+    CHECK(memcmp(&p.height_distribution, &expected.height_distribution,
+                 sizeof p - offsetof(asperity_params, height_distribution)) == 0, "the rest changed");
+
+    p = expected;
+    CHECK(asperity_params_set_materials(&p, 200e9, 0.3, 70e9, 0.34) == ASPERITY_OK, "%s", last_message());
+    CHECK(close_to(p.composite_modulus, 1 / ((1 - 0.09) / 200e9 + (1 - 0.1156) / 70e9), 1e-14), "E*");
+    {
+        const double g1 = 200e9 / 2.6, g2 = 70e9 / 2.68;
+        CHECK(close_to(p.effective_shear_modulus, 2 * g1 * g2 / (g1 + g2), 1e-14), "G*");
+    }
+    expected.composite_modulus = p.composite_modulus;
+    expected.effective_shear_modulus = p.effective_shear_modulus;
+    CHECK(SAME(p, expected), "set_materials changed another field");
+    CHECK(asperity_params_set_materials(&p, 200e9, 0.3, INFINITY, 0.3) == ASPERITY_OK, "%s", last_message());
+    CHECK(close_to(p.composite_modulus, 200e9 / 0.91, 1e-14), "E* against a rigid body");
+    CHECK(close_to(p.effective_shear_modulus, 2 * 200e9 / 2.6, 1e-14), "G* against a rigid body is 2 G");
+
+    expected = p;
+    CHECK(asperity_params_set_skew(&p, 0) == ASPERITY_OK, "%s", last_message());
+    CHECK(p.height_distribution == ASPERITY_HEIGHTS_WEIBULL, "heights");
+    CHECK(fabs(p.weibull_shape - 3.602) < 6e-4, "omega = %g without skew", p.weibull_shape);
+    expected.height_distribution = p.height_distribution;
+    expected.weibull_shape = p.weibull_shape;
+    CHECK(SAME(p, expected), "set_skew changed another field");
+}
+
+static void failing_setters_touch_nothing(void)
+{
+    const asperity_params before = surface(8);
+    asperity_params p = before;
+#define FAILS(call, status, text)                                                                                      \
+    CHECK((call) == (status), "another status than " #status ": %s", last_message());                                  \
+    CHECK(says(text), "'%s' does not say '%s'", last_message(), text);                                                 \
+    CHECK(SAME(p, before), "the parameters changed")
+    FAILS(asperity_params_set_dimensionless(&p, -1, 1000, 0.001, 1, 0.3), ASPERITY_INVALID_PARAMETER, "alpha = -1: ");
+    FAILS(asperity_params_set_dimensionless(&p, 0.01, 0, 0.001, 1, 0.3), ASPERITY_INVALID_PARAMETER, "beta = 0: ");
+    FAILS(asperity_params_set_dimensionless(&p, 0.01, 1000, -2, 1, 0.3), ASPERITY_INVALID_PARAMETER, "gamma = -2: ");
+    FAILS(asperity_params_set_dimensionless(&p, 0.01, 1000, 0.001, NAN, 0.3), ASPERITY_INVALID_PARAMETER, "= NaN: ");
+    FAILS(asperity_params_set_dimensionless(&p, 0.01, 1000, 0.001, 1, 0.6), ASPERITY_INVALID_PARAMETER, " = 0.6: ");
+    FAILS(asperity_params_set_materials(&p, 0, 0.3, 1, 0.3), ASPERITY_INVALID_PARAMETER, "E1 = 0: ");
+    FAILS(asperity_params_set_materials(&p, 1, 0.3, 1, -1), ASPERITY_INVALID_PARAMETER, "nu2 = -1: ");
+    FAILS(asperity_params_set_materials(&p, INFINITY, 0.3, INFINITY, 0.3), ASPERITY_INVALID_PARAMETER, "E2 = inf: ");
+    FAILS(asperity_params_set_skew(&p, -1.2), ASPERITY_INVALID_PARAMETER, "skew = -1.2: ");
+    FAILS(asperity_params_set_skew(&p, NAN), ASPERITY_INVALID_PARAMETER, "skew = NaN: ");
+    FAILS(asperity_params_set_skew(&p, 1e6), ASPERITY_OUT_OF_RANGE, "skew = ");
+#undef FAILS
+    p.struct_size--;
+    {
+        const asperity_params short_one = p;
+        CHECK(asperity_params_set_skew(&p, 0) == ASPERITY_INVALID_PARAMETER && says("struct_size = "), "struct_size");
+        CHECK(SAME(p, short_one), "the parameters changed");
+    }
+}
+
+/* ---- Making and changing models ---- */
+
+typedef struct refused {
+    size_t offset;
+    double value;
+    asperity_status status;
+    const char *text;
+} refused;
+
+#define FIELD(name) offsetof(asperity_params, name)
+
+/* A message names parameter, value, and what is allowed. */
+static const refused REFUSED[] = {
+    { FIELD(composite_modulus), 0, ASPERITY_INVALID_PARAMETER, "composite_modulus = 0: must be finite and > 0" },
+    { FIELD(effective_shear_modulus), -2, ASPERITY_INVALID_PARAMETER,
+      "effective_shear_modulus = -2: must be finite and > 0" },
+    { FIELD(work_of_adhesion), -0.5, ASPERITY_INVALID_PARAMETER, "work_of_adhesion = -0.5: must be finite and >= 0" },
+    { FIELD(adhesion_range), INFINITY, ASPERITY_INVALID_PARAMETER, "adhesion_range = inf: must be finite and > 0" },
+    { FIELD(burgers_vector), -1e-9, ASPERITY_INVALID_PARAMETER, "burgers_vector = -1e-9: must be finite and > 0" },
+    { FIELD(height_std), -INFINITY, ASPERITY_INVALID_PARAMETER, "height_std = -inf: must be finite and > 0" },
+    { FIELD(summit_radius), NAN, ASPERITY_INVALID_PARAMETER, "summit_radius = NaN: must be finite and > 0" },
+    { FIELD(asperity_count), 0, ASPERITY_INVALID_PARAMETER, "asperity_count = 0: must be finite and > 0" },
+    { FIELD(weibull_shape), -2, ASPERITY_INVALID_PARAMETER, "weibull_shape = -2: must be finite and > 0" },
+    { FIELD(radius_amplitude), 1.5, ASPERITY_INVALID_PARAMETER, "radius_amplitude = 1.5: must be between -1 and 1" },
+    { FIELD(radius_rate), 0, ASPERITY_INVALID_PARAMETER, "radius_rate = 0: must be finite and > 0" },
+    { FIELD(slip_radius_1), -28, ASPERITY_INVALID_PARAMETER, "slip_radius_1 = -28: must be finite and > 0" },
+    { FIELD(slip_stress_1), 0, ASPERITY_INVALID_PARAMETER, "slip_stress_1 = 0: must be finite and > 0" },
+    { FIELD(slip_radius_2), 28, ASPERITY_INVALID_PARAMETER, "slip_radius_2 = 28: must be greater than slip_radius_1" },
+    { FIELD(slip_stress_2), 1e-12, ASPERITY_INVALID_PARAMETER, "slip_stress_2 = 1e-12: must be at least" },
+    { FIELD(max_friction_coefficient), 0, ASPERITY_INVALID_PARAMETER, "max_friction_coefficient = 0: must be > 0" },
+    { FIELD(summit_radius), 1e-3, ASPERITY_OUT_OF_RANGE, "alpha = 100: " },
+    { FIELD(work_of_adhesion), 1e3, ASPERITY_OUT_OF_RANGE, "gamma = " },
+    { FIELD(adhesion_range), 1e6, ASPERITY_OUT_OF_RANGE, "b/h = " },
+    { FIELD(weibull_shape), 1e9, ASPERITY_OUT_OF_RANGE, "weibull_shape = 1000000000: must be between" },
+};
+
+enum { REFUSALS = sizeof REFUSED / sizeof *REFUSED };
+
+static asperity_params refused_params(const refused *r)
+{
+    asperity_params p = surface(4);
+    memcpy((char *)&p + r->offset, &r->value, sizeof r->value);
+    return p;
+}
+
+static void create_refuses_by_name_and_leaves_the_pointer(void)
+{
+    for (int i = 0; i < REFUSALS; i++) {
+        const asperity_params p = refused_params(&REFUSED[i]);
+        asperity_model *const sentinel = (asperity_model *)(void *)message;
+        asperity_model *model = sentinel;
+        const asperity_status status = asperity_create(&p, &model);
+        CHECK(status == REFUSED[i].status, "%s: status %d", REFUSED[i].text, status);
+        CHECK(says(REFUSED[i].text), "'%s' does not say '%s'", last_message(), REFUSED[i].text);
+        CHECK(model == sentinel, "%s: *model was written", REFUSED[i].text);
+    }
+}
+
+enum { LOADS = 9 };
+
+static void answers(const asperity_model *model, double out[2 * LOADS])
+{
+    static const double loads[LOADS] = { -1e9, -1e-3, 0, 1e-6, 0.01, 1, 37.5, 1e4, 1e9 };
+    for (int i = 0; i < LOADS; i++) {
+        out[2 * i] = asperity_friction_at_load(model, loads[i]);
+        out[2 * i + 1] = asperity_friction_force_at_load(model, loads[i]);
+    }
+}
+
+static void failing_set_params_leaves_the_model_bit_for_bit(void)
+{
+    asperity_model *model = model_of(surface(4));
+    double before[2 * LOADS], after[2 * LOADS];
+    const asperity_summary summary = summary_of(model);
+
+    answers(model, before);
+    for (int i = 0; i < REFUSALS; i++) {
+        const asperity_params p = refused_params(&REFUSED[i]);
+        asperity_params kept;
+        asperity_summary now;
+        const asperity_params original = surface(4);
+        CHECK(asperity_set_params(model, &p) == REFUSED[i].status, "%s", REFUSED[i].text);
+        CHECK(says(REFUSED[i].text), "'%s' does not say '%s'", last_message(), REFUSED[i].text);
+        answers(model, after);
+        now = summary_of(model);
+        CHECK(SAME(before, after), "%s: other answers", REFUSED[i].text);
+        CHECK(SAME(summary, now), "%s: another summary", REFUSED[i].text);
+        CHECK(asperity_get_params(model, &kept) == ASPERITY_OK && SAME(kept, original), "other parameters are kept");
+    }
+    asperity_free(model);
+}
+
+static void set_params_makes_the_model_that_create_makes(void)
+{
+    for (int i = 0; i < SURFACES; i++) {
+        const asperity_params p = surface(i);
+        asperity_params kept;
+        asperity_model *changed = model_of(surface(8)), *fresh = model_of(p);
+        double a[2 * LOADS], b[2 * LOADS];
+
+        CHECK(asperity_set_params(changed, &p) == ASPERITY_OK, "%s: %s", SURFACE_NAMES[i], last_message());
+        answers(changed, a);
+        answers(fresh, b);
+        CHECK(SAME(a, b), "%s: other answers", SURFACE_NAMES[i]);
+        memset(&kept, 0xa5, sizeof kept);
+        CHECK(asperity_get_params(changed, &kept) == ASPERITY_OK && SAME(kept, p), "%s: other parameters",
+              SURFACE_NAMES[i]);
+        asperity_free(changed);
+        asperity_free(fresh);
+    }
+}
+
+/* ---- Output structs ---- */
+
+enum { GUARD = 0xa5, ROOM = 256 };
+
+/* The number of leading bytes of a struct that a call changed, from a block filled with GUARD. */
+static size_t bytes_written(const unsigned char *block)
+{
+    size_t n = ROOM;
+    while (n > 0 && block[n - 1] == GUARD)
+        n--;
+    return n;
+}
+
+typedef asperity_status fill_call(const asperity_model *, void *);
+
+static asperity_status fill_state(const asperity_model *model, void *out)
+{
+    return asperity_state_at_load(model, 1.0, out);
+}
+
+static asperity_status fill_state_at_separation(const asperity_model *model, void *out)
+{
+    return asperity_state_at_separation(model, 10.0, out);
+}
+
+static asperity_status fill_separated_state(const asperity_model *model, void *out)
+{
+    return asperity_state_at_load(model, -1e9, out);
+}
+
+static asperity_status fill_summary(const asperity_model *model, void *out)
+{
+    return asperity_summary_of(model, out);
+}
+
+static void outputs_are_written_no_further_than_struct_size(void)
+{
+    fill_call *const calls[] = { fill_state, fill_state_at_separation, fill_summary };
+    const size_t sizes[] = { sizeof(asperity_state), sizeof(asperity_state), sizeof(asperity_summary) };
+    asperity_model *model = model_of(surface(0));
+    union { uint64_t size; unsigned char bytes[ROOM]; } block, filled;
+
+    for (int k = 0; k < 3; k++) {
+        for (uint64_t size = 16; size <= sizes[k]; size += 8) {
+            memset(&block, GUARD, sizeof block);
+            block.size = size;
+            CHECK(calls[k](model, &block) == ASPERITY_OK, "size %llu: %s", (unsigned long long)size, last_message());
+            CHECK(block.size == size, "struct_size was changed");
+            CHECK(bytes_written(block.bytes) <= size, "%zu bytes written, not %llu", bytes_written(block.bytes),
+                  (unsigned long long)size);
+            if (size > 16)
+                CHECK(memcmp(&block.bytes[8], &filled.bytes[8], (size_t)size - 16) == 0, "other fields");
+            filled = block;
+        }
+        memset(&block, GUARD, sizeof block);
+        block.size = 8;
+        CHECK(calls[k](model, &block) == ASPERITY_INVALID_PARAMETER && says("struct_size = 8: "), "size 8");
+        CHECK(bytes_written(block.bytes) <= 8, "written in spite of the error");
+    }
+    memset(&block, GUARD, sizeof block);
+    block.size = sizeof(asperity_state);
+    filled = block;
+    CHECK(fill_separated_state(model, &block) == ASPERITY_SEPARATED, "no SEPARATED at -1e9");
+    CHECK(SAME(block, filled), "the state was touched by a failing call");
+    asperity_free(model);
+}
+
+static void failing_states_say_what_is_wrong(void)
+{
+    asperity_model *model = model_of(surface(0)), *hertz = model_of(surface(1));
+    asperity_state state, before;
+
+    memset(&state, GUARD, sizeof state);
+    state.struct_size = sizeof state;
+    before = state;
+    CHECK(asperity_state_at_load(model, NAN, &state) == ASPERITY_INVALID_LOAD && says("load = NaN: "), "NaN load");
+    CHECK(asperity_state_at_load(model, INFINITY, &state) == ASPERITY_INVALID_LOAD && says("load = inf: "), "inf load");
+    CHECK(asperity_state_at_load(model, -1e9, &state) == ASPERITY_SEPARATED && says("load = -1000000000: "),
+          "'%s'", last_message());
+    CHECK(asperity_state_at_load(model, 1e200, &state) == ASPERITY_OUT_OF_RANGE && says("load = 1e200: "), "1e200");
+    CHECK(asperity_state_at_load(hertz, 0, &state) == ASPERITY_OUT_OF_RANGE && says("load = 0: "), "Hertz at 0");
+    CHECK(asperity_state_at_load(hertz, -1, &state) == ASPERITY_SEPARATED, "Hertz below 0");
+    CHECK(asperity_state_at_separation(model, NAN, &state) == ASPERITY_INVALID_PARAMETER && says("separation = NaN: "),
+          "NaN separation");
+    CHECK(asperity_state_at_separation(model, -INFINITY, &state) == ASPERITY_INVALID_PARAMETER, "inf separation");
+    CHECK(asperity_state_at_separation(model, 1e300, &state) == ASPERITY_OUT_OF_RANGE && says("separation = 1e300: "),
+          "'%s'", last_message());
+    CHECK(SAME(state, before), "the state was touched by a failing call");
+    asperity_free(model);
+    asperity_free(hertz);
+}
+
+/* ---- Friction ---- */
+
+static int quiet_nan(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return isnan(x) && (bits >> 51 & 1) == 1;
+}
+
+static void friction_at_zero_negative_and_separated_loads(int which)
+{
+    asperity_model *model = model_of(surface(which));
+    const asperity_summary s = summary_of(model);
+    const double cap = surface(which).max_friction_coefficient, pull_off = s.pull_off_load;
+    const double below = nextafter(pull_off, -INFINITY);
+    const char *name = SURFACE_NAMES[which];
+
+    CHECK(pull_off <= 0, "%s: pull-off load %g", name, pull_off);
+    CHECK(asperity_friction_at_load(model, 0.0) == cap, "%s: mu at 0", name);
+    CHECK(asperity_friction_at_load(model, -0.0) == cap, "%s: mu at -0", name);
+    CHECK(asperity_friction_at_load(model, pull_off) == cap, "%s: mu at pull-off", name);
+    CHECK(asperity_friction_at_load(model, 0.5 * pull_off) == cap, "%s: mu at half the pull-off load", name);
+    CHECK(asperity_friction_force_at_load(model, 0.0) == s.zero_load_friction_force, "%s: F at 0", name);
+    CHECK(close_to(asperity_friction_force_at_load(model, pull_off), s.pull_off_friction_force, 1e-12),
+          "%s: F at pull-off", name);
+    CHECK(asperity_friction_at_load(model, below) == 0, "%s: mu just below pull-off", name);
+    CHECK(asperity_friction_force_at_load(model, below) == 0, "%s: F just below pull-off", name);
+    CHECK(asperity_friction_at_load(model, -1e200) == 0, "%s: mu far below pull-off", name);
+    CHECK(quiet_nan(asperity_friction_at_load(model, NAN)), "%s: mu at NaN", name);
+    CHECK(quiet_nan(asperity_friction_at_load(model, INFINITY)), "%s: mu at infinity", name);
+    CHECK(quiet_nan(asperity_friction_force_at_load(model, -INFINITY)), "%s: F at -infinity", name);
+    CHECK(quiet_nan(asperity_friction_force_at_load(NULL, 1)), "F of NULL");
+    CHECK(quiet_nan(asperity_friction_at_load(NULL, 1)), "mu of NULL");
+    asperity_free(model);
+}
+
+static void mu_is_force_over_load_and_the_table_is_as_good_as_it_says(int which)
+{
+    asperity_params p = surface(which);
+    const double unit = p.asperity_count * p.composite_modulus * p.burgers_vector * p.burgers_vector;
+    const char *name = SURFACE_NAMES[which];
+    asperity_model *model;
+    asperity_summary s;
+
+    p.max_friction_coefficient = INFINITY;
+    model = model_of(p);
+    s = summary_of(model);
+    CHECK(s.table_error >= 0 && s.table_error < 1e-9, "%s: table_error %g", name, s.table_error);
+    for (int k = -20; k <= 20; k++) {
+        const double load = unit * pow(10, 0.31 * k);
+        const double force = asperity_friction_force_at_load(model, load);
+        const double mu = asperity_friction_at_load(model, load);
+        const asperity_state state = state_at(model, load);
+        double slope, mu_slope, f, m;
+
+        CHECK(mu == force / load, "%s at %g: mu %g, F %g", name, load, mu, force);
+        CHECK(close_to(force, state.friction_force, s.table_error + 2e-10), "%s at %g: F %.17g, exactly %.17g", name,
+              load, force, state.friction_force);
+        CHECK(close_to(state.load, load, 1e-15), "%s: load %.17g of the state at %.17g", name, state.load, load);
+        CHECK(state.friction_coefficient == state.friction_force / state.load, "%s at %g: mu of the state", name, load);
+        CHECK(asperity_friction_force_at_loads(model, 1, &load, &f, &slope) == ASPERITY_OK && f == force,
+              "%s at %g: batch force", name, load);
+        CHECK(asperity_friction_at_loads(model, 1, &load, &m, &mu_slope) == ASPERITY_OK && m == mu,
+              "%s at %g: batch mu", name, load);
+        CHECK(close_to(slope, state.dforce_dload, 2e-8), "%s at %g: dF/dP %.12g, exactly %.12g", name, load, slope,
+              state.dforce_dload);
+        CHECK(fabs(mu_slope - (slope - mu) / load) <= 1e-12 * mu / load, "%s at %g: dmu/dP", name, load);
+        CHECK(fabs(state.dmu_dload - mu_slope) <= 3e-8 * mu / load, "%s at %g: dmu/dP of the state", name, load);
+        CHECK(state.dload_dseparation < 0, "%s at %g: no stiffness", name, load);
+        {
+            asperity_state again;
+            again.struct_size = sizeof again;
+            CHECK(asperity_state_at_separation(model, state.separation, &again) == ASPERITY_OK, "%s", last_message());
+            CHECK(close_to(again.friction_force, state.friction_force, 1e-9), "%s at %g: not on the way back", name,
+                  load);
+        }
+    }
+    asperity_free(model);
+}
+
+static void loads_beyond_the_table_are_evaluated_exactly(void)
+{
+    asperity_model *model = model_of(surface(0));
+    const asperity_summary s = summary_of(model);
+    const double outside[] = { nextafter(s.max_table_load, INFINITY), 10 * s.max_table_load, 1e6 * s.max_table_load };
+
+    CHECK(s.max_table_load > 0 && s.min_table_load >= s.pull_off_load, "no table");
+    for (size_t i = 0; i < sizeof outside / sizeof *outside; i++) {
+        const asperity_state exact = state_at(model, outside[i]);
+        CHECK(asperity_friction_force_at_load(model, outside[i]) == exact.friction_force, "at %g", outside[i]);
+    }
+    asperity_free(model);
+}
+
+static void the_cap_holds_everywhere(void)
+{
+    asperity_params p = surface(0);
+    asperity_model *model;
+    double load = 1, mu, slope;
+
+    p.max_friction_coefficient = 1.25;
+    model = model_of(p);
+    for (double x = 1e-6; x < 1e6; x *= 3)
+        CHECK(asperity_friction_at_load(model, x) <= 1.25, "mu %g at %g", asperity_friction_at_load(model, x), x);
+    CHECK(asperity_friction_at_load(model, 1e-6) == 1.25, "not capped at light load");
+    CHECK(asperity_friction_at_load(model, 1e5) < 1.25, "capped at heavy load");
+    load = 1e-6;
+    CHECK(asperity_friction_at_loads(model, 1, &load, &mu, &slope) == ASPERITY_OK && mu == 1.25 && slope == 0,
+          "slope %g of a capped coefficient", slope);
+    asperity_free(model);
+
+    p = surface(2);
+    p.max_friction_coefficient = INFINITY;
+    model = model_of(p);
+    CHECK(asperity_friction_at_load(model, 0) == INFINITY, "mu at 0 without a cap");
+    CHECK(asperity_friction_at_load(model, -1e-9) == INFINITY, "mu below 0 without a cap");
+    asperity_free(model);
+}
+
+static void summary_gives_the_groups(void)
+{
+    asperity_model *model = model_of(surface(8));
+    const asperity_params p = surface(8);
+    const asperity_summary s = summary_of(model);
+    const double pi = 3.14159265358979323846;
+
+    CHECK(close_to(s.alpha, sqrt(p.height_std / p.summit_radius), 1e-14), "alpha %g", s.alpha);
+    CHECK(close_to(s.beta, sqrt(p.height_std * p.summit_radius) / p.burgers_vector, 1e-14), "beta %g", s.beta);
+    CHECK(close_to(s.gamma, p.work_of_adhesion / (p.composite_modulus * p.burgers_vector), 1e-14), "gamma %g", s.gamma);
+    CHECK(close_to(s.lambda, cbrt(9 * s.beta * s.gamma * s.gamma / (2 * pi * s.alpha)), 1e-14), "lambda %g", s.lambda);
+    CHECK(s.skew == 0 && s.kurtosis == 3, "moments of the Gaussian");
+    asperity_free(model);
+}
+
+/* ---- Batches ---- */
+
+typedef asperity_status batch_call(const asperity_model *, size_t, const double *, double *, double *);
+
+enum { BATCH = 7 };
+
+static void batch(batch_call *call, double scalar(const asperity_model *, double))
+{
+    asperity_model *model = model_of(surface(0));
+    const asperity_summary s = summary_of(model);
+    const double good[BATCH] = { 1e-3, 0, 0.5 * s.pull_off_load, 1, 10, 1e4, s.pull_off_load };
+    const double bad[BATCH] = { 1, 2, 2 * s.pull_off_load, NAN, 5, INFINITY, 7 };
+    double value[BATCH], slope[BATCH], again[BATCH], in_place[BATCH];
+
+    CHECK(call(model, BATCH, good, value, slope) == ASPERITY_OK, "%s", last_message());
+    for (int i = 0; i < BATCH; i++)
+        CHECK(value[i] == scalar(model, good[i]), "element %d differs from the scalar call", i);
+    CHECK(call(model, BATCH, good, again, NULL) == ASPERITY_OK && SAME(again, value), "without slopes");
+    CHECK(call(model, BATCH, good, NULL, again) == ASPERITY_OK && SAME(again, slope), "slopes alone");
+    CHECK(call(model, BATCH, good, NULL, NULL) == ASPERITY_OK, "neither");
+    memcpy(in_place, good, sizeof good);
+    CHECK(call(model, BATCH, in_place, in_place, again) == ASPERITY_OK && SAME(in_place, value) && SAME(again, slope),
+          "values in place");
+    memcpy(in_place, good, sizeof good);
+    CHECK(call(model, BATCH, in_place, again, in_place) == ASPERITY_OK && SAME(in_place, slope) && SAME(again, value),
+          "slopes in place");
+    CHECK(call(model, 0, good, value, slope) == ASPERITY_OK, "n = 0");
+    CHECK(call(model, 0, NULL, NULL, NULL) == ASPERITY_OK, "n = 0 with NULL");
+
+    /* All elements are filled, then the first offence is reported with its index. */
+    memset(value, GUARD, sizeof value);
+    CHECK(call(model, BATCH, bad, value, slope) == ASPERITY_SEPARATED, "the first offence is element 2");
+    CHECK(says("element 2: load = "), "'%s'", last_message());
+    CHECK(value[2] == 0 && slope[2] == 0, "a separated contact has friction");
+    CHECK(isnan(value[3]) && isnan(value[5]), "NaN and infinite load");
+    CHECK(value[0] == scalar(model, 1) && value[4] == scalar(model, 5) && value[6] == scalar(model, 7),
+          "the good elements are not filled");
+    CHECK(call(model, BATCH - 3, bad + 3, value, slope) == ASPERITY_INVALID_LOAD && says("element 0: load = NaN"),
+          "'%s'", last_message());
+    CHECK(call(model, BATCH, bad, NULL, NULL) == ASPERITY_SEPARATED, "offence without outputs");
+    asperity_free(model);
+}
+
+/* ---- The last message ---- */
+
+static void last_message_is_copied_out_whole_or_cut(void)
+{
+    asperity_params p = surface(4);
+    asperity_model *model = NULL;
+    char buffer[64], guard[64];
+    size_t length;
+    static const char whole[] = "weibull_shape = -2: must be finite and > 0";
+
+    p.weibull_shape = -2;
+    asperity_create(&p, &model);
+    memset(guard, GUARD, sizeof guard);
+    memcpy(buffer, guard, sizeof guard);
+    length = asperity_last_error(buffer, sizeof buffer);
+    CHECK(length == strlen(whole) && strcmp(buffer, whole) == 0, "'%s'", buffer);
+    CHECK(asperity_last_error(NULL, 0) == length && asperity_last_error(NULL, 100) == length, "length without buffer");
+    memcpy(buffer, guard, sizeof guard);
+    CHECK(asperity_last_error(buffer, 0) == length && memcmp(buffer, guard, sizeof guard) == 0, "length 0");
+    CHECK(asperity_last_error(buffer, 1) == length && buffer[0] == '\0' && buffer[1] == guard[1], "length 1");
+    CHECK(asperity_last_error(buffer, 8) == length && strcmp(buffer, "weibull") == 0 && buffer[8] == guard[8],
+          "length 8");
+    CHECK(asperity_last_error(buffer, strlen(whole)) == length && strlen(buffer) == length - 1, "one byte short");
+    memcpy(buffer, guard, sizeof guard);
+    CHECK(asperity_last_error(buffer, length + 1) == length && strcmp(buffer, whole) == 0 &&
+          buffer[length + 1] == guard[0], "exactly enough");
+
+    p.weibull_shape = 3;
+    CHECK(asperity_create(&p, &model) == ASPERITY_OK, "no model");
+    CHECK(says(whole), "a call that succeeds changed the message to '%s'", last_message());
+    CHECK(asperity_friction_at_loads(NULL, 1, NULL, NULL, NULL) == ASPERITY_NULL_POINTER && says("model is NULL"),
+          "'%s'", last_message());
+    CHECK(asperity_friction_at_loads(model, 1, NULL, NULL, NULL) == ASPERITY_NULL_POINTER && says("load is NULL"),
+          "'%s'", last_message());
+    p.height_distribution = 7;
+    CHECK(asperity_set_params(model, &p) == ASPERITY_INVALID_PARAMETER && says("height_distribution = 7: must be"),
+          "'%s'", last_message());
+    p.height_distribution = 0;
+    p.attraction = 2;
+    CHECK(asperity_set_params(model, &p) == ASPERITY_INVALID_PARAMETER && says("attraction = 2: must be 0 or 1"),
+          "'%s'", last_message());
+    p.struct_size = 7;
+    CHECK(asperity_set_params(model, &p) == ASPERITY_INVALID_PARAMETER && says("struct_size = 7: "), "'%s'",
+          last_message());
+    asperity_free(model);
+}
+
+int main(void)
+{
+    sizes_and_offsets_are_those_of_the_first_version();
+    versions_agree_with_the_header();
+    every_status_has_its_own_words();
+    init_sets_the_default_case_of_the_paper();
+    setters_set_what_they_say_and_nothing_else();
+    failing_setters_touch_nothing();
+    create_refuses_by_name_and_leaves_the_pointer();
+    failing_set_params_leaves_the_model_bit_for_bit();
+    set_params_makes_the_model_that_create_makes();
+    outputs_are_written_no_further_than_struct_size();
+    failing_states_say_what_is_wrong();
+    for (int i = 0; i < SURFACES; i++) {
+        friction_at_zero_negative_and_separated_loads(i);
+        mu_is_force_over_load_and_the_table_is_as_good_as_it_says(i);
+    }
+    loads_beyond_the_table_are_evaluated_exactly();
+    the_cap_holds_everywhere();
+    summary_gives_the_groups();
+    batch(asperity_friction_at_loads, asperity_friction_at_load);
+    batch(asperity_friction_force_at_loads, asperity_friction_force_at_load);
+    last_message_is_copied_out_whole_or_cut();
+    asperity_free(NULL);
+    return checks_report("contract");
+}

@@ -1,0 +1,42 @@
+/* Surfaces of every kind the model knows, for tests that hold for all of them. */
+
+#ifndef SURFACES_H
+#define SURFACES_H
+
+#include <asperity.h>
+#include <math.h>
+
+enum { SURFACES = 9 };
+
+static const char *const SURFACE_NAMES[SURFACES] = {
+    "the paper's default", "without adhesion", "strong adhesion", "weak adhesion", "skewed heights",
+    "radii that grow with height", "radii that shrink with height", "no attraction out of contact", "polysilicon, SI",
+};
+
+static asperity_params surface(int which)
+{
+    asperity_params p;
+
+    asperity_params_init(&p);
+    switch (which) {
+    case 1: p.work_of_adhesion = 0; break;
+    case 2: asperity_params_set_dimensionless(&p, 0.01, 1000, 0.02, 1.0, 0.3); break;
+    case 3: asperity_params_set_dimensionless(&p, 0.01, 1000, 1e-4, 1.0, 0.3); break;
+    case 4: asperity_params_set_skew(&p, -0.5); break;
+    case 5: p.radius_amplitude = 1.0; break;
+    case 6: p.radius_amplitude = -0.95; break;
+    case 7: p.attraction = 0; break;
+    case 8:
+        asperity_params_set_materials(&p, 160e9, 0.22, 160e9, 0.22);
+        p.work_of_adhesion = 0.063;
+        p.adhesion_range = p.burgers_vector = 0.384e-9;
+        p.height_std = 5e-9;
+        p.summit_radius = 1e-6;
+        p.asperity_count = 1e5;
+        break;
+    default: break;
+    }
+    return p;
+}
+
+#endif
