@@ -99,7 +99,7 @@ contains
 
   ! Skew from the moments of the Weibull distribution, B_n = Gamma(1 + n/omega).
   subroutine skewed_heights
-    real(c_double), parameter :: SKEWS(3) = [-0.9_c_double, 0.4_c_double, 2.0_c_double]
+    real(c_double), parameter :: SKEWS(3) = [-0.9_c_double, 0.4_c_double, 1.9_c_double]
     type(asperity_params) :: p
     integer :: i
     call asperity_check(asperity_params_init(p))
