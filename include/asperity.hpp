@@ -24,7 +24,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -40,6 +39,8 @@ using Status = asperity_status;
 using State = asperity_state;
 /// Constants of a model; its fields are described in asperity.h.
 using Summary = asperity_summary;
+/// A view of the compiled law, for asperity_eval.h; its fields are described in asperity.h.
+using Table = asperity_table;
 
 // ---- Versions ----
 
@@ -123,10 +124,17 @@ private:
     std::size_t size_ = 0;
 };
 
-/// A friction coefficient or force at one load, and its derivative with respect to the load.
+/// A friction coefficient, force or stress at one load or pressure, and its derivative with respect to that.
 struct ValueAndSlope {
     double value;
     double slope;
+};
+
+/// A friction force with a smooth sign of the slip rate, and its derivatives.
+struct SlipForce {
+    double value;
+    double dforce_dload;
+    double dforce_dslip_rate;
 };
 
 /// Friction coefficients or forces at many loads, and their derivatives with respect to the load.
@@ -295,8 +303,8 @@ private:
 
 /// A friction law ready for use: owns the C model, moves, does not copy.
 ///
-/// A Model that was moved from holds nothing: it may be assigned to or destroyed; friction at one load is NaN, other
-/// calls throw Error (ASPERITY_NULL_POINTER).
+/// A Model that was moved from holds nothing: it may be assigned to or destroyed; friction at one load or pressure is
+/// NaN, other calls throw Error (ASPERITY_NULL_POINTER).
 class Model {
 public:
     /// Checks the parameters and compiles the law, in milliseconds.
@@ -335,12 +343,63 @@ public:
 
     /// Friction coefficient as friction_at_load, and its slope d(mu)/d(load) [1/force]: 0 where it is capped.
     ValueAndSlope friction_and_slope_at_load(double load) const noexcept {
-        return one(asperity_friction_at_loads, load);
+        ValueAndSlope mu;
+        mu.value = asperity_friction_and_slope_at_load(handle_.get(), load, &mu.slope);
+        return mu;
     }
 
     /// Friction force as friction_force_at_load, and its slope dF/d(load): infinite at the pull-off load itself.
     ValueAndSlope friction_force_and_slope_at_load(double load) const noexcept {
-        return one(asperity_friction_force_at_loads, load);
+        ValueAndSlope force;
+        force.value = asperity_friction_force_and_slope_at_load(handle_.get(), load, &force.slope);
+        return force;
+    }
+
+    /// Friction coefficient at a nominal contact pressure [stress], positive in compression.
+    ///
+    /// The summits of the model, asperity_count, belong to nominal_area [length^2], from 1e-100 to 1e100: the load is
+    /// pressure times that area. An integration point's own area plays no part. A quiet NaN also for an area that is
+    /// not allowed.
+    double friction_at_pressure(double pressure, double nominal_area) const noexcept {
+        return asperity_friction_at_pressure(handle_.get(), pressure, nominal_area, nullptr);
+    }
+
+    /// Friction coefficient as friction_at_pressure, and its slope d(mu)/d(pressure) [1/stress].
+    ValueAndSlope friction_and_slope_at_pressure(double pressure, double nominal_area) const noexcept {
+        ValueAndSlope mu;
+        mu.value = asperity_friction_at_pressure(handle_.get(), pressure, nominal_area, &mu.slope);
+        return mu;
+    }
+
+    /// Frictional shear stress, friction force per nominal area, at a nominal contact pressure [stress].
+    ///
+    /// As friction_at_pressure, but finite also at zero pressure and down to pull-off.
+    double shear_stress_at_pressure(double pressure, double nominal_area) const noexcept {
+        return asperity_shear_stress_at_pressure(handle_.get(), pressure, nominal_area, nullptr);
+    }
+
+    /// Shear stress as shear_stress_at_pressure, and its slope d(stress)/d(pressure).
+    ValueAndSlope shear_stress_and_slope_at_pressure(double pressure, double nominal_area) const noexcept {
+        ValueAndSlope stress;
+        stress.value = asperity_shear_stress_at_pressure(handle_.get(), pressure, nominal_area, &stress.slope);
+        return stress;
+    }
+
+    /// Friction force of a sliding contact, F(load) tanh(slip_rate / transition_rate) [force].
+    ///
+    /// It has the sign of slip_rate [length/time]: the force on the body that slips is minus this. transition_rate,
+    /// from 1e-100 to 1e100, is where the force reaches 76 % of the law's. A quiet NaN for a load or rate that is not
+    /// finite or not allowed.
+    double slip_force(double load, double slip_rate, double transition_rate) const noexcept {
+        return asperity_slip_force(handle_.get(), load, slip_rate, transition_rate, nullptr, nullptr);
+    }
+
+    /// Friction force as slip_force, and its derivatives by load and by slip rate [force time/length].
+    SlipForce slip_force_and_slopes(double load, double slip_rate, double transition_rate) const noexcept {
+        SlipForce force;
+        force.value = asperity_slip_force(handle_.get(), load, slip_rate, transition_rate, &force.dforce_dload,
+                                          &force.dforce_dslip_rate);
+        return force;
     }
 
     /// Friction coefficients at many loads, into memory of the caller; for the inner loop: allocates nothing.
@@ -434,6 +493,16 @@ public:
         return summary;
     }
 
+    /// A view of the compiled law, which asperity_eval.h evaluates where the library cannot be called.
+    ///
+    /// Valid until set_params, and as long as the C model lives: moving the Model keeps it.
+    Table table() const {
+        Table table;
+        table.struct_size = sizeof table;
+        check(asperity_table_of(handle_.get(), &table));
+        return table;
+    }
+
     /// The C model, to pass to the C interface; still owned by this object, null if that was moved from.
     const asperity_model *c() const noexcept { return handle_.get(); }
 
@@ -443,13 +512,6 @@ private:
     struct Free {
         void operator()(asperity_model *model) const noexcept { asperity_free(model); }
     };
-
-    ValueAndSlope one(Batch batch, double load) const noexcept {
-        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-        ValueAndSlope result{nan, nan};
-        batch(handle_.get(), 1, &load, &result.value, &result.slope);
-        return result;
-    }
 
     Status many(Batch batch, Span<const double> loads, Span<double> value, Span<double> slope) const {
         require_size("values", value.size(), loads.size());

@@ -7,13 +7,15 @@
  *     double force = asperity_eval_friction_force(&table, load, NULL);
  *
  * Self-contained but for the declaration of asperity_table: C99, C++, CUDA, HIP; no libm, no branch on data but the
- * caps. In a kernel copy table.row_count * 8 doubles from table.rows to the device, and point a copy of the struct there.
+ * caps. For a kernel, copy table.row_count * 8 doubles from table.rows to the device and point a copy of the struct
+ * there.
  *
  * Where the library answers from the table, these functions give the same bits, provided that the compiler does not
  * contract a*b + c into a fused multiply-add: GCC does so with -march of a processor that has it, unless -std=c99 or
  * -ffp-contract=off is given; with contraction the last bit or two may differ. Clang, CUDA and HIP are told below.
  *
- * NaN says that the table does not answer (a load outside it, a row left out, a load that is not finite): ask the library.
+ * NaN says that the table does not answer (a load outside it, a row left out, a load that is not finite): ask the
+ * library.
  */
 #ifndef ASPERITY_EVAL_H
 #define ASPERITY_EVAL_H
@@ -29,8 +31,8 @@
 #define ASPERITY_EVAL_FUNCTION static inline
 #endif
 
-#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
-/* Rounded after each operation, never contracted. */
+#if defined(__CUDA_ARCH__)
+/* Rounded after each operation, never contracted. HIP's functions of these names may be: there the pragma tells. */
 #define ASPERITY_EVAL_ADD(a, b) __dadd_rn((a), (b))
 #define ASPERITY_EVAL_MUL(a, b) __dmul_rn((a), (b))
 #else
@@ -38,10 +40,17 @@
 #define ASPERITY_EVAL_MUL(a, b) ((a) * (b))
 #endif
 
-#if defined(__clang__)
+#if defined(__clang__) && !defined(__CUDA_ARCH__)
 #define ASPERITY_EVAL_NO_CONTRACTION _Pragma("clang fp contract(off)")
 #else
 #define ASPERITY_EVAL_NO_CONTRACTION
+#endif
+
+#if defined(__HIPCC__) && !defined(__CUDACC__)
+/* memcpy itself is there for the device only where hip_runtime.h came first. */
+#define ASPERITY_EVAL_COPY __builtin_memcpy
+#else
+#define ASPERITY_EVAL_COPY memcpy
 #endif
 
 #define ASPERITY_EVAL_MANTISSA ((UINT64_C(1) << 52) - 1)
@@ -52,14 +61,14 @@
 ASPERITY_EVAL_FUNCTION uint64_t asperity_eval_bits(double x)
 {
     uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
+    ASPERITY_EVAL_COPY(&bits, &x, sizeof bits);
     return bits;
 }
 
 ASPERITY_EVAL_FUNCTION double asperity_eval_double(uint64_t bits)
 {
     double x;
-    memcpy(&x, &bits, sizeof x);
+    ASPERITY_EVAL_COPY(&x, &bits, sizeof x);
     return x;
 }
 

@@ -4,6 +4,7 @@
 // which an independent program computed; loads there are in E* b^2, friction in G* b^2.
 
 #include <asperity.hpp>
+#include <asperity_eval.h>
 
 #include <fenv.h>
 
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <string>
 #include <thread>
@@ -165,12 +167,13 @@ void dimensionless_groups_come_back_from_the_model() {
 }
 
 void skew_chooses_the_weibull_shape() {
-    // Table 1 of the paper: no skew at omega = 3.602; an exponential distribution, omega = 1, has skew 2.
+    // Table 1 of the paper: no skew at omega = 3.602. Rayleigh's distribution, omega = 2, has the skew
+    // 2 pi^(1/2) (pi - 3)/(4 - pi)^(3/2).
     Params params;
     EXPECT(params.height_distribution() == asperity::Heights::gaussian);
     EXPECT(close(params.set_skew(0.0).weibull_shape(), 3.602, 2e-4));
     EXPECT(params.height_distribution() == asperity::Heights::weibull);
-    EXPECT(close(params.set_skew(2.0).weibull_shape(), 1.0, 1e-9));
+    EXPECT(close(params.set_skew(0.6311106578189364).weibull_shape(), 2.0, 1e-9));
     const Error error = thrown_by([&] { params.set_skew(-1.2); });
     EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
     EXPECT(begins(error.what(), "skew = -1.2: must be "));
@@ -189,7 +192,10 @@ void a_model_moves_and_does_not_copy() {
     EXPECT(first.c() == nullptr && second.c() != nullptr);
     EXPECT(std::isnan(first.friction_at_load(100.0)));
     EXPECT(std::isnan(first.friction_and_slope_at_load(100.0).slope));
+    EXPECT(std::isnan(first.friction_and_slope_at_pressure(1.0, 100.0).slope));
+    EXPECT(std::isnan(first.slip_force_and_slopes(100.0, 1.0, 1.0).dforce_dload));
     EXPECT(thrown_by([&] { first.summary(); }).status() == ASPERITY_NULL_POINTER);
+    EXPECT(thrown_by([&] { first.table(); }).status() == ASPERITY_NULL_POINTER);
     EXPECT(thrown_by([&] { first.friction_at_load(std::vector<double>{1.0}); }).status() == ASPERITY_NULL_POINTER);
     first = std::move(second);
     EXPECT(first.friction_at_load(100.0) == mu);
@@ -256,6 +262,61 @@ void friction_is_defined_at_every_load() {
     EXPECT(thrown_by([&] { model.state_at_load(2.0 * pull_off); }).status() == ASPERITY_SEPARATED);
     EXPECT(thrown_by([&] { model.state_at_load(INF); }).status() == ASPERITY_INVALID_LOAD);
     EXPECT(thrown_by([&] { model.state_at_separation(NOT_A_NUMBER); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
+void pressure_is_load_per_area_of_the_summits() {
+    const Model model;
+    const double area = 250.0, pressure = REFERENCE_LOAD / area;
+    const double mu = REFERENCE_FORCE / REFERENCE_LOAD;
+    EXPECT(close(model.friction_at_pressure(pressure, area), mu, 1e-7));
+    EXPECT(close(model.shear_stress_at_pressure(pressure, area), REFERENCE_FORCE / area, 1e-7));
+
+    const asperity::ValueAndSlope coefficient = model.friction_and_slope_at_pressure(pressure, area);
+    EXPECT(coefficient.value == model.friction_at_pressure(pressure, area));
+    EXPECT(close(coefficient.slope, (REFERENCE_SLOPE - mu) / pressure, 1e-5));
+    const asperity::ValueAndSlope stress = model.shear_stress_and_slope_at_pressure(pressure, area);
+    EXPECT(stress.value == model.shear_stress_at_pressure(pressure, area));
+    EXPECT(close(stress.slope, REFERENCE_SLOPE, 1e-6));
+
+    const double pull_off = model.summary().pull_off_load;
+    EXPECT(model.shear_stress_at_pressure(0.0, area) > 0.0);
+    EXPECT(model.shear_stress_and_slope_at_pressure(2.0 * pull_off / area, area).value == 0.0);
+    EXPECT(std::isnan(model.friction_at_pressure(pressure, 0.0)));
+    EXPECT(std::isnan(model.friction_and_slope_at_pressure(pressure, -area).slope));
+    EXPECT(std::isnan(model.shear_stress_and_slope_at_pressure(NOT_A_NUMBER, area).slope));
+}
+
+void slip_gives_the_force_a_smooth_sign() {
+    const Model model;
+    const double rate = 0.02, transition = 0.05;
+    const double sign = std::tanh(rate / transition);
+    const asperity::SlipForce force = model.slip_force_and_slopes(REFERENCE_LOAD, rate, transition);
+    EXPECT(force.value == model.slip_force(REFERENCE_LOAD, rate, transition));
+    EXPECT(close(force.value, REFERENCE_FORCE * sign, 1e-7));
+    EXPECT(close(force.dforce_dload, REFERENCE_SLOPE * sign, 1e-6));
+    // tanh' = 1 - tanh^2
+    EXPECT(close(force.dforce_dslip_rate, REFERENCE_FORCE * (1.0 - sign * sign) / transition, 1e-7));
+
+    EXPECT(model.slip_force(REFERENCE_LOAD, -rate, transition) == -force.value);
+    EXPECT(model.slip_force(REFERENCE_LOAD, 0.0, transition) == 0.0);
+    EXPECT(model.slip_force_and_slopes(model.summary().pull_off_load, 0.0, transition).dforce_dload == 0.0);
+    EXPECT(close(model.slip_force(REFERENCE_LOAD, 1e3, transition), REFERENCE_FORCE, 1e-7));
+    EXPECT(std::isnan(model.slip_force(REFERENCE_LOAD, INF, transition)));
+    EXPECT(std::isnan(model.slip_force_and_slopes(REFERENCE_LOAD, rate, 0.0).dforce_dslip_rate));
+}
+
+void the_table_answers_as_the_model() {
+    Model made;
+    const asperity::Table table = made.table();
+    const Model model(std::move(made));
+    EXPECT(table.layout_version == ASPERITY_TABLE_LAYOUT);
+    EXPECT(table.pull_off_load == model.summary().pull_off_load);
+    EXPECT(table.max_friction_coefficient == 1000.0);
+    double slope = 0.0;
+    EXPECT(close(asperity_eval_friction_force(&table, REFERENCE_LOAD, &slope), REFERENCE_FORCE, 1e-7));
+    EXPECT(close(slope, REFERENCE_SLOPE, 1e-6));
+    EXPECT(close(asperity_eval_friction(&table, REFERENCE_LOAD, nullptr), REFERENCE_FORCE / REFERENCE_LOAD, 1e-7));
+    EXPECT(std::isnan(asperity_eval_friction(&table, 2.0 * model.summary().max_table_load, nullptr)));
 }
 
 // ---- Many loads ----
@@ -360,6 +421,9 @@ int main() {
     friction_is_that_of_the_reference();
     states_are_those_of_the_reference();
     friction_is_defined_at_every_load();
+    pressure_is_load_per_area_of_the_summits();
+    slip_gives_the_force_a_smooth_sign();
+    the_table_answers_as_the_model();
     every_contiguous_range_will_do();
     a_solver_gets_every_element_and_the_first_offence();
     arrays_of_other_sizes_are_refused_before_anything_is_written();

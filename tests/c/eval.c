@@ -1,0 +1,413 @@
+/* asperity_eval.h gives the bits that the library gives, and NaN exactly where the table does not answer.
+ *
+ * One source for every compiler: C99, C++17, CUDA, HIP. On a GPU, where there is one, a kernel is put to the same test.
+ * Which row a load belongs to is found here by search among the edges of the rows, not from the bits of the load.
+ */
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE
+#endif
+#include <asperity.h>
+#include <asperity_eval.h>
+
+#include <fenv.h>
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#if defined(__CUDACC__)
+#include <cuda_runtime.h>
+#define GPU(name) cuda##name
+#elif defined(__HIPCC__)
+#include <hip/hip_runtime.h>
+#define GPU(name) hip##name
+#endif
+
+#define LOADS 200000
+#define SPECIAL 24
+
+static int failures = 0;
+
+static void require(int holds, const char *what)
+{
+    if (!holds) {
+        fprintf(stderr, "tests/c/eval.c: %s\n", what);
+        ++failures;
+    }
+}
+
+static int same_bits(double a, double b)
+{
+    return memcmp(&a, &b, sizeof a) == 0;
+}
+
+static double double_of(uint64_t bits)
+{
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* Without arithmetic, which would raise a flag for a signalling NaN. */
+static int is_finite(const double *x)
+{
+    uint64_t bits;
+    memcpy(&bits, x, sizeof bits);
+    return (bits >> 52 & 2047) != 2047;
+}
+
+/* ---- Surfaces ---- */
+
+static void gaussian(asperity_params *params)
+{
+    (void)params;
+}
+
+static void weibull(asperity_params *params)
+{
+    asperity_params_set_skew(params, -0.7);
+}
+
+static void hertz(asperity_params *params)
+{
+    params->work_of_adhesion = 0.0;
+}
+
+static void radius_grows(asperity_params *params)
+{
+    params->radius_amplitude = 0.6;
+    params->radius_rate = 1.5;
+}
+
+static void strong_adhesion(asperity_params *params)
+{
+    asperity_params_set_dimensionless(params, 0.003, 3000.0, 0.01, 1.0, 0.3);
+}
+
+/* Polysilicon, 100 um x 100 um, in SI units. */
+static void polysilicon(asperity_params *params)
+{
+    asperity_params_set_materials(params, 160e9, 0.22, 160e9, 0.22);
+    params->work_of_adhesion = 0.063;
+    params->adhesion_range = 0.384e-9;
+    params->burgers_vector = 0.384e-9;
+    params->height_std = 5e-9;
+    params->summit_radius = 1e-6;
+    params->asperity_count = 1e5;
+}
+
+static void no_attraction_low_cap(asperity_params *params)
+{
+    params->attraction = 0;
+    params->max_friction_coefficient = 2.0;
+}
+
+static void skewed_radius_grows_uncapped(asperity_params *params)
+{
+    asperity_params_set_skew(params, 1.2);
+    params->radius_amplitude = -0.4;
+    params->max_friction_coefficient = INFINITY;
+}
+
+static const struct {
+    const char *name;
+    void (*set)(asperity_params *);
+} surfaces[] = {
+    {"Gaussian", gaussian},
+    {"Weibull", weibull},
+    {"Hertz", hertz},
+    {"radius grows with height", radius_grows},
+    {"strong adhesion", strong_adhesion},
+    {"polysilicon, SI", polysilicon},
+    {"no attraction, low cap", no_attraction_low_cap},
+    {"Weibull, radius falls with height, no cap", skewed_radius_grows_uncapped},
+};
+
+/* ---- Loads ---- */
+
+/* Uniform in [0, 1): splitmix64. */
+static double uniform(void)
+{
+    static uint64_t state = 0;
+    uint64_t z = (state += UINT64_C(0x9e3779b97f4a7c15));
+    z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
+    return (double)((z ^ z >> 31) >> 11) * 0x1p-53;
+}
+
+/* Where a row begins, as load above pull-off. */
+static double edge(const asperity_table *table, uint64_t row)
+{
+    return double_of((table->base + row) << table->shift);
+}
+
+/* Loads of every kind: anywhere in a row, next to its ends, pulling, and over all decades. */
+static double load_of_kind(const asperity_table *table, unsigned long i)
+{
+    const uint64_t row = i / 4 % table->row_count;
+    const double begin = edge(table, row), end = edge(table, row + 1);
+    const double lightest = edge(table, 0), heaviest = edge(table, table->row_count);
+    switch (i % 4) {
+    case 0:
+        return table->pull_off_load + (begin + uniform() * (end - begin));
+    case 1:
+        return nextafter(table->pull_off_load + begin, uniform() < 0.5 ? -INFINITY : INFINITY);
+    case 2:
+        return table->pull_off_load * 1.1 * pow(uniform(), 3.0);
+    default:
+        return lightest * 0.01 * exp(uniform() * log(heaviest / lightest * 1000.0));
+    }
+}
+
+static void fill(const asperity_table *table, const asperity_summary *summary, double *load)
+{
+    const double pull_off = table->pull_off_load, min = summary->min_table_load, max = summary->max_table_load;
+    const double special[SPECIAL] = {
+        0.0, -0.0, DBL_MIN, -DBL_MIN, DBL_MAX, -DBL_MAX, 0x1p-1074, 1.0,
+        pull_off, nextafter(pull_off, -INFINITY), nextafter(pull_off, INFINITY), 2.0 * pull_off - DBL_MIN,
+        min, nextafter(min, -INFINITY), nextafter(min, INFINITY), 0.5 * (pull_off + min),
+        max, nextafter(max, -INFINITY), nextafter(max, INFINITY), 2.0 * max,
+        INFINITY, -INFINITY, NAN, 0.0,
+    };
+    const uint64_t signalling = UINT64_C(0x7ff0000000000001);
+    unsigned long i;
+    memcpy(load, special, sizeof special);
+    memcpy(load + SPECIAL - 1, &signalling, sizeof signalling);
+    for (i = SPECIAL; i < LOADS; ++i)
+        load[i] = load_of_kind(table, i);
+}
+
+/* ---- Evaluation ---- */
+
+struct answers {
+    double force, dforce_dload, force_alone, mu, dmu_dload, mu_alone;
+};
+
+ASPERITY_EVAL_FUNCTION struct answers answers_at(const asperity_table *table, double load)
+{
+    struct answers a;
+    a.force = asperity_eval_friction_force(table, load, &a.dforce_dload);
+    a.force_alone = asperity_eval_friction_force(table, load, NULL);
+    a.mu = asperity_eval_friction(table, load, &a.dmu_dload);
+    a.mu_alone = asperity_eval_friction(table, load, NULL);
+    return a;
+}
+
+static void evaluate(const asperity_table *table, const double *load, struct answers *answers)
+{
+    unsigned long i;
+    for (i = 0; i < LOADS; ++i)
+        answers[i] = answers_at(table, load[i]);
+}
+
+#ifdef GPU
+__global__ void evaluate_in_kernel(asperity_table table, const double *load, struct answers *answers)
+{
+    const unsigned long i = blockIdx.x * (unsigned long)blockDim.x + threadIdx.x;
+    if (i < LOADS)
+        answers[i] = answers_at(&table, load[i]);
+}
+
+static int device_is_there(void)
+{
+    int count = 0;
+    return GPU(GetDeviceCount)(&count) == GPU(Success) && count > 0;
+}
+
+static void evaluate_on_device(asperity_table table, const double *load, struct answers *answers)
+{
+    const size_t rows_size = table.row_count * 8 * sizeof(double);
+    double *rows = NULL, *loads = NULL;
+    struct answers *results = NULL;
+    int good = GPU(Malloc)((void **)&rows, rows_size) == GPU(Success);
+    good &= GPU(Malloc)((void **)&loads, LOADS * sizeof *loads) == GPU(Success);
+    good &= GPU(Malloc)((void **)&results, LOADS * sizeof *results) == GPU(Success);
+    good &= GPU(Memcpy)(rows, table.rows, rows_size, GPU(MemcpyHostToDevice)) == GPU(Success);
+    good &= GPU(Memcpy)(loads, load, LOADS * sizeof *loads, GPU(MemcpyHostToDevice)) == GPU(Success);
+    table.rows = rows;
+    evaluate_in_kernel<<<(LOADS + 255) / 256, 256>>>(table, loads, results);
+    good &= GPU(GetLastError)() == GPU(Success);
+    good &= GPU(Memcpy)(answers, results, LOADS * sizeof *results, GPU(MemcpyDeviceToHost)) == GPU(Success);
+    good &= GPU(Free)(rows) == GPU(Success) && GPU(Free)(loads) == GPU(Success) && GPU(Free)(results) == GPU(Success);
+    require(good, "the device failed");
+}
+#endif
+
+/* ---- The claims ---- */
+
+struct tally {
+    unsigned long compared, pulling, capped, separated, unanswered, wrong;
+};
+
+static void complain(struct tally *tally, const char *what, const double *load)
+{
+    if (tally->wrong++ < 5)
+        fprintf(stderr, "tests/c/eval.c: %s at load %a\n", what, is_finite(load) ? *load : NAN);
+}
+
+/* The row of x = load - pull_off_load; row_count where there is none. */
+static uint64_t row_of(const asperity_table *table, double x)
+{
+    uint64_t low = 0, high = table->row_count;
+    if (x < edge(table, low) || x >= edge(table, high))
+        return table->row_count;
+    while (high - low > 1) {
+        const uint64_t middle = low + (high - low) / 2;
+        if (x < edge(table, middle))
+            high = middle;
+        else
+            low = middle;
+    }
+    return low;
+}
+
+static int table_answers(const asperity_table *table, double load)
+{
+    const uint64_t row = row_of(table, load - table->pull_off_load);
+    return row < table->row_count && !isnan(table->rows[8 * row]);
+}
+
+static int all_nan(const struct answers *a)
+{
+    return isnan(a->force) && isnan(a->dforce_dload) && isnan(a->force_alone) && isnan(a->mu) && isnan(a->dmu_dload) &&
+           isnan(a->mu_alone);
+}
+
+static int as_the_library(const asperity_model *model, double load, const struct answers *a)
+{
+    double dforce_dload, dmu_dload;
+    const double force = asperity_friction_force_and_slope_at_load(model, load, &dforce_dload);
+    const double mu = asperity_friction_and_slope_at_load(model, load, &dmu_dload);
+    return same_bits(a->force, force) && same_bits(a->force_alone, force) && same_bits(a->dforce_dload, dforce_dload) &&
+           same_bits(a->mu, mu) && same_bits(a->mu_alone, mu) && same_bits(a->dmu_dload, dmu_dload) &&
+           same_bits(asperity_friction_force_at_load(model, load), force) &&
+           same_bits(asperity_friction_at_load(model, load), mu);
+}
+
+/* Loads are rounded: one that is next to an end of the table may belong to either side of it. */
+static int within_range(const asperity_summary *summary, double load)
+{
+    return load >= nextafter(summary->min_table_load, -INFINITY) &&
+           load <= nextafter(summary->max_table_load, INFINITY);
+}
+
+static struct tally compare(const asperity_model *model, const asperity_table *table, const double *load,
+                            const struct answers *answers)
+{
+    struct tally tally = {0, 0, 0, 0, 0, 0};
+    asperity_summary summary;
+    unsigned long i;
+    summary.struct_size = sizeof summary;
+    require(asperity_summary_of(model, &summary) == ASPERITY_OK, "asperity_summary_of fails");
+    for (i = 0; i < LOADS; ++i) {
+        const struct answers *a = &answers[i];
+        const int finite = is_finite(&load[i]);
+        if (finite && load[i] < table->pull_off_load) {
+            ++tally.separated;
+            if (!same_bits(a->force, 0.0) || !as_the_library(model, load[i], a))
+                complain(&tally, "friction below pull-off", &load[i]);
+        } else if (finite && table_answers(table, load[i])) {
+            ++tally.compared;
+            tally.pulling += load[i] < 0.0;
+            tally.capped += load[i] > 0.0 && a->mu == table->max_friction_coefficient;
+            if (!within_range(&summary, load[i]))
+                complain(&tally, "an answer outside the table's range", &load[i]);
+            if (!as_the_library(model, load[i], a))
+                complain(&tally, "other bits than the library's", &load[i]);
+        } else {
+            ++tally.unanswered;
+            if (!all_nan(a))
+                complain(&tally, "a number where the table does not answer", &load[i]);
+        }
+    }
+    return tally;
+}
+
+static void judge(const char *where, const asperity_table *table, struct tally tally)
+{
+    uint64_t row, left_out = 0;
+    for (row = 0; row < table->row_count; ++row)
+        left_out += isnan(table->rows[8 * row]) != 0;
+    printf("  %-42s %4u rows, %u left out; loads: %lu with the library's bits (%lu pulling, %lu pushing and capped), "
+           "%lu separated, %lu NaN\n",
+           where, (unsigned)table->row_count, (unsigned)left_out, tally.compared, tally.pulling, tally.capped,
+           tally.separated, tally.unanswered);
+    require(tally.wrong == 0, where);
+    require(tally.compared > LOADS / 2 && tally.unanswered > LOADS / 1000, "too few loads inside or outside the table");
+    require(tally.separated > 2, "too few loads below pull-off");
+    require(table->pull_off_load == 0.0 || tally.pulling > LOADS / 20, "too few pulling loads");
+}
+
+static void check(const char *name, const asperity_model *model, const asperity_table *table, const double *load,
+                  struct answers *answers)
+{
+    memset(answers, 0, LOADS * sizeof *answers);
+    evaluate(table, load, answers);
+    judge(name, table, compare(model, table, load, answers));
+#ifdef GPU
+    if (device_is_there()) {
+        memset(answers, 0, LOADS * sizeof *answers);
+        evaluate_on_device(*table, load, answers);
+        judge("  the same, on the device", table, compare(model, table, load, answers));
+    }
+#endif
+}
+
+/* A copy of the table in which a row is left out answers as the table, but for that row. */
+static void check_copy(const asperity_model *model, asperity_table table, const double *load, struct answers *answers)
+{
+    const size_t size = table.row_count * 8 * sizeof(double);
+    double *rows = (double *)malloc(size);
+    if (!rows)
+        abort();
+    memcpy(rows, table.rows, size);
+    rows[8 * (table.row_count / 2)] = NAN;
+    table.rows = rows;
+    check("  a copy with one row more left out", model, &table, load, answers);
+    free(rows);
+}
+
+static void check_surface(const char *name, void (*set)(asperity_params *), double *load, struct answers *answers)
+{
+    asperity_params params;
+    asperity_model *model = NULL;
+    asperity_table table;
+    asperity_summary summary;
+    asperity_params_init(&params);
+    set(&params);
+    table.struct_size = sizeof table;
+    summary.struct_size = sizeof summary;
+    if (asperity_create(&params, &model) != ASPERITY_OK || asperity_table_of(model, &table) != ASPERITY_OK ||
+        asperity_summary_of(model, &summary) != ASPERITY_OK) {
+        require(0, name);
+        return;
+    }
+    require(table.layout_version == ASPERITY_TABLE_LAYOUT, "another layout than the header's");
+    require((uintptr_t)table.rows % 64 == 0, "rows are not aligned to 64 bytes");
+    require(table.pull_off_load == summary.pull_off_load, "two pull-off loads");
+    fill(&table, &summary, load);
+    check(name, model, &table, load, answers);
+    check_copy(model, table, load, answers);
+    asperity_free(model);
+}
+
+int main(void)
+{
+    double *load = (double *)malloc(LOADS * sizeof *load);
+    struct answers *answers = (struct answers *)malloc(LOADS * sizeof *answers);
+    size_t i;
+    if (!load || !answers)
+        abort();
+#ifdef GPU
+    printf("  %s\n", device_is_there() ? "evaluates on the host and on the device"
+                                       : "no device: the kernel is compiled, and only the host's code is run");
+#endif
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    for (i = 0; i < sizeof surfaces / sizeof *surfaces; ++i)
+        check_surface(surfaces[i].name, surfaces[i].set, load, answers);
+    free(load);
+    free(answers);
+    return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
