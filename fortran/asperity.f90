@@ -35,6 +35,8 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_GAUSSIAN = 0
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_WEIBULL = 1
 
+  integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1     ! compare with asperity_table%layout_version
+
   ! ---- The C interface: types ----
 
   ! Two rough elastic surfaces, as the equivalent rough surface against a flat. Start from asperity_params_init.
@@ -92,6 +94,23 @@ module asperity
     real(c_double) :: max_table_load              ! the heaviest load of the compiled law [force]
     real(c_double) :: table_error                 ! largest relative error of its force found when it was built [-]
   end type asperity_summary
+
+  ! A read-only view of the compiled law, for code that cannot call the library. A row is a polynomial of degree 7 in t
+  ! for a piece of a binade of x = load - pull_off_load. From the bits of x, as integers: its index, from 0, is
+  ! shiftr(bits, shift) - base, and the table does not answer where that is not in 0 to row_count - 1; t + 1 has the
+  ! bits of x below `shift` as its mantissa. It gives F; its derivative by t, over 2^(exponent of x), is dF/d(load). A
+  ! row whose first coefficient is NaN is left out.
+  type, bind(c), public :: asperity_table
+    integer(c_int64_t) :: struct_size = 64        ! bytes of this type; leave it
+    type(c_ptr) :: rows = c_null_ptr              ! row_count rows of 8 real(c_double): rows(8, row_count) in Fortran
+    integer(c_int64_t) :: row_count               ! number of rows
+    integer(c_int64_t) :: base                    ! shifted bits of x at which the first row begins
+    integer(c_int32_t) :: shift                   ! how far the bits of x are shifted
+    integer(c_int32_t) :: layout_version          ! ASPERITY_TABLE_LAYOUT
+    real(c_double) :: pull_off_load               ! the pull-off load [force]
+    real(c_double) :: max_friction_coefficient    ! cap on the friction coefficient [-]
+    real(c_double) :: inverse_cap                 ! loads up to this times F have the capped coefficient
+  end type asperity_table
 
   ! ---- The C interface: functions ----
   ! A model is a type(c_ptr). All functions of type integer(c_int32_t) return a status.
@@ -252,6 +271,65 @@ module asperity
       type(asperity_summary), intent(inout) :: summary    ! untouched on failure
       integer(c_int32_t) :: status
     end function asperity_summary_of
+
+    ! A view of the compiled law, valid until the model is changed or freed.
+    function asperity_table_of(model, table) result(status) bind(c)
+      import :: asperity_table, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      type(asperity_table), intent(inout) :: table        ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_table_of
+
+    ! Friction coefficient [-] at a load [force], and its slope.
+    function asperity_friction_and_slope_at_load(model, load, dmu_dload) result(mu) bind(c)
+      import :: c_double, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load
+      type(c_ptr), intent(in), value :: dmu_dload         ! receives a real(c_double) [1/force]; c_null_ptr: none
+      real(c_double) :: mu
+    end function asperity_friction_and_slope_at_load
+
+    ! Friction force [force] at a load [force], and its slope.
+    function asperity_friction_force_and_slope_at_load(model, load, dforce_dload) result(force) bind(c)
+      import :: c_double, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load
+      type(c_ptr), intent(in), value :: dforce_dload      ! receives a real(c_double) [-]; c_null_ptr: none
+      real(c_double) :: force
+    end function asperity_friction_force_and_slope_at_load
+
+    ! Friction coefficient [-] at a contact pressure, and its slope: the load is the pressure times the nominal area.
+    function asperity_friction_at_pressure(model, pressure, nominal_area, dmu_dpressure) result(mu) bind(c)
+      import :: c_double, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: pressure       ! [stress], positive in compression
+      real(c_double), intent(in), value :: nominal_area   ! that carries asperity_count summits [length^2]
+      type(c_ptr), intent(in), value :: dmu_dpressure     ! receives a real(c_double) [1/stress]; c_null_ptr: none
+      real(c_double) :: mu
+    end function asperity_friction_at_pressure
+
+    ! Friction force per nominal area [stress] at a contact pressure, and its slope.
+    function asperity_shear_stress_at_pressure(model, pressure, nominal_area, dstress_dpressure) result(stress) bind(c)
+      import :: c_double, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: pressure       ! [stress], positive in compression
+      real(c_double), intent(in), value :: nominal_area   ! that carries asperity_count summits [length^2]
+      type(c_ptr), intent(in), value :: dstress_dpressure ! receives a real(c_double) [-]; c_null_ptr: none
+      real(c_double) :: stress
+    end function asperity_shear_stress_at_pressure
+
+    ! Friction force [force] with a smooth sign, F(load) tanh(slip_rate/transition_rate), and its slopes.
+    function asperity_slip_force(model, load, slip_rate, transition_rate, dforce_dload, dforce_dslip_rate) &
+        result(force) bind(c)
+      import :: c_double, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load
+      real(c_double), intent(in), value :: slip_rate      ! [length/time], signed
+      real(c_double), intent(in), value :: transition_rate ! [length/time], 1e-100 to 1e100
+      type(c_ptr), intent(in), value :: dforce_dload      ! receives a real(c_double) [-]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: dforce_dslip_rate ! receives one [force time/length]; c_null_ptr: none
+      real(c_double) :: force
+    end function asperity_slip_force
   end interface
 
   public :: asperity_abi_version, asperity_version, asperity_status_string, asperity_last_error
@@ -259,6 +337,8 @@ module asperity
   public :: asperity_params_set_skew, asperity_create, asperity_set_params, asperity_get_params, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
+  public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
+  public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
 
   ! ---- The Fortran interface ----
 
@@ -311,6 +391,28 @@ module asperity
     !   the same for F [force] and dF/d(load) [-]; finite down to pull-off, where the slope is infinite
     generic, public :: friction_force_at_load => force_rank_0, force_rank_1, force_rank_2, force_rank_3
 
+    ! mu = law%friction_at_pressure(pressure, nominal_area [, slope] [, stat] [, errmsg])
+    !   pressure      real(c_double), intent(in) [stress], positive in compression; not beyond 1e200
+    !   nominal_area  real(c_double), intent(in) [length^2], 1e-100 to 1e100: the area that carries asperity_count
+    !                 summits; the area of a mesh or of an integration point plays no part
+    !   mu            real(c_double) [-]: friction_at_load of pressure times nominal_area
+    !   slope         real(c_double), intent(out), optional: d(mu)/d(pressure) [1/stress]
+    ! stress = law%shear_stress_at_pressure(pressure, nominal_area [, slope] [, stat] [, errmsg])
+    !   the same for friction force over nominal_area [stress] and d(stress)/d(pressure) [-]; finite down to pull-off
+    ! What is not allowed gives NaN, with a slope of NaN, and ASPERITY_INVALID_PARAMETER or ASPERITY_INVALID_LOAD.
+    procedure, public :: friction_at_pressure => model_friction_at_pressure
+    procedure, public :: shear_stress_at_pressure => model_shear_stress_at_pressure
+
+    ! force = law%slip_force(load, slip_rate, transition_rate [, dforce_dload] [, dforce_dslip_rate] [, stat] &
+    !                        [, errmsg])
+    !   slip_rate          real(c_double), intent(in) [length/time], signed
+    !   transition_rate    real(c_double), intent(in) [length/time], 1e-100 to 1e100
+    !   force              real(c_double) [force]: F(load) tanh(slip_rate/transition_rate), for solvers that integrate
+    !                      through zero slip rate; it opposes the slip: give it the opposite sign on the body that slips
+    !   dforce_dload       real(c_double), intent(out), optional [-]
+    !   dforce_dslip_rate  real(c_double), intent(out), optional [force time/length]
+    procedure, public :: slip_force => model_slip_force
+
     ! call law%state_at_load(load, state [, stat] [, errmsg])                the exact state at a load [force]
     ! call law%state_at_separation(separation, state [, stat] [, errmsg])    the same at a separation [length]
     !   state  type(asperity_state), intent(inout); as it was on failure
@@ -320,6 +422,13 @@ module asperity
     ! call law%summary(constants [, stat] [, errmsg])
     !   constants  type(asperity_summary), intent(inout); as it was on failure
     procedure, public :: summary => model_summary
+
+    ! call law%table(view [, rows] [, stat] [, errmsg])    the compiled law, for code that cannot call the library
+    !   view  type(asperity_table), intent(inout); as it was on failure
+    !   rows  real(c_double), pointer, intent(out), optional: its rows(8, row_count), only to be read; disassociated on
+    !         failure
+    ! Both are valid until law is changed or freed.
+    procedure, public :: table => model_table
 
     generic, public :: assignment(=) => copy_model
     procedure, private :: copy_model
@@ -342,6 +451,11 @@ module asperity
 
   character(*), parameter :: NOT_CREATED = 'friction_model: no model here: call create on this variable first; a ' // &
                                            'bitwise copy, as allocate(source=) makes, has none'
+
+  ! Areas and rates lie between the inverse of this and this, pressures up to its square.
+  real(c_double), parameter :: LARGEST = 1e100_c_double
+  character(*), parameter :: FROM_TO = 'from 1e-100 to 1e100'
+  integer(c_int64_t), parameter :: INFINITY_BITS = int(z'7FF0000000000000', c_int64_t)
 
 contains
 
@@ -489,6 +603,63 @@ contains
     call report(asperity_summary_of(self%handle, constants), stat, errmsg)
   end subroutine model_summary
 
+  subroutine model_table(self, view, rows, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    type(asperity_table), intent(inout) :: view
+    real(c_double), pointer, intent(out), optional :: rows(:,:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: status
+    if (present(rows)) nullify(rows)
+    if (.not. is_created(self, stat, errmsg)) return
+    status = asperity_table_of(self%handle, view)
+    if (present(rows) .and. status == ASPERITY_OK) call c_f_pointer(view%rows, rows, [8_c_int64_t, view%row_count])
+    call report(status, stat, errmsg)
+  end subroutine model_table
+
+  function model_friction_at_pressure(self, pressure, nominal_area, slope, stat, errmsg) result(mu)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in) :: pressure, nominal_area
+    real(c_double), intent(out), optional, target :: slope
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double) :: mu
+    mu = asperity_friction_at_pressure(c_model(self), pressure, nominal_area, scalar_address(slope))
+    call report_at_pressure(self, mu, pressure, nominal_area, stat, errmsg)
+  end function model_friction_at_pressure
+
+  function model_shear_stress_at_pressure(self, pressure, nominal_area, slope, stat, errmsg) result(stress)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in) :: pressure, nominal_area
+    real(c_double), intent(out), optional, target :: slope
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double) :: stress
+    stress = asperity_shear_stress_at_pressure(c_model(self), pressure, nominal_area, scalar_address(slope))
+    call report_at_pressure(self, stress, pressure, nominal_area, stat, errmsg)
+  end function model_shear_stress_at_pressure
+
+  function model_slip_force(self, load, slip_rate, transition_rate, dforce_dload, dforce_dslip_rate, stat, errmsg) &
+      result(force)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in) :: load, slip_rate, transition_rate
+    real(c_double), intent(out), optional, target :: dforce_dload, dforce_dslip_rate
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double) :: force
+    force = asperity_slip_force(c_model(self), load, slip_rate, transition_rate, scalar_address(dforce_dload), &
+                                scalar_address(dforce_dslip_rate))
+    if (needs_no_report(force, stat)) return
+    if (.not. is_created(self, stat, errmsg)) return
+    if (size_bits(slip_rate) >= INFINITY_BITS) then
+      call report_refused('slip_rate', slip_rate, 'finite', ASPERITY_INVALID_PARAMETER, stat, errmsg)
+    else if (.not. is_allowed(transition_rate)) then
+      call report_refused('transition_rate', transition_rate, FROM_TO, ASPERITY_INVALID_PARAMETER, stat, errmsg)
+    else
+      call report_at_load(self, load, stat, errmsg)
+    end if
+  end function model_slip_force
+
   function friction_rank_0(self, load, slope, stat, errmsg) result(mu)
     class(friction_model), intent(in), target :: self
     real(c_double), intent(in), target :: load
@@ -611,13 +782,27 @@ contains
     call report(status, stat, errmsg)
   end subroutine evaluate
 
-  ! By its bits: a comparison may trap.
   pure function is_nan(x)
     real(c_double), intent(in) :: x
     logical :: is_nan
-    integer(c_int64_t), parameter :: INFINITY_BITS = int(z'7FF0000000000000', c_int64_t)
-    is_nan = iand(transfer(x, 0_c_int64_t), huge(0_c_int64_t)) > INFINITY_BITS
+    is_nan = size_bits(x) > INFINITY_BITS
   end function is_nan
+
+  ! The bits of abs(x), which order as the numbers do: a comparison of the numbers may trap.
+  pure function size_bits(x)
+    real(c_double), intent(in) :: x
+    integer(c_int64_t) :: size_bits
+    size_bits = iand(transfer(x, 0_c_int64_t), huge(0_c_int64_t))
+  end function size_bits
+
+  ! Whether the library takes x as an area or a transition rate.
+  pure function is_allowed(x)
+    real(c_double), intent(in) :: x
+    logical :: is_allowed
+    integer(c_int64_t) :: bits
+    bits = transfer(x, bits)
+    is_allowed = bits >= size_bits(1 / LARGEST) .and. bits <= size_bits(LARGEST)
+  end function is_allowed
 
   subroutine require_same_shape(load, slope)
     integer, intent(in) :: load(:), slope(:)
@@ -660,6 +845,51 @@ contains
       call report_message(status, counted_from_one(asperity_error_message()), stat, errmsg)
     end if
   end subroutine report
+
+  ! The C functions that return a number tell no reason. NaN has one, and 0 may be below pull-off.
+  function needs_no_report(value, stat)
+    real(c_double), intent(in) :: value
+    integer, intent(out), optional :: stat
+    logical :: needs_no_report
+    needs_no_report = size_bits(value) > 0 .and. .not. is_nan(value)
+    if (present(stat)) stat = 0
+  end function needs_no_report
+
+  subroutine report_at_pressure(self, value, pressure, nominal_area, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in) :: value, pressure, nominal_area
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (needs_no_report(value, stat)) return
+    if (.not. is_created(self, stat, errmsg)) return
+    if (.not. is_allowed(nominal_area)) then
+      call report_refused('nominal_area', nominal_area, FROM_TO, ASPERITY_INVALID_PARAMETER, stat, errmsg)
+    else if (size_bits(pressure) > size_bits(LARGEST * LARGEST)) then
+      call report_refused('pressure', pressure, 'finite and not beyond 1e200', ASPERITY_INVALID_LOAD, stat, errmsg)
+    else
+      call report_at_load(self, pressure * nominal_area, stat, errmsg)
+    end if
+  end subroutine report_at_pressure
+
+  subroutine report_at_load(self, load, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), target :: load
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: mu
+    call evaluate(asperity_friction_at_loads, self, 1_c_size_t, c_loc(load), c_loc(mu), c_null_ptr, stat, errmsg)
+  end subroutine report_at_load
+
+  subroutine report_refused(name, value, allowed, status, stat, errmsg)
+    character(*), intent(in) :: name, allowed
+    real(c_double), intent(in) :: value
+    integer(c_int32_t), intent(in) :: status
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(16) :: number
+    write (number, '(es16.6e3)') value
+    call report_message(status, name // ' = ' // trim(adjustl(number)) // ': must be ' // allowed, stat, errmsg)
+  end subroutine report_refused
 
   subroutine report_message(status, message, stat, errmsg)
     integer(c_int32_t), intent(in) :: status

@@ -17,6 +17,10 @@ program c_interface
   call life_of_a_model
   call errors_of_values
   call batches
+  call values_with_slopes
+  call pressures
+  call slip_forces
+  call compiled_table
   call hertzian_states
   call adhesive_summary
   call finish('the C interface from Fortran')
@@ -95,7 +99,7 @@ contains
 
   ! Skew from the moments of the Weibull distribution, B_n = Gamma(1 + n/omega).
   subroutine skewed_heights
-    real(c_double), parameter :: SKEWS(3) = [-0.9_c_double, 0.4_c_double, 2.0_c_double]
+    real(c_double), parameter :: SKEWS(3) = [-0.9_c_double, 0.4_c_double, 1.9_c_double]
     type(asperity_params) :: p
     integer :: i
     call asperity_check(asperity_params_init(p))
@@ -193,6 +197,174 @@ contains
                c_null_ptr) == ASPERITY_OK)
     call asperity_free(model)
   end subroutine batches
+
+  subroutine values_with_slopes
+    type(c_ptr) :: model
+    real(c_double), target :: load(1), slope(1), at_once
+    integer :: i
+    model = default_model()
+    do i = -2, 5
+      load = 10.0_c_double**i
+      call check('mu with its slope is mu', identical(asperity_friction_at_load(model, load(1)), &
+                 asperity_friction_and_slope_at_load(model, load(1), c_loc(at_once))))
+      call asperity_check(asperity_friction_at_loads(model, 1_c_size_t, c_loc(load), c_null_ptr, c_loc(slope)))
+      call check('... and its slope that of the batch', identical(at_once, slope(1)))
+      call check('F with its slope is F', identical(asperity_friction_force_at_load(model, load(1)), &
+                 asperity_friction_force_and_slope_at_load(model, load(1), c_loc(at_once))))
+      call asperity_check(asperity_friction_force_at_loads(model, 1_c_size_t, c_loc(load), c_null_ptr, c_loc(slope)))
+      call check('... and its slope that of the batch', identical(at_once, slope(1)))
+    end do
+    call check('the slope may be left out', asperity_friction_and_slope_at_load(model, 1.0_c_double, c_null_ptr) > 0 &
+               .and. asperity_friction_force_and_slope_at_load(model, 1.0_c_double, c_null_ptr) > 0)
+    call asperity_free(model)
+  end subroutine values_with_slopes
+
+  ! A pressure is the load on a unit of area, for two areas that do not round alike.
+  subroutine pressures
+    real(c_double), parameter :: AREAS(2) = [3e-7_c_double, 40.0_c_double], WRONG(4) = [0d0, -1d0, 1d-101, 1d101]
+    type(c_ptr) :: model
+    real(c_double), target :: slope, at_pressure
+    real(c_double) :: load, p, mu, stress
+    integer :: i, k
+    model = default_model()
+    do i = 1, size(AREAS)
+      do k = -2, 5
+        load = 3 * 10.0_c_double**k
+        p = load / AREAS(i)
+        mu = asperity_friction_and_slope_at_load(model, p * AREAS(i), c_loc(slope))
+        call check('mu at a pressure is mu at its load', &
+                   identical(asperity_friction_at_pressure(model, p, AREAS(i), c_loc(at_pressure)), mu))
+        call check_close('d(mu)/dp = A d(mu)/dP', at_pressure, AREAS(i) * slope, 1e-15_c_double)
+        stress = asperity_shear_stress_at_pressure(model, p, AREAS(i), c_loc(at_pressure))
+        call check_close('the stress is mu p', stress, mu * p, 1e-15_c_double)
+        call check_close('... its slope mu + p d(mu)/dp', at_pressure, mu + load * slope, 1e-13_c_double)
+      end do
+      call check_close('friction without pressure', &
+                       AREAS(i) * asperity_shear_stress_at_pressure(model, 0.0_c_double, AREAS(i), c_null_ptr), &
+                       asperity_friction_force_at_load(model, 0.0_c_double), 1e-15_c_double)
+    end do
+    do i = 1, size(WRONG)
+      slope = 0
+      call check('no friction for an area that is not allowed', &
+                 ieee_is_nan(asperity_friction_at_pressure(model, 1.0_c_double, WRONG(i), c_loc(slope))))
+      call check('... nor a slope', ieee_is_nan(slope))
+      call check('... nor a stress', &
+                 ieee_is_nan(asperity_shear_stress_at_pressure(model, 1.0_c_double, WRONG(i), c_null_ptr)))
+    end do
+    call check('nor for an area that is NaN', &
+               ieee_is_nan(asperity_friction_at_pressure(model, 1.0_c_double, nan(), c_null_ptr)))
+    call check('nor for a pressure that is', &
+               ieee_is_nan(asperity_shear_stress_at_pressure(model, nan(), 1.0_c_double, c_null_ptr)))
+    call asperity_free(model)
+  end subroutine pressures
+
+  ! F(P) tanh(v/v0): sign, size and both slopes, these against differences of fourth order.
+  subroutine slip_forces
+    real(c_double), parameter :: V0 = 0.02_c_double, RATES(5) = V0 * [0.0_c_double, 0.1_c_double, 0.7_c_double, &
+                                                                      1.0_c_double, 2.5_c_double]
+    integer, parameter :: AT(4) = [-2, -1, 1, 2]
+    type(c_ptr) :: model
+    real(c_double), target :: by_load, by_rate
+    real(c_double) :: force, values(4), p, step
+    integer :: i, j, k
+    model = default_model()
+    do i = -1, 4
+      p = 2 * 10.0_c_double**i
+      do j = 1, size(RATES)
+        force = asperity_slip_force(model, p, RATES(j), V0, c_loc(by_load), c_loc(by_rate))
+        call check_close('F tanh(v/v0)', force, asperity_friction_force_at_load(model, p) * tanh(RATES(j) / V0), &
+                         1e-14_c_double)
+        call check('odd in the slip rate', &
+                   identical(asperity_slip_force(model, p, -RATES(j), V0, c_null_ptr, c_null_ptr), -force))
+        step = p / 100
+        values = [(asperity_slip_force(model, p + AT(k) * step, RATES(j), V0, c_null_ptr, c_null_ptr), k=1, 4)]
+        call check_close('its slope by load is the secant', by_load, difference(values, step), 1e-6_c_double)
+        step = V0 / 200
+        values = [(asperity_slip_force(model, p, RATES(j) + AT(k) * step, V0, c_null_ptr, c_null_ptr), k=1, 4)]
+        call check_close('... and by slip rate', by_rate, difference(values, step), 1e-6_c_double)
+      end do
+    end do
+    call check('fast slip has the friction of the law', &
+               identical(asperity_slip_force(model, 5.0_c_double, 1e90_c_double, V0, c_null_ptr, c_null_ptr), &
+                         asperity_friction_force_at_load(model, 5.0_c_double)))
+    call check('a transition rate of zero is not allowed', ieee_is_nan( &
+               asperity_slip_force(model, 5.0_c_double, 1.0_c_double, 0.0_c_double, c_null_ptr, c_null_ptr)))
+    call asperity_free(model)
+  end subroutine slip_forces
+
+  pure function difference(value, step)
+    real(c_double), intent(in) :: value(4), step  ! values at -2, -1, 1 and 2 steps
+    real(c_double) :: difference
+    difference = (8 * (value(3) - value(2)) - (value(4) - value(1))) / (12 * step)
+  end function difference
+
+  ! The law from the rows alone, as the header describes them.
+  subroutine compiled_table
+    type(c_ptr) :: model
+    type(asperity_table) :: table
+    type(asperity_summary) :: s
+    real(c_double), pointer :: rows(:,:)
+    real(c_double) :: load
+    integer :: i, answered
+    model = default_model()
+    call asperity_check(asperity_summary_of(model, s))
+    call check('struct_size is the size of the type', table%struct_size == c_sizeof(table))
+    call asperity_check(asperity_table_of(model, table))
+    call check('the layout is the one of the module', table%layout_version == ASPERITY_TABLE_LAYOUT)
+    call check('the pull-off load is that of the model', identical(table%pull_off_load, s%pull_off_load))
+    call check('the cap is that of the parameters', identical(table%max_friction_coefficient, 1000.0_c_double))
+    call check_close('... and its inverse', table%inverse_cap, 1e-3_c_double, 1e-15_c_double)
+    call c_f_pointer(table%rows, rows, [8_c_int64_t, table%row_count])
+    answered = 0
+    do i = 0, 99
+      load = 1e-2_c_double * 1.2_c_double**i
+      if (.not. is_in(table, load)) cycle
+      answered = answered + 1
+      call check_close('F is the polynomial of its row', from_row(table, rows, load), &
+                       asperity_friction_force_at_load(model, load), 1e-14_c_double)
+    end do
+    call check('the table answers for most loads', answered > 90)
+    call check('beyond its range it does not', .not. is_in(table, 4 * s%max_table_load))
+    call check('no table of no model', asperity_table_of(c_null_ptr, table) == ASPERITY_NULL_POINTER)
+    table%struct_size = 0
+    call check('a table whose size is not set is refused', &
+               asperity_table_of(model, table) == ASPERITY_INVALID_PARAMETER)
+    call asperity_free(model)
+  end subroutine compiled_table
+
+  function row_of(table, load) result(row)
+    type(asperity_table), intent(in) :: table
+    real(c_double), intent(in) :: load
+    integer(c_int64_t) :: row  ! from 0
+    row = shiftr(transfer(load - table%pull_off_load, row), table%shift) - table%base
+  end function row_of
+
+  function is_in(table, load)
+    type(asperity_table), intent(in) :: table
+    real(c_double), intent(in) :: load
+    logical :: is_in
+    is_in = row_of(table, load) >= 0 .and. row_of(table, load) < table%row_count
+  end function is_in
+
+  function from_row(table, rows, load) result(force)
+    type(asperity_table), intent(in) :: table
+    real(c_double), intent(in) :: rows(:,:), load
+    real(c_double) :: force, t
+    integer(c_int64_t) :: bits
+    integer :: k
+    bits = transfer(load - table%pull_off_load, bits)
+    bits = ior(iand(bits, shiftl(1_c_int64_t, table%shift) - 1), transfer(1.0_c_double, bits))
+    t = transfer(bits, t) - 1
+    force = sum([(rows(k, row_of(table, load) + 1) * t**(k - 1), k=1, 8)])
+  end function from_row
+
+  function default_model() result(model)
+    type(c_ptr) :: model
+    type(asperity_params) :: p
+    call asperity_check(asperity_params_init(p))
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+  end function default_model
 
   ! Without adhesion, with the shear strength of small contacts everywhere: Greenwood and Williamson's closed forms.
   !   n = N/2 erfc(t/sqrt 2)    A = pi N R sigma (phi(t) - t n/N)    F = tau_1 A    t = d/sigma

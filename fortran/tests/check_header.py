@@ -16,7 +16,13 @@ from pathlib import Path
 # Fortran does not tell these constants from the functions of the same name.
 RENAMED = {"ASPERITY_VERSION": "ASPERITY_HEADER_VERSION", "ASPERITY_ABI_VERSION": "ASPERITY_HEADER_ABI_VERSION"}
 
-FIELD_TYPES = {"uint64_t": "integer(c_int64_t)", "int32_t": "integer(c_int32_t)", "double": "real(c_double)"}
+FIELD_TYPES = {
+    "uint64_t": "integer(c_int64_t)",
+    "uint32_t": "integer(c_int32_t)",
+    "int32_t": "integer(c_int32_t)",
+    "double": "real(c_double)",
+    "const double *": "type(c_ptr)",
+}
 
 VALUE_TYPES = {
     "double": "real(c_double), value",
@@ -32,6 +38,7 @@ VALUE_TYPES = {
     "struct asperity_params *": "type(asperity_params)",
     "struct asperity_state *": "type(asperity_state)",
     "struct asperity_summary *": "type(asperity_summary)",
+    "struct asperity_table *": "type(asperity_table)",
 }
 
 RESULT_TYPES = {
@@ -49,7 +56,7 @@ def read_header(path):
     constants = dict(re.findall(r"^#define (ASPERITY_\w+) (\S+)$", text, flags=re.M))
     constants.pop("ASPERITY_H", None)
     structs = {
-        name: [tuple(reversed(line.split())) for line in body.split(";") if line.strip()]
+        name: [split_declaration(line) for line in body.split(";") if line.strip()]
         for name, body in re.findall(r"typedef struct (\w+) \{(.*?)\}", text, flags=re.S)
     }
     functions = {}
@@ -77,7 +84,7 @@ def read_module(path):
         structs[name] = [declared(line)[0] for line in body.splitlines() if "::" in line]
     interface = re.search(r"\n  interface\n(.*?)\n  end interface", text, flags=re.S).group(1)
     functions = {}
-    pattern = r"(?:pure )?(function|subroutine) (\w+)\(([^)]*)\)(?: result\((\w+)\))? bind\(c\)\n(.*?)end \1 \2"
+    pattern = r"(?:pure )?(function|subroutine) (\w+)\(([^)]*)\)(?:\s*result\((\w+)\))? bind\(c\)\n(.*?)end \1 \2"
     for kind, name, arguments, result, body in re.findall(pattern, interface, flags=re.S):
         types = {n.lower(): t for line in body.splitlines() if "::" in line and "import" not in line
                  for n, t in declared(line)}
@@ -151,7 +158,7 @@ def write_layout(structs, directory):
 def main():
     header = read_header(Path(sys.argv[1]))
     module = read_module(Path(sys.argv[2]))
-    if len(header[0]) < 10 or len(header[1]) != 3 or len(header[2]) < 15:
+    if len(header[0]) < 10 or len(header[1]) != 4 or len(header[2]) < 20:
         sys.exit("check_header.py: the header was not understood")
     problems = list(compare(header, module)) + uncalled(header[2], sys.argv[3])
     write_layout(header[1], Path(sys.argv[4]))

@@ -15,6 +15,9 @@ program friction_law
   call slopes
   call monotone_and_consistent
   call the_ends_of_the_law
+  call at_pressures
+  call sliding
+  call tables
   call states
   call error_reports
   call parameters
@@ -133,6 +136,91 @@ contains
     call check('... which stat tells', stat == ASPERITY_SEPARATED)
     call check_text('... and errmsg', errmsg(1:12), 'element 1: l')
   end subroutine the_ends_of_the_law
+
+  subroutine at_pressures
+    real(c_double), parameter :: AREA = 0.3_c_double
+    type(friction_model) :: law, missing
+    real(c_double) :: p, mu, stress, slope, of_load
+    integer :: i, stat
+    character(80) :: errmsg
+    call law%create(default_parameters())
+    do i = -2, 5
+      p = 7 * 10.0_c_double**i
+      stat = -1
+      mu = law%friction_at_pressure(p, AREA, slope, stat)
+      call check('mu at a pressure is mu at its load', &
+                 stat == 0 .and. identical(mu, law%friction_at_load(p * AREA, of_load)))
+      call check_close('... and its slope that of the load times the area', slope, of_load * AREA, 1e-15_c_double)
+      call check('the slope may be left out', identical(law%friction_at_pressure(p, AREA), mu))
+      stress = law%shear_stress_at_pressure(p, AREA, slope)
+      call check_close('the stress is force over area', stress, law%friction_force_at_load(p * AREA, of_load) / AREA, &
+                       1e-15_c_double)
+      call check_close('... and its slope that of the force', slope, of_load, 1e-15_c_double)
+    end do
+    mu = law%friction_at_pressure(-1e9_c_double, AREA)
+    call check('below pull-off there is no friction, and no stop', identical(mu, 0.0_c_double))
+    stress = law%shear_stress_at_pressure(-1e9_c_double, AREA, stat=stat)
+    call check('... which stat tells', identical(stress, 0.0_c_double) .and. stat == ASPERITY_SEPARATED)
+    mu = law%friction_at_pressure(1.0_c_double, 0.0_c_double, slope, stat, errmsg)
+    call check('an area of zero is refused', &
+               stat == ASPERITY_INVALID_PARAMETER .and. ieee_is_nan(mu) .and. ieee_is_nan(slope))
+    call check_text('... with a message', errmsg, 'nominal_area = 0.000000E+000: must be from 1e-100 to 1e100')
+    stress = law%shear_stress_at_pressure(1.0_c_double, nan(), slope, stat, errmsg)
+    call check('so is one that is NaN', stat == ASPERITY_INVALID_PARAMETER .and. ieee_is_nan(stress))
+    call check_text('... with a message', errmsg, 'nominal_area = NaN: must be from 1e-100 to 1e100')
+    mu = law%friction_at_pressure(1e201_c_double, 1e100_c_double, stat=stat, errmsg=errmsg)
+    call check('so is a pressure that has no load', stat == ASPERITY_INVALID_LOAD .and. ieee_is_nan(mu))
+    call check_text('... with a message', errmsg, 'pressure = 1.000000E+201: must be finite and not beyond 1e200')
+    stress = missing%shear_stress_at_pressure(1.0_c_double, AREA, stat=stat)
+    call check('a law that was never created has no stress', stat == ASPERITY_NULL_POINTER .and. ieee_is_nan(stress))
+  end subroutine at_pressures
+
+  subroutine sliding
+    real(c_double), parameter :: V0 = 0.5_c_double, P = 3
+    type(friction_model) :: law
+    real(c_double) :: force, by_load, by_rate, dforce, v
+    integer :: i, stat
+    character(80) :: errmsg
+    call law%create(default_parameters())
+    do i = -4, 4
+      v = 0.3_c_double * i
+      force = law%slip_force(P, v, V0, by_load, by_rate, stat)
+      call check('a slip force has no error', stat == 0)
+      call check_close('F tanh(v/v0)', force, law%friction_force_at_load(P, dforce) * tanh(v / V0), 1e-14_c_double)
+      call check_close('its slope by load', by_load, dforce * tanh(v / V0), 1e-14_c_double)
+      call check_close('its slope by slip rate', by_rate, law%friction_force_at_load(P) / V0 / cosh(v / V0)**2, &
+                       1e-13_c_double)
+      call check('slopes may be left out', identical(law%slip_force(P, v, V0), force))
+    end do
+    force = law%slip_force(P, 1.0_c_double, -V0, stat=stat, errmsg=errmsg)
+    call check('a negative transition rate is refused', &
+               stat == ASPERITY_INVALID_PARAMETER .and. ieee_is_nan(force))
+    call check_text('... with a message', errmsg, 'transition_rate = -5.000000E-001: must be from 1e-100 to 1e100')
+    force = law%slip_force(P, nan(), V0, stat=stat, errmsg=errmsg)
+    call check_text('so is a slip rate that is NaN', errmsg, 'slip_rate = NaN: must be finite')
+    force = law%slip_force(nan(), 1.0_c_double, V0, stat=stat, errmsg=errmsg)
+    call check('so is a load that is', stat == ASPERITY_INVALID_LOAD .and. ieee_is_nan(force))
+  end subroutine sliding
+
+  subroutine tables
+    type(friction_model) :: law
+    type(asperity_table) :: view
+    real(c_double), pointer :: rows(:,:)
+    real(c_double) :: start
+    integer(c_int64_t) :: row
+    integer :: stat
+    call law%table(view, rows, stat)
+    call check('no table before create', stat == ASPERITY_NULL_POINTER .and. .not. associated(rows))
+    call law%create(default_parameters())
+    call law%table(view, rows, stat)
+    call check('the rows are those of the view', stat == 0 .and. size(rows, 1) == 8 .and. &
+               size(rows, 2) == view%row_count .and. c_associated(view%rows, c_loc(rows(1, 1))))
+    ! A row begins where its t is 0: there F is its first coefficient.
+    row = shiftr(transfer(1 - view%pull_off_load, row), view%shift)
+    start = transfer(shiftl(row, view%shift), start)
+    call check_close('a row begins with the friction force there', rows(1, row - view%base + 1), &
+                     law%friction_force_at_load(start + view%pull_off_load), 1e-12_c_double)
+  end subroutine tables
 
   subroutine states
     type(friction_model) :: law

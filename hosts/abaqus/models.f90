@@ -12,6 +12,7 @@ module asperity_models
   public :: make_models, free_models, friction_coefficients, shear_strength
 
   type(friction_model), save :: laws(NUMBER_OF_SURFACES)
+  real(c_double), save :: nominal_areas(NUMBER_OF_SURFACES)
   logical, save :: made = .false.
   character(400), save :: refusal = 'no model was made: call make_models of module asperity_models at the start ' // &
                                     'of the analysis, from UEXTERNALDB (LOP = 0 and 4) or VEXTERNALDB (lOp = 0)'
@@ -34,7 +35,7 @@ contains
     refused = .false.
     if (made) return
     do number = 1, NUMBER_OF_SURFACES
-      call state_surface(number, params)
+      call state_surface(number, params, nominal_areas(number))
       call laws(number)%create(params, stat, message)
       if (stat == 0) cycle
       write (refusal, '(a, i0, 2a)') 'surface ', number, ': ', trim(message)
@@ -57,23 +58,28 @@ contains
     real(c_double), intent(in) :: surface  ! its number, as a property of the input file
     real(c_double), intent(in), contiguous :: pressure(:)
     real(c_double), intent(out), contiguous :: mu(:), slope(:)
-    integer :: stat
+    integer :: i, number, stat
     mu = 0
     slope = 0
     if (.not. is_ready(surface)) return
-    mu = laws(nint(surface))%friction_at_load(pressure, slope, stat)  ! stat: NaN gives NaN, separation gives 0
+    number = nint(surface)
+    do i = 1, size(pressure)
+      ! stat: NaN gives NaN, and separation 0, without a stop
+      mu(i) = laws(number)%friction_at_pressure(pressure(i), nominal_areas(number), slope(i), stat)
+    end do
   end subroutine friction_coefficients
 
-  ! Shear stress that slips [stress] at a pressure [stress], and its slope [-]. It is the law's friction force, which
-  ! adhesion makes positive also at zero pressure.
+  ! Shear stress that slips [stress] at a pressure [stress], and its slope [-]. Adhesion makes it positive also at zero
+  ! pressure.
   subroutine shear_strength(surface, pressure, strength, slope)
     real(c_double), intent(in) :: surface, pressure
     real(c_double), intent(out) :: strength, slope
-    integer :: stat
+    integer :: number, stat
     strength = 0
     slope = 0
     if (.not. is_ready(surface)) return
-    strength = laws(nint(surface))%friction_force_at_load(pressure, slope, stat)
+    number = nint(surface)
+    strength = laws(number)%shear_stress_at_pressure(pressure, nominal_areas(number), slope, stat)
     slope = min(slope, huge(slope))  ! infinite at the pull-off pressure itself
   end subroutine shear_strength
 

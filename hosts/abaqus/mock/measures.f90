@@ -8,8 +8,10 @@ module measures
   private
   public :: check, difference, finish, largest, patch_friction, patch_law, worse
 
-  ! [mm^2], any: the law per area must not depend on it. A power of two, so that no scaling rounds.
-  real(c_double), parameter, public :: PATCH_AREA = 0.03125_c_double
+  ! The patch is this many of the areas that surfaces.f90 states: what a pressure does must not depend on how many. A
+  ! power of two, so that the tables of both models are the same but for their exponents.
+  real(c_double), parameter :: AREAS_IN_PATCH = 4
+  real(c_double), protected, public :: patch_area = 0  ! [mm^2], of the last patch_law
 
   integer :: failures = 0
 
@@ -43,13 +45,15 @@ contains
     if (failures > 0) error stop 1
   end subroutine finish
 
-  ! Summits of PATCH_AREA, as a user without Abaqus would count them.
+  ! The summits of a patch, as a user without Abaqus would count them.
   function patch_law(surface) result(model)
     integer, intent(in) :: surface
     type(c_ptr) :: model
     type(asperity_params) :: params
-    call state_surface(surface, params)
-    params%asperity_count = params%asperity_count * PATCH_AREA
+    real(c_double) :: nominal_area
+    call state_surface(surface, params, nominal_area)
+    params%asperity_count = params%asperity_count * AREAS_IN_PATCH
+    patch_area = nominal_area * AREAS_IN_PATCH
     model = c_null_ptr
     call asperity_check(asperity_create(params, model))
   end function patch_law
@@ -58,7 +62,7 @@ contains
     type(c_ptr), intent(in) :: model
     real(c_double), intent(in) :: pressure
     real(c_double) :: mu
-    mu = asperity_friction_at_load(model, pressure * PATCH_AREA)
+    mu = asperity_friction_at_load(model, pressure * patch_area)
   end function patch_friction
 
   ! A derivative from values at -2, -1, 1 and 2 steps.

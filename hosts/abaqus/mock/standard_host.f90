@@ -168,7 +168,7 @@ contains
     lm = 0
     call point(1, 1, STIFFNESS, 0d0, SLIP, lm, tau, ddtddg, ddtddp)
     call check('adhesion gives friction at no pressure', &
-               abs(tau(1) * PATCH_AREA / asperity_friction_force_at_load(patch, 0d0) - 1) < 1e-12_c_double)
+               abs(tau(1) * patch_area / asperity_friction_force_at_load(patch, 0d0) - 1) < 1e-12_c_double)
     call asperity_free(patch)
     lm = 0
     call point(1, 1, STIFFNESS, -1d6, SLIP, lm, tau, ddtddg, ddtddp)
