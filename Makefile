@@ -1,6 +1,7 @@
 # make demo      build the library, run the C example, draw its friction curve
 # make test      everything that is checked before a release, in order
 # make hosts     the law inside other people's solvers
+# make bench     measures speed and accuracy, and writes docs/performance.md anew
 # make header    write include/asperity.h anew from the sources
 # make clean     remove what was built
 # make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
@@ -29,6 +30,7 @@ TEST_SCRIPTS := tests/c/run.sh tests/cpp/run.sh fortran/test.sh python/test.sh t
 all: library
 
 include cmake/install.mk
+include benches/bench.mk
 
 library:
 	$(CARGO) build --release --locked

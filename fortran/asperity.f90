@@ -325,7 +325,7 @@ module asperity
       type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: load
       real(c_double), intent(in), value :: slip_rate      ! [length/time], signed
-      real(c_double), intent(in), value :: transition_rate ! [length/time], 1e-100 to 1e100
+      real(c_double), intent(in), value :: transition_rate ! [length/time], 1e-60 to 1e60
       type(c_ptr), intent(in), value :: dforce_dload      ! receives a real(c_double) [-]; c_null_ptr: none
       type(c_ptr), intent(in), value :: dforce_dslip_rate ! receives one [force time/length]; c_null_ptr: none
       real(c_double) :: force
@@ -393,7 +393,7 @@ module asperity
 
     ! mu = law%friction_at_pressure(pressure, nominal_area [, slope] [, stat] [, errmsg])
     !   pressure      real(c_double), intent(in) [stress], positive in compression; not beyond 1e200
-    !   nominal_area  real(c_double), intent(in) [length^2], 1e-100 to 1e100: the area that carries asperity_count
+    !   nominal_area  real(c_double), intent(in) [length^2], 1e-60 to 1e60: the area that carries asperity_count
     !                 summits; the area of a mesh or of an integration point plays no part
     !   mu            real(c_double) [-]: friction_at_load of pressure times nominal_area
     !   slope         real(c_double), intent(out), optional: d(mu)/d(pressure) [1/stress]
@@ -406,7 +406,7 @@ module asperity
     ! force = law%slip_force(load, slip_rate, transition_rate [, dforce_dload] [, dforce_dslip_rate] [, stat] &
     !                        [, errmsg])
     !   slip_rate          real(c_double), intent(in) [length/time], signed
-    !   transition_rate    real(c_double), intent(in) [length/time], 1e-100 to 1e100
+    !   transition_rate    real(c_double), intent(in) [length/time], 1e-60 to 1e60
     !   force              real(c_double) [force]: F(load) tanh(slip_rate/transition_rate), for solvers that integrate
     !                      through zero slip rate; it opposes the slip: give it the opposite sign on the body that slips
     !   dforce_dload       real(c_double), intent(out), optional [-]
@@ -453,8 +453,8 @@ module asperity
                                            'bitwise copy, as allocate(source=) makes, has none'
 
   ! Areas and rates lie between the inverse of this and this, pressures up to its square.
-  real(c_double), parameter :: LARGEST = 1e100_c_double
-  character(*), parameter :: FROM_TO = 'from 1e-100 to 1e100'
+  real(c_double), parameter :: LARGEST = 1e60_c_double
+  character(*), parameter :: FROM_TO = 'from 1e-60 to 1e60'
   integer(c_int64_t), parameter :: INFINITY_BITS = int(z'7FF0000000000000', c_int64_t)
 
 contains

@@ -99,7 +99,10 @@ fn the_table_agrees_with_exact_evaluation() {
             });
             failures.claim(slope_error <= 1e-8, || {
                 let exact = exact.dforce_dload;
-                format!("load {load:e}: slope {slope:e}, exactly {exact:e}, error {slope_error:e}; {:?}", model.params())
+                format!(
+                    "load {load:e}: slope {slope:e}, exactly {exact:e}, error {slope_error:e}; {:?}",
+                    model.params()
+                )
             });
             found = found.max(error);
             worst_slope = worst_slope.max(slope_error);

@@ -49,7 +49,12 @@ impl Watched {
             set_materials: asperity_params_set_materials,
             set_skew: asperity_params_set_skew,
         };
-        Self { library: std::hint::black_box(library), slowest: Duration::ZERO, call: String::new(), failures: Vec::new() }
+        Self {
+            library: std::hint::black_box(library),
+            slowest: Duration::ZERO,
+            call: String::new(),
+            failures: Vec::new(),
+        }
     }
 
     /// Notes a failure; all are looked at before the test fails, so that one run shows every one.
@@ -230,7 +235,8 @@ fn random_corner(random: &mut SplitMix) -> asperity_params {
     let b_over_h = end(1e-3, 100.0);
     let shape = end(0.3, 1e6);
     let rate = end(1e-3, 1e3);
-    let mut params = asperity_params::dimensionless(alpha, beta, if random.chance(0.1) { 0.0 } else { gamma }, b_over_h);
+    let mut params =
+        asperity_params::dimensionless(alpha, beta, if random.chance(0.1) { 0.0 } else { gamma }, b_over_h);
     if random.chance(0.6) {
         params = params.weibull(shape);
     }
@@ -243,7 +249,13 @@ fn random_corner(random: &mut SplitMix) -> asperity_params {
 }
 
 /// Calls of every kind on a model, with loads and separations of random bits.
-fn call_with_random_bits(watched: &mut Watched, random: &mut SplitMix, handle: &Handle, count: usize, params: &asperity_params) {
+fn call_with_random_bits(
+    watched: &mut Watched,
+    random: &mut SplitMix,
+    handle: &Handle,
+    count: usize,
+    params: &asperity_params,
+) {
     for _ in 0..count {
         let x = random.any_float();
         let what = || format!("load or separation {x:e} ({:#x}), {params:?}", x.to_bits());
