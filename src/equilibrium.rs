@@ -173,8 +173,8 @@ impl Equilibrium {
             let next = if (newton - separation).abs() <= resolution || (newton > lower && newton < upper) {
                 newton
             } else {
-                // No step to the left is longer than the distance from 1.
-                0.5 * (lower.max(2.0 * separation - 4.0) + upper)
+                // No step to the left is much longer than the separation itself.
+                0.5 * (lower.max(separation - separation.abs() - 4.0) + upper)
             };
             let change = (next - separation).abs();
             if residual.abs() <= 4.0 * f64::EPSILON

@@ -73,17 +73,20 @@ pub unsafe fn evaluate<L: Lanes>(
     let mut i = 0;
     while i < full {
         let loads = L::read(arrays.load.add(i));
-        let (force, force_slope, mut slow) = force::<L>(&table, loads, with_slope);
+        // Arithmetic with a signalling NaN would raise a flag, a comparison too: go on with 1 instead.
+        let not_finite = loads.not_finite();
+        let safe = loads.or_where(not_finite, L::splat(1.0));
+        let (force, force_slope, mut slow) = force::<L>(&table, safe, not_finite, with_slope);
         let (value, slope) = match quantity {
             Quantity::Force => (force, force_slope),
             Quantity::Coefficient => {
                 // Where the coefficient is capped, or the load so light that the slope may overflow.
                 let least = force.mul(L::splat(inverse_cap)).max(L::splat(LIGHTEST));
-                slow = L::or_mask(slow, L::not_mask(least.lt(loads)));
+                slow = L::or_mask(slow, L::not_mask(least.lt(safe)));
                 let fast = L::not_mask(slow);
                 // Only what cannot trap is divided.
-                let mu = force.div_where(fast, loads);
-                let slope = if with_slope { force_slope.sub(mu).div_where(fast, loads) } else { mu };
+                let mu = force.div_where(fast, safe);
+                let slope = if with_slope { force_slope.sub(mu).div_where(fast, safe) } else { mu };
                 (mu, slope)
             }
         };
@@ -113,10 +116,8 @@ pub unsafe fn evaluate<L: Lanes>(
 
 /// Force and slope from the table, and the lanes that it does not answer, whose values mean nothing.
 #[inline(always)]
-unsafe fn force<L: Lanes>(table: &Table, loads: L, with_slope: bool) -> (L, L, L::Mask) {
-    // Arithmetic with a signalling NaN would raise a flag: leave what is not finite out first.
-    let not_finite = loads.not_finite();
-    let x = loads.or_where(not_finite, L::splat(1.0)).sub(L::splat(table.pull_off)).bits();
+unsafe fn force<L: Lanes>(table: &Table, loads: L, not_finite: L::Mask, with_slope: bool) -> (L, L, L::Mask) {
+    let x = loads.sub(L::splat(table.pull_off)).bits();
     // The row's offset in bytes: its index times 64.
     let shifted = L::and_bits(L::shift_right(x, table.shift - ROW_SHIFT), L::splat_bits(u64::MAX << ROW_SHIFT));
     let offset = L::sub_bits(shifted, L::splat_bits(table.base << ROW_SHIFT));
@@ -127,15 +128,19 @@ unsafe fn force<L: Lanes>(table: &Table, loads: L, with_slope: bool) -> (L, L, L
     let t = L::from_bits(L::or_bits(within_row, one)).sub(L::splat(1.0));
     // Loading whole rows and transposing them takes half the time of gather instructions.
     let c = L::rows(table.rows.as_ptr(), offset);
-    if !table.complete {
-        slow = L::or_mask(slow, c[0].is_nan());
-    }
     // The same order of operations as the scalar polynomial.
     let t2 = t.mul(t);
     let t4 = t2.mul(t2);
     let low = c[0].add(c[1].mul(t)).add(c[2].add(c[3].mul(t)).mul(t2));
     let high = c[4].add(c[5].mul(t)).add(c[6].add(c[7].mul(t)).mul(t2));
     let value = low.add(high.mul(t4));
+    let value = if table.complete {
+        value
+    } else {
+        // The largest of a number and NaN would raise a flag.
+        slow = L::or_mask(slow, c[0].is_nan());
+        value.or_where(slow, L::splat(0.0))
+    };
     if !with_slope {
         return (value, value, slow);
     }
