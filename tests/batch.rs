@@ -426,10 +426,10 @@ fn no_load_raises_a_floating_point_exception() {
     let mut random = SplitMix(SEED ^ 4);
     let models = models();
     let mut failures = Vec::new();
-    for load in (0..400).map(|_| random.any_float()) {
+    for load in (0..60).map(|_| random.any_float()) {
         for (name, handle) in &models {
             for (quantity, batch, scalar) in std::hint::black_box(LAWS) {
-                for n in [1, 4, 8] {
+                for n in [1, 8] {
                     if let Some(raised) = flags_of(handle, batch, scalar, &vec![load; n]) {
                         failures.push(format!(
                             "{quantity}, {name}: {n} times load {load:e} {:#x} {raised}",
@@ -463,7 +463,7 @@ fn no_load_from_pull_off_to_beyond_the_table_raises_a_floating_point_exception()
         let summary = handle.summary();
         let (nearest, farthest) = (summary.min_table_load - summary.pull_off_load, 2.0 * summary.max_table_load);
         for (quantity, batch, scalar) in std::hint::black_box(LAWS) {
-            for _ in 0..200 {
+            for _ in 0..120 {
                 let load = summary.pull_off_load + random.log_between(0.5 * nearest, farthest);
                 let loads: Vec<f64> = (0..8).map(|i| load * (1.0 + 0.1 * f64::from(i))).collect();
                 if let Some(raised) = flags_of(&handle, batch, scalar, &loads) {

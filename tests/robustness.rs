@@ -7,12 +7,18 @@ mod splitmix;
 
 use c_abi::*;
 use splitmix::SplitMix;
+use std::collections::BTreeMap;
 use std::ptr::null_mut;
+use std::sync::{mpsc, Arc, Mutex};
 use std::time::{Duration, Instant};
 
 const SEED: u64 = 0x5eed_c0de;
 /// No call may take longer.
 const LONGEST_CALL: Duration = Duration::from_secs(1);
+/// A surface whose calls together take longer hangs, or nearly so.
+const LONGEST_SURFACE: Duration = Duration::from_secs(8);
+/// So many surfaces that hang are enough to know.
+const MOST_HANGING: usize = 3;
 
 /// Functions by pointer, so that none is inlined into code that looks at the floating-point flags.
 #[derive(Clone, Copy)]
@@ -34,6 +40,8 @@ struct Watched {
     slowest: Duration,
     call: String,
     failures: Vec<String>,
+    /// The call that runs, for who waits for it.
+    running: Option<Arc<Mutex<String>>>,
 }
 
 impl Watched {
@@ -54,6 +62,7 @@ impl Watched {
             slowest: Duration::ZERO,
             call: String::new(),
             failures: Vec::new(),
+            running: None,
         }
     }
 
@@ -61,6 +70,14 @@ impl Watched {
     fn claim(&mut self, holds: bool, failure: impl FnOnce() -> String) {
         if !holds {
             self.failures.push(failure());
+        }
+    }
+
+    /// Takes over what another saw.
+    fn merge(&mut self, other: Self) {
+        self.failures.extend(other.failures);
+        if other.slowest > self.slowest {
+            (self.slowest, self.call) = (other.slowest, other.call);
         }
     }
 
@@ -74,6 +91,9 @@ impl Watched {
     /// A call that must raise no floating-point flag, and end in time. One that seems slow is timed again: the machine
     /// may have been busy elsewhere.
     fn call<T>(&mut self, what: &dyn Fn() -> String, mut call: impl FnMut(Library) -> T) -> T {
+        if let Some(running) = &self.running {
+            *running.lock().expect("no thread panicked") = what();
+        }
         let library = self.library;
         let mut timed = || {
             let start = Instant::now();
@@ -309,7 +329,7 @@ fn one_parameter_of_random_bits_is_refused_or_works() {
             created += 1;
             call_with_random_bits(&mut watched, &mut random, &handle, 4, &params);
         }
-        if created >= 150 {
+        if created >= 80 {
             break;
         }
     }
@@ -332,11 +352,11 @@ fn loads_and_separations_of_random_bits_are_refused_or_work() {
         paper.cap(1e-40),
     ] {
         let handle = Handle::new(&params);
-        call_with_random_bits(&mut watched, &mut random, &handle, 3_000, &params);
+        call_with_random_bits(&mut watched, &mut random, &handle, 1_000, &params);
     }
     for params in [paper.radii(0.9, 0.5), paper.radii(-1.0, 1.0), paper.weibull(5.0).radii(1.0, 2.0)] {
         let handle = Handle::new(&params);
-        call_with_random_bits(&mut watched, &mut random, &handle, 150, &params);
+        call_with_random_bits(&mut watched, &mut random, &handle, 60, &params);
     }
     watched.finish(SEED ^ 2);
 }
@@ -447,7 +467,7 @@ fn check_round_trips(watched: &mut Watched, handle: &Handle, params: &asperity_p
     let summary = handle.summary();
     let pull_off = summary.pull_off_load;
     let scale = -pull_off;
-    let heavy = summary.max_table_load;
+    let heavy = summary.max_table_load.max(scale);
     let mut loads = vec![1e-6 * heavy, 1e-3 * heavy, 0.3 * heavy, 3.0 * heavy];
     if scale > 0.0 {
         loads.extend([pull_off, -0.999 * scale, -0.5 * scale, 0.0, scale, 100.0 * scale]);
@@ -466,7 +486,8 @@ fn check_round_trips(watched: &mut Watched, handle: &Handle, params: &asperity_p
             continue;
         };
         let off = (again.load - load).abs();
-        watched.claim(off <= 1e-9 * load.abs().max(again.attraction_load.abs()), || {
+        // Contacts that push and contacts that pull cancel in a load: its resolution is that of their loads.
+        watched.claim(off <= 1e-9 * load.abs().max(scale).max(again.attraction_load.abs()), || {
             format!("{}: at its separation {:e} the load is {:e}", what(), state.separation, again.load)
         });
         // SAFETY: the model lives.
@@ -477,44 +498,73 @@ fn check_round_trips(watched: &mut Watched, handle: &Handle, params: &asperity_p
     }
 }
 
-/// Creates models of random parameters and checks those that are made, until so many are.
-fn check_surfaces(seed: u64, draws: usize, made: usize, draw: fn(&mut SplitMix) -> asperity_params) {
+/// Creates the model of a surface and checks it; or says why it is refused.
+fn check_surface(watched: &mut Watched, random: &mut SplitMix, params: &asperity_params) -> Result<(), String> {
+    match watched.create(params) {
+        Ok(handle) => {
+            check_round_trips(watched, &handle, params);
+            call_with_random_bits(watched, random, &handle, 2, params);
+            Ok(())
+        }
+        Err(status) => {
+            let message = message();
+            watched.claim(status != INVALID_PARAMETER, || format!("create {params:?}: {message}"));
+            Err(format!("status {status}: {}", message.split(" = ").next().unwrap_or_default()))
+        }
+    }
+}
+
+/// Checks so many random surfaces, each on a thread of its own, so that one that hangs is reported and left behind.
+fn check_surfaces(seed: u64, count: usize, draw: fn(&mut SplitMix) -> asperity_params) {
     let mut random = SplitMix(seed);
     let mut watched = Watched::new();
-    let mut refusals = std::collections::BTreeMap::<String, usize>::new();
-    let mut created = 0;
-    for _ in 0..draws {
+    let mut refusals = BTreeMap::<String, usize>::new();
+    let (mut created, mut hanging) = (0, 0);
+    for _ in 0..count {
         let params = draw(&mut random);
-        match watched.create(&params) {
-            Ok(handle) => {
+        let running = Arc::new(Mutex::new(String::new()));
+        let mut its_watch = Watched { running: Some(Arc::clone(&running)), ..Watched::new() };
+        let mut its_random = SplitMix(random.bits());
+        let (sender, receiver) = mpsc::channel();
+        std::thread::spawn(move || {
+            let answer = check_surface(&mut its_watch, &mut its_random, &params);
+            // Nobody listens any more if it took too long.
+            let _ = sender.send((answer, its_watch));
+        });
+        match receiver.recv_timeout(LONGEST_SURFACE) {
+            Ok((Ok(()), seen)) => {
                 created += 1;
-                check_round_trips(&mut watched, &handle, &params);
-                call_with_random_bits(&mut watched, &mut random, &handle, 2, &params);
+                watched.merge(seen);
             }
-            Err(status) => {
-                assert_ne!(status, INVALID_PARAMETER, "{params:?}: {}", message());
-                let message = message();
-                let name = message.split(" = ").next().unwrap_or_default();
-                *refusals.entry(format!("status {status}: {name}")).or_default() += 1;
+            Ok((Err(refusal), seen)) => {
+                *refusals.entry(refusal).or_default() += 1;
+                watched.merge(seen);
             }
+            Err(mpsc::RecvTimeoutError::Timeout) => {
+                let call = running.lock().expect("no thread panicked").clone();
+                let failure = format!("still running after {LONGEST_SURFACE:?}: {call}, of {params:?}");
+                watched.failures.insert(hanging, failure);
+                hanging += 1;
+            }
+            Err(mpsc::RecvTimeoutError::Disconnected) => watched.failures.push(format!("panicked: {params:?}")),
         }
-        if created == made {
+        if hanging == MOST_HANGING {
             break;
         }
     }
-    println!("{created} created; refused {refusals:?}");
-    assert!(created >= made / 2, "seed {seed:#x}: only {created} models were made, {refusals:?}");
+    println!("{created} created; {hanging} hang; refused {refusals:?}");
+    watched.claim(hanging == MOST_HANGING || 3 * created >= count, || format!("only {created} of {count} are created"));
     watched.finish(seed);
 }
 
 #[test]
 fn realistic_surfaces_in_any_units_are_refused_or_work() {
-    check_surfaces(SEED ^ 5, 2_000, 120, random_real);
+    check_surfaces(SEED ^ 5, 60, random_real);
 }
 
 #[test]
 fn degenerate_surfaces_are_refused_or_work() {
-    check_surfaces(SEED ^ 6, 400, 150, random_corner);
+    check_surfaces(SEED ^ 6, 60, random_corner);
 }
 
 #[test]

@@ -23,9 +23,9 @@ const SLOPE_TOLERANCE: f64 = 1e-9;
 /// The first panels are this wide, in sigma.
 const FIRST_WIDTH: f64 = 2.2;
 /// No more than about this many exact states are spent; what they do not resolve is evaluated exactly when asked for.
-const MOST_SAMPLES: usize = 600;
+const MOST_SAMPLES: usize = 1000;
 /// Panels are not halved below this width, in sigma.
-const NARROWEST: f64 = 0.1;
+const NARROWEST: f64 = 1e-3;
 
 /// What is not found where the load rises with separation already: the branch ends before.
 pub const BRANCH: &str = "load on the branch at separation";
@@ -65,6 +65,8 @@ struct Panel {
     log_force: [f64; CONDITIONS],
     /// Separation in Newton's form, each node once.
     separation: [f64; NODES],
+    /// Whether it meets the exact states between its nodes.
+    good: bool,
 }
 
 /// The curve, from heavy to light load.
@@ -125,7 +127,7 @@ impl Curve {
             let panels = curve.panels.len();
             from = curve.follow(population, equilibrium, from, to, check)?;
             // Wider where one panel did, narrower where it took several.
-            width = if curve.panels.len() == panels + 1 { 1.3 * width } else { (0.7 * width).max(1.0) };
+            width = if curve.panels.len() == panels + 1 { 1.3 * width } else { (0.5 * width).max(NARROWEST) };
         }
         Ok(curve)
     }
@@ -156,16 +158,21 @@ impl Curve {
             },
             _ => self.sample(population, equilibrium, to)?,
         };
+        let mut panel = Panel::new(from.s, end.s, &nodes);
+        // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
         let between = self.sample(population, equilibrium, middle + 0.1 * half)?;
-        let panel = Panel::new(from.s, end.s, &nodes);
-        let good = [from, between, end].iter().all(|sample| panel.is_good(sample));
-        self.samples += NODES + 2;
+        let sparse = panel.separation_at(panel.sparsest()).clamp(from.separation, to);
+        let sparse = self.sample(population, equilibrium, sparse)?;
+        let good = [from, between, sparse, end].iter().all(|sample| panel.is_good(sample));
+        self.samples += NODES + 3;
         if !good && 2.0 * half > NARROWEST && self.samples < MOST_SAMPLES {
             let next = self.follow(population, equilibrium, from, middle, check)?;
             return self.follow(population, equilibrium, next, to, check);
         }
+        panel.good = good;
         self.panels.push(panel);
         check.push(between);
+        check.push(sparse);
         if end.slope.is_finite() {
             check.push(end);
         }
@@ -206,10 +213,14 @@ impl Curve {
         (lower, log(first.highest))
     }
 
-    /// F and d(ln F)/d(ln x) at ln x.
+    /// F and d(ln F)/d(ln x) at ln x; NaN where the curve is not known to be good.
     pub fn at(&self, log_excess: f64) -> (f64, f64) {
         let s = self.coordinate.of(log_excess);
-        let (log_force, slope) = self.panel(s).log_force_at(s);
+        let panel = self.panel(s);
+        if !panel.good {
+            return (f64::NAN, f64::NAN);
+        }
+        let (log_force, slope) = panel.log_force_at(s);
         (self.coordinate.force * log_force.exp(), slope * self.coordinate.rate(s))
     }
 
@@ -255,7 +266,7 @@ impl Panel {
                 separation[i] = (separation[i] - separation[i - 1]) / (nodes[i] - nodes[i - order]);
             }
         }
-        Self { lowest, highest, nodes, log_force, separation }
+        Self { lowest, highest, nodes, log_force, separation, good: false }
     }
 
     /// ln F and its derivative by s.
@@ -275,6 +286,13 @@ impl Panel {
             value = value * (s - self.nodes[i]) + self.separation[i];
         }
         value
+    }
+
+    /// The middle of the widest gap between neighbouring nodes.
+    fn sparsest(&self) -> f64 {
+        let gap = |pair: &[f64]| (pair[1] - pair[0]).abs();
+        let widest = self.nodes.windows(2).max_by(|a, b| gap(a).total_cmp(&gap(b)));
+        widest.map_or(self.lowest, |pair| 0.5 * (pair[0] + pair[1]))
     }
 
     fn is_good(&self, sample: &Sample) -> bool {
