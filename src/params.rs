@@ -223,6 +223,15 @@ impl Params {
                 "work_of_adhesion/(composite_modulus burgers_vector) must be 0 or between 1e-9 and 10",
             )?;
         }
+        if groups.gamma != 0.0 {
+            within(
+                "h/sigma",
+                groups.reach(),
+                0.0,
+                1e6,
+                "adhesion_range/height_std must be at most 1e6: take a rougher surface, or no adhesion",
+            )?;
+        }
         within("b/h", groups.b_over_h, 1e-3, 100.0, "burgers_vector/adhesion_range must be between 1e-3 and 100")?;
         Ok((groups, heights, radius))
     }
