@@ -26,7 +26,7 @@ const LAWS: [(&str, BatchCall, ScalarCall); 2] = [
 fn models() -> Vec<(&'static str, Handle)> {
     let paper = asperity_params::dimensionless(0.01, 1000.0, 0.001, 1.0);
     let mut small_units = paper;
-    // Metres and newtons on an atomic scale.
+    // SI at the size of atoms.
     for (i, scale) in [1e11, 1e11, 10.0, 1e-10, 1e-10, 1e-10, 1e-10, 1e6].into_iter().enumerate() {
         small_units.quantities[i] *= scale;
     }
@@ -310,8 +310,18 @@ fn any_output_may_be_null() {
             let (mut value, mut slope) = (vec![0.0; n], vec![0.0; n]);
             // SAFETY: n elements each, or NULL.
             unsafe {
-                check_status(batch(handle.0, n, loads.as_ptr(), value.as_mut_ptr(), null_mut()), loads, pull_off, context);
-                check_status(batch(handle.0, n, loads.as_ptr(), null_mut(), slope.as_mut_ptr()), loads, pull_off, context);
+                check_status(
+                    batch(handle.0, n, loads.as_ptr(), value.as_mut_ptr(), null_mut()),
+                    loads,
+                    pull_off,
+                    context,
+                );
+                check_status(
+                    batch(handle.0, n, loads.as_ptr(), null_mut(), slope.as_mut_ptr()),
+                    loads,
+                    pull_off,
+                    context,
+                );
                 check_status(batch(handle.0, n, loads.as_ptr(), null_mut(), null_mut()), loads, pull_off, context);
             }
             assert_same(&value, expected.iter().map(|e| e.0), loads, context);
@@ -344,7 +354,8 @@ fn a_load_that_is_not_a_number_gives_a_quiet_nan_and_one_below_pull_off_zero() {
     for (name, handle) in models() {
         let pull_off = handle.summary().pull_off_load;
         for (quantity, batch, scalar) in LAWS {
-            for bits in [0x7ff8_0000_0000_0000_u64, 0x7ff0_0000_0000_0001, 0xfff0_0000_0000_0000, 0x7ff0_0000_0000_0000] {
+            for bits in [0x7ff8_0000_0000_0000_u64, 0x7ff0_0000_0000_0001, 0xfff0_0000_0000_0000, 0x7ff0_0000_0000_0000]
+            {
                 for n in [1, 16] {
                     let load = vec![f64::from_bits(bits); n];
                     let (mut value, mut slope) = (vec![0.0_f64; n], vec![0.0_f64; n]);
@@ -362,8 +373,7 @@ fn a_load_that_is_not_a_number_gives_a_quiet_nan_and_one_below_pull_off_zero() {
                 let load = vec![pull_off.next_down(); n];
                 let (mut value, mut slope) = (vec![1.0_f64; n], vec![1.0_f64; n]);
                 // SAFETY: n elements each.
-                let status =
-                    unsafe { batch(handle.0, n, load.as_ptr(), value.as_mut_ptr(), slope.as_mut_ptr()) };
+                let status = unsafe { batch(handle.0, n, load.as_ptr(), value.as_mut_ptr(), slope.as_mut_ptr()) };
                 assert_eq!(status, SEPARATED, "{quantity}, {name}");
                 assert_eq!((value, slope), (vec![0.0; n], vec![0.0; n]), "{quantity}, {name}");
             }
@@ -421,7 +431,10 @@ fn no_load_raises_a_floating_point_exception() {
             for (quantity, batch, scalar) in std::hint::black_box(LAWS) {
                 for n in [1, 8] {
                     if let Some(raised) = flags_of(handle, batch, scalar, &vec![load; n]) {
-                        failures.push(format!("{quantity}, {name}: {n} times load {load:e} {:#x} {raised}", load.to_bits()));
+                        failures.push(format!(
+                            "{quantity}, {name}: {n} times load {load:e} {:#x} {raised}",
+                            load.to_bits()
+                        ));
                     }
                 }
             }

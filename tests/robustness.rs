@@ -57,7 +57,13 @@ impl Watched {
             set_materials: asperity_params_set_materials,
             set_skew: asperity_params_set_skew,
         };
-        Self { library: std::hint::black_box(library), slowest: Duration::ZERO, call: String::new(), failures: Vec::new(), running: None }
+        Self {
+            library: std::hint::black_box(library),
+            slowest: Duration::ZERO,
+            call: String::new(),
+            failures: Vec::new(),
+            running: None,
+        }
     }
 
     /// Notes a failure; all are looked at before the test fails, so that one run shows every one.
@@ -202,7 +208,7 @@ fn random_bits(random: &mut SplitMix) -> asperity_params {
     params
 }
 
-/// A loaded surface in a system of units that is not SI, one of whose numbers may be far off.
+/// An engineering surface in a random system of units, one of whose numbers may be far off.
 fn random_real(random: &mut SplitMix) -> asperity_params {
     let mut params = asperity_params::initial();
     let modulus = random.log_between(1e6, 1e12);
@@ -249,7 +255,8 @@ fn random_corner(random: &mut SplitMix) -> asperity_params {
     let b_over_h = end(1e-3, 100.0);
     let shape = end(0.3, 1e6);
     let rate = end(1e-3, 1e3);
-    let mut params = asperity_params::dimensionless(alpha, beta, if random.chance(0.1) { 0.0 } else { gamma }, b_over_h);
+    let mut params =
+        asperity_params::dimensionless(alpha, beta, if random.chance(0.1) { 0.0 } else { gamma }, b_over_h);
     if random.chance(0.6) {
         params = params.weibull(shape);
     }
@@ -262,7 +269,13 @@ fn random_corner(random: &mut SplitMix) -> asperity_params {
 }
 
 /// Calls of every kind on a model, with loads and separations of random bits.
-fn call_with_random_bits(watched: &mut Watched, random: &mut SplitMix, handle: &Handle, count: usize, params: &asperity_params) {
+fn call_with_random_bits(
+    watched: &mut Watched,
+    random: &mut SplitMix,
+    handle: &Handle,
+    count: usize,
+    params: &asperity_params,
+) {
     for _ in 0..count {
         let x = random.any_float();
         let what = || format!("load or separation {x:e} ({:#x}), {params:?}", x.to_bits());
@@ -306,11 +319,6 @@ fn one_parameter_of_random_bits_is_refused_or_works() {
         match case % 16 {
             i if i < 8 => params.quantities[i] = value,
             i => params.constants[i - 8] = value,
-        }
-        let bits = value.to_bits();
-        // A number that is ignored or small enough to be harmless is no longer interesting after a few.
-        if case >= 200 && params.quantities[2] == 0.0 && bits >> 52 == 0 {
-            continue;
         }
         if let Ok(handle) = watched.create(&params) {
             created += 1;

@@ -38,22 +38,22 @@ impl SplitMix {
     /// A float of random bits: half of them of any exponent, half from the few that code goes wrong with.
     pub fn any_float(&mut self) -> f64 {
         const SPECIAL: [u64; 16] = [
-            0,                       // 0
-            1 << 63,                 // -0
-            1,                       // the smallest denormal
-            (1 << 63) | 1,           //
-            0x000f_ffff_ffff_ffff,   // the largest denormal
-            0x0010_0000_0000_0000,   // the smallest normal
-            0x7fef_ffff_ffff_ffff,   // the largest
-            0xffef_ffff_ffff_ffff,   //
-            0x7ff0_0000_0000_0000,   // infinity
-            0xfff0_0000_0000_0000,   //
-            0x7ff8_0000_0000_0000,   // quiet NaN
-            0x7ff0_0000_0000_0001,   // signalling NaN
-            0xfff0_0000_dead_beef,   //
-            0x3ff0_0000_0000_0000,   // 1
-            0xbff0_0000_0000_0000,   //
-            0x7ff7_ffff_ffff_ffff,   // signalling NaN
+            0,                     // 0
+            1 << 63,               // -0
+            1,                     // the smallest denormal
+            (1 << 63) | 1,         //
+            0x000f_ffff_ffff_ffff, // the largest denormal
+            0x0010_0000_0000_0000, // the smallest normal
+            0x7fef_ffff_ffff_ffff, // the largest
+            0xffef_ffff_ffff_ffff, //
+            0x7ff0_0000_0000_0000, // infinity
+            0xfff0_0000_0000_0000, //
+            0x7ff8_0000_0000_0000, // quiet NaN
+            0x7ff0_0000_0000_0001, // signalling NaN
+            0xfff0_0000_dead_beef, //
+            0x3ff0_0000_0000_0000, // 1
+            0xbff0_0000_0000_0000, //
+            0x7ff7_ffff_ffff_ffff, // signalling NaN
         ];
         if self.chance(0.5) {
             f64::from_bits(self.bits())
