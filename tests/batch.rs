@@ -26,7 +26,7 @@ const LAWS: [(&str, BatchCall, ScalarCall); 2] = [
 fn models() -> Vec<(&'static str, Handle)> {
     let paper = asperity_params::dimensionless(0.01, 1000.0, 0.001, 1.0);
     let mut small_units = paper;
-    // Metres and newtons on an atomic scale.
+    // SI at the size of atoms.
     for (i, scale) in [1e11, 1e11, 10.0, 1e-10, 1e-10, 1e-10, 1e-10, 1e6].into_iter().enumerate() {
         small_units.quantities[i] *= scale;
     }

@@ -43,7 +43,7 @@ fn random_models(seed: u64, count: usize) -> Vec<Model> {
     models
 }
 
-/// Whether the two ends of the table are loads at which something is left to compare.
+/// The range of load - pull-off in which table and exact evaluation are compared.
 fn excess_range(model: &Model) -> (f64, f64) {
     let summary = model.summary();
     let nearest = summary.min_table_load - summary.pull_off_load;
@@ -186,7 +186,7 @@ fn friction_force_grows_with_load() {
                 x *= factor;
             }
         };
-        // The table, with a load just before and after every edge; and across its two ends, evaluated exactly beyond.
+        // The table; then across its two ends, beyond which loads are evaluated exactly.
         sweep(1.0 + 1.0 / 512.0, nearest, farthest);
         let smallest = (4.0 * f64::EPSILON * -pull_off).max(1e-3 * nearest);
         sweep(1.5, smallest, 10.0 * nearest);
