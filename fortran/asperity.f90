@@ -392,7 +392,7 @@ module asperity
     generic, public :: friction_force_at_load => force_rank_0, force_rank_1, force_rank_2, force_rank_3
 
     ! mu = law%friction_at_pressure(pressure, nominal_area [, slope] [, stat] [, errmsg])
-    !   pressure      real(c_double), intent(in) [stress], positive in compression; not beyond 1e200
+    !   pressure      real(c_double), intent(in) [stress], positive in compression; not beyond 1e120
     !   nominal_area  real(c_double), intent(in) [length^2], 1e-60 to 1e60: the area that carries asperity_count
     !                 summits; the area of a mesh or of an integration point plays no part
     !   mu            real(c_double) [-]: friction_at_load of pressure times nominal_area
@@ -865,7 +865,7 @@ contains
     if (.not. is_allowed(nominal_area)) then
       call report_refused('nominal_area', nominal_area, FROM_TO, ASPERITY_INVALID_PARAMETER, stat, errmsg)
     else if (size_bits(pressure) > size_bits(LARGEST * LARGEST)) then
-      call report_refused('pressure', pressure, 'finite and not beyond 1e200', ASPERITY_INVALID_LOAD, stat, errmsg)
+      call report_refused('pressure', pressure, 'finite and not beyond 1e120', ASPERITY_INVALID_LOAD, stat, errmsg)
     else
       call report_at_load(self, pressure * nominal_area, stat, errmsg)
     end if

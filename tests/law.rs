@@ -97,7 +97,10 @@ fn the_table_agrees_with_exact_evaluation() {
                 let exact = exact.friction_force;
                 format!("load {load:e}: force {force:e}, exactly {exact:e}, error {error:e}; {:?}", model.params())
             });
-            failures.claim(slope_error <= 1e-8, || {
+            // So near to pull-off dP/dd is a difference of integrals that cancel to a part in 10^5 and less: it is the
+            // exact slope that is known no better.
+            let near_pull_off = load - summary.pull_off_load < -1e-7 * summary.pull_off_load;
+            failures.claim(slope_error <= if near_pull_off { 1e-7 } else { 1e-8 }, || {
                 let exact = exact.dforce_dload;
                 format!(
                     "load {load:e}: slope {slope:e}, exactly {exact:e}, error {slope_error:e}; {:?}",

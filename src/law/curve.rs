@@ -22,10 +22,14 @@ const VALUE_TOLERANCE: f64 = 1e-11;
 const SLOPE_TOLERANCE: f64 = 1e-9;
 /// The first panels are this wide, in sigma.
 const FIRST_WIDTH: f64 = 2.2;
-/// No more than about this many exact states are spent; what they do not resolve is evaluated exactly when asked for.
-const MOST_SAMPLES: usize = 1000;
-/// Panels are not halved below this width, in sigma.
+/// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
+const MOST_SAMPLES: usize = 800;
+/// The narrowest first attempt, in sigma.
 const NARROWEST: f64 = 1e-3;
+/// A panel is halved this often at most, and the one that ends at pull-off, where load may change steeply, so often:
+/// what is then not resolved (a height density whose foot passes the edge of contact, say) is evaluated exactly.
+const MOST_HALVINGS: u32 = 5;
+const MOST_HALVINGS_AT_END: u32 = 12;
 
 /// What is not found where the load rises with separation already: the branch ends before.
 pub const BRANCH: &str = "load on the branch at separation";
@@ -119,13 +123,16 @@ impl Curve {
         let lightest = from.log_excess - log_range;
         check.push(from);
         let mut width = FIRST_WIDTH;
-        while from.separation < end && (log_pull_off.is_some() || from.log_excess > lightest) {
+        while from.separation < end
+            && (log_pull_off.is_some() || from.log_excess > lightest)
+            && curve.samples < MOST_SAMPLES
+        {
             let mut to = from.separation + width.max(0.4 * -from.separation);
-            if to + 0.25 * width > end || curve.samples > MOST_SAMPLES {
+            if to + 0.25 * width > end {
                 to = end;
             }
             let panels = curve.panels.len();
-            from = curve.follow(population, equilibrium, from, to, check)?;
+            from = curve.follow(population, equilibrium, from, to, 0, check)?;
             // Wider where one panel did, narrower where it took several.
             width = if curve.panels.len() == panels + 1 { 1.3 * width } else { (0.5 * width).max(NARROWEST) };
         }
@@ -139,6 +146,7 @@ impl Curve {
         equilibrium: &Equilibrium,
         from: Sample,
         to: f64,
+        halvings: u32,
         check: &mut Vec<Sample>,
     ) -> Result<Sample, Error> {
         let (middle, half) = (0.5 * (from.separation + to), 0.5 * (to - from.separation));
@@ -165,9 +173,10 @@ impl Curve {
         let sparse = self.sample(population, equilibrium, sparse)?;
         let good = [from, between, sparse, end].iter().all(|sample| panel.is_good(sample));
         self.samples += NODES + 3;
-        if !good && 2.0 * half > NARROWEST && self.samples < MOST_SAMPLES {
-            let next = self.follow(population, equilibrium, from, middle, check)?;
-            return self.follow(population, equilibrium, next, to, check);
+        let most = if to == equilibrium.farthest() { MOST_HALVINGS_AT_END } else { MOST_HALVINGS };
+        if !good && halvings < most && self.samples < MOST_SAMPLES {
+            let next = self.follow(population, equilibrium, from, middle, halvings + 1, check)?;
+            return self.follow(population, equilibrium, next, to, halvings + 1, check);
         }
         panel.good = good;
         self.panels.push(panel);
