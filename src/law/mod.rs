@@ -176,7 +176,7 @@ impl Law {
                 *coefficient *= scale;
                 scale /= width;
             }
-            if excess > 1.0 || excess.is_nan() {
+            if excess > 1.0 || scaled.iter().any(|coefficient| coefficient.is_nan()) {
                 scaled[0] = f64::NAN;
             }
             rows.push(Row(scaled));
