@@ -210,8 +210,10 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
     step = SCAN_STEP;
     while here < farthest {
         let next = here + step;
-        if !falls(population, next) {
-            if !load_is_negative_beyond(population, next) {
+        let sums = population.at_separation(next);
+        if sums.load_slope >= 0.0 {
+            // The slope vanishes also where nothing is left; past a minimum the load is negative.
+            if sums.load() >= 0.0 {
                 return None;
             }
             return Some(if single { (here, next) } else { first_bracket(population, here, next) });
@@ -235,9 +237,4 @@ fn first_bracket(population: &Population, lower: f64, upper: f64) -> (f64, f64) 
 /// Whether the load falls as separation grows.
 fn falls(population: &Population, separation: f64) -> bool {
     population.at_separation(separation).load_slope < 0.0
-}
-
-/// Whether the slope vanishes because a minimum was passed, and not because nothing is left.
-fn load_is_negative_beyond(population: &Population, separation: f64) -> bool {
-    population.at_separation(separation).load() < 0.0
 }

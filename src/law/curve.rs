@@ -100,8 +100,8 @@ impl Coordinate {
 }
 
 impl Curve {
-    /// Follows the branch from heavy load down to pull-off, or down to `decades` below the heaviest load. Hands every exact
-    /// state that is not a node to `check`.
+    /// Follows the branch from heavy load down to pull-off, or through `log_range` of ln(load) without one. Hands every
+    /// exact state that is not a node to `check`.
     ///
     /// # Errors
     /// [`Error::NotConverged`] where the branch cannot be followed.

@@ -29,8 +29,6 @@ const VALUE_TOLERANCE: f64 = 5e-11;
 const SLOPE_TOLERANCE: f64 = 5e-9;
 
 const MANTISSA_BITS: u32 = 52;
-const MANTISSA_MASK: u64 = Table::MANTISSA;
-const ONE: u64 = Table::ONE;
 
 /// One row: coefficients of powers of (mantissa of x - mantissa where the row begins). The first is NaN where the row
 /// is left out.
@@ -141,7 +139,7 @@ impl Law {
         let at = |row: u64, part: f64| {
             let bits = row << self.shift;
             let start = f64::from_bits(bits);
-            let binade = f64::from_bits(bits & !MANTISSA_MASK);
+            let binade = f64::from_bits(bits & !Table::MANTISSA);
             let x = start + part * width * binade;
             let (force, log_slope) = self.curve.at((x / scales.load).ln());
             let force = scales.force * force;
@@ -154,7 +152,7 @@ impl Law {
         let mut left = at(self.base, 0.0);
         for row in self.base..self.base + count as u64 {
             let right = at(row + 1, 0.0);
-            let right_slope = if (row + 1) << self.shift & MANTISSA_MASK == 0 { 0.5 * right.1 } else { right.1 };
+            let right_slope = if (row + 1) << self.shift & Table::MANTISSA == 0 { 0.5 * right.1 } else { right.1 };
             let interior = RowBasis::INTERIOR.map(|part| at(row, part).0);
             let coefficients = basis.coefficients(left, (right.0, right_slope), interior);
             // Between the points that determine the row.
@@ -224,10 +222,10 @@ impl Law {
     fn at_excess(&self, x: f64) -> Option<(f64, f64)> {
         let row = &self.rows[self.row_of(x)?].0;
         let bits = x.to_bits();
-        let t = f64::from_bits(bits & within_row(self.shift) | ONE) - 1.0;
+        let t = f64::from_bits(bits & within_row(self.shift) | Table::ONE) - 1.0;
         let (force, rate) = polynomial(row, t);
         // 1/2^exponent: dF/dx = dF/d(mantissa) / 2^exponent
-        let inverse_binade = f64::from_bits(Table::TWICE_BIAS - (bits & !MANTISSA_MASK));
+        let inverse_binade = f64::from_bits(Table::TWICE_BIAS - (bits & !Table::MANTISSA));
         (!force.is_nan()).then_some((force, rate * inverse_binade))
     }
 
