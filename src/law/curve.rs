@@ -3,7 +3,7 @@
 //! The coordinate is s = arsinh((x/|pull-off|)^(1/2)) with x = load - pull-off: near pull-off, where load has its
 //! minimum over separation, it is linear in separation, far from it logarithmic in load; without adhesion it is
 //! ln(x)/2. In it ln F is smooth on the whole branch. Panels of exact states at Chebyshev points, each with its slope,
-//! are joined by Hermite interpolation, and a panel that misses the exact states between its nodes is halved.
+//! are joined by Hermite interpolation; a panel that misses the exact states between its nodes is tried again shorter.
 
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
@@ -20,16 +20,20 @@ const LOG_ABOVE_PULL_OFF: f64 = 9.0;
 /// Largest error of ln F, and of its slope relative to the slope, at which a panel is good.
 const VALUE_TOLERANCE: f64 = 1e-11;
 const SLOPE_TOLERANCE: f64 = 1e-9;
-/// The first panels are this wide, in sigma.
-const FIRST_WIDTH: f64 = 2.2;
+/// No panel is wider than this, in sigma, or than this part of the separation where that is larger.
+const WIDEST: f64 = 2.2;
+const WIDEST_PART: f64 = 0.4;
+/// The panel that ends at pull-off spans no more of s than this; each one before takes this part of the way there.
+const LONGEST_LAST: f64 = 1.6;
+const PART_OF_THE_WAY: f64 = 0.55;
+/// A panel as much better than the tolerance is followed by one twice as wide.
+const MUCH_BETTER: f64 = 0.03;
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
 const MOST_SAMPLES: usize = 800;
-/// The narrowest first attempt, in sigma.
-const NARROWEST: f64 = 1e-3;
-/// A panel is halved this often at most, and the one that ends at pull-off, where load may change steeply, so often:
-/// what is then not resolved (a height density whose foot passes the edge of contact, say) is evaluated exactly.
-const MOST_HALVINGS: u32 = 5;
-const MOST_HALVINGS_AT_END: u32 = 12;
+/// The narrowest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved (a
+/// height density whose foot passes the edge of contact, say) is evaluated exactly.
+const NARROWEST: f64 = 0.05;
+const NARROWEST_AT_END: f64 = 5e-4;
 
 /// What is not found where the load rises with separation already: the branch ends before.
 pub const BRANCH: &str = "load on the branch at separation";
@@ -71,6 +75,15 @@ struct Panel {
     separation: [f64; NODES],
     /// Whether it meets the exact states between its nodes.
     good: bool,
+}
+
+/// A panel with the exact states that it was compared with.
+struct Attempt {
+    panel: Panel,
+    between: [Sample; 2],
+    end: Sample,
+    /// The largest error over its tolerance.
+    excess: f64,
 }
 
 /// The curve, from heavy to light load.
@@ -122,33 +135,43 @@ impl Curve {
         }
         let lightest = from.log_excess - log_range;
         check.push(from);
-        let mut width = FIRST_WIDTH;
-        while from.separation < end
-            && (log_pull_off.is_some() || from.log_excess > lightest)
-            && curve.samples < MOST_SAMPLES
-        {
-            let mut to = from.separation + width.max(0.4 * -from.separation);
-            if to + 0.25 * width > end {
-                to = end;
+        let mut width = f64::MAX;
+        while from.separation < end && from.log_excess > lightest && curve.samples < MOST_SAMPLES {
+            let remaining = end - from.separation;
+            let is_last = log_pull_off.is_none() || from.s <= LONGEST_LAST;
+            let length = (if is_last { remaining } else { PART_OF_THE_WAY * remaining })
+                .min(width)
+                .min(WIDEST.max(WIDEST_PART * from.separation.abs()));
+            let to = if length < remaining { from.separation + length } else { end };
+            let attempt = curve.attempt(population, equilibrium, from, to)?;
+            let excess = attempt.excess;
+            let narrowest = (0.2 * remaining).clamp(NARROWEST_AT_END, NARROWEST);
+            if excess <= 1.0 {
+                width = if excess < MUCH_BETTER { 2.0 * length } else { length };
+            } else if length > narrowest {
+                // As the error of so many conditions grows with length.
+                let shorter = 0.9 * excess.powf(-1.0 / CONDITIONS as f64);
+                width = (shorter.clamp(0.25, 0.8) * length).max(narrowest);
+                continue;
             }
-            let panels = curve.panels.len();
-            from = curve.follow(population, equilibrium, from, to, 0, check)?;
-            // Wider where one panel did, narrower where it took several.
-            width = if curve.panels.len() == panels + 1 { 1.3 * width } else { (0.5 * width).max(NARROWEST) };
+            curve.panels.push(attempt.panel);
+            check.extend(attempt.between);
+            if attempt.end.slope.is_finite() {
+                check.push(attempt.end);
+            }
+            from = attempt.end;
         }
         Ok(curve)
     }
 
-    /// Adds the panel between two separations, halved as often as it takes; returns the state at its end.
-    fn follow(
+    /// A panel between two separations, and how well it meets the exact states that are not its nodes.
+    fn attempt(
         &mut self,
         population: &Population,
         equilibrium: &Equilibrium,
         from: Sample,
         to: f64,
-        halvings: u32,
-        check: &mut Vec<Sample>,
-    ) -> Result<Sample, Error> {
+    ) -> Result<Attempt, Error> {
         let (middle, half) = (0.5 * (from.separation + to), 0.5 * (to - from.separation));
         let mut nodes = [from; NODES];
         for (j, node) in nodes.iter_mut().enumerate() {
@@ -171,21 +194,10 @@ impl Curve {
         let between = self.sample(population, equilibrium, middle + 0.1 * half)?;
         let sparse = panel.separation_at(panel.sparsest()).clamp(from.separation, to);
         let sparse = self.sample(population, equilibrium, sparse)?;
-        let good = [from, between, sparse, end].iter().all(|sample| panel.is_good(sample));
         self.samples += NODES + 3;
-        let most = if to == equilibrium.farthest() { MOST_HALVINGS_AT_END } else { MOST_HALVINGS };
-        if !good && halvings < most && self.samples < MOST_SAMPLES {
-            let next = self.follow(population, equilibrium, from, middle, halvings + 1, check)?;
-            return self.follow(population, equilibrium, next, to, halvings + 1, check);
-        }
-        panel.good = good;
-        self.panels.push(panel);
-        check.push(between);
-        check.push(sparse);
-        if end.slope.is_finite() {
-            check.push(end);
-        }
-        Ok(end)
+        let excess = [from, between, sparse, end].iter().map(|sample| panel.excess(sample)).fold(0.0, largest);
+        panel.good = excess <= 1.0;
+        Ok(Attempt { panel, between: [between, sparse], end, excess })
     }
 
     fn sample(&self, population: &Population, equilibrium: &Equilibrium, separation: f64) -> Result<Sample, Error> {
@@ -304,9 +316,22 @@ impl Panel {
         widest.map_or(self.lowest, |pair| 0.5 * (pair[0] + pair[1]))
     }
 
-    fn is_good(&self, sample: &Sample) -> bool {
+    /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number.
+    fn excess(&self, sample: &Sample) -> f64 {
         let (value, slope) = self.log_force_at(sample.s);
-        (value - sample.log_force).abs() <= VALUE_TOLERANCE
-            && (sample.slope.is_nan() || (slope - sample.slope).abs() <= SLOPE_TOLERANCE * sample.slope.abs())
+        let value_excess = (value - sample.log_force).abs() / VALUE_TOLERANCE;
+        if sample.slope.is_nan() {
+            return value_excess; // at pull-off itself
+        }
+        largest(value_excess, (slope / sample.slope - 1.0).abs() / SLOPE_TOLERANCE)
+    }
+}
+
+/// The larger of two numbers, infinite if either is not one.
+fn largest(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::INFINITY
+    } else {
+        a.max(b)
     }
 }

@@ -480,7 +480,7 @@ impl Population {
                 there = cut;
             }
             sink.panel(&here, &there);
-            if curve > LONG_CURVE * length && self.clearance(&here) > length {
+            if !constant_radius && curve > LONG_CURVE * length && self.clearance(&here) > length {
                 let guess = Guess::new(&here, &there, direction * length);
                 for (rise, weight) in gauss_legendre::nodes(0.0, direction * length) {
                     let point = self.point(&here, rise, guess.at(rise / (direction * length)));
