@@ -8,6 +8,7 @@
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::population::Population;
+use std::f64::consts::LN_2;
 
 /// Exact states per panel.
 const NODES: usize = 10;
@@ -96,19 +97,17 @@ pub struct Curve {
 }
 
 impl Coordinate {
-    fn of(self, log_excess: f64) -> f64 {
-        match self.log_pull_off {
-            Some(log_pull_off) => (0.5 * (log_excess - log_pull_off)).exp().asinh(),
-            None => 0.5 * log_excess,
+    /// s and ds/d(ln x) at ln x.
+    fn at(self, log_excess: f64) -> (f64, f64) {
+        let Some(log_pull_off) = self.log_pull_off else {
+            return (0.5 * log_excess, 0.5);
+        };
+        let sinh = (0.5 * (log_excess - log_pull_off)).exp();
+        if sinh > 1e9 {
+            return (LN_2 + 0.5 * (log_excess - log_pull_off), 0.5);
         }
-    }
-
-    /// ds/d(ln x).
-    fn rate(self, s: f64) -> f64 {
-        match self.log_pull_off {
-            Some(_) => 0.5 * s.tanh(),
-            None => 0.5,
-        }
+        let cosh = (1.0 + sinh * sinh).sqrt();
+        ((sinh + sinh * sinh / (1.0 + cosh)).ln_1p(), 0.5 * sinh / cosh)
     }
 }
 
@@ -205,14 +204,14 @@ impl Curve {
         if !(rate < 0.0 && sums.friction > 0.0) {
             return Err(Error::NotConverged { what: BRANCH, value: separation });
         }
-        let s = self.coordinate.of(log_excess);
+        let (s, s_rate) = self.coordinate.at(log_excess);
         let log_slope = sums.friction_slope / sums.friction / rate;
         Ok(Sample {
             separation,
             log_excess,
             s,
             log_force: (sums.friction / self.coordinate.force).ln() + sums.log_scale,
-            slope: log_slope / self.coordinate.rate(s),
+            slope: log_slope / s_rate,
             log_slope,
         })
     }
@@ -234,15 +233,18 @@ impl Curve {
         (lower, log(first.highest))
     }
 
-    /// F and d(ln F)/d(ln x) at ln x; NaN where the curve is not known to be good.
-    pub fn at(&self, log_excess: f64) -> (f64, f64) {
-        let s = self.coordinate.of(log_excess);
-        let panel = self.panel(s);
-        if !panel.good {
-            return (f64::NAN, f64::NAN);
-        }
-        let (log_force, slope) = panel.log_force_at(s);
-        (self.coordinate.force * log_force.exp(), slope * self.coordinate.rate(s))
+    /// F and d(ln F)/d(ln x) at neighbouring ln x; NaN where the curve is not known to be good.
+    pub fn at<const N: usize>(&self, log_excess: [f64; N]) -> [(f64, f64); N] {
+        let coordinates = log_excess.map(|log_excess| self.coordinate.at(log_excess));
+        let s = coordinates.map(|(s, _)| s);
+        // Mostly one panel holds all: then they are evaluated side by side.
+        let panel = self.panel(s[0]);
+        let log_force = if s.iter().all(|&s| std::ptr::eq(self.panel(s), panel)) {
+            panel.log_force_at(s)
+        } else {
+            s.map(|s| self.panel(s).log_force_at([s])[0])
+        };
+        std::array::from_fn(|i| (self.coordinate.force * log_force[i].0.exp(), log_force[i].1 * coordinates[i].1))
     }
 
     /// F of an exact state.
@@ -252,7 +254,7 @@ impl Curve {
 
     /// The separation at ln x, to a few digits, where the curve covers it.
     pub fn separation(&self, log_excess: f64) -> Option<f64> {
-        let s = self.coordinate.of(log_excess);
+        let (s, _) = self.coordinate.at(log_excess);
         let panel = self.panel(s);
         (s >= panel.lowest && s <= panel.highest).then(|| panel.separation_at(s))
     }
@@ -290,15 +292,26 @@ impl Panel {
         Self { lowest, highest, nodes, log_force, separation, good: false }
     }
 
-    /// ln F and its derivative by s.
-    fn log_force_at(&self, s: f64) -> (f64, f64) {
-        let (mut value, mut slope) = (self.log_force[CONDITIONS - 1], 0.0);
-        for i in (0..CONDITIONS - 1).rev() {
-            let distance = s - self.nodes[i / 2];
-            slope = slope * distance + value;
-            value = value * distance + self.log_force[i];
+    /// ln F and its derivative by s; NaN where the panel is not known to be good.
+    fn log_force_at<const N: usize>(&self, s: [f64; N]) -> [(f64, f64); N] {
+        if !self.good {
+            return [(f64::NAN, f64::NAN); N];
         }
-        (value, slope)
+        self.interpolated(s)
+    }
+
+    /// ln F and its derivative by s, good or not.
+    fn interpolated<const N: usize>(&self, s: [f64; N]) -> [(f64, f64); N] {
+        let mut value = [self.log_force[CONDITIONS - 1]; N];
+        let mut slope = [0.0; N];
+        for i in (0..CONDITIONS - 1).rev() {
+            for k in 0..N {
+                let distance = s[k] - self.nodes[i / 2];
+                slope[k] = slope[k] * distance + value[k];
+                value[k] = value[k] * distance + self.log_force[i];
+            }
+        }
+        std::array::from_fn(|k| (value[k], slope[k]))
     }
 
     fn separation_at(&self, s: f64) -> f64 {
@@ -318,7 +331,7 @@ impl Panel {
 
     /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number.
     fn excess(&self, sample: &Sample) -> f64 {
-        let (value, slope) = self.log_force_at(sample.s);
+        let [(value, slope)] = self.interpolated([sample.s]);
         let value_excess = (value - sample.log_force).abs() / VALUE_TOLERANCE;
         if sample.slope.is_nan() {
             return value_excess; // at pull-off itself
