@@ -27,8 +27,8 @@ const WIDEST_PART: f64 = 0.4;
 /// The panel that ends at pull-off spans no more of s than this; each one before takes this part of the way there.
 const LONGEST_LAST: f64 = 1.6;
 const PART_OF_THE_WAY: f64 = 0.55;
-/// A panel as much better than the tolerance is followed by one twice as wide.
-const MUCH_BETTER: f64 = 0.03;
+/// How much wider the next panel is tried after an error of less than this part of the tolerance.
+const GROWTH: [(f64, f64); 2] = [(0.03, 2.0), (0.5, 1.5)];
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
 const MOST_SAMPLES: usize = 800;
 /// The narrowest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved (a
@@ -135,23 +135,36 @@ impl Curve {
         let lightest = from.log_excess - log_range;
         check.push(from);
         let mut width = f64::MAX;
+        // A separation before which the curve is not smooth, and whether the last attempt failed.
+        let (mut obstacle, mut failed) = (None, false);
         while from.separation < end && from.log_excess > lightest && curve.samples < MOST_SAMPLES {
             let remaining = end - from.separation;
+            let narrowest = (0.2 * remaining).clamp(NARROWEST_AT_END, NARROWEST);
             let is_last = log_pull_off.is_none() || from.s <= LONGEST_LAST;
             let length = (if is_last { remaining } else { PART_OF_THE_WAY * remaining })
                 .min(width)
+                .min(obstacle.map_or(f64::MAX, |obstacle: f64| (0.5 * (obstacle - from.separation)).max(narrowest)))
                 .min(WIDEST.max(WIDEST_PART * from.separation.abs()));
             let to = if length < remaining { from.separation + length } else { end };
             let attempt = curve.attempt(population, equilibrium, from, to)?;
             let excess = attempt.excess;
-            let narrowest = (0.2 * remaining).clamp(NARROWEST_AT_END, NARROWEST);
             if excess <= 1.0 {
-                width = if excess < MUCH_BETTER { 2.0 * length } else { length };
+                let growth = GROWTH.iter().find(|&&(part, _)| excess < part).map_or(1.0, |&(_, growth)| growth);
+                width = growth * length;
             } else if length > narrowest {
                 // As the error of so many conditions grows with length.
                 let shorter = 0.9 * excess.powf(-1.0 / CONDITIONS as f64);
                 width = (shorter.clamp(0.25, 0.8) * length).max(narrowest);
+                // What is smooth needs no second try.
+                if failed {
+                    obstacle = Some(to);
+                }
+                failed = true;
                 continue;
+            }
+            failed = false;
+            if obstacle.is_some_and(|obstacle| to >= obstacle) {
+                obstacle = None;
             }
             curve.panels.push(attempt.panel);
             check.extend(attempt.between);

@@ -75,9 +75,9 @@ impl Filling<'_> {
             points
         };
         let mut error = 0.0_f64;
-        let mut rows = Vec::with_capacity((range.end() + 1 - range.start()) as usize);
+        let mut rows = Vec::with_capacity((range.end() + 1).saturating_sub(*range.start()) as usize);
         let mut left = at(range.start() - 1)[7];
-        if range.start() % per_binade == 0 {
+        if range.start().is_multiple_of(per_binade) {
             left.1 *= 2.0;
         }
         for row in range {
@@ -107,7 +107,10 @@ impl Filling<'_> {
             }
             rows.push(filled);
             // In the next binade the same part of a row is twice as long.
-            left = if (row + 1) % per_binade == 0 { (right.0, 2.0 * right.1) } else { right };
+            left = if (row + 1).is_multiple_of(per_binade) { (right.0, 2.0 * right.1) } else { right };
+        }
+        if rows.is_empty() {
+            rows.push(Row([f64::NAN; COEFFICIENTS])); // no table is without a row
         }
         (rows, error)
     }
