@@ -28,12 +28,18 @@ use density::Density;
 use nodes::Nodes;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// One panel reaches from theta to no less than this fraction of it: u(theta) has its singularity at 0.
-const THETA_RATIO: f64 = 0.6;
+/// A panel in theta reaches from theta to no less than this fraction of it: u(theta) has its singularity at 0...
+const THETA_RATIO: f64 = 0.4;
+/// ...and spans no more of the heights than this, in sigma, or this part of where their density is smooth: in theta the
+/// density is a steep function of theta^-3.
+const THETA_SPAN: f64 = 0.15;
+/// A panel in height is no longer than this many times the distance to break-away, where theta(u) is singular.
+const HEIGHT_RATIO: f64 = 1.5;
 /// One panel of attraction with varying radius spans no more than this ratio of sqrt(gap terms).
 const CIRCLE_RATIO: f64 = 4.0;
-/// Where the contact curve is this many panels long, height itself serves as the variable.
-const LONG_CURVE: f64 = 1.5;
+/// Over a panel across which theta changes less than by this factor, it serves as well as the height, and with equal
+/// radii its nodes need no solution of their contact's overlap.
+const SHORT_RATIO: f64 = 0.8;
 /// No sum needs as many panels; it bounds the time of a call.
 const MOST_PANELS: usize = 4000;
 
@@ -155,8 +161,8 @@ impl Guess {
 
 /// What walks the panels hands its nodes to.
 trait Sink {
-    /// A panel begins; all its nodes follow.
-    fn panel(&mut self, _from: &Point, _to: &Point) {}
+    /// A panel begins, up to this point; all its nodes follow.
+    fn panel(&mut self, _end: &Point, _by_height: bool) {}
     /// A node: its height, its weight without the density, and the contact there.
     fn node(&mut self, z: f64, weight: f64, contact: &Contact);
 }
@@ -373,7 +379,8 @@ impl Population {
                 return;
             }
             let from_start = z_from >= lower;
-            if from_start && self.heights.is_smooth(z_from, z_to) {
+            let roughest = if panel.by_height { 1.0 } else { THETA_SPAN };
+            if from_start && self.heights.roughness(z_from, z_to, sums.log_scale) <= roughest {
                 for node in panel.nodes() {
                     let density = density.at(separation + node.overlap, node.overlap);
                     sums.add_contact(node.weight * density, &node.summit);
@@ -407,7 +414,7 @@ impl Population {
 
     /// Where the range begins at the foot of the distribution, sums a first panel in which the power law of the
     /// density is smooth; returns where it ends.
-    fn above_foot(&self, start: Point, upper: f64, sink: &mut impl Sink) -> Point {
+    fn above_foot(&self, start: Point, upper: f64, sink: &mut Summing) -> Point {
         let Some(panel) = self.foot_panel(start.z, upper, || self.clearance(&start)) else {
             return start;
         };
@@ -436,28 +443,28 @@ impl Population {
         Some(FootPanel { length, power })
     }
 
-    /// How far from z towards `end` a panel may reach, as far as heights and radii go.
-    fn smooth_length(&self, z: f64, upwards: bool) -> f64 {
+    /// How far from z upwards or downwards a panel may reach, as far as heights and radii go, in a sum of this scale.
+    fn smooth_length(&self, z: f64, upwards: bool, log_scale: f64) -> f64 {
+        let above = |z: f64| self.heights.smooth_length(z, log_scale).min(self.radius.smooth_length(z));
         if upwards {
-            self.heights.smooth_length(z).min(self.radius.smooth_length(z))
-        } else {
-            // Going down, what lies below is nearer: the distance that z would allow going up, less itself.
-            let mut length = 1.0_f64;
-            for _ in 0..60 {
-                let below = z - length;
-                if self.heights.smooth_length(below).min(self.radius.smooth_length(below)) >= length {
-                    break;
-                }
-                length *= 0.5;
-            }
-            length
+            return above(z);
         }
+        // Going down, what lies below is nearer: the distance that z would allow going up, less itself.
+        let mut length = 1.0_f64;
+        for _ in 0..60 {
+            if above(z - length) >= length {
+                break;
+            }
+            length *= 0.5;
+        }
+        length
     }
 
     /// Walks panels from a point to a height, and hands every node to `sink`: height, weight, contact.
-    fn march(&self, start: Point, end: f64, sink: &mut impl Sink) {
+    fn march(&self, start: Point, end: f64, sink: &mut Summing) {
         let upwards = end >= start.z;
-        self.march_by(start, end, |z| self.smooth_length(z, upwards), sink);
+        let log_scale = sink.sums.log_scale;
+        self.march_by(start, end, |z| self.smooth_length(z, upwards, log_scale), sink);
     }
 
     /// Walks panels no longer than `smooth_length` of where each begins.
@@ -470,22 +477,25 @@ impl Population {
             if remaining <= 0.0 {
                 return;
             }
-            let mut length = smooth_length(here.z);
-            if length > 0.8 * remaining {
-                length = remaining;
-            }
+            let smooth = smooth_length(here.z);
             let theta_far = self.theta_limit(&here);
             let curve = self.maugis.at(theta_far, here.g).overlap - here.contact.overlap;
-            length = length.min(curve);
-            let mut there = self.point(&here, direction * length, here.guess_towards(theta_far, length / curve));
+            let in_theta = curve.min(THETA_SPAN * smooth.min(1.0));
+            let in_height = smooth.min(HEIGHT_RATIO * self.clearance(&here));
+            let by_height = in_height > in_theta;
+            let mut length = in_height.max(in_theta);
+            if length > 0.8 * remaining {
+                length = remaining.min(length);
+            }
+            let guess = here.guess_towards(theta_far, length / curve);
+            let mut there = self.point(&here, direction * length, guess);
             if let Some(cut) = self.first_cut(&here, &there) {
-                length = (cut.z - here.z).abs();
+                length = cut.rise_above(&here).abs();
                 there = cut;
             }
-            sink.panel(&here, &there);
-            // Heights of one radius need no solution of their contact's overlap, which deep down has too few digits.
-            let by_height = !constant_radius || here.contact.overlap > nodes::LARGEST_OVERLAP;
-            if by_height && curve > LONG_CURVE * length && self.clearance(&here) > length {
+            sink.panel(&there, by_height);
+            let short = there.contact.theta > SHORT_RATIO * here.contact.theta;
+            if by_height && !(constant_radius && short && here.contact.overlap < nodes::LARGEST_OVERLAP) {
                 let guess = Guess::new(&here, &there, direction * length);
                 for (rise, weight) in gauss_legendre::nodes(0.0, direction * length) {
                     let point = self.point(&here, rise, guess.at(rise / (direction * length)));
@@ -532,7 +542,7 @@ impl Population {
 
     /// How far the overlap is above that of break-away.
     fn clearance(&self, point: &Point) -> f64 {
-        point.contact.overlap - self.maugis.break_away(point.g).overlap
+        point.contact.overlap - self.edges.break_away(&self.maugis, point.g).overlap
     }
 
     /// The first summit between two where the integrand has a kink: its contact radius is one of the slip law's
@@ -554,12 +564,10 @@ impl Population {
             }
         }
         for kink in self.slip.kinks() {
-            if (here.contact.radius < kink) != (there.contact.radius < kink) {
-                let point = self.point_of_radius(here, &there, kink);
-                if is_inside(point.z - here.z, there.z - here.z) {
-                    there = point;
-                    cut = Some(point);
-                }
+            let is_at = |point: &Point| (point.contact.radius / kink - 1.0).abs() < 1e-9;
+            if (here.contact.radius < kink) != (there.contact.radius < kink) && !is_at(here) && !is_at(&there) {
+                there = self.point_of_radius(here, &there, kink);
+                cut = Some(there);
             }
         }
         cut
@@ -638,7 +646,7 @@ impl Population {
             if overlap >= end {
                 return;
             }
-            let mut length = self.smooth_length(z, true);
+            let mut length = self.smooth_length(z, true, f64::NEG_INFINITY);
             if length > 0.8 * (end - overlap) {
                 length = end - overlap;
             }
@@ -702,6 +710,15 @@ impl Point {
     fn guess_towards(&self, theta_far: f64, part: f64) -> f64 {
         let (from, to) = (self.contact.theta.powi(-3), theta_far.powi(-3));
         1.0 / (from + part * (to - from)).cbrt()
+    }
+
+    /// How much higher it is than another: from overlaps where these are known to more digits.
+    fn rise_above(&self, other: &Self) -> f64 {
+        if self.contact.overlap.abs() < self.z.abs() {
+            self.contact.overlap - other.contact.overlap
+        } else {
+            self.z - other.z
+        }
     }
 
     /// dtheta/dz at fixed separation.

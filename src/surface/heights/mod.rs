@@ -11,11 +11,11 @@ use weibull::Weibull;
 const NEGLIGIBLE: f64 = 46.0;
 /// Densities below exp of this are taken as zero.
 pub const UNDERFLOW: f64 = -2000.0;
-/// The longest panel, in sigma, on which a standardised density is a polynomial to rounding.
-const LONGEST_PANEL: f64 = 1.5;
 /// The largest change of ln phi over one panel: of a parabola, and of what may fall doubly exponentially.
 const STEEPEST_GAUSSIAN_PANEL: f64 = 14.0;
 const STEEPEST_PANEL: f64 = 10.0;
+/// Beside this many e-folds of density, what load gains on the way to smaller densities is nothing.
+const GROWTH_OF_LOAD: f64 = 5.0;
 
 /// A standardised height distribution.
 #[derive(Debug, Clone, PartialEq)]
@@ -120,24 +120,39 @@ impl Heights {
         }
     }
 
-    /// How far above z one quadrature panel may reach.
-    pub fn smooth_length(&self, z: f64) -> f64 {
-        let mut length = LONGEST_PANEL;
-        while length > SHORTEST_PANEL && !self.is_smooth(z, z + length) {
+    /// How far above z one quadrature panel may reach, in a sum whose largest ln phi is `log_scale`.
+    pub fn smooth_length(&self, z: f64, log_scale: f64) -> f64 {
+        let mut length = self.longest_panel();
+        while length > SHORTEST_PANEL && self.roughness(z, z + length, log_scale) > 1.0 {
             length *= 0.5;
         }
         length
     }
 
-    /// Whether one quadrature panel may reach from one height to another.
-    pub fn is_smooth(&self, from: f64, to: f64) -> bool {
+    /// How much the density changes from one height to another, in such a sum; up to 1 one quadrature panel may reach
+    /// from the one to the other.
+    pub fn roughness(&self, from: f64, to: f64, log_scale: f64) -> f64 {
         let length = to - from;
         if self.foot().is_some_and(|(foot, _)| length > 2.0 * (from - foot)) {
-            return false;
+            return f64::MAX;
         }
-        let steepest = self.log_density(from).1.abs().max(self.log_density(to).1.abs());
-        let limit = if matches!(self, Heights::Gaussian) { STEEPEST_GAUSSIAN_PANEL } else { STEEPEST_PANEL };
-        length * steepest <= limit
+        let (at_from, at_to) = (self.log_density(from), self.log_density(to));
+        let steepest = at_from.1.abs().max(at_to.1.abs());
+        // What is small beside the sum needs fewer digits; but load grows with height where the density falls.
+        let drop = (log_scale - at_from.0.max(at_to.0) - GROWTH_OF_LOAD).max(0.0);
+        let allowed = match self {
+            Heights::Gaussian => STEEPEST_GAUSSIAN_PANEL + drop,
+            Heights::Weibull(_) => STEEPEST_PANEL + 0.5 * drop.min(20.0),
+        };
+        length * steepest / allowed
+    }
+
+    /// The longest panel, in sigma, on which the density is a polynomial to rounding.
+    pub fn longest_panel(&self) -> f64 {
+        match self {
+            Heights::Gaussian => 3.0,
+            Heights::Weibull(_) => 1.5,
+        }
     }
 
     /// Third standardised moment.
