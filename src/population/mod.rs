@@ -34,7 +34,7 @@ const THETA_RATIO: f64 = 0.4;
 /// density is a steep function of theta^-3.
 const THETA_SPAN: f64 = 0.15;
 /// A panel in height is no longer than this many times the distance to break-away, where theta(u) is singular.
-const HEIGHT_RATIO: f64 = 1.5;
+const HEIGHT_RATIO: f64 = 2.5;
 /// One panel of attraction with varying radius spans no more than this ratio of sqrt(gap terms).
 const CIRCLE_RATIO: f64 = 4.0;
 /// Over a panel across which theta changes less than by this factor, it serves as well as the height, and with equal
@@ -131,32 +131,73 @@ struct Summit {
     friction_by_overlap: f64,
 }
 
-/// A starting value of theta between two points: theta^-3 is nearly linear in overlap under load.
+/// Starting values of theta from one point to another: theta^-3 is nearly linear in overlap under load.
+///
+/// A cubic from values and slopes at both points, corrected by what is known of its error from the values solved for
+/// on the way: over part^2 (1 - part)^2 that is smooth.
 struct Guess {
     cubic: [f64; 4],
     /// Where the cubic may not leave.
     range: (f64, f64),
+    /// The last errors over part^2 (1 - part)^2, at which parts.
+    errors: [(f64, f64); 3],
+    known: usize,
 }
 
 impl Guess {
     /// From values and slopes at two points `rise` apart.
     fn new(from: &Point, to: &Point, rise: f64) -> Self {
-        let value = |point: &Point| point.contact.theta.powi(-3);
-        let slope = |point: &Point| -3.0 * rise * point.theta_slope() / point.contact.theta.powi(4);
-        let (start, start_slope, end_slope) = (value(from), slope(from), slope(to));
-        let end = value(to);
+        let slope =
+            |point: &Point| -3.0 * rise * point.theta_slope() * inverse_cube(point.contact.theta) / point.contact.theta;
+        let (start, start_slope, end_slope) = (inverse_cube(from.contact.theta), slope(from), slope(to));
+        let end = inverse_cube(to.contact.theta);
         let change = end - start;
         let cubic =
             [start, start_slope, 3.0 * change - 2.0 * start_slope - end_slope, start_slope + end_slope - 2.0 * change];
-        Self { cubic, range: (0.5 * start.min(end), 2.0 * start.max(end)) }
+        Self { cubic, range: (0.5 * start.min(end), 2.0 * start.max(end)), errors: [(0.0, 0.0); 3], known: 0 }
     }
 
-    /// Where `part` of the rise is done.
+    /// theta where `part` of the rise is done.
     fn at(&self, part: f64) -> f64 {
-        let [a, b, c, d] = self.cubic;
-        let value = a + part * (b + part * (c + part * d));
+        let [(a, at_a), (b, at_b), (c, at_c)] = self.errors;
+        let error = match self.known {
+            0 => 0.0,
+            1 => at_a,
+            2 => at_a + (at_b - at_a) * (part - a) / (b - a),
+            _ => {
+                let (ab, bc) = ((at_b - at_a) / (b - a), (at_c - at_b) / (c - b));
+                at_a + (part - a) * (ab + (part - b) * (bc - ab) / (c - a))
+            }
+        };
+        let value = self.cubic(part) + error * bubble(part);
         1.0 / value.clamp(self.range.0, self.range.1).cbrt()
     }
+
+    /// Takes in the value found at a part.
+    fn learn(&mut self, part: f64, theta: f64) {
+        let error = (part, (inverse_cube(theta) - self.cubic(part)) / bubble(part));
+        if self.known < 3 {
+            self.errors[self.known] = error;
+            self.known += 1;
+        } else {
+            self.errors = [self.errors[1], self.errors[2], error];
+        }
+    }
+
+    fn cubic(&self, part: f64) -> f64 {
+        let [a, b, c, d] = self.cubic;
+        a + part * (b + part * (c + part * d))
+    }
+}
+
+fn inverse_cube(theta: f64) -> f64 {
+    1.0 / (theta * theta * theta)
+}
+
+/// part^2 (1 - part)^2.
+fn bubble(part: f64) -> f64 {
+    let x = part * (1.0 - part);
+    x * x
 }
 
 /// What walks the panels hands its nodes to.
@@ -485,7 +526,7 @@ impl Population {
             let by_height = in_height > in_theta;
             let mut length = in_height.max(in_theta);
             if length > 0.8 * remaining {
-                length = remaining.min(length);
+                length = if by_height { remaining } else { remaining.min(length) };
             }
             let guess = here.guess_towards(theta_far, length / curve);
             let mut there = self.point(&here, direction * length, guess);
@@ -496,10 +537,12 @@ impl Population {
             sink.panel(&there, by_height);
             let short = there.contact.theta > SHORT_RATIO * here.contact.theta;
             if by_height && !(constant_radius && short && here.contact.overlap < nodes::LARGEST_OVERLAP) {
-                let guess = Guess::new(&here, &there, direction * length);
-                for (rise, weight) in gauss_legendre::nodes(0.0, direction * length) {
-                    let point = self.point(&here, rise, guess.at(rise / (direction * length)));
-                    sink.node(point.z, weight, &point.contact);
+                let rise = direction * length;
+                let mut guess = Guess::new(&here, &there, rise);
+                for (part, weight) in gauss_legendre::nodes(0.0, 1.0) {
+                    let point = self.point(&here, part * rise, guess.at(part));
+                    guess.learn(part, point.contact.theta);
+                    sink.node(point.z, length * weight, &point.contact);
                 }
             } else {
                 let theta_end = if constant_radius {
@@ -564,7 +607,11 @@ impl Population {
             }
         }
         for kink in self.slip.kinks() {
-            let is_at = |point: &Point| (point.contact.radius / kink - 1.0).abs() < 1e-9;
+            // Next to theta = pi/2 radii are known to so many digits of that of the annulus.
+            let is_at = |point: &Point| {
+                let outer_radius = point.contact.radius / point.contact.theta.cos();
+                (point.contact.radius - kink).abs() < (1e-9 * kink).max(1e-14 * outer_radius)
+            };
             if (here.contact.radius < kink) != (there.contact.radius < kink) && !is_at(here) && !is_at(&there) {
                 there = self.point_of_radius(here, &there, kink);
                 cut = Some(there);

@@ -124,7 +124,7 @@ impl Heights {
     pub fn smooth_length(&self, z: f64, log_scale: f64) -> f64 {
         let mut length = self.longest_panel();
         while length > SHORTEST_PANEL && self.roughness(z, z + length, log_scale) > 1.0 {
-            length *= 0.5;
+            length *= 0.75;
         }
         length
     }
