@@ -13,7 +13,7 @@ use crate::population::Population;
 const NODES: usize = 10;
 /// Interpolation conditions per panel: value and slope at every node.
 const CONDITIONS: usize = 2 * NODES;
-/// The branch is followed from this separation, in sigma; heavier loads are evaluated exactly.
+/// The branch is followed from this separation of the means, in sigma; heavier loads are evaluated exactly.
 const CLOSEST: f64 = -12.0;
 /// The branch is followed from at least this much above the pull-off load, in ln(load).
 const LOG_ABOVE_PULL_OFF: f64 = 9.0;
@@ -22,6 +22,8 @@ const VALUE_TOLERANCE: f64 = 1e-11;
 const SLOPE_TOLERANCE: f64 = 1e-9;
 /// The first panels are this wide, in sigma.
 const FIRST_WIDTH: f64 = 2.2;
+/// Without a pull-off load a panel covers no more than this part of what is left of the branch.
+const MOST_OF_THE_REST: f64 = 0.7;
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
 const MOST_SAMPLES: usize = 800;
 /// The narrowest first attempt, in sigma.
@@ -115,10 +117,11 @@ impl Curve {
         let force = equilibrium.pull_off().map_or(1.0, |point| point.friction);
         let mut curve = Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0 };
         let end = equilibrium.farthest();
-        let mut from = curve.sample(population, equilibrium, CLOSEST.min(end - 10.0))?;
+        let closest = CLOSEST - population.heights().origin();
+        let mut from = curve.sample(population, equilibrium, closest.min(end - 10.0))?;
         // Adhesion that is strong beside the roughness: on to loads well above pull-off.
         while log_pull_off.is_some_and(|pull_off| from.log_excess < pull_off + LOG_ABOVE_PULL_OFF) {
-            from = curve.sample(population, equilibrium, 1.5 * from.separation.min(CLOSEST))?;
+            from = curve.sample(population, equilibrium, 1.5 * from.separation.min(closest))?;
         }
         let lightest = from.log_excess - log_range;
         check.push(from);
@@ -128,7 +131,10 @@ impl Curve {
             && curve.samples < MOST_SAMPLES
         {
             let mut to = from.separation + width.max(0.4 * -from.separation);
-            if to + 0.25 * width > end {
+            if log_pull_off.is_none() {
+                // Load vanishes at the end as a power of the distance.
+                to = to.min(from.separation + MOST_OF_THE_REST * (end - from.separation));
+            } else if to + 0.25 * width > end {
                 to = end;
             }
             let panels = curve.panels.len();
@@ -169,7 +175,8 @@ impl Curve {
         let mut panel = Panel::new(from.s, end.s, &nodes);
         // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
         let between = self.sample(population, equilibrium, middle + 0.1 * half)?;
-        let sparse = panel.separation_at(panel.sparsest()).clamp(from.separation, to);
+        let (first, last) = (nodes[0].separation, nodes[NODES - 1].separation);
+        let sparse = panel.separation_at(panel.sparsest()).clamp(first, last);
         let sparse = self.sample(population, equilibrium, sparse)?;
         let good = [from, between, sparse, end].iter().all(|sample| panel.is_good(sample));
         self.samples += NODES + 3;

@@ -214,9 +214,9 @@ impl Population {
     }
 
     /// Whether load against separation can have but one minimum: the slope of the law of equal summits changes sign once,
-    /// and a log-concave density, as all families have, adds no change of sign (it diminishes variation).
+    /// and a log-concave density adds no change of sign (it diminishes variation).
     pub fn has_single_minimum(&self) -> bool {
-        self.radius.is_constant()
+        self.radius.is_constant() && self.heights.is_log_concave()
     }
 
     /// A separation beyond which nothing touches or attracts, in any number that can be represented.
@@ -227,7 +227,7 @@ impl Population {
     /// The sums at a separation.
     pub fn at_separation(&self, separation: f64) -> Sums {
         let edges = self.edges.at_separation(&self.maugis, &self.radius, separation);
-        let foot = self.heights.foot().map_or(f64::NEG_INFINITY, |(foot, _)| foot);
+        let foot = self.heights.foot();
         let attraction_start = self.attraction.as_ref().map_or(f64::INFINITY, |law| separation - law.reach).max(foot);
         let first_edge = edges.iter().next();
         // Whether the lowest summits are in contact.
@@ -236,7 +236,8 @@ impl Population {
             None => self.edges.all_in_contact(&self.maugis, &self.radius, separation),
         };
         let contact_start = if contact { foot } else { first_edge.map_or(f64::INFINITY, |edge| edge.z.max(foot)) };
-        let mut sums = Sums { log_scale: self.log_scale(contact_start.min(attraction_start)), ..Sums::default() };
+        let mut sums =
+            Sums { log_scale: self.heights.log_peak_above(contact_start.min(attraction_start)), ..Sums::default() };
         if sums.log_scale < UNDERFLOW {
             return sums;
         }
@@ -262,21 +263,10 @@ impl Population {
         sums
     }
 
-    /// ln of the largest density at or above a height.
-    fn log_scale(&self, start: f64) -> f64 {
-        let at = start.max(self.heights.mode());
-        let (log_density, _) = self.heights.log_density(at);
-        if log_density.is_finite() {
-            log_density
-        } else {
-            0.0 // at the foot, above which the density falls
-        }
-    }
-
     /// The density at a height, over exp(log_scale).
     #[inline]
     fn density(&self, z: f64, log_scale: f64) -> f64 {
-        (self.heights.log_density(z).0 - log_scale).exp()
+        (self.heights.log_density(z) - log_scale).exp()
     }
 
     /// What a contact contributes, friction included.
@@ -388,6 +378,9 @@ impl Population {
             self.march(start, end, &mut sink);
         }
         let last = nodes.last_point().raised(separation);
+        if last.z >= upper {
+            return;
+        }
         let mut sink = Summing { population: self, sums };
         if last.z >= lower {
             self.march(last, upper, &mut sink);
@@ -421,7 +414,7 @@ impl Population {
     /// The first panel above the foot, if the range begins there; `clearance` is the distance from the foot to
     /// where the law of one asperity is singular.
     fn foot_panel(&self, start: f64, upper: f64, clearance: impl FnOnce() -> f64) -> Option<FootPanel> {
-        let (foot, exponent) = self.heights.foot()?;
+        let (foot, exponent) = (self.heights.foot(), self.heights.power_at_foot()?);
         if start > foot {
             return None;
         }

@@ -1,10 +1,13 @@
-//! The distribution of summit heights, standardised: mean 0, standard deviation 1, height z in sigma.
+//! The distribution of summit heights, standardised: standard deviation 1, height z in sigma above an origin.
 //!
-//! A family gives its log density with its slope, its support, and how long a piece of the height axis
-//! one quadrature panel may cover; the sums over the population need nothing else.
+//! A family gives its log density, its support, what of it may be left out, and how long a piece of the height axis
+//! one quadrature panel may cover; the sums over the population need nothing else. The origin is the mean, but the
+//! highest summit where sums in the upper tail depend on the distance to it.
 
+pub mod johnson;
 pub mod weibull;
 
+use johnson::Johnson;
 use weibull::Weibull;
 
 /// Contributions below exp(-NEGLIGIBLE) of the largest are left out of the sums.
@@ -26,32 +29,52 @@ pub enum Heights {
     ///
     /// Boxed, so that the compiler cannot evaluate ahead of the match what only Weibull heights have.
     Weibull(Box<Weibull>),
+    /// Johnson's system.
+    Johnson(Box<Johnson>),
 }
 
 impl Heights {
-    /// ln phi(z) and its slope; minus infinity and 0 outside the support.
-    #[inline]
-    pub fn log_density(&self, z: f64) -> (f64, f64) {
+    /// The height above the mean from which heights are measured.
+    pub fn origin(&self) -> f64 {
         match self {
-            Heights::Gaussian => {
-                const LN_SQRT_2_PI: f64 = 0.918_938_533_204_672_8;
-                (-0.5 * z * z - LN_SQRT_2_PI, -z)
-            }
-            Heights::Weibull(weibull) => {
-                if z > -weibull.mean() {
-                    weibull.log_density(z)
-                } else {
-                    (f64::NEG_INFINITY, 0.0)
-                }
-            }
+            Heights::Gaussian | Heights::Weibull(_) => 0.0,
+            Heights::Johnson(johnson) => johnson.origin(),
         }
     }
 
-    /// Where the support begins, with the exponent p of phi ~ (z - foot)^p there; `None` if it is endless.
-    pub fn foot(&self) -> Option<(f64, f64)> {
+    /// ln phi(z); minus infinity outside the support.
+    #[inline]
+    pub fn log_density(&self, z: f64) -> f64 {
         match self {
-            Heights::Gaussian => None,
-            Heights::Weibull(weibull) => Some((-weibull.mean(), weibull.shape() - 1.0)),
+            Heights::Gaussian => {
+                const LN_SQRT_2_PI: f64 = 0.918_938_533_204_672_8;
+                -0.5 * z * z - LN_SQRT_2_PI
+            }
+            Heights::Weibull(weibull) => {
+                if z > -weibull.mean() {
+                    weibull.log_density(z).0
+                } else {
+                    f64::NEG_INFINITY
+                }
+            }
+            Heights::Johnson(johnson) => johnson.log_density(z),
+        }
+    }
+
+    /// Where the support begins; minus infinity if it is endless.
+    pub fn foot(&self) -> f64 {
+        match self {
+            Heights::Gaussian => f64::NEG_INFINITY,
+            Heights::Weibull(weibull) => -weibull.mean(),
+            Heights::Johnson(johnson) => johnson.support().0,
+        }
+    }
+
+    /// The exponent p of phi ~ (z - foot)^p at the foot, where it is a power.
+    pub fn power_at_foot(&self) -> Option<f64> {
+        match self {
+            Heights::Gaussian | Heights::Johnson(_) => None,
+            Heights::Weibull(weibull) => Some(weibull.shape() - 1.0),
         }
     }
 
@@ -75,6 +98,7 @@ impl Heights {
                 let is_foot = lowest + weibull.mean() < 0.01;
                 (if is_foot { lower } else { lower.max(lowest) }, upper.min(highest))
             }
+            Heights::Johnson(johnson) => johnson.worth_summing(lower, upper, NEGLIGIBLE),
         }
     }
 
@@ -83,6 +107,7 @@ impl Heights {
         match self {
             Heights::Gaussian => -self.far_tail(),
             Heights::Weibull(weibull) => -weibull.mean(),
+            Heights::Johnson(johnson) => johnson.height(-(-2.0 * UNDERFLOW).sqrt()),
         }
     }
 
@@ -91,12 +116,13 @@ impl Heights {
         match self {
             Heights::Gaussian => (-2.0 * UNDERFLOW).sqrt(),
             Heights::Weibull(weibull) => weibull.height_of_hazard(-UNDERFLOW),
+            Heights::Johnson(johnson) => johnson.height((-2.0 * UNDERFLOW).sqrt()),
         }
     }
 
-    /// Where the density is largest.
-    pub fn mode(&self) -> f64 {
-        match self {
+    /// ln of the largest density at or above a height, to the order of magnitude.
+    pub fn log_peak_above(&self, start: f64) -> f64 {
+        let mode = match self {
             Heights::Gaussian => 0.0,
             Heights::Weibull(weibull) => {
                 let shape = weibull.shape();
@@ -106,11 +132,26 @@ impl Heights {
                     -weibull.mean()
                 }
             }
+            Heights::Johnson(johnson) => return johnson.log_peak_above(start),
+        };
+        let log_density = self.log_density(start.max(mode));
+        if log_density.is_finite() {
+            log_density
+        } else {
+            0.0 // at the foot, above which the density falls
         }
+    }
+
+    /// Whether ln phi is concave.
+    pub fn is_log_concave(&self) -> bool {
+        matches!(self, Heights::Gaussian | Heights::Weibull(_))
     }
 
     /// How far above z one quadrature panel may reach.
     pub fn smooth_length(&self, z: f64) -> f64 {
+        if let Heights::Johnson(johnson) = self {
+            return johnson.smooth_length(z);
+        }
         let mut length = LONGEST_PANEL;
         while length > SHORTEST_PANEL && !self.is_smooth(z, z + length) {
             length *= 0.5;
@@ -121,12 +162,17 @@ impl Heights {
     /// Whether one quadrature panel may reach from one height to another.
     pub fn is_smooth(&self, from: f64, to: f64) -> bool {
         let length = to - from;
-        if self.foot().is_some_and(|(foot, _)| length > 2.0 * (from - foot)) {
-            return false;
+        match self {
+            Heights::Gaussian => length * from.abs().max(to.abs()) <= STEEPEST_GAUSSIAN_PANEL,
+            Heights::Weibull(weibull) => {
+                if length > 2.0 * (from - self.foot()) {
+                    return false;
+                }
+                let steepness = |z: f64| weibull.log_density(z).1.abs();
+                length * steepness(from).max(steepness(to)) <= STEEPEST_PANEL
+            }
+            Heights::Johnson(johnson) => johnson.is_smooth(from, to),
         }
-        let steepest = self.log_density(from).1.abs().max(self.log_density(to).1.abs());
-        let limit = if matches!(self, Heights::Gaussian) { STEEPEST_GAUSSIAN_PANEL } else { STEEPEST_PANEL };
-        length * steepest <= limit
     }
 
     /// Third standardised moment.
@@ -134,6 +180,7 @@ impl Heights {
         match self {
             Heights::Gaussian => 0.0,
             Heights::Weibull(weibull) => weibull.skew(),
+            Heights::Johnson(johnson) => johnson.skew(),
         }
     }
 
@@ -142,6 +189,7 @@ impl Heights {
         match self {
             Heights::Gaussian => 3.0,
             Heights::Weibull(weibull) => weibull.kurtosis(),
+            Heights::Johnson(johnson) => johnson.kurtosis(),
         }
     }
 }
