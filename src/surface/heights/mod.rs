@@ -61,6 +61,17 @@ impl Heights {
         }
     }
 
+    /// phi(z) exp(-log_scale) at z = `from` + `rise`, where ln phi(`from`) is `log_scale`, or that is 0.
+    ///
+    /// It has as many digits as `rise`, which may be a number of more digits than z.
+    #[inline]
+    pub fn relative_density(&self, from: f64, rise: f64, log_scale: f64) -> f64 {
+        match self {
+            Heights::Gaussian => (-rise * (from + 0.5 * rise)).exp(),
+            _ => (self.log_density(from + rise) - log_scale).exp(),
+        }
+    }
+
     /// Where the support begins; minus infinity if it is endless.
     pub fn foot(&self) -> f64 {
         match self {
@@ -120,25 +131,15 @@ impl Heights {
         }
     }
 
-    /// ln of the largest density at or above a height, to the order of magnitude.
-    pub fn log_peak_above(&self, start: f64) -> f64 {
-        let mode = match self {
-            Heights::Gaussian => 0.0,
+    /// The height at or above another where the density is largest, to the order of magnitude.
+    pub fn peak_above(&self, start: f64) -> f64 {
+        match self {
+            Heights::Gaussian => start.max(0.0),
             Heights::Weibull(weibull) => {
                 let shape = weibull.shape();
-                if shape > 1.0 {
-                    weibull.height_of_hazard(1.0 - 1.0 / shape)
-                } else {
-                    -weibull.mean()
-                }
+                start.max(if shape > 1.0 { weibull.height_of_hazard(1.0 - 1.0 / shape) } else { -weibull.mean() })
             }
-            Heights::Johnson(johnson) => return johnson.log_peak_above(start),
-        };
-        let log_density = self.log_density(start.max(mode));
-        if log_density.is_finite() {
-            log_density
-        } else {
-            0.0 // at the foot, above which the density falls
+            Heights::Johnson(johnson) => johnson.peak_above(start),
         }
     }
 

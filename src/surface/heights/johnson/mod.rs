@@ -140,10 +140,10 @@ impl Johnson {
         }
     }
 
-    /// ln of the largest density at or above a height, to the order of magnitude.
-    pub fn log_peak_above(&self, start: f64) -> f64 {
-        let here = self.log_density(start);
-        self.modes.iter().filter(|&&mode| mode > start).fold(here, |peak, &mode| peak.max(self.log_density(mode)))
+    /// The height at or above another where the density is largest, to the order of magnitude.
+    pub fn peak_above(&self, start: f64) -> f64 {
+        let higher = |a: f64, b: f64| if self.log_density(b) > self.log_density(a) { b } else { a };
+        self.modes.iter().filter(|&&mode| mode > start).fold(start.max(-FARTHEST), |peak, &mode| higher(peak, mode))
     }
 
     /// u and what else the density takes; `None` beyond the support.
