@@ -124,7 +124,7 @@ impl Model {
         }
         let law = law?;
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(LARGEST_COEFFICIENT);
-        Ok(Self { params: *params, groups, population, equilibrium, law, units, inverse_cap })
+        Ok(Self { params: params.clone(), groups, population, equilibrium, law, units, inverse_cap })
     }
 
     /// The parameters it was made from.
@@ -258,7 +258,7 @@ impl Model {
                 allowed: "must be within 1e50 height_std of zero",
             });
         }
-        let dimensionless = separation / self.units.length;
+        let dimensionless = separation / self.units.length - self.population.heights().origin();
         let sums = self.population.at_separation(dimensionless);
         let load = self.units.of_load(&sums, sums.load());
         Ok(self.state(load, dimensionless, &sums))
@@ -331,7 +331,7 @@ impl Model {
         };
         State {
             load,
-            separation: separation * units.length,
+            separation: (separation + self.population.heights().origin()) * units.length,
             friction_force,
             friction_coefficient: coefficient,
             dforce_dload,

@@ -70,6 +70,9 @@ impl asperity_params {
         let (height_distribution, weibull_shape) = match params.heights {
             HeightFamily::Gaussian => (ASPERITY_HEIGHTS_GAUSSIAN, DEFAULT_SHAPE),
             HeightFamily::Weibull { shape } => (ASPERITY_HEIGHTS_WEIBULL, shape),
+            HeightFamily::Johnson { .. } | HeightFamily::Tabulated { .. } => {
+                unreachable!("no C caller can make these yet")
+            }
         };
         Self {
             struct_size: FIRST_SIZE,

@@ -41,7 +41,7 @@ const CIRCLE_RATIO: f64 = 4.0;
 /// radii its nodes need no solution of their contact's overlap.
 const SHORT_RATIO: f64 = 0.8;
 /// No sum needs as many panels; it bounds the time of a call.
-const MOST_PANELS: usize = 4000;
+const MOST_PANELS: usize = 6000;
 
 /// A population of summits pressed against a flat.
 #[derive(Debug, Clone)]
@@ -202,6 +202,8 @@ fn bubble(part: f64) -> f64 {
 
 /// What walks the panels hands its nodes to.
 trait Sink {
+    /// Whether every panel must have all 16 nodes.
+    const WHOLE_PANELS: bool = false;
     /// A panel begins, up to this point; all its nodes follow.
     fn panel(&mut self, _end: &Point, _by_height: bool) {}
     /// A node: its height, its weight without the density, and the contact there.
@@ -264,9 +266,9 @@ impl Population {
     }
 
     /// Whether load against separation can have but one minimum: the slope of the law of equal summits changes sign once,
-    /// and a log-concave density, as all families have, adds no change of sign (it diminishes variation).
+    /// and a log-concave density adds no change of sign (it diminishes variation).
     pub fn has_single_minimum(&self) -> bool {
-        self.radius.is_constant()
+        self.radius.is_constant() && self.heights.is_log_concave()
     }
 
     /// A separation beyond which nothing touches or attracts, in any number that can be represented.
@@ -274,10 +276,35 @@ impl Population {
         self.heights.far_tail() + self.attraction.as_ref().map_or(0.0, |a| a.reach) - self.edges.deepest()
     }
 
+    /// The separations at which a height where the density has a kink passes an overlap where the law of one summit has
+    /// one, in ascending order: there the sums are not smooth.
+    pub fn kinks(&self) -> Vec<f64> {
+        let mut kinks = Vec::new();
+        for &z in self.heights.knots() {
+            let g = self.radius.factor(z);
+            let edge = self.maugis.break_away(g);
+            kinks.push(z - edge.overlap);
+            if let Some(law) = &self.attraction {
+                kinks.push(z + law.reach);
+            }
+            for radius in self.slip.kinks().into_iter().filter(|&radius| radius > edge.radius) {
+                let excess = |theta: f64| self.maugis.at(theta, g).radius - radius;
+                let mut lower = 0.5 * edge.theta;
+                while excess(lower) < 0.0 {
+                    lower *= 0.5;
+                }
+                kinks.push(z - self.maugis.at(root::bracketed(excess, lower, edge.theta), g).overlap);
+            }
+        }
+        kinks.sort_by(f64::total_cmp);
+        kinks.dedup();
+        kinks
+    }
+
     /// The sums at a separation.
     pub fn at_separation(&self, separation: f64) -> Sums {
         let edges = self.edges.at_separation(&self.maugis, &self.radius, separation);
-        let foot = self.heights.foot().map_or(f64::NEG_INFINITY, |(foot, _)| foot);
+        let foot = self.heights.foot();
         let attraction_start = self.attraction.as_ref().map_or(f64::INFINITY, |law| separation - law.reach).max(foot);
         let first_edge = edges.iter().next();
         // Whether the lowest summits are in contact.
@@ -439,6 +466,9 @@ impl Population {
             self.march(start, end, &mut sink);
         }
         let last = nodes.last_point().raised(separation);
+        if last.z >= upper {
+            return;
+        }
         let mut sink = Summing { population: self, density, sums };
         if last.z >= lower {
             self.march(last, upper, &mut sink);
@@ -472,7 +502,7 @@ impl Population {
     /// The first panel above the foot, if the range begins there; `clearance` is the distance from the foot to
     /// where the law of one asperity is singular.
     fn foot_panel(&self, start: f64, upper: f64, clearance: impl FnOnce() -> f64) -> Option<FootPanel> {
-        let (foot, exponent) = self.heights.foot()?;
+        let (foot, exponent) = (self.heights.foot(), self.heights.power_at_foot()?);
         if start > foot {
             return None;
         }
@@ -501,6 +531,26 @@ impl Population {
         length
     }
 
+    /// The length of a panel that may have another; what little would be left of the range goes into it, where no knot of
+    /// the density lies between.
+    fn without_remnant(&self, length: f64, remaining: f64) -> f64 {
+        let most = if self.heights.knots().is_empty() { 0.8 * remaining } else { remaining };
+        if length > most {
+            remaining
+        } else {
+            length
+        }
+    }
+
+    /// What part a panel is of the longest on which all but the density is smooth.
+    fn part_of_smooth(&self, z: f64, length: f64, longest: f64) -> f64 {
+        if self.heights.knots().is_empty() {
+            1.0
+        } else {
+            length / longest.min(self.radius.smooth_length(z))
+        }
+    }
+
     /// Walks panels from a point to a height, and hands every node to `sink`: height, weight, contact.
     fn march(&self, start: Point, end: f64, sink: &mut Summing) {
         let upwards = end >= start.z;
@@ -509,7 +559,7 @@ impl Population {
     }
 
     /// Walks panels no longer than `smooth_length` of where each begins.
-    fn march_by(&self, start: Point, end: f64, smooth_length: impl Fn(f64) -> f64, sink: &mut impl Sink) {
+    fn march_by<S: Sink>(&self, start: Point, end: f64, smooth_length: impl Fn(f64) -> f64, sink: &mut S) {
         let direction = if end >= start.z { 1.0 } else { -1.0 };
         let constant_radius = self.radius.is_constant();
         let mut here = start;
@@ -521,13 +571,12 @@ impl Population {
             let smooth = smooth_length(here.z);
             let theta_far = self.theta_limit(&here);
             let curve = self.maugis.at(theta_far, here.g).overlap - here.contact.overlap;
+            let clearance = self.clearance(&here);
             let in_theta = curve.min(THETA_SPAN * smooth.min(1.0));
-            let in_height = smooth.min(HEIGHT_RATIO * self.clearance(&here));
+            let in_height = smooth.min(HEIGHT_RATIO * clearance);
             let by_height = in_height > in_theta;
-            let mut length = in_height.max(in_theta);
-            if length > 0.8 * remaining {
-                length = if by_height { remaining } else { remaining.min(length) };
-            }
+            let mut length =
+                if by_height { self.without_remnant(in_height, remaining) } else { in_theta.min(remaining) };
             let guess = here.guess_towards(theta_far, length / curve);
             let mut there = self.point(&here, direction * length, guess);
             if let Some(cut) = self.first_cut(&here, &there) {
@@ -536,10 +585,12 @@ impl Population {
             }
             sink.panel(&there, by_height);
             let short = there.contact.theta > SHORT_RATIO * here.contact.theta;
+            let part_of_smooth =
+                if S::WHOLE_PANELS || !by_height { 1.0 } else { self.part_of_smooth(here.z, length, clearance) };
             if by_height && !(constant_radius && short && here.contact.overlap < nodes::LARGEST_OVERLAP) {
                 let rise = direction * length;
                 let mut guess = Guess::new(&here, &there, rise);
-                for (part, weight) in gauss_legendre::nodes(0.0, 1.0) {
+                for (part, weight) in gauss_legendre::nodes_of_part(part_of_smooth, 0.0, 1.0) {
                     let point = self.point(&here, part * rise, guess.at(part));
                     guess.learn(part, point.contact.theta);
                     sink.node(point.z, length * weight, &point.contact);
@@ -555,7 +606,8 @@ impl Population {
                 };
                 // How the true theta departs, by the end of the panel, from that at the radius of its beginning.
                 let drift = (there.contact.theta / theta_end - 1.0) / length;
-                for (theta, weight) in gauss_legendre::nodes(theta_end, here.contact.theta) {
+                let part = if S::WHOLE_PANELS { 1.0 } else { self.part_of_smooth(here.z, length, curve) };
+                for (theta, weight) in gauss_legendre::nodes_of_part(part, theta_end, here.contact.theta) {
                     let reference = self.maugis.at(theta, here.g);
                     let rise = direction * (reference.overlap - here.contact.overlap);
                     let weight = weight * reference.overlap_rate.abs();
@@ -689,25 +741,29 @@ impl Population {
             Some(edge) if edge.z == upper => edge.contact.overlap,
             _ => upper - separation,
         };
+        // The smallest summits are attracted within a layer that is thinner than a rounding.
+        let shortest = SHORTEST_PANEL * (end - overlap);
         for _ in 0..MOST_PANELS {
             if overlap >= end {
                 return;
             }
-            let mut length = self.smooth_length(z, true, f64::NEG_INFINITY);
-            if length > 0.8 * (end - overlap) {
-                length = end - overlap;
-            }
+            let mut length = self.without_remnant(self.smooth_length(z, true, f64::NEG_INFINITY), end - overlap);
             let g = self.radius.factor(z);
             let here = law.at(law.circle(overlap, g), g);
             let mut circle_end = law.circle(overlap + length, g);
             if !self.radius.is_constant() {
                 let farthest = law.at_rate(CIRCLE_RATIO * here.overlap_rate, g);
-                if farthest.overlap - here.overlap < length {
-                    length = farthest.overlap - here.overlap;
+                let rise = farthest.overlap - here.overlap;
+                if rise < shortest {
+                    length = shortest.min(length);
+                    circle_end = law.circle(overlap + length, g);
+                } else if rise < length {
+                    length = rise;
                     circle_end = farthest.circle;
                 }
             }
-            for (circle, weight) in gauss_legendre::nodes(here.circle, circle_end) {
+            let part = self.part_of_smooth(z, length, f64::MAX);
+            for (circle, weight) in gauss_legendre::nodes_of_part(part, here.circle, circle_end) {
                 let reference = law.at(circle, g);
                 let rise = reference.overlap - here.overlap;
                 sink(z + rise, overlap + rise, weight * reference.overlap_rate);
