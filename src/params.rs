@@ -68,6 +68,8 @@ pub struct Params {
     pub slip: SlipConstants,
     /// Cap on every friction coefficient returned; may be infinite.
     pub max_friction_coefficient: f64,
+    /// H [stress], indentation hardness of the softer body, to judge whether contacts are elastic; 0 if not known.
+    pub hardness: f64,
 }
 
 impl Default for Params {
@@ -88,6 +90,7 @@ impl Default for Params {
             radius_rate: 0.5,
             slip: SlipConstants::default(),
             max_friction_coefficient: 1000.0,
+            hardness: 0.0,
         };
         params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
         params
@@ -207,6 +210,9 @@ impl Params {
         self.check_slip()?;
         if !infinite(self.max_friction_coefficient) {
             magnitude("max_friction_coefficient", self.max_friction_coefficient, "must be > 0; INFINITY is no cap")?;
+        }
+        if self.hardness.to_bits() << 1 != 0 {
+            magnitude("hardness", self.hardness, "must be finite and >= 0; 0 is not known")?;
         }
 
         let groups = Groups {
