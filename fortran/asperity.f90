@@ -181,6 +181,18 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_params_set_materials
 
+    ! Sets height_std, summit_radius and asperity_count from the profiles of an isotropic Gaussian surface; the moments
+    ! of two surfaces add. m0 m4/m2**2 is at least 1.5.
+    function asperity_params_set_spectral_moments(params, m0, m2, m4, nominal_area) result(status) bind(c)
+      import :: asperity_params, c_double, c_int32_t
+      type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
+      real(c_double), intent(in), value :: m0             ! variance of the heights [length^2]
+      real(c_double), intent(in), value :: m2             ! variance of the slopes [-]
+      real(c_double), intent(in), value :: m4             ! variance of the curvatures [1/length^2]
+      real(c_double), intent(in), value :: nominal_area   ! [length^2]
+      integer(c_int32_t) :: status
+    end function asperity_params_set_spectral_moments
+
     ! Chooses Weibull heights with this skew, above -1.13955.
     function asperity_params_set_skew(params, skew) result(status) bind(c)
       import :: asperity_params, c_double, c_int32_t
@@ -346,8 +358,8 @@ module asperity
 
   public :: asperity_abi_version, asperity_version, asperity_status_string, asperity_last_error
   public :: asperity_params_init, asperity_params_init_sized, asperity_params_set_dimensionless
-  public :: asperity_params_set_materials, asperity_params_set_skew, asperity_create, asperity_set_params
-  public :: asperity_get_params, asperity_get_params_sized, asperity_free
+  public :: asperity_params_set_materials, asperity_params_set_spectral_moments, asperity_params_set_skew
+  public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load

@@ -518,6 +518,32 @@ asperity_status asperity_params_set_materials(struct asperity_params *params,
                                               double nu2);
 
 /**
+ * Sets the roughness from the spectral moments of the profiles of an isotropic Gaussian surface.
+ *
+ * m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile, which isotropy makes
+ * the same in every direction. Two rough surfaces: add their moments. With the bandwidth alpha = m0 m4/m2^2, after
+ * Nayak (1971), Bush, Gibson and Thomas (1975) and McCool (1987):
+ *
+ *     height_std     = ((1 - 0.8968/alpha) m0)^(1/2)    where 0.8968 is 1 + 16/pi - 3^(3/2)
+ *     summit_radius  = 3 pi^(1/2)/(8 m4^(1/2))
+ *     asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area
+ *
+ * @param params        initialised parameters; must not be NULL; untouched on failure
+ * @param m0            variance of the heights [length^2] > 0
+ * @param m2            variance of the slopes > 0
+ * @param m4            variance of the curvatures [1/length^2] > 0; alpha must be at least 1.5
+ * @param nominal_area  [length^2] > 0
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+ *
+ * Threads: any, on different structs.
+ */
+asperity_status asperity_params_set_spectral_moments(struct asperity_params *params,
+                                                     double m0,
+                                                     double m2,
+                                                     double m4,
+                                                     double nominal_area);
+
+/**
  * Chooses Weibull heights with this skew: sets `height_distribution` and `weibull_shape`.
  *
  * @param params  initialised parameters; must not be NULL; untouched on failure

@@ -85,6 +85,13 @@ extern "C" {
         poisson: f64,
     ) -> i32;
     pub fn asperity_params_set_materials(params: *mut asperity_params, e1: f64, nu1: f64, e2: f64, nu2: f64) -> i32;
+    pub fn asperity_params_set_spectral_moments(
+        params: *mut asperity_params,
+        m0: f64,
+        m2: f64,
+        m4: f64,
+        nominal_area: f64,
+    ) -> i32;
     pub fn asperity_params_set_skew(params: *mut asperity_params, skew: f64) -> i32;
     pub fn asperity_create(params: *const asperity_params, model: *mut *mut asperity_model) -> i32;
     pub fn asperity_set_params(model: *mut asperity_model, params: *const asperity_params) -> i32;

@@ -134,6 +134,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_params_init_sized": (asperity_status, [_params, c_uint64]),
     "asperity_params_set_dimensionless": (asperity_status, [_params, *5 * [c_double]]),
     "asperity_params_set_materials": (asperity_status, [_params, *4 * [c_double]]),
+    "asperity_params_set_spectral_moments": (asperity_status, [_params, *4 * [c_double]]),
     "asperity_params_set_skew": (asperity_status, [_params, c_double]),
     "asperity_create": (asperity_status, [_params, POINTER(_model)]),
     "asperity_set_params": (asperity_status, [_model, _params]),
