@@ -211,7 +211,7 @@ fn random_bits(random: &mut SplitMix) -> asperity_params {
     if random.chance(0.1) {
         params.struct_size = random.bits();
     }
-    params.height_distribution = if random.chance(0.9) { random.below(2) as i32 } else { random.bits() as i32 };
+    params.height_distribution = if random.chance(0.9) { random.below(4) as i32 } else { random.bits() as i32 };
     params.attraction = if random.chance(0.9) { random.below(2) as i32 } else { random.bits() as i32 };
     for number in params.quantities.iter_mut().chain(&mut params.constants).chain(&mut params.appended) {
         *number = random.any_float();
@@ -246,6 +246,11 @@ fn random_real(random: &mut SplitMix) -> asperity_params {
     params.attraction = random.below(2) as i32;
     if random.chance(0.4) {
         params = params.weibull(random.log_between(0.2, 1e7));
+    } else if random.chance(0.4) {
+        params = {
+            let skew = random.between(-1.2, 1.2);
+            params.johnson(skew, skew * skew + random.log_between(1.05, 10.0))
+        };
     }
     if random.chance(0.3) {
         params = params.radii(random.between(-1.0, 1.0), random.log_between(1e-3, 1e3));
@@ -354,6 +359,8 @@ fn loads_and_separations_of_random_bits_are_refused_or_work() {
         asperity_params::dimensionless(0.01, 1000.0, 0.0, 1.0),
         paper.weibull(1.3),
         paper.weibull(25.0),
+        paper.johnson(0.4, 2.5),
+        paper.johnson(-1.0, 8.0),
         paper.cap(f64::INFINITY),
         paper.cap(1e40),
         paper.cap(1e-40),

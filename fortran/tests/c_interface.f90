@@ -16,6 +16,7 @@ program c_interface
   call material_parameters
   call spectral_moments
   call skewed_heights
+  call johnson_heights
   call life_of_a_model
   call errors_of_values
   call batches
@@ -165,6 +166,25 @@ contains
     b3 = gamma(1 + 3 / omega)
     skew = (b3 - 3 * b1 * b2 + 2 * b1**3) / sqrt(b2 - b1**2)**3
   end function weibull_skew
+
+  subroutine johnson_heights
+    type(asperity_params) :: p
+    type(asperity_summary) :: s
+    type(c_ptr) :: model
+    call asperity_check(asperity_params_init(p))
+    p%height_distribution = ASPERITY_HEIGHTS_JOHNSON
+    p%skew = -0.4_c_double
+    p%kurtosis = 3.8_c_double
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    call asperity_check(asperity_summary_of(model, s))
+    call check_close('the skew of the heights', s%skew, p%skew, 1e-9_c_double)
+    call check_close('... and their kurtosis', s%kurtosis, p%kurtosis, 1e-9_c_double)
+    p%kurtosis = 1
+    call check('no distribution has less than skew**2 + 1', &
+               asperity_set_params(model, p) == ASPERITY_INVALID_PARAMETER)
+    call asperity_free(model)
+  end subroutine johnson_heights
 
   subroutine life_of_a_model
     type(asperity_params) :: p, back

@@ -403,6 +403,66 @@ static void set_params_makes_the_model_that_create_makes(void)
     }
 }
 
+/* Heights that came with fields of their own say that these are there, whatever struct_size says. */
+static void heights_tell_of_their_fields(void)
+{
+    const size_t first = offsetof(asperity_params, skew);
+    asperity_params p, kept, guard;
+    asperity_model *model;
+    asperity_summary s;
+
+    memset(&guard, 0xa5, sizeof guard);
+    p = guard;
+    (asperity_params_init)(&p);
+    p.height_distribution = ASPERITY_HEIGHTS_JOHNSON;
+    p.skew = 0.5;
+    p.kurtosis = 4;
+    model = model_of(p); /* hardness, which struct_size does not cover, is not read */
+    s = summary_of(model);
+    CHECK(close_to(s.skew, 0.5, 1e-12) && close_to(s.kurtosis, 4, 1e-12), "skew %g, kurtosis %g", s.skew, s.kurtosis);
+    kept = guard;
+    CHECK((asperity_get_params)(model, &kept) == ASPERITY_OK && kept.struct_size == first, "%s", last_message());
+    CHECK(memcmp(&kept, &p, offsetof(asperity_params, hardness)) == 0, "they do not come back");
+    CHECK(memcmp(&kept.hardness, &guard.hardness, sizeof p - offsetof(asperity_params, hardness)) == 0, "nor no more");
+    CHECK(asperity_get_params(model, &kept) == ASPERITY_OK && kept.struct_size == sizeof kept, "%s", last_message());
+    CHECK(kept.skew == 0.5 && kept.kurtosis == 4 && kept.hardness == 0, "the whole struct");
+
+    /* The plain function may have a caller without these fields: it refuses, unless they came as above. */
+    CHECK(asperity_set_params(model, &kept) == ASPERITY_OK, "%s", last_message());
+    p = guard;
+    CHECK((asperity_get_params)(model, &p) == ASPERITY_INVALID_PARAMETER && says("struct_size = 144: must reach"), "'%s'",
+          last_message());
+    CHECK(asperity_get_params_sized(model, &p, first + 8) == ASPERITY_INVALID_PARAMETER, "without a kurtosis");
+    CHECK(SAME(p, guard), "written in spite of the error");
+    CHECK(asperity_get_params_sized(model, &p, first + 16) == ASPERITY_OK && p.kurtosis == 4, "%s", last_message());
+
+    kept.kurtosis = 1.2;
+    CHECK(asperity_set_params(model, &kept) == ASPERITY_INVALID_PARAMETER && says("kurtosis = 1.2: "), "'%s'",
+          last_message());
+    asperity_free(model);
+}
+
+static void tables_are_refused_by_name(void)
+{
+    const double heights[] = { 0, 1, 2, 3, 4 }, densities[] = { 0, 1, 2, 1, 0 };
+    asperity_params p = surface(0);
+    asperity_model *model = NULL;
+
+    p.height_distribution = ASPERITY_HEIGHTS_TABULATED;
+    CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && says("table_length = 0: must be between "), "'%s'",
+          last_message());
+    p.table_length = UINT64_MAX;
+    CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && says("table_length = "), "'%s'", last_message());
+    p.table_length = 5;
+    CHECK(asperity_create(&p, &model) == ASPERITY_NULL_POINTER && says("table_height is NULL"), "'%s'", last_message());
+    p.table_height = heights;
+    CHECK(asperity_create(&p, &model) == ASPERITY_NULL_POINTER && says("table_density is NULL"), "'%s'", last_message());
+    p.table_density = densities;
+    p.height_distribution = ASPERITY_HEIGHTS_GAUSSIAN;
+    CHECK(asperity_create(&p, &model) == ASPERITY_OK, "a table that is not read: %s", last_message());
+    asperity_free(model);
+}
+
 /* ---- Output structs ---- */
 
 enum { GUARD = 0xa5, ROOM = 256 };
@@ -732,6 +792,8 @@ int main(void)
     create_refuses_by_name_and_leaves_the_pointer();
     failing_set_params_leaves_the_model_bit_for_bit();
     set_params_makes_the_model_that_create_makes();
+    heights_tell_of_their_fields();
+    tables_are_refused_by_name();
     outputs_are_written_no_further_than_struct_size();
     failing_states_say_what_is_wrong();
     for (int i = 0; i < SURFACES; i++) {

@@ -145,7 +145,7 @@ static void special_parameters(void)
         offsetof(asperity_params, radius_rate), offsetof(asperity_params, slip_radius_1),
         offsetof(asperity_params, slip_stress_1), offsetof(asperity_params, slip_radius_2),
         offsetof(asperity_params, slip_stress_2), offsetof(asperity_params, max_friction_coefficient),
-        offsetof(asperity_params, hardness),
+        offsetof(asperity_params, skew), offsetof(asperity_params, kurtosis), offsetof(asperity_params, hardness),
     };
     const asperity_params first = surface(0);
     asperity_model *other = NULL;
@@ -154,6 +154,8 @@ static void special_parameters(void)
     for (size_t k = 0; k < sizeof offsets / sizeof *offsets; k++)
         for (int i = 0; i < SPECIALS; i++) {
             asperity_params p = surface(offsets[k] == offsetof(asperity_params, weibull_shape) ? 4 : 0);
+            if (offsets[k] == offsetof(asperity_params, skew) || offsets[k] == offsetof(asperity_params, kurtosis))
+                p.height_distribution = ASPERITY_HEIGHTS_JOHNSON;
             memcpy((char *)&p + offsets[k], &specials[i], sizeof(double));
             try_params(&p, other, 0);
         }

@@ -162,6 +162,13 @@ impl asperity_params {
         self
     }
 
+    /// With heights of Johnson's system.
+    pub fn johnson(mut self, skew: f64, kurtosis: f64) -> Self {
+        self.height_distribution = 2;
+        self.appended[..2].copy_from_slice(&[skew, kurtosis]);
+        self
+    }
+
     /// With radii that vary with height.
     pub fn radii(mut self, amplitude: f64, rate: f64) -> Self {
         self.constants[1] = amplitude;

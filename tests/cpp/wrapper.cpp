@@ -228,6 +228,13 @@ void skew_chooses_the_weibull_shape() {
     EXPECT(begins(error.what(), "skew = -1.2: must be "));
 }
 
+void johnson_heights_have_a_skew_and_a_kurtosis_of_their_own() {
+    const Params params = Params().height_distribution(asperity::Heights::johnson).skew(0.4).kurtosis(3.8);
+    const asperity::Summary summary = Model(params).summary();
+    EXPECT(close(summary.skew, 0.4, 1e-9) && close(summary.kurtosis, 3.8, 1e-9));
+    EXPECT(thrown_by([&] { Model(Params(params).kurtosis(1.0)); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
 // ---- The model ----
 
 void a_model_moves_and_does_not_copy() {
@@ -473,6 +480,7 @@ int main() {
     spectral_moments_give_the_summits();
     dimensionless_groups_come_back_from_the_model();
     skew_chooses_the_weibull_shape();
+    johnson_heights_have_a_skew_and_a_kurtosis_of_their_own();
     a_model_moves_and_does_not_copy();
     parameters_change_all_or_nothing();
     friction_is_that_of_the_reference();
