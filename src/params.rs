@@ -4,6 +4,7 @@ use crate::asperity::slip::SlipConstants;
 use crate::error::Error;
 use crate::groups::Groups;
 use crate::surface::heights::johnson::{self, Johnson};
+use crate::surface::heights::tabulated::Tabulated;
 use crate::surface::heights::weibull::{self, Weibull};
 use crate::surface::heights::Heights;
 use crate::surface::radius::RadiusProfile;
@@ -311,11 +312,9 @@ impl Params {
                 Ok(Heights::Weibull(Box::new(Weibull::new(shape))))
             }
             &HeightFamily::Johnson { skew, kurtosis } => checked_johnson(skew, kurtosis),
-            HeightFamily::Tabulated { .. } => Err(Error::OutOfRange {
-                name: "height_distribution",
-                value: 3.into(),
-                allowed: "this family is not evaluated yet",
-            }),
+            HeightFamily::Tabulated { height, density } => {
+                Ok(Heights::Tabulated(Box::new(Tabulated::new(height, density)?)))
+            }
         }
     }
 

@@ -33,6 +33,11 @@ const MOST_OF_THE_REST: f64 = 0.7;
 const GROWTH: [(f64, f64); 2] = [(0.03, 2.0), (0.5, 1.5)];
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
 const MOST_SAMPLES: usize = 800;
+/// Panels end where a table of heights gives the curve a kink. Between more kinks than these hardly a row of the law would
+/// be smooth: the curve then serves to find separations, and loads are evaluated exactly.
+const MOST_KINKS: usize = 240;
+/// What lies between kinks nearer to each other than this, in sigma, is left out: no row would fit in.
+const NEAREST_KINKS: f64 = 0.01;
 /// The narrowest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved (a
 /// height density whose foot passes the edge of contact, say) is evaluated exactly.
 const NARROWEST: f64 = 0.05;
@@ -137,10 +142,16 @@ impl Curve {
         }
         let lightest = from.log_excess - log_range;
         check.push(from);
+        let mut kinks = population.kinks();
+        let resolvable = kinks.len() <= MOST_KINKS;
+        if !resolvable {
+            kinks.clear();
+        }
+        let most_samples = MOST_SAMPLES + 2 * NODES * kinks.len();
         let mut width = f64::MAX;
         // A separation before which the curve is not smooth, and whether the last attempt failed.
         let (mut obstacle, mut failed) = (None, false);
-        while from.separation < end && from.log_excess > lightest && curve.samples < MOST_SAMPLES {
+        while from.separation < end && from.log_excess > lightest && curve.samples < most_samples {
             let remaining = end - from.separation;
             let (part, shortest) = match log_pull_off {
                 None => (MOST_OF_THE_REST, 0.0),
@@ -148,17 +159,29 @@ impl Curve {
                 Some(_) => (PART_OF_THE_WAY, NARROWEST_AT_END),
             };
             let narrowest = (0.2 * remaining).clamp(shortest, NARROWEST);
-            let length = (part * remaining)
+            let mut length = (part * remaining)
                 .min(width)
                 .min(obstacle.map_or(f64::MAX, |obstacle: f64| (0.5 * (obstacle - from.separation)).max(narrowest)))
                 .min(WIDEST.max(WIDEST_PART * from.separation.abs()));
-            let to = if length < remaining { from.separation + length } else { end };
+            let mut to = if length < remaining { from.separation + length } else { end };
+            if let Some(&kink) = kinks.get(kinks.partition_point(|&kink| kink <= from.separation)) {
+                if kink - from.separation < NEAREST_KINKS && kink < end {
+                    let next = curve.sample(population, equilibrium, kink)?;
+                    curve.panels.push(Panel::gap(&from, &next));
+                    curve.samples += 1;
+                    from = next;
+                    continue;
+                }
+                if kink < to {
+                    (to, length) = (kink, kink - from.separation);
+                }
+            }
             let attempt = curve.attempt(population, equilibrium, from, to)?;
             let excess = attempt.excess;
             if excess <= 1.0 {
                 let growth = GROWTH.iter().find(|&&(part, _)| excess < part).map_or(1.0, |&(_, growth)| growth);
                 width = growth * length;
-            } else if length > narrowest {
+            } else if length > narrowest && resolvable {
                 // As the error of so many conditions grows with length.
                 let shorter = 0.9 * excess.powf(-1.0 / CONDITIONS as f64);
                 width = (shorter.clamp(0.25, 0.8) * length).max(narrowest);
@@ -212,7 +235,7 @@ impl Curve {
         // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
         let between = self.sample(population, equilibrium, middle + 0.1 * half)?;
         let (first, last) = (nodes[0].separation, nodes[NODES - 1].separation);
-        let sparse = panel.separation_at(panel.sparsest()).clamp(first, last);
+        let sparse = panel.separation_at(panel.sparsest()).max(first).min(last);
         let sparse = self.sample(population, equilibrium, sparse)?;
         self.samples += NODES + 3;
         let excess = [from, between, sparse, end].iter().map(|sample| panel.excess(sample)).fold(0.0, largest);
@@ -311,6 +334,20 @@ impl Panel {
             }
         }
         Self { lowest, highest, nodes, log_force, separation, good: false }
+    }
+
+    /// Between two states with nothing known but these.
+    fn gap(from: &Sample, to: &Sample) -> Self {
+        let mut separation = [0.0; NODES];
+        separation[0] = 0.5 * (from.separation + to.separation);
+        Self {
+            lowest: to.s,
+            highest: from.s,
+            nodes: [0.0; NODES],
+            log_force: [0.0; CONDITIONS],
+            separation,
+            good: false,
+        }
     }
 
     /// ln F and its derivative by s; NaN where the panel is not known to be good.

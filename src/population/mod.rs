@@ -37,7 +37,7 @@ const CIRCLE_RATIO: f64 = 4.0;
 /// Where the contact curve is this many panels long, height itself serves as the variable.
 const LONG_CURVE: f64 = 1.5;
 /// No sum needs as many panels; it bounds the time of a call.
-const MOST_PANELS: usize = 4000;
+const MOST_PANELS: usize = 6000;
 
 /// A population of summits pressed against a flat.
 #[derive(Debug, Clone)]
@@ -157,6 +157,8 @@ impl Guess {
 
 /// What walks the panels hands its nodes to.
 trait Sink {
+    /// Whether every panel must have all 16 nodes.
+    const WHOLE_PANELS: bool = false;
     /// A panel begins; all its nodes follow.
     fn panel(&mut self, _from: &Point, _to: &Point) {}
     /// A node: its height, its weight without the density, and the contact there.
@@ -227,6 +229,31 @@ impl Population {
     /// A separation beyond which nothing touches or attracts, in any number that can be represented.
     pub fn farthest(&self) -> f64 {
         self.heights.far_tail() + self.attraction.as_ref().map_or(0.0, |a| a.reach) - self.edges.deepest()
+    }
+
+    /// The separations at which a height where the density has a kink passes an overlap where the law of one summit has
+    /// one, in ascending order: there the sums are not smooth.
+    pub fn kinks(&self) -> Vec<f64> {
+        let mut kinks = Vec::new();
+        for &z in self.heights.knots() {
+            let g = self.radius.factor(z);
+            let edge = self.maugis.break_away(g);
+            kinks.push(z - edge.overlap);
+            if let Some(law) = &self.attraction {
+                kinks.push(z + law.reach);
+            }
+            for radius in self.slip.kinks().into_iter().filter(|&radius| radius > edge.radius) {
+                let excess = |theta: f64| self.maugis.at(theta, g).radius - radius;
+                let mut lower = 0.5 * edge.theta;
+                while excess(lower) < 0.0 {
+                    lower *= 0.5;
+                }
+                kinks.push(z - self.maugis.at(root::bracketed(excess, lower, edge.theta), g).overlap);
+            }
+        }
+        kinks.sort_by(f64::total_cmp);
+        kinks.dedup();
+        kinks
     }
 
     /// The sums at a separation.
@@ -458,7 +485,7 @@ impl Population {
             self.heights.smooth_length(z).min(self.radius.smooth_length(z))
         } else {
             // Going down, what lies below is nearer: the distance that z would allow going up, less itself.
-            let mut length = 1.0_f64;
+            let mut length = self.heights.longest_below(z);
             for _ in 0..60 {
                 let below = z - length;
                 if self.heights.smooth_length(below).min(self.radius.smooth_length(below)) >= length {
@@ -470,6 +497,26 @@ impl Population {
         }
     }
 
+    /// The length of a panel that may have another; what little would be left of the range goes into it, where no knot of
+    /// the density lies between.
+    fn without_remnant(&self, length: f64, remaining: f64) -> f64 {
+        let most = if self.heights.knots().is_empty() { 0.8 * remaining } else { remaining };
+        if length > most {
+            remaining
+        } else {
+            length
+        }
+    }
+
+    /// What part a panel is of the longest on which all but the density is smooth.
+    fn part_of_smooth(&self, z: f64, length: f64, longest: f64) -> f64 {
+        if self.heights.knots().is_empty() {
+            1.0
+        } else {
+            length / longest.min(self.radius.smooth_length(z))
+        }
+    }
+
     /// Walks panels from a point to a height, and hands every node to `sink`: height, weight, contact.
     fn march(&self, start: Point, end: f64, sink: &mut impl Sink) {
         let upwards = end >= start.z;
@@ -477,7 +524,7 @@ impl Population {
     }
 
     /// Walks panels no longer than `smooth_length` of where each begins.
-    fn march_by(&self, start: Point, end: f64, smooth_length: impl Fn(f64) -> f64, sink: &mut impl Sink) {
+    fn march_by<S: Sink>(&self, start: Point, end: f64, smooth_length: impl Fn(f64) -> f64, sink: &mut S) {
         let direction = if end >= start.z { 1.0 } else { -1.0 };
         let constant_radius = self.radius.is_constant();
         let mut here = start;
@@ -486,10 +533,7 @@ impl Population {
             if remaining <= 0.0 {
                 return;
             }
-            let mut length = smooth_length(here.z);
-            if length > 0.8 * remaining {
-                length = remaining;
-            }
+            let mut length = self.without_remnant(smooth_length(here.z), remaining);
             let theta_far = self.theta_limit(&here);
             let curve = self.maugis.at(theta_far, here.g).overlap - here.contact.overlap;
             length = length.min(curve);
@@ -501,9 +545,12 @@ impl Population {
             sink.panel(&here, &there);
             // Heights of one radius need no solution of their contact's overlap, which deep down has too few digits.
             let by_height = !constant_radius || here.contact.overlap > nodes::LARGEST_OVERLAP;
-            if by_height && curve > LONG_CURVE * length && self.clearance(&here) > length {
+            let clearance = if by_height { self.clearance(&here) } else { 0.0 };
+            if by_height && curve > LONG_CURVE * length && clearance > length {
                 let guess = Guess::new(&here, &there, direction * length);
-                for (rise, weight) in gauss_legendre::nodes(0.0, direction * length) {
+                let part =
+                    if S::WHOLE_PANELS { 1.0 } else { self.part_of_smooth(here.z, length, curve.min(clearance)) };
+                for (rise, weight) in gauss_legendre::nodes_of_part(part, 0.0, direction * length) {
                     let point = self.point(&here, rise, guess.at(rise / (direction * length)));
                     sink.node(point.z, weight, &point.contact);
                 }
@@ -518,7 +565,8 @@ impl Population {
                 };
                 // How the true theta departs, by the end of the panel, from that at the radius of its beginning.
                 let drift = (there.contact.theta / theta_end - 1.0) / length;
-                for (theta, weight) in gauss_legendre::nodes(theta_end, here.contact.theta) {
+                let part = if S::WHOLE_PANELS { 1.0 } else { self.part_of_smooth(here.z, length, curve) };
+                for (theta, weight) in gauss_legendre::nodes_of_part(part, theta_end, here.contact.theta) {
                     let reference = self.maugis.at(theta, here.g);
                     let rise = direction * (reference.overlap - here.contact.overlap);
                     let weight = weight * reference.overlap_rate.abs();
@@ -654,10 +702,7 @@ impl Population {
             if overlap >= end {
                 return;
             }
-            let mut length = self.smooth_length(z, true);
-            if length > 0.8 * (end - overlap) {
-                length = end - overlap;
-            }
+            let mut length = self.without_remnant(self.smooth_length(z, true), end - overlap);
             let g = self.radius.factor(z);
             let here = law.at(law.circle(overlap, g), g);
             let mut circle_end = law.circle(overlap + length, g);
@@ -668,7 +713,8 @@ impl Population {
                     circle_end = farthest.circle;
                 }
             }
-            for (circle, weight) in gauss_legendre::nodes(here.circle, circle_end) {
+            let part = self.part_of_smooth(z, length, f64::MAX);
+            for (circle, weight) in gauss_legendre::nodes_of_part(part, here.circle, circle_end) {
                 let reference = law.at(circle, g);
                 let rise = reference.overlap - here.overlap;
                 sink(z + rise, overlap + rise, weight * reference.overlap_rate);

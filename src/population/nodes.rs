@@ -70,6 +70,8 @@ struct Collecting<'a> {
 }
 
 impl Sink for Collecting<'_> {
+    const WHOLE_PANELS: bool = true;
+
     fn panel(&mut self, _from: &Point, to: &Point) {
         if self.table.ends.len() <= MOST_PANELS {
             self.table.ends.push(*to);

@@ -5,9 +5,11 @@
 //! highest summit where sums in the upper tail depend on the distance to it.
 
 pub mod johnson;
+pub mod tabulated;
 pub mod weibull;
 
 use johnson::Johnson;
+use tabulated::Tabulated;
 use weibull::Weibull;
 
 /// Contributions below exp(-NEGLIGIBLE) of the largest are left out of the sums.
@@ -31,6 +33,8 @@ pub enum Heights {
     Weibull(Box<Weibull>),
     /// Johnson's system.
     Johnson(Box<Johnson>),
+    /// A measured density.
+    Tabulated(Box<Tabulated>),
 }
 
 impl Heights {
@@ -39,6 +43,7 @@ impl Heights {
         match self {
             Heights::Gaussian | Heights::Weibull(_) => 0.0,
             Heights::Johnson(johnson) => johnson.origin(),
+            Heights::Tabulated(table) => table.origin(),
         }
     }
 
@@ -58,6 +63,7 @@ impl Heights {
                 }
             }
             Heights::Johnson(johnson) => johnson.log_density(z),
+            Heights::Tabulated(table) => table.density(z).ln(),
         }
     }
 
@@ -78,6 +84,7 @@ impl Heights {
             Heights::Gaussian => f64::NEG_INFINITY,
             Heights::Weibull(weibull) => -weibull.mean(),
             Heights::Johnson(johnson) => johnson.support().0,
+            Heights::Tabulated(table) => table.support().0,
         }
     }
 
@@ -86,13 +93,14 @@ impl Heights {
         match self {
             Heights::Gaussian | Heights::Weibull(_) => f64::INFINITY,
             Heights::Johnson(johnson) => johnson.support().1,
+            Heights::Tabulated(table) => table.support().1,
         }
     }
 
     /// The exponent p of phi ~ (z - foot)^p at the foot, where it is a power.
     pub fn power_at_foot(&self) -> Option<f64> {
         match self {
-            Heights::Gaussian | Heights::Johnson(_) => None,
+            Heights::Gaussian | Heights::Johnson(_) | Heights::Tabulated(_) => None,
             Heights::Weibull(weibull) => Some(weibull.shape() - 1.0),
         }
     }
@@ -118,6 +126,10 @@ impl Heights {
                 (if is_foot { lower } else { lower.max(lowest) }, upper.min(highest))
             }
             Heights::Johnson(johnson) => johnson.worth_summing(lower, upper, NEGLIGIBLE),
+            Heights::Tabulated(table) => {
+                let (foot, head) = table.support();
+                (lower.max(foot), upper.min(head))
+            }
         }
     }
 
@@ -127,6 +139,7 @@ impl Heights {
             Heights::Gaussian => -self.far_tail(),
             Heights::Weibull(weibull) => -weibull.mean(),
             Heights::Johnson(johnson) => johnson.height(-(-2.0 * UNDERFLOW).sqrt()),
+            Heights::Tabulated(table) => table.support().0,
         }
     }
 
@@ -136,6 +149,7 @@ impl Heights {
             Heights::Gaussian => (-2.0 * UNDERFLOW).sqrt(),
             Heights::Weibull(weibull) => weibull.height_of_hazard(-UNDERFLOW),
             Heights::Johnson(johnson) => johnson.height((-2.0 * UNDERFLOW).sqrt()),
+            Heights::Tabulated(table) => table.support().1,
         }
     }
 
@@ -148,6 +162,7 @@ impl Heights {
                 start.max(if shape > 1.0 { weibull.height_of_hazard(1.0 - 1.0 / shape) } else { -weibull.mean() })
             }
             Heights::Johnson(johnson) => johnson.peak_above(start),
+            Heights::Tabulated(table) => table.peak_above(start),
         }
     }
 
@@ -156,16 +171,35 @@ impl Heights {
         matches!(self, Heights::Gaussian | Heights::Weibull(_))
     }
 
+    /// The heights at which the density is not smooth, none or many.
+    pub fn knots(&self) -> &[f64] {
+        match self {
+            Heights::Tabulated(table) => table.knots(),
+            _ => &[],
+        }
+    }
+
     /// How far above z one quadrature panel may reach.
     pub fn smooth_length(&self, z: f64) -> f64 {
-        if let Heights::Johnson(johnson) = self {
-            return johnson.smooth_length(z);
+        match self {
+            Heights::Johnson(johnson) => return johnson.smooth_length(z),
+            Heights::Tabulated(table) => return table.smooth_length(z),
+            Heights::Gaussian | Heights::Weibull(_) => {}
         }
         let mut length = LONGEST_PANEL;
         while length > SHORTEST_PANEL && !self.is_smooth(z, z + length) {
             length *= 0.5;
         }
         length
+    }
+
+    /// No panel that reaches down from z need be tried that is longer than this.
+    pub fn longest_below(&self, z: f64) -> f64 {
+        match self {
+            Heights::Gaussian | Heights::Weibull(_) => 1.0,
+            Heights::Johnson(johnson) => johnson.smooth_length(z).max(1.0),
+            Heights::Tabulated(table) => table.smooth_length_below(z),
+        }
     }
 
     /// Whether one quadrature panel may reach from one height to another.
@@ -181,6 +215,7 @@ impl Heights {
                 length * steepness(from).max(steepness(to)) <= STEEPEST_PANEL
             }
             Heights::Johnson(johnson) => johnson.is_smooth(from, to),
+            Heights::Tabulated(table) => table.is_smooth(from, to),
         }
     }
 
@@ -190,6 +225,7 @@ impl Heights {
             Heights::Gaussian => 0.0,
             Heights::Weibull(weibull) => weibull.skew(),
             Heights::Johnson(johnson) => johnson.skew(),
+            Heights::Tabulated(table) => table.skew(),
         }
     }
 
@@ -199,6 +235,7 @@ impl Heights {
             Heights::Gaussian => 3.0,
             Heights::Weibull(weibull) => weibull.kurtosis(),
             Heights::Johnson(johnson) => johnson.kurtosis(),
+            Heights::Tabulated(table) => table.kurtosis(),
         }
     }
 }
