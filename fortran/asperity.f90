@@ -71,7 +71,7 @@ module asperity
     type(c_ptr) :: table_height = c_null_ptr      ! table_length real(c_double), increasing: heights in any unit and
                                                   ! from any origin; read only for ASPERITY_HEIGHTS_TABULATED
     type(c_ptr) :: table_density = c_null_ptr     ! as many, >= 0: the density at each, of any scale
-    integer(c_int64_t) :: table_length = 0        ! 4 to 65536
+    integer(c_int64_t) :: table_length = 0        ! 3 to 4096
   end type asperity_params
 
   ! The exact state of the contact, in the units of the parameters.

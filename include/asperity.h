@@ -245,7 +245,7 @@ typedef struct asperity_params {
    */
   const double *table_density;
   /**
-   * Number of heights in the table, 4 to 65536. 0 by default.
+   * Number of heights in the table, 3 to 4096. 0 by default.
    */
   uint64_t table_length;
 } asperity_params;

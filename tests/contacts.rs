@@ -261,6 +261,10 @@ fn the_largest_contact_is_exceeded_by_one_in_n_plus_1() {
         HeightFamily::Weibull { shape: 2.2 },
         HeightFamily::Johnson { skew: 0.6, kurtosis: 4.5 },
         HeightFamily::Johnson { skew: -0.4, kurtosis: 2.6 },
+        HeightFamily::Tabulated {
+            height: (0..9).map(f64::from).collect(),
+            density: [0.0, 1.0, 4.0, 7.0, 6.0, 0.0, 0.0, 2.0, 0.5].into(),
+        },
     ];
     for heights in families {
         for d in [-0.5, 1.5] {

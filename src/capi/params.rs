@@ -4,6 +4,7 @@ use super::boundary::{wrong_struct_size, Failure};
 use crate::asperity::slip::SlipConstants;
 use crate::error::{Error, Value};
 use crate::params::{HeightFamily, Params};
+use crate::surface::heights::tabulated;
 use std::mem::{offset_of, size_of};
 use std::sync::Arc;
 
@@ -80,12 +81,9 @@ pub struct asperity_params {
     pub table_height: *const f64,
     /// The density at each of them, >= 0; it need not be normalised. NULL by default.
     pub table_density: *const f64,
-    /// Number of heights in the table, 4 to 65536. 0 by default.
+    /// Number of heights in the table, 3 to 4096. 0 by default.
     pub table_length: u64,
 }
-
-/// The shortest and longest table.
-const TABLE_LENGTHS: (usize, usize) = (4, 65536);
 
 /// Size of the first version.
 pub(super) const FIRST_SIZE: u64 = offset_of!(asperity_params, skew) as u64;
@@ -236,11 +234,12 @@ impl asperity_params {
 
     /// A copy of the caller's table.
     unsafe fn table(&self) -> Result<HeightFamily, Failure> {
-        let (least, most) = TABLE_LENGTHS;
+        const _: () = assert!(tabulated::LENGTHS.0 == 3 && tabulated::LENGTHS.1 == 4096);
+        let (fewest, most) = tabulated::LENGTHS;
         let length = usize::try_from(self.table_length).unwrap_or(usize::MAX);
-        if length < least || length > most {
+        if length < fewest || length > most {
             let value = Value::Integer(i64::try_from(self.table_length).unwrap_or(i64::MAX));
-            return Err(invalid("table_length", value, "must be between 4 and 65536"));
+            return Err(invalid("table_length", value, "must be between 3 and 4096"));
         }
         let column = |name: &'static str, first: *const f64| {
             if first.is_null() {

@@ -122,10 +122,7 @@ impl Population {
             if z >= upper {
                 break;
             }
-            let mut length = self.heights.smooth_length(z);
-            if length > 0.8 * (upper - z) {
-                length = upper - z;
-            }
+            let length = self.without_remnant(self.heights.smooth_length(z), upper - z);
             fraction += gauss_legendre::nodes(0.0, length)
                 .map(|(rise, weight)| weight * density.at(z + rise, z + rise - separation))
                 .sum::<f64>();
