@@ -248,6 +248,7 @@ fn random_real(random: &mut SplitMix) -> asperity_params {
         params = params.weibull(random.log_between(0.2, 1e7));
     } else if random.chance(0.4) {
         params = {
+            // Not so skewed that heights end hundreds of sigma up: a separation from the mean has too few digits there.
             let skew = random.between(-1.2, 1.2);
             params.johnson(skew, skew * skew + random.log_between(1.05, 10.0))
         };
@@ -361,6 +362,7 @@ fn loads_and_separations_of_random_bits_are_refused_or_work() {
         paper.weibull(25.0),
         paper.johnson(0.4, 2.5),
         paper.johnson(-1.0, 8.0),
+        paper.table(&[0.0, 1.0, 2.5, 4.0, 6.0], &[0.0, 3.0, 2.0, 0.5, 0.0]),
         paper.cap(f64::INFINITY),
         paper.cap(1e40),
         paper.cap(1e-40),

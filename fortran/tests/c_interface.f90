@@ -17,6 +17,7 @@ program c_interface
   call spectral_moments
   call skewed_heights
   call johnson_heights
+  call tabulated_heights
   call life_of_a_model
   call errors_of_values
   call batches
@@ -185,6 +186,37 @@ contains
                asperity_set_params(model, p) == ASPERITY_INVALID_PARAMETER)
     call asperity_free(model)
   end subroutine johnson_heights
+
+  ! A triangle about 3: no skew, kurtosis 2.4.
+  subroutine tabulated_heights
+    real(c_double), target :: height(5), density(5)
+    real(c_double), pointer :: kept(:)
+    type(asperity_params) :: p, back
+    type(asperity_summary) :: s
+    type(c_ptr) :: model
+    height = [1, 2, 3, 4, 5]
+    density = [0, 1, 2, 1, 0]
+    call asperity_check(asperity_params_init(p))
+    p%height_distribution = ASPERITY_HEIGHTS_TABULATED
+    p%table_height = c_loc(height)
+    p%table_density = c_loc(density)
+    p%table_length = size(height)
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    height = 0
+    call asperity_check(asperity_summary_of(model, s))
+    call check('a symmetric table has no skew', abs(s%skew) < 1e-12_c_double)
+    call check_close('... and the kurtosis of a triangle', s%kurtosis, 2.4_c_double, 0.02_c_double)
+    call asperity_check(asperity_get_params(model, back))
+    call c_f_pointer(back%table_height, kept, [back%table_length])
+    call check('the model has its own table', size(kept) == 5 .and. identical(kept(5), 5.0_c_double))
+    call asperity_check(asperity_set_params(model, back))
+    call check('heights that do not increase are refused', &
+               asperity_set_params(model, p) == ASPERITY_INVALID_PARAMETER)
+    call check_text('... with a message', asperity_error_message(), &
+                    'table_height[1] = 0: must be greater than the height before it')
+    call asperity_free(model)
+  end subroutine tabulated_heights
 
   subroutine life_of_a_model
     type(asperity_params) :: p, back

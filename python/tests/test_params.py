@@ -129,6 +129,12 @@ def test_a_table_means_tabulated_heights(params: Params) -> None:
     assert table.height_distribution == "tabulated"
     assert table.table_height == (0.0, 1.0, 2.0, 3.0)
     assert hash(table) != hash(params) and pickle.loads(pickle.dumps(table)) == table and eval(repr(table)) == table
+    with Model(params.replace(table_height=[1, 2, 3, 4, 5], table_density=[0, 1, 2, 1, 0])) as model:
+        assert abs(model.summary().skew) < 1e-12
+        assert model.friction_at_load(10.0) > 0
+        assert pickle.loads(pickle.dumps(model)).friction_at_load(10.0) == model.friction_at_load(10.0)
+    with pytest.raises(Error, match=r"table_height\[2\] = 1: must be greater than the height before it"):
+        Model(params.replace(table_height=[0, 1, 1, 3], table_density=[0, 1, 1, 0]))
     with pytest.raises(Error, match="table_density: 2 numbers for 0 heights"):
         params.replace(table_density=[1, 2])
     with pytest.raises(TypeError, match=r"table_height\[1\] = '1': must be a real number"):

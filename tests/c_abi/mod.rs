@@ -169,6 +169,14 @@ impl asperity_params {
         self
     }
 
+    /// With heights of a measured density.
+    pub fn table(mut self, height: &'static [f64], density: &'static [f64]) -> Self {
+        self.height_distribution = 3;
+        self.table = [height, density].map(|column| column.as_ptr() as usize);
+        self.table_length = height.len() as u64;
+        self
+    }
+
     /// With radii that vary with height.
     pub fn radii(mut self, amplitude: f64, rate: f64) -> Self {
         self.constants[1] = amplitude;

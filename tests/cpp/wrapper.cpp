@@ -162,6 +162,15 @@ void a_table_is_copied_and_shared() {
     const Params again(copy.c());
     EXPECT(again.table_height().data() != copy.table_height().data() && again.table_density().data()[1] == 1.0);
 
+    // The model copies it once more, and its parameters a last time.
+    Params back;
+    {
+        const Model model(copy);
+        EXPECT(std::fabs(model.summary().skew) < 1e-12 && model.friction_at_load(10.0) > 0.0);
+        back = model.params();
+    }
+    EXPECT(back.table_height().data()[4] == 5.0 && back.table_density().data()[2] == 2.0);
+
     const Error error = thrown_by([&] { copy.table(heights, {densities.data(), 4}); });
     EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
     EXPECT(begins(error.what(), "size of densities = 4: must be the number of heights, 5"));
