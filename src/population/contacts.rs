@@ -35,7 +35,11 @@ struct Counting<'a> {
 }
 
 impl Sink for Counting<'_> {
-    fn panel(&mut self, from: &Point, to: &Point) {
+    fn log_scale(&self) -> f64 {
+        self.density.log_scale
+    }
+
+    fn panel(&mut self, from: &Point, to: &Point, _by_height: bool) {
         // A panel ends where the contact radius has an extremum.
         self.seen.extend([from, to].map(|point| (point.z, point.contact.radius)));
     }
@@ -122,7 +126,7 @@ impl Population {
             if z >= upper {
                 break;
             }
-            let length = self.without_remnant(self.heights.smooth_length(z), upper - z);
+            let length = self.without_remnant(self.heights.smooth_length(z, density.log_scale), upper - z);
             fraction += gauss_legendre::nodes(0.0, length)
                 .map(|(rise, weight)| weight * density.at(z + rise, z + rise - separation))
                 .sum::<f64>();

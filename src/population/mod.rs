@@ -206,8 +206,12 @@ fn bubble(part: f64) -> f64 {
 trait Sink {
     /// Whether every panel must have all 16 nodes.
     const WHOLE_PANELS: bool = false;
-    /// A panel begins, up to this point; all its nodes follow.
-    fn panel(&mut self, _end: &Point, _by_height: bool) {}
+    /// ln phi that is taken as 1.
+    fn log_scale(&self) -> f64 {
+        f64::NEG_INFINITY
+    }
+    /// A panel begins, from a point to another, short beside the distance to break-away or not; all its nodes follow.
+    fn panel(&mut self, _from: &Point, _to: &Point, _by_height: bool) {}
     /// A node: its height, its weight without the density, and the contact there.
     fn node(&mut self, z: f64, weight: f64, contact: &Contact);
 }
@@ -220,6 +224,10 @@ struct Summing<'a> {
 }
 
 impl Sink for Summing<'_> {
+    fn log_scale(&self) -> f64 {
+        self.sums.log_scale
+    }
+
     fn node(&mut self, z: f64, weight: f64, contact: &Contact) {
         let density = self.density.at(z, contact.overlap);
         self.sums.add_contact(weight * density, &self.population.summit(contact));
@@ -498,7 +506,7 @@ impl Population {
 
     /// Where the range begins at the foot of the distribution, sums a first panel in which the power law of the
     /// density is smooth; returns where it ends.
-    fn above_foot(&self, start: Point, upper: f64, sink: &mut Summing) -> Point {
+    fn above_foot(&self, start: Point, upper: f64, sink: &mut impl Sink) -> Point {
         let Some(panel) = self.foot_panel(start.z, upper, || self.clearance(&start)) else {
             return start;
         };
@@ -565,9 +573,9 @@ impl Population {
     }
 
     /// Walks panels from a point to a height, and hands every node to `sink`: height, weight, contact.
-    fn march(&self, start: Point, end: f64, sink: &mut Summing) {
+    fn march(&self, start: Point, end: f64, sink: &mut impl Sink) {
         let upwards = end >= start.z;
-        let log_scale = sink.sums.log_scale;
+        let log_scale = sink.log_scale();
         self.march_by(start, end, |z| self.smooth_length(z, upwards, log_scale), sink);
     }
 
@@ -596,7 +604,7 @@ impl Population {
                 length = cut.rise_above(&here).abs();
                 there = cut;
             }
-            sink.panel(&there, by_height);
+            sink.panel(&here, &there, by_height);
             let short = there.contact.theta > SHORT_RATIO * here.contact.theta;
             let part_of_smooth =
                 if S::WHOLE_PANELS || !by_height { 1.0 } else { self.part_of_smooth(here.z, length, clearance) };

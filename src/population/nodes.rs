@@ -79,9 +79,9 @@ struct Collecting<'a> {
 impl Sink for Collecting<'_> {
     const WHOLE_PANELS: bool = true;
 
-    fn panel(&mut self, end: &Point, by_height: bool) {
+    fn panel(&mut self, _from: &Point, to: &Point, by_height: bool) {
         if self.table.ends.len() < MOST_PANELS {
-            self.table.ends.push((*end, by_height));
+            self.table.ends.push((*to, by_height));
         }
     }
 
