@@ -1,0 +1,100 @@
+"""How the radius of summits depends on their height: eq (3) of the paper, fitted to measured curvatures."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+
+# What the fit looks for: at |epsilon| = 1 some radius would be zero, and steeper or flatter rates are a step or a line.
+_AMPLITUDES = (-0.99, 0.99)
+_RATES = (0.02, 20.0)
+_SIGNIFICANT = 3.0
+
+
+@dataclass(frozen=True, eq=False)
+class RadiusTrend:
+    """R(z) = R (1 + epsilon tanh(rho z/sigma)), eq (3), with z from the mean and sigma of the summit heights.
+
+    Least squares in curvature: 1/R(z) follows the mean curvature of the summits of height z, so that epsilon = 0 gives
+    the radius of `Summits`. Radii themselves would not do: those of nearly flat summits would outweigh all others.
+
+    Attributes:
+        radius: R [length].
+        amplitude: epsilon, sought from -0.99 to 0.99.
+        rate: rho, sought from 0.02 to 20.
+        covariance: of (radius, amplitude, rate), 3 x 3; summits within one of the 4 x 4 tiles of the map may be
+            correlated. NaN for one that stands at an end of its range: nothing holds it there but the range.
+        slope_ratio: slope of curvature over height, in its standard errors.
+        significant: whether that is beyond +-3. If not, nothing tells the trend from none: use epsilon = 0.
+    """
+
+    radius: float
+    amplitude: float
+    rate: float
+    covariance: Array = field(repr=False)
+    slope_ratio: float
+    significant: bool
+
+    @property
+    def errors(self) -> tuple[float, float, float]:
+        """Standard errors of radius, amplitude and rate."""
+        radius, amplitude, rate = np.sqrt(np.diag(self.covariance))
+        return float(radius), float(amplitude), float(rate)
+
+
+def fit(height: Array, curvature: Array, tile: npt.NDArray[np.intp]) -> RadiusTrend:
+    """Fits eq (3).
+
+    Args:
+        height: of the summits, from their mean, in their standard deviation; shape (n,).
+        curvature: mean of the two principal ones [1/length], shape (n,).
+        tile: the part of the map that each is in, shape (n,).
+    """
+    from scipy.optimize import least_squares
+
+    unit = float(curvature.mean())
+    relative = curvature / unit
+
+    def residuals(x: Array) -> Array:
+        return np.asarray(1 / (x[0] * (1 + x[1] * np.tanh(x[2] * height))) - relative)
+
+    def jacobian(x: Array) -> Array:
+        tanh = np.tanh(x[2] * height)
+        growth = 1 + x[1] * tanh
+        relative_slopes = [np.full_like(tanh, 1 / x[0]), tanh / growth, x[1] * height * (1 - tanh**2) / growth]
+        return np.stack([-slope / (x[0] * growth) for slope in relative_slopes], axis=1)
+
+    slope_ratio = _slope_ratio(height, relative, tile)
+    bounds = np.array([(1e-3, 1e3), _AMPLITUDES, _RATES]).T
+    starts = ([1.0, -0.3 * np.sign(slope_ratio), rate] for rate in (0.3, 2.0))
+    found = min((least_squares(residuals, x, jac=jacobian, bounds=bounds) for x in starts), key=lambda one: one.cost)
+    covariance = _covariance(found.jac, found.fun, tile, free=found.active_mask == 0)
+    scale = np.array([1 / unit, 1.0, 1.0])
+    covariance *= scale[:, None] * scale
+    covariance.setflags(write=False)
+    radius, amplitude, rate = map(float, found.x * scale)
+    return RadiusTrend(radius, amplitude, rate, covariance, slope_ratio, bool(abs(slope_ratio) > _SIGNIFICANT))
+
+
+def _slope_ratio(height: Array, relative: Array, tile: npt.NDArray[np.intp]) -> float:
+    slope = height @ relative / (height @ height)
+    residual = relative - relative.mean() - slope * height
+    free = np.ones(1, dtype=bool)
+    variance = _covariance(height[:, None], residual, tile, free)[0, 0]
+    return float(slope / np.sqrt(variance)) if variance > 0 else float(np.copysign(np.inf, slope))
+
+
+def _covariance(jacobian: Array, residual: Array, tile: npt.NDArray[np.intp], free: npt.NDArray[np.bool_]) -> Array:
+    """Of parameters from least squares, where residuals of one tile may be correlated (cluster-robust sandwich)."""
+    result = np.full((free.size, free.size), np.nan)
+    columns = jacobian[:, free]
+    tiles = np.unique(tile).size
+    if tiles > 1:
+        scores = np.stack([np.bincount(tile, weights=column * residual) for column in columns.T])
+        bread = np.linalg.pinv(columns.T @ columns)
+        result[np.ix_(free, free)] = tiles / (tiles - 1) * bread @ (scores @ scores.T) @ bread
+    return result
