@@ -200,6 +200,13 @@ def test_radii_without_a_trend_are_said_to_have_none() -> None:
     assert trend_of(0, 0.1, 1.0, 0.3).significant  # one that is small, but there
 
 
+def test_a_rate_that_the_map_does_not_tell_is_the_usual_one() -> None:
+    trend = trend_of(3, 0.15, 0.4, 0.3)
+    assert trend.significant and trend.rate == 0.5
+    assert trend.amplitude == pytest.approx(0.15 * 0.4 / 0.5, abs=4 * trend.errors[1])
+    assert trend.errors[1] < 0.05 and math.isnan(trend.errors[2])
+
+
 # ---- Plateaus and edges ----
 
 
@@ -374,9 +381,8 @@ def test_weibull_heights_have_the_skew_of_the_map(measured: surface.Summits) -> 
 
 
 def test_what_the_map_tells_cannot_be_given_too(measured: surface.Summits) -> None:
-    twice: dict[str, Any]
-    for twice in ({"height_std": 1e-9}, {"asperity_count": 5.0}, {"radius_amplitude": 0.1}, {"skew": 0.0}):
+    for name in ("height_std", "asperity_count", "radius_amplitude", "skew"):
         with pytest.raises(TypeError):
-            Params.from_topography(measured, **MATERIAL, **twice)
+            Params.from_topography(measured, **MATERIAL, **{name: 1.0})
     with pytest.raises(Error, match="height_distribution = 'beta': must be"):
         Params.from_topography(measured, heights="beta", **MATERIAL)  # type: ignore[arg-type]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +13,8 @@ Array = npt.NDArray[np.float64]
 # What the fit looks for: at |epsilon| = 1 some radius would be zero, and steeper or flatter rates are a step or a line.
 _AMPLITUDES = (-0.99, 0.99)
 _RATES = (0.02, 20.0)
+# The library's own rate, where the map does not tell one.
+_UNTOLD_RATE = 0.5
 _SIGNIFICANT = 3.0
 
 
@@ -25,9 +28,10 @@ class RadiusTrend:
     Attributes:
         radius: R [length].
         amplitude: epsilon, sought from -0.99 to 0.99.
-        rate: rho, sought from 0.02 to 20.
+        rate: rho, sought from 0.02 to 20; 0.5 where its standard error would exceed it: with a weak trend a map
+            tells the product of epsilon and rho, but not both.
         covariance: of (radius, amplitude, rate), 3 x 3; summits within one of the 4 x 4 tiles of the map may be
-            correlated. NaN for one that stands at an end of its range: nothing holds it there but the range.
+            correlated. NaN for a rate that the map does not tell, and for what stands at an end of its range.
         slope_ratio: slope of curvature over height, in its standard errors.
         significant: whether that is beyond +-3. If not, nothing tells the trend from none: use epsilon = 0.
     """
@@ -54,10 +58,27 @@ def fit(height: Array, curvature: Array, tile: npt.NDArray[np.intp]) -> RadiusTr
         curvature: mean of the two principal ones [1/length], shape (n,).
         tile: the part of the map that each is in, shape (n,).
     """
-    from scipy.optimize import least_squares
-
     unit = float(curvature.mean())
     relative = curvature / unit
+    slope_ratio = _slope_ratio(height, relative, tile)
+    amplitude = -0.3 * np.sign(slope_ratio)
+    found = min((_solve(height, relative, [1.0, amplitude, rate]) for rate in (0.3, 2.0)), key=lambda one: one.cost)
+    free = found.active_mask == 0
+    covariance = _covariance(found.jac, found.fun, tile, free)
+    if not np.sqrt(covariance[2, 2]) < found.x[2]:
+        found = _solve(height, relative, [1.0, amplitude, _UNTOLD_RATE], hold_rate=True)
+        free = (found.active_mask == 0) & [True, True, False]
+        covariance = _covariance(found.jac, found.fun, tile, free)
+    scale = np.array([1 / unit, 1.0, 1.0])
+    covariance *= scale[:, None] * scale
+    covariance.setflags(write=False)
+    radius, amplitude, rate = map(float, found.x * scale)
+    return RadiusTrend(radius, amplitude, rate, covariance, slope_ratio, bool(abs(slope_ratio) > _SIGNIFICANT))
+
+
+def _solve(height: Array, relative: Array, start: list[float], hold_rate: bool = False) -> Any:
+    """Least squares in 1/R(z) for radius, amplitude and rate, the radius in that of the mean curvature."""
+    from scipy.optimize import least_squares
 
     def residuals(x: Array) -> Array:
         return np.asarray(1 / (x[0] * (1 + x[1] * np.tanh(x[2] * height))) - relative)
@@ -65,19 +86,12 @@ def fit(height: Array, curvature: Array, tile: npt.NDArray[np.intp]) -> RadiusTr
     def jacobian(x: Array) -> Array:
         tanh = np.tanh(x[2] * height)
         growth = 1 + x[1] * tanh
-        relative_slopes = [np.full_like(tanh, 1 / x[0]), tanh / growth, x[1] * height * (1 - tanh**2) / growth]
+        by_rate = np.zeros_like(tanh) if hold_rate else x[1] * height * (1 - tanh**2) / growth
+        relative_slopes = [np.full_like(tanh, 1 / x[0]), tanh / growth, by_rate]
         return np.stack([-slope / (x[0] * growth) for slope in relative_slopes], axis=1)
 
-    slope_ratio = _slope_ratio(height, relative, tile)
     bounds = np.array([(1e-3, 1e3), _AMPLITUDES, _RATES]).T
-    starts = ([1.0, -0.3 * np.sign(slope_ratio), rate] for rate in (0.3, 2.0))
-    found = min((least_squares(residuals, x, jac=jacobian, bounds=bounds) for x in starts), key=lambda one: one.cost)
-    covariance = _covariance(found.jac, found.fun, tile, free=found.active_mask == 0)
-    scale = np.array([1 / unit, 1.0, 1.0])
-    covariance *= scale[:, None] * scale
-    covariance.setflags(write=False)
-    radius, amplitude, rate = map(float, found.x * scale)
-    return RadiusTrend(radius, amplitude, rate, covariance, slope_ratio, bool(abs(slope_ratio) > _SIGNIFICANT))
+    return least_squares(residuals, start, jac=jacobian, bounds=bounds)
 
 
 def _slope_ratio(height: Array, relative: Array, tile: npt.NDArray[np.intp]) -> float:
