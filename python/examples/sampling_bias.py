@@ -53,12 +53,12 @@ def draw(file: str, results: dict[str, list[tuple[Array, Array]]]) -> None:
             axes.errorbar(intervals, means, errors, marker=marker, markersize=4, linewidth=1, label=label)
         axes.axhline(1, color="black", linewidth=0.8)
         axes.set_xscale("log")
-        axes.set_xticks(intervals, [f"1/{points:g}" for points in POINTS_PER_WAVE], fontsize=8)
+        axes.set_xticks(intervals, [f"1/{points}" if points != 2.5 else "" for points in POINTS_PER_WAVE], fontsize=8)
         axes.minorticks_off()
         axes.set(xlabel="sampling interval in shortest wavelengths, $dx/L$", title=f"{kind} spectrum")
         axes.grid(True, alpha=0.3)
-    panels[0].set(ylabel="found in the map / Nayak's theory", ylim=(0.4, 1.8))
-    panels[0].legend()
+    panels[0].set(ylabel="found in the map / Nayak's theory", ylim=(0.5, 1.9))
+    panels[0].legend(loc="upper left")
     figure.savefig(file)
 
 
