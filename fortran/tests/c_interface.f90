@@ -11,8 +11,10 @@ program c_interface
 
   call versions_and_texts
   call default_parameters
+  call sizes_of_parameters
   call dimensionless_parameters
   call material_parameters
+  call spectral_moments
   call skewed_heights
   call life_of_a_model
   call errors_of_values
@@ -64,7 +66,32 @@ contains
     call check('epsilon = 0', identical(p%radius_amplitude, 0.0_c_double))
     call check('rho = 0.5', identical(p%radius_rate, 0.5_c_double))
     call check('coefficients are capped at 1000', identical(p%max_friction_coefficient, 1000.0_c_double))
+    call check('skew 0, kurtosis 3', identical(p%skew, 0.0_c_double) .and. identical(p%kurtosis, 3.0_c_double))
+    call check('no hardness', identical(p%hardness, 0.0_c_double))
+    call check('no table', .not. c_associated(p%table_height) .and. .not. c_associated(p%table_density) &
+               .and. p%table_length == 0)
   end subroutine default_parameters
+
+  ! The first version of the type ended with max_friction_coefficient.
+  subroutine sizes_of_parameters
+    integer(c_int64_t), parameter :: FIRST = 144
+    type(asperity_params) :: p
+    type(c_ptr) :: model
+    p%hardness = 5
+    call asperity_check(asperity_params_init_sized(p, FIRST))
+    call check('struct_size is the size that was given', p%struct_size == FIRST)
+    call check('... and no more was written', identical(p%hardness, 5.0_c_double))
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    call asperity_check(asperity_get_params_sized(model, p, FIRST + 24))
+    call check('what the size did not cover has its default', p%struct_size == FIRST + 24 .and. &
+               identical(p%hardness, 0.0_c_double))
+    call asperity_free(model)
+    call check('a size beyond the type is refused', &
+               asperity_params_init_sized(p, int(c_sizeof(p), c_int64_t) + 8) == ASPERITY_INVALID_PARAMETER)
+    call check_text('... with a message', asperity_error_message(), &
+                    'struct_size = 200: must be at most 192: the header is newer than the library')
+  end subroutine sizes_of_parameters
 
   subroutine dimensionless_parameters
     type(asperity_params) :: p
@@ -96,6 +123,22 @@ contains
     call check_close('a rigid body adds nothing to 1/E*', p%composite_modulus, E1 / (1 - NU1**2), 1e-14_c_double)
     call check_close('against a rigid body G* = 2 G1', p%effective_shear_modulus, 2 * g1, 1e-14_c_double)
   end subroutine material_parameters
+
+  subroutine spectral_moments
+    real(c_double), parameter :: M0 = 3, M2 = 0.5_c_double, M4 = 0.7_c_double, AREA = 11
+    type(asperity_params) :: p
+    call asperity_check(asperity_params_init(p))
+    call asperity_check(asperity_params_set_spectral_moments(p, M0, M2, M4, AREA))
+    call check_close('variance of the summit heights', p%height_std**2, (1 - 0.8968_c_double * M2**2 / (M0 * M4)) * M0, &
+                     1e-4_c_double)
+    call check_close('radius of the summits', p%summit_radius, 0.375_c_double * sqrt(PI / M4), 1e-14_c_double)
+    call check_close('number of summits', p%asperity_count, M4 * AREA / (6 * PI * sqrt(3.0_c_double) * M2), &
+                     1e-14_c_double)
+    call check('a bandwidth below 1.5 is refused', &
+               asperity_params_set_spectral_moments(p, M2, M2, 1.49_c_double * M2, AREA) == ASPERITY_INVALID_PARAMETER)
+    call check_text('... with a message', asperity_error_message(), &
+                    'bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5, as that of every isotropic surface is')
+  end subroutine spectral_moments
 
   ! Skew from the moments of the Weibull distribution, B_n = Gamma(1 + n/omega).
   subroutine skewed_heights

@@ -152,6 +152,17 @@ class Summits:
         """One over the mean of both curvatures of each summit [length], shape (count,)."""
         return np.asarray(2 / self.curvatures.sum(axis=1))
 
+    def histogram(self) -> tuple[Array, Array]:
+        """Heights [length] and their density [1/length], as `Params` tabulates it.
+
+        Bins of the width of Freedman and Diaconis (1981), 2 IQR/count^(1/3), at least 4: their middles, and at both
+        ends an edge, where the density is 0.
+        """
+        bins = max(4, np.histogram_bin_edges(self.heights, "fd").size - 1)
+        density, edges = np.histogram(self.heights, bins=bins, density=True)
+        height = np.concatenate([edges[:1], (edges[1:] + edges[:-1]) / 2, edges[-1:]])
+        return height, np.concatenate([[0.0], density, [0.0]])
+
 
 def summits(height_map: npt.ArrayLike, dx: float, dy: float, *, detrend: int = 1) -> Summits:
     """Finds the summits of a height map: the points higher than their 8 neighbours.
