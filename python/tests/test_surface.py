@@ -324,6 +324,14 @@ def test_ten_summits_are_enough_and_a_map_is_not_changed() -> None:
         summits.heights[0] = 0.0
 
 
+def test_summits_that_all_are_in_one_tile_tell_no_errors() -> None:
+    height = np.pad(np.random.default_rng(0).normal(5, 1, size=(12, 12)), ((0, 500), (0, 500)))
+    summits = surface.summits(height, 1.0, 1.0, detrend=0)
+    assert summits.count >= 10 and all(math.isnan(getattr(summits, name).error) for name in QUANTITIES[1:])
+    trend = summits.radius_trend
+    assert math.isnan(trend.slope_ratio) and not trend.significant
+
+
 @pytest.mark.parametrize("power", [-100, -9, 9, 100])
 def test_units_only_scale(power: int) -> None:
     unit, plain = 10.0**power, surface.summits(good(), 1.0, 2.0)
@@ -362,6 +370,23 @@ def test_params_take_the_numbers_of_the_map(measured: surface.Summits) -> None:
     assert params.height_distribution == "gaussian"
     with Model(params) as model:
         assert 0 < model.friction_at_load(1e-4) < 2
+
+
+def test_params_of_the_summits_are_those_of_the_moments_of_their_map(measured: surface.Summits) -> None:
+    moments = measured.moments
+    theory = Params.from_spectral_moments(
+        m0=moments.m0, m2=moments.m2, m4=moments.m4, nominal_area=measured.nominal_area, **MATERIAL
+    )
+    params = Params.from_topography(measured, trend=False, **MATERIAL)
+    for name, estimate in (
+        ("height_std", measured.height_std),
+        ("summit_radius", measured.radius),
+        ("asperity_count", measured.density),
+    ):
+        value = getattr(params, name)
+        error = 3 * estimate.error / estimate.value + 0.015  # density of 12 points a wave: docs/topography.md
+        assert value == pytest.approx(getattr(theory, name), rel=error), name
+        assert error < 0.12
 
 
 def test_params_without_a_trend_have_the_mean_radius(measured: surface.Summits) -> None:

@@ -15,7 +15,8 @@ _AMPLITUDES = (-0.99, 0.99)
 _RATES = (0.02, 20.0)
 # The library's own rate, where the map does not tell one.
 _UNTOLD_RATE = 0.5
-_SIGNIFICANT = 3.0
+# Chance of three standard deviations of a normal distribution.
+_SIGNIFICANT = 0.0027
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,8 +33,9 @@ class RadiusTrend:
             tells the product of epsilon and rho, but not both.
         covariance: of (radius, amplitude, rate), 3 x 3; summits within one of the 4 x 4 tiles of the map may be
             correlated. NaN for a rate that the map does not tell, and for what stands at an end of its range.
-        slope_ratio: slope of curvature over height, in its standard errors.
-        significant: whether that is beyond +-3. If not, nothing tells the trend from none: use epsilon = 0.
+        slope_ratio: slope of curvature over height, in its standard errors; NaN if all summits are in one tile.
+        significant: whether chance gives so large a ratio in less than 0.27 % of maps without a trend, by Student's t
+            for the tiles that have summits: beyond +-3.6 for all 16. If not, use epsilon = 0.
     """
 
     radius: float
@@ -58,10 +60,12 @@ def fit(height: Array, curvature: Array, tile: npt.NDArray[np.intp]) -> RadiusTr
         curvature: mean of the two principal ones [1/length], shape (n,).
         tile: the part of the map that each is in, shape (n,).
     """
+    from scipy.special import stdtr
+
     unit = float(curvature.mean())
     relative = curvature / unit
     slope_ratio = _slope_ratio(height, relative, tile)
-    amplitude = -0.3 * np.sign(slope_ratio)
+    amplitude = -0.3 if slope_ratio > 0 else 0.3
     found = min((_solve(height, relative, [1.0, amplitude, rate]) for rate in (0.3, 2.0)), key=lambda one: one.cost)
     free = found.active_mask == 0
     covariance = _covariance(found.jac, found.fun, tile, free)
@@ -73,7 +77,8 @@ def fit(height: Array, curvature: Array, tile: npt.NDArray[np.intp]) -> RadiusTr
     covariance *= scale[:, None] * scale
     covariance.setflags(write=False)
     radius, amplitude, rate = map(float, found.x * scale)
-    return RadiusTrend(radius, amplitude, rate, covariance, slope_ratio, bool(abs(slope_ratio) > _SIGNIFICANT))
+    chance = 2 * stdtr(np.unique(tile).size - 1, -abs(slope_ratio))
+    return RadiusTrend(radius, amplitude, rate, covariance, slope_ratio, bool(chance < _SIGNIFICANT))
 
 
 def _solve(height: Array, relative: Array, start: list[float], hold_rate: bool = False) -> Any:
@@ -99,7 +104,7 @@ def _slope_ratio(height: Array, relative: Array, tile: npt.NDArray[np.intp]) -> 
     residual = relative - relative.mean() - slope * height
     free = np.ones(1, dtype=bool)
     variance = _covariance(height[:, None], residual, tile, free)[0, 0]
-    return float(slope / np.sqrt(variance)) if variance > 0 else float(np.copysign(np.inf, slope))
+    return float(np.divide(slope, np.sqrt(variance)))
 
 
 def _covariance(jacobian: Array, residual: Array, tile: npt.NDArray[np.intp], free: npt.NDArray[np.bool_]) -> Array:
@@ -110,5 +115,6 @@ def _covariance(jacobian: Array, residual: Array, tile: npt.NDArray[np.intp], fr
     if tiles > 1:
         scores = np.stack([np.bincount(tile, weights=column * residual) for column in columns.T])
         bread = np.linalg.pinv(columns.T @ columns)
-        result[np.ix_(free, free)] = tiles / (tiles - 1) * bread @ (scores @ scores.T) @ bread
+        few = tiles / (tiles - 1) * (residual.size - 1) / (residual.size - free.sum())
+        result[np.ix_(free, free)] = few * bread @ (scores @ scores.T) @ bread
     return result

@@ -70,9 +70,9 @@ def find(raw: Array, level: Array, dx: float, dy: float) -> Found:
 
     around = {(i, j): level[row + i, column + j] for i, j in _AROUND}
     top = level[row, column]
-    along_x = mean((around[0, 1] - 2 * top + around[0, -1]) / dx**2)
-    along_y = mean((around[1, 0] - 2 * top + around[-1, 0]) / dy**2)
-    mixed = mean((around[1, 1] - around[1, -1] - around[-1, 1] + around[-1, -1]) / (4 * dx * dy))
+    along_x = mean((around[0, 1] - 2 * top + around[0, -1]) / dx / dx)
+    along_y = mean((around[1, 0] - 2 * top + around[-1, 0]) / dy / dy)
+    mixed = mean((around[1, 1] - around[1, -1] - around[-1, 1] + around[-1, -1]) / 4 / dx / dy)
     centre, deviation = -(along_x + along_y) / 2, np.hypot((along_x - along_y) / 2, mixed)
     return Found(mean(row), mean(column), mean(top), centre + deviation, centre - deviation)
 
