@@ -190,7 +190,16 @@ fn is_sound(state: &asperity_state) -> bool {
     let finite = [state.load, state.separation, state.friction_force, state.real_area, state.contacting];
     let rates = [state.friction_coefficient, state.dforce_dload, state.dmu_dload, state.dload_dseparation];
     let positive = [state.friction_force, state.real_area, state.contacting, state.attracted];
-    finite.iter().all(|x| x.is_finite())
+    let radii = [state.mean_contact_radius, state.max_contact_radius];
+    let contacts = [state.fraction_in_contact, state.mean_asperity_pressure, state.plasticity_index];
+    let whole: f64 = state.fractions.iter().sum();
+    let touching = (whole - 1.0).abs() < 1e-9 && radii[0] > 0.0 && radii[1] >= radii[0];
+    let apart = whole == 0.0 && radii == [0.0; 2];
+    (if state.contacting > 0.0 { touching } else { apart })
+        && radii.iter().chain(&contacts).chain(&state.fractions).all(|x| x.is_finite())
+        && state.fractions.iter().all(|&x| x >= 0.0)
+        && state.warnings <= 1
+        && finite.iter().all(|x| x.is_finite())
         && !rates.iter().any(|x| x.is_nan())
         && positive.iter().all(|&x| x >= 0.0)
         && state.attraction_load <= 0.0

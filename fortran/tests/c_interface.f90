@@ -420,6 +420,7 @@ contains
     integer :: i
     call asperity_check(asperity_params_init(p))
     p%work_of_adhesion = 0
+    p%hardness = 0.02_c_double
     p%asperity_count = 1000
     p%slip_radius_1 = 1e6_c_double
     p%slip_radius_2 = 1e7_c_double
@@ -435,6 +436,16 @@ contains
       call check_close('F = tau_1 A', state%friction_force, p%slip_stress_1 * p%effective_shear_modulus * area, &
                        1e-10_c_double)
       call check('without adhesion nothing attracts', identical(state%attracted, 0.0_c_double))
+      call check_close('the mean pressure is P/A', state%mean_asperity_pressure, state%load / area, 1e-10_c_double)
+      call check_close('the fraction in contact', state%fraction_in_contact, fraction, 1e-10_c_double)
+      call check_close('small contacts everywhere', state%fraction_below_slip_radius_1, 1.0_c_double, 1e-12_c_double)
+      call check('... and no others', identical(state%fraction_between_slip_radii, 0.0_c_double) .and. &
+                 identical(state%fraction_above_slip_radius_2, 0.0_c_double))
+      call check('contacts have a radius', state%mean_contact_radius > 0 .and. &
+                 state%max_contact_radius > state%mean_contact_radius)
+      call check_close('plasticity index', state%plasticity_index, p%composite_modulus / p%hardness &
+                       * sqrt(p%height_std / p%summit_radius), 1e-14_c_double)
+      call check('... above 1 warns', state%warnings == ASPERITY_WARNING_PLASTIC)
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
       call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)
       call check_close('... and so is its friction', at_load%friction_force, state%friction_force, 1e-9_c_double)

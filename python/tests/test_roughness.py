@@ -36,8 +36,9 @@ def test_moments_that_no_surface_has_are_refused() -> None:
     assert caught.value.status is Status.INVALID_PARAMETER
     with pytest.raises(Error, match="m4 = NaN: must be finite and > 0"):
         Params.from_spectral_moments(m0=1, m2=1, m4=math.nan, nominal_area=1, **CONTACT)
+    twice: dict[str, Any] = {"height_std": 1}
     with pytest.raises(TypeError, match="height_std"):
-        Params.from_spectral_moments(m0=1, m2=1, m4=2, nominal_area=1, **CONTACT, **{"height_std": 1})
+        Params.from_spectral_moments(m0=1, m2=1, m4=2, nominal_area=1, **CONTACT, **twice)
 
 
 def test_areal_parameters_of_a_gaussian_surface_agree_with_its_moments() -> None:

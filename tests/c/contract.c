@@ -63,7 +63,7 @@ static void sizes_and_offsets_do_not_change(void)
     printf("sizeof(asperity_params) = %zu, asperity_state %zu, asperity_summary %zu\n", sizeof(asperity_params),
            sizeof(asperity_state), sizeof(asperity_summary));
     CHECK(sizeof(asperity_params) >= 192, "asperity_params has lost a field");
-    CHECK(sizeof(asperity_state) >= 96, "asperity_state has lost a field");
+    CHECK(sizeof(asperity_state) >= 168, "asperity_state has lost a field");
     CHECK(sizeof(asperity_summary) >= 104, "asperity_summary has lost a field");
     OFFSET(asperity_params, struct_size, 0);
     OFFSET(asperity_params, composite_modulus, 8);
@@ -79,6 +79,9 @@ static void sizes_and_offsets_do_not_change(void)
     OFFSET(asperity_state, load, 8);
     OFFSET(asperity_state, friction_force, 24);
     OFFSET(asperity_state, attraction_load, 88);
+    OFFSET(asperity_state, mean_contact_radius, 96);
+    OFFSET(asperity_state, fraction_in_contact, 136);
+    OFFSET(asperity_state, warnings, 160);
     OFFSET(asperity_summary, alpha, 8);
     OFFSET(asperity_summary, pull_off_load, 56);
     OFFSET(asperity_summary, table_error, 96);

@@ -43,6 +43,14 @@ pub struct asperity_state {
     pub contacting: f64,
     pub attracted: f64,
     pub attraction_load: f64,
+    pub mean_contact_radius: f64,
+    pub max_contact_radius: f64,
+    /// Below `slip_radius_1`, between, above `slip_radius_2`.
+    pub fractions: [f64; 3],
+    pub fraction_in_contact: f64,
+    pub mean_asperity_pressure: f64,
+    pub plasticity_index: f64,
+    pub warnings: u64,
 }
 
 /// The summary of the header.

@@ -292,6 +292,11 @@ void states_are_those_of_the_reference() {
     EXPECT(close(state.contacting, 0.17776420898559706, 1e-7));
     EXPECT(close(state.attraction_load, -2.1044486779808658 * (2.0 / 0.7), 1e-6));
 
+    EXPECT(close(state.mean_asperity_pressure, (state.load - state.attraction_load) / state.real_area, 1e-12));
+    EXPECT(state.plasticity_index == 0.0 && state.warnings == 0);
+    const Model soft(Params().hardness(0.01));
+    EXPECT(soft.state_at_load(state.load).warnings == ASPERITY_WARNING_PLASTIC);
+
     const asperity::State same = model.state_at_load(state.load);
     EXPECT(close(same.separation, state.separation, 1e-9));
     EXPECT(close(same.friction_force, state.friction_force, 1e-9));

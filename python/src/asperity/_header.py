@@ -28,6 +28,8 @@ ASPERITY_HEIGHTS_WEIBULL = 1
 ASPERITY_HEIGHTS_JOHNSON = 2
 ASPERITY_HEIGHTS_TABULATED = 3
 
+ASPERITY_WARNING_PLASTIC = 1
+
 ASPERITY_TABLE_LAYOUT = 1
 
 
@@ -82,6 +84,15 @@ class asperity_state(Structure):
         ("contacting", c_double),
         ("attracted", c_double),
         ("attraction_load", c_double),
+        ("mean_contact_radius", c_double),
+        ("max_contact_radius", c_double),
+        ("fraction_below_slip_radius_1", c_double),
+        ("fraction_between_slip_radii", c_double),
+        ("fraction_above_slip_radius_2", c_double),
+        ("fraction_in_contact", c_double),
+        ("mean_asperity_pressure", c_double),
+        ("plasticity_index", c_double),
+        ("warnings", c_uint64),
     ]
 
 
