@@ -286,7 +286,7 @@ def with_bad(value: float) -> Array:
         (np.zeros((2, 400)), 1, 1, r"has shape \(2, 400\): must be 2-D, with at least 3 rows and 3 columns"),
         (np.zeros((0, 0)), 1, 1, r"has shape \(0, 0\)"),
         (np.full((64, 64), 7.0), 1, 1, "constant at 7.0: must be rough"),
-        (np.add.outer(np.arange(64.0), 0.3 * np.arange(64.0)), 1, 1, "flat: must be rough"),
+        (np.add.outer(np.arange(64.0), 0.3 * np.arange(64.0)), 1, 1, "flat but for rounding: must be rough"),
         (GaussianSurface(64, 40).map(0), 1, 1, r"has \d summits on 64 x 64 points: must have at least 10"),
         (np.pad(np.ones((1, 1)), 3), 1, 1, "has 1 summits on 7 x 7 points: must have at least 10"),
         (np.tile(np.pad(np.ones((1, 1)), 3), (5, 5)), 1, 1, "all summits have one height: heights must vary"),
@@ -413,5 +413,7 @@ def test_what_the_map_tells_cannot_be_given_too(measured: surface.Summits) -> No
         given: dict[str, Any] = MATERIAL | {name: 1.0}
         with pytest.raises(TypeError):
             Params.from_topography(measured, **given)
+    with pytest.raises(TypeError, match="summits = 5: must be what asperity.surface.summits returns"):
+        Params.from_topography(5, **MATERIAL)  # type: ignore[arg-type]
     with pytest.raises(Error, match="height_distribution = 'beta': must be"):
         Params.from_topography(measured, heights="beta", **MATERIAL)  # type: ignore[arg-type]

@@ -337,6 +337,8 @@ class Params:
             Error: a value that the library refuses.
             TypeError: an unknown name, one missing, or one that the map tells.
         """
+        if not hasattr(summits, "radius_trend"):
+            raise TypeError(f"summits = {summits!r}: must be what asperity.surface.summits returns")
         law = summits.radius_trend
         trending = trend and law.significant
         surface: dict[str, Any] = {

@@ -5,8 +5,8 @@
     summits = surface.summits(*surface.read("scan.x3p"))
     params = Params.from_topography(summits, E1=160e9, ...)
 
-The search is in `_summit_search`, eq (3) in `_radius_trend`, files in `_instrument_files`. Needs the extra
-`topography`, for SciPy and for the files.
+The search is in `_summit_search`, standard errors in `_tile_errors`, eq (3) in `_radius_trend`, files in
+`_instrument_files`. Needs the extra `topography`, for SciPy and for the files.
 """
 
 from __future__ import annotations
@@ -22,39 +22,13 @@ import numpy.typing as npt
 from ._instrument_files import HeightMap, read
 from ._radius_trend import RadiusTrend, fit
 from ._summit_search import Found, find, without_polynomial
+from ._tile_errors import Estimate, estimates, tiles
 
 __all__ = ["Estimate", "HeightMap", "Iso25178", "RadiusTrend", "SpectralMoments", "Summits", "read", "summits"]
 
 Array = npt.NDArray[np.float64]
 
 MIN_SUMMITS = 10
-_TILES = 4
-
-
-@dataclass(frozen=True)
-class Estimate:
-    """A number from a map, and its standard error.
-
-    The error is from a jackknife over the 4 x 4 tiles of the map, so summits near each other may be correlated; waves
-    longer than a tile it cannot see. It is NaN where leaving a tile out leaves too few summits.
-
-    Attributes:
-        value: the number.
-        error: its standard error, in the same unit.
-    """
-
-    value: float
-    error: float
-
-    def scaled(self, unit: float, origin: float = 0.0) -> Estimate:
-        """The same in another unit, from another origin."""
-        return Estimate(origin + unit * self.value, abs(unit) * self.error)
-
-    def __float__(self) -> float:
-        return self.value
-
-    def __str__(self) -> str:
-        return f"{self.value:.4g} +- {self.error:.2g}"
 
 
 @dataclass(frozen=True)
@@ -196,7 +170,7 @@ def summits(height_map: npt.ArrayLike, dx: float, dy: float, *, detrend: int = 1
     with np.errstate(over="ignore", invalid="ignore", divide="ignore", under="ignore"):
         level = without_polynomial(raw, detrend)
         if np.ptp(level) <= 1e4 * np.finfo(float).eps * np.abs(raw).max():
-            raise ValueError("height_map: flat: must be rough, beyond the tilt and form that detrend takes away")
+            raise ValueError("height_map: flat but for rounding: must be rough, beyond what detrend takes away")
         found = find(raw, level, dx, dy)
         if found.height.size < MIN_SUMMITS:
             raise ValueError(
@@ -215,18 +189,13 @@ def _statistics(found: Found, level: Array, dx: float, dy: float) -> Summits:
         if not 1e-300 < number < 1e300:
             raise ValueError(f"height_map, dx = {dx}, dy = {dy}: curvatures are out of the range of floating point")
     lesser, greater = np.linalg.eigvalsh(gradient_moments / moments.m2)
-    # The tile that each summit is in, and the area of each tile that could have a summit.
-    tile_of_row, tile_of_column = (np.arange(length - 2) * _TILES // (length - 2) for length in level.shape)
-    rows, columns = (np.bincount(tiles, minlength=_TILES) for tiles in (tile_of_row, tile_of_column))
-    areas = np.outer(rows / (ny - 2), columns / (nx - 2)).ravel()
-    tile = tile_of_row[found.row.astype(int) - 1] * _TILES + tile_of_column[found.column.astype(int) - 1]
-
+    tile, areas = tiles(found.row, found.column, level.shape)
     mean, std = float(found.height.mean()), float(found.height.std())
     if not std > 1e-10 * float(np.ptp(level)):
         raise ValueError("height_map: all summits have one height: heights must vary")
     scaled = (found.height - mean) / std
     unit = float(curvature.mean())
-    density, height_mean, height_std, skew, kurtosis, radius = _estimates(scaled, curvature / unit, tile, areas)
+    density, height_mean, height_std, skew, kurtosis, radius = estimates(scaled, curvature / unit, tile, areas)
     density = density.scaled(1 / ((ny - 2) * dy * (nx - 2) * dx))
     radius = radius.scaled(1 / unit)
     surface = level / math.sqrt(moments.m0)
@@ -256,30 +225,6 @@ def _statistics(found: Found, level: Array, dx: float, dy: float) -> Summits:
         isotropy=max(float(lesser / greater), 0.0),
         nominal_area=area,
     )
-
-
-def _estimates(scaled: Array, curvature: Array, tile: npt.NDArray[np.intp], areas: Array) -> list[Estimate]:
-    """Density, mean, standard deviation, skew and kurtosis of the scaled heights, and radius; areas add up to 1."""
-    powers = [np.ones_like(scaled), scaled, scaled**2, scaled**3, scaled**4, curvature]
-    sums = np.stack([np.bincount(tile, weights=values, minlength=areas.size) for values in powers] + [areas])
-    total = sums.sum(axis=1, keepdims=True)
-    values = _from_sums(total)[:, 0]
-    # Jackknife: the same without one tile at a time.
-    without = _from_sums(total - sums[:, areas > 0])
-    count = without.shape[1]
-    variance = (count - 1) / count * ((without - without.mean(axis=1, keepdims=True)) ** 2).sum(axis=1)
-    return [Estimate(float(value), float(error)) for value, error in zip(values, np.sqrt(variance))]
-
-
-def _from_sums(sums: Array) -> Array:
-    count, s1, s2, s3, s4, curvature, area = sums
-    count = np.where(count < 2, np.nan, count)
-    mean, s2, s3, s4 = s1 / count, s2 / count, s3 / count, s4 / count
-    square = s2 - mean**2
-    cube = s3 - 3 * mean * s2 + 2 * mean**3
-    fourth = s4 - 4 * mean * s3 + 6 * mean**2 * s2 - 3 * mean**4
-    std = np.sqrt(square * count / (count - 1))
-    return np.stack([count / area, mean, std, cube / square**1.5, fourth / square**2, count / curvature])
 
 
 def _of_slopes(level: Array, dx: float, dy: float) -> tuple[SpectralMoments, float, Array]:
