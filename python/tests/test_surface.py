@@ -408,6 +408,20 @@ def test_weibull_heights_have_the_skew_of_the_map(measured: surface.Summits) -> 
     assert not params.attraction
 
 
+def test_johnson_and_tabulated_heights_are_those_of_the_map(measured: surface.Summits) -> None:
+    johnson = Params.from_topography(measured, heights="johnson", **MATERIAL)
+    assert johnson.height_distribution == "johnson"
+    assert (johnson.skew, johnson.kurtosis) == (measured.skew.value, measured.kurtosis.value)
+    tabulated = Params.from_topography(measured, heights="tabulated", **MATERIAL)
+    height, density = np.array(tabulated.table_height), np.array(tabulated.table_density)
+    assert tabulated.height_distribution == "tabulated" and np.all(np.diff(height) > 0)
+    assert height[0] == measured.heights.min() and height[-1] == measured.heights.max()
+    bins = density[1:-1] * (height[2] - height[1])  # the part of the summits in each
+    assert bins.sum() == pytest.approx(1, rel=1e-12)
+    np.testing.assert_allclose(bins * measured.count, np.round(bins * measured.count), atol=1e-9)
+    assert bins @ height[1:-1] == pytest.approx(measured.height_mean.value, abs=0.05 * measured.height_std.value)
+
+
 def test_what_the_map_tells_cannot_be_given_too(measured: surface.Summits) -> None:
     for name in ("height_std", "asperity_count", "radius_amplitude", "skew"):
         given: dict[str, Any] = MATERIAL | {name: 1.0}
