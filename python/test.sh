@@ -3,7 +3,8 @@
 # and runs its tests there, among them those of the wheel, the source distribution and the guide.
 #
 # usage: python/test.sh [PYTEST-ARGUMENT ...]
-# PYTHON names the interpreter (python3); CARGO_TARGET_DIR is honoured. Needs cargo, a C compiler and, for pip, PyPI.
+# PYTHON names the interpreter (python3), 3.10 or later for SurfaceTopography; CARGO_TARGET_DIR is honoured. Needs cargo,
+# a C compiler and, for pip, PyPI.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
