@@ -64,6 +64,14 @@ def test_summits_of_a_gaussian_surface_are_those_of_nayak(
         assert 3 * sampling < 0.25 * value, name  # so that the test means something
 
 
+def test_elongated_summits_are_sometimes_found_twice(gaussian: GaussianSurface, found: list[surface.Summits]) -> None:
+    from scipy.spatial import cKDTree
+
+    trees = [cKDTree(np.stack([summits.x, summits.y], axis=1)) for summits in found]
+    pairs = sum(len(tree.query_pairs(gaussian.shortest / 4)) for tree in trees)
+    assert pairs / sum(summits.count for summits in found) == pytest.approx(0.003, abs=0.001)
+
+
 def test_standard_errors_are_those_of_the_spread_between_surfaces(found: list[surface.Summits]) -> None:
     for name in QUANTITIES:
         estimates = [getattr(summits, name) for summits in found]

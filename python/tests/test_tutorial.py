@@ -1,4 +1,4 @@
-"""The pages on height maps do what they say, from installing to a program in C; their table is what the script prints."""
+"""The pages on height maps do what they say, from installing to a program in C; their table is what maps give."""
 
 from __future__ import annotations
 
@@ -27,9 +27,8 @@ def environment(root: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[st
 
 def test_the_tutorial_runs_and_prints_what_it_says(root: Path, environment: dict[str, str], tmp_path: Path) -> None:
     follow, page = root / "tests" / "consumers" / "follow_docs.py", root / "docs" / "tutorial.md"
-    done = subprocess.run(
-        [sys.executable, follow, page, tmp_path], env=environment, capture_output=True, text=True, timeout=600, check=False
-    )
+    command = [sys.executable, str(follow), str(page), str(tmp_path)]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert done.stdout.endswith("3 files, 5 blocks of commands, 3 outputs as written\n")
 

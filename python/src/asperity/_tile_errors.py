@@ -1,4 +1,4 @@
-"""Statistics of the summits of a map with their standard errors, from what they are without one tile of it at a time."""
+"""Statistics of the summits of a map, and their standard errors: from what they are without one tile at a time."""
 
 from __future__ import annotations
 
