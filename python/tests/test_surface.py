@@ -420,6 +420,10 @@ def test_johnson_and_tabulated_heights_are_those_of_the_map(measured: surface.Su
     johnson = Params.from_topography(measured, heights="johnson", **MATERIAL)
     assert johnson.height_distribution == "johnson"
     assert (johnson.skew, johnson.kurtosis) == (measured.skew.value, measured.kurtosis.value)
+    with Model(johnson) as model:
+        summary = model.summary()
+        expected = measured.skew.value, measured.kurtosis.value
+        assert (summary.skew, summary.kurtosis) == pytest.approx(expected, abs=1e-9)
     tabulated = Params.from_topography(measured, heights="tabulated", **MATERIAL)
     height, density = np.array(tabulated.table_height), np.array(tabulated.table_density)
     assert tabulated.height_distribution == "tabulated" and np.all(np.diff(height) > 0)
