@@ -252,6 +252,31 @@ fn more_summits_have_a_larger_largest_contact() {
     assert!(largest.windows(2).all(|pair| pair[1] > pair[0]), "{largest:?}");
 }
 
+/// The largest contact is the one that 1/(n + 1) of the contacts exceed: as the second radius of the slip law, it cuts
+/// that fraction off.
+#[test]
+fn the_largest_contact_is_exceeded_by_one_in_n_plus_1() {
+    let families = [
+        HeightFamily::Gaussian,
+        HeightFamily::Weibull { shape: 2.2 },
+        HeightFamily::Johnson { skew: 0.6, kurtosis: 4.5 },
+        HeightFamily::Johnson { skew: -0.4, kurtosis: 2.6 },
+    ];
+    for heights in families {
+        for d in [-0.5, 1.5] {
+            let mut params = Params { heights: heights.clone(), asperity_count: 1e3, ..Params::default() };
+            let separation = d * params.height_std;
+            let first = model(&params).state_at_separation(separation).expect("a state");
+            params.slip.radius_2 = first.max_contact_radius / params.burgers_vector;
+            params.slip.stress_2 = params.slip.stress_1;
+            let state = model(&params).state_at_separation(separation).expect("a state");
+            assert!(state.contacting > 1.0, "{heights:?}: {state:?}");
+            let what = format!("{heights:?} at {d}");
+            assert_near(state.fraction_above_slip_radius_2, 1.0 / (state.contacting + 1.0), 1e-9, &what);
+        }
+    }
+}
+
 #[test]
 fn nothing_touches_far_away() {
     let model = model(&Params { hardness: 1.0, ..Params::default() });
