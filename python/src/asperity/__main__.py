@@ -1,4 +1,5 @@
-"""The command line: `python -m asperity curve` prints friction over a range of loads and draws the curve.
+"""The command line: `python -m asperity curve` prints friction over a range of loads and draws the curve, `figures`
+draws those of the paper.
 
 Exit status: 0; 1 if the library, a file or a missing package stands in the way; 2 for a wrong command line.
 """
@@ -10,6 +11,7 @@ import math
 import os
 import sys
 from dataclasses import MISSING, fields
+from pathlib import Path
 from typing import Any
 
 from . import Model, Params, __version__, _header, _library
@@ -65,6 +67,16 @@ def _parser() -> argparse.ArgumentParser:
         allow_abbrev=False,
     )
     _add_options(curve)
+    curve.set_defaults(run=_curve)
+    figures = commands.add_parser(
+        "figures",
+        help="draw the figures of the paper and compare them with its text",
+        description="Draws the figures of Adams and Müftü (2005), section 3, as SVG in DIR/figures, and writes the page "
+        "DIR/gallery.md, which compares each with what the paper says.",
+        allow_abbrev=False,
+    )
+    figures.add_argument("--out", type=Path, default=Path("docs"), metavar="DIR", help="where to (%(default)s)")
+    figures.set_defaults(run=_figures)
     return parser
 
 
@@ -179,13 +191,20 @@ def _curve(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
         _draw(options.figure, loads, coefficients)
 
 
+def _figures(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    from .figures import write
+
+    files = write(options.out)
+    print(f"asperity: wrote {len(files)} files, the last is {files[-1]}", file=sys.stderr)
+
+
 def main(arguments: list[str] | None = None) -> int:
     parser = _parser()
     options = parser.parse_args(arguments)
     try:
-        _curve(parser, options)
+        options.run(parser, options)
     except BrokenPipeError:
-        # The reader of the table has seen enough; what is still buffered must not fail at exit.
+        # The reader of the output has seen enough; what is still buffered must not fail at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except (ImportError, OSError, ValueError) as error:

@@ -1,0 +1,111 @@
+"""The surfaces behind each figure, and their friction over the load. Loads are in N G b^2."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..model import Model
+from ..params import Params
+
+Array = npt.NDArray[np.float64]
+
+# The paper names no load. Between these the text's orderings hold in every figure.
+LIGHTEST, HEAVIEST = 1.0, 1e4
+LOADS: Array = np.geomspace(LIGHTEST, HEAVIEST, 61)
+
+SKEWS = (-1.0, -0.5, 0.0, 0.5, 1.0)
+AMPLITUDES = (1.0, 0.5, 0.0, -0.5, -0.95)
+
+
+@dataclass(frozen=True)
+class Curve:
+    """One line of a figure: what the legend calls it, and the surfaces."""
+
+    label: str
+    params: Params
+
+
+@dataclass(frozen=True)
+class CurveFigure:
+    """A figure of friction coefficients over the load.
+
+    Attributes:
+        number: of the figure in the paper.
+        groups: alpha, beta and gamma.
+        curves: its lines.
+        logarithmic: whether the coefficients span so much that their axis is logarithmic.
+    """
+
+    number: int
+    groups: tuple[float, float, float]
+    curves: tuple[Curve, ...]
+    logarithmic: bool
+
+
+def surface(alpha: float, beta: float, gamma: float, **options: Any) -> Params:
+    """Surfaces in the paper's units. The paper does not tell its Poisson's ratio: 0.3. No cap on the coefficient."""
+    return Params.dimensionless(
+        alpha=alpha, beta=beta, gamma=gamma, poisson=0.3, max_friction_coefficient=math.inf, **options
+    )
+
+
+@lru_cache(maxsize=None)
+def model(params: Params) -> Model:
+    """The model of some surfaces, made once."""
+    return Model(params)
+
+
+def friction(params: Params, loads: Array = LOADS) -> Array:
+    """Friction coefficients at loads > 0."""
+    return model(params).friction_at_load(loads)
+
+
+def attraction_effect(beta: float, loads: Array = LOADS, gamma: float = 0.001) -> Array:
+    """Figure 3: by how many per cent summits out of contact raise the coefficient, with alpha = 0.01."""
+    without = friction(surface(0.01, beta, gamma, attraction=False), loads)
+    return 100 * (friction(surface(0.01, beta, gamma), loads) / without - 1)
+
+
+def _skewed(number: int, *groups: float) -> CurveFigure:
+    alpha, beta, gamma = groups
+    weibull = [Curve(f"Weibull, $S = {skew:g}$", surface(alpha, beta, gamma, skew=skew)) for skew in SKEWS]
+    curves = (*weibull, Curve("Gaussian", surface(alpha, beta, gamma)))
+    return CurveFigure(number, (alpha, beta, gamma), curves, logarithmic=True)
+
+
+def _varying(number: int, *groups: float) -> CurveFigure:
+    alpha, beta, gamma = groups
+    curves = [
+        Curve(f"$\\varepsilon = {amplitude:g}$", surface(alpha, beta, gamma, radius_amplitude=amplitude))
+        for amplitude in AMPLITUDES
+    ]
+    return CurveFigure(number, (alpha, beta, gamma), tuple(curves), logarithmic=False)
+
+
+FIGURE_3 = CurveFigure(
+    3,
+    (0.01, math.nan, 0.001),
+    tuple(
+        Curve(f"$\\beta = {beta}$, {word} attraction", surface(0.01, beta, 0.001, attraction=word == "with"))
+        for beta in (500, 1000)
+        for word in ("with", "without")
+    ),
+    logarithmic=False,
+)
+SKEW_FIGURES = (
+    _skewed(4, 0.01, 1000, 0.001),
+    _skewed(5, 0.006, 1000, 0.001),
+    _skewed(6, 0.01, 500, 0.001),
+    _skewed(7, 0.01, 1000, 0.002),
+)
+RADIUS_FIGURES = (
+    _varying(8, 0.01, 1000, 0.001),
+    _varying(9, 0.01, 5000, 0.001),
+    _varying(10, 0.03, 1000, 0.001),
+)

@@ -1,0 +1,115 @@
+"""The pictures, as SVG whose bytes depend on nothing but the curves and matplotlib's version.
+
+Axes have fixed places and limits and every curve carries an id, `curve-0` and so on, so that the curves can be read
+back from the file and compared. Lines differ in their dashes, not in colour alone.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Iterable
+
+import numpy as np
+
+from . import curves
+from .curves import Array, Curve, CurveFigure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_SETTINGS: Any = {
+    "svg.hashsalt": "asperity",
+    "svg.fonttype": "path",
+    "path.simplify": False,
+    "font.family": "DejaVu Sans",
+    "font.size": 10,
+    "mathtext.fontset": "dejavusans",
+    "axes.grid": True,
+    "grid.alpha": 0.3,
+    "lines.linewidth": 1.6,
+}
+_DASHES: tuple[Any, ...] = ("-", (0, (6, 2)), (0, (6, 2, 1, 2)), (0, (1, 1.5)), (0, (3, 1)), (0, (9, 2, 1, 2, 1, 2)))
+_COLOURS = ("#1b1b1b", "#b2182b", "#2166ac", "#1b7837", "#762a83", "#a6611a")
+_LOAD = r"normal load $P/(N\,G\,b^2)$ [–]"
+_FRICTION = r"friction coefficient $\mu = F/P$ [–]"
+
+
+def draw_all(directory: Path) -> list[Path]:
+    """Draws every figure into a directory; returns the files.
+
+    Raises:
+        ImportError: matplotlib is missing.
+    """
+    try:
+        import matplotlib
+    except ImportError as error:
+        raise ImportError(f"drawing needs matplotlib ({error}): pip install matplotlib") from None
+
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(_SETTINGS)
+        pictures = {"figure-3": _figure_3()}
+        for figure in (*curves.SKEW_FIGURES, *curves.RADIUS_FIGURES):
+            pictures[f"figure-{figure.number}"] = _curve_figure(figure)
+        return [_save(picture, directory / f"{name}.svg") for name, picture in pictures.items()]
+
+
+def _save(picture: Figure, file: Path) -> Path:
+    picture.savefig(file, metadata={"Date": None, "Creator": None})
+    return file
+
+
+def _curve_figure(figure: CurveFigure) -> Figure:
+    alpha, beta, gamma = figure.groups
+    picture, (axes,) = _picture((6.4, 4.4), [(0.12, 0.13, 0.84, 0.79)])
+    axes.set_title(rf"$\alpha = {alpha:g}$, $\beta = {beta:g}$, $\gamma = {gamma:g}$", fontsize=10)
+    _draw(axes, figure.curves)
+    if figure.logarithmic:
+        axes.set_yscale("log")
+    else:
+        axes.set_ylim(bottom=0)
+    axes.set(xlabel=_LOAD, ylabel=_FRICTION)
+    axes.legend(handlelength=4)
+    return picture
+
+
+def _figure_3() -> Figure:
+    picture, (above, below) = _picture((6.4, 6.4), [(0.12, 0.5, 0.84, 0.44), (0.12, 0.09, 0.84, 0.34)])
+    above.set_title(r"$\alpha = 0.01$, $\gamma = 0.001$", fontsize=10)
+    _draw(above, curves.FIGURE_3.curves)
+    above.set_ylim(bottom=0)
+    above.set(ylabel=_FRICTION)
+    above.legend(handlelength=4)
+    for number, (beta, paper) in enumerate(((500, 3.8), (1000, 2.1))):
+        style = {"linestyle": _DASHES[2 * number], "color": _COLOURS[2 * number]}
+        lines = below.plot(curves.LOADS, curves.attraction_effect(beta), label=rf"$\beta = {beta}$", **style)
+        lines[0].set_gid(f"curve-{len(curves.FIGURE_3.curves) + number}")
+        below.axhline(paper, linewidth=0.8, **style)
+        below.annotate(f"the paper's {paper} %", (curves.HEAVIEST / 1.3, paper), ha="right", va="bottom")
+    below.set_yscale("log")
+    below.set_ylim(0.05, 50)
+    below.set(xlabel=_LOAD, ylabel=r"increase of $\mu$ by attraction [%]")
+    below.legend(handlelength=4)
+    return picture
+
+
+def _picture(
+    size: tuple[float, float], places: Iterable[tuple[float, float, float, float]]
+) -> tuple[Figure, list[Axes]]:
+    """An empty picture [inch] with axes over the load at some places (left, bottom, width, height)."""
+    from matplotlib.figure import Figure
+
+    picture = Figure(figsize=size)
+    all_axes = [picture.add_axes(place) for place in places]
+    for axes in all_axes:
+        axes.set_xscale("log")
+        axes.set_xlim(curves.LIGHTEST, curves.HEAVIEST)
+    return picture, all_axes
+
+
+def _draw(axes: Axes, lines: Iterable[Curve]) -> None:
+    for number, curve in enumerate(lines):
+        values = curves.friction(curve.params)
+        drawn = axes.plot(curves.LOADS, values, linestyle=_DASHES[number], color=_COLOURS[number], label=curve.label)
+        drawn[0].set_gid(f"curve-{number}")

@@ -1,0 +1,430 @@
+"""Parameters from a measured friction curve: least squares, with errors and with what the data cannot tell.
+
+`fit` varies some parameters of a `Params` until the model's friction comes closest to the measured one. It needs SciPy
+(extra `fit`), `Fit.plot` matplotlib (extra `plot`). The names that can be varied are in `fit_names`.
+"""
+
+from __future__ import annotations
+
+import math
+import numbers
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import Error, Status
+from .fit_names import FreeName, free_names
+from .model import Model
+from .params import Params
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+
+# Of central differences: the compiled law is smooth to 1e-10, so that (1e-10)^(1/3) about balances its error against
+# that of the difference; the derivative is then right to some 1e-7 of the friction.
+_STEP = 1e-3
+# A direction that changes no friction by more than this part of it per unit of the search is lost in that error.
+_NO_EFFECT = 1e-6
+# Correlations above this are named: the data fix a combination of the two far better than either.
+_CORRELATED = 0.99
+# A partner of a parameter that the data do not fix: correlation with it, or share of the direction without effect.
+_PARTNER, _SHARE = 0.9, 0.02
+# A fit with sigma this improbable is called a bad one.
+_IMPROBABLE = 1e-3
+# Trial steps of the search at most; a narrow, curved valley of chi-square takes some fifty.
+_STEPS = 200
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """What `fit` found. Arrays follow the order of `free`; `str` of it is a table.
+
+    Attributes:
+        params: the surfaces with the fitted values.
+        free: names of the fitted parameters.
+        values: their values, in the units of `params`.
+        errors: their standard errors, in the same units; infinite where the data do not fix a parameter at all.
+        covariance: of the values, (free, free); rows and columns of an infinite error are NaN off the diagonal.
+        chi_square: sum of squared residuals over sigma; without sigma, of the plain residuals.
+        degrees_of_freedom: measured points less fitted parameters.
+        unidentifiable: names that the data do not determine, see `fit`.
+        at_bound: names whose value is a bound: the data would have it beyond, and its error means little.
+        success: whether the search converged.
+        message: in words: how the search ended and all that there is to be said against the result.
+        load: normal loads of the data [force].
+        measured: friction coefficient or friction force [force] at them.
+        fitted: the same of the model with `params`.
+        sigma: standard errors of the data; None if they were not given.
+        quantity: "mu" or "force": what was fitted.
+    """
+
+    params: Params
+    free: tuple[str, ...]
+    values: dict[str, float]
+    errors: dict[str, float]
+    covariance: Array
+    chi_square: float
+    degrees_of_freedom: int
+    unidentifiable: tuple[str, ...]
+    at_bound: tuple[str, ...]
+    success: bool
+    message: str
+    load: Array
+    measured: Array
+    fitted: Array
+    sigma: Array | None
+    quantity: str
+
+    @property
+    def reduced_chi_square(self) -> float:
+        """chi_square/degrees_of_freedom: about 1 for a good fit; without sigma, the variance of the residuals."""
+        return self.chi_square / self.degrees_of_freedom
+
+    @property
+    def correlation(self) -> Array:
+        """Of the values, (free, free), -1 to 1; NaN with a parameter whose error is infinite."""
+        return _correlation(self.covariance)
+
+    @property
+    def residuals(self) -> Array:
+        """Measured less fitted, over sigma where that is given."""
+        difference = self.measured - self.fitted
+        return difference if self.sigma is None else difference / self.sigma
+
+    def plot(self, file: str | None = None) -> Figure:
+        """Draws data and fit over the load, the residuals below, and writes the figure if a file is named.
+
+        Args:
+            file: its ending is its format, for example "fit.svg".
+
+        Raises:
+            ImportError: matplotlib is missing.
+        """
+        from .fit_plot import draw
+
+        return draw(self, file)
+
+    def __str__(self) -> str:
+        lines = [f"{name} = {self.values[name]:.6g} +- {self.errors[name]:.2g}" for name in self.free]
+        return "\n".join([*lines, self.message])
+
+
+def fit(
+    load: npt.ArrayLike,
+    mu: npt.ArrayLike | None = None,
+    sigma: npt.ArrayLike | None = None,
+    free: Sequence[str] = ("gamma", "sigma"),
+    *,
+    params: Params,
+    force: npt.ArrayLike | None = None,
+    bounds: Mapping[str, tuple[float, float]] | None = None,
+) -> Fit:
+    """Fits parameters of two surfaces to measured friction, by weighted least squares.
+
+    The search starts at `params` and goes by trust regions (SciPy's `least_squares`), in the logarithm of all names
+    that are positive. Trial surfaces that the library refuses are stepped back from. It finds the minimum near the
+    start: where curves have several, start from what is known of the surface.
+
+    A name counts as not identifiable if a change of it, alone or with others that make up for it, does not change the
+    friction; or if its standard error is at least its value (names searched in the logarithm), or at least the
+    standard deviation of a uniform distribution between its bounds: the data then say no more than the bounds did.
+
+    Args:
+        load: normal loads [force], one-dimensional. For `mu` they must be > 0; friction forces may be given at zero
+            and negative loads too. There a trial surface whose pull-off load lies above has no friction.
+        mu: measured friction coefficients F/P > 0 at them; `max_friction_coefficient` plays no part.
+        sigma: standard errors > 0 of the measured friction, one for all or one for each. Without, all points weigh
+            the same, and the errors of the parameters are scaled by the scatter of the residuals.
+        free: names of the parameters to be found, at least one. Each may be a field of `Params` or a symbol of the
+            paper: see `asperity.fit_names`. All others stay as they are in `params`.
+        params: where the search starts, and the parameters that are known.
+        force: measured friction forces F >= 0 [force], instead of `mu`.
+        bounds: lowest and highest value for some of the free names. By default a positive name stays within a factor
+            of 1000 of its start, the others in their domains.
+
+    Returns:
+        The fit. Read its `message`, or print it: it says what the data do not determine.
+
+    Raises:
+        ValueError: data, names or bounds that cannot be used, or a start that the library refuses (`Error`); the
+            message says what is allowed.
+        ImportError: SciPy is missing.
+    """
+    try:
+        from scipy.optimize import least_squares
+    except ImportError as error:
+        raise ImportError(f"fit needs SciPy ({error}): pip install scipy") from None
+
+    if not isinstance(params, Params):
+        raise TypeError(f"params = {params!r}: must be a Params")
+    names = free_names(free)
+    data = _Data.of(load, mu, force, sigma)
+    if data.load.size <= len(names):
+        raise ValueError(
+            f"{data.load.size} points for {len(names)} free names: there must be more points than free names"
+        )
+    search = _Search.of(names, params, data, bounds or {})
+    search.friction(search.start)  # the library's own message if it refuses the start
+
+    found = least_squares(
+        search.residuals, search.start, search.jacobian, (search.low, search.high), method="trf", max_nfev=_STEPS
+    )
+    return _judge(search, found.x, bool(found.success), str(found.message))
+
+
+@dataclass(frozen=True, eq=False)
+class _Data:
+    """Checked measurements."""
+
+    load: Array
+    measured: Array
+    sigma: Array | None
+    quantity: str
+
+    @classmethod
+    def of(
+        cls, load: npt.ArrayLike, mu: npt.ArrayLike | None, force: npt.ArrayLike | None, sigma: npt.ArrayLike | None
+    ) -> _Data:
+        if (mu is None) == (force is None):
+            raise ValueError("give either mu or force")
+        quantity = "mu" if force is None else "force"
+        loads, measured = _column("load", load), _column(quantity, force if mu is None else mu)
+        _same_length(quantity, measured, loads)
+        if quantity == "mu":
+            _each("load", loads, loads > 0, "must be > 0, for F/P has no finite value there; fit the force instead")
+            _each("mu", measured, measured > 0, "must be > 0")
+        else:
+            _each("force", measured, measured >= 0, "must be >= 0")
+        return cls(loads, measured, _errors(sigma, loads), quantity)
+
+    @property
+    def weight(self) -> Array | float:
+        return 1.0 if self.sigma is None else 1 / self.sigma
+
+
+def _column(name: str, values: Any) -> Array:
+    array = np.asarray(values)
+    if array.ndim != 1 or array.dtype.kind not in "iuf":
+        found = f"{array.ndim}-dimensional of {array.dtype}"
+        raise ValueError(f"{name}: must be a one-dimensional array of real numbers, not {found}")
+    column = np.array(array, dtype=np.float64)
+    _each(name, column, np.isfinite(column), "must be finite")
+    return column
+
+
+def _errors(sigma: npt.ArrayLike | None, load: Array) -> Array | None:
+    if sigma is None:
+        return None
+    errors = _column("sigma", np.full(load.shape, sigma) if isinstance(sigma, numbers.Real) else sigma)
+    _same_length("sigma", errors, load)
+    _each("sigma", errors, errors > 0, "must be > 0")
+    return errors
+
+
+def _same_length(name: str, values: Array, load: Array) -> None:
+    if values.size != load.size:
+        raise ValueError(f"{name} has {values.size} values, load {load.size}: must be as many")
+
+
+def _each(name: str, values: Array, good: Mask, allowed: str) -> None:
+    if not good.all():
+        index = int(np.argmin(good))
+        raise ValueError(f"{name}[{index}] = {values[index]:g}: {allowed}")
+
+
+@dataclass(frozen=True, eq=False)
+class _Search:
+    """The least-squares problem in its own coordinates: log(value/start) for positive names, the value for others."""
+
+    names: tuple[FreeName, ...]
+    params: Params
+    data: _Data
+    origin: Array  # values at the start
+    start: Array
+    low: Array
+    high: Array
+
+    @classmethod
+    def of(
+        cls, names: tuple[FreeName, ...], params: Params, data: _Data, bounds: Mapping[str, tuple[float, float]]
+    ) -> _Search:
+        origin = np.array([name.start(params) for name in names])
+        unknown = sorted(set(bounds) - {name.given for name in names})
+        if unknown:
+            raise ValueError(f"bounds of {', '.join(unknown)}: must be of free names")
+        limits = [name.limits(value, bounds.get(name.given)) for name, value in zip(names, origin)]
+        ends = [
+            [name.coordinate(end, value) for name, end, value in zip(names, side, origin)] for side in zip(*limits)
+        ]
+        start = np.array([name.coordinate(value, value) for name, value in zip(names, origin)])
+        return cls(names, params, data, origin, start, np.array(ends[0]), np.array(ends[1]))
+
+    def values(self, x: Array) -> list[float]:
+        return [name.value(float(at), float(origin)) for name, at, origin in zip(self.names, x, self.origin)]
+
+    def surfaces(self, x: Array) -> Params:
+        """Parameters at a point of the search; fields are set before the groups that are made of them."""
+        params = self.params
+        pairs = zip(self.names, self.values(x))
+        for name, value in sorted(pairs, key=lambda pair: pair[0].is_group):
+            params = name.put(params, value)
+        return params
+
+    def friction(self, x: Array) -> Array:
+        """What the model has for the data; raises what the library refuses."""
+        with Model(self.surfaces(x)) as model:
+            force = model.friction_force_at_load(self.data.load)
+        return force / self.data.load if self.data.quantity == "mu" else force
+
+    def residuals(self, x: Array) -> Array:
+        """NaN for surfaces that the library refuses: the search then halves its step."""
+        try:
+            return (self.friction(x) - self.data.measured) * self.data.weight
+        except Error as error:
+            if error.status == Status.INTERNAL:
+                raise
+            return np.full(self.data.load.shape, np.nan)
+
+    def jacobian(self, x: Array) -> Array:
+        return np.stack([self._derivative(x, i) for i in range(x.size)], axis=1)
+
+    def _derivative(self, x: Array, i: int) -> Array:
+        """By central differences; beside a bound or surfaces that are refused, of the same order to one side."""
+        below, above = self._beside(x, i, -1), self._beside(x, i, 1)
+        if below is not None and above is not None:
+            return (above - below) / (2 * _STEP)
+        side, near = (1, above) if above is not None else (-1, below)
+        far = self._beside(x, i, 2 * side)
+        if near is None or far is None:
+            name, value = self.names[i].given, self.values(x)[i]
+            raise Error(f"{name} = {value:g}: the library refuses surfaces on both sides of it", Status.OUT_OF_RANGE)
+        return side * (4 * near - 3 * self.residuals(x) - far) / (2 * _STEP)
+
+    def _beside(self, x: Array, i: int, steps: int) -> Array | None:
+        at = x.copy()
+        at[i] += steps * _STEP
+        if not self.low[i] <= at[i] <= self.high[i]:
+            return None
+        residuals = self.residuals(at)
+        return residuals if np.isfinite(residuals).all() else None
+
+
+def _judge(search: _Search, x: Array, success: bool, ending: str) -> Fit:
+    """Values, errors and what is to be said against them, at the end of a search."""
+    data, names = search.data, search.names
+    fitted, residuals = search.friction(x), search.residuals(x)
+    chi_square, freedom = float(residuals @ residuals), residuals.size - x.size
+    scatter = 1.0 if data.sigma is not None else chi_square / freedom
+    estimate = _Estimate.of(search.jacobian(x), float(np.linalg.norm(fitted * data.weight)), scatter)
+
+    values = search.values(x)
+    unit = np.array([name.per_coordinate(value) for name, value in zip(names, values)])
+    deviation = np.sqrt(np.diag(estimate.covariance))
+    # Past these a linear estimate in the coordinates of the search says nothing any more.
+    useful = np.minimum([1.0 if name.positive else math.inf for name in names], (search.high - search.low) / 12**0.5)
+    given = tuple(name.given for name in names)
+    fit = Fit(
+        params=search.surfaces(x),
+        free=given,
+        values=dict(zip(given, values)),
+        errors=dict(zip(given, (deviation * unit).tolist())),
+        covariance=estimate.covariance * np.outer(unit, unit),
+        chi_square=chi_square,
+        degrees_of_freedom=freedom,
+        unidentifiable=tuple(name for name, good in zip(given, deviation < useful) if not good),
+        at_bound=tuple(
+            name for name, at, low, high in zip(given, x, search.low, search.high) if min(at - low, high - at) < _STEP
+        ),
+        success=success,
+        message="",
+        load=data.load,
+        measured=data.measured,
+        fitted=fitted,
+        sigma=data.sigma,
+        quantity=data.quantity,
+    )
+    return replace(fit, message="\n".join(_remarks(fit, estimate, ending)))
+
+
+@dataclass(frozen=True, eq=False)
+class _Estimate:
+    """What the Jacobian at the minimum tells, in the coordinates of the search."""
+
+    covariance: Array  # infinite for a name that has a part in a direction without effect
+    ineffective: Array  # (directions, names): unit vectors along which the friction does not change
+
+    @classmethod
+    def of(cls, jacobian: Array, friction: float, scatter: float) -> _Estimate:
+        """From the Jacobian of residuals whose variance is `scatter`, of a friction of this norm."""
+        _, sizes, directions = np.linalg.svd(jacobian, full_matrices=False)
+        effective = sizes > _NO_EFFECT * friction
+        scaled = directions[effective] / sizes[effective, None]
+        covariance = scatter * (scaled.T @ scaled)
+        ineffective = directions[~effective]
+        lost = (np.abs(ineffective) > _SHARE).any(axis=0)
+        covariance[lost, :] = covariance[:, lost] = np.nan
+        covariance[lost, lost] = np.inf
+        return cls(covariance, ineffective)
+
+    def partners(self, names: tuple[str, ...], name: str) -> str:
+        """The others that make up for a change of a name, in words."""
+        i = names.index(name)
+        if math.isinf(self.covariance[i, i]):
+            part = np.abs(self.ineffective) > _SHARE
+            one: Mask = part[part[:, i]].max(axis=0)
+        else:
+            one = np.abs(_correlation(self.covariance)[i]) > _PARTNER
+        return _and(other for other, is_one in zip(names, one) if is_one and other != name)
+
+
+def _remarks(fit: Fit, estimate: _Estimate, ending: str) -> list[str]:
+    """How the search ended, and then what is to be said against the result."""
+    spread = f"reduced chi-square {fit.reduced_chi_square:.3g}, {fit.degrees_of_freedom} degrees of freedom"
+    remarks = [f"{'converged' if fit.success else 'not converged'} ({ending.rstrip('.')}); {spread}"]
+    for name in fit.unidentifiable:
+        others = estimate.partners(fit.free, name)
+        if others:
+            why = f"a change of it is made up for by {others}"
+        elif math.isinf(fit.errors[name]):
+            why = "it does not change the friction here"
+        else:
+            why = "it hardly changes the friction here"
+        remarks.append(f"not identifiable: {name}; {why}")
+    for i, j in combinations(range(len(fit.free)), 2):
+        one, other, correlation = fit.free[i], fit.free[j], fit.correlation[i, j]
+        if abs(correlation) > _CORRELATED and not {one, other} & set(fit.unidentifiable):
+            remarks.append(f"correlated by {correlation:.4f}: {one} and {other}; a combination of them is known better")
+    for name in fit.at_bound:
+        remarks.append(f"at a bound: {name} = {fit.values[name]:.6g}; the data would have it beyond")
+    if fit.sigma is not None and _improbable(fit):
+        remarks.append("the residuals are larger than sigma explains: the model, or sigma, is wrong")
+    with Model(fit.params) as model:
+        pull_off = model.summary().pull_off_load
+    apart = int(np.count_nonzero(fit.load < pull_off))
+    if apart:
+        remarks.append(f"{apart} loads are below the fitted pull-off load, {pull_off:.4g}: no friction there")
+    return remarks
+
+
+def _correlation(covariance: Array) -> Array:
+    deviation = np.sqrt(np.diag(covariance))
+    deviation[~np.isfinite(deviation) | (deviation == 0)] = np.nan
+    correlation: Array = covariance / np.outer(deviation, deviation)
+    return correlation
+
+
+def _improbable(fit: Fit) -> bool:
+    from scipy.stats import chi2
+
+    return bool(chi2.sf(fit.chi_square, fit.degrees_of_freedom) < _IMPROBABLE)
+
+
+def _and(names: Iterable[str]) -> str:
+    *most, last = list(names) or [""]
+    return f"{', '.join(most)} and {last}" if most else last
