@@ -101,6 +101,16 @@
 #define ASPERITY_HEIGHTS_WEIBULL 1
 
 /**
+ * Heights of Johnson's system: with `skew` and `kurtosis`, independent of each other.
+ */
+#define ASPERITY_HEIGHTS_JOHNSON 2
+
+/**
+ * Heights of a measured density: with `table_height`, `table_density` and `table_length`.
+ */
+#define ASPERITY_HEIGHTS_TABULATED 3
+
+/**
  * Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
  */
 #define ASPERITY_TABLE_LAYOUT 1
@@ -120,11 +130,15 @@ typedef int32_t asperity_status;
  *
  * All quantities are in one consistent system of units of the caller's choice: SI, mm-N-MPa, or the paper's
  * b = G = 1. Loads, forces and areas are totals over `asperity_count` summits. Start from `asperity_params_init`,
- * which also sets `struct_size`; fields that later versions append then have their defaults.
+ * which also sets `struct_size`.
+ *
+ * The struct grew: `max_friction_coefficient` is the last field of its first version. Fields that `struct_size` does
+ * not cover have their defaults, but for those that `height_distribution` asks for: `ASPERITY_HEIGHTS_JOHNSON` and
+ * `ASPERITY_HEIGHTS_TABULATED` came with the fields that they read, so whoever sets one of them has these fields.
  */
 typedef struct asperity_params {
   /**
-   * Size of this struct in bytes, as the caller was compiled; set by `asperity_params_init`.
+   * Bytes of this struct that the caller has; set by `asperity_params_init`.
    */
   uint64_t struct_size;
   /**
@@ -160,7 +174,7 @@ typedef struct asperity_params {
    */
   double asperity_count;
   /**
-   * `ASPERITY_HEIGHTS_GAUSSIAN` (the default) or `ASPERITY_HEIGHTS_WEIBULL`.
+   * Family of the summit heights, one of `ASPERITY_HEIGHTS_`; Gaussian by default.
    */
   int32_t height_distribution;
   /**
@@ -200,6 +214,33 @@ typedef struct asperity_params {
    * default, INFINITY allowed.
    */
   double max_friction_coefficient;
+  /**
+   * Skew of the summit heights; read only for `ASPERITY_HEIGHTS_JOHNSON`. 0 by default.
+   */
+  double skew;
+  /**
+   * Kurtosis of the summit heights, > skew^2 + 1; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by default, which
+   * with skew 0 is Gaussian.
+   */
+  double kurtosis;
+  /**
+   * H [stress], > 0: indentation hardness of the softer body, which `asperity_state` compares pressures with; it
+   * does not change friction. 0, the default: not known.
+   */
+  double hardness;
+  /**
+   * `table_length` summit heights, strictly increasing, in any unit and from any origin: the library standardises
+   * them. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model is made. NULL by default.
+   */
+  const double *table_height;
+  /**
+   * The density at each of them, >= 0; it need not be normalised. NULL by default.
+   */
+  const double *table_density;
+  /**
+   * Number of heights in the table, 4 to 65536. 0 by default.
+   */
+  uint64_t table_length;
 } asperity_params;
 
 /**
@@ -407,10 +448,14 @@ size_t asperity_last_error(char *buffer,
                            size_t length);
 
 /**
- * Sets all parameters to the paper's default case and `struct_size` to the size of the struct.
+ * Sets all parameters to the paper's default case.
  *
  * alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1; Gaussian heights, equal radii
  * (epsilon = 0, rho = 0.5), attraction on, Hurtado and Kim's slip constants.
+ *
+ * This function sets `struct_size` and the fields of the first version of the struct, and writes no more, since a
+ * program that was compiled with that version has no more. In C and C++ a macro of its name calls
+ * `asperity_params_init_sized` instead, for the whole struct; who finds functions by name calls that directly.
  *
  * @param params  receives the parameters; must not be NULL
  * @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
@@ -418,6 +463,18 @@ size_t asperity_last_error(char *buffer,
  * Threads: any, on different structs.
  */
 asperity_status asperity_params_init(struct asperity_params *params);
+
+/**
+ * Sets all parameters to the paper's default case, as `asperity_params_init`, in a struct of this size.
+ *
+ * @param params       receives the parameters; must not be NULL; untouched on failure
+ * @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct)
+ *
+ * Threads: any, on different structs.
+ */
+asperity_status asperity_params_init_sized(struct asperity_params *params,
+                                           uint64_t struct_size);
 
 /**
  * Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
@@ -503,14 +560,36 @@ asperity_status asperity_set_params(struct asperity_model *model,
 /**
  * Copies the parameters of a model out.
  *
+ * A table is not copied: the pointers to it are those of the model's own copy, valid until `asperity_set_params` or
+ * `asperity_free`. They may be given to `asperity_set_params` of the same model.
+ *
+ * This function sets `struct_size` and the fields of the first version of the struct, as `asperity_params_init` does,
+ * and in C and C++ a macro of its name calls `asperity_get_params_sized` instead. It refuses where heights read later
+ * fields, unless the model was made from a struct that had these although its `struct_size` did not say so.
+ *
  * @param model   must not be NULL
- * @param params  receives the parameters; must not be NULL; its `struct_size` need not be set
- * @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
+ * @param params  receives the parameters; must not be NULL; its `struct_size` need not be set; untouched on failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (the struct lacks fields)
  *
  * Threads: may share the model.
  */
 asperity_status asperity_get_params(const struct asperity_model *model,
                                     struct asperity_params *params);
+
+/**
+ * Copies the parameters of a model out, as `asperity_get_params`, into a struct of this size.
+ *
+ * @param model        must not be NULL
+ * @param params       receives the parameters; must not be NULL; untouched on failure
+ * @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct, or
+ *         one that lacks fields which the heights read)
+ *
+ * Threads: may share the model.
+ */
+asperity_status asperity_get_params_sized(const struct asperity_model *model,
+                                          struct asperity_params *params,
+                                          uint64_t struct_size);
 
 /**
  * Frees a model.
@@ -737,5 +816,10 @@ asperity_status asperity_table_of(const struct asperity_model *model,
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus
+
+/* What is compiled with this header has the whole of asperity_params; the functions of these names serve programs
+ * that were compiled with its first version. */
+#define asperity_params_init(params) asperity_params_init_sized((params), sizeof(asperity_params))
+#define asperity_get_params(model, params) asperity_get_params_sized((model), (params), sizeof(asperity_params))
 
 #endif  /* ASPERITY_H */

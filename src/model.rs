@@ -124,7 +124,7 @@ impl Model {
         }
         let law = law?;
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(LARGEST_COEFFICIENT);
-        Ok(Self { params: *params, groups, population, equilibrium, law, units, inverse_cap })
+        Ok(Self { params: params.clone(), groups, population, equilibrium, law, units, inverse_cap })
     }
 
     /// The parameters it was made from.

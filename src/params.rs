@@ -6,9 +6,10 @@ use crate::groups::Groups;
 use crate::surface::heights::weibull::{self, Weibull};
 use crate::surface::heights::Heights;
 use crate::surface::radius::RadiusProfile;
+use std::sync::Arc;
 
 /// The family of the distribution of summit heights.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum HeightFamily {
     /// Eq (17).
     Gaussian,
@@ -17,13 +18,27 @@ pub enum HeightFamily {
         /// omega > 0; 3.602 has no skew, more is negative skew.
         shape: f64,
     },
+    /// Johnson's system: skew and kurtosis chosen independently.
+    Johnson {
+        /// Third standardised moment.
+        skew: f64,
+        /// Fourth standardised moment, above skew^2 + 1; 3 with skew 0 is Gaussian.
+        kurtosis: f64,
+    },
+    /// A measured density of summit heights, in any unit and of any origin; it need not be normalised.
+    Tabulated {
+        /// Heights, strictly increasing.
+        height: Arc<[f64]>,
+        /// The density at each height, >= 0.
+        density: Arc<[f64]>,
+    },
 }
 
 /// Two rough elastic surfaces, as the equivalent rough surface against a flat.
 ///
 /// All quantities are in one consistent system of units. Loads, forces and areas are totals over
 /// `asperity_count` summits.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Params {
     /// E* [stress]: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
     pub composite_modulus: f64,
@@ -53,6 +68,8 @@ pub struct Params {
     pub slip: SlipConstants,
     /// Cap on every friction coefficient returned; may be infinite.
     pub max_friction_coefficient: f64,
+    /// H [stress], indentation hardness of the softer body, to judge whether contacts are elastic; 0 if not known.
+    pub hardness: f64,
 }
 
 impl Default for Params {
@@ -73,6 +90,7 @@ impl Default for Params {
             radius_rate: 0.5,
             slip: SlipConstants::default(),
             max_friction_coefficient: 1000.0,
+            hardness: 0.0,
         };
         params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
         params
@@ -193,6 +211,9 @@ impl Params {
         if !infinite(self.max_friction_coefficient) {
             magnitude("max_friction_coefficient", self.max_friction_coefficient, "must be > 0; INFINITY is no cap")?;
         }
+        if self.hardness.to_bits() << 1 != 0 {
+            magnitude("hardness", self.hardness, "must be finite and >= 0; 0 is not known")?;
+        }
 
         let groups = Groups {
             alpha: (self.height_std / self.summit_radius).sqrt(),
@@ -239,6 +260,11 @@ impl Params {
     fn checked_heights(&self) -> Result<Heights, Error> {
         match self.heights {
             HeightFamily::Gaussian => Ok(Heights::Gaussian),
+            HeightFamily::Johnson { .. } | HeightFamily::Tabulated { .. } => Err(Error::OutOfRange {
+                name: "height_distribution",
+                value: 2.into(),
+                allowed: "this family is not evaluated yet",
+            }),
             HeightFamily::Weibull { shape } => {
                 if !finite(shape) || shape <= 0.0 {
                     return Err(Error::InvalidParameter {

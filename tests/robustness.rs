@@ -202,7 +202,7 @@ fn random_bits(random: &mut SplitMix) -> asperity_params {
     }
     params.height_distribution = if random.chance(0.9) { random.below(2) as i32 } else { random.bits() as i32 };
     params.attraction = if random.chance(0.9) { random.below(2) as i32 } else { random.bits() as i32 };
-    for number in params.quantities.iter_mut().chain(&mut params.constants) {
+    for number in params.quantities.iter_mut().chain(&mut params.constants).chain(&mut params.appended) {
         *number = random.any_float();
     }
     params
@@ -316,8 +316,9 @@ fn one_parameter_of_random_bits_is_refused_or_works() {
     for case in 0..4_000 {
         let mut params = asperity_params::initial().weibull(3.0).radii(0.2, 0.7);
         let value = random.any_float();
-        match case % 16 {
+        match case % 17 {
             i if i < 8 => params.quantities[i] = value,
+            16 => params.appended[2] = value,
             i => params.constants[i - 8] = value,
         }
         if let Ok(handle) = watched.create(&params) {
@@ -407,10 +408,7 @@ fn answers(handle: &Handle) -> Vec<u8> {
         }
         answers.extend(bytes(&state));
     }
-    let mut params = asperity_params::initial();
-    // SAFETY: the model lives.
-    assert_eq!(unsafe { asperity_get_params(handle.0, &mut params) }, OK);
-    answers.extend(bytes(&params));
+    answers.extend(bytes(&asperity_params::of(handle)));
     answers
 }
 
@@ -572,7 +570,7 @@ fn a_null_handle_is_refused_everywhere() {
         assert_eq!(asperity_create(std::ptr::null(), &mut null_mut()), NULL_POINTER);
         assert_eq!(asperity_create(&params, null_mut()), NULL_POINTER);
         assert_eq!(asperity_set_params(null_mut(), &params), NULL_POINTER);
-        assert_eq!(asperity_get_params(null_mut(), &mut params), NULL_POINTER);
+        assert_eq!(asperity_get_params_sized(null_mut(), &mut params, params.struct_size), NULL_POINTER);
         assert_eq!(asperity_state_at_load(null_mut(), 1.0, &mut state), NULL_POINTER);
         assert_eq!(asperity_state_at_separation(null_mut(), 1.0, &mut state), NULL_POINTER);
         assert_eq!(asperity_summary_of(null_mut(), &mut summary), NULL_POINTER);

@@ -11,6 +11,7 @@ program c_interface
 
   call versions_and_texts
   call default_parameters
+  call sizes_of_parameters
   call dimensionless_parameters
   call material_parameters
   call skewed_heights
@@ -64,7 +65,32 @@ contains
     call check('epsilon = 0', identical(p%radius_amplitude, 0.0_c_double))
     call check('rho = 0.5', identical(p%radius_rate, 0.5_c_double))
     call check('coefficients are capped at 1000', identical(p%max_friction_coefficient, 1000.0_c_double))
+    call check('skew 0, kurtosis 3', identical(p%skew, 0.0_c_double) .and. identical(p%kurtosis, 3.0_c_double))
+    call check('no hardness', identical(p%hardness, 0.0_c_double))
+    call check('no table', .not. c_associated(p%table_height) .and. .not. c_associated(p%table_density) &
+               .and. p%table_length == 0)
   end subroutine default_parameters
+
+  ! The first version of the type ended with max_friction_coefficient.
+  subroutine sizes_of_parameters
+    integer(c_int64_t), parameter :: FIRST = 144
+    type(asperity_params) :: p
+    type(c_ptr) :: model
+    p%hardness = 5
+    call asperity_check(asperity_params_init_sized(p, FIRST))
+    call check('struct_size is the size that was given', p%struct_size == FIRST)
+    call check('... and no more was written', identical(p%hardness, 5.0_c_double))
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    call asperity_check(asperity_get_params_sized(model, p, FIRST + 24))
+    call check('what the size did not cover has its default', p%struct_size == FIRST + 24 .and. &
+               identical(p%hardness, 0.0_c_double))
+    call asperity_free(model)
+    call check('a size beyond the type is refused', &
+               asperity_params_init_sized(p, int(c_sizeof(p), c_int64_t) + 8) == ASPERITY_INVALID_PARAMETER)
+    call check_text('... with a message', asperity_error_message(), &
+                    'struct_size = 200: must be at most 192: the header is newer than the library')
+  end subroutine sizes_of_parameters
 
   subroutine dimensionless_parameters
     type(asperity_params) :: p

@@ -80,7 +80,7 @@ def test_density_and_area_must_be_positive_each(name: str, value: float) -> None
 @pytest.mark.parametrize(
     "change, message",
     [
-        ({"height_distribution": "lognormal"}, "height_distribution = 'lognormal': must be 'gaussian' or 'weibull'"),
+        ({"height_distribution": "lognormal"}, "height_distribution = 'lognormal': must be one of 'gaussian', 'weibull'"),
         ({"attraction": 2}, "attraction = 2: must be True or False"),
         ({"skew": -1.2}, "skew = -1.2: must be finite and > -1.13955"),
     ],

@@ -55,14 +55,14 @@ static int close_to(double a, double b, double relative)
 
 /* ---- Sizes ---- */
 
-static void sizes_and_offsets_are_those_of_the_first_version(void)
+static void sizes_and_offsets_do_not_change(void)
 {
 #define OFFSET(type, field, expected)                                                                                  \
     printf("offsetof(" #type ", " #field ") = %zu\n", offsetof(type, field));                                          \
     CHECK(offsetof(type, field) == (expected), "offset of " #field)
     printf("sizeof(asperity_params) = %zu, asperity_state %zu, asperity_summary %zu\n", sizeof(asperity_params),
            sizeof(asperity_state), sizeof(asperity_summary));
-    CHECK(sizeof(asperity_params) >= 144, "asperity_params has lost a field");
+    CHECK(sizeof(asperity_params) >= 192, "asperity_params has lost a field");
     CHECK(sizeof(asperity_state) >= 96, "asperity_state has lost a field");
     CHECK(sizeof(asperity_summary) >= 104, "asperity_summary has lost a field");
     OFFSET(asperity_params, struct_size, 0);
@@ -72,6 +72,10 @@ static void sizes_and_offsets_are_those_of_the_first_version(void)
     OFFSET(asperity_params, attraction, 76);
     OFFSET(asperity_params, weibull_shape, 80);
     OFFSET(asperity_params, max_friction_coefficient, 136);
+    OFFSET(asperity_params, skew, 144);
+    OFFSET(asperity_params, hardness, 160);
+    OFFSET(asperity_params, table_height, 168);
+    OFFSET(asperity_params, table_length, 184);
     OFFSET(asperity_state, load, 8);
     OFFSET(asperity_state, friction_force, 24);
     OFFSET(asperity_state, attraction_load, 88);
@@ -124,6 +128,78 @@ static void init_sets_the_default_case_of_the_paper(void)
     CHECK(p.slip_radius_1 == 28 && p.slip_stress_1 == 1.0 / 43, "first slip constants");
     CHECK(p.slip_radius_2 == 8e4 && p.slip_stress_2 == 1.0 / 1290, "second slip constants");
     CHECK(p.max_friction_coefficient == 1000, "cap %g", p.max_friction_coefficient);
+    CHECK(p.skew == 0 && p.kurtosis == 3 && p.hardness == 0, "appended numbers");
+    CHECK(p.table_height == NULL && p.table_density == NULL && p.table_length == 0, "no table");
+}
+
+/* A function of this name, not the macro: for programs of the first version. */
+static void the_plain_functions_know_the_first_version_alone(void)
+{
+    asperity_status (*const init)(asperity_params *) = asperity_params_init;
+    asperity_status (*const get)(const asperity_model *, asperity_params *) = asperity_get_params;
+    const size_t first = offsetof(asperity_params, skew);
+    asperity_params p, whole, guard;
+    asperity_model *model;
+
+    memset(&guard, 0xa5, sizeof guard);
+    p = guard;
+    asperity_params_init(&whole);
+    CHECK(init(&p) == ASPERITY_OK && p.struct_size == first, "struct_size %llu", (unsigned long long)p.struct_size);
+    CHECK(memcmp(&p.composite_modulus, &whole.composite_modulus, first - 8) == 0, "another default case");
+    CHECK(memcmp(&p.skew, &guard.skew, sizeof p - first) == 0, "init wrote more");
+    model = model_of(p);
+    p = guard;
+    CHECK(get(model, &p) == ASPERITY_OK && p.struct_size == first, "struct_size %llu", (unsigned long long)p.struct_size);
+    CHECK(memcmp(&p.composite_modulus, &whole.composite_modulus, first - 8) == 0, "other parameters");
+    CHECK(memcmp(&p.skew, &guard.skew, sizeof p - first) == 0, "get_params wrote more");
+    asperity_free(model);
+    CHECK(init(NULL) == ASPERITY_NULL_POINTER && says("params is NULL"), "'%s'", last_message());
+    CHECK((asperity_params_init)(&p) == ASPERITY_OK && p.struct_size == first, "a name in parentheses");
+}
+
+static void every_size_of_a_version_is_taken(void)
+{
+    const uint64_t first = offsetof(asperity_params, skew), today = sizeof(asperity_params);
+    const uint64_t wrong[] = { 0, 8, first - 8, first + 4, today - 1, today + 8, UINT64_MAX };
+    asperity_params p, guard, whole, hard = surface(0);
+    asperity_model *model;
+
+    asperity_params_init(&whole);
+    hard.hardness = 3;
+    model = model_of(hard);
+    memset(&guard, 0xa5, sizeof guard);
+    for (uint64_t size = first; size <= today; size += 8) {
+        const size_t rest = sizeof p - (size_t)size;
+        p = guard;
+        CHECK(asperity_params_init_sized(&p, size) == ASPERITY_OK && p.struct_size == size, "%s", last_message());
+        CHECK(memcmp((char *)&p + 8, (char *)&whole + 8, (size_t)size - 8) == 0, "another default case");
+        CHECK(memcmp((char *)&p + size, (char *)&guard + size, rest) == 0, "init wrote past %d", (int)size);
+        CHECK(asperity_params_set_dimensionless(&p, 0.02, 500, 0.003, 0.5, 0.2) == ASPERITY_OK, "%s", last_message());
+        CHECK(asperity_params_set_skew(&p, 0.5) == ASPERITY_OK && p.struct_size == size, "%s", last_message());
+        CHECK(asperity_set_params(model, &p) == ASPERITY_OK, "%s", last_message());
+        CHECK(asperity_set_params(model, &hard) == ASPERITY_OK, "%s", last_message());
+        p = guard;
+        CHECK(asperity_get_params_sized(model, &p, size) == ASPERITY_OK && p.struct_size == size, "%s", last_message());
+        CHECK(memcmp((char *)&p + 8, (char *)&hard + 8, (size_t)size - 8) == 0, "other parameters");
+        CHECK(memcmp((char *)&p + size, (char *)&guard + size, rest) == 0, "get_params wrote past %d", (int)size);
+        /* hardness is the last number before the table */
+        CHECK(asperity_set_params(model, &p) == ASPERITY_OK && asperity_get_params(model, &p) == ASPERITY_OK, "%s",
+              last_message());
+        CHECK(p.hardness == (size >= offsetof(asperity_params, table_height) ? 3 : 0), "hardness %g", p.hardness);
+        CHECK(asperity_set_params(model, &hard) == ASPERITY_OK, "%s", last_message());
+    }
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        p = guard;
+        CHECK(asperity_params_init_sized(&p, wrong[i]) == ASPERITY_INVALID_PARAMETER && says("struct_size = "), "init");
+        CHECK(asperity_get_params_sized(model, &p, wrong[i]) == ASPERITY_INVALID_PARAMETER && says("struct_size = "),
+              "get_params");
+        CHECK(wrong[i] <= today || says("the header is newer than the library"), "'%s'", last_message());
+        CHECK(SAME(p, guard), "written in spite of the error");
+        p = hard;
+        p.struct_size = wrong[i];
+        CHECK(asperity_set_params(model, &p) == ASPERITY_INVALID_PARAMETER && says("struct_size = "), "set_params");
+    }
+    asperity_free(model);
 }
 
 static void setters_set_what_they_say_and_nothing_else(void)
@@ -222,6 +298,9 @@ static const refused REFUSED[] = {
     { FIELD(slip_radius_2), 28, ASPERITY_INVALID_PARAMETER, "slip_radius_2 = 28: must be greater than slip_radius_1" },
     { FIELD(slip_stress_2), 1e-12, ASPERITY_INVALID_PARAMETER, "slip_stress_2 = 1e-12: must be at least" },
     { FIELD(max_friction_coefficient), 0, ASPERITY_INVALID_PARAMETER, "max_friction_coefficient = 0: must be > 0" },
+    { FIELD(hardness), -1, ASPERITY_INVALID_PARAMETER, "hardness = -1: must be finite and >= 0" },
+    { FIELD(hardness), NAN, ASPERITY_INVALID_PARAMETER, "hardness = NaN: must be finite and >= 0" },
+    { FIELD(hardness), 1e41, ASPERITY_OUT_OF_RANGE, "hardness = 1e41: must be between 1e-40 and 1e40" },
     { FIELD(summit_radius), 1e-3, ASPERITY_OUT_OF_RANGE, "alpha = 100: " },
     { FIELD(work_of_adhesion), 1e3, ASPERITY_OUT_OF_RANGE, "gamma = " },
     { FIELD(adhesion_range), 1e6, ASPERITY_OUT_OF_RANGE, "b/h = " },
@@ -622,10 +701,12 @@ static void last_message_is_copied_out_whole_or_cut(void)
 
 int main(void)
 {
-    sizes_and_offsets_are_those_of_the_first_version();
+    sizes_and_offsets_do_not_change();
     versions_agree_with_the_header();
     every_status_has_its_own_words();
     init_sets_the_default_case_of_the_paper();
+    the_plain_functions_know_the_first_version_alone();
+    every_size_of_a_version_is_taken();
     setters_set_what_they_say_and_nothing_else();
     failing_setters_touch_nothing();
     create_refuses_by_name_and_leaves_the_pointer();

@@ -145,6 +145,7 @@ static void special_parameters(void)
         offsetof(asperity_params, radius_rate), offsetof(asperity_params, slip_radius_1),
         offsetof(asperity_params, slip_stress_1), offsetof(asperity_params, slip_radius_2),
         offsetof(asperity_params, slip_stress_2), offsetof(asperity_params, max_friction_coefficient),
+        offsetof(asperity_params, hardness),
     };
     const asperity_params first = surface(0);
     asperity_model *other = NULL;
@@ -161,9 +162,9 @@ static void special_parameters(void)
 
 static void special_integers(void)
 {
-    const int32_t integers[] = { INT32_MIN, -1, 2, 3, 1000, INT32_MAX };
-    const uint64_t sizes[] = { 0, 1, 8, sizeof(asperity_params) - 8, sizeof(asperity_params) - 1,
-                               sizeof(asperity_params) + 1, UINT64_MAX };
+    const int32_t integers[] = { INT32_MIN, -1, 4, 5, 1000, INT32_MAX };
+    const uint64_t sizes[] = { 0, 1, 8, offsetof(asperity_params, skew) - 8, sizeof(asperity_params) - 1,
+                               sizeof(asperity_params) + 1, sizeof(asperity_params) + 8, UINT64_MAX };
 
     for (size_t i = 0; i < sizeof integers / sizeof *integers; i++) {
         asperity_params p = surface(0);

@@ -139,6 +139,43 @@ void each_setter_sets_its_own_field() {
     FIELD(slip_radius_2, 9e4);
     FIELD(slip_stress_2, 7e-4);
     FIELD(max_friction_coefficient, INF);
+    FIELD(skew, 0.5);
+    FIELD(kurtosis, 4.0);
+    FIELD(hardness, 9e9);
+}
+
+void a_table_is_copied_and_shared() {
+    const std::vector<double> heights{1.0, 2.0, 3.0, 4.0, 5.0}, densities{0.0, 1.0, 2.0, 1.0, 0.0};
+    EXPECT(Params().table_height().size() == 0 && Params().table_density().data() == nullptr);
+    Params copy;
+    {
+        Params params;
+        params.table(std::vector<double>(heights), std::vector<double>(densities));
+        copy = params;
+        params.table(densities, densities);
+    }
+    EXPECT(copy.height_distribution() == asperity::Heights::tabulated);
+    EXPECT(copy.table_height().size() == 5 && copy.table_height().data()[4] == 5.0);
+    EXPECT(copy.table_density().size() == 5 && copy.table_density().data()[2] == 2.0);
+    EXPECT(copy.table_height().data() != heights.data());
+    // From C and back: the copy has a table of its own.
+    const Params again(copy.c());
+    EXPECT(again.table_height().data() != copy.table_height().data() && again.table_density().data()[1] == 1.0);
+
+    const Error error = thrown_by([&] { copy.table(heights, {densities.data(), 4}); });
+    EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(begins(error.what(), "size of densities = 4: must be the number of heights, 5"));
+    EXPECT(copy.table_height().size() == 5);
+}
+
+// The functions that asperity.h has macros for: here for programs of the first version of the struct.
+void the_plain_functions_serve_old_programs() {
+    const Model model;
+    asperity_params params;
+    EXPECT((asperity_params_init)(&params) == ASPERITY_OK && params.struct_size == offsetof(asperity_params, skew));
+    EXPECT((asperity_get_params)(model.c(), &params) == ASPERITY_OK);
+    EXPECT(params.struct_size == offsetof(asperity_params, skew));
+    EXPECT(asperity_params_init(&params) == ASPERITY_OK && params.struct_size == sizeof params);
 }
 
 void materials_give_the_moduli_of_both_bodies() {
@@ -413,6 +450,8 @@ int main() {
     every_status_has_its_own_words();
     an_error_carries_status_and_message();
     each_setter_sets_its_own_field();
+    a_table_is_copied_and_shared();
+    the_plain_functions_serve_old_programs();
     materials_give_the_moduli_of_both_bodies();
     dimensionless_groups_come_back_from_the_model();
     skew_chooses_the_weibull_shape();

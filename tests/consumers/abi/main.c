@@ -34,7 +34,10 @@ static const field PARAMS[] = {
     FIELD(asperity_params, radius_amplitude),   FIELD(asperity_params, radius_rate),
     FIELD(asperity_params, slip_radius_1),      FIELD(asperity_params, slip_stress_1),
     FIELD(asperity_params, slip_radius_2),      FIELD(asperity_params, slip_stress_2),
-    FIELD(asperity_params, max_friction_coefficient),
+    FIELD(asperity_params, max_friction_coefficient), FIELD(asperity_params, skew),
+    FIELD(asperity_params, kurtosis),           FIELD(asperity_params, hardness),
+    FIELD(asperity_params, table_height),       FIELD(asperity_params, table_density),
+    FIELD(asperity_params, table_length),
 };
 
 static const field STATE[] = {
@@ -107,24 +110,40 @@ static void fields_fill_the_struct(const field *fields, size_t count, size_t siz
 
 /* ---- Inputs ---- */
 
+static int32_t heights_that_read(const field *f)
+{
+    if (f->offset >= offsetof(asperity_params, table_height))
+        return ASPERITY_HEIGHTS_TABULATED;
+    return ASPERITY_HEIGHTS_WEIBULL;
+}
+
 static void library_names_the_field_made_invalid(const field *f)
 {
+    const double height[] = { 0, 1, 2, 3, 4 }, density[] = { 0, 1, 2, 1, 0 };
     const double not_a_number = NAN;
     const int32_t no_choice = 77;
+    const int is_pointer = f->offset == offsetof(asperity_params, table_height) ||
+                           f->offset == offsetof(asperity_params, table_density);
     asperity_params params;
     asperity_model *model = NULL;
     char message[256], begin[64];
 
     asperity_params_init(&params);
-    params.height_distribution = ASPERITY_HEIGHTS_WEIBULL;
+    params.height_distribution = heights_that_read(f);
     params.radius_amplitude = 0.5;
-    if (f->size == sizeof no_choice)
+    params.table_height = height;
+    params.table_density = density;
+    params.table_length = COUNT(height);
+    if (is_pointer)
+        memset((char *)&params + f->offset, 0, f->size);
+    else if (f->size == sizeof no_choice)
         memcpy((char *)&params + f->offset, &no_choice, sizeof no_choice);
     else
         memcpy((char *)&params + f->offset, &not_a_number, sizeof not_a_number);
-    expect(asperity_create(&params, &model) == ASPERITY_INVALID_PARAMETER, f->name);
+    expect(asperity_create(&params, &model) == (is_pointer ? ASPERITY_NULL_POINTER : ASPERITY_INVALID_PARAMETER),
+           f->name);
     asperity_last_error(message, sizeof message);
-    snprintf(begin, sizeof begin, "%s = ", f->name);
+    snprintf(begin, sizeof begin, is_pointer ? "%s is NULL: " : "%s = ", f->name);
     expect(strncmp(message, begin, strlen(begin)) == 0, f->name);
 }
 
@@ -135,7 +154,8 @@ static void library_finds_every_parameter(void)
     asperity_params_init(&params);
     expect(params.struct_size == sizeof params, "asperity_params_init sets the size of the header's struct");
     for (size_t i = 0; i < COUNT(PARAMS); i++)
-        library_names_the_field_made_invalid(&PARAMS[i]);
+        if (PARAMS[i].offset != offsetof(asperity_params, skew) && PARAMS[i].offset != offsetof(asperity_params, kurtosis))
+            library_names_the_field_made_invalid(&PARAMS[i]);
 }
 
 /* ---- Outputs ---- */
