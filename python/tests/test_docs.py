@@ -73,3 +73,11 @@ def test_the_guide_runs_and_prints_what_it_says(root: Path, checkout: Path, envi
     assert len(list((checkout / "wheels").glob("asperity-*-py3-none-*.whl"))) == 1
     assert (checkout / "friction_curve.svg").read_text(encoding="utf-8").startswith("<?xml")
     check_page(root / "python" / "README.md", checkout, environment)  # in what the guide installed
+
+
+def test_the_guide_to_fits_runs_and_prints_what_it_says(
+    root: Path, checkout: Path, environment: dict[str, str]
+) -> None:
+    check_page(root / "docs" / "fit.md", checkout, environment)
+    assert (checkout / "fit.svg").read_text(encoding="utf-8").startswith("<?xml")
+    assert (checkout / "fit.png").read_bytes().startswith(b"\x89PNG")

@@ -186,14 +186,17 @@ def test_a_perfect_fit_has_no_errors_and_keeps_what_it_cannot_know(params: Param
 
 
 def test_every_name_is_documented() -> None:
-    documented = {word.strip() for row in (fit_names.__doc__ or "").split("\n| ")[1:] for word in row.split(" | ")[0].split(",")}
-    assert documented - {"name"} == set(fit_names._KINDS)
+    rows = [row.split("|") for row in (fit_names.__doc__ or "").split("\n| ")[2:]]
+    assert {name.strip() for row in rows for name in row[0].split(",")} == set(fit_names._KINDS)
+    assert {row[1].strip() for row in rows} - {""} == set(fit_names._SYMBOLS)
 
 
 @pytest.mark.parametrize("name", sorted({*fit_names._KINDS, *fit_names._SYMBOLS}))
 def test_a_name_varies_its_fields_and_no_other(name: str) -> None:
     params = Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001, skew=0.3, radius_amplitude=0.2)
-    (chosen,) = fit_names.free_names([name])
+    if name == "kurtosis":
+        params = params.replace(kurtosis=3.0)
+    (chosen,) = fit_names.free_names([name], params)
     value = chosen.start(params)
     changed = chosen.put(params, 1.25 * value)
     assert chosen.get(changed) == pytest.approx(1.25 * value, rel=1e-9)
@@ -203,7 +206,7 @@ def test_a_name_varies_its_fields_and_no_other(name: str) -> None:
 
 def test_groups_keep_to_what_the_library_says(params: Params) -> None:
     """Also where the Burgers vector, which they contain, is free."""
-    names = fit_names.free_names(["b", "E*", "alpha", "beta", "gamma", "b_over_h"])
+    names = fit_names.free_names(["b", "E*", "alpha", "beta", "gamma", "b_over_h"], params)
     changed = params
     for name, value in zip(names, (2.0, 5.0, 0.02, 700.0, 0.003, 1.5)):
         changed = name.put(changed, value)
@@ -237,6 +240,7 @@ GOOD: dict[str, Any] = {"load": [1.0, 2.0, 3.0, 4.0], "mu": [1.0, 0.9, 0.8, 0.7]
         ({"mu": None, "force": [1.0, 2.0, -3.0, 4.0]}, r"force\[2\] = -3: must be >= 0"),
         ({"free": ()}, "must be a sequence of one or more names"),
         ({"free": "gamma"}, "must be a sequence of one or more names"),
+        ({"free": ("kurtosis",)}, "'kurtosis': is of Johnson's heights; give params a kurtosis to start from"),
         ({"free": ("gama",)}, "free name 'gama': must be one of composite_modulus or E.*, gamma"),
         ({"free": ("gamma", "w")}, "free names gamma and w both vary work_of_adhesion"),
         ({"free": ("alpha", "R")}, "free names alpha and R both vary summit_radius"),
@@ -305,3 +309,53 @@ f = lambda: fit([1, 2, 3], [3, 2.8, 2.7], free=["gamma"], params=params)
 {call}"""
     done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 1 and f"pip install {package}" in done.stderr
+
+
+# ---- The command line ----
+
+
+def asperity(*arguments: object, text: str = "") -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "asperity", "fit", *map(str, arguments)]
+    return subprocess.run(command, input=text, capture_output=True, text=True, timeout=60, check=False)
+
+
+def table(*columns: Any) -> str:
+    return "# measured\n" + "".join(" ".join(f"{number:.17g}" for number in row) + "\n" for row in zip(*columns))
+
+
+def test_the_command_finds_what_the_function_finds(params: Params, found: Fit, tmp_path: Path) -> None:
+    file, figure = tmp_path / "friction.txt", tmp_path / "fit.png"
+    file.write_text(table(found.load, found.measured, found.sigma))
+    done = asperity(file, "--free", "gamma,sigma", "--figure", figure)
+    assert (done.returncode, done.stderr) == (0, "") and figure.read_bytes().startswith(b"\x89PNG")
+    head, gamma, sigma, *remarks = done.stdout.splitlines()
+    assert head == "# name, value, standard error"
+    for line, name in ((gamma, "gamma"), (sigma, "sigma")):
+        assert line.split() == [name, f"{found.values[name]:.9e}", f"{found.errors[name]:.3e}"]
+    assert remarks == [f"# {line}" for line in found.message.splitlines()]
+
+
+def test_the_command_reads_commas_forces_bounds_and_a_start(params: Params) -> None:
+    start = params.replace(radius_amplitude=0.5)
+    force = LOADS * friction(start.replace(asperity_count=3.0))
+    text = table(LOADS, force).replace(" ", ",").replace("#,", "# ")
+    done = asperity("-", "--free=N", "--force", "--bounds", "N", 0.5, 5, "--radius-amplitude", 0.5, text=text)
+    assert float(done.stdout.split()[5 + 1]) == pytest.approx(3.0, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "arguments, text, status, message",
+    [
+        (["-"], "", 2, "the following arguments are required: --free"),
+        (["-", "--free=gamma", "--bounds", "gamma", "x", "1"], "", 2, "--bounds: could not convert string to float"),
+        (["no-such-file", "--free=gamma"], "", 1, "No such file"),
+        (["-", "--free=gamma"], "", 1, "-: must have 2 or 3 columns, load, friction and its standard error; it has none"),
+        (["-", "--free=gamma"], "1 2\n3 4 5\n", 1, "it has 2 or 3"),
+        (["-", "--free=gamma"], "1 x\n3 4\n", 1, "-: could not convert string to float: 'x'"),
+        (["-", "--free=gama"], "1 2\n3 4\n", 1, "free name 'gama': must be one of"),
+        (["-", "--free=gamma"], "1 2\n-3 4\n", 1, "load[1] = -3: must be > 0"),
+    ],
+)  # fmt: skip
+def test_the_command_refuses_bad_input(arguments: list[str], text: str, status: int, message: str) -> None:
+    done = asperity(*arguments, text=text)
+    assert (done.returncode, done.stdout) == (status, "") and message in done.stderr and "Traceback" not in done.stderr

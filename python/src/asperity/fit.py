@@ -111,7 +111,7 @@ class Fit:
         return draw(self, file)
 
     def __str__(self) -> str:
-        lines = [f"{name} = {self.values[name]:.6g} +- {self.errors[name]:.2g}" for name in self.free]
+        lines = [f"{name} = {_with_error(self.values[name], self.errors[name])}" for name in self.free]
         return "\n".join([*lines, self.message])
 
 
@@ -163,7 +163,7 @@ def fit(
 
     if not isinstance(params, Params):
         raise TypeError(f"params = {params!r}: must be a Params")
-    names = free_names(free)
+    names = free_names(free, params)
     data = _Data.of(load, mu, force, sigma)
     if data.load.size <= len(names):
         raise ValueError(
@@ -175,7 +175,7 @@ def fit(
     found = least_squares(
         search.residuals, search.start, search.jacobian, (search.low, search.high), method="trf", max_nfev=_STEPS
     )
-    return _judge(search, found.x, bool(found.success), str(found.message))
+    return _judge(search, found.x, bool(found.success))
 
 
 @dataclass(frozen=True, eq=False)
@@ -315,7 +315,7 @@ class _Search:
         return residuals if np.isfinite(residuals).all() else None
 
 
-def _judge(search: _Search, x: Array, success: bool, ending: str) -> Fit:
+def _judge(search: _Search, x: Array, success: bool) -> Fit:
     """Values, errors and what is to be said against them, at the end of a search."""
     data, names = search.data, search.names
     fitted, residuals = search.friction(x), search.residuals(x)
@@ -349,7 +349,7 @@ def _judge(search: _Search, x: Array, success: bool, ending: str) -> Fit:
         sigma=data.sigma,
         quantity=data.quantity,
     )
-    return replace(fit, message="\n".join(_remarks(fit, estimate, ending)))
+    return replace(fit, message="\n".join(_remarks(fit, estimate)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -383,10 +383,10 @@ class _Estimate:
         return _and(other for other, is_one in zip(names, one) if is_one and other != name)
 
 
-def _remarks(fit: Fit, estimate: _Estimate, ending: str) -> list[str]:
+def _remarks(fit: Fit, estimate: _Estimate) -> list[str]:
     """How the search ended, and then what is to be said against the result."""
     spread = f"reduced chi-square {fit.reduced_chi_square:.3g}, {fit.degrees_of_freedom} degrees of freedom"
-    remarks = [f"{'converged' if fit.success else 'not converged'} ({ending.rstrip('.')}); {spread}"]
+    remarks = [f"{'converged' if fit.success else f'not converged in {_STEPS} steps'}; {spread}"]
     for name in fit.unidentifiable:
         others = estimate.partners(fit.free, name)
         if others:
@@ -410,6 +410,14 @@ def _remarks(fit: Fit, estimate: _Estimate, ending: str) -> list[str]:
     if apart:
         remarks.append(f"{apart} loads are below the fitted pull-off load, {pull_off:.4g}: no friction there")
     return remarks
+
+
+def _with_error(value: float, error: float) -> str:
+    """A value to the digits that its error leaves it."""
+    digits = 2 if math.isinf(error) else 6
+    if value != 0 and 0 < error < math.inf:
+        digits = max(math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 2, 1)
+    return f"{value:.{digits}g} +- {error:.2g}"
 
 
 def _correlation(covariance: Array) -> Array:

@@ -10,8 +10,9 @@
 | height_std | sigma | [length] > 0 |
 | summit_radius | R | [length] > 0 |
 | asperity_count | N | > 0 |
-| skew | | of Weibull heights, -1.13 to 2; Gaussian ones become Weibull heights, from skew 0 |
-| weibull_shape | omega | of Weibull heights, > 0; Gaussian ones become Weibull heights |
+| skew | | of Johnson's heights, -10 to 10; of others -1.13 to 2, and they become Weibull heights |
+| kurtosis | | > 0, of Johnson's heights: start from `params` with a kurtosis |
+| weibull_shape | omega | > 0; heights of other families become Weibull heights |
 | radius_amplitude | epsilon | -1 to 1 |
 | radius_rate | rho | > 0 |
 | slip_radius_1, slip_stress_1, slip_radius_2, slip_stress_2 | | > 0 |
@@ -103,11 +104,11 @@ class FreeName:
         return "finite and > 0" if self.positive else f"within {self.domain[0]:g} to {self.domain[1]:g}"
 
 
-def free_names(given: Sequence[str]) -> tuple[FreeName, ...]:
-    """Looks names up; `ValueError` for none, an unknown one, or two that vary the same field."""
+def free_names(given: Sequence[str], params: Params) -> tuple[FreeName, ...]:
+    """Looks names up for a start; `ValueError` for none, an unknown one, or two that vary the same field."""
     if isinstance(given, str) or not given:
         raise ValueError(f"free = {given!r}: must be a sequence of one or more names")
-    names = tuple(_look_up(name) for name in given)
+    names = tuple(_look_up(name, params) for name in given)
     for i, one in enumerate(names):
         for other in names[:i]:
             both = set(one.varies) & set(other.varies)
@@ -117,12 +118,16 @@ def free_names(given: Sequence[str]) -> tuple[FreeName, ...]:
     return names
 
 
-def _look_up(name: Any) -> FreeName:
+def _look_up(name: Any, params: Params) -> FreeName:
     field = _SYMBOLS.get(name, name)
     if field not in _KINDS:
         symbols = {field: f"{field} or {symbol}" for symbol, field in _SYMBOLS.items()}
         allowed = ", ".join(symbols.get(field, field) for field in _KINDS)
         raise ValueError(f"free name {name!r}: must be one of {allowed}")
+    if params.height_distribution == "johnson" and field == "skew":
+        return FreeName(name, field, (field,), _get_field(field), _put_field(field), (-10.0, 10.0))
+    if params.height_distribution != "johnson" and field == "kurtosis":
+        raise ValueError("free name 'kurtosis': is of Johnson's heights; give params a kurtosis to start from")
     return FreeName(name, field, *_KINDS[field])
 
 
@@ -185,6 +190,7 @@ _ROUGHNESS = ("height_std", "summit_radius")
 _KINDS: dict[str, tuple[tuple[str, ...], Get, Put, tuple[float, float]]] = {
     **{name: ((name,), _get_field(name), _put_field(name), _POSITIVE) for name in _FIELDS},
     _EPSILON: ((_EPSILON,), _get_field(_EPSILON), _put_field(_EPSILON), (-1.0, 1.0)),
+    "kurtosis": (("kurtosis",), _get_field("kurtosis"), _put_field("kurtosis"), _POSITIVE),
     "skew": (("weibull_shape",), _get_skew, _put_field("skew"), (-1.13, 2.0)),
     "alpha": (_ROUGHNESS, _alpha, _put_alpha, _POSITIVE),
     "beta": (_ROUGHNESS, lambda params: _contact_radius(params) / params.burgers_vector, _put_beta, _POSITIVE),
