@@ -16,8 +16,14 @@ from asperity import Model, Params
 from asperity.figures import curves, drawing, page
 
 SVG = "{http://www.w3.org/2000/svg}"
-PICTURES = [f"figure-{number}.svg" for number in range(3, 11)]
-CURVES = {"figure-3.svg": 6, **{f"figure-{n}.svg": 6 for n in range(4, 8)}, **{f"figure-{n}.svg": 5 for n in range(8, 11)}}
+# Each picture with the number of curves in each of its panels.
+PICTURES = {
+    "figure-3.svg": [4, 2],
+    **{f"figure-{number}.svg": [6] for number in range(4, 8)},
+    **{f"figure-{number}.svg": [5] for number in range(8, 11)},
+    "kurtosis.svg": [6, 3],
+    "regimes.svg": [3, 3, 3],
+}
 
 
 @pytest.fixture(scope="module")
@@ -64,7 +70,7 @@ def test_the_page_shows_every_picture(root: Path) -> None:
 def test_the_pictures_show_the_same_curves(root: Path, written: Path, name: str) -> None:
     """Their letters and ticks may differ from one matplotlib to the next."""
     committed, now = lines(root / "docs" / "figures" / name), lines(written / "figures" / name)
-    assert len(committed) == CURVES[name] and committed.keys() == now.keys()
+    assert len(committed) == sum(PICTURES[name]) and committed.keys() == now.keys()
     for curve, drawn in committed.items():
         (_, old), (_, new) = drawn[0], now[curve][0]
         assert len(old) == len(new) >= 20 and np.array(old) == pytest.approx(np.array(new), abs=0.02), curve
@@ -73,8 +79,9 @@ def test_the_pictures_show_the_same_curves(root: Path, written: Path, name: str)
 @pytest.mark.parametrize("name", PICTURES)
 def test_lines_of_a_picture_differ_in_more_than_colour(root: Path, name: str) -> None:
     styles = [drawn[0][0] for drawn in lines(root / "docs" / "figures" / name).values()]
-    panels = [styles[:4], styles[4:]] if name == "figure-3.svg" else [styles]
-    assert all(len(set(panel)) == len(panel) for panel in panels)
+    for curves_of_panel in PICTURES[name]:
+        panel, styles = styles[:curves_of_panel], styles[curves_of_panel:]
+        assert len(set(panel)) == len(panel)
 
 
 def test_a_curve_is_drawn_where_its_numbers_are(written: Path) -> None:
@@ -142,6 +149,61 @@ def test_the_effect_of_attraction_is_right(root: Path) -> None:
         assert numbers == pytest.approx([effect(float(name), load) for load in (1, 10, 100, 1e3, 1e4)], abs=0.0051)
         with Model(Params.dimensionless(alpha=0.01, beta=float(name), gamma=0.001)) as model:
             assert found_lambda == pytest.approx(model.summary().lambda_, abs=5.1e-4)
+
+
+def test_the_effect_of_kurtosis_is_right(root: Path) -> None:
+    text = (root / "docs" / "gallery.md").read_text(encoding="utf-8").split("## Kurtosis")[1].split("\n## ")[0]
+    friction, difference = text.split("| Skew |")
+    found = rows(friction)
+    assert len(found) == 6
+    for name, numbers in found.items():
+        family, _, skew, *rest = name.replace(",", "").split()
+        options = {"skew": float(skew)} | ({"kurtosis": float(rest[1])} if family == "Johnson" else {})
+        assert numbers == pytest.approx(exact_friction(**options), rel=5.1e-4), name
+    lines = [line.replace("−", "-").strip("|").split("|") for line in difference.splitlines()[2:] if line.startswith("|")]
+    assert len(lines) == 5
+    for skew, kurtosis, *cells in lines:
+        weibull = exact_friction(skew=float(skew))
+        with Model(Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001, skew=float(skew))) as model:
+            found_kurtosis = model.summary().kurtosis
+        assert float(kurtosis) == pytest.approx(found_kurtosis, abs=5.1e-4)
+        johnson = exact_friction(skew=float(skew), kurtosis=found_kurtosis)
+        expected = 100 * (np.array(johnson) / np.array(weibull) - 1)
+        assert [float(cell) for cell in cells] == pytest.approx(expected.tolist(), abs=0.051)
+
+
+def test_the_kink_of_johnsons_system_is_where_the_page_says(root: Path) -> None:
+    found = re.search(r"kink at kurtosis ([\d.]+)", (root / "docs" / "gallery.md").read_text(encoding="utf-8"))
+    assert found is not None
+    at, step = float(found[1]), 0.02
+    logs = [math.log(exact_friction(skew=-0.5, kurtosis=at + i * step)[1]) for i in (-2, -1, 0, 1, 2)]
+    slopes = np.diff(logs)
+    assert abs(slopes[2] - slopes[1]) > 5 * max(abs(slopes[1] - slopes[0]), abs(slopes[3] - slopes[2]))
+
+
+def exact_friction(**options: float) -> list[float]:
+    """At the loads of the tables, with alpha = 0.01, beta = 1000, gamma = 0.001."""
+    params = Params.dimensionless(
+        alpha=0.01, beta=1000, gamma=0.001, max_friction_coefficient=math.inf, **options  # type: ignore[arg-type]
+    )
+    with Model(params) as model:
+        return [model.state_at_load(load).friction_coefficient for load in (1, 10, 100, 1e3, 1e4)]
+
+
+def test_the_regimes_are_right(root: Path) -> None:
+    text = (root / "docs" / "gallery.md").read_text(encoding="utf-8").split("## Regimes")[1]
+    found = [line.strip("|").split("|") for line in text.splitlines() if "a₁ |" in line or "a₂ |" in line]
+    assert len(found) == 9
+    for i in range(0, 9, 3):
+        beta = float(found[i][0])
+        fractions = np.array([[float(cell) for cell in line[3:]] for line in found[i : i + 3]])
+        assert fractions.sum(axis=0) == pytest.approx(np.ones(5), abs=2e-4)
+        with Model(Params.dimensionless(alpha=0.01, beta=beta, gamma=0.001)) as model:
+            for load, (below, between, above) in zip((1e-6, 1e-4, 1e-2, 1.0, 10.0), fractions.T):
+                state = model.state_at_load(load * 0.01 * beta**2)
+                assert below == pytest.approx(state.fraction_below_slip_radius_1, abs=5.1e-5)
+                assert between == pytest.approx(state.fraction_between_slip_radii, abs=5.1e-5)
+                assert above == pytest.approx(state.fraction_above_slip_radius_2, abs=5.1e-5)
 
 
 def effect(beta: float, load: float) -> float:

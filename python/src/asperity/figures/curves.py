@@ -109,3 +109,50 @@ RADIUS_FIGURES = (
     _varying(9, 0.01, 5000, 0.001),
     _varying(10, 0.03, 1000, 0.001),
 )
+
+
+# ---- Beyond the paper ----
+
+DEFAULT = (0.01, 1000.0, 0.001)
+KURTOSES = (2.0, 2.5, 3.0, 4.0, 6.0)
+KURTOSIS_SKEWS = (-0.5, 0.0, 0.5)
+KURTOSIS_LOAD = 10.0
+
+WEIBULL = Curve("Weibull, $S = 0$", surface(*DEFAULT, skew=0.0))
+KURTOSIS_FIGURE = CurveFigure(
+    0,
+    DEFAULT,
+    (*(Curve(f"Johnson, $S = 0$, $K = {k:g}$", surface(*DEFAULT, skew=0.0, kurtosis=k)) for k in KURTOSES), WEIBULL),
+    logarithmic=True,
+)
+
+
+def kurtoses(skew: float) -> Array:
+    """Of the axis over kurtosis, from near the least that Johnson's heights are evaluated for."""
+    return np.linspace(1.5 + 1.3 * skew**2, 8, 27)
+
+
+def friction_over_kurtosis(skew: float) -> Array:
+    """Friction coefficients at KURTOSIS_LOAD and `kurtoses(skew)`."""
+    load = np.array([KURTOSIS_LOAD])
+    surfaces = [surface(*DEFAULT, skew=skew, kurtosis=float(kurtosis)) for kurtosis in kurtoses(skew)]
+    return np.array([friction(params, load)[0] for params in surfaces])
+
+
+REGIME_BETAS = (100.0, 1000.0, 1e5)
+REGIME_LOADS: Array = np.geomspace(1e-6, 10, 57)
+
+
+def regimes(beta: float, loads: Array = REGIME_LOADS) -> Array:
+    """Fractions of the contacts below, between and above the radii of slip, (3, loads).
+
+    Loads are in N G b^2 alpha beta^2, about what summits carry that overlap by sigma.
+    """
+    law = model(surface(0.01, beta, 0.001))
+    states = [law.state_at_load(float(load) * 0.01 * beta**2) for load in loads]
+    return np.array(
+        [
+            (state.fraction_below_slip_radius_1, state.fraction_between_slip_radii, state.fraction_above_slip_radius_2)
+            for state in states
+        ]
+    ).T

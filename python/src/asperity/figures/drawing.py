@@ -52,6 +52,7 @@ def draw_all(directory: Path) -> list[Path]:
         pictures = {"figure-3": _figure_3()}
         for figure in (*curves.SKEW_FIGURES, *curves.RADIUS_FIGURES):
             pictures[f"figure-{figure.number}"] = _curve_figure(figure)
+        pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes()}
         return [_save(picture, directory / f"{name}.svg") for name, picture in pictures.items()]
 
 
@@ -67,10 +68,11 @@ def _curve_figure(figure: CurveFigure) -> Figure:
     _draw(axes, figure.curves)
     if figure.logarithmic:
         axes.set_yscale("log")
+        axes.legend(handlelength=4)
     else:
         axes.set_ylim(bottom=0)
+        axes.legend(handlelength=4, loc="lower left", ncol=3)
     axes.set(xlabel=_LOAD, ylabel=_FRICTION)
-    axes.legend(handlelength=4)
     return picture
 
 
@@ -91,6 +93,54 @@ def _figure_3() -> Figure:
     below.set_ylim(0.05, 50)
     below.set(xlabel=_LOAD, ylabel=r"increase of $\mu$ by attraction [%]")
     below.legend(handlelength=4)
+    return picture
+
+
+def _kurtosis() -> Figure:
+    """Friction over the load at skew 0, and over the kurtosis at one load."""
+    picture, (left, right) = _picture((9.6, 4.4), [(0.08, 0.13, 0.40, 0.79), (0.57, 0.13, 0.40, 0.79)])
+    left.set_title(r"$\alpha = 0.01$, $\beta = 1000$, $\gamma = 0.001$", fontsize=10)
+    _draw(left, curves.KURTOSIS_FIGURE.curves)
+    left.set_yscale("log")
+    left.set(xlabel=_LOAD, ylabel=_FRICTION)
+    left.legend(handlelength=4)
+
+    right.set_title(rf"at $P/(N\,G\,b^2) = {curves.KURTOSIS_LOAD:g}$", fontsize=10)
+    right.set_xscale("linear")
+    right.set_xlim(1, 8)
+    right.set_yscale("log")
+    for number, skew in enumerate(curves.KURTOSIS_SKEWS):
+        style = {"linestyle": _DASHES[number], "color": _COLOURS[number]}
+        kurtosis, values = curves.kurtoses(skew), curves.friction_over_kurtosis(skew)
+        drawn = right.plot(kurtosis, values, label=rf"Johnson, $S = {skew:g}$", **style)
+        drawn[0].set_gid(f"curve-{len(curves.KURTOSIS_FIGURE.curves) + number}")
+        weibull = curves.surface(*curves.DEFAULT, skew=skew)
+        value = curves.friction(weibull, np.array([curves.KURTOSIS_LOAD]))
+        at = curves.model(weibull).summary().kurtosis
+        right.plot([at], value, "os^"[number], color=_COLOURS[number], label=rf"Weibull, $S = {skew:g}$")
+    right.set(xlabel=r"kurtosis $K$ [–]", ylabel=_FRICTION)
+    right.legend(handlelength=4)
+    return picture
+
+
+def _regimes() -> Figure:
+    """Fractions of the contacts in the three regimes of slip, for three friction regime parameters."""
+    places = [(0.075 + 0.31 * i, 0.14, 0.285, 0.74) for i in range(3)]
+    picture, panels = _picture((9.6, 3.8), places)
+    labels = ("$a < a_1$", "$a_1 < a < a_2$", "$a > a_2$")
+    for panel, (beta, axes) in enumerate(zip(curves.REGIME_BETAS, panels)):
+        axes.set_title(rf"$\beta = {beta:g}$", fontsize=10)
+        axes.set_xlim(curves.REGIME_LOADS[0], curves.REGIME_LOADS[-1])
+        axes.set_ylim(-0.02, 1.02)
+        for number, fractions in enumerate(curves.regimes(beta)):
+            style = {"linestyle": _DASHES[number], "color": _COLOURS[number]}
+            drawn = axes.plot(curves.REGIME_LOADS, fractions, label=labels[number], **style)
+            drawn[0].set_gid(f"curve-{3 * panel + number}")
+        axes.set_xlabel(r"$P/(N\,G\,b^2\,\alpha\beta^2)$ [–]")
+        if panel > 0:
+            axes.tick_params(labelleft=False)
+    panels[0].set_ylabel("fraction of the contacts [–]")
+    panels[0].legend(handlelength=4)
     return picture
 
 

@@ -18,13 +18,14 @@ from .curves import HEAVIEST, LIGHTEST, LOADS, Array, CurveFigure, friction, mod
 Mask = npt.NDArray[np.bool_]
 
 _SHOWN = np.array([1.0, 10.0, 100.0, 1000.0, 10000.0])
+_REGIME_SHOWN = np.array([1e-6, 1e-4, 1e-2, 1.0, 10.0])
 
 
 def text() -> str:
     """The whole page."""
     parts = [_introduction(), _figure_3(), *map(_skew_figure, curves.SKEW_FIGURES)]
     parts += [_radius_figure(figure) for figure in curves.RADIUS_FIGURES]
-    return "\n\n".join(parts) + "\n"
+    return "\n\n".join([*parts, _kurtosis(), _regimes()]) + "\n"
 
 
 def _introduction() -> str:
@@ -248,6 +249,91 @@ def _radius_figure(figure: CurveFigure) -> str:
 {chr(10).join(rows)}"""
 
 
+# ---- Beyond the paper ----
+
+
+def _kurtosis() -> str:
+    *johnson, _ = [friction(curve.params) for curve in curves.KURTOSIS_FIGURE.curves]
+    skewed = [friction(curve.params) for curve in curves.SKEW_FIGURES[0].curves]
+    rising = [f"{kurtosis:g} ({_pair(mu)})" for kurtosis, mu in zip(curves.KURTOSES, johnson) if mu[-1] > mu[0]]
+    claims = [
+        (
+            "skew and kurtosis cannot be varied independently with a Weibull distribution",
+            "with Johnson's they can: all heights of this figure on the left have skew 0",
+        ),
+        (
+            "(nothing of the effect of kurtosis alone)",
+            f"{_where(_descending(johnson), 'μ falls from each kurtosis to the next larger one')}; at load "
+            f"{LIGHTEST:g} by the factor {_number(johnson[0][0] / johnson[-1][0])} from kurtosis "
+            f"{curves.KURTOSES[0]:g} to {curves.KURTOSES[-1]:g}, while from skew −1 to 1 in figure 4 it is "
+            f"{_number(skewed[0][0] / skewed[4][0])}",
+        ),
+        (
+            "friction falls with load",
+            f"not so for kurtosis {' and '.join(rising)}: a few summits far above the rest carry the light loads",
+        ),
+    ]
+    shown = curves.KURTOSIS_FIGURE.curves
+    rows = [f"| {_plain(curve.label)} | {_cells(friction(curve.params, _SHOWN), '.4g')} |" for curve in shown]
+    pairs = [_same_moments(skew) for skew in curves.SKEWS]
+    return f"""\
+## Kurtosis at fixed skew: what Weibull heights cannot show
+
+![Friction for kurtoses from 2 to 6 at skew 0, and over the kurtosis](figures/kurtosis.svg)
+
+{_table(claims)}
+
+| μ at load | {_heads(_SHOWN)} |
+|---|{'---|' * _SHOWN.size}
+{chr(10).join(rows)}
+
+Kurtosis 3 with skew 0 is the Gaussian. But four moments do not fix a distribution, and light loads rest on its far end:
+Johnson's heights with skew and kurtosis of the Weibull heights of figure 4 give another μ, by these per cent:
+
+| Skew | Kurtosis | {_heads(_SHOWN)} |
+|---|---|{'---|' * _SHOWN.size}
+{chr(10).join(pairs)}
+
+On the right the curves for the skews −0.5 and 0.5 have a kink at kurtosis {_lognormal_kurtosis(0.5):.3f}. There Johnson's
+heights are lognormal, and depart from that in different ways to either side, bounded below and unbounded above it."""
+
+
+def _same_moments(skew: float) -> str:
+    weibull = surface(*curves.DEFAULT, skew=skew)
+    kurtosis = model(weibull).summary().kurtosis
+    johnson = surface(*curves.DEFAULT, skew=skew, kurtosis=kurtosis)
+    difference = 100 * (friction(johnson, _SHOWN) / friction(weibull, _SHOWN) - 1)
+    return f"| {_number(skew)} | {kurtosis:.3f} | {_cells(difference, '.1f').replace('-', '−')} |"
+
+
+def _lognormal_kurtosis(skew: float) -> float:
+    """With w = exp(variance of the logarithm): skew^2 = (w - 1)(w + 2)^2, kurtosis = w^4 + 2 w^3 + 3 w^2 - 3."""
+    w = max(root.real for root in np.roots([1, 3, 0, -4 - skew**2]))
+    return float(w**4 + 2 * w**3 + 3 * w**2 - 3)
+
+
+def _regimes() -> str:
+    rows = []
+    for beta in curves.REGIME_BETAS:
+        summary = model(surface(0.01, beta, 0.001)).summary()
+        below, between, above = curves.regimes(beta, _REGIME_SHOWN)
+        for name, fractions in (("a < a₁", below), ("a₁ < a < a₂", between), ("a > a₂", above)):
+            rows.append(f"| {_number(beta)} | {summary.lambda_:.3f} | {name} | {_cells(fractions, '.4f')} |")
+    heads = " | ".join(f"P = {load:g}" for load in _REGIME_SHOWN)
+    return f"""\
+## Regimes of slip
+
+![Fractions of the contacts in the regimes of slip, over the load](figures/regimes.svg)
+
+A contact of radius below a₁ = 28 b slips as a whole, at the largest shear strength; above a₂ = 80000 b the strength is
+30 times smaller; between it falls with the radius. β decides where a surface is, since β b is the radius of a contact
+that overlaps by σ without adhesion. Fractions of the contacts, with α = 0.01 and γ = 0.001, at loads in N G b² αβ²:
+
+| β | λ | Radius | {heads} |
+|---|---|---|{'---|' * _REGIME_SHOWN.size}
+{chr(10).join(rows)}"""
+
+
 # ---- Words and cells ----
 
 
@@ -300,4 +386,4 @@ def _heads(loads: Array) -> str:
 
 
 def _plain(label: str) -> str:
-    return label.replace("$", "").replace("\\varepsilon", "ε").replace("S =", "skew").replace("-", "−")
+    return label.replace("$", "").replace("\\varepsilon", "ε").replace("S =", "skew").replace("K =", "kurtosis").replace("-", "−")
