@@ -38,6 +38,8 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_JOHNSON = 2
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_TABULATED = 3
 
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! contacts yield: the model does not hold
+
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1     ! compare with asperity_table%layout_version
 
   ! ---- The C interface: types ----
@@ -74,7 +76,7 @@ module asperity
 
   ! The exact state of the contact, in the units of the parameters.
   type, bind(c), public :: asperity_state
-    integer(c_int64_t) :: struct_size = 96        ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 168       ! bytes of this type; leave it
     real(c_double) :: load                        ! P [force]; negative pulls
     real(c_double) :: separation                  ! d [length], flat to mean of the summit heights
     real(c_double) :: friction_force              ! F [force]
@@ -86,6 +88,15 @@ module asperity
     real(c_double) :: contacting                  ! number of summits in contact
     real(c_double) :: attracted                   ! number of summits that attract without contact
     real(c_double) :: attraction_load             ! part of the load carried by those [force], <= 0
+    real(c_double) :: mean_contact_radius         ! mean radius of the contacts [length]; 0 without contacts
+    real(c_double) :: max_contact_radius          ! of the tallest of so many summits [length]; not below the mean
+    real(c_double) :: fraction_below_slip_radius_1 ! fraction of the contacts up to slip_radius_1 [-]
+    real(c_double) :: fraction_between_slip_radii ! fraction of the contacts between the two [-]
+    real(c_double) :: fraction_above_slip_radius_2 ! fraction of the contacts from slip_radius_2 on [-]
+    real(c_double) :: fraction_in_contact         ! fraction of the summits [-]
+    real(c_double) :: mean_asperity_pressure      ! load of the summits in contact over the real area [stress]
+    real(c_double) :: plasticity_index            ! E* (sigma/R)**0.5/H [-]; 0 where hardness is not given
+    integer(c_int64_t) :: warnings                ! bits ASPERITY_WARNING_; 0 if nothing is known to fail
   end type asperity_state
 
   ! Constants of a model, in the units of the parameters.
@@ -180,6 +191,18 @@ module asperity
       real(c_double), intent(in), value :: E1, nu1, E2, nu2
       integer(c_int32_t) :: status
     end function asperity_params_set_materials
+
+    ! Sets height_std, summit_radius and asperity_count from the profiles of an isotropic Gaussian surface; the moments
+    ! of two surfaces add. m0 m4/m2**2 is at least 1.5.
+    function asperity_params_set_spectral_moments(params, m0, m2, m4, nominal_area) result(status) bind(c)
+      import :: asperity_params, c_double, c_int32_t
+      type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
+      real(c_double), intent(in), value :: m0             ! variance of the heights [length^2]
+      real(c_double), intent(in), value :: m2             ! variance of the slopes [-]
+      real(c_double), intent(in), value :: m4             ! variance of the curvatures [1/length^2]
+      real(c_double), intent(in), value :: nominal_area   ! [length^2]
+      integer(c_int32_t) :: status
+    end function asperity_params_set_spectral_moments
 
     ! Chooses Weibull heights with this skew, above -1.13955.
     function asperity_params_set_skew(params, skew) result(status) bind(c)
@@ -346,8 +369,8 @@ module asperity
 
   public :: asperity_abi_version, asperity_version, asperity_status_string, asperity_last_error
   public :: asperity_params_init, asperity_params_init_sized, asperity_params_set_dimensionless
-  public :: asperity_params_set_materials, asperity_params_set_skew, asperity_create, asperity_set_params
-  public :: asperity_get_params, asperity_get_params_sized, asperity_free
+  public :: asperity_params_set_materials, asperity_params_set_spectral_moments, asperity_params_set_skew
+  public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load

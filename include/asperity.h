@@ -111,6 +111,13 @@
 #define ASPERITY_HEIGHTS_TABULATED 3
 
 /**
+ * Bit of `warnings`: contacts yield, and the model, which is elastic, does not hold. Set where the mean asperity pressure
+ * is at least 0.4 of the hardness, at which yield sets in below a contact, or the plasticity index is above 1, where
+ * contacts flow at any load. Never set where the hardness is not given.
+ */
+#define ASPERITY_WARNING_PLASTIC 1
+
+/**
  * Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
  */
 #define ASPERITY_TABLE_LAYOUT 1
@@ -295,6 +302,44 @@ typedef struct asperity_state {
    * Part of the load carried by those, <= 0 [force].
    */
   double attraction_load;
+  /**
+   * Mean radius of the contacts [length]; 0 where there are none, as all that follows but the plasticity index.
+   */
+  double mean_contact_radius;
+  /**
+   * Radius of the largest contact [length]. Heights have no end, but n = `contacting` summits do: it is the largest radius
+   * up to the height that 1/(n + 1) of them exceed, as the tallest of n does on average. Not below the mean radius,
+   * which it is for n <= 1.
+   */
+  double max_contact_radius;
+  /**
+   * Fraction of the contacts with radii up to `slip_radius_1`, which slip as a whole.
+   */
+  double fraction_below_slip_radius_1;
+  /**
+   * Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2`.
+   */
+  double fraction_between_slip_radii;
+  /**
+   * Fraction of the contacts with radii from `slip_radius_2` on.
+   */
+  double fraction_above_slip_radius_2;
+  /**
+   * Fraction of all summits that are in contact.
+   */
+  double fraction_in_contact;
+  /**
+   * Load of the summits in contact over their real area [stress]; negative where adhesion pulls more than they push.
+   */
+  double mean_asperity_pressure;
+  /**
+   * Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H; 0 where the hardness H is not given.
+   */
+  double plasticity_index;
+  /**
+   * Bits `ASPERITY_WARNING_`: what of the model does not hold in this state; 0 if nothing is known to fail.
+   */
+  uint64_t warnings;
 } asperity_state;
 
 /**
@@ -516,6 +561,32 @@ asperity_status asperity_params_set_materials(struct asperity_params *params,
                                               double nu1,
                                               double E2,
                                               double nu2);
+
+/**
+ * Sets the roughness from the spectral moments of the profiles of an isotropic Gaussian surface.
+ *
+ * m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile, which isotropy makes
+ * the same in every direction. Two rough surfaces: add their moments. With the bandwidth alpha = m0 m4/m2^2, after
+ * Nayak (1971), Bush, Gibson and Thomas (1975) and McCool (1987):
+ *
+ *     height_std     = ((1 - 0.8968/alpha) m0)^(1/2)    where 0.8968 is 1 + 16/pi - 3^(3/2)
+ *     summit_radius  = 3 pi^(1/2)/(8 m4^(1/2))
+ *     asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area
+ *
+ * @param params        initialised parameters; must not be NULL; untouched on failure
+ * @param m0            variance of the heights [length^2] > 0
+ * @param m2            variance of the slopes > 0
+ * @param m4            variance of the curvatures [1/length^2] > 0; alpha must be at least 1.5
+ * @param nominal_area  [length^2] > 0
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+ *
+ * Threads: any, on different structs.
+ */
+asperity_status asperity_params_set_spectral_moments(struct asperity_params *params,
+                                                     double m0,
+                                                     double m2,
+                                                     double m4,
+                                                     double nominal_area);
 
 /**
  * Chooses Weibull heights with this skew: sets `height_distribution` and `weibull_shape`.

@@ -197,6 +197,15 @@ public:
         return *this;
     }
 
+    /// Sets height_std, summit_radius and asperity_count from the variances of height [length^2], slope and curvature
+    /// [1/length^2] along a profile of an isotropic Gaussian surface; those of two surfaces add.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
+    Params &set_spectral_moments(double m0, double m2, double m4, double nominal_area) {
+        check(asperity_params_set_spectral_moments(&c_, m0, m2, m4, nominal_area));
+        return *this;
+    }
+
     /// Chooses Weibull heights with this skew.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.

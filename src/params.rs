@@ -6,6 +6,7 @@ use crate::groups::Groups;
 use crate::surface::heights::weibull::{self, Weibull};
 use crate::surface::heights::Heights;
 use crate::surface::radius::RadiusProfile;
+use crate::surface::spectrum::SpectralMoments;
 use std::sync::Arc;
 
 /// The family of the distribution of summit heights.
@@ -165,6 +166,30 @@ impl Params {
             1.0 / (compliance(young_1, 1.0 - poisson_1 * poisson_1) + compliance(young_2, 1.0 - poisson_2 * poisson_2));
         self.effective_shear_modulus =
             1.0 / (compliance(young_1, 1.0 + poisson_1) + compliance(young_2, 1.0 + poisson_2));
+        Ok(())
+    }
+
+    /// Summits of an isotropic Gaussian surface: `height_std`, `summit_radius` and `asperity_count` from the spectral
+    /// moments of its profiles and its area.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`], also for moments that no such surface has, or [`Error::OutOfRange`]; the parameters
+    /// are then as before.
+    pub fn set_spectral_moments(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Error> {
+        let SpectralMoments { m0, m2, m4 } = moments;
+        for (name, value) in [("m0", m0), ("m2", m2), ("m4", m4), ("nominal_area", nominal_area)] {
+            positive(name, value)?;
+        }
+        if !moments.exist() {
+            return Err(Error::InvalidParameter {
+                name: "bandwidth m0 m4/m2^2",
+                value: moments.bandwidth().into(),
+                allowed: "must be at least 1.5, as that of every isotropic surface is",
+            });
+        }
+        self.height_std = moments.summit_height_std();
+        self.summit_radius = moments.summit_radius();
+        self.asperity_count = moments.summit_density() * nominal_area;
         Ok(())
     }
 

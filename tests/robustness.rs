@@ -31,6 +31,7 @@ struct Library {
     force: unsafe extern "C" fn(*const asperity_model, f64) -> f64,
     set_dimensionless: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64, f64) -> i32,
     set_materials: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
+    set_moments: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
     set_skew: unsafe extern "C" fn(*mut asperity_params, f64) -> i32,
 }
 
@@ -55,6 +56,7 @@ impl Watched {
             force: asperity_friction_force_at_load,
             set_dimensionless: asperity_params_set_dimensionless,
             set_materials: asperity_params_set_materials,
+            set_moments: asperity_params_set_spectral_moments,
             set_skew: asperity_params_set_skew,
         };
         Self {
@@ -188,7 +190,16 @@ fn is_sound(state: &asperity_state) -> bool {
     let finite = [state.load, state.separation, state.friction_force, state.real_area, state.contacting];
     let rates = [state.friction_coefficient, state.dforce_dload, state.dmu_dload, state.dload_dseparation];
     let positive = [state.friction_force, state.real_area, state.contacting, state.attracted];
-    finite.iter().all(|x| x.is_finite())
+    let radii = [state.mean_contact_radius, state.max_contact_radius];
+    let contacts = [state.fraction_in_contact, state.mean_asperity_pressure, state.plasticity_index];
+    let whole: f64 = state.fractions.iter().sum();
+    let touching = (whole - 1.0).abs() < 1e-9 && radii[0] > 0.0 && radii[1] >= radii[0];
+    let apart = whole == 0.0 && radii == [0.0; 2];
+    (if state.contacting > 0.0 { touching } else { apart })
+        && radii.iter().chain(&contacts).chain(&state.fractions).all(|x| x.is_finite())
+        && state.fractions.iter().all(|&x| x >= 0.0)
+        && state.warnings <= 1
+        && finite.iter().all(|x| x.is_finite())
         && !rates.iter().any(|x| x.is_nan())
         && positive.iter().all(|&x| x >= 0.0)
         && state.attraction_load <= 0.0
@@ -370,7 +381,7 @@ fn setters_given_random_bits_leave_the_parameters_or_set_valid_ones() {
             1 => random.between(-1.2, 1.2),
             _ => random.log_between(1e-6, 1e12),
         });
-        let which = random.below(3);
+        let which = random.below(4);
         let what = || format!("setter {which} of {x:?}");
         reset_message();
         // SAFETY: an initialised struct.
@@ -379,6 +390,7 @@ fn setters_given_random_bits_leave_the_parameters_or_set_valid_ones() {
             match which {
                 0 => (library.set_dimensionless)(&mut params, x[0], x[1], x[2], x[3], x[4]),
                 1 => (library.set_materials)(&mut params, x[0], x[1], x[2], x[3]),
+                2 => (library.set_moments)(&mut params, x[0], x[1], x[2], x[3]),
                 _ => (library.set_skew)(&mut params, x[0]),
             }
         });

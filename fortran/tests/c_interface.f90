@@ -14,6 +14,7 @@ program c_interface
   call sizes_of_parameters
   call dimensionless_parameters
   call material_parameters
+  call spectral_moments
   call skewed_heights
   call life_of_a_model
   call errors_of_values
@@ -122,6 +123,22 @@ contains
     call check_close('a rigid body adds nothing to 1/E*', p%composite_modulus, E1 / (1 - NU1**2), 1e-14_c_double)
     call check_close('against a rigid body G* = 2 G1', p%effective_shear_modulus, 2 * g1, 1e-14_c_double)
   end subroutine material_parameters
+
+  subroutine spectral_moments
+    real(c_double), parameter :: M0 = 3, M2 = 0.5_c_double, M4 = 0.7_c_double, AREA = 11
+    type(asperity_params) :: p
+    call asperity_check(asperity_params_init(p))
+    call asperity_check(asperity_params_set_spectral_moments(p, M0, M2, M4, AREA))
+    call check_close('variance of the summit heights', p%height_std**2, (1 - 0.8968_c_double * M2**2 / (M0 * M4)) * M0, &
+                     1e-4_c_double)
+    call check_close('radius of the summits', p%summit_radius, 0.375_c_double * sqrt(PI / M4), 1e-14_c_double)
+    call check_close('number of summits', p%asperity_count, M4 * AREA / (6 * PI * sqrt(3.0_c_double) * M2), &
+                     1e-14_c_double)
+    call check('a bandwidth below 1.5 is refused', &
+               asperity_params_set_spectral_moments(p, M2, M2, 1.49_c_double * M2, AREA) == ASPERITY_INVALID_PARAMETER)
+    call check_text('... with a message', asperity_error_message(), &
+                    'bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5, as that of every isotropic surface is')
+  end subroutine spectral_moments
 
   ! Skew from the moments of the Weibull distribution, B_n = Gamma(1 + n/omega).
   subroutine skewed_heights
@@ -403,6 +420,7 @@ contains
     integer :: i
     call asperity_check(asperity_params_init(p))
     p%work_of_adhesion = 0
+    p%hardness = 0.02_c_double
     p%asperity_count = 1000
     p%slip_radius_1 = 1e6_c_double
     p%slip_radius_2 = 1e7_c_double
@@ -418,6 +436,16 @@ contains
       call check_close('F = tau_1 A', state%friction_force, p%slip_stress_1 * p%effective_shear_modulus * area, &
                        1e-10_c_double)
       call check('without adhesion nothing attracts', identical(state%attracted, 0.0_c_double))
+      call check_close('the mean pressure is P/A', state%mean_asperity_pressure, state%load / area, 1e-10_c_double)
+      call check_close('the fraction in contact', state%fraction_in_contact, fraction, 1e-10_c_double)
+      call check_close('small contacts everywhere', state%fraction_below_slip_radius_1, 1.0_c_double, 1e-12_c_double)
+      call check('... and no others', identical(state%fraction_between_slip_radii, 0.0_c_double) .and. &
+                 identical(state%fraction_above_slip_radius_2, 0.0_c_double))
+      call check('contacts have a radius', state%mean_contact_radius > 0 .and. &
+                 state%max_contact_radius > state%mean_contact_radius)
+      call check_close('plasticity index', state%plasticity_index, p%composite_modulus / p%hardness &
+                       * sqrt(p%height_std / p%summit_radius), 1e-14_c_double)
+      call check('... above 1 warns', state%warnings == ASPERITY_WARNING_PLASTIC)
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
       call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)
       call check_close('... and so is its friction', at_load%friction_force, state%friction_force, 1e-9_c_double)

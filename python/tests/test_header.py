@@ -12,7 +12,7 @@ from typing import Any, Callable
 
 import pytest
 
-from asperity import Params, State, Status, Summary, _header
+from asperity import Params, State, Status, Summary, Warnings, _header
 
 STRUCTS = ("asperity_params", "asperity_state", "asperity_summary", "asperity_table")
 TYPES = {
@@ -115,6 +115,11 @@ def test_dataclasses_have_the_fields_of_the_structs(python: Any, c: str) -> None
     assert [field.name.rstrip("_") for field in fields(python)] == theirs
 
 
+def test_warnings_are_those_of_the_header(header: str) -> None:
+    theirs = {name: value for name, value in constants(header).items() if "WARNING" in name}
+    assert {f"ASPERITY_WARNING_{warning.name}": int(warning) for warning in Warnings} == theirs
+
+
 def test_statuses_are_those_of_the_header(header: str) -> None:
-    names = [name for name in constants(header) if not re.search("VERSION|HEIGHTS|TABLE", name)]
+    names = [name for name in constants(header) if not re.search("VERSION|HEIGHTS|TABLE|WARNING", name)]
     assert [f"ASPERITY_{status.name}" for status in Status] == names

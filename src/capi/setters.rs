@@ -5,6 +5,7 @@ use super::params::{asperity_params, checked_size, FIRST_SIZE};
 use super::status::asperity_status;
 use crate::error::Error;
 use crate::params::Params;
+use crate::surface::spectrum::SpectralMoments;
 
 /// Lets a setter of the library's parameters change the caller's; what it does not change stays bit for bit.
 unsafe fn change(
@@ -126,6 +127,45 @@ pub unsafe extern "C" fn asperity_params_set_materials(
             |params, changed| {
                 params.composite_modulus = changed.composite_modulus;
                 params.effective_shear_modulus = changed.effective_shear_modulus;
+            },
+        )
+    })
+}
+
+/// Sets the roughness from the spectral moments of the profiles of an isotropic Gaussian surface.
+///
+/// m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile, which isotropy makes
+/// the same in every direction. Two rough surfaces: add their moments. With the bandwidth alpha = m0 m4/m2^2, after
+/// Nayak (1971), Bush, Gibson and Thomas (1975) and McCool (1987):
+///
+///     height_std     = ((1 - 0.8968/alpha) m0)^(1/2)    where 0.8968 is 1 + 16/pi - 3^(3/2)
+///     summit_radius  = 3 pi^(1/2)/(8 m4^(1/2))
+///     asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area
+///
+/// @param params        initialised parameters; must not be NULL; untouched on failure
+/// @param m0            variance of the heights [length^2] > 0
+/// @param m2            variance of the slopes > 0
+/// @param m4            variance of the curvatures [1/length^2] > 0; alpha must be at least 1.5
+/// @param nominal_area  [length^2] > 0
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+///
+/// Threads: any, on different structs.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_set_spectral_moments(
+    params: *mut asperity_params,
+    m0: f64,
+    m2: f64,
+    m4: f64,
+    nominal_area: f64,
+) -> asperity_status {
+    boundary::status(|| {
+        change(
+            params,
+            |changed| changed.set_spectral_moments(SpectralMoments { m0, m2, m4 }, nominal_area),
+            |params, changed| {
+                params.height_std = changed.height_std;
+                params.summit_radius = changed.summit_radius;
+                params.asperity_count = changed.asperity_count;
             },
         )
     })

@@ -10,9 +10,11 @@
 //! G* b^2, areas in b^2.
 
 mod break_edges;
+mod contacts;
 mod gauss_legendre;
 mod nodes;
 
+pub use contacts::Contacts;
 pub use gauss_legendre::integrate_short;
 
 use crate::asperity::attraction::{self, Attraction, ATTRACTION_LAMBDA_CUBED};
@@ -343,6 +345,17 @@ impl Population {
             return self.add_tabulated(nodes, sums, separation, lower, upper);
         }
         let mut sink = Summing { population: self, sums };
+        self.walk_contacts(separation, (lower, lower_edge), (upper, upper_edge), &mut sink);
+    }
+
+    /// Walks the summits in contact between two heights, either of which may be an edge.
+    fn walk_contacts(
+        &self,
+        separation: f64,
+        (lower, lower_edge): (f64, Option<&Edge>),
+        (upper, upper_edge): (f64, Option<&Edge>),
+        sink: &mut impl Sink,
+    ) {
         let start = match lower_edge {
             Some(edge) if edge.z == lower => self.edge_point(edge),
             _ => self.point_cold(separation, lower),
@@ -351,10 +364,10 @@ impl Population {
             // A second edge above, where a falling radius lets tall summits break first: from both ends.
             Some(edge) if edge.z == upper => {
                 let middle = 0.5 * (lower + upper);
-                self.march(self.above_foot(start, middle, &mut sink), middle, &mut sink);
-                self.march(self.edge_point(edge), middle, &mut sink);
+                self.march(self.above_foot(start, middle, sink), middle, sink);
+                self.march(self.edge_point(edge), middle, sink);
             }
-            _ => self.march(self.above_foot(start, upper, &mut sink), upper, &mut sink),
+            _ => self.march(self.above_foot(start, upper, sink), upper, sink),
         }
     }
 

@@ -63,7 +63,7 @@ static void sizes_and_offsets_do_not_change(void)
     printf("sizeof(asperity_params) = %zu, asperity_state %zu, asperity_summary %zu\n", sizeof(asperity_params),
            sizeof(asperity_state), sizeof(asperity_summary));
     CHECK(sizeof(asperity_params) >= 192, "asperity_params has lost a field");
-    CHECK(sizeof(asperity_state) >= 96, "asperity_state has lost a field");
+    CHECK(sizeof(asperity_state) >= 168, "asperity_state has lost a field");
     CHECK(sizeof(asperity_summary) >= 104, "asperity_summary has lost a field");
     OFFSET(asperity_params, struct_size, 0);
     OFFSET(asperity_params, composite_modulus, 8);
@@ -79,6 +79,9 @@ static void sizes_and_offsets_do_not_change(void)
     OFFSET(asperity_state, load, 8);
     OFFSET(asperity_state, friction_force, 24);
     OFFSET(asperity_state, attraction_load, 88);
+    OFFSET(asperity_state, mean_contact_radius, 96);
+    OFFSET(asperity_state, fraction_in_contact, 136);
+    OFFSET(asperity_state, warnings, 160);
     OFFSET(asperity_summary, alpha, 8);
     OFFSET(asperity_summary, pull_off_load, 56);
     OFFSET(asperity_summary, table_error, 96);
@@ -232,6 +235,16 @@ static void setters_set_what_they_say_and_nothing_else(void)
     CHECK(close_to(p.effective_shear_modulus, 2 * 200e9 / 2.6, 1e-14), "G* against a rigid body is 2 G");
 
     expected = p;
+    CHECK(asperity_params_set_spectral_moments(&p, 3, 0.5, 0.7, 11) == ASPERITY_OK, "%s", last_message());
+    CHECK(close_to(p.height_std * p.height_std, 3 - 0.8968 * 0.25 / 0.7, 1e-4), "sigma = %g", p.height_std);
+    CHECK(close_to(p.summit_radius, 0.375 * sqrt(3.14159265358979324 / 0.7), 1e-14), "R = %.9g", p.summit_radius);
+    CHECK(close_to(p.asperity_count, 0.7 * 11 / (3 * sqrt(3) * 3.14159265358979324), 1e-14), "N = %.9g", p.asperity_count);
+    expected.height_std = p.height_std;
+    expected.summit_radius = p.summit_radius;
+    expected.asperity_count = p.asperity_count;
+    CHECK(SAME(p, expected), "set_spectral_moments changed another field");
+
+    expected = p;
     CHECK(asperity_params_set_skew(&p, 0) == ASPERITY_OK, "%s", last_message());
     CHECK(p.height_distribution == ASPERITY_HEIGHTS_WEIBULL, "heights");
     CHECK(fabs(p.weibull_shape - 3.602) < 6e-4, "omega = %g without skew", p.weibull_shape);
@@ -256,6 +269,13 @@ static void failing_setters_touch_nothing(void)
     FAILS(asperity_params_set_materials(&p, 0, 0.3, 1, 0.3), ASPERITY_INVALID_PARAMETER, "E1 = 0: ");
     FAILS(asperity_params_set_materials(&p, 1, 0.3, 1, -1), ASPERITY_INVALID_PARAMETER, "nu2 = -1: ");
     FAILS(asperity_params_set_materials(&p, INFINITY, 0.3, INFINITY, 0.3), ASPERITY_INVALID_PARAMETER, "E2 = inf: ");
+    FAILS(asperity_params_set_spectral_moments(&p, 1, 1, 1.49, 1), ASPERITY_INVALID_PARAMETER,
+          "bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5");
+    FAILS(asperity_params_set_spectral_moments(&p, 0, 1, 2, 1), ASPERITY_INVALID_PARAMETER, "m0 = 0: ");
+    FAILS(asperity_params_set_spectral_moments(&p, 1, -1, 2, 1), ASPERITY_INVALID_PARAMETER, "m2 = -1: ");
+    FAILS(asperity_params_set_spectral_moments(&p, 1, 1, NAN, 1), ASPERITY_INVALID_PARAMETER, "m4 = NaN: ");
+    FAILS(asperity_params_set_spectral_moments(&p, 1, 1, 2, INFINITY), ASPERITY_INVALID_PARAMETER, "nominal_area = inf: ");
+    FAILS(asperity_params_set_spectral_moments(&p, 1, 1e-41, 2, 1), ASPERITY_OUT_OF_RANGE, "m2 = 1e-41: ");
     FAILS(asperity_params_set_skew(&p, -1.2), ASPERITY_INVALID_PARAMETER, "skew = -1.2: ");
     FAILS(asperity_params_set_skew(&p, NAN), ASPERITY_INVALID_PARAMETER, "skew = NaN: ");
     FAILS(asperity_params_set_skew(&p, 1e6), ASPERITY_OUT_OF_RANGE, "skew = ");

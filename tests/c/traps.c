@@ -204,6 +204,14 @@ static void special_setter_arguments(void)
             doing = "asperity_params_set_materials";
             asperity_params_set_materials(&p, x[0], x[1], x[2], x[3]);
         }
+        for (int k = 0; k < 4; k++) {
+            asperity_params p = surface(0);
+            const double moments[4] = { 3, 0.5, 0.7, 11 };
+            memcpy(x, moments, sizeof moments);
+            memcpy(&x[k], &specials[i], sizeof *x);
+            doing = "asperity_params_set_spectral_moments";
+            asperity_params_set_spectral_moments(&p, x[0], x[1], x[2], x[3]);
+        }
         {
             asperity_params p = surface(0);
             doing = "asperity_params_set_skew";
@@ -229,6 +237,8 @@ static void null_pointers(void)
     CHECK(asperity_create(&p, &model) == ASPERITY_OK, "no model");
 #define REFUSES(call) CHECK((call) == ASPERITY_NULL_POINTER, "NULL is not refused")
     REFUSES(asperity_params_init(NULL));
+    REFUSES((asperity_params_init)(NULL));
+    REFUSES(asperity_params_set_spectral_moments(NULL, 3, 0.5, 0.7, 11));
     REFUSES(asperity_params_set_dimensionless(NULL, 0.01, 1000, 0.001, 1, 0.3));
     REFUSES(asperity_params_set_materials(NULL, 1, 0.3, 1, 0.3));
     REFUSES(asperity_params_set_skew(NULL, 0));

@@ -43,6 +43,14 @@ pub struct asperity_state {
     pub contacting: f64,
     pub attracted: f64,
     pub attraction_load: f64,
+    pub mean_contact_radius: f64,
+    pub max_contact_radius: f64,
+    /// Below `slip_radius_1`, between, above `slip_radius_2`.
+    pub fractions: [f64; 3],
+    pub fraction_in_contact: f64,
+    pub mean_asperity_pressure: f64,
+    pub plasticity_index: f64,
+    pub warnings: u64,
 }
 
 /// The summary of the header.
@@ -85,6 +93,13 @@ extern "C" {
         poisson: f64,
     ) -> i32;
     pub fn asperity_params_set_materials(params: *mut asperity_params, e1: f64, nu1: f64, e2: f64, nu2: f64) -> i32;
+    pub fn asperity_params_set_spectral_moments(
+        params: *mut asperity_params,
+        m0: f64,
+        m2: f64,
+        m4: f64,
+        nominal_area: f64,
+    ) -> i32;
     pub fn asperity_params_set_skew(params: *mut asperity_params, skew: f64) -> i32;
     pub fn asperity_create(params: *const asperity_params, model: *mut *mut asperity_model) -> i32;
     pub fn asperity_set_params(model: *mut asperity_model, params: *const asperity_params) -> i32;

@@ -189,6 +189,18 @@ void materials_give_the_moduli_of_both_bodies() {
     EXPECT(changed.composite_modulus() == params.composite_modulus());
 }
 
+void spectral_moments_give_the_summits() {
+    const Params params = Params().set_spectral_moments(3.0, 0.5, 0.7, 11.0);
+    EXPECT(close(params.height_std() * params.height_std(), 3.0 - 0.8968 * 0.25 / 0.7, 1e-4));
+    EXPECT(close(params.summit_radius(), 0.375 * std::sqrt(3.14159265358979324 / 0.7), 1e-14));
+    EXPECT(close(params.asperity_count(), 0.7 * 11.0 / (6.0 * 3.14159265358979324 * std::sqrt(3.0) * 0.5), 1e-14));
+    Params changed = params;
+    const Error error = thrown_by([&] { changed.set_spectral_moments(1.0, 1.0, 1.25, 1.0); });
+    EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(begins(error.what(), "bandwidth m0 m4/m2^2 = 1.25: must be at least 1.5"));
+    EXPECT(changed.summit_radius() == params.summit_radius());
+}
+
 void dimensionless_groups_come_back_from_the_model() {
     const asperity::Summary summary = Model(Params::dimensionless(0.02, 500.0, 0.002, 0.8, 0.25)).summary();
     EXPECT(close(summary.alpha, 0.02, 1e-14));
@@ -279,6 +291,11 @@ void states_are_those_of_the_reference() {
     EXPECT(close(state.real_area, 318699.2525830931, 1e-7));
     EXPECT(close(state.contacting, 0.17776420898559706, 1e-7));
     EXPECT(close(state.attraction_load, -2.1044486779808658 * (2.0 / 0.7), 1e-6));
+
+    EXPECT(close(state.mean_asperity_pressure, (state.load - state.attraction_load) / state.real_area, 1e-12));
+    EXPECT(state.plasticity_index == 0.0 && state.warnings == 0);
+    const Model soft(Params().hardness(0.01));
+    EXPECT(soft.state_at_load(state.load).warnings == ASPERITY_WARNING_PLASTIC);
 
     const asperity::State same = model.state_at_load(state.load);
     EXPECT(close(same.separation, state.separation, 1e-9));
@@ -453,6 +470,7 @@ int main() {
     a_table_is_copied_and_shared();
     the_plain_functions_serve_old_programs();
     materials_give_the_moduli_of_both_bodies();
+    spectral_moments_give_the_summits();
     dimensionless_groups_come_back_from_the_model();
     skew_chooses_the_weibull_shape();
     a_model_moves_and_does_not_copy();

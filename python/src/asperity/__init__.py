@@ -13,6 +13,6 @@ from .errors import Error, Status
 from .fit import Fit, fit
 from .model import Model
 from .params import Params
-from .results import State, Summary
+from .results import State, Summary, Warnings
 
-__all__ = ["Error", "Fit", "Model", "Params", "State", "Status", "Summary", "__version__", "fit"]
+__all__ = ["Error", "Fit", "Model", "Params", "State", "Status", "Summary", "Warnings", "__version__", "fit"]

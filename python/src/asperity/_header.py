@@ -28,6 +28,8 @@ ASPERITY_HEIGHTS_WEIBULL = 1
 ASPERITY_HEIGHTS_JOHNSON = 2
 ASPERITY_HEIGHTS_TABULATED = 3
 
+ASPERITY_WARNING_PLASTIC = 1
+
 ASPERITY_TABLE_LAYOUT = 1
 
 
@@ -82,6 +84,15 @@ class asperity_state(Structure):
         ("contacting", c_double),
         ("attracted", c_double),
         ("attraction_load", c_double),
+        ("mean_contact_radius", c_double),
+        ("max_contact_radius", c_double),
+        ("fraction_below_slip_radius_1", c_double),
+        ("fraction_between_slip_radii", c_double),
+        ("fraction_above_slip_radius_2", c_double),
+        ("fraction_in_contact", c_double),
+        ("mean_asperity_pressure", c_double),
+        ("plasticity_index", c_double),
+        ("warnings", c_uint64),
     ]
 
 
@@ -134,6 +145,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_params_init_sized": (asperity_status, [_params, c_uint64]),
     "asperity_params_set_dimensionless": (asperity_status, [_params, *5 * [c_double]]),
     "asperity_params_set_materials": (asperity_status, [_params, *4 * [c_double]]),
+    "asperity_params_set_spectral_moments": (asperity_status, [_params, *4 * [c_double]]),
     "asperity_params_set_skew": (asperity_status, [_params, c_double]),
     "asperity_create": (asperity_status, [_params, POINTER(_model)]),
     "asperity_set_params": (asperity_status, [_model, _params]),

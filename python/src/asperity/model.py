@@ -21,7 +21,7 @@ from . import _header
 from ._library import LIBRARY, check
 from .errors import Error, Status
 from .params import Params
-from .results import State, Summary
+from .results import State, Summary, Warnings
 
 Loads = Union["npt.NDArray[Any]", "list[Any]", "tuple[Any, ...]"]
 Array = npt.NDArray[np.float64]
@@ -233,10 +233,11 @@ def _refuse(handle: _Handle, load: float, index: tuple[Any, ...] = ()) -> None:
 def _state(handle: _Handle, call: Any, at: float) -> State:
     struct = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
     check(call(handle.pointer, at, ctypes.byref(struct)))
-    return State(*_values(struct))
+    *numbers, warnings = _values(struct)
+    return State(*numbers, warnings=Warnings(warnings))
 
 
-def _values(struct: ctypes.Structure) -> list[float]:
+def _values(struct: ctypes.Structure) -> list[Any]:
     """The fields of a struct after its size."""
     return [getattr(struct, field[0]) for field in struct._fields_[1:]]
 

@@ -34,6 +34,19 @@ if TYPE_CHECKING:
         slip_stress_2: float
         max_friction_coefficient: float
 
+    class Contact(Options, total=False):
+        """What `si` takes beside the roughness."""
+
+        work_of_adhesion: float
+        adhesion_range: float
+        burgers_vector: float
+        composite_modulus: float
+        effective_shear_modulus: float
+        E1: float
+        nu1: float
+        E2: float
+        nu2: float
+
 
 _DISTRIBUTIONS = {
     "gaussian": _header.ASPERITY_HEIGHTS_GAUSSIAN,
@@ -217,6 +230,82 @@ class Params:
             "summit_radius": summit_radius,
         }
         return cls(**(moduli | named | count | _options(options)))
+
+    @classmethod
+    def from_spectral_moments(
+        cls, *, m0: float, m2: float, m4: float, nominal_area: float, **contact: Unpack[Contact]
+    ) -> Params:
+        """Roughness from the variances of height, slope and curvature along profiles of an isotropic Gaussian surface.
+
+        Summit density, radius and height deviation are those of Nayak (1971), with the variance of Bush, Gibson and
+        Thomas (1975), as McCool (1987) collects them. Two rough surfaces: add their moments.
+
+        Args:
+            m0: variance of the heights [m^2] > 0.
+            m2: variance of the slopes dz/dx > 0.
+            m4: variance of the curvatures d2z/dx2 [1/m^2] > 0; the bandwidth m0 m4/m2^2 is at least 1.5.
+            nominal_area: [m^2] > 0.
+            **contact: materials, adhesion and options, as `si` takes them.
+
+        Raises:
+            Error: a value that the library refuses.
+            TypeError: an unknown name, one missing, or names that exclude each other.
+        """
+        struct: Any = _initialised()
+        moments = {"m0": m0, "m2": m2, "m4": m4, "nominal_area": nominal_area}
+        values = [_real(name, value) for name, value in moments.items()]
+        check(LIBRARY.asperity_params_set_spectral_moments(ctypes.byref(struct), *values))
+        summits = {name: getattr(struct, name) for name in ("height_std", "summit_radius", "asperity_count")}
+        return cls.si(**summits, **contact)
+
+    @classmethod
+    def from_iso25178(
+        cls,
+        *,
+        Sq: float,
+        Sdq: float,
+        Ssc: float | None = None,
+        Sds: float | None = None,
+        Ssk: float | None = None,
+        Sku: float | None = None,
+        nominal_area: float,
+        **contact: Unpack[Contact],
+    ) -> Params:
+        """Roughness from areal parameters of an isotropic surface, all in SI units: lengths in m, not in um.
+
+        m0 = Sq^2 and m2 = Sdq^2/2; m4 is that of a Gaussian surface whose summits have the curvature `Ssc`, or else the
+        density `Sds`. With both, `Sds` counts the summits. `Ssk` and `Sku` describe all heights of the surface, and
+        serve for those of the summits: an approximation.
+
+        Args:
+            Sq: standard deviation of the heights [m] > 0.
+            Sdq: root mean square gradient > 0.
+            Ssc: mean curvature of the summits [1/m] > 0.
+            Sds: summits per area [1/m^2] > 0; every local maximum counts, unlike for Spd.
+            Ssk: skew of the heights, together with `Sku`; heights are Gaussian without them.
+            Sku: kurtosis of the heights.
+            nominal_area: [m^2] > 0.
+            **contact: materials, adhesion and options, as `si` takes them.
+
+        Raises:
+            Error: a value that the library refuses.
+            TypeError: an unknown name, one missing, or names that exclude each other.
+        """
+        if Ssc is None and Sds is None:
+            raise TypeError("give Ssc, Sds or both: Sq and Sdq do not tell how sharp the summits are")
+        if (Ssk is None) != (Sku is None):
+            raise TypeError("give both Ssk and Sku, or neither")
+        shape: dict[str, Any] = {} if Sku is None else {"skew": Ssk, "kurtosis": Sku}
+        given = {"Sq": Sq, "Sdq": Sdq, "Ssc": Ssc, "Sds": Sds}
+        areal = {name: _positive(name, value) for name, value in given.items() if value is not None}
+        m2 = areal["Sdq"] ** 2 / 2
+        m4 = 9 * math.pi / 64 * areal["Ssc"] ** 2 if "Ssc" in areal else 6 * math.pi * 3**0.5 * m2 * areal["Sds"]
+        params = cls.from_spectral_moments(
+            m0=areal["Sq"] ** 2, m2=m2, m4=m4, nominal_area=nominal_area, **shape, **contact
+        )
+        if len(areal) == len(given):
+            return params.replace(asperity_count=areal["Sds"] * nominal_area)
+        return params
 
     def replace(self, **changes: Any) -> Params:
         """A copy with some fields changed, understood as the options of `si`; Johnson's heights keep to a new `skew`."""

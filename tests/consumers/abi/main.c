@@ -47,6 +47,11 @@ static const field STATE[] = {
     FIELD(asperity_state, dmu_dload),           FIELD(asperity_state, dload_dseparation),
     FIELD(asperity_state, real_area),           FIELD(asperity_state, contacting),
     FIELD(asperity_state, attracted),           FIELD(asperity_state, attraction_load),
+    FIELD(asperity_state, mean_contact_radius), FIELD(asperity_state, max_contact_radius),
+    FIELD(asperity_state, fraction_below_slip_radius_1), FIELD(asperity_state, fraction_between_slip_radii),
+    FIELD(asperity_state, fraction_above_slip_radius_2), FIELD(asperity_state, fraction_in_contact),
+    FIELD(asperity_state, mean_asperity_pressure), FIELD(asperity_state, plasticity_index),
+    FIELD(asperity_state, warnings),
 };
 
 static const field SUMMARY[] = {
@@ -186,6 +191,7 @@ static void state_fields_hold_their_quantities(void)
     double mu_slope, force_slope;
 
     asperity_params_init(&params);
+    params.hardness = 0.02;
     model = create(&params);
     state.struct_size = other.struct_size = sizeof state;
     require_ok(asperity_state_at_separation(model, params.height_std, &state), "asperity_state_at_separation");
@@ -199,6 +205,18 @@ static void state_fields_hold_their_quantities(void)
     expect_near("real_area", state.real_area, 318699.2525830931, 1e-7);
     expect_near("contacting", state.contacting, 0.17776420898559706, 1e-7);
     expect_near("attraction_load", state.attraction_load, -2.1044486779808658 * modulus, 1e-6);
+    expect_near("fraction_in_contact", state.fraction_in_contact, state.contacting, 1e-15);    /* N = 1 */
+    expect_near("mean_asperity_pressure", state.mean_asperity_pressure,
+                (state.load - state.attraction_load) / state.real_area, 1e-12);
+    expect_near("regimes", state.fraction_below_slip_radius_1 + state.fraction_between_slip_radii +
+                               state.fraction_above_slip_radius_2, 1, 1e-12);
+    expect(state.fraction_between_slip_radii > state.fraction_below_slip_radius_1, "most contacts are wider than 28 b");
+    expect(state.fraction_above_slip_radius_2 == 0, "and none than 8e4 b");
+    expect(state.mean_contact_radius > 0 && state.mean_contact_radius < sqrt(state.real_area / state.contacting / 3.14159),
+           "the mean radius is below that of the mean area");
+    expect(state.max_contact_radius == state.mean_contact_radius, "the largest of one contact or less is the mean");
+    expect_near("plasticity_index", state.plasticity_index, modulus / params.hardness * 0.01, 1e-14);
+    expect(state.warnings == ASPERITY_WARNING_PLASTIC, "a plasticity index above 1 warns");
     expect(state.attracted > 0 && state.attracted < 1 - state.contacting, "some of the other summits are attracted");
 
     require_ok(asperity_state_at_load(model, state.load, &other), "asperity_state_at_load");
