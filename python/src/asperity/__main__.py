@@ -35,7 +35,7 @@ def _parser() -> argparse.ArgumentParser:
     figures = commands.add_parser(
         "figures",
         help="draw the figures of the paper and compare them with its text",
-        description="Draws the figures of Adams and Müftü (2005), section 3, as SVG in DIR/figures, and writes the page "
+        description="Draws the figures of Adams and Müftü (2005), section 3, as SVG in DIR/figures, and writes "
         "DIR/gallery.md, which compares each with what the paper says.",
         allow_abbrev=False,
     )

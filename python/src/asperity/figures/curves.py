@@ -139,7 +139,8 @@ def friction_over_kurtosis(skew: float) -> Array:
     return np.array([friction(params, load)[0] for params in surfaces])
 
 
-REGIME_BETAS = (100.0, 1000.0, 1e5)
+REGIME_BETAS = (30.0, 1000.0, 1e5)
+REGIME_GAMMA = 1e-4
 REGIME_LOADS: Array = np.geomspace(1e-6, 10, 57)
 
 
@@ -148,7 +149,7 @@ def regimes(beta: float, loads: Array = REGIME_LOADS) -> Array:
 
     Loads are in N G b^2 alpha beta^2, about what summits carry that overlap by sigma.
     """
-    law = model(surface(0.01, beta, 0.001))
+    law = model(surface(0.01, beta, REGIME_GAMMA))
     states = [law.state_at_load(float(load) * 0.01 * beta**2) for load in loads]
     return np.array(
         [

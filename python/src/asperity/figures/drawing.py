@@ -129,7 +129,7 @@ def _regimes() -> Figure:
     picture, panels = _picture((9.6, 3.8), places)
     labels = ("$a < a_1$", "$a_1 < a < a_2$", "$a > a_2$")
     for panel, (beta, axes) in enumerate(zip(curves.REGIME_BETAS, panels)):
-        axes.set_title(rf"$\beta = {beta:g}$", fontsize=10)
+        axes.set_title(rf"$\alpha = 0.01$, $\beta = {beta:g}$, $\gamma = {curves.REGIME_GAMMA:g}$", fontsize=10)
         axes.set_xlim(curves.REGIME_LOADS[0], curves.REGIME_LOADS[-1])
         axes.set_ylim(-0.02, 1.02)
         for number, fractions in enumerate(curves.regimes(beta)):

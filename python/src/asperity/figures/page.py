@@ -294,8 +294,9 @@ Johnson's heights with skew and kurtosis of the Weibull heights of figure 4 give
 |---|---|{'---|' * _SHOWN.size}
 {chr(10).join(pairs)}
 
-On the right the curves for the skews −0.5 and 0.5 have a kink at kurtosis {_lognormal_kurtosis(0.5):.3f}. There Johnson's
-heights are lognormal, and depart from that in different ways to either side, bounded below and unbounded above it."""
+On the right the curves for the skews −0.5 and 0.5 have a kink at kurtosis {_lognormal_kurtosis(0.5):.3f}. There
+Johnson's heights are lognormal, and depart from that in different ways to either side: bounded at both ends for smaller
+kurtosis, at none for larger."""
 
 
 def _same_moments(skew: float) -> str:
@@ -315,7 +316,7 @@ def _lognormal_kurtosis(skew: float) -> float:
 def _regimes() -> str:
     rows = []
     for beta in curves.REGIME_BETAS:
-        summary = model(surface(0.01, beta, 0.001)).summary()
+        summary = model(surface(0.01, beta, curves.REGIME_GAMMA)).summary()
         below, between, above = curves.regimes(beta, _REGIME_SHOWN)
         for name, fractions in (("a < a₁", below), ("a₁ < a < a₂", between), ("a > a₂", above)):
             rows.append(f"| {_number(beta)} | {summary.lambda_:.3f} | {name} | {_cells(fractions, '.4f')} |")
@@ -327,7 +328,8 @@ def _regimes() -> str:
 
 A contact of radius below a₁ = 28 b slips as a whole, at the largest shear strength; above a₂ = 80000 b the strength is
 30 times smaller; between it falls with the radius. β decides where a surface is, since β b is the radius of a contact
-that overlaps by σ without adhesion. Fractions of the contacts, with α = 0.01 and γ = 0.001, at loads in N G b² αβ²:
+that overlaps by σ without adhesion. Fractions of the contacts, with α = 0.01 and γ = {curves.REGIME_GAMMA:g}, at
+loads in N G b² αβ²:
 
 | β | λ | Radius | {heads} |
 |---|---|---|{'---|' * _REGIME_SHOWN.size}
@@ -386,4 +388,6 @@ def _heads(loads: Array) -> str:
 
 
 def _plain(label: str) -> str:
-    return label.replace("$", "").replace("\\varepsilon", "ε").replace("S =", "skew").replace("K =", "kurtosis").replace("-", "−")
+    for symbol, word in (("$", ""), ("\\varepsilon", "ε"), ("S =", "skew"), ("K =", "kurtosis"), ("-", "−")):
+        label = label.replace(symbol, word)
+    return label
