@@ -250,6 +250,8 @@ GOOD: dict[str, Any] = {"load": [1.0, 2.0, 3.0, 4.0], "mu": [1.0, 0.9, 0.8, 0.7]
         ({"free": ("alpha", "alpha")}, "both vary height_std and summit_radius"),
         ({"free": ("gamma", "sigma", "rho", "N")}, "4 points for 4 free names: there must be more points"),
         ({"bounds": {"rho": (1, 2)}}, "bounds of rho: must be of free names"),
+        ({"bounds": {"gamma": 0.01}}, "bounds of gamma = 0.01: must be two numbers"),
+        ({"bounds": {"gamma": (0.01, math.nan)}}, "must ascend and be finite and > 0"),
         ({"bounds": {"gamma": (0.01, 0.001)}}, "bounds of gamma = .*: must ascend and be finite and > 0"),
         ({"bounds": {"gamma": (0.0, 1.0)}}, "must ascend and be finite and > 0"),
         ({"bounds": {"gamma": (0.1, 1.0)}}, "gamma = 0.001 in params: must start between its bounds, 0.1 and 1"),
@@ -280,7 +282,7 @@ def found(params: Params) -> Fit:
 
 
 def test_the_figure_shows_data_fit_and_residuals(found: Fit, tmp_path: Path) -> None:
-    figure = found.plot(str(tmp_path / "fit.svg"))
+    figure = found.plot(tmp_path / "fit.svg")
     assert (tmp_path / "fit.svg").read_text(encoding="utf-8").startswith("<?xml")
     above, below = figure.axes
     points, curve = above.lines[0], above.lines[-1]

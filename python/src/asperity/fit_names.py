@@ -80,7 +80,10 @@ class FreeName:
         """The bounds given, checked, or those by default."""
         if bounds is None:
             return (start / _FACTOR, start * _FACTOR) if self.positive else self.domain
-        low, high = (float(bound) for bound in bounds)
+        try:
+            low, high = (float(bound) for bound in bounds)
+        except (TypeError, ValueError):
+            raise ValueError(f"bounds of {self.given} = {bounds!r}: must be two numbers") from None
         inside = low > 0 and math.isfinite(high) if self.positive else self.domain[0] <= low and high <= self.domain[1]
         if not (inside and low < high):
             raise ValueError(f"bounds of {self.given} = ({low:g}, {high:g}): must ascend and be {self._allowed()}")

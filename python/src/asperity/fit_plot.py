@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,7 +20,7 @@ Array = npt.NDArray[np.float64]
 _LABELS = {"mu": "friction coefficient $F/P$ [–]", "force": "friction force $F$ [force]"}
 
 
-def draw(fit: Fit, file: str | None) -> Figure:
+def draw(fit: Fit, file: str | os.PathLike[str] | None) -> Figure:
     """Draws it, and writes it if a file is named."""
     try:
         from matplotlib.figure import Figure
