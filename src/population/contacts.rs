@@ -3,7 +3,7 @@
 //!
 //! Walked anew with every panel, for exact states only: the sums that a law is compiled from need none of this.
 
-use super::{gauss_legendre, Contact, Edge, Point, Population, Sink, MOST_PANELS};
+use super::{gauss_legendre, Contact, Density, Edge, Point, Population, Sink, MOST_PANELS};
 use crate::root;
 use crate::surface::heights::UNDERFLOW;
 
@@ -27,7 +27,7 @@ struct Range {
 /// Counts contacts, and keeps every contact radius that it sees with its height.
 struct Counting<'a> {
     population: &'a Population,
-    log_scale: f64,
+    density: &'a Density<'a>,
     count: f64,
     radius: f64,
     by_regime: [f64; 3],
@@ -41,7 +41,7 @@ impl Sink for Counting<'_> {
     }
 
     fn node(&mut self, z: f64, weight: f64, contact: &Contact) {
-        let weight = weight * self.population.density(z, self.log_scale);
+        let weight = weight * self.density.at(z, contact.overlap);
         let [first, second] = self.population.slip.kinks();
         let regime = usize::from(contact.radius > first) + usize::from(contact.radius >= second);
         self.count += weight;
@@ -55,13 +55,14 @@ impl Population {
     /// The contacts at a separation, of which `number` are expected on the surface; all 0 where there are none.
     pub fn contacts(&self, separation: f64, number: f64) -> Contacts {
         let ranges = self.contact_ranges(separation);
-        let Some(lowest) = ranges.first().map(|range| range.lower.0) else { return Contacts::default() };
-        let log_scale = self.log_scale(lowest);
-        if log_scale < UNDERFLOW {
+        let Some(&Range { lower: (lowest, edge), .. }) = ranges.first() else { return Contacts::default() };
+        let overlap = edge.filter(|edge| edge.z == lowest).map_or(lowest - separation, |edge| edge.contact.overlap);
+        let density = &Density::above(&self.heights, lowest, overlap, separation);
+        if density.log_scale < UNDERFLOW {
             return Contacts::default();
         }
         let mut counting =
-            Counting { population: self, log_scale, count: 0.0, radius: 0.0, by_regime: [0.0; 3], seen: Vec::new() };
+            Counting { population: self, density, count: 0.0, radius: 0.0, by_regime: [0.0; 3], seen: Vec::new() };
         for Range { lower: (lower, lower_edge), upper: (upper, upper_edge) } in &ranges {
             let (lower, upper) = self.heights.worth_summing(*lower, *upper);
             if lower < upper {
@@ -80,7 +81,10 @@ impl Population {
         let mean_radius = radius / count;
         let mut largest_radius = mean_radius;
         if number > 1.0 {
-            let tallest = self.height_exceeded_by(count / (number + 1.0), lowest, log_scale);
+            let exceeding = count / (number + 1.0);
+            let (lower, upper) = self.heights.worth_summing(lowest, f64::INFINITY);
+            let excess = |z: f64| (self.exceedance(z, separation, density) / exceeding).max(1e-100).ln();
+            let tallest = root::bracketed(excess, lower, upper);
             let is_within = |range: &Range| range.lower.0 <= tallest && tallest <= range.upper.0;
             let there = ranges.iter().any(is_within).then(|| self.point_cold(separation, tallest).contact.radius);
             let below = seen.iter().filter(|(z, _)| *z <= tallest).map(|(_, radius)| *radius);
@@ -110,14 +114,8 @@ impl Population {
         ranges
     }
 
-    /// The height, from `lowest` up, that this fraction of all summits exceeds; over exp(log_scale).
-    fn height_exceeded_by(&self, fraction: f64, lowest: f64, log_scale: f64) -> f64 {
-        let (lower, upper) = self.heights.worth_summing(lowest, f64::INFINITY);
-        root::bracketed(|z| (self.exceedance(z, log_scale) / fraction).max(1e-100).ln(), lower, upper)
-    }
-
-    /// The fraction of all summits that are higher, over exp(log_scale).
-    fn exceedance(&self, z: f64, log_scale: f64) -> f64 {
+    /// The fraction of all summits that are higher, on the scale of a density.
+    fn exceedance(&self, z: f64, separation: f64, density: &Density) -> f64 {
         let (mut z, upper) = self.heights.worth_summing(z, f64::INFINITY);
         let mut fraction = 0.0;
         for _ in 0..MOST_PANELS {
@@ -129,7 +127,7 @@ impl Population {
                 length = upper - z;
             }
             fraction += gauss_legendre::nodes(0.0, length)
-                .map(|(rise, weight)| weight * self.density(z + rise, log_scale))
+                .map(|(rise, weight)| weight * density.at(z + rise, z + rise - separation))
                 .sum::<f64>();
             z += length;
         }
