@@ -99,6 +99,14 @@ def test_weibull_heights_come_back_from_a_gaussian_start(params: Params) -> None
     assert abs(found.values["skew"] - 0.6) < 4 * found.errors["skew"] < 0.05
 
 
+def test_skew_and_kurtosis_of_johnsons_heights_come_back(params: Params) -> None:
+    mu, sigma = measured(params.replace(skew=0.3, kurtosis=3.5), 3, 0.003)
+    found = fit(LOADS, mu, sigma, ("skew", "kurtosis"), params=params.replace(skew=0.0, kurtosis=3.0))
+    off = np.array([found.values["skew"] - 0.3, found.values["kurtosis"] - 3.5])
+    assert off @ np.linalg.solve(found.covariance, off) < chi2.isf(0.001, 2)
+    assert max(found.errors.values()) < 0.01 and found.params.height_distribution == "johnson"
+
+
 def test_forces_are_fitted_at_negative_loads_too(sticky: Params) -> None:
     """Also from a start that does not hold the surfaces together at all of them."""
     with Model(sticky) as model:

@@ -262,7 +262,7 @@ def _kurtosis() -> str:
             "with Johnson's they can: all heights of this figure on the left have skew 0",
         ),
         (
-            "(nothing of the effect of kurtosis alone)",
+            "says nothing of kurtosis alone",
             f"{_where(_descending(johnson), 'μ falls from each kurtosis to the next larger one')}; at load "
             f"{LIGHTEST:g} by the factor {_number(johnson[0][0] / johnson[-1][0])} from kurtosis "
             f"{curves.KURTOSES[0]:g} to {curves.KURTOSES[-1]:g}, while from skew −1 to 1 in figure 4 it is "
@@ -295,8 +295,8 @@ Johnson's heights with skew and kurtosis of the Weibull heights of figure 4 give
 {chr(10).join(pairs)}
 
 On the right the curves for the skews −0.5 and 0.5 have a kink at kurtosis {_lognormal_kurtosis(0.5):.3f}. There
-Johnson's heights are lognormal, and depart from that in different ways to either side: bounded at both ends for smaller
-kurtosis, at none for larger."""
+Johnson's heights are lognormal, and depart from that in different ways to either side: they are bounded at both ends
+for smaller kurtosis, at none for larger."""
 
 
 def _same_moments(skew: float) -> str:
@@ -328,8 +328,8 @@ def _regimes() -> str:
 
 A contact of radius below a₁ = 28 b slips as a whole, at the largest shear strength; above a₂ = 80000 b the strength is
 30 times smaller; between it falls with the radius. β decides where a surface is, since β b is the radius of a contact
-that overlaps by σ without adhesion. Fractions of the contacts, with α = 0.01 and γ = {curves.REGIME_GAMMA:g}, at
-loads in N G b² αβ²:
+that overlaps by σ without adhesion. Fractions of the contacts, with α = 0.01 and γ = {curves.REGIME_GAMMA:g}, at loads
+in N G b² αβ²:
 
 | β | λ | Radius | {heads} |
 |---|---|---|{'---|' * _REGIME_SHOWN.size}
