@@ -72,15 +72,13 @@ def attraction_effect(beta: float, loads: Array = LOADS, gamma: float = 0.001) -
     return 100 * (friction(surface(0.01, beta, gamma), loads) / without - 1)
 
 
-def _skewed(number: int, *groups: float) -> CurveFigure:
-    alpha, beta, gamma = groups
+def _skewed(number: int, alpha: float, beta: float, gamma: float) -> CurveFigure:
     weibull = [Curve(f"Weibull, $S = {skew:g}$", surface(alpha, beta, gamma, skew=skew)) for skew in SKEWS]
     curves = (*weibull, Curve("Gaussian", surface(alpha, beta, gamma)))
     return CurveFigure(number, (alpha, beta, gamma), curves, logarithmic=True)
 
 
-def _varying(number: int, *groups: float) -> CurveFigure:
-    alpha, beta, gamma = groups
+def _varying(number: int, alpha: float, beta: float, gamma: float) -> CurveFigure:
     curves = [
         Curve(f"$\\varepsilon = {amplitude:g}$", surface(alpha, beta, gamma, radius_amplitude=amplitude))
         for amplitude in AMPLITUDES
@@ -88,15 +86,10 @@ def _varying(number: int, *groups: float) -> CurveFigure:
     return CurveFigure(number, (alpha, beta, gamma), tuple(curves), logarithmic=False)
 
 
-FIGURE_3 = CurveFigure(
-    3,
-    (0.01, math.nan, 0.001),
-    tuple(
-        Curve(f"$\\beta = {beta}$, {word} attraction", surface(0.01, beta, 0.001, attraction=word == "with"))
-        for beta in (500, 1000)
-        for word in ("with", "without")
-    ),
-    logarithmic=False,
+FIGURE_3 = tuple(
+    Curve(f"$\\beta = {beta}$, {word} attraction", surface(0.01, beta, 0.001, attraction=word == "with"))
+    for beta in (500, 1000)
+    for word in ("with", "without")
 )
 SKEW_FIGURES = (
     _skewed(4, 0.01, 1000, 0.001),
@@ -118,12 +111,9 @@ KURTOSES = (2.0, 2.5, 3.0, 4.0, 6.0)
 KURTOSIS_SKEWS = (-0.5, 0.0, 0.5)
 KURTOSIS_LOAD = 10.0
 
-WEIBULL = Curve("Weibull, $S = 0$", surface(*DEFAULT, skew=0.0))
-KURTOSIS_FIGURE = CurveFigure(
-    0,
-    DEFAULT,
-    (*(Curve(f"Johnson, $S = 0$, $K = {k:g}$", surface(*DEFAULT, skew=0.0, kurtosis=k)) for k in KURTOSES), WEIBULL),
-    logarithmic=True,
+KURTOSIS_CURVES = (
+    *(Curve(f"Johnson, $S = 0$, $K = {k:g}$", surface(*DEFAULT, skew=0.0, kurtosis=k)) for k in KURTOSES),
+    Curve("Weibull, $S = 0$", surface(*DEFAULT, skew=0.0)),
 )
 
 

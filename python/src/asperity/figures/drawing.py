@@ -79,15 +79,15 @@ def _curve_figure(figure: CurveFigure) -> Figure:
 def _figure_3() -> Figure:
     picture, (above, below) = _picture((6.4, 6.4), [(0.12, 0.5, 0.84, 0.44), (0.12, 0.09, 0.84, 0.34)])
     above.set_title(r"$\alpha = 0.01$, $\gamma = 0.001$", fontsize=10)
-    _draw(above, curves.FIGURE_3.curves)
+    _draw(above, curves.FIGURE_3)
     above.set_ylim(bottom=0)
     above.set(ylabel=_FRICTION)
     above.legend(handlelength=4)
     for number, (beta, paper) in enumerate(((500, 3.8), (1000, 2.1))):
-        style = {"linestyle": _DASHES[2 * number], "color": _COLOURS[2 * number]}
-        lines = below.plot(curves.LOADS, curves.attraction_effect(beta), label=rf"$\beta = {beta}$", **style)
-        lines[0].set_gid(f"curve-{len(curves.FIGURE_3.curves) + number}")
-        below.axhline(paper, linewidth=0.8, **style)
+        style = 2 * number  # that of the curve above it
+        effect = curves.attraction_effect(beta)
+        _line(below, len(curves.FIGURE_3) + number, style, curves.LOADS, effect, rf"$\beta = {beta}$")
+        below.axhline(paper, linewidth=0.8, linestyle=_DASHES[style], color=_COLOURS[style])
         below.annotate(f"the paper's {paper} %", (curves.HEAVIEST / 1.3, paper), ha="right", va="bottom")
     below.set_yscale("log")
     below.set_ylim(0.05, 50)
@@ -100,7 +100,7 @@ def _kurtosis() -> Figure:
     """Friction over the load at skew 0, and over the kurtosis at one load."""
     picture, (left, right) = _picture((9.6, 4.4), [(0.08, 0.13, 0.40, 0.79), (0.57, 0.13, 0.40, 0.79)])
     left.set_title(r"$\alpha = 0.01$, $\beta = 1000$, $\gamma = 0.001$", fontsize=10)
-    _draw(left, curves.KURTOSIS_FIGURE.curves)
+    _draw(left, curves.KURTOSIS_CURVES)
     left.set_yscale("log")
     left.set(xlabel=_LOAD, ylabel=_FRICTION)
     left.legend(handlelength=4)
@@ -110,10 +110,8 @@ def _kurtosis() -> Figure:
     right.set_xlim(1, 8)
     right.set_yscale("log")
     for number, skew in enumerate(curves.KURTOSIS_SKEWS):
-        style = {"linestyle": _DASHES[number], "color": _COLOURS[number]}
         kurtosis, values = curves.kurtoses(skew), curves.friction_over_kurtosis(skew)
-        drawn = right.plot(kurtosis, values, label=rf"Johnson, $S = {skew:g}$", **style)
-        drawn[0].set_gid(f"curve-{len(curves.KURTOSIS_FIGURE.curves) + number}")
+        _line(right, len(curves.KURTOSIS_CURVES) + number, number, kurtosis, values, rf"Johnson, $S = {skew:g}$")
         weibull = curves.surface(*curves.DEFAULT, skew=skew)
         value = curves.friction(weibull, np.array([curves.KURTOSIS_LOAD]))
         at = curves.model(weibull).summary().kurtosis
@@ -133,9 +131,7 @@ def _regimes() -> Figure:
         axes.set_xlim(curves.REGIME_LOADS[0], curves.REGIME_LOADS[-1])
         axes.set_ylim(-0.02, 1.02)
         for number, fractions in enumerate(curves.regimes(beta)):
-            style = {"linestyle": _DASHES[number], "color": _COLOURS[number]}
-            drawn = axes.plot(curves.REGIME_LOADS, fractions, label=labels[number], **style)
-            drawn[0].set_gid(f"curve-{3 * panel + number}")
+            _line(axes, 3 * panel + number, number, curves.REGIME_LOADS, fractions, labels[number])
         axes.set_xlabel(r"$P/(N\,G\,b^2\,\alpha\beta^2)$ [–]")
         if panel > 0:
             axes.tick_params(labelleft=False)
@@ -160,6 +156,10 @@ def _picture(
 
 def _draw(axes: Axes, lines: Iterable[Curve]) -> None:
     for number, curve in enumerate(lines):
-        values = curves.friction(curve.params)
-        drawn = axes.plot(curves.LOADS, values, linestyle=_DASHES[number], color=_COLOURS[number], label=curve.label)
-        drawn[0].set_gid(f"curve-{number}")
+        _line(axes, number, number, curves.LOADS, curves.friction(curve.params), curve.label)
+
+
+def _line(axes: Axes, number: int, style: int, x: Array, y: Array, label: str) -> None:
+    """Draws the curve of this number in the picture."""
+    (line,) = axes.plot(x, y, linestyle=_DASHES[style], color=_COLOURS[style], label=label)
+    line.set_gid(f"curve-{number}")

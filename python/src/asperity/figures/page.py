@@ -253,7 +253,7 @@ def _radius_figure(figure: CurveFigure) -> str:
 
 
 def _kurtosis() -> str:
-    *johnson, _ = [friction(curve.params) for curve in curves.KURTOSIS_FIGURE.curves]
+    *johnson, _ = [friction(curve.params) for curve in curves.KURTOSIS_CURVES]
     skewed = [friction(curve.params) for curve in curves.SKEW_FIGURES[0].curves]
     rising = [f"{kurtosis:g} ({_pair(mu)})" for kurtosis, mu in zip(curves.KURTOSES, johnson) if mu[-1] > mu[0]]
     claims = [
@@ -273,7 +273,7 @@ def _kurtosis() -> str:
             f"not so for kurtosis {' and '.join(rising)}: a few summits far above the rest carry the light loads",
         ),
     ]
-    shown = curves.KURTOSIS_FIGURE.curves
+    shown = curves.KURTOSIS_CURVES
     rows = [f"| {_plain(curve.label)} | {_cells(friction(curve.params, _SHOWN), '.4g')} |" for curve in shown]
     pairs = [_same_moments(skew) for skew in curves.SKEWS]
     return f"""\
