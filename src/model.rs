@@ -299,7 +299,7 @@ impl Model {
                 allowed: "must be within 1e50 height_std of zero",
             });
         }
-        let dimensionless = separation / self.units.length;
+        let dimensionless = separation / self.units.length - self.population.heights().origin();
         let sums = self.population.at_separation(dimensionless);
         let load = self.units.of_load(&sums, sums.load());
         Ok(self.state(load, dimensionless, &sums))
@@ -384,7 +384,7 @@ impl Model {
         let plasticity_index = self.plasticity_index();
         State {
             load,
-            separation: separation * units.length,
+            separation: (separation + self.population.heights().origin()) * units.length,
             friction_force,
             friction_coefficient: coefficient,
             dforce_dload,

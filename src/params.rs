@@ -3,6 +3,7 @@
 use crate::asperity::slip::SlipConstants;
 use crate::error::Error;
 use crate::groups::Groups;
+use crate::surface::heights::johnson::{self, Johnson};
 use crate::surface::heights::weibull::{self, Weibull};
 use crate::surface::heights::Heights;
 use crate::surface::radius::RadiusProfile;
@@ -237,7 +238,7 @@ impl Params {
         positive("summit_radius", self.summit_radius)?;
         positive("asperity_count", self.asperity_count)?;
         let heights = self.checked_heights()?;
-        let radius = self.checked_radius()?;
+        let radius = self.checked_radius(heights.origin())?;
         self.check_slip()?;
         if !infinite(self.max_friction_coefficient) {
             magnitude("max_friction_coefficient", self.max_friction_coefficient, "must be > 0; INFINITY is no cap")?;
@@ -289,14 +290,9 @@ impl Params {
     }
 
     fn checked_heights(&self) -> Result<Heights, Error> {
-        match self.heights {
+        match &self.heights {
             HeightFamily::Gaussian => Ok(Heights::Gaussian),
-            HeightFamily::Johnson { .. } | HeightFamily::Tabulated { .. } => Err(Error::OutOfRange {
-                name: "height_distribution",
-                value: 2.into(),
-                allowed: "this family is not evaluated yet",
-            }),
-            HeightFamily::Weibull { shape } => {
+            &HeightFamily::Weibull { shape } => {
                 if !finite(shape) || shape <= 0.0 {
                     return Err(Error::InvalidParameter {
                         name: "weibull_shape",
@@ -314,10 +310,16 @@ impl Params {
                 }
                 Ok(Heights::Weibull(Box::new(Weibull::new(shape))))
             }
+            &HeightFamily::Johnson { skew, kurtosis } => checked_johnson(skew, kurtosis),
+            HeightFamily::Tabulated { .. } => Err(Error::OutOfRange {
+                name: "height_distribution",
+                value: 3.into(),
+                allowed: "this family is not evaluated yet",
+            }),
         }
     }
 
-    fn checked_radius(&self) -> Result<RadiusProfile, Error> {
+    fn checked_radius(&self, origin: f64) -> Result<RadiusProfile, Error> {
         let (amplitude, rate) = (self.radius_amplitude, self.radius_rate);
         if nan(amplitude) || !(-1.0..=1.0).contains(&amplitude) {
             return Err(Error::InvalidParameter {
@@ -336,7 +338,7 @@ impl Params {
                 allowed: "must be between 1e-6 and 1000 where radius_amplitude is not 0",
             });
         }
-        Ok(RadiusProfile { amplitude, rate })
+        Ok(RadiusProfile { amplitude, rate, origin })
     }
 
     fn check_slip(&self) -> Result<(), Error> {
@@ -363,6 +365,32 @@ impl Params {
         }
         Ok(())
     }
+}
+
+/// Any skew, and any kurtosis above skew^2 + 1, have a meaning; not all are evaluated.
+fn checked_johnson(skew: f64, kurtosis: f64) -> Result<Heights, Error> {
+    if !finite(skew) {
+        return Err(Error::InvalidParameter { name: "skew", value: skew.into(), allowed: "must be finite" });
+    }
+    // Squares stay finite.
+    let bounded = skew.clamp(-1e100, 1e100);
+    if !finite(kurtosis) || kurtosis <= bounded * bounded + 1.0 {
+        return Err(Error::InvalidParameter {
+            name: "kurtosis",
+            value: kurtosis.into(),
+            allowed: "must be finite and > skew^2 + 1, as that of every distribution",
+        });
+    }
+    if kurtosis < johnson::smallest_kurtosis(bounded) || kurtosis > johnson::LARGEST_KURTOSIS {
+        return Err(Error::OutOfRange {
+            name: "kurtosis",
+            value: kurtosis.into(),
+            allowed: "must be between 1.4 + 1.3 skew^2 and 1000: nearer to skew^2 + 1 nearly all summits have one of \
+                      two heights",
+        });
+    }
+    let johnson = Johnson::new(skew, kurtosis);
+    Ok(if johnson.is_gaussian() { Heights::Gaussian } else { Heights::Johnson(Box::new(johnson)) })
 }
 
 /// Tested by bits: a comparison with a signalling NaN would raise a floating-point exception.

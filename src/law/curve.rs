@@ -14,7 +14,7 @@ use std::f64::consts::LN_2;
 const NODES: usize = 10;
 /// Interpolation conditions per panel: value and slope at every node.
 const CONDITIONS: usize = 2 * NODES;
-/// The branch is followed from this separation, in sigma; heavier loads are evaluated exactly.
+/// The branch is followed from this separation of the means, in sigma; heavier loads are evaluated exactly.
 const CLOSEST: f64 = -12.0;
 /// The branch is followed from at least this much above the pull-off load, in ln(load).
 const LOG_ABOVE_PULL_OFF: f64 = 9.0;
@@ -27,6 +27,8 @@ const WIDEST_PART: f64 = 0.4;
 /// The panel that ends at pull-off spans no more of s than this; each one before takes this part of the way there.
 const LONGEST_LAST: f64 = 1.6;
 const PART_OF_THE_WAY: f64 = 0.55;
+/// Without a pull-off load no panel covers more than this part of what is left of the branch, at whose end load vanishes.
+const MOST_OF_THE_REST: f64 = 0.7;
 /// How much wider the next panel is tried after an error of less than this part of the tolerance.
 const GROWTH: [(f64, f64); 2] = [(0.03, 2.0), (0.5, 1.5)];
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
@@ -127,10 +129,11 @@ impl Curve {
         let force = equilibrium.pull_off().map_or(1.0, |point| point.friction);
         let mut curve = Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0 };
         let end = equilibrium.farthest();
-        let mut from = curve.sample(population, equilibrium, CLOSEST.min(end - 10.0))?;
+        let closest = CLOSEST - population.heights().origin();
+        let mut from = curve.sample(population, equilibrium, closest.min(end - 10.0))?;
         // Adhesion that is strong beside the roughness: on to loads well above pull-off.
         while log_pull_off.is_some_and(|pull_off| from.log_excess < pull_off + LOG_ABOVE_PULL_OFF) {
-            from = curve.sample(population, equilibrium, 1.5 * from.separation.min(CLOSEST))?;
+            from = curve.sample(population, equilibrium, 1.5 * from.separation.min(closest))?;
         }
         let lightest = from.log_excess - log_range;
         check.push(from);
@@ -139,9 +142,13 @@ impl Curve {
         let (mut obstacle, mut failed) = (None, false);
         while from.separation < end && from.log_excess > lightest && curve.samples < MOST_SAMPLES {
             let remaining = end - from.separation;
-            let narrowest = (0.2 * remaining).clamp(NARROWEST_AT_END, NARROWEST);
-            let is_last = log_pull_off.is_none() || from.s <= LONGEST_LAST;
-            let length = (if is_last { remaining } else { PART_OF_THE_WAY * remaining })
+            let (part, shortest) = match log_pull_off {
+                None => (MOST_OF_THE_REST, 0.0),
+                Some(_) if from.s <= LONGEST_LAST => (1.0, NARROWEST_AT_END),
+                Some(_) => (PART_OF_THE_WAY, NARROWEST_AT_END),
+            };
+            let narrowest = (0.2 * remaining).clamp(shortest, NARROWEST);
+            let length = (part * remaining)
                 .min(width)
                 .min(obstacle.map_or(f64::MAX, |obstacle: f64| (0.5 * (obstacle - from.separation)).max(narrowest)))
                 .min(WIDEST.max(WIDEST_PART * from.separation.abs()));
@@ -204,7 +211,8 @@ impl Curve {
         let mut panel = Panel::new(from.s, end.s, &nodes);
         // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
         let between = self.sample(population, equilibrium, middle + 0.1 * half)?;
-        let sparse = panel.separation_at(panel.sparsest()).clamp(from.separation, to);
+        let (first, last) = (nodes[0].separation, nodes[NODES - 1].separation);
+        let sparse = panel.separation_at(panel.sparsest()).clamp(first, last);
         let sparse = self.sample(population, equilibrium, sparse)?;
         self.samples += NODES + 3;
         let excess = [from, between, sparse, end].iter().map(|sample| panel.excess(sample)).fold(0.0, largest);

@@ -96,7 +96,7 @@ impl Population {
     /// Where summits are in contact, from low to high.
     fn contact_ranges(&self, separation: f64) -> Vec<Range> {
         let edges = self.edges.at_separation(&self.maugis, &self.radius, separation);
-        let foot = self.heights.foot().map_or(f64::NEG_INFINITY, |(foot, _)| foot);
+        let foot = self.heights.foot();
         let mut contact = match edges.iter().next() {
             Some(edge) => edge.rate < 0.0,
             None => self.edges.all_in_contact(&self.maugis, &self.radius, separation),

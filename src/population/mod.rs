@@ -219,9 +219,9 @@ impl Population {
     }
 
     /// Whether load against separation can have but one minimum: the slope of the law of equal summits changes sign once,
-    /// and a log-concave density, as all families have, adds no change of sign (it diminishes variation).
+    /// and a log-concave density adds no change of sign (it diminishes variation).
     pub fn has_single_minimum(&self) -> bool {
-        self.radius.is_constant()
+        self.radius.is_constant() && self.heights.is_log_concave()
     }
 
     /// A separation beyond which nothing touches or attracts, in any number that can be represented.
@@ -232,7 +232,7 @@ impl Population {
     /// The sums at a separation.
     pub fn at_separation(&self, separation: f64) -> Sums {
         let edges = self.edges.at_separation(&self.maugis, &self.radius, separation);
-        let foot = self.heights.foot().map_or(f64::NEG_INFINITY, |(foot, _)| foot);
+        let foot = self.heights.foot();
         let attraction_start = self.attraction.as_ref().map_or(f64::INFINITY, |law| separation - law.reach).max(foot);
         let first_edge = edges.iter().next();
         // Whether the lowest summits are in contact.
@@ -404,6 +404,9 @@ impl Population {
             self.march(start, end, &mut sink);
         }
         let last = nodes.last_point().raised(separation);
+        if last.z >= upper {
+            return;
+        }
         let mut sink = Summing { population: self, density, sums };
         if last.z >= lower {
             self.march(last, upper, &mut sink);
@@ -437,7 +440,7 @@ impl Population {
     /// The first panel above the foot, if the range begins there; `clearance` is the distance from the foot to
     /// where the law of one asperity is singular.
     fn foot_panel(&self, start: f64, upper: f64, clearance: impl FnOnce() -> f64) -> Option<FootPanel> {
-        let (foot, exponent) = self.heights.foot()?;
+        let (foot, exponent) = (self.heights.foot(), self.heights.power_at_foot()?);
         if start > foot {
             return None;
         }

@@ -1,10 +1,13 @@
-//! The distribution of summit heights, standardised: mean 0, standard deviation 1, height z in sigma.
+//! The distribution of summit heights, standardised: standard deviation 1, height z in sigma above an origin.
 //!
-//! A family gives its log density with its slope, its support, and how long a piece of the height axis
-//! one quadrature panel may cover; the sums over the population need nothing else.
+//! A family gives its log density, its support, what of it may be left out, and how long a piece of the height axis
+//! one quadrature panel may cover; the sums over the population need nothing else. The origin is the mean, but the
+//! highest summit where sums in the upper tail depend on the distance to it.
 
+pub mod johnson;
 pub mod weibull;
 
+use johnson::Johnson;
 use weibull::Weibull;
 
 /// Contributions below exp(-NEGLIGIBLE) of the largest are left out of the sums.
@@ -26,24 +29,35 @@ pub enum Heights {
     ///
     /// Boxed, so that the compiler cannot evaluate ahead of the match what only Weibull heights have.
     Weibull(Box<Weibull>),
+    /// Johnson's system.
+    Johnson(Box<Johnson>),
 }
 
 impl Heights {
-    /// ln phi(z) and its slope; minus infinity and 0 outside the support.
+    /// The height above the mean from which heights are measured.
+    pub fn origin(&self) -> f64 {
+        match self {
+            Heights::Gaussian | Heights::Weibull(_) => 0.0,
+            Heights::Johnson(johnson) => johnson.origin(),
+        }
+    }
+
+    /// ln phi(z); minus infinity outside the support.
     #[inline]
-    pub fn log_density(&self, z: f64) -> (f64, f64) {
+    pub fn log_density(&self, z: f64) -> f64 {
         match self {
             Heights::Gaussian => {
                 const LN_SQRT_2_PI: f64 = 0.918_938_533_204_672_8;
-                (-0.5 * z * z - LN_SQRT_2_PI, -z)
+                -0.5 * z * z - LN_SQRT_2_PI
             }
             Heights::Weibull(weibull) => {
                 if z > -weibull.mean() {
-                    weibull.log_density(z)
+                    weibull.log_density(z).0
                 } else {
-                    (f64::NEG_INFINITY, 0.0)
+                    f64::NEG_INFINITY
                 }
             }
+            Heights::Johnson(johnson) => johnson.log_density(z),
         }
     }
 
@@ -54,15 +68,24 @@ impl Heights {
     pub fn relative_density(&self, from: f64, rise: f64, log_scale: f64) -> f64 {
         match self {
             Heights::Gaussian => (-rise * (from + 0.5 * rise)).exp(),
-            Heights::Weibull(_) => (self.log_density(from + rise).0 - log_scale).exp(),
+            _ => (self.log_density(from + rise) - log_scale).exp(),
         }
     }
 
-    /// Where the support begins, with the exponent p of phi ~ (z - foot)^p there; `None` if it is endless.
-    pub fn foot(&self) -> Option<(f64, f64)> {
+    /// Where the support begins; minus infinity if it is endless.
+    pub fn foot(&self) -> f64 {
         match self {
-            Heights::Gaussian => None,
-            Heights::Weibull(weibull) => Some((-weibull.mean(), weibull.shape() - 1.0)),
+            Heights::Gaussian => f64::NEG_INFINITY,
+            Heights::Weibull(weibull) => -weibull.mean(),
+            Heights::Johnson(johnson) => johnson.support().0,
+        }
+    }
+
+    /// The exponent p of phi ~ (z - foot)^p at the foot, where it is a power.
+    pub fn power_at_foot(&self) -> Option<f64> {
+        match self {
+            Heights::Gaussian | Heights::Johnson(_) => None,
+            Heights::Weibull(weibull) => Some(weibull.shape() - 1.0),
         }
     }
 
@@ -86,6 +109,7 @@ impl Heights {
                 let is_foot = lowest + weibull.mean() < 0.01;
                 (if is_foot { lower } else { lower.max(lowest) }, upper.min(highest))
             }
+            Heights::Johnson(johnson) => johnson.worth_summing(lower, upper, NEGLIGIBLE),
         }
     }
 
@@ -94,6 +118,7 @@ impl Heights {
         match self {
             Heights::Gaussian => -self.far_tail(),
             Heights::Weibull(weibull) => -weibull.mean(),
+            Heights::Johnson(johnson) => johnson.height(-(-2.0 * UNDERFLOW).sqrt()),
         }
     }
 
@@ -102,26 +127,32 @@ impl Heights {
         match self {
             Heights::Gaussian => (-2.0 * UNDERFLOW).sqrt(),
             Heights::Weibull(weibull) => weibull.height_of_hazard(-UNDERFLOW),
+            Heights::Johnson(johnson) => johnson.height((-2.0 * UNDERFLOW).sqrt()),
         }
     }
 
-    /// Where the density is largest.
-    pub fn mode(&self) -> f64 {
+    /// The height at or above another where the density is largest, to the order of magnitude.
+    pub fn peak_above(&self, start: f64) -> f64 {
         match self {
-            Heights::Gaussian => 0.0,
+            Heights::Gaussian => start.max(0.0),
             Heights::Weibull(weibull) => {
                 let shape = weibull.shape();
-                if shape > 1.0 {
-                    weibull.height_of_hazard(1.0 - 1.0 / shape)
-                } else {
-                    -weibull.mean()
-                }
+                start.max(if shape > 1.0 { weibull.height_of_hazard(1.0 - 1.0 / shape) } else { -weibull.mean() })
             }
+            Heights::Johnson(johnson) => johnson.peak_above(start),
         }
+    }
+
+    /// Whether ln phi is concave.
+    pub fn is_log_concave(&self) -> bool {
+        matches!(self, Heights::Gaussian | Heights::Weibull(_))
     }
 
     /// How far above z one quadrature panel may reach.
     pub fn smooth_length(&self, z: f64) -> f64 {
+        if let Heights::Johnson(johnson) = self {
+            return johnson.smooth_length(z);
+        }
         let mut length = LONGEST_PANEL;
         while length > SHORTEST_PANEL && !self.is_smooth(z, z + length) {
             length *= 0.5;
@@ -132,12 +163,17 @@ impl Heights {
     /// Whether one quadrature panel may reach from one height to another.
     pub fn is_smooth(&self, from: f64, to: f64) -> bool {
         let length = to - from;
-        if self.foot().is_some_and(|(foot, _)| length > 2.0 * (from - foot)) {
-            return false;
+        match self {
+            Heights::Gaussian => length * from.abs().max(to.abs()) <= STEEPEST_GAUSSIAN_PANEL,
+            Heights::Weibull(weibull) => {
+                if length > 2.0 * (from - self.foot()) {
+                    return false;
+                }
+                let steepness = |z: f64| weibull.log_density(z).1.abs();
+                length * steepness(from).max(steepness(to)) <= STEEPEST_PANEL
+            }
+            Heights::Johnson(johnson) => johnson.is_smooth(from, to),
         }
-        let steepest = self.log_density(from).1.abs().max(self.log_density(to).1.abs());
-        let limit = if matches!(self, Heights::Gaussian) { STEEPEST_GAUSSIAN_PANEL } else { STEEPEST_PANEL };
-        length * steepest <= limit
     }
 
     /// Third standardised moment.
@@ -145,6 +181,7 @@ impl Heights {
         match self {
             Heights::Gaussian => 0.0,
             Heights::Weibull(weibull) => weibull.skew(),
+            Heights::Johnson(johnson) => johnson.skew(),
         }
     }
 
@@ -153,6 +190,7 @@ impl Heights {
         match self {
             Heights::Gaussian => 3.0,
             Heights::Weibull(weibull) => weibull.kurtosis(),
+            Heights::Johnson(johnson) => johnson.kurtosis(),
         }
     }
 }
