@@ -233,8 +233,9 @@ def _refuse(handle: _Handle, load: float, index: tuple[Any, ...] = ()) -> None:
 def _state(handle: _Handle, call: Any, at: float) -> State:
     struct = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
     check(call(handle.pointer, at, ctypes.byref(struct)))
-    *numbers, warnings = _values(struct)
-    return State(*numbers, warnings=Warnings(warnings))
+    values = _values(struct)
+    values[-1] = Warnings(values[-1])
+    return State(*values)
 
 
 def _values(struct: ctypes.Structure) -> list[Any]:
