@@ -14,7 +14,7 @@ const CLOSEST: f64 = -1e60;
 const SCAN_START: f64 = -6.0;
 /// ...in steps of this: sums over the heights change on the scale of their standard deviation, not faster.
 const SCAN_STEP: f64 = 1.0;
-/// ...up to this far from where nothing touches or attracts any more, relative to it.
+/// ...where heights end, up to this far from where nothing touches or attracts any more, relative to it.
 const NEAREST_TO_END: f64 = 1e-9;
 /// A pull-off load smaller than exp of this cannot be told from none.
 const SMALLEST_LOG_LOAD: f64 = -640.0;
@@ -216,9 +216,16 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
         }
     }
     step = SCAN_STEP;
-    while farthest - here > NEAREST_TO_END * (1.0 + farthest.abs()) {
-        // Where nothing touches or attracts any more there is no slope to be seen.
-        let next = here + step.min(0.5 * (farthest - here));
+    // Beyond where nothing touches or attracts any more there is no slope to be seen.
+    let ends = population.heights().head().is_finite();
+    while here < farthest {
+        let mut next = here + step;
+        if ends && next > here + 0.5 * (farthest - here) {
+            next = here + 0.5 * (farthest - here);
+            if farthest - next < NEAREST_TO_END * (1.0 + farthest.abs()) {
+                return None;
+            }
+        }
         let sums = population.at_separation(next);
         if sums.load_slope >= 0.0 {
             // The slope vanishes also where nothing is left; past a minimum the load is negative.

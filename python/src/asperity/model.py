@@ -21,7 +21,7 @@ from . import _header
 from ._library import LIBRARY, check
 from .errors import Error, Status
 from .params import Params
-from .results import State, Summary, Warnings
+from .results import State, Summary
 
 Loads = Union["npt.NDArray[Any]", "list[Any]", "tuple[Any, ...]"]
 Array = npt.NDArray[np.float64]
@@ -233,9 +233,7 @@ def _refuse(handle: _Handle, load: float, index: tuple[Any, ...] = ()) -> None:
 def _state(handle: _Handle, call: Any, at: float) -> State:
     struct = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
     check(call(handle.pointer, at, ctypes.byref(struct)))
-    values = _values(struct)
-    values[-1] = Warnings(values[-1])
-    return State(*values)
+    return State(*_values(struct))
 
 
 def _values(struct: ctypes.Structure) -> list[Any]:

@@ -9,7 +9,7 @@ from . import _header
 
 
 class Warnings(IntFlag):
-    """What of the model does not hold in a state; 0 if nothing is known to fail.
+    """Bits of `State.warnings`.
 
     `PLASTIC`: contacts yield. The mean asperity pressure is at least 0.4 of the hardness, or the plasticity index is
     above 1. Never where the hardness is not given.
@@ -43,7 +43,7 @@ class State:
         fraction_in_contact: fraction of all summits that are in contact.
         mean_asperity_pressure: load of the summits in contact over their real area [stress].
         plasticity_index: Greenwood and Williamson's E* (sigma/R)^(1/2)/H; 0 where the hardness is not given.
-        warnings: what of the model does not hold in this state.
+        warnings: bits of `Warnings`: what of the model does not hold in this state; 0 if nothing is known to fail.
     """
 
     load: float
@@ -65,7 +65,7 @@ class State:
     fraction_in_contact: float
     mean_asperity_pressure: float
     plasticity_index: float
-    warnings: Warnings
+    warnings: int
 
 
 @dataclass(frozen=True)

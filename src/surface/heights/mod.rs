@@ -81,6 +81,14 @@ impl Heights {
         }
     }
 
+    /// Where the support ends; infinity if it is endless.
+    pub fn head(&self) -> f64 {
+        match self {
+            Heights::Gaussian | Heights::Weibull(_) => f64::INFINITY,
+            Heights::Johnson(johnson) => johnson.support().1,
+        }
+    }
+
     /// The exponent p of phi ~ (z - foot)^p at the foot, where it is a power.
     pub fn power_at_foot(&self) -> Option<f64> {
         match self {
