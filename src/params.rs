@@ -8,6 +8,7 @@ use crate::surface::heights::tabulated::Tabulated;
 use crate::surface::heights::weibull::{self, Weibull};
 use crate::surface::heights::Heights;
 use crate::surface::radius::RadiusProfile;
+use crate::surface::spectrum::SpectralMoments;
 use std::sync::Arc;
 
 /// The family of the distribution of summit heights.
@@ -70,6 +71,8 @@ pub struct Params {
     pub slip: SlipConstants,
     /// Cap on every friction coefficient returned; may be infinite.
     pub max_friction_coefficient: f64,
+    /// H [stress], indentation hardness of the softer body, to judge whether contacts are elastic; 0 if not known.
+    pub hardness: f64,
 }
 
 impl Default for Params {
@@ -90,6 +93,7 @@ impl Default for Params {
             radius_rate: 0.5,
             slip: SlipConstants::default(),
             max_friction_coefficient: 1000.0,
+            hardness: 0.0,
         };
         params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
         params
@@ -103,12 +107,6 @@ const POSITIVE: &str = "must be finite and > 0";
 const MAGNITUDE: &str = "must be between 1e-40 and 1e40; choose other units";
 
 impl Params {
-    /// x
-    pub fn population(&self) -> crate::population::Population {
-        let (g, h, r) = self.surface().unwrap();
-        crate::population::Population::new(&g, self.slip, h, r, self.attraction)
-    }
-
     /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8).
     ///
     /// # Errors
@@ -173,6 +171,30 @@ impl Params {
         Ok(())
     }
 
+    /// Summits of an isotropic Gaussian surface: `height_std`, `summit_radius` and `asperity_count` from the spectral
+    /// moments of its profiles and its area.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`], also for moments that no such surface has, or [`Error::OutOfRange`]; the parameters
+    /// are then as before.
+    pub fn set_spectral_moments(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Error> {
+        let SpectralMoments { m0, m2, m4 } = moments;
+        for (name, value) in [("m0", m0), ("m2", m2), ("m4", m4), ("nominal_area", nominal_area)] {
+            positive(name, value)?;
+        }
+        if !moments.exist() {
+            return Err(Error::InvalidParameter {
+                name: "bandwidth m0 m4/m2^2",
+                value: moments.bandwidth().into(),
+                allowed: "must be at least 1.5, as that of every isotropic surface is",
+            });
+        }
+        self.height_std = moments.summit_height_std();
+        self.summit_radius = moments.summit_radius();
+        self.asperity_count = moments.summit_density() * nominal_area;
+        Ok(())
+    }
+
     /// Weibull heights of this skew.
     ///
     /// # Errors
@@ -215,6 +237,9 @@ impl Params {
         self.check_slip()?;
         if !infinite(self.max_friction_coefficient) {
             magnitude("max_friction_coefficient", self.max_friction_coefficient, "must be > 0; INFINITY is no cap")?;
+        }
+        if self.hardness.to_bits() << 1 != 0 {
+            magnitude("hardness", self.hardness, "must be finite and >= 0; 0 is not known")?;
         }
 
         let groups = Groups {

@@ -65,7 +65,12 @@ timeout 300 "$build/traps"
 
 echo "-- valgrind: no invalid access, no leak"
 # Not undefined values: the optimiser computes on some that it then discards, which valgrind takes for a use.
-valgrind --quiet --error-exitcode=1 --undef-value-errors=no --leak-check=full --show-leak-kinds=all "$build/threads"
+compile old_caller tests/c/old_caller.c
+compile tables tests/c/tables.c
+for program in threads old_caller tables; do
+    valgrind --quiet --error-exitcode=1 --undef-value-errors=no --leak-check=full --show-leak-kinds=all \
+        "$build/$program"
+done
 
 echo "-- the example, and its command line"
 compile friction_curve c_examples/friction_curve.c

@@ -16,11 +16,11 @@ use weibull::Weibull;
 const NEGLIGIBLE: f64 = 46.0;
 /// Densities below exp of this are taken as zero.
 pub const UNDERFLOW: f64 = -2000.0;
-/// The longest panel, in sigma, on which a standardised density is a polynomial to rounding.
-const LONGEST_PANEL: f64 = 1.5;
 /// The largest change of ln phi over one panel: of a parabola, and of what may fall doubly exponentially.
 const STEEPEST_GAUSSIAN_PANEL: f64 = 14.0;
 const STEEPEST_PANEL: f64 = 10.0;
+/// Beside this many e-folds of density, what load gains on the way to smaller densities is nothing.
+const GROWTH_OF_LOAD: f64 = 5.0;
 
 /// A standardised height distribution.
 #[derive(Debug, Clone, PartialEq)]
@@ -179,16 +179,16 @@ impl Heights {
         }
     }
 
-    /// How far above z one quadrature panel may reach.
-    pub fn smooth_length(&self, z: f64) -> f64 {
+    /// How far above z one quadrature panel may reach, in a sum whose largest ln phi is `log_scale`.
+    pub fn smooth_length(&self, z: f64, log_scale: f64) -> f64 {
         match self {
             Heights::Johnson(johnson) => return johnson.smooth_length(z),
             Heights::Tabulated(table) => return table.smooth_length(z),
             Heights::Gaussian | Heights::Weibull(_) => {}
         }
-        let mut length = LONGEST_PANEL;
-        while length > SHORTEST_PANEL && !self.is_smooth(z, z + length) {
-            length *= 0.5;
+        let mut length = self.longest_panel();
+        while length > SHORTEST_PANEL && self.roughness(z, z + length, log_scale) > 1.0 {
+            length *= 0.75;
         }
         length
     }
@@ -202,20 +202,37 @@ impl Heights {
         }
     }
 
-    /// Whether one quadrature panel may reach from one height to another.
-    pub fn is_smooth(&self, from: f64, to: f64) -> bool {
+    /// How much the density changes from one height to another, in such a sum; up to 1 one quadrature panel may reach
+    /// from the one to the other.
+    pub fn roughness(&self, from: f64, to: f64, log_scale: f64) -> f64 {
         let length = to - from;
+        // What is small beside the sum needs fewer digits; but load grows with height where the density falls.
+        let drop = |log_density: f64| (log_scale - log_density - GROWTH_OF_LOAD).max(0.0);
         match self {
-            Heights::Gaussian => length * from.abs().max(to.abs()) <= STEEPEST_GAUSSIAN_PANEL,
+            Heights::Gaussian => {
+                let steepest = from.abs().max(to.abs());
+                let highest = self.log_density(from).max(self.log_density(to));
+                length * steepest / (STEEPEST_GAUSSIAN_PANEL + drop(highest))
+            }
             Heights::Weibull(weibull) => {
                 if length > 2.0 * (from - self.foot()) {
-                    return false;
+                    return f64::MAX;
                 }
-                let steepness = |z: f64| weibull.log_density(z).1.abs();
-                length * steepness(from).max(steepness(to)) <= STEEPEST_PANEL
+                let ((at_from, slope_from), (at_to, slope_to)) = (weibull.log_density(from), weibull.log_density(to));
+                let steepest = slope_from.abs().max(slope_to.abs());
+                length * steepest / (STEEPEST_PANEL + 0.5 * drop(at_from.max(at_to)).min(20.0))
             }
-            Heights::Johnson(johnson) => johnson.is_smooth(from, to),
-            Heights::Tabulated(table) => table.is_smooth(from, to),
+            Heights::Johnson(johnson) if !johnson.is_smooth(from, to) => f64::MAX,
+            Heights::Tabulated(table) if !table.is_smooth(from, to) => f64::MAX,
+            _ => (length / self.smooth_length(from, log_scale)).min(1.0),
+        }
+    }
+
+    /// The longest panel, in sigma, on which the density is a polynomial to rounding.
+    pub fn longest_panel(&self) -> f64 {
+        match self {
+            Heights::Gaussian => 3.0,
+            _ => 1.5,
         }
     }
 
