@@ -208,15 +208,21 @@ fn surfaces_from_all_over_parameter_space_are_reproduced() {
 
 #[test]
 fn heights_of_johnsons_system_and_of_tables_are_reproduced() {
-    let mut comparison = Comparison::default();
+    let (mut ordinary, mut ill_conditioned) = (Comparison::default(), Comparison::default());
     for case in read("heights.json") {
         let model = model(&case.params);
         for row in &case.rows {
             let state = state_of_row(&model, &case, row);
-            comparison.row(&case, row, &state, &Tolerance { value: 1e-12, slope: 1e-10 });
+            // Within a thousandth of the last height of a lognormal curve, a unit in the separation is many in the load.
+            if row.contacting < 1e-20 && row.contacting > 0.0 {
+                ill_conditioned.row(&case, row, &state, &Tolerance { value: 1e-10, slope: 1e-9 });
+            } else {
+                ordinary.row(&case, row, &state, &Tolerance { value: 2e-12, slope: 1e-10 });
+            }
         }
     }
-    comparison.finish(70);
+    ordinary.finish(139);
+    ill_conditioned.finish(2);
 }
 
 #[test]
