@@ -126,7 +126,7 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
                 continue;
             }
         };
-        let t0 = Instant::now(); let exact = surface.at_separation(state.separation / params.height_std); if t0.elapsed().as_secs_f64()>0.3 { eprintln!("  second {:?} load {load:e} d {}", t0.elapsed(), state.separation / params.height_std); }
+        let exact = surface.at_separation(state.separation / params.height_std);
         if !exact.converged {
             answer.unresolved += 1;
             continue;
@@ -175,9 +175,7 @@ fn every_surface_of_the_box_is_answered_to_1e_8_or_refused() {
     for _ in 0..sets {
         let point = sobol.next_point();
         let surface = surface(&point);
-        let begin = Instant::now();
         let outcome = examine(&surface, point[8]);
-        if begin.elapsed().as_secs_f64() > 0.5 { eprintln!("{:?} {} {}", begin.elapsed(), if let Outcome::Answered(a) = &outcome { format!("{:?}", a) } else { String::new() }, domain_map::describe(&surface)); }
         map.add(&surface, outcome);
     }
     let report = map.report(start.elapsed());

@@ -64,8 +64,7 @@ compile traps tests/c/traps.c
 timeout 300 "$build/traps"
 
 echo "-- valgrind: no invalid access, no leak"
-# Not undefined values: the optimiser computes on some that it then discards, which valgrind takes for a use.
-valgrind --quiet --error-exitcode=1 --undef-value-errors=no --leak-check=full --show-leak-kinds=all "$build/threads"
+valgrind --quiet --error-exitcode=1 --leak-check=full --show-leak-kinds=all "$build/threads"
 
 echo "-- the example, and its command line"
 compile friction_curve c_examples/friction_curve.c

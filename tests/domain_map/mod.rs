@@ -214,7 +214,7 @@ impl Map {
 }
 
 /// A surface as a person reads it, with all digits.
-pub fn describe(s: &Surface) -> String {
+fn describe(s: &Surface) -> String {
     let heights = match s.heights {
         Heights::Gaussian => "Gaussian".to_string(),
         Heights::Weibull { shape, .. } => format!("omega {shape}"),

@@ -1,4 +1,4 @@
-//! Tanh-sinh quadrature of several functions at once, on pieces that are halved until two levels agree.
+//! Tanh-sinh quadrature of several functions at once: the piece with the largest error is halved, again and again.
 
 use std::f64::consts::PI;
 
@@ -6,63 +6,62 @@ use std::f64::consts::PI;
 pub const COMPONENTS: usize = 7;
 pub type Values = [f64; COMPONENTS];
 
-/// Two levels agree to this part of the sum of all pieces.
-const TOLERANCE: f64 = 3e-11;
-/// Pieces are halved no more often.
-const DEEPEST: u32 = 24;
+/// Two levels of each piece agree; the sum of what they differ by, relative to the sum of all, is brought below this.
+const WANTED: f64 = 1e-10;
+/// And is good enough below this: the finer level is better than its difference from the coarser.
+const ENOUGH: f64 = 2e-9;
+/// Halvings of one integral.
+const MOST: usize = 600;
+/// The step of the finer level.
+const STEP: f64 = 0.0625;
 
-/// The integral over pieces, whose kind the integrand is told, and whether all of them met the tolerance.
-pub fn integrate(pieces: &[(f64, f64, bool)], f: impl Fn(f64, bool) -> Values) -> (Values, bool) {
-    let magnitude = |values: &[Values]| {
-        let mut sum = [0.0; COMPONENTS];
-        for value in values {
-            for (sum, x) in sum.iter_mut().zip(value) {
-                *sum += x.abs();
-            }
-        }
-        sum
-    };
-    let coarse: Vec<Values> = pieces.iter().map(|&(a, b, kind)| level(a, b, 0.25, 0, |z| f(z, kind))).collect();
-    let scale = magnitude(&coarse);
-    let mut total = [0.0; COMPONENTS];
-    let mut converged = true;
-    for (&(a, b, kind), first) in pieces.iter().zip(coarse) {
-        let (value, good) = refine(a, b, first, &scale, DEEPEST, &|z| f(z, kind));
-        converged &= good;
-        for (total, x) in total.iter_mut().zip(value) {
-            *total += x;
-        }
-    }
-    (total, converged)
+struct Piece {
+    from: f64,
+    to: f64,
+    kind: bool,
+    value: Values,
+    /// By how much the two levels differ.
+    difference: Values,
 }
 
-fn refine(a: f64, b: f64, first: Values, scale: &Values, depth: u32, f: &impl Fn(f64) -> Values) -> (Values, bool) {
-    let mut last = first;
-    let mut step = 0.25;
-    for _ in 0..3 {
-        step *= 0.5;
-        // The points between those of the level before.
-        let between = level(a, b, 2.0 * step, 1, f);
-        let mut next = [0.0; COMPONENTS];
-        let mut worst = 0.0_f64;
-        for i in 0..COMPONENTS {
-            next[i] = 0.5 * (last[i] + between[i]);
-            if scale[i] > 0.0 {
-                worst = worst.max((next[i] - last[i]).abs() / scale[i]);
-            }
-        }
-        last = next;
-        if worst <= TOLERANCE {
-            return (last, true);
-        }
+impl Piece {
+    fn new(from: f64, to: f64, kind: bool, f: &impl Fn(f64, bool) -> Values) -> Self {
+        let coarse = level(from, to, 2.0 * STEP, 0, |z| f(z, kind));
+        let between = level(from, to, 2.0 * STEP, 1, |z| f(z, kind));
+        let value: Values = std::array::from_fn(|i| 0.5 * (coarse[i] + between[i]));
+        let difference = std::array::from_fn(|i| (value[i] - coarse[i]).abs());
+        Self { from, to, kind, value, difference }
     }
-    let middle = 0.5 * (a + b);
-    if depth == 0 || middle <= a || middle >= b {
-        return (last, false);
+
+    /// The largest difference relative to the scale.
+    fn error(&self, scale: &Values) -> f64 {
+        let relative = |(difference, scale): (&f64, &f64)| if *scale > 0.0 { difference / scale } else { 0.0 };
+        self.difference.iter().zip(scale).map(relative).fold(0.0, |worst, x| if x <= worst { worst } else { x })
     }
-    let (lower, one) = refine(a, middle, level(a, middle, 0.25, 0, f), scale, depth - 1, f);
-    let (upper, other) = refine(middle, b, level(middle, b, 0.25, 0, f), scale, depth - 1, f);
-    (std::array::from_fn(|i| lower[i] + upper[i]), one && other)
+}
+
+/// The integral over pieces, whose kind the integrand is told, and whether it met the tolerance.
+pub fn integrate(pieces: &[(f64, f64, bool)], f: impl Fn(f64, bool) -> Values) -> (Values, bool) {
+    let mut pieces: Vec<Piece> = pieces.iter().map(|&(from, to, kind)| Piece::new(from, to, kind, &f)).collect();
+    let sum = |pieces: &[Piece], of: fn(f64) -> f64| -> Values {
+        std::array::from_fn(|i| pieces.iter().map(|piece| of(piece.value[i])).sum())
+    };
+    let mut error = f64::INFINITY;
+    for _ in 0..MOST {
+        let scale = sum(&pieces, f64::abs);
+        let errors: Vec<f64> = pieces.iter().map(|piece| piece.error(&scale)).collect();
+        error = errors.iter().sum();
+        let worst = (0..pieces.len()).max_by(|&i, &j| errors[i].total_cmp(&errors[j]));
+        let Some(worst) = worst.filter(|_| error > WANTED) else { break };
+        let Piece { from, to, kind, .. } = pieces[worst];
+        let middle = 0.5 * (from + to);
+        if middle <= from || middle >= to {
+            break;
+        }
+        pieces[worst] = Piece::new(from, middle, kind, &f);
+        pieces.push(Piece::new(middle, to, kind, &f));
+    }
+    (sum(&pieces, |x| x), error <= ENOUGH || pieces.is_empty())
 }
 
 /// The trapezium sum with a step in t, where z = a + (b - a)/(1 + exp(-pi sinh t)); `offset` 1 shifts it by half a step.

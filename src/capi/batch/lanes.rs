@@ -23,7 +23,7 @@ pub unsafe trait Lanes: Copy {
     unsafe fn sub(self, other: Self) -> Self;
     unsafe fn mul(self, other: Self) -> Self;
     unsafe fn max(self, other: Self) -> Self;
-    /// self/other where the mask is set, itself elsewhere, without raising a flag there.
+    /// self/other where the mask is set, any number elsewhere, without raising a flag there.
     unsafe fn div_where(self, mask: Self::Mask, other: Self) -> Self;
     /// self < other, false for NaN, without raising a flag.
     unsafe fn lt(self, other: Self) -> Self::Mask;
