@@ -86,6 +86,12 @@ const POSITIVE: &str = "must be finite and > 0";
 const MAGNITUDE: &str = "must be between 1e-40 and 1e40; choose other units";
 
 impl Params {
+    /// x
+    pub fn population(&self) -> crate::population::Population {
+        let (g, h, r) = self.surface().unwrap();
+        crate::population::Population::new(&g, self.slip, h, r, self.attraction)
+    }
+
     /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8).
     ///
     /// # Errors

@@ -3,11 +3,12 @@
 //! The coordinate is s = arsinh((x/|pull-off|)^(1/2)) with x = load - pull-off: near pull-off, where load has its
 //! minimum over separation, it is linear in separation, far from it logarithmic in load; without adhesion it is
 //! ln(x)/2. In it ln F is smooth on the whole branch. Panels of exact states at Chebyshev points, each with its slope,
-//! are joined by Hermite interpolation, and a panel that misses the exact states between its nodes is halved.
+//! are joined by Hermite interpolation; a panel that misses the exact states between its nodes is tried again shorter.
 
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::population::Population;
+use std::f64::consts::LN_2;
 
 /// Exact states per panel.
 const NODES: usize = 10;
@@ -20,16 +21,20 @@ const LOG_ABOVE_PULL_OFF: f64 = 9.0;
 /// Largest error of ln F, and of its slope relative to the slope, at which a panel is good.
 const VALUE_TOLERANCE: f64 = 1e-11;
 const SLOPE_TOLERANCE: f64 = 1e-9;
-/// The first panels are this wide, in sigma.
-const FIRST_WIDTH: f64 = 2.2;
+/// No panel is wider than this, in sigma, or than this part of the separation where that is larger.
+const WIDEST: f64 = 2.2;
+const WIDEST_PART: f64 = 0.4;
+/// The panel that ends at pull-off spans no more of s than this; each one before takes this part of the way there.
+const LONGEST_LAST: f64 = 1.6;
+const PART_OF_THE_WAY: f64 = 0.55;
+/// How much wider the next panel is tried after an error of less than this part of the tolerance.
+const GROWTH: [(f64, f64); 2] = [(0.03, 2.0), (0.5, 1.5)];
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
 const MOST_SAMPLES: usize = 800;
-/// The narrowest first attempt, in sigma.
-const NARROWEST: f64 = 1e-3;
-/// A panel is halved this often at most, and the one that ends at pull-off, where load may change steeply, so often:
-/// what is then not resolved (a height density whose foot passes the edge of contact, say) is evaluated exactly.
-const MOST_HALVINGS: u32 = 5;
-const MOST_HALVINGS_AT_END: u32 = 12;
+/// The narrowest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved (a
+/// height density whose foot passes the edge of contact, say) is evaluated exactly.
+const NARROWEST: f64 = 0.05;
+const NARROWEST_AT_END: f64 = 5e-4;
 
 /// What is not found where the load rises with separation already: the branch ends before.
 pub const BRANCH: &str = "load on the branch at separation";
@@ -73,6 +78,15 @@ struct Panel {
     good: bool,
 }
 
+/// A panel with the exact states that it was compared with.
+struct Attempt {
+    panel: Panel,
+    between: [Sample; 2],
+    end: Sample,
+    /// The largest error over its tolerance.
+    excess: f64,
+}
+
 /// The curve, from heavy to light load.
 #[derive(Debug, Clone)]
 pub struct Curve {
@@ -83,19 +97,17 @@ pub struct Curve {
 }
 
 impl Coordinate {
-    fn of(self, log_excess: f64) -> f64 {
-        match self.log_pull_off {
-            Some(log_pull_off) => (0.5 * (log_excess - log_pull_off)).exp().asinh(),
-            None => 0.5 * log_excess,
+    /// s and ds/d(ln x) at ln x.
+    fn at(self, log_excess: f64) -> (f64, f64) {
+        let Some(log_pull_off) = self.log_pull_off else {
+            return (0.5 * log_excess, 0.5);
+        };
+        let sinh = (0.5 * (log_excess - log_pull_off)).exp();
+        if sinh > 1e9 {
+            return (LN_2 + 0.5 * (log_excess - log_pull_off), 0.5);
         }
-    }
-
-    /// ds/d(ln x).
-    fn rate(self, s: f64) -> f64 {
-        match self.log_pull_off {
-            Some(_) => 0.5 * s.tanh(),
-            None => 0.5,
-        }
+        let cosh = (1.0 + sinh * sinh).sqrt();
+        ((sinh + sinh * sinh / (1.0 + cosh)).ln_1p(), 0.5 * sinh / cosh)
     }
 }
 
@@ -122,33 +134,56 @@ impl Curve {
         }
         let lightest = from.log_excess - log_range;
         check.push(from);
-        let mut width = FIRST_WIDTH;
-        while from.separation < end
-            && (log_pull_off.is_some() || from.log_excess > lightest)
-            && curve.samples < MOST_SAMPLES
-        {
-            let mut to = from.separation + width.max(0.4 * -from.separation);
-            if to + 0.25 * width > end {
-                to = end;
+        let mut width = f64::MAX;
+        // A separation before which the curve is not smooth, and whether the last attempt failed.
+        let (mut obstacle, mut failed) = (None, false);
+        while from.separation < end && from.log_excess > lightest && curve.samples < MOST_SAMPLES {
+            let remaining = end - from.separation;
+            let narrowest = (0.2 * remaining).clamp(NARROWEST_AT_END, NARROWEST);
+            let is_last = log_pull_off.is_none() || from.s <= LONGEST_LAST;
+            let length = (if is_last { remaining } else { PART_OF_THE_WAY * remaining })
+                .min(width)
+                .min(obstacle.map_or(f64::MAX, |obstacle: f64| (0.5 * (obstacle - from.separation)).max(narrowest)))
+                .min(WIDEST.max(WIDEST_PART * from.separation.abs()));
+            let to = if length < remaining { from.separation + length } else { end };
+            let attempt = curve.attempt(population, equilibrium, from, to)?;
+            let excess = attempt.excess;
+            if excess <= 1.0 {
+                let growth = GROWTH.iter().find(|&&(part, _)| excess < part).map_or(1.0, |&(_, growth)| growth);
+                width = growth * length;
+            } else if length > narrowest {
+                // As the error of so many conditions grows with length.
+                let shorter = 0.9 * excess.powf(-1.0 / CONDITIONS as f64);
+                width = (shorter.clamp(0.25, 0.8) * length).max(narrowest);
+                // What is smooth needs no second try.
+                if failed {
+                    obstacle = Some(to);
+                }
+                failed = true;
+                continue;
             }
-            let panels = curve.panels.len();
-            from = curve.follow(population, equilibrium, from, to, 0, check)?;
-            // Wider where one panel did, narrower where it took several.
-            width = if curve.panels.len() == panels + 1 { 1.3 * width } else { (0.5 * width).max(NARROWEST) };
+            failed = false;
+            if obstacle.is_some_and(|obstacle| to >= obstacle) {
+                obstacle = None;
+            }
+            curve.panels.push(attempt.panel);
+            check.extend(attempt.between);
+            if attempt.end.slope.is_finite() {
+                check.push(attempt.end);
+            }
+            from = attempt.end;
         }
         Ok(curve)
     }
 
-    /// Adds the panel between two separations, halved as often as it takes; returns the state at its end.
-    fn follow(
+    /// A panel between two separations, and how well it meets the exact states that are not its nodes.
+    fn attempt(
         &mut self,
         population: &Population,
         equilibrium: &Equilibrium,
         from: Sample,
         to: f64,
-        halvings: u32,
-        check: &mut Vec<Sample>,
-    ) -> Result<Sample, Error> {
+    ) -> Result<Attempt, Error> {
         let (middle, half) = (0.5 * (from.separation + to), 0.5 * (to - from.separation));
         let mut nodes = [from; NODES];
         for (j, node) in nodes.iter_mut().enumerate() {
@@ -171,21 +206,10 @@ impl Curve {
         let between = self.sample(population, equilibrium, middle + 0.1 * half)?;
         let sparse = panel.separation_at(panel.sparsest()).clamp(from.separation, to);
         let sparse = self.sample(population, equilibrium, sparse)?;
-        let good = [from, between, sparse, end].iter().all(|sample| panel.is_good(sample));
         self.samples += NODES + 3;
-        let most = if to == equilibrium.farthest() { MOST_HALVINGS_AT_END } else { MOST_HALVINGS };
-        if !good && halvings < most && self.samples < MOST_SAMPLES {
-            let next = self.follow(population, equilibrium, from, middle, halvings + 1, check)?;
-            return self.follow(population, equilibrium, next, to, halvings + 1, check);
-        }
-        panel.good = good;
-        self.panels.push(panel);
-        check.push(between);
-        check.push(sparse);
-        if end.slope.is_finite() {
-            check.push(end);
-        }
-        Ok(end)
+        let excess = [from, between, sparse, end].iter().map(|sample| panel.excess(sample)).fold(0.0, largest);
+        panel.good = excess <= 1.0;
+        Ok(Attempt { panel, between: [between, sparse], end, excess })
     }
 
     fn sample(&self, population: &Population, equilibrium: &Equilibrium, separation: f64) -> Result<Sample, Error> {
@@ -193,14 +217,14 @@ impl Curve {
         if !(rate < 0.0 && sums.friction > 0.0) {
             return Err(Error::NotConverged { what: BRANCH, value: separation });
         }
-        let s = self.coordinate.of(log_excess);
+        let (s, s_rate) = self.coordinate.at(log_excess);
         let log_slope = sums.friction_slope / sums.friction / rate;
         Ok(Sample {
             separation,
             log_excess,
             s,
             log_force: (sums.friction / self.coordinate.force).ln() + sums.log_scale,
-            slope: log_slope / self.coordinate.rate(s),
+            slope: log_slope / s_rate,
             log_slope,
         })
     }
@@ -222,15 +246,18 @@ impl Curve {
         (lower, log(first.highest))
     }
 
-    /// F and d(ln F)/d(ln x) at ln x; NaN where the curve is not known to be good.
-    pub fn at(&self, log_excess: f64) -> (f64, f64) {
-        let s = self.coordinate.of(log_excess);
-        let panel = self.panel(s);
-        if !panel.good {
-            return (f64::NAN, f64::NAN);
-        }
-        let (log_force, slope) = panel.log_force_at(s);
-        (self.coordinate.force * log_force.exp(), slope * self.coordinate.rate(s))
+    /// F and d(ln F)/d(ln x) at neighbouring ln x; NaN where the curve is not known to be good.
+    pub fn at<const N: usize>(&self, log_excess: [f64; N]) -> [(f64, f64); N] {
+        let coordinates = log_excess.map(|log_excess| self.coordinate.at(log_excess));
+        let s = coordinates.map(|(s, _)| s);
+        // Mostly one panel holds all: then they are evaluated side by side.
+        let panel = self.panel(s[0]);
+        let log_force = if s.iter().all(|&s| std::ptr::eq(self.panel(s), panel)) {
+            panel.log_force_at(s)
+        } else {
+            s.map(|s| self.panel(s).log_force_at([s])[0])
+        };
+        std::array::from_fn(|i| (self.coordinate.force * log_force[i].0.exp(), log_force[i].1 * coordinates[i].1))
     }
 
     /// F of an exact state.
@@ -240,7 +267,7 @@ impl Curve {
 
     /// The separation at ln x, to a few digits, where the curve covers it.
     pub fn separation(&self, log_excess: f64) -> Option<f64> {
-        let s = self.coordinate.of(log_excess);
+        let (s, _) = self.coordinate.at(log_excess);
         let panel = self.panel(s);
         (s >= panel.lowest && s <= panel.highest).then(|| panel.separation_at(s))
     }
@@ -278,15 +305,26 @@ impl Panel {
         Self { lowest, highest, nodes, log_force, separation, good: false }
     }
 
-    /// ln F and its derivative by s.
-    fn log_force_at(&self, s: f64) -> (f64, f64) {
-        let (mut value, mut slope) = (self.log_force[CONDITIONS - 1], 0.0);
-        for i in (0..CONDITIONS - 1).rev() {
-            let distance = s - self.nodes[i / 2];
-            slope = slope * distance + value;
-            value = value * distance + self.log_force[i];
+    /// ln F and its derivative by s; NaN where the panel is not known to be good.
+    fn log_force_at<const N: usize>(&self, s: [f64; N]) -> [(f64, f64); N] {
+        if !self.good {
+            return [(f64::NAN, f64::NAN); N];
         }
-        (value, slope)
+        self.interpolated(s)
+    }
+
+    /// ln F and its derivative by s, good or not.
+    fn interpolated<const N: usize>(&self, s: [f64; N]) -> [(f64, f64); N] {
+        let mut value = [self.log_force[CONDITIONS - 1]; N];
+        let mut slope = [0.0; N];
+        for i in (0..CONDITIONS - 1).rev() {
+            for k in 0..N {
+                let distance = s[k] - self.nodes[i / 2];
+                slope[k] = slope[k] * distance + value[k];
+                value[k] = value[k] * distance + self.log_force[i];
+            }
+        }
+        std::array::from_fn(|k| (value[k], slope[k]))
     }
 
     fn separation_at(&self, s: f64) -> f64 {
@@ -304,9 +342,22 @@ impl Panel {
         widest.map_or(self.lowest, |pair| 0.5 * (pair[0] + pair[1]))
     }
 
-    fn is_good(&self, sample: &Sample) -> bool {
-        let (value, slope) = self.log_force_at(sample.s);
-        (value - sample.log_force).abs() <= VALUE_TOLERANCE
-            && (sample.slope.is_nan() || (slope - sample.slope).abs() <= SLOPE_TOLERANCE * sample.slope.abs())
+    /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number.
+    fn excess(&self, sample: &Sample) -> f64 {
+        let [(value, slope)] = self.interpolated([sample.s]);
+        let value_excess = (value - sample.log_force).abs() / VALUE_TOLERANCE;
+        if sample.slope.is_nan() {
+            return value_excess; // at pull-off itself
+        }
+        largest(value_excess, (slope / sample.slope - 1.0).abs() / SLOPE_TOLERANCE)
+    }
+}
+
+/// The larger of two numbers, infinite if either is not one.
+fn largest(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::INFINITY
+    } else {
+        a.max(b)
     }
 }

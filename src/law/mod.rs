@@ -6,35 +6,31 @@
 //! evaluated exactly.
 
 mod curve;
+mod row;
 
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::population::Population;
 use curve::{Curve, Sample};
+use row::Filling;
 
 pub use curve::BRANCH;
+pub use row::{polynomial, Row, COEFFICIENTS};
 
-/// Coefficients per row: a polynomial of degree 7, one cache line.
-pub const COEFFICIENTS: usize = 8;
 /// Rows of one table at most: 64 KiB.
 const MOST_ROWS: usize = 1024;
 /// Rows per binade, as powers of two: tried in turn.
 const FRACTIONS: [u32; 3] = [2, 3, 4];
 /// The table begins at this part of the pull-off load above it, at least.
 const NEAREST_TO_PULL_OFF: f64 = 5e-10;
-/// Without adhesion it covers this range of ln(load).
-const LOG_RANGE: f64 = 60.0;
-/// The largest relative error of the force, and of its slope, of a row that is kept.
-const VALUE_TOLERANCE: f64 = 5e-11;
-const SLOPE_TOLERANCE: f64 = 5e-9;
+/// The range of ln(load - pull-off) that is compiled: with adhesion what the rows can hold.
+const LOG_RANGE: f64 = MOST_ROWS as f64 / (1 << FRACTIONS[0]) as f64 * std::f64::consts::LN_2;
+const LOG_RANGE_WITHOUT_ADHESION: f64 = 60.0;
+/// The largest relative error of the force, and of its slope, of a row against an exact state.
+const VALUE_TOLERANCE: f64 = 1e-10;
+const SLOPE_TOLERANCE: f64 = 1e-8;
 
 const MANTISSA_BITS: u32 = 52;
-
-/// One row: coefficients of powers of (mantissa of x - mantissa where the row begins). The first is NaN where the row
-/// is left out.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(C, align(64))]
-pub struct Row(pub [f64; COEFFICIENTS]);
 
 /// What an evaluation of the table needs.
 ///
@@ -99,7 +95,8 @@ impl Law {
     /// [`Error::NotConverged`] where the branch of equilibrium states cannot be followed.
     pub fn new(population: &Population, equilibrium: &Equilibrium, scales: Scales) -> Result<Self, Error> {
         let mut samples = Vec::new();
-        let curve = Curve::new(population, equilibrium, LOG_RANGE, &mut samples)?;
+        let log_range = if equilibrium.pull_off().is_some() { LOG_RANGE } else { LOG_RANGE_WITHOUT_ADHESION };
+        let curve = Curve::new(population, equilibrium, log_range, &mut samples)?;
         let log_load = scales.load.ln();
         let (lower, upper) = curve.log_range();
         let lower = match equilibrium.pull_off() {
@@ -116,73 +113,27 @@ impl Law {
             complete: false,
             curve,
         };
+        let mut best = 0.0;
         for fraction in FRACTIONS {
-            law.shift = MANTISSA_BITS - fraction;
-            let last = (upper.min(700.0).exp().to_bits() >> law.shift) - 1;
+            let shift = MANTISSA_BITS - fraction;
+            let last = (upper.min(700.0).exp().to_bits() >> shift) - 1;
             // What does not fit in the table is left to exact evaluation at the light end.
-            let first = (lower.max(-700.0).exp().to_bits() >> law.shift).max(last - MOST_ROWS as u64) + 1;
-            law.base = first;
-            let worst = law.fill((last + 1 - first) as usize, scales);
-            if worst <= 1.0 {
+            let first = (lower.max(-700.0).exp().to_bits() >> shift).max(last - MOST_ROWS as u64) + 1;
+            let filling = Filling { curve: &law.curve, shift, scales };
+            let (rows, error) = filling.rows(first..=last);
+            let missing = rows.iter().filter(|row| row.is_left_out()).count();
+            let binades = (rows.len() - missing) as f64 / f64::from(1 << fraction);
+            if law.rows.is_empty() || binades > best {
+                best = binades;
+                (law.rows, law.shift, law.base, law.error) = (rows, shift, first, error);
+            }
+            if missing == 0 {
                 break;
             }
         }
         law.certify(&samples, scales);
-        law.complete = law.rows.iter().all(|row| !row.0[0].is_nan());
+        law.complete = !law.rows.iter().any(Row::is_left_out);
         Ok(law)
-    }
-
-    /// Fills the table from the curve; returns the largest error over its tolerance.
-    fn fill(&mut self, count: usize, scales: Scales) -> f64 {
-        let basis = RowBasis::new();
-        let width = (2.0_f64).powi(self.shift as i32 - MANTISSA_BITS as i32);
-        let at = |row: u64, part: f64| {
-            let bits = row << self.shift;
-            let start = f64::from_bits(bits);
-            let binade = f64::from_bits(bits & !Table::MANTISSA);
-            let x = start + part * width * binade;
-            let (force, log_slope) = self.curve.at((x / scales.load).ln());
-            let force = scales.force * force;
-            // The slope by the part of the row.
-            (force, force * log_slope / x * width * binade)
-        };
-        let mut worst = 0.0_f64;
-        let mut rows = Vec::with_capacity(count);
-        let mut error = 0.0_f64;
-        let mut left = at(self.base, 0.0);
-        for row in self.base..self.base + count as u64 {
-            let right = at(row + 1, 0.0);
-            let right_slope = if (row + 1) << self.shift & Table::MANTISSA == 0 { 0.5 * right.1 } else { right.1 };
-            let interior = RowBasis::INTERIOR.map(|part| at(row, part).0);
-            let coefficients = basis.coefficients(left, (right.0, right_slope), interior);
-            // Between the points that determine the row.
-            let mut excess = 0.0_f64;
-            for part in RowBasis::BETWEEN {
-                let (force, slope) = at(row, part);
-                let (value, rate) = polynomial(&coefficients, part);
-                let value_error = (value / force - 1.0).abs();
-                excess = excess.max(value_error / VALUE_TOLERANCE);
-                excess = excess.max((rate / slope - 1.0).abs() / SLOPE_TOLERANCE);
-                if excess <= 1.0 {
-                    error = error.max(value_error);
-                }
-            }
-            worst = worst.max(excess);
-            let mut scale = 1.0;
-            let mut scaled = coefficients;
-            for coefficient in &mut scaled {
-                *coefficient *= scale;
-                scale /= width;
-            }
-            if excess > 1.0 || scaled.iter().any(|coefficient| coefficient.is_nan()) {
-                scaled[0] = f64::NAN;
-            }
-            rows.push(Row(scaled));
-            left = right;
-        }
-        self.rows = rows;
-        self.error = error;
-        worst
     }
 
     /// Measures the table against the exact states that did not make it; leaves a row out that misses one.
@@ -198,8 +149,8 @@ impl Law {
             let exact = scales.force * self.curve.force_of(sample);
             let error = (force / exact - 1.0).abs();
             let slope_error = (slope / (exact * sample.log_slope / x) - 1.0).abs();
-            if error > 2.0 * VALUE_TOLERANCE || slope_error > 2.0 * SLOPE_TOLERANCE {
-                self.rows[index].0[0] = f64::NAN;
+            if error > VALUE_TOLERANCE || slope_error > SLOPE_TOLERANCE {
+                self.rows[index].leave_out();
             } else {
                 self.error = self.error.max(error);
             }
@@ -248,70 +199,5 @@ impl Law {
     /// The separation at ln(load - pull-off), dimensionless, to a few digits.
     pub fn separation(&self, log_excess: f64) -> Option<f64> {
         self.curve.separation(log_excess)
-    }
-}
-
-/// A polynomial and its derivative. The order of operations is part of the contract: every path gives the same bits.
-#[inline]
-pub fn polynomial(c: &[f64; COEFFICIENTS], t: f64) -> (f64, f64) {
-    let t2 = t * t;
-    let t4 = t2 * t2;
-    let value = ((c[0] + c[1] * t) + (c[2] + c[3] * t) * t2) + ((c[4] + c[5] * t) + (c[6] + c[7] * t) * t2) * t4;
-    let slope = ((c[1] + 2.0 * c[2] * t) + (3.0 * c[3] + 4.0 * c[4] * t) * t2)
-        + ((5.0 * c[5] + 6.0 * c[6] * t) + 7.0 * c[7] * t2) * t4;
-    (value, slope)
-}
-
-/// Turns what determines a row (value and slope at both ends, four values between) into coefficients.
-struct RowBasis {
-    /// From the four values of q at the interior points to its coefficients, with p = cubic + u^2 (1-u)^2 q(u).
-    inverse: [[f64; 4]; 4],
-}
-
-impl RowBasis {
-    const INTERIOR: [f64; 4] = [0.125, 0.359_375, 0.640_625, 0.875];
-    const BETWEEN: [f64; 3] = [0.05, 0.5, 0.95];
-
-    fn new() -> Self {
-        // Lagrange's polynomials in power form.
-        let mut inverse = [[0.0; 4]; 4];
-        for (i, &node) in Self::INTERIOR.iter().enumerate() {
-            let mut lagrange = [1.0, 0.0, 0.0, 0.0];
-            for (j, &other) in Self::INTERIOR.iter().enumerate() {
-                if i == j {
-                    continue;
-                }
-                for k in (0..4).rev() {
-                    let lower = if k > 0 { lagrange[k - 1] } else { 0.0 };
-                    lagrange[k] = (lower - other * lagrange[k]) / (node - other);
-                }
-            }
-            for k in 0..4 {
-                inverse[k][i] = lagrange[k];
-            }
-        }
-        Self { inverse }
-    }
-
-    fn coefficients(&self, left: (f64, f64), right: (f64, f64), interior: [f64; 4]) -> [f64; COEFFICIENTS] {
-        // The cubic with the ends' values and slopes.
-        let rise = right.0 - left.0;
-        let cubic = [left.0, left.1, 3.0 * rise - 2.0 * left.1 - right.1, left.1 + right.1 - 2.0 * rise];
-        let mut q = [0.0; 4];
-        for (i, &u) in Self::INTERIOR.iter().enumerate() {
-            let at = cubic[0] + u * (cubic[1] + u * (cubic[2] + u * cubic[3]));
-            let value = (interior[i] - at) / (u * u * (1.0 - u) * (1.0 - u));
-            for (k, coefficient) in q.iter_mut().enumerate() {
-                *coefficient += self.inverse[k][i] * value;
-            }
-        }
-        // u^2 (1 - u)^2 q = (u^2 - 2 u^3 + u^4) q
-        let mut c = [cubic[0], cubic[1], cubic[2], cubic[3], 0.0, 0.0, 0.0, 0.0];
-        for (k, &coefficient) in q.iter().enumerate() {
-            c[k + 2] += coefficient;
-            c[k + 3] -= 2.0 * coefficient;
-            c[k + 4] += coefficient;
-        }
-        c
     }
 }

@@ -10,6 +10,7 @@
 //! G* b^2, areas in b^2.
 
 mod break_edges;
+mod density;
 mod gauss_legendre;
 mod nodes;
 
@@ -23,6 +24,7 @@ use crate::root;
 use crate::surface::heights::{Heights, SHORTEST_PANEL, UNDERFLOW};
 use crate::surface::radius::RadiusProfile;
 use break_edges::{BreakEdges, Edge};
+use density::Density;
 use nodes::Nodes;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -162,12 +164,13 @@ trait Sink {
 /// Sums the nodes, weighted with the density of heights.
 struct Summing<'a> {
     population: &'a Population,
+    density: &'a Density<'a>,
     sums: &'a mut Sums,
 }
 
 impl Sink for Summing<'_> {
     fn node(&mut self, z: f64, weight: f64, contact: &Contact) {
-        let density = self.population.density(z, self.sums.log_scale);
+        let density = self.density.at(z, contact.overlap);
         self.sums.add_contact(weight * density, &self.population.summit(contact));
     }
 }
@@ -236,7 +239,15 @@ impl Population {
             None => self.edges.all_in_contact(&self.maugis, &self.radius, separation),
         };
         let contact_start = if contact { foot } else { first_edge.map_or(f64::INFINITY, |edge| edge.z.max(foot)) };
-        let mut sums = Sums { log_scale: self.log_scale(contact_start.min(attraction_start)), ..Sums::default() };
+        // Of the lowest summit that counts, the overlap to all its digits.
+        let start = contact_start.min(attraction_start);
+        let overlap = match (first_edge, &self.attraction) {
+            (Some(edge), _) if edge.z == start => edge.contact.overlap,
+            (_, Some(law)) if separation - law.reach == start => -law.reach,
+            _ => start - separation,
+        };
+        let density = Density::above(&self.heights, start, overlap, separation);
+        let mut sums = Sums { log_scale: density.log_scale, ..Sums::default() };
         if sums.log_scale < UNDERFLOW {
             return sums;
         }
@@ -248,35 +259,18 @@ impl Population {
             let upper = upper_edge.map_or(f64::INFINITY, |edge| edge.z);
             if contact {
                 let (lower, upper) = self.heights.worth_summing(lower, upper);
-                self.add_contacts(&mut sums, separation, (lower, lower_edge), (upper, upper_edge));
+                self.add_contacts(&mut sums, &density, separation, (lower, lower_edge), (upper, upper_edge));
             } else {
                 let (lower, upper) = self.heights.worth_summing(lower.max(attraction_start), upper);
-                self.add_attractions(&mut sums, separation, lower, upper, upper_edge);
+                self.add_attractions(&mut sums, &density, separation, lower, upper, upper_edge);
             }
             if let Some(edge) = upper_edge {
-                self.add_edge(&mut sums, separation, edge);
+                self.add_edge(&mut sums, &density, separation, edge);
             }
             contact = !contact;
             lower_edge = upper_edge;
         }
         sums
-    }
-
-    /// ln of the largest density at or above a height.
-    fn log_scale(&self, start: f64) -> f64 {
-        let at = start.max(self.heights.mode());
-        let (log_density, _) = self.heights.log_density(at);
-        if log_density.is_finite() {
-            log_density
-        } else {
-            0.0 // at the foot, above which the density falls
-        }
-    }
-
-    /// The density at a height, over exp(log_scale).
-    #[inline]
-    fn density(&self, z: f64, log_scale: f64) -> f64 {
-        (self.heights.log_density(z).0 - log_scale).exp()
     }
 
     /// What a contact contributes, friction included.
@@ -294,8 +288,8 @@ impl Population {
     }
 
     /// The slopes' share of a moving edge: what a summit loses there at once, times how fast heights pass it.
-    fn add_edge(&self, sums: &mut Sums, separation: f64, edge: &Edge) {
-        let density = self.density(edge.z, sums.log_scale);
+    fn add_edge(&self, sums: &mut Sums, density: &Density, separation: f64, edge: &Edge) {
+        let density = density.at(edge.z, edge.contact.overlap);
         if density == 0.0 {
             return;
         }
@@ -332,6 +326,7 @@ impl Population {
     fn add_contacts(
         &self,
         sums: &mut Sums,
+        density: &Density,
         separation: f64,
         (lower, lower_edge): (f64, Option<&Edge>),
         (upper, upper_edge): (f64, Option<&Edge>),
@@ -340,9 +335,9 @@ impl Population {
             return;
         }
         if let Some(nodes) = &self.nodes {
-            return self.add_tabulated(nodes, sums, separation, lower, upper);
+            return self.add_tabulated(nodes, sums, density, separation, lower, upper);
         }
-        let mut sink = Summing { population: self, sums };
+        let mut sink = Summing { population: self, density, sums };
         let start = match lower_edge {
             Some(edge) if edge.z == lower => self.edge_point(edge),
             _ => self.point_cold(separation, lower),
@@ -360,7 +355,15 @@ impl Population {
 
     /// Adds the summits in contact between two heights from nodes that are the same at every separation; only
     /// panels across which the density is not smooth are walked anew.
-    fn add_tabulated(&self, nodes: &Nodes, sums: &mut Sums, separation: f64, lower: f64, upper: f64) {
+    fn add_tabulated(
+        &self,
+        nodes: &Nodes,
+        sums: &mut Sums,
+        density: &Density,
+        separation: f64,
+        lower: f64,
+        upper: f64,
+    ) {
         for panel in nodes.panels() {
             let (z_from, z_to) = (separation + panel.from.z, separation + panel.to.z);
             if z_to <= lower {
@@ -372,12 +375,12 @@ impl Population {
             let from_start = z_from >= lower;
             if from_start && self.heights.is_smooth(z_from, z_to) {
                 for node in panel.nodes() {
-                    let weight = node.weight * self.density(separation + node.overlap, sums.log_scale);
-                    sums.add_contact(weight, &node.summit);
+                    let density = density.at(separation + node.overlap, node.overlap);
+                    sums.add_contact(node.weight * density, &node.summit);
                 }
                 continue;
             }
-            let mut sink = Summing { population: self, sums };
+            let mut sink = Summing { population: self, density, sums };
             let end = z_to.min(upper);
             let start = if from_start {
                 panel.from.raised(separation)
@@ -388,7 +391,7 @@ impl Population {
             self.march(start, end, &mut sink);
         }
         let last = nodes.last_point().raised(separation);
-        let mut sink = Summing { population: self, sums };
+        let mut sink = Summing { population: self, density, sums };
         if last.z >= lower {
             self.march(last, upper, &mut sink);
         } else {
@@ -480,7 +483,9 @@ impl Population {
                 there = cut;
             }
             sink.panel(&here, &there);
-            if curve > LONG_CURVE * length && self.clearance(&here) > length {
+            // Heights of one radius need no solution of their contact's overlap, which deep down has too few digits.
+            let by_height = !constant_radius || here.contact.overlap > nodes::LARGEST_OVERLAP;
+            if by_height && curve > LONG_CURVE * length && self.clearance(&here) > length {
                 let guess = Guess::new(&here, &there, direction * length);
                 for (rise, weight) in gauss_legendre::nodes(0.0, direction * length) {
                     let point = self.point(&here, rise, guess.at(rise / (direction * length)));
@@ -591,21 +596,28 @@ impl Population {
     }
 
     /// Adds the summits that attract without contact between two heights.
-    fn add_attractions(&self, sums: &mut Sums, separation: f64, lower: f64, upper: f64, upper_edge: Option<&Edge>) {
+    fn add_attractions(
+        &self,
+        sums: &mut Sums,
+        density: &Density,
+        separation: f64,
+        lower: f64,
+        upper: f64,
+        upper_edge: Option<&Edge>,
+    ) {
         let Some(law) = &self.attraction else { return };
         let Some((lower, upper)) = self.where_attraction_exists(lower, upper) else { return };
-        let log_scale = sums.log_scale;
         // Heights at the far end of attraction: there it sets in with a jump.
         if lower == separation - law.reach {
             let g = self.radius.factor(lower);
-            sums.load_slope -= self.density(lower, log_scale) * law.at(law.circle(-law.reach, g), g).load;
+            sums.load_slope -= density.at(lower, -law.reach) * law.at(law.circle(-law.reach, g), g).load;
         }
         let mut sink = |z: f64, overlap: f64, weight: f64| {
             let g = self.radius.factor(z);
             let attracted = law.at(law.circle(overlap, g), g);
             let summit =
                 Summit { load: attracted.load, load_by_overlap: attracted.load_by_overlap, ..Summit::default() };
-            sums.add_attraction(weight * self.density(z, log_scale), &summit);
+            sums.add_attraction(weight * density.at(z, overlap), &summit);
         };
         let mut z = lower;
         let mut overlap = if lower == separation - law.reach { -law.reach } else { lower - separation };

@@ -5,7 +5,7 @@ use super::{Point, Population, Sink, Summit};
 use crate::asperity::maugis::Contact;
 
 /// Panels are tabulated up to this overlap, in sigma: enough for all summits at separations above -8.
-const LARGEST_OVERLAP: f64 = 18.0;
+pub const LARGEST_OVERLAP: f64 = 18.0;
 /// The longest panel, in sigma: short enough for the steep upper tails too.
 const LONGEST: f64 = 1.0;
 /// A tabulated panel takes 0.9 kB; deeper ones are walked when needed.

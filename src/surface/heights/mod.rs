@@ -47,6 +47,17 @@ impl Heights {
         }
     }
 
+    /// phi(z) exp(-log_scale) at z = `from` + `rise`, where ln phi(`from`) is `log_scale`, or that is 0.
+    ///
+    /// It has as many digits as `rise`, which may be a number of more digits than z.
+    #[inline]
+    pub fn relative_density(&self, from: f64, rise: f64, log_scale: f64) -> f64 {
+        match self {
+            Heights::Gaussian => (-rise * (from + 0.5 * rise)).exp(),
+            Heights::Weibull(_) => (self.log_density(from + rise).0 - log_scale).exp(),
+        }
+    }
+
     /// Where the support begins, with the exponent p of phi ~ (z - foot)^p there; `None` if it is endless.
     pub fn foot(&self) -> Option<(f64, f64)> {
         match self {

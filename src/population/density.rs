@@ -1,0 +1,39 @@
+//! The density of heights at one separation, relative to that of a summit near which all that counts lies.
+//!
+//! Far out in the tail of the heights ln phi is large and changes fast: there the density is had from the rise above
+//! the reference as a difference of overlaps, which are small and so known to more digits than heights.
+
+use crate::surface::heights::Heights;
+
+/// phi(z) exp(-log_scale).
+#[derive(Debug, Clone, Copy)]
+pub struct Density<'a> {
+    heights: &'a Heights,
+    /// Height and overlap of the reference.
+    height: f64,
+    overlap: f64,
+    /// Whether overlaps are known to more digits than heights.
+    by_overlap: bool,
+    /// ln phi of the reference.
+    pub log_scale: f64,
+}
+
+impl<'a> Density<'a> {
+    /// For what lies above the lowest summit that counts, of this height and overlap. The reference is that or, where it
+    /// lies above, the mode.
+    pub fn above(heights: &'a Heights, height: f64, overlap: f64, separation: f64) -> Self {
+        let mode = heights.mode();
+        let (height, overlap) = if height < mode { (mode, mode - separation) } else { (height, overlap) };
+        let (log_density, _) = heights.log_density(height);
+        // At the foot it may be infinite; above, the density falls.
+        let log_scale = if log_density.is_finite() { log_density } else { 0.0 };
+        Self { heights, height, overlap, by_overlap: overlap.abs() < height.abs(), log_scale }
+    }
+
+    /// The density at a height, which has this overlap.
+    #[inline]
+    pub fn at(&self, z: f64, overlap: f64) -> f64 {
+        let rise = if self.by_overlap { overlap - self.overlap } else { z - self.height };
+        self.heights.relative_density(self.height, rise, self.log_scale)
+    }
+}
