@@ -9,6 +9,8 @@
 mod c_abi;
 #[path = "../../tests/fuzz_calls/mod.rs"]
 mod fuzz_calls;
+#[path = "../../tests/processor_time/mod.rs"]
+mod processor_time;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     let mut tally = fuzz_calls::Tally::default();

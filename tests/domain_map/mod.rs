@@ -101,7 +101,11 @@ impl Map {
         let _ = writeln!(text, "| | surfaces | share |\n|---|---|---|");
         let _ = writeln!(text, "| answered | {answered} | {:.2} % |", share(answered));
         for (reason, (number, after)) in &refused {
-            let _ = writeln!(text, "| refused: {reason} (after {after:.0?} at most) | {number} | {:.2} % |", share(*number));
+            let _ = writeln!(
+                text,
+                "| refused: {reason} (after {after:.0?} at most) | {number} | {:.2} % |",
+                share(*number)
+            );
         }
         let unresolved: u32 = self.answers().map(|(_, answer)| answer.unresolved).sum();
         let _ = writeln!(text, "| states that the second evaluation did not resolve | {unresolved} | |");
@@ -128,7 +132,8 @@ impl Map {
         creations.sort_unstable();
         if let Some(last) = creations.last() {
             let at = |part: f64| creations[((creations.len() - 1) as f64 * part) as usize];
-            let _ = writeln!(text, "Making a model: median {:.1?}, 99 % {:.0?}, longest {last:.0?}.", at(0.5), at(0.99));
+            let _ =
+                writeln!(text, "Making a model: median {:.1?}, 99 % {:.0?}, longest {last:.0?}.", at(0.5), at(0.99));
         }
         text
     }
@@ -136,9 +141,8 @@ impl Map {
     /// Worst error, share answered, slowest call over alpha and beta.
     pub fn picture(&self) -> String {
         let mut cells = vec![[Cell::default(); CELLS]; CELLS];
-        let place = |x: f64, from: f64, to: f64| {
-            ((CELLS as f64 * (x / from).ln() / (to / from).ln()) as usize).min(CELLS - 1)
-        };
+        let place =
+            |x: f64, from: f64, to: f64| ((CELLS as f64 * (x / from).ln() / (to / from).ln()) as usize).min(CELLS - 1);
         for (surface, outcome) in &self.sets {
             let cell = &mut cells[place(surface.beta, 1.0, 1e7)][place(surface.alpha, 1e-4, 1.0)];
             cell.sets += 1;
@@ -184,7 +188,8 @@ impl Map {
                         }
                     };
                     let (x, y) = (left + column * size, top + (CELLS - 1 - row) * size);
-                    let _ = writeln!(svg, "<rect x=\"{x}\" y=\"{y}\" width=\"{size}\" height=\"{size}\" fill=\"{fill}\"/>");
+                    let _ =
+                        writeln!(svg, "<rect x=\"{x}\" y=\"{y}\" width=\"{size}\" height=\"{size}\" fill=\"{fill}\"/>");
                 }
             }
             let _ = writeln!(
@@ -194,7 +199,8 @@ impl Map {
             for decade in 0..=4 {
                 let x = left + side * decade / 4;
                 let label = ["1e-4", "1e-3", "0.01", "0.1", "1"][decade];
-                let _ = writeln!(svg, "<text x=\"{x}\" y=\"{}\" text-anchor=\"middle\">{label}</text>", top + side + 14);
+                let _ =
+                    writeln!(svg, "<text x=\"{x}\" y=\"{}\" text-anchor=\"middle\">{label}</text>", top + side + 14);
             }
             let _ = writeln!(
                 svg,

@@ -2,6 +2,7 @@
 //! where it is refused, no floating-point flag raised, no call longer than a second, answers that agree with each other.
 
 use crate::c_abi::*;
+use crate::processor_time::processor_time;
 use std::collections::BTreeMap;
 use std::ffi::{c_char, CStr};
 use std::hint::black_box;
@@ -138,18 +139,6 @@ pub struct Calls<'a> {
     tally: &'a mut Tally,
 }
 
-/// The processor time that this thread has used.
-fn processor_time() -> Duration {
-    const CLOCK_THREAD_CPUTIME_ID: i32 = 3; // Linux
-    extern "C" {
-        fn clock_gettime(clock: i32, time: *mut [i64; 2]) -> i32;
-    }
-    let mut time = [0; 2];
-    // SAFETY: struct timespec of 64-bit Linux.
-    assert_eq!(unsafe { clock_gettime(CLOCK_THREAD_CPUTIME_ID, &mut time) }, 0);
-    Duration::new(time[0] as u64, time[1] as u32)
-}
-
 /// By bits, since comparing a signalling NaN raises a flag.
 fn is_finite(x: f64) -> bool {
     x.to_bits() >> 52 & 0x7ff != 0x7ff
@@ -263,7 +252,8 @@ impl<'a> Calls<'a> {
         let mu: f64 = call!(self, p, asperity_friction_at_load(at, load));
         let force_again: f64 = call!(self, p, asperity_friction_force_and_slope_at_load(at, load, slope_at));
         let mu_again: f64 = call!(self, p, asperity_friction_and_slope_at_load(at, load, mu_slope_at));
-        let what = || format!("load {load:e} ({:#x}): F {force:e} {slope:e}, mu {mu:e} {mu_slope:e}; {p:?}", load.to_bits());
+        let what =
+            || format!("load {load:e} ({:#x}): F {force:e} {slope:e}, mu {mu:e} {mu_slope:e}; {p:?}", load.to_bits());
         assert_eq!(force.to_bits(), force_again.to_bits(), "{}", what());
         assert_eq!(mu.to_bits(), mu_again.to_bits(), "{}", what());
         if !is_finite(load) {
@@ -291,7 +281,11 @@ impl<'a> Calls<'a> {
         type Batch = unsafe extern "C" fn(Shared, usize, *const f64, *mut f64, *mut f64) -> i32;
         type One = unsafe extern "C" fn(Shared, f64, *mut f64) -> f64;
         let (batch, one, name): (Batch, One, _) = if kind & 1 == 0 {
-            (asperity_friction_force_at_loads, asperity_friction_force_and_slope_at_load, "asperity_friction_force_at_loads")
+            (
+                asperity_friction_force_at_loads,
+                asperity_friction_force_and_slope_at_load,
+                "asperity_friction_force_at_loads",
+            )
         } else {
             (asperity_friction_at_loads, asperity_friction_and_slope_at_load, "asperity_friction_at_loads")
         };
@@ -484,12 +478,16 @@ impl<'a> Calls<'a> {
             [
                 (
                     "asperity_summary_of",
-                    std::mem::transmute::<unsafe extern "C" fn(Shared, *mut asperity_summary) -> i32, Fill>(asperity_summary_of),
+                    std::mem::transmute::<unsafe extern "C" fn(Shared, *mut asperity_summary) -> i32, Fill>(
+                        asperity_summary_of,
+                    ),
                     size_of::<asperity_summary>(),
                 ),
                 (
                     "asperity_table_of",
-                    std::mem::transmute::<unsafe extern "C" fn(Shared, *mut asperity_table) -> i32, Fill>(asperity_table_of),
+                    std::mem::transmute::<unsafe extern "C" fn(Shared, *mut asperity_table) -> i32, Fill>(
+                        asperity_table_of,
+                    ),
                     size_of::<asperity_table>(),
                 ),
             ]

@@ -8,7 +8,11 @@ const NEGLIGIBLE: f64 = 60.0;
 pub enum Heights {
     Gaussian,
     /// `rate` is C of eq (20), `mean` z_M.
-    Weibull { shape: f64, rate: f64, mean: f64 },
+    Weibull {
+        shape: f64,
+        rate: f64,
+        mean: f64,
+    },
 }
 
 impl Heights {

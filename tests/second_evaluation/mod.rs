@@ -254,10 +254,8 @@ impl Surface {
             let here = at_overlap((z - separation) / self.reach(), kappa, break_away(kappa));
             length * here.c * here.theta.cos()
         };
-        let points: Vec<(f64, f64)> = (0..=24)
-            .map(|i| lower + (upper - lower) * (f64::from(i) / 24.0).powi(2))
-            .map(|z| (z, radius(z)))
-            .collect();
+        let points: Vec<(f64, f64)> =
+            (0..=24).map(|i| lower + (upper - lower) * (f64::from(i) / 24.0).powi(2)).map(|z| (z, radius(z))).collect();
         let mut kinks = Vec::new();
         for pair in points.windows(2) {
             for kink in [self.slip[0], self.slip[2]] {
@@ -281,7 +279,11 @@ impl Surface {
             f64::NEG_INFINITY
         } else {
             let first = edges.first().copied().unwrap_or(f64::INFINITY);
-            if attracts { first.min(begin) } else { first }
+            if attracts {
+                first.min(begin)
+            } else {
+                first
+            }
         };
         let (lower, upper, log_scale) = self.heights.range(lowest);
         let mut cuts = vec![lower, upper];

@@ -67,8 +67,7 @@ fn every_axis_is_filled_evenly() {
         assert!(cells.into_iter().eq(0..1024), "axis {axis}");
     }
     // The first two axes together: one point in each of 32 by 32 cells.
-    let mut cells: Vec<usize> =
-        points.iter().map(|p| (p[0] * 32.0) as usize * 32 + (p[1] * 32.0) as usize).collect();
+    let mut cells: Vec<usize> = points.iter().map(|p| (p[0] * 32.0) as usize * 32 + (p[1] * 32.0) as usize).collect();
     cells.sort_unstable();
     assert!(cells.into_iter().eq(0..1024));
 }
