@@ -87,11 +87,11 @@ impl Map {
     /// The table, in Markdown.
     pub fn report(&self, took: Duration) -> String {
         let mut text = String::new();
-        let mut refused = BTreeMap::<&str, (usize, Duration)>::new();
-        for (_, outcome) in &self.sets {
+        let mut refused = BTreeMap::<&str, (usize, Duration, &Surface)>::new();
+        for (surface, outcome) in &self.sets {
             if let Outcome::Refused { reason, after } = outcome {
-                let entry = refused.entry(reason).or_default();
-                *entry = (entry.0 + 1, entry.1.max(*after));
+                let entry = refused.entry(reason).or_insert((0, Duration::ZERO, surface));
+                *entry = (entry.0 + 1, entry.1.max(*after), surface);
             }
         }
         let count = self.sets.len();
@@ -100,7 +100,7 @@ impl Map {
         let _ = writeln!(text, "{count} surfaces in {:.0} s.\n", took.as_secs_f64());
         let _ = writeln!(text, "| | surfaces | share |\n|---|---|---|");
         let _ = writeln!(text, "| answered | {answered} | {:.2} % |", share(answered));
-        for (reason, (number, after)) in &refused {
+        for (reason, (number, after, _)) in &refused {
             let _ = writeln!(
                 text,
                 "| refused: {reason} (after {after:.0?} at most) | {number} | {:.2} % |",
@@ -125,6 +125,9 @@ impl Map {
         let mut slowest: Vec<(Duration, Duration, &Surface)> =
             self.answers().map(|(s, answer)| (answer.slowest, answer.create, s)).collect();
         slowest.sort_by_key(|entry| entry.0);
+        for (reason, (_, _, surface)) in &refused {
+            let _ = writeln!(text, "\nRefused for {reason}: {}.", describe(surface));
+        }
         if let Some((longest, _, surface)) = slowest.last() {
             let _ = writeln!(text, "\nThe slowest call took {longest:.0?}: {}.", describe(surface));
         }

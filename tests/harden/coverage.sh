@@ -9,7 +9,7 @@ cd "$(dirname "$0")/../.."
 suffix=${LLVM_SUFFIX--19}
 for tool in cargo gcc "llvm-profdata$suffix" "llvm-cov$suffix"; do
     command -v "$tool" >/dev/null ||
-        { echo "tests/harden/coverage.sh: $tool is missing: apt-get install llvm-19" >&2; exit 1; }
+        { echo "tests/harden/coverage.sh: $tool is missing: run tests/setup.sh harden" >&2; exit 1; }
 done
 # A folder of its own: the flags differ. With --target they do not reach build scripts.
 CARGO_TARGET_DIR=$(realpath -m "${CARGO_TARGET_DIR:-target}")/coverage

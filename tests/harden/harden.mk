@@ -1,6 +1,8 @@
 # make harden: every instrument of docs/reliability.md at full length, hours on two cores; its parts have targets of their
 # own. The short form of each is part of `make test`. Heavy runs go one after the other, at low priority.
 #
+# `tests/setup.sh harden` installs what they need.
+#
 #   make fuzz            10^7 calls of random bytes, with oracles         FUZZ_CALLS, FUZZ_SEED
 #   make fuzz-coverage   libFuzzer with AddressSanitizer                  FUZZ_SECONDS; needs cargo-fuzz
 #   make domain          20,000 surfaces against a second evaluation      DOMAIN_SETS; rewrites docs/domain.svg
@@ -22,7 +24,9 @@ FUZZ_CARGO ?= RUSTC_BOOTSTRAP=1 $(CARGO)
 
 .PHONY: harden fuzz fuzz-coverage domain faults memory processors supply-chain coverage mutants
 
-harden: fuzz fuzz-coverage domain faults memory processors supply-chain coverage
+harden:
+	tests/setup.sh core hosts harden
+	$(MAKE) --no-print-directory fuzz fuzz-coverage domain faults memory processors supply-chain coverage
 
 fuzz:
 	ASPERITY_FUZZ_CALLS=$(FUZZ_CALLS) ASPERITY_FUZZ_SEED=$(FUZZ_SEED) \
