@@ -7,10 +7,11 @@
 ! Units: one consistent system of the caller's choice. Loads, forces and areas are totals over asperity_count summits.
 ! Threads: a model may be shared by all calls that take it intent(in); not while it is changed or freed.
 ! Two C constants have the names of functions, which Fortran does not tell apart; here they are
-! ASPERITY_HEADER_VERSION and ASPERITY_HEADER_ABI_VERSION.
+! ASPERITY_HEADER_VERSION and ASPERITY_HEADER_ABI_VERSION. asperity_params_init and asperity_get_params are functions of
+! this module, as they are macros in C: the C functions of these names serve programs older than the type of today.
 module asperity
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_loc, &
-                                         c_null_ptr, c_ptr, c_size_t
+                                         c_null_ptr, c_ptr, c_size_t, c_sizeof
   use, intrinsic :: iso_fortran_env, only: error_unit
   implicit none
   private
@@ -34,6 +35,10 @@ module asperity
 
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_GAUSSIAN = 0
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_WEIBULL = 1
+  integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_JOHNSON = 2
+  integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_TABULATED = 3
+
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! contacts yield: the model does not hold
 
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1     ! compare with asperity_table%layout_version
 
@@ -50,7 +55,7 @@ module asperity
     real(c_double) :: height_std                  ! sigma [length], > 0: standard deviation of summit heights
     real(c_double) :: summit_radius               ! R [length], > 0: mean radius of the summits
     real(c_double) :: asperity_count              ! N [-], > 0: summit density times nominal area; need not be whole
-    integer(c_int32_t) :: height_distribution     ! ASPERITY_HEIGHTS_GAUSSIAN or ASPERITY_HEIGHTS_WEIBULL
+    integer(c_int32_t) :: height_distribution     ! one of ASPERITY_HEIGHTS_
     integer(c_int32_t) :: attraction              ! 1: summits out of contact attract; 0: they do not
     real(c_double) :: weibull_shape               ! omega [-], > 0; read only for ASPERITY_HEIGHTS_WEIBULL
     real(c_double) :: radius_amplitude            ! epsilon [-], -1 to 1: how much the radius grows with height
@@ -60,11 +65,18 @@ module asperity
     real(c_double) :: slip_radius_2               ! a_2/b [-], > slip_radius_1: it is slip_stress_2 from this one on
     real(c_double) :: slip_stress_2               ! tau_2/G* [-], > 0
     real(c_double) :: max_friction_coefficient    ! cap on every coefficient returned [-], > 0; infinity allowed
+    real(c_double) :: skew                        ! of the heights [-]; read only for ASPERITY_HEIGHTS_JOHNSON
+    real(c_double) :: kurtosis                    ! of the heights [-], > skew**2 + 1; read only for those
+    real(c_double) :: hardness                    ! H [stress], to judge whether contacts are elastic; 0: not known
+    type(c_ptr) :: table_height = c_null_ptr      ! table_length real(c_double), increasing: heights in any unit and
+                                                  ! from any origin; read only for ASPERITY_HEIGHTS_TABULATED
+    type(c_ptr) :: table_density = c_null_ptr     ! as many, >= 0: the density at each, of any scale
+    integer(c_int64_t) :: table_length = 0        ! 3 to 4096
   end type asperity_params
 
   ! The exact state of the contact, in the units of the parameters.
   type, bind(c), public :: asperity_state
-    integer(c_int64_t) :: struct_size = 96        ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 168       ! bytes of this type; leave it
     real(c_double) :: load                        ! P [force]; negative pulls
     real(c_double) :: separation                  ! d [length], flat to mean of the summit heights
     real(c_double) :: friction_force              ! F [force]
@@ -76,6 +88,15 @@ module asperity
     real(c_double) :: contacting                  ! number of summits in contact
     real(c_double) :: attracted                   ! number of summits that attract without contact
     real(c_double) :: attraction_load             ! part of the load carried by those [force], <= 0
+    real(c_double) :: mean_contact_radius         ! mean radius of the contacts [length]; 0 without contacts
+    real(c_double) :: max_contact_radius          ! of the tallest of so many summits [length]; not below the mean
+    real(c_double) :: fraction_below_slip_radius_1 ! fraction of the contacts up to slip_radius_1 [-]
+    real(c_double) :: fraction_between_slip_radii ! fraction of the contacts between the two [-]
+    real(c_double) :: fraction_above_slip_radius_2 ! fraction of the contacts from slip_radius_2 on [-]
+    real(c_double) :: fraction_in_contact         ! fraction of the summits [-]
+    real(c_double) :: mean_asperity_pressure      ! load of the summits in contact over the real area [stress]
+    real(c_double) :: plasticity_index            ! E* (sigma/R)**0.5/H [-]; 0 where hardness is not given
+    integer(c_int64_t) :: warnings                ! bits ASPERITY_WARNING_; 0 if nothing is known to fail
   end type asperity_state
 
   ! Constants of a model, in the units of the parameters.
@@ -143,12 +164,13 @@ module asperity
       integer(c_size_t) :: whole_length                   ! of the message, without its final NUL
     end function asperity_last_error
 
-    ! The paper's default case: alpha .01, beta 1000, gamma .001, nu .3 in units b = G = 1, N = 1.
-    function asperity_params_init(params) result(status) bind(c)
-      import :: asperity_params, c_int32_t
-      type(asperity_params), intent(out) :: params
+    ! The paper's default case in so many bytes of the type; asperity_params_init does it for all.
+    function asperity_params_init_sized(params, struct_size) result(status) bind(c)
+      import :: asperity_params, c_int32_t, c_int64_t
+      type(asperity_params), intent(inout) :: params      ! untouched on failure
+      integer(c_int64_t), intent(in), value :: struct_size ! c_sizeof(params)
       integer(c_int32_t) :: status
-    end function asperity_params_init
+    end function asperity_params_init_sized
 
     ! Sets material, adhesion and roughness from the paper's groups; loads are then P/(N G b^2).
     function asperity_params_set_dimensionless(params, alpha, beta, gamma, b_over_h, poisson) result(status) bind(c)
@@ -169,6 +191,18 @@ module asperity
       real(c_double), intent(in), value :: E1, nu1, E2, nu2
       integer(c_int32_t) :: status
     end function asperity_params_set_materials
+
+    ! Sets height_std, summit_radius and asperity_count from the profiles of an isotropic Gaussian surface; the moments
+    ! of two surfaces add. m0 m4/m2**2 is at least 1.5.
+    function asperity_params_set_spectral_moments(params, m0, m2, m4, nominal_area) result(status) bind(c)
+      import :: asperity_params, c_double, c_int32_t
+      type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
+      real(c_double), intent(in), value :: m0             ! variance of the heights [length^2]
+      real(c_double), intent(in), value :: m2             ! variance of the slopes [-]
+      real(c_double), intent(in), value :: m4             ! variance of the curvatures [1/length^2]
+      real(c_double), intent(in), value :: nominal_area   ! [length^2]
+      integer(c_int32_t) :: status
+    end function asperity_params_set_spectral_moments
 
     ! Chooses Weibull heights with this skew, above -1.13955.
     function asperity_params_set_skew(params, skew) result(status) bind(c)
@@ -194,13 +228,14 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_set_params
 
-    ! Copies the parameters of a model out.
-    function asperity_get_params(model, params) result(status) bind(c)
-      import :: asperity_params, c_int32_t, c_ptr
+    ! Copies the parameters of a model into so many bytes of the type; asperity_get_params does it for all.
+    function asperity_get_params_sized(model, params, struct_size) result(status) bind(c)
+      import :: asperity_params, c_int32_t, c_int64_t, c_ptr
       type(c_ptr), intent(in), value :: model
-      type(asperity_params), intent(inout) :: params
+      type(asperity_params), intent(inout) :: params      ! untouched on failure
+      integer(c_int64_t), intent(in), value :: struct_size ! c_sizeof(params)
       integer(c_int32_t) :: status
-    end function asperity_get_params
+    end function asperity_get_params_sized
 
     ! Frees a model, once; c_null_ptr is fine.
     subroutine asperity_free(model) bind(c)
@@ -333,8 +368,9 @@ module asperity
   end interface
 
   public :: asperity_abi_version, asperity_version, asperity_status_string, asperity_last_error
-  public :: asperity_params_init, asperity_params_set_dimensionless, asperity_params_set_materials
-  public :: asperity_params_set_skew, asperity_create, asperity_set_params, asperity_get_params, asperity_free
+  public :: asperity_params_init, asperity_params_init_sized, asperity_params_set_dimensionless
+  public :: asperity_params_set_materials, asperity_params_set_spectral_moments, asperity_params_set_skew
+  public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
@@ -458,6 +494,22 @@ module asperity
   integer(c_int64_t), parameter :: INFINITY_BITS = int(z'7FF0000000000000', c_int64_t)
 
 contains
+
+  ! The paper's default case: alpha .01, beta 1000, gamma .001, nu .3 in units b = G = 1, N = 1.
+  function asperity_params_init(params) result(status)
+    type(asperity_params), intent(out) :: params
+    integer(c_int32_t) :: status
+    status = asperity_params_init_sized(params, int(c_sizeof(params), c_int64_t))
+  end function asperity_params_init
+
+  ! Copies the parameters of a model out. Pointers to a table are those of the model's own copy, valid until the model
+  ! is changed or freed.
+  function asperity_get_params(model, params) result(status)
+    type(c_ptr), intent(in) :: model
+    type(asperity_params), intent(inout) :: params        ! untouched on failure
+    integer(c_int32_t) :: status
+    status = asperity_get_params_sized(model, params, int(c_sizeof(params), c_int64_t))
+  end function asperity_get_params
 
   ! Stops the program with the message if a status is not ASPERITY_OK:
   !     call asperity_check(asperity_params_set_skew(params, -0.5_c_double))

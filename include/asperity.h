@@ -101,6 +101,23 @@
 #define ASPERITY_HEIGHTS_WEIBULL 1
 
 /**
+ * Heights of Johnson's system: with `skew` and `kurtosis`, independent of each other.
+ */
+#define ASPERITY_HEIGHTS_JOHNSON 2
+
+/**
+ * Heights of a measured density: with `table_height`, `table_density` and `table_length`.
+ */
+#define ASPERITY_HEIGHTS_TABULATED 3
+
+/**
+ * Bit of `warnings`: contacts yield, and the model, which is elastic, does not hold. Set where the mean asperity pressure
+ * is at least 0.4 of the hardness, at which yield sets in below a contact, or the plasticity index is above 1, where
+ * contacts flow at any load. Never set where the hardness is not given.
+ */
+#define ASPERITY_WARNING_PLASTIC 1
+
+/**
  * Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
  */
 #define ASPERITY_TABLE_LAYOUT 1
@@ -120,11 +137,15 @@ typedef int32_t asperity_status;
  *
  * All quantities are in one consistent system of units of the caller's choice: SI, mm-N-MPa, or the paper's
  * b = G = 1. Loads, forces and areas are totals over `asperity_count` summits. Start from `asperity_params_init`,
- * which also sets `struct_size`; fields that later versions append then have their defaults.
+ * which also sets `struct_size`.
+ *
+ * The struct grew: `max_friction_coefficient` is the last field of its first version. Fields that `struct_size` does
+ * not cover have their defaults, but for those that `height_distribution` asks for: `ASPERITY_HEIGHTS_JOHNSON` and
+ * `ASPERITY_HEIGHTS_TABULATED` came with the fields that they read, so whoever sets one of them has these fields.
  */
 typedef struct asperity_params {
   /**
-   * Size of this struct in bytes, as the caller was compiled; set by `asperity_params_init`.
+   * Bytes of this struct that the caller has; set by `asperity_params_init`.
    */
   uint64_t struct_size;
   /**
@@ -160,7 +181,7 @@ typedef struct asperity_params {
    */
   double asperity_count;
   /**
-   * `ASPERITY_HEIGHTS_GAUSSIAN` (the default) or `ASPERITY_HEIGHTS_WEIBULL`.
+   * Family of the summit heights, one of `ASPERITY_HEIGHTS_`; Gaussian by default.
    */
   int32_t height_distribution;
   /**
@@ -200,6 +221,33 @@ typedef struct asperity_params {
    * default, INFINITY allowed.
    */
   double max_friction_coefficient;
+  /**
+   * Skew of the summit heights; read only for `ASPERITY_HEIGHTS_JOHNSON`. 0 by default.
+   */
+  double skew;
+  /**
+   * Kurtosis of the summit heights, > skew^2 + 1; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by default, which
+   * with skew 0 is Gaussian.
+   */
+  double kurtosis;
+  /**
+   * H [stress], > 0: indentation hardness of the softer body, which `asperity_state` compares pressures with; it
+   * does not change friction. 0, the default: not known.
+   */
+  double hardness;
+  /**
+   * `table_length` summit heights, strictly increasing, in any unit and from any origin: the library standardises
+   * them. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model is made. NULL by default.
+   */
+  const double *table_height;
+  /**
+   * The density at each of them, >= 0; it need not be normalised. NULL by default.
+   */
+  const double *table_density;
+  /**
+   * Number of heights in the table, 3 to 4096. 0 by default.
+   */
+  uint64_t table_length;
 } asperity_params;
 
 /**
@@ -254,6 +302,44 @@ typedef struct asperity_state {
    * Part of the load carried by those, <= 0 [force].
    */
   double attraction_load;
+  /**
+   * Mean radius of the contacts [length]; 0 where there are none, as all that follows but the plasticity index.
+   */
+  double mean_contact_radius;
+  /**
+   * Radius of the largest contact [length]. Heights have no end, but n = `contacting` summits do: it is the largest radius
+   * up to the height that 1/(n + 1) of them exceed, as the tallest of n does on average. Not below the mean radius,
+   * which it is for n <= 1.
+   */
+  double max_contact_radius;
+  /**
+   * Fraction of the contacts with radii up to `slip_radius_1`, which slip as a whole.
+   */
+  double fraction_below_slip_radius_1;
+  /**
+   * Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2`.
+   */
+  double fraction_between_slip_radii;
+  /**
+   * Fraction of the contacts with radii from `slip_radius_2` on.
+   */
+  double fraction_above_slip_radius_2;
+  /**
+   * Fraction of all summits that are in contact.
+   */
+  double fraction_in_contact;
+  /**
+   * Load of the summits in contact over their real area [stress]; negative where adhesion pulls more than they push.
+   */
+  double mean_asperity_pressure;
+  /**
+   * Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H; 0 where the hardness H is not given.
+   */
+  double plasticity_index;
+  /**
+   * Bits `ASPERITY_WARNING_`: what of the model does not hold in this state; 0 if nothing is known to fail.
+   */
+  uint64_t warnings;
 } asperity_state;
 
 /**
@@ -407,10 +493,14 @@ size_t asperity_last_error(char *buffer,
                            size_t length);
 
 /**
- * Sets all parameters to the paper's default case and `struct_size` to the size of the struct.
+ * Sets all parameters to the paper's default case.
  *
  * alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1; Gaussian heights, equal radii
  * (epsilon = 0, rho = 0.5), attraction on, Hurtado and Kim's slip constants.
+ *
+ * This function sets `struct_size` and the fields of the first version of the struct, and writes no more, since a
+ * program that was compiled with that version has no more. In C and C++ a macro of its name calls
+ * `asperity_params_init_sized` instead, for the whole struct; who finds functions by name calls that directly.
  *
  * @param params  receives the parameters; must not be NULL
  * @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
@@ -418,6 +508,18 @@ size_t asperity_last_error(char *buffer,
  * Threads: any, on different structs.
  */
 asperity_status asperity_params_init(struct asperity_params *params);
+
+/**
+ * Sets all parameters to the paper's default case, as `asperity_params_init`, in a struct of this size.
+ *
+ * @param params       receives the parameters; must not be NULL; untouched on failure
+ * @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct)
+ *
+ * Threads: any, on different structs.
+ */
+asperity_status asperity_params_init_sized(struct asperity_params *params,
+                                           uint64_t struct_size);
 
 /**
  * Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
@@ -459,6 +561,32 @@ asperity_status asperity_params_set_materials(struct asperity_params *params,
                                               double nu1,
                                               double E2,
                                               double nu2);
+
+/**
+ * Sets the roughness from the spectral moments of the profiles of an isotropic Gaussian surface.
+ *
+ * m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile, which isotropy makes
+ * the same in every direction. Two rough surfaces: add their moments. With the bandwidth alpha = m0 m4/m2^2, after
+ * Nayak (1971), Bush, Gibson and Thomas (1975) and McCool (1987):
+ *
+ *     height_std     = ((1 - 0.8968/alpha) m0)^(1/2)    where 0.8968 is 1 + 16/pi - 3^(3/2)
+ *     summit_radius  = 3 pi^(1/2)/(8 m4^(1/2))
+ *     asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area
+ *
+ * @param params        initialised parameters; must not be NULL; untouched on failure
+ * @param m0            variance of the heights [length^2] > 0
+ * @param m2            variance of the slopes > 0
+ * @param m4            variance of the curvatures [1/length^2] > 0; alpha must be at least 1.5
+ * @param nominal_area  [length^2] > 0
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+ *
+ * Threads: any, on different structs.
+ */
+asperity_status asperity_params_set_spectral_moments(struct asperity_params *params,
+                                                     double m0,
+                                                     double m2,
+                                                     double m4,
+                                                     double nominal_area);
 
 /**
  * Chooses Weibull heights with this skew: sets `height_distribution` and `weibull_shape`.
@@ -503,14 +631,36 @@ asperity_status asperity_set_params(struct asperity_model *model,
 /**
  * Copies the parameters of a model out.
  *
+ * A table is not copied: the pointers to it are those of the model's own copy, valid until `asperity_set_params` or
+ * `asperity_free`. They may be given to `asperity_set_params` of the same model.
+ *
+ * This function sets `struct_size` and the fields of the first version of the struct, as `asperity_params_init` does,
+ * and in C and C++ a macro of its name calls `asperity_get_params_sized` instead. It refuses where heights read later
+ * fields, unless the model was made from a struct that had these although its `struct_size` did not say so.
+ *
  * @param model   must not be NULL
- * @param params  receives the parameters; must not be NULL; its `struct_size` need not be set
- * @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
+ * @param params  receives the parameters; must not be NULL; its `struct_size` need not be set; untouched on failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (the struct lacks fields)
  *
  * Threads: may share the model.
  */
 asperity_status asperity_get_params(const struct asperity_model *model,
                                     struct asperity_params *params);
+
+/**
+ * Copies the parameters of a model out, as `asperity_get_params`, into a struct of this size.
+ *
+ * @param model        must not be NULL
+ * @param params       receives the parameters; must not be NULL; untouched on failure
+ * @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct, or
+ *         one that lacks fields which the heights read)
+ *
+ * Threads: may share the model.
+ */
+asperity_status asperity_get_params_sized(const struct asperity_model *model,
+                                          struct asperity_params *params,
+                                          uint64_t struct_size);
 
 /**
  * Frees a model.
@@ -737,5 +887,10 @@ asperity_status asperity_table_of(const struct asperity_model *model,
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus
+
+/* What is compiled with this header has the whole of asperity_params; the functions of these names serve programs
+ * that were compiled with its first version. */
+#define asperity_params_init(params) asperity_params_init_sized((params), sizeof(asperity_params))
+#define asperity_get_params(model, params) asperity_get_params_sized((model), (params), sizeof(asperity_params))
 
 #endif  /* ASPERITY_H */

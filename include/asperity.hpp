@@ -147,8 +147,10 @@ struct ValuesAndSlopes {
 
 /// Families of the distribution of summit heights.
 enum class Heights : std::int32_t {
-    gaussian = ASPERITY_HEIGHTS_GAUSSIAN, ///< eq (17), the default
-    weibull = ASPERITY_HEIGHTS_WEIBULL,   ///< eqs (18)-(21): skewed, with weibull_shape
+    gaussian = ASPERITY_HEIGHTS_GAUSSIAN,   ///< eq (17), the default
+    weibull = ASPERITY_HEIGHTS_WEIBULL,     ///< eqs (18)-(21): skewed, with weibull_shape
+    johnson = ASPERITY_HEIGHTS_JOHNSON,     ///< Johnson's system: with skew and kurtosis
+    tabulated = ASPERITY_HEIGHTS_TABULATED, ///< a measured density, see Params::table
 };
 
 /// Two rough elastic surfaces, in one consistent system of units of your choice.
@@ -157,10 +159,19 @@ enum class Heights : std::int32_t {
 class Params {
 public:
     /// The paper's default case: alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1.
-    Params() { check(asperity_params_init(&c_)); }
+    Params() { check(asperity_params_init_sized(&c_, sizeof c_)); }
 
-    /// A copy of initialised C parameters.
-    explicit Params(const asperity_params &params) noexcept : c_(params) {}
+    // Without moves: what was moved from would point to a table that it no longer owns.
+    Params(const Params &) = default;
+    Params &operator=(const Params &) = default;
+
+    /// A copy of initialised C parameters, with a table of its own if they have one.
+    explicit Params(const asperity_params &params) : c_(params) {
+        if (c_.height_distribution == ASPERITY_HEIGHTS_TABULATED && c_.table_height && c_.table_density) {
+            const auto length = static_cast<std::size_t>(c_.table_length);
+            table({c_.table_height, length}, {c_.table_density, length});
+        }
+    }
 
     /// The default case with other dimensionless groups; see set_dimensionless.
     static Params dimensionless(double alpha, double beta, double gamma, double b_over_h = 1.0, double poisson = 0.3) {
@@ -183,6 +194,15 @@ public:
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_materials(double E1, double nu1, double E2, double nu2) {
         check(asperity_params_set_materials(&c_, E1, nu1, E2, nu2));
+        return *this;
+    }
+
+    /// Sets height_std, summit_radius and asperity_count from the variances of height [length^2], slope and curvature
+    /// [1/length^2] along a profile of an isotropic Gaussian surface; those of two surfaces add.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
+    Params &set_spectral_moments(double m0, double m2, double m4, double nominal_area) {
+        check(asperity_params_set_spectral_moments(&c_, m0, m2, m4, nominal_area));
         return *this;
     }
 
@@ -286,6 +306,50 @@ public:
     /// Sets the cap.
     Params &max_friction_coefficient(double value) noexcept { return set(c_.max_friction_coefficient, value); }
 
+    /// Skew of Johnson's heights; read only for those.
+    double skew() const noexcept { return c_.skew; }
+    /// Sets the skew of Johnson's heights.
+    Params &skew(double value) noexcept { return set(c_.skew, value); }
+
+    /// Kurtosis of Johnson's heights, > skew^2 + 1; read only for those.
+    double kurtosis() const noexcept { return c_.kurtosis; }
+    /// Sets the kurtosis of Johnson's heights.
+    Params &kurtosis(double value) noexcept { return set(c_.kurtosis, value); }
+
+    /// H [stress]: hardness of the softer body, to judge whether contacts are elastic; 0 is not known.
+    double hardness() const noexcept { return c_.hardness; }
+    /// Sets H [stress].
+    Params &hardness(double value) noexcept { return set(c_.hardness, value); }
+
+    /// The heights of the table; none by default.
+    Span<const double> table_height() const noexcept {
+        return {c_.table_height, static_cast<std::size_t>(c_.table_length)};
+    }
+    /// The density at each of them.
+    Span<const double> table_density() const noexcept {
+        return {c_.table_density, static_cast<std::size_t>(c_.table_length)};
+    }
+    /// Chooses tabulated heights and copies their table, which copies of the parameters share.
+    ///
+    /// @param heights    strictly increasing, in any unit and from any origin
+    /// @param densities  as many, >= 0, of any scale
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for columns of different length; the parameters are then as before.
+    Params &table(Span<const double> heights, Span<const double> densities) {
+        if (heights.size() != densities.size()) {
+            throw Error(ASPERITY_INVALID_PARAMETER, "size of densities = " + std::to_string(densities.size()) +
+                                                        ": must be the number of heights, " +
+                                                        std::to_string(heights.size()));
+        }
+        std::vector<double> columns(heights.data(), heights.data() + heights.size());
+        columns.insert(columns.end(), densities.data(), densities.data() + densities.size());
+        table_ = std::make_shared<const std::vector<double>>(std::move(columns));
+        c_.height_distribution = ASPERITY_HEIGHTS_TABULATED;
+        c_.table_height = table_->data();
+        c_.table_density = table_->data() + heights.size();
+        c_.table_length = heights.size();
+        return *this;
+    }
+
     /// The C struct, to pass to the C interface.
     const asperity_params &c() const noexcept { return c_; }
 
@@ -297,6 +361,7 @@ private:
     }
 
     asperity_params c_;
+    std::shared_ptr<const std::vector<double>> table_; // heights, then densities, where c_ has a table
 };
 
 // ---- The model ----
@@ -321,10 +386,10 @@ public:
     /// Throws as the constructor. No other thread may use the model during the call.
     void set_params(const Params &params) { check(asperity_set_params(handle_.get(), &params.c())); }
 
-    /// The parameters of the model.
+    /// The parameters of the model, with a table of their own if it has one.
     Params params() const {
         asperity_params params;
-        check(asperity_get_params(handle_.get(), &params));
+        check(asperity_get_params_sized(handle_.get(), &params, sizeof params));
         return Params(params);
     }
 

@@ -10,10 +10,12 @@ use crate::root;
 
 /// Separations are searched between these, in sigma.
 const CLOSEST: f64 = -1e60;
-/// The load curve is looked at for its first minimum from this separation, in sigma...
+/// The load curve is looked at for its first minimum from this separation of the means, in sigma...
 const SCAN_START: f64 = -6.0;
 /// ...in steps of this: sums over the heights change on the scale of their standard deviation, not faster.
 const SCAN_STEP: f64 = 1.0;
+/// ...where heights end, up to this far from where nothing touches or attracts any more, relative to it.
+const NEAREST_TO_END: f64 = 1e-9;
 /// A pull-off load smaller than exp of this cannot be told from none.
 const SMALLEST_LOG_LOAD: f64 = -640.0;
 /// Below this part of the pull-off load, load minus pull-off load is integrated from the slope: the difference of
@@ -82,7 +84,13 @@ impl Equilibrium {
         let separation = root::bracketed(slope, lower, upper);
         let sums = population.at_separation(separation);
         if sums.load() >= 0.0 {
-            return Err(Error::NotConverged { what: "separation at pull-off", value: separation });
+            return Err(Error::OutOfRange {
+                name: "pull-off load",
+                value: sums.unscaled().load().into(),
+                allowed:
+                    "(in composite_modulus burgers_vector^2 per summit) must be below 0: here most summits part while \
+                          a few tall ones still carry the load, and the surfaces would part in steps",
+            });
         }
         let log_load = (-sums.load()).ln() + sums.log_scale;
         if log_load < SMALLEST_LOG_LOAD {
@@ -205,7 +213,7 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
     let farthest = population.farthest();
     // A first look at the middle of the heights; where there may be several minima, from heavy load.
     let single = population.has_single_minimum();
-    let mut here = if single { 0.0 } else { SCAN_START };
+    let mut here = if single { 0.0 } else { SCAN_START } - population.heights().origin();
     let mut step = SCAN_STEP;
     while !falls(population, here) {
         here -= step;
@@ -215,8 +223,16 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
         }
     }
     step = SCAN_STEP;
+    // Beyond where nothing touches or attracts any more there is no slope to be seen.
+    let ends = population.heights().head().is_finite();
     while here < farthest {
-        let next = here + step;
+        let mut next = here + step;
+        if ends && next > here + 0.5 * (farthest - here) {
+            next = here + 0.5 * (farthest - here);
+            if farthest - next < NEAREST_TO_END * (1.0 + farthest.abs()) {
+                return None;
+            }
+        }
         let sums = population.at_separation(next);
         if sums.load_slope >= 0.0 {
             // The slope vanishes also where nothing is left; past a minimum the load is negative.

@@ -16,6 +16,18 @@ pub enum Error {
         /// What it may be.
         allowed: &'static str,
     },
+    /// An entry of a table has no meaning.
+    #[error("{name}[{index}] = {}: {allowed}", Real(*value))]
+    InvalidEntry {
+        /// The table.
+        name: &'static str,
+        /// Which of its entries, from 0.
+        index: usize,
+        /// Its value.
+        value: f64,
+        /// What it may be.
+        allowed: &'static str,
+    },
     /// A load is NaN or infinite.
     #[error("load = {value}: must be finite")]
     InvalidLoad {

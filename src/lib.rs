@@ -27,5 +27,5 @@ mod root;
 pub mod surface;
 
 pub use error::Error;
-pub use model::{Model, State, Summary};
+pub use model::{Model, State, Summary, WARNING_PLASTIC};
 pub use params::{HeightFamily, Params};

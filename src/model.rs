@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::groups::Groups;
 use crate::law::{self, Law, Scales, Table};
 use crate::params::{finite, Params};
-use crate::population::{Population, Sums};
+use crate::population::{Contacts, Population, Sums};
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
@@ -13,6 +13,13 @@ const HEAVIEST_LOAD: f64 = 1e80;
 const LARGEST_COEFFICIENT: f64 = 1e140;
 /// No load curve has more minima than this.
 const MOST_MINIMA: usize = 8;
+/// The mean pressure of an elastic contact, over the hardness, at which yield sets in below its surface: 1.1 of the
+/// yield stress, of which the hardness is 2.8 (Johnson, Contact Mechanics, 1985, sections 6.1 and 6.2).
+const YIELD_PRESSURE: f64 = 0.4;
+/// The plasticity index above which contacts flow at any load (Greenwood and Williamson, Proc. R. Soc. A 295, 1966).
+const PLASTIC_INDEX: f64 = 1.0;
+/// Set in [`State::warnings`] where the elastic assumption fails.
+pub const WARNING_PLASTIC: u64 = 1;
 /// Separations beyond this many sigma are out of range.
 const FARTHEST_SEPARATION: f64 = 1e50;
 
@@ -69,6 +76,25 @@ pub struct State {
     pub attracted: f64,
     /// The part of the load that those carry, <= 0 [force].
     pub attraction_load: f64,
+    /// Mean radius of the contacts [length]; 0 where there are none, as all that follows but the plasticity index.
+    pub mean_contact_radius: f64,
+    /// Radius of the largest of the `contacting` contacts [length]: the largest up to the height that 1/(contacting + 1)
+    /// of them exceed, as the tallest of so many does on average; at least the mean, which it is for contacting <= 1.
+    pub max_contact_radius: f64,
+    /// Fraction of the contacts up to the first radius of the slip law.
+    pub fraction_below_slip_radius_1: f64,
+    /// Fraction of the contacts between its radii.
+    pub fraction_between_slip_radii: f64,
+    /// Fraction of the contacts from its second radius on.
+    pub fraction_above_slip_radius_2: f64,
+    /// Fraction of the summits in contact.
+    pub fraction_in_contact: f64,
+    /// Load of the summits in contact over their real area [stress]; negative where adhesion pulls more than they push.
+    pub mean_asperity_pressure: f64,
+    /// Greenwood and Williamson's plasticity index E* (sigma/R)^(1/2)/H, the same in every state; 0 without a hardness.
+    pub plasticity_index: f64,
+    /// [`WARNING_PLASTIC`], or 0.
+    pub warnings: u64,
 }
 
 /// Constants of a model.
@@ -124,7 +150,7 @@ impl Model {
         }
         let law = law?;
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(LARGEST_COEFFICIENT);
-        Ok(Self { params: *params, groups, population, equilibrium, law, units, inverse_cap })
+        Ok(Self { params: params.clone(), groups, population, equilibrium, law, units, inverse_cap })
     }
 
     /// The parameters it was made from.
@@ -172,8 +198,11 @@ impl Model {
 
     /// Friction force and slope without the compiled law.
     pub(crate) fn exact_force(&self, load: f64) -> (f64, f64) {
-        match self.state_at_load(load) {
-            Ok(state) => (state.friction_force, state.dforce_dload),
+        match self.equilibrium_at(load) {
+            Ok((_, sums)) => {
+                let slope = if self.is_pull_off(load) { f64::INFINITY } else { self.force_slope(&sums) };
+                (self.units.of(self.units.force, &sums, sums.friction), slope)
+            }
             Err(Error::Separated { .. }) => (0.0, 0.0),
             // Without adhesion nothing is left at zero load.
             Err(Error::OutOfRange { .. }) if load == 0.0 => (0.0, f64::INFINITY),
@@ -207,6 +236,22 @@ impl Model {
     /// # Errors
     /// [`Error::InvalidLoad`], [`Error::Separated`] below pull-off, [`Error::OutOfRange`].
     pub fn state_at_load(&self, load: f64) -> Result<State, Error> {
+        let (separation, sums) = self.equilibrium_at(load)?;
+        let mut state = self.state(load, separation, &sums);
+        if self.is_pull_off(load) {
+            state.dforce_dload = f64::INFINITY;
+            state.dload_dseparation = 0.0;
+        }
+        Ok(state)
+    }
+
+    /// Whether a load is that of the pull-off point.
+    fn is_pull_off(&self, load: f64) -> bool {
+        self.equilibrium.pull_off().is_some() && load == self.pull_off_load()
+    }
+
+    /// The separation at a load, in sigma, and the sums there.
+    fn equilibrium_at(&self, load: f64) -> Result<(f64, Sums), Error> {
         if let Some(offence) = self.offence(load) {
             return Err(offence);
         }
@@ -220,10 +265,7 @@ impl Model {
         }
         if let Some(point) = self.equilibrium.pull_off() {
             if load == pull_off {
-                let mut state = self.state(load, point.separation, &self.population.at_separation(point.separation));
-                state.dforce_dload = f64::INFINITY;
-                state.dload_dseparation = 0.0;
-                return Ok(state);
+                return Ok((point.separation, self.population.at_separation(point.separation)));
             }
         } else if load == 0.0 {
             return Err(Error::OutOfRange {
@@ -235,8 +277,7 @@ impl Model {
         // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
         let log_excess = (load - pull_off).ln() - self.units.load.ln();
         let guess = self.law.separation(log_excess);
-        let (separation, sums) = self.equilibrium.at_log_excess(&self.population, log_excess, guess)?;
-        Ok(self.state(load, separation, &sums))
+        self.equilibrium.at_log_excess(&self.population, log_excess, guess)
     }
 
     /// The exact state at a separation, in contact or not, on the branch of load control or beyond it.
@@ -258,7 +299,7 @@ impl Model {
                 allowed: "must be within 1e50 height_std of zero",
             });
         }
-        let dimensionless = separation / self.units.length;
+        let dimensionless = separation / self.units.length - self.population.heights().origin();
         let sums = self.population.at_separation(dimensionless);
         let load = self.units.of_load(&sums, sums.load());
         Ok(self.state(load, dimensionless, &sums))
@@ -314,14 +355,19 @@ impl Model {
         (mu, if load <= force * self.inverse_cap { 0.0 } else { ratio(slope - mu, load) })
     }
 
+    /// d(friction force)/d(load).
+    fn force_slope(&self, sums: &Sums) -> f64 {
+        if sums.load_slope == 0.0 {
+            0.0
+        } else {
+            self.units.force / self.units.load * (sums.friction_slope / sums.load_slope)
+        }
+    }
+
     fn state(&self, load: f64, separation: f64, sums: &Sums) -> State {
         let units = &self.units;
         let friction_force = units.of(units.force, sums, sums.friction);
-        let dforce_dload = if sums.load_slope == 0.0 {
-            0.0
-        } else {
-            units.force / units.load * (sums.friction_slope / sums.load_slope)
-        };
+        let dforce_dload = self.force_slope(sums);
         // Beyond pull-off no load is in equilibrium: a pulling one has no coefficient.
         let on_branch = separation <= self.equilibrium.farthest();
         let (coefficient, dmu_dload) = if on_branch || load > 0.0 {
@@ -329,18 +375,53 @@ impl Model {
         } else {
             (0.0, 0.0)
         };
+        let contacting = units.of(units.count, sums, sums.contacting);
+        let contacts =
+            if contacting > 0.0 { self.population.contacts(separation, contacting) } else { Contacts::default() };
+        let [below, between, above] = contacts.by_regime;
+        let mean_asperity_pressure =
+            if sums.area > 0.0 { sums.load_contacting / sums.area * self.params.composite_modulus } else { 0.0 };
+        let plasticity_index = self.plasticity_index();
         State {
             load,
-            separation: separation * units.length,
+            separation: (separation + self.population.heights().origin()) * units.length,
             friction_force,
             friction_coefficient: coefficient,
             dforce_dload,
             dmu_dload,
             dload_dseparation: units.of(units.load / units.length, sums, sums.load_slope),
             real_area: units.of(units.area, sums, sums.area),
-            contacting: units.of(units.count, sums, sums.contacting),
+            contacting,
             attracted: units.of(units.count, sums, sums.attracted),
             attraction_load: units.of_load(sums, sums.load_attracted),
+            mean_contact_radius: contacts.mean_radius * self.params.burgers_vector,
+            max_contact_radius: contacts.largest_radius * self.params.burgers_vector,
+            fraction_below_slip_radius_1: below,
+            fraction_between_slip_radii: between,
+            fraction_above_slip_radius_2: above,
+            fraction_in_contact: units.of(1.0, sums, sums.contacting),
+            mean_asperity_pressure,
+            plasticity_index,
+            warnings: self.warnings(mean_asperity_pressure, plasticity_index),
+        }
+    }
+
+    /// E* (sigma/R)^(1/2)/H; 0 where the hardness is not known.
+    fn plasticity_index(&self) -> f64 {
+        if self.params.hardness > 0.0 {
+            self.params.composite_modulus / self.params.hardness * self.groups.alpha
+        } else {
+            0.0
+        }
+    }
+
+    fn warnings(&self, mean_pressure: f64, plasticity_index: f64) -> u64 {
+        let hardness = self.params.hardness;
+        let yields = hardness > 0.0 && mean_pressure >= YIELD_PRESSURE * hardness;
+        if yields || plasticity_index > PLASTIC_INDEX {
+            WARNING_PLASTIC
+        } else {
+            0
         }
     }
 }

@@ -3,12 +3,16 @@
 use crate::asperity::slip::SlipConstants;
 use crate::error::Error;
 use crate::groups::Groups;
+use crate::surface::heights::johnson::{self, Johnson};
+use crate::surface::heights::tabulated::Tabulated;
 use crate::surface::heights::weibull::{self, Weibull};
 use crate::surface::heights::Heights;
 use crate::surface::radius::RadiusProfile;
+use crate::surface::spectrum::SpectralMoments;
+use std::sync::Arc;
 
 /// The family of the distribution of summit heights.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum HeightFamily {
     /// Eq (17).
     Gaussian,
@@ -17,13 +21,27 @@ pub enum HeightFamily {
         /// omega > 0; 3.602 has no skew, more is negative skew.
         shape: f64,
     },
+    /// Johnson's system: skew and kurtosis chosen independently.
+    Johnson {
+        /// Third standardised moment.
+        skew: f64,
+        /// Fourth standardised moment, above skew^2 + 1; 3 with skew 0 is Gaussian.
+        kurtosis: f64,
+    },
+    /// A measured density of summit heights, in any unit and of any origin; it need not be normalised.
+    Tabulated {
+        /// Heights, strictly increasing.
+        height: Arc<[f64]>,
+        /// The density at each height, >= 0.
+        density: Arc<[f64]>,
+    },
 }
 
 /// Two rough elastic surfaces, as the equivalent rough surface against a flat.
 ///
 /// All quantities are in one consistent system of units. Loads, forces and areas are totals over
 /// `asperity_count` summits.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Params {
     /// E* [stress]: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
     pub composite_modulus: f64,
@@ -53,6 +71,8 @@ pub struct Params {
     pub slip: SlipConstants,
     /// Cap on every friction coefficient returned; may be infinite.
     pub max_friction_coefficient: f64,
+    /// H [stress], indentation hardness of the softer body, to judge whether contacts are elastic; 0 if not known.
+    pub hardness: f64,
 }
 
 impl Default for Params {
@@ -73,6 +93,7 @@ impl Default for Params {
             radius_rate: 0.5,
             slip: SlipConstants::default(),
             max_friction_coefficient: 1000.0,
+            hardness: 0.0,
         };
         params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
         params
@@ -86,12 +107,6 @@ const POSITIVE: &str = "must be finite and > 0";
 const MAGNITUDE: &str = "must be between 1e-40 and 1e40; choose other units";
 
 impl Params {
-    /// x
-    pub fn population(&self) -> crate::population::Population {
-        let (g, h, r) = self.surface().unwrap();
-        crate::population::Population::new(&g, self.slip, h, r, self.attraction)
-    }
-
     /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8).
     ///
     /// # Errors
@@ -156,6 +171,30 @@ impl Params {
         Ok(())
     }
 
+    /// Summits of an isotropic Gaussian surface: `height_std`, `summit_radius` and `asperity_count` from the spectral
+    /// moments of its profiles and its area.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`], also for moments that no such surface has, or [`Error::OutOfRange`]; the parameters
+    /// are then as before.
+    pub fn set_spectral_moments(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Error> {
+        let SpectralMoments { m0, m2, m4 } = moments;
+        for (name, value) in [("m0", m0), ("m2", m2), ("m4", m4), ("nominal_area", nominal_area)] {
+            positive(name, value)?;
+        }
+        if !moments.exist() {
+            return Err(Error::InvalidParameter {
+                name: "bandwidth m0 m4/m2^2",
+                value: moments.bandwidth().into(),
+                allowed: "must be at least 1.5, as that of every isotropic surface is",
+            });
+        }
+        self.height_std = moments.summit_height_std();
+        self.summit_radius = moments.summit_radius();
+        self.asperity_count = moments.summit_density() * nominal_area;
+        Ok(())
+    }
+
     /// Weibull heights of this skew.
     ///
     /// # Errors
@@ -194,10 +233,13 @@ impl Params {
         positive("summit_radius", self.summit_radius)?;
         positive("asperity_count", self.asperity_count)?;
         let heights = self.checked_heights()?;
-        let radius = self.checked_radius()?;
+        let radius = self.checked_radius(heights.origin())?;
         self.check_slip()?;
         if !infinite(self.max_friction_coefficient) {
             magnitude("max_friction_coefficient", self.max_friction_coefficient, "must be > 0; INFINITY is no cap")?;
+        }
+        if self.hardness.to_bits() << 1 != 0 {
+            magnitude("hardness", self.hardness, "must be finite and >= 0; 0 is not known")?;
         }
 
         let groups = Groups {
@@ -243,9 +285,9 @@ impl Params {
     }
 
     fn checked_heights(&self) -> Result<Heights, Error> {
-        match self.heights {
+        match &self.heights {
             HeightFamily::Gaussian => Ok(Heights::Gaussian),
-            HeightFamily::Weibull { shape } => {
+            &HeightFamily::Weibull { shape } => {
                 if !finite(shape) || shape <= 0.0 {
                     return Err(Error::InvalidParameter {
                         name: "weibull_shape",
@@ -263,10 +305,14 @@ impl Params {
                 }
                 Ok(Heights::Weibull(Box::new(Weibull::new(shape))))
             }
+            &HeightFamily::Johnson { skew, kurtosis } => checked_johnson(skew, kurtosis),
+            HeightFamily::Tabulated { height, density } => {
+                Ok(Heights::Tabulated(Box::new(Tabulated::new(height, density)?)))
+            }
         }
     }
 
-    fn checked_radius(&self) -> Result<RadiusProfile, Error> {
+    fn checked_radius(&self, origin: f64) -> Result<RadiusProfile, Error> {
         let (amplitude, rate) = (self.radius_amplitude, self.radius_rate);
         if nan(amplitude) || !(-1.0..=1.0).contains(&amplitude) {
             return Err(Error::InvalidParameter {
@@ -285,7 +331,7 @@ impl Params {
                 allowed: "must be between 1e-6 and 1000 where radius_amplitude is not 0",
             });
         }
-        Ok(RadiusProfile { amplitude, rate })
+        Ok(RadiusProfile { amplitude, rate, origin })
     }
 
     fn check_slip(&self) -> Result<(), Error> {
@@ -312,6 +358,32 @@ impl Params {
         }
         Ok(())
     }
+}
+
+/// Any skew, and any kurtosis above skew^2 + 1, have a meaning; not all are evaluated.
+fn checked_johnson(skew: f64, kurtosis: f64) -> Result<Heights, Error> {
+    if !finite(skew) {
+        return Err(Error::InvalidParameter { name: "skew", value: skew.into(), allowed: "must be finite" });
+    }
+    // Squares stay finite.
+    let bounded = skew.clamp(-1e100, 1e100);
+    if !finite(kurtosis) || kurtosis <= bounded * bounded + 1.0 {
+        return Err(Error::InvalidParameter {
+            name: "kurtosis",
+            value: kurtosis.into(),
+            allowed: "must be finite and > skew^2 + 1, as that of every distribution",
+        });
+    }
+    if kurtosis < johnson::smallest_kurtosis(bounded) || kurtosis > johnson::LARGEST_KURTOSIS {
+        return Err(Error::OutOfRange {
+            name: "kurtosis",
+            value: kurtosis.into(),
+            allowed: "must be between 1.4 + 1.3 skew^2 and 1000: nearer to skew^2 + 1 nearly all summits have one of \
+                      two heights",
+        });
+    }
+    let johnson = Johnson::new(skew, kurtosis);
+    Ok(if johnson.is_gaussian() { Heights::Gaussian } else { Heights::Johnson(Box::new(johnson)) })
 }
 
 /// Tested by bits: a comparison with a signalling NaN would raise a floating-point exception.

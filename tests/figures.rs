@@ -20,13 +20,14 @@ fn model(params: &Params) -> Model {
     Model::new(params).unwrap_or_else(|error| panic!("{params:?}: {error}"))
 }
 
-fn skewed(mut params: Params, skew: f64) -> Model {
+fn skewed(params: &Params, skew: f64) -> Model {
+    let mut params = params.clone();
     params.set_skew(skew).expect("a skew of the figures");
     model(&params)
 }
 
-fn with_radii(params: Params, amplitude: f64) -> Model {
-    model(&Params { radius_amplitude: amplitude, ..params })
+fn with_radii(params: &Params, amplitude: f64) -> Model {
+    model(&Params { radius_amplitude: amplitude, ..params.clone() })
 }
 
 /// How much the coefficient falls over the loads of the figures.
@@ -36,7 +37,7 @@ fn load_dependence(model: &Model) -> f64 {
 
 /// By what part noncontacting asperities raise the coefficient.
 fn effect_of_attraction(params: &Params, load: f64) -> f64 {
-    let without = model(&Params { attraction: false, ..*params });
+    let without = model(&Params { attraction: false, ..params.clone() });
     model(params).friction_at_load(load) / without.friction_at_load(load) - 1.0
 }
 
@@ -92,7 +93,7 @@ const SKEWS: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
 #[test]
 fn skew_lowers_friction_and_its_load_dependence() {
     for params in [surface(0.01, 1000.0, 0.001), surface(0.006, 1000.0, 0.001), surface(0.01, 500.0, 0.001)] {
-        let models = SKEWS.map(|skew| skewed(params, skew));
+        let models = SKEWS.map(|skew| skewed(&params, skew));
         for load in LOADS {
             let mu = models.each_ref().map(|model| model.friction_at_load(load));
             assert!(mu.windows(2).all(|pair| pair[0] > pair[1]), "at {load}: {mu:?}");
@@ -107,7 +108,7 @@ fn skew_lowers_friction_and_its_load_dependence() {
 fn skew_matters_more_on_a_smoother_surface() {
     let spread = |alpha: f64, load: f64| {
         let params = surface(alpha, 1000.0, 0.001);
-        skewed(params, -1.0).friction_at_load(load) - skewed(params, 1.0).friction_at_load(load)
+        skewed(&params, -1.0).friction_at_load(load) - skewed(&params, 1.0).friction_at_load(load)
     };
     for load in LOADS {
         assert!(spread(0.006, load) > spread(0.01, load), "at {load}");
@@ -121,7 +122,7 @@ fn a_smaller_beta_raises_friction_less_at_skew_minus_1_than_for_the_gaussian() {
     let (small, large) = (surface(0.01, 500.0, 0.001), surface(0.01, 1000.0, 0.001));
     for load in [100.0, 300.0, 1000.0, 3000.0] {
         let gaussian = model(&small).friction_at_load(load) / model(&large).friction_at_load(load);
-        let negative = skewed(small, -1.0).friction_at_load(load) / skewed(large, -1.0).friction_at_load(load);
+        let negative = skewed(&small, -1.0).friction_at_load(load) / skewed(&large, -1.0).friction_at_load(load);
         assert!(gaussian > 1.1 && negative < 0.95 * gaussian, "at {load}: {gaussian} and {negative}");
     }
 }
@@ -132,7 +133,7 @@ fn surface_energy_raises_friction_at_every_skew() {
     for skew in SKEWS {
         let (strong, weak) = (surface(0.01, 1000.0, 0.002), surface(0.01, 1000.0, 0.001));
         for load in LOADS {
-            let ratio = skewed(strong, skew).friction_at_load(load) / skewed(weak, skew).friction_at_load(load);
+            let ratio = skewed(&strong, skew).friction_at_load(load) / skewed(&weak, skew).friction_at_load(load);
             assert!(ratio > 1.0, "{ratio} at skew {skew}, load {load}");
         }
     }
@@ -142,7 +143,7 @@ fn surface_energy_raises_friction_at_every_skew() {
 fn weibull_without_skew_is_gaussian_at_heavy_load_and_not_at_light_load() {
     let params = surface(0.01, 1000.0, 0.001);
     let difference =
-        |load: f64| (skewed(params, 0.0).friction_at_load(load) / model(&params).friction_at_load(load) - 1.0).abs();
+        |load: f64| (skewed(&params, 0.0).friction_at_load(load) / model(&params).friction_at_load(load) - 1.0).abs();
     assert!(difference(1e5) < 0.005, "{} at heavy load", difference(1e5));
     assert!(difference(LIGHT) > 0.3, "{} at light load", difference(LIGHT));
     assert!(LOADS.windows(2).all(|pair| difference(pair[0]) > difference(pair[1])), "does not fall with load");
@@ -155,7 +156,7 @@ const AMPLITUDES: [f64; 5] = [-0.95, -0.5, 0.0, 0.5, 1.0];
 #[test]
 fn radii_that_grow_with_height_raise_friction_and_its_load_dependence() {
     for params in [surface(0.01, 1000.0, 0.001), surface(0.01, 5000.0, 0.001), surface(0.03, 1000.0, 0.001)] {
-        let models = AMPLITUDES.map(|amplitude| with_radii(params, amplitude));
+        let models = AMPLITUDES.map(|amplitude| with_radii(&params, amplitude));
         for load in LOADS {
             let mu = models.each_ref().map(|model| model.friction_at_load(load));
             assert!(mu.windows(2).all(|pair| pair[0] < pair[1]), "at {load}: {mu:?}");
@@ -168,7 +169,7 @@ fn radii_that_grow_with_height_raise_friction_and_its_load_dependence() {
 #[test]
 fn radii_that_shrink_with_height_nearly_remove_the_load_dependence() {
     let params = surface(0.01, 1000.0, 0.001);
-    let (shrinking, equal) = (load_dependence(&with_radii(params, -0.95)), load_dependence(&model(&params)));
+    let (shrinking, equal) = (load_dependence(&with_radii(&params, -0.95)), load_dependence(&model(&params)));
     assert!(shrinking.abs() < 0.3 * equal, "{shrinking}, with equal radii {equal}");
 }
 
@@ -176,7 +177,7 @@ fn radii_that_shrink_with_height_nearly_remove_the_load_dependence() {
 #[test]
 fn varying_radii_matter_less_for_larger_beta_and_larger_alpha() {
     let spread = |params: Params, load: f64| {
-        with_radii(params, 1.0).friction_at_load(load) - with_radii(params, -0.95).friction_at_load(load)
+        with_radii(&params, 1.0).friction_at_load(load) - with_radii(&params, -0.95).friction_at_load(load)
     };
     for load in LOADS {
         let figure_8 = spread(surface(0.01, 1000.0, 0.001), load);

@@ -11,9 +11,13 @@ program c_interface
 
   call versions_and_texts
   call default_parameters
+  call sizes_of_parameters
   call dimensionless_parameters
   call material_parameters
+  call spectral_moments
   call skewed_heights
+  call johnson_heights
+  call tabulated_heights
   call life_of_a_model
   call errors_of_values
   call batches
@@ -64,7 +68,32 @@ contains
     call check('epsilon = 0', identical(p%radius_amplitude, 0.0_c_double))
     call check('rho = 0.5', identical(p%radius_rate, 0.5_c_double))
     call check('coefficients are capped at 1000', identical(p%max_friction_coefficient, 1000.0_c_double))
+    call check('skew 0, kurtosis 3', identical(p%skew, 0.0_c_double) .and. identical(p%kurtosis, 3.0_c_double))
+    call check('no hardness', identical(p%hardness, 0.0_c_double))
+    call check('no table', .not. c_associated(p%table_height) .and. .not. c_associated(p%table_density) &
+               .and. p%table_length == 0)
   end subroutine default_parameters
+
+  ! The first version of the type ended with max_friction_coefficient.
+  subroutine sizes_of_parameters
+    integer(c_int64_t), parameter :: FIRST = 144
+    type(asperity_params) :: p
+    type(c_ptr) :: model
+    p%hardness = 5
+    call asperity_check(asperity_params_init_sized(p, FIRST))
+    call check('struct_size is the size that was given', p%struct_size == FIRST)
+    call check('... and no more was written', identical(p%hardness, 5.0_c_double))
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    call asperity_check(asperity_get_params_sized(model, p, FIRST + 24))
+    call check('what the size did not cover has its default', p%struct_size == FIRST + 24 .and. &
+               identical(p%hardness, 0.0_c_double))
+    call asperity_free(model)
+    call check('a size beyond the type is refused', &
+               asperity_params_init_sized(p, int(c_sizeof(p), c_int64_t) + 8) == ASPERITY_INVALID_PARAMETER)
+    call check_text('... with a message', asperity_error_message(), &
+                    'struct_size = 200: must be at most 192: the header is newer than the library')
+  end subroutine sizes_of_parameters
 
   subroutine dimensionless_parameters
     type(asperity_params) :: p
@@ -97,6 +126,22 @@ contains
     call check_close('against a rigid body G* = 2 G1', p%effective_shear_modulus, 2 * g1, 1e-14_c_double)
   end subroutine material_parameters
 
+  subroutine spectral_moments
+    real(c_double), parameter :: M0 = 3, M2 = 0.5_c_double, M4 = 0.7_c_double, AREA = 11
+    type(asperity_params) :: p
+    call asperity_check(asperity_params_init(p))
+    call asperity_check(asperity_params_set_spectral_moments(p, M0, M2, M4, AREA))
+    call check_close('variance of the summit heights', p%height_std**2, (1 - 0.8968_c_double * M2**2 / (M0 * M4)) * M0, &
+                     1e-4_c_double)
+    call check_close('radius of the summits', p%summit_radius, 0.375_c_double * sqrt(PI / M4), 1e-14_c_double)
+    call check_close('number of summits', p%asperity_count, M4 * AREA / (6 * PI * sqrt(3.0_c_double) * M2), &
+                     1e-14_c_double)
+    call check('a bandwidth below 1.5 is refused', &
+               asperity_params_set_spectral_moments(p, M2, M2, 1.49_c_double * M2, AREA) == ASPERITY_INVALID_PARAMETER)
+    call check_text('... with a message', asperity_error_message(), &
+                    'bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5, as that of every isotropic surface is')
+  end subroutine spectral_moments
+
   ! Skew from the moments of the Weibull distribution, B_n = Gamma(1 + n/omega).
   subroutine skewed_heights
     real(c_double), parameter :: SKEWS(3) = [-0.9_c_double, 0.4_c_double, 1.9_c_double]
@@ -122,6 +167,56 @@ contains
     b3 = gamma(1 + 3 / omega)
     skew = (b3 - 3 * b1 * b2 + 2 * b1**3) / sqrt(b2 - b1**2)**3
   end function weibull_skew
+
+  subroutine johnson_heights
+    type(asperity_params) :: p
+    type(asperity_summary) :: s
+    type(c_ptr) :: model
+    call asperity_check(asperity_params_init(p))
+    p%height_distribution = ASPERITY_HEIGHTS_JOHNSON
+    p%skew = -0.4_c_double
+    p%kurtosis = 3.8_c_double
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    call asperity_check(asperity_summary_of(model, s))
+    call check_close('the skew of the heights', s%skew, p%skew, 1e-9_c_double)
+    call check_close('... and their kurtosis', s%kurtosis, p%kurtosis, 1e-9_c_double)
+    p%kurtosis = 1
+    call check('no distribution has less than skew**2 + 1', &
+               asperity_set_params(model, p) == ASPERITY_INVALID_PARAMETER)
+    call asperity_free(model)
+  end subroutine johnson_heights
+
+  ! A triangle about 3: no skew, kurtosis 2.4.
+  subroutine tabulated_heights
+    real(c_double), target :: height(5), density(5)
+    real(c_double), pointer :: kept(:)
+    type(asperity_params) :: p, back
+    type(asperity_summary) :: s
+    type(c_ptr) :: model
+    height = [1, 2, 3, 4, 5]
+    density = [0, 1, 2, 1, 0]
+    call asperity_check(asperity_params_init(p))
+    p%height_distribution = ASPERITY_HEIGHTS_TABULATED
+    p%table_height = c_loc(height)
+    p%table_density = c_loc(density)
+    p%table_length = size(height)
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    height = 0
+    call asperity_check(asperity_summary_of(model, s))
+    call check('a symmetric table has no skew', abs(s%skew) < 1e-12_c_double)
+    call check_close('... and the kurtosis of a triangle', s%kurtosis, 2.4_c_double, 0.02_c_double)
+    call asperity_check(asperity_get_params(model, back))
+    call c_f_pointer(back%table_height, kept, [back%table_length])
+    call check('the model has its own table', size(kept) == 5 .and. identical(kept(5), 5.0_c_double))
+    call asperity_check(asperity_set_params(model, back))
+    call check('heights that do not increase are refused', &
+               asperity_set_params(model, p) == ASPERITY_INVALID_PARAMETER)
+    call check_text('... with a message', asperity_error_message(), &
+                    'table_height[1] = 0: must be greater than the height before it')
+    call asperity_free(model)
+  end subroutine tabulated_heights
 
   subroutine life_of_a_model
     type(asperity_params) :: p, back
@@ -377,6 +472,7 @@ contains
     integer :: i
     call asperity_check(asperity_params_init(p))
     p%work_of_adhesion = 0
+    p%hardness = 0.02_c_double
     p%asperity_count = 1000
     p%slip_radius_1 = 1e6_c_double
     p%slip_radius_2 = 1e7_c_double
@@ -392,6 +488,16 @@ contains
       call check_close('F = tau_1 A', state%friction_force, p%slip_stress_1 * p%effective_shear_modulus * area, &
                        1e-10_c_double)
       call check('without adhesion nothing attracts', identical(state%attracted, 0.0_c_double))
+      call check_close('the mean pressure is P/A', state%mean_asperity_pressure, state%load / area, 1e-10_c_double)
+      call check_close('the fraction in contact', state%fraction_in_contact, fraction, 1e-10_c_double)
+      call check_close('small contacts everywhere', state%fraction_below_slip_radius_1, 1.0_c_double, 1e-12_c_double)
+      call check('... and no others', identical(state%fraction_between_slip_radii, 0.0_c_double) .and. &
+                 identical(state%fraction_above_slip_radius_2, 0.0_c_double))
+      call check('contacts have a radius', state%mean_contact_radius > 0 .and. &
+                 state%max_contact_radius > state%mean_contact_radius)
+      call check_close('plasticity index', state%plasticity_index, p%composite_modulus / p%hardness &
+                       * sqrt(p%height_std / p%summit_radius), 1e-14_c_double)
+      call check('... above 1 warns', state%warnings == ASPERITY_WARNING_PLASTIC)
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
       call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)
       call check_close('... and so is its friction', at_load%friction_force, state%friction_force, 1e-9_c_double)

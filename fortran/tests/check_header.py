@@ -16,6 +16,10 @@ from pathlib import Path
 # Fortran does not tell these constants from the functions of the same name.
 RENAMED = {"ASPERITY_VERSION": "ASPERITY_HEADER_VERSION", "ASPERITY_ABI_VERSION": "ASPERITY_HEADER_ABI_VERSION"}
 
+# Macros in C and functions of the module in Fortran: what the library exports under these names is for programs that
+# were compiled with the first version of a struct.
+FOR_OLD_PROGRAMS = {"asperity_params_init", "asperity_get_params"}
+
 FIELD_TYPES = {
     "uint64_t": "integer(c_int64_t)",
     "uint32_t": "integer(c_int32_t)",
@@ -27,6 +31,7 @@ FIELD_TYPES = {
 VALUE_TYPES = {
     "double": "real(c_double), value",
     "size_t": "integer(c_size_t), value",
+    "uint64_t": "integer(c_int64_t), value",
     "asperity_status": "integer(c_int32_t), value",
     "const double *": "type(c_ptr), value",
     "double *": "type(c_ptr), value",
@@ -63,7 +68,10 @@ def read_header(path):
     for result, name, arguments in re.findall(r"^([\w ]+?[ *]+)(asperity_\w+)\(([^)]*)\);", text, flags=re.M | re.S):
         pairs = [] if arguments.strip() == "void" else [split_declaration(a) for a in arguments.split(",")]
         functions[name] = (spaced(result), pairs)
-    return constants, structs, functions
+    macros = set(re.findall(r"^#define (asperity_\w+)\(", text, flags=re.M))
+    if macros != FOR_OLD_PROGRAMS:
+        sys.exit(f"check_header.py: the macros of the header are {sorted(macros)}")
+    return constants, structs, {name: function for name, function in functions.items() if name not in macros}
 
 
 def split_declaration(text):

@@ -47,12 +47,20 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.version().decode() == _header.ASPERITY_VERSION
     assert lib.status_string(Status.SEPARATED) != lib.status_string(Status.OK) != b""
 
+    # The plain function serves programs of the first version of the struct, which ended with the cap.
+    first = _header.asperity_params.skew.offset
+    params.hardness = 5.0
     assert lib.params_init(params) == Status.OK
-    assert params.struct_size == ctypes.sizeof(params)
+    assert (params.struct_size, params.hardness) == (first, 5.0)
+    assert lib.params_init_sized(params, ctypes.sizeof(params) + 8) == Status.INVALID_PARAMETER
+    assert lib.params_init_sized(params, ctypes.sizeof(params)) == Status.OK
+    assert (params.struct_size, params.hardness) == (ctypes.sizeof(params), 0.0)
     assert lib.params_set_dimensionless(params, 0.02, 500.0, 0.002, 2.0, 0.25) == Status.OK
     assert (params.height_std, params.summit_radius) == (10.0, 25000.0)
     assert lib.params_set_materials(params, 3.0, 0.5, math.inf, 0.0) == Status.OK
     assert math.isclose(params.composite_modulus, 4.0, rel_tol=1e-15)
+    assert lib.params_set_spectral_moments(params, 3.0, 0.5, 0.7, 11.0) == Status.OK
+    assert math.isclose(params.summit_radius, 0.375 * math.sqrt(math.pi / 0.7), rel_tol=1e-14)
     assert lib.params_set_skew(params, 0.0) == Status.OK
     assert params.height_distribution == _header.ASPERITY_HEIGHTS_WEIBULL
     assert abs(params.weibull_shape - 3.602) < 5e-4  # Table 1 of the paper
@@ -64,6 +72,8 @@ def test_every_function_of_the_header_works() -> None:
 
     assert lib.create(params, model) == Status.OK
     assert lib.get_params(model, back) == Status.OK
+    assert back.struct_size == first and bytes(back)[8:first] == bytes(params)[8:first]
+    assert lib.get_params_sized(model, back, ctypes.sizeof(back)) == Status.OK
     assert bytes(back) == bytes(params)
     params.asperity_count = 7.0
     assert lib.set_params(model, params) == Status.OK
@@ -117,14 +127,22 @@ def test_parameters_reach_the_library_unchanged() -> None:
         composite_modulus=1.1e11, effective_shear_modulus=6.5e10, work_of_adhesion=0.06, adhesion_range=4e-10,
         burgers_vector=3e-10, height_std=5e-9, summit_radius=1e-6, asperity_count=1.5e5, attraction=False,
         height_distribution="weibull", weibull_shape=2.5, radius_amplitude=-0.3, radius_rate=0.7, slip_radius_1=30.0,
-        slip_stress_1=0.02, slip_radius_2=7e4, slip_stress_2=8e-4, max_friction_coefficient=12.0,
+        slip_stress_1=0.02, slip_radius_2=7e4, slip_stress_2=8e-4, max_friction_coefficient=12.0, hardness=9e9,
     )  # fmt: skip
     with Model(params) as model:
-        back = _header.asperity_params()
-        _library.check(_library.LIBRARY.asperity_get_params(model._open().pointer, back))
+        back = parameters_of(model)
     found = {field[0]: getattr(back, field[0]) for field in back._fields_[1:]}
+    assert not found.pop("table_height") and not found.pop("table_density") and found.pop("table_length") == 0
     expected = dict(vars(params), height_distribution=_header.ASPERITY_HEIGHTS_WEIBULL, attraction=0)
+    del expected["table_height"], expected["table_density"]
     assert found == expected
+
+
+def parameters_of(model: Model) -> Any:
+    back = _header.asperity_params()
+    pointer, size = model._open().pointer, ctypes.sizeof(back)
+    _library.check(_library.LIBRARY.asperity_get_params_sized(pointer, back, size))
+    return back
 
 
 def test_the_message_reads_whole() -> None:

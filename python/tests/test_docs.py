@@ -1,4 +1,4 @@
-"""Every code block of the guide runs, in the order of the page, in an environment with nothing installed.
+"""Every code block of the guides runs, in the order of the page, in an environment with nothing installed.
 
 A `text` block after a `sh` or `python` block is what the latter prints.
 """
@@ -72,4 +72,5 @@ def test_the_guide_runs_and_prints_what_it_says(root: Path, checkout: Path, envi
     check_page(root / "docs" / "python.md", checkout, environment)
     assert len(list((checkout / "wheels").glob("asperity-*-py3-none-*.whl"))) == 1
     assert (checkout / "friction_curve.svg").read_text(encoding="utf-8").startswith("<?xml")
-    check_page(root / "python" / "README.md", checkout, environment)  # in what the guide installed
+    for page in ("python/README.md", "docs/roughness.md", "docs/materials.md"):  # in what the guide installed
+        check_page(root / page, checkout, environment)

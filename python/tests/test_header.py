@@ -12,7 +12,7 @@ from typing import Any, Callable
 
 import pytest
 
-from asperity import Params, State, Status, Summary, _header
+from asperity import Params, State, Status, Summary, Warnings, _header
 
 STRUCTS = ("asperity_params", "asperity_state", "asperity_summary", "asperity_table")
 TYPES = {
@@ -111,10 +111,15 @@ def test_sizes_offsets_and_constants_agree_with_a_c_compiler(
 
 @pytest.mark.parametrize("python, c", list(zip((Params, State, Summary), STRUCTS)))
 def test_dataclasses_have_the_fields_of_the_structs(python: Any, c: str) -> None:
-    theirs = [name for name, _ in getattr(_header, c)._fields_ if name != "struct_size"]
+    theirs = [name for name, _ in getattr(_header, c)._fields_ if name not in ("struct_size", "table_length")]
     assert [field.name.rstrip("_") for field in fields(python)] == theirs
 
 
+def test_warnings_are_those_of_the_header(header: str) -> None:
+    theirs = {name: value for name, value in constants(header).items() if "WARNING" in name}
+    assert {f"ASPERITY_WARNING_{warning.name}": int(warning) for warning in Warnings} == theirs
+
+
 def test_statuses_are_those_of_the_header(header: str) -> None:
-    names = [name for name in constants(header) if not re.search("VERSION|HEIGHTS|TABLE", name)]
+    names = [name for name in constants(header) if not re.search("VERSION|HEIGHTS|TABLE|WARNING", name)]
     assert [f"ASPERITY_{status.name}" for status in Status] == names

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from asperity import Error, Model, Params, State, Status, Summary
+from asperity import Error, Model, Params, State, Status, Summary, Warnings
 from asperity._library import LIBRARY
 
 METHODS = ["friction_at_load", "friction_force_at_load"]
@@ -193,8 +193,33 @@ def test_results_are_frozen_dataclasses(model: Model) -> None:
     for result in (state, summary):
         with pytest.raises(AttributeError):
             result.load = 1.0  # type: ignore[union-attr, misc]
-        assert all(type(value) is float for value in vars(result).values())
+        assert all(type(value) is (int if name == "warnings" else float) for name, value in vars(result).items())
         assert pickle.loads(pickle.dumps(result)) == result
+
+
+def test_a_state_tells_of_its_contacts(params: Params) -> None:
+    with Model(params.replace(asperity_count=1e4, hardness=0.05)) as model:
+        state = model.state_at_load(1e5)
+    regimes = (
+        state.fraction_below_slip_radius_1,
+        state.fraction_between_slip_radii,
+        state.fraction_above_slip_radius_2,
+    )
+    assert math.fsum(regimes) == pytest.approx(1, rel=1e-12)
+    assert state.fraction_in_contact == pytest.approx(state.contacting / 1e4, rel=1e-14)
+    assert state.mean_asperity_pressure == pytest.approx((1e5 - state.attraction_load) / state.real_area, rel=1e-12)
+    # a <= (mean of a^2)^(1/2)
+    assert 0 < state.mean_contact_radius < math.sqrt(state.real_area / state.contacting / math.pi)
+    assert state.max_contact_radius > state.mean_contact_radius
+    assert state.plasticity_index == pytest.approx(params.composite_modulus / 0.05 * 0.01, rel=1e-12)
+    assert state.warnings & Warnings.PLASTIC == 0
+
+
+def test_warnings_need_a_hardness(params: Params) -> None:
+    for hardness, index, warnings in ((0.0, 0.0, 0), (0.001, 28.57, Warnings.PLASTIC)):
+        with Model(params.replace(hardness=hardness)) as model:
+            state = model.state_at_load(10.0)
+        assert state.plasticity_index == pytest.approx(index, rel=1e-3) and state.warnings == warnings
 
 
 def test_load_and_separation_lead_to_the_same_state(model: Model) -> None:

@@ -80,7 +80,7 @@ def test_density_and_area_must_be_positive_each(name: str, value: float) -> None
 @pytest.mark.parametrize(
     "change, message",
     [
-        ({"height_distribution": "lognormal"}, "height_distribution = 'lognormal': must be 'gaussian' or 'weibull'"),
+        ({"height_distribution": "lognormal"}, "height_distribution = 'lognormal': must be one of 'gaussian', 'weibull'"),
         ({"attraction": 2}, "attraction = 2: must be True or False"),
         ({"skew": -1.2}, "skew = -1.2: must be finite and > -1.13955"),
     ],
@@ -105,6 +105,42 @@ def test_skew_chooses_weibull_heights_of_that_skew(params: Params) -> None:
 def test_a_shape_alone_means_weibull_heights(params: Params) -> None:
     assert params.replace(weibull_shape=2.0).height_distribution == "weibull"
     assert params.replace(weibull_shape=2.0, height_distribution="gaussian").height_distribution == "gaussian"
+
+
+def test_a_kurtosis_means_johnson_heights_of_that_skew(params: Params) -> None:
+    johnson = params.replace(skew=0.4, kurtosis=3.8)
+    assert (johnson.height_distribution, johnson.skew, johnson.kurtosis) == ("johnson", 0.4, 3.8)
+    assert params.replace(kurtosis=4).skew == 0
+    # Of Johnson's heights a new skew is a Johnson skew; elsewhere it is one of Weibull's.
+    assert johnson.replace(skew=-0.2).height_distribution == "johnson"
+    assert params.replace(skew=-0.2).height_distribution == "weibull"
+    with Model(johnson) as model:
+        summary = model.summary()
+        assert summary.skew == pytest.approx(0.4, abs=1e-9) and summary.kurtosis == pytest.approx(3.8, abs=1e-9)
+        assert model.params == johnson
+    with pytest.raises(Error, match="kurtosis = 1"):
+        Model(params.replace(skew=1, kurtosis=1))
+    with pytest.raises(TypeError, match="mean different height distributions"):
+        params.replace(kurtosis=4, weibull_shape=2)
+
+
+def test_a_table_means_tabulated_heights(params: Params) -> None:
+    table = params.replace(table_height=[0, 1, 2, 3], table_density=(0, 1, 1, 0))
+    assert table.height_distribution == "tabulated"
+    assert table.table_height == (0.0, 1.0, 2.0, 3.0)
+    assert hash(table) != hash(params) and pickle.loads(pickle.dumps(table)) == table and eval(repr(table)) == table
+    with Model(params.replace(table_height=[1, 2, 3, 4, 5], table_density=[0, 1, 2, 1, 0])) as model:
+        assert abs(model.summary().skew) < 1e-12
+        assert model.friction_at_load(10.0) > 0
+        assert pickle.loads(pickle.dumps(model)).friction_at_load(10.0) == model.friction_at_load(10.0)
+    with pytest.raises(Error, match=r"table_height\[2\] = 1: must be greater than the height before it"):
+        Model(params.replace(table_height=[0, 1, 1, 3], table_density=[0, 1, 1, 0]))
+    with pytest.raises(Error, match="table_density: 2 numbers for 0 heights"):
+        params.replace(table_density=[1, 2])
+    with pytest.raises(TypeError, match=r"table_height\[1\] = '1': must be a real number"):
+        params.replace(table_height=[0, "1"], table_density=[1, 2])
+    with pytest.raises(TypeError, match="do not give table_density or table_height too"):
+        params.replace(skew=0.5, table_height=[0, 1], table_density=[1, 2])
 
 
 def test_parameters_are_immutable_values(params: Params) -> None:

@@ -14,8 +14,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// breaks with a > 0. It is where d^2u/dtheta^2 = 0 at theta = pi/2.
 pub const FOLD_LAMBDA_CUBED: f64 = 0.825_154_991_394_896_2;
 
-/// A Newton step in theta, over theta, so small that the derivatives at its beginning carry the contact along.
-const FIRST_ORDER_STEP: f64 = 1e-13;
+/// A Newton step in theta, over the distance to 0 or pi/2, so small that the derivatives at its beginning carry the
+/// contact along: by itself for the contact, and times the step before for the derivatives.
+const FIRST_ORDER_STEP: f64 = 1e-8;
+const FIRST_ORDER_STEPS: f64 = 1e-13;
 
 /// Maugis' contact law with its coefficients, for any local radius factor `g`.
 ///
@@ -61,16 +63,24 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// The contact at a theta so near that first order is exact, where its overlap is known to be `overlap`.
+    /// The contact at a theta so near that first order is exact, where its overlap is known to be `overlap`; the change
+    /// of its derivatives is that since `before`.
     #[inline]
-    fn moved(self, theta: f64, overlap: f64) -> Self {
+    fn moved(self, theta: f64, overlap: f64, before: &Contact) -> Self {
         let step = theta - self.theta;
+        let way = self.theta - before.theta;
+        let part = if way != 0.0 { step / way } else { 0.0 };
+        let onwards = |here: f64, before: f64| here + part * (here - before);
         Self {
             theta,
             overlap,
             radius: self.radius + step * self.radius_rate,
             load: self.load + step * self.load_rate,
-            ..self
+            overlap_rate: onwards(self.overlap_rate, before.overlap_rate),
+            radius_rate: onwards(self.radius_rate, before.radius_rate),
+            load_rate: onwards(self.load_rate, before.load_rate),
+            overlap_by_g: onwards(self.overlap_by_g, before.overlap_by_g),
+            radius_by_g: onwards(self.radius_by_g, before.radius_by_g),
         }
     }
 }
@@ -149,6 +159,7 @@ impl Maugis {
     pub fn at_overlap(&self, overlap: f64, g: f64, guess: f64) -> Contact {
         let (mut lower, mut upper) = (0.0, FRAC_PI_2);
         let mut contact = self.at(guess.min(FRAC_PI_2), g);
+        let mut before = contact;
         let mut last_step = None;
         for _ in 0..200 {
             let theta = contact.theta;
@@ -169,9 +180,13 @@ impl Maugis {
                 false => 0.5 * upper,
             };
             let step = (next - theta).abs();
-            if trusted && step <= FIRST_ORDER_STEP * theta {
-                return contact.moved(next, overlap);
+            let way = last_step.unwrap_or(theta);
+            // Next to pi/2 the radius is proportional to the distance from there.
+            let scale = theta.min(FRAC_PI_2 - theta);
+            if trusted && step <= FIRST_ORDER_STEP * scale && step * way <= FIRST_ORDER_STEPS * scale * scale {
+                return contact.moved(next, overlap, &before);
             }
+            before = contact;
             contact = self.at(next, g);
             if !trusted {
                 last_step = None;

@@ -1,13 +1,39 @@
 //! Making, changing and freeing models.
 
-use super::boundary::{self, reference, reference_mut, Failure};
-use super::params::asperity_params;
+use super::boundary::{self, reference, reference_mut, wrong_struct_size, Failure};
+use super::params::{asperity_params, checked_size, FIRST_SIZE};
 use super::status::asperity_status;
 use crate::model::Model;
 
 /// A friction law ready for use; opaque.
 pub struct asperity_model {
     pub(super) model: Model,
+    /// Whether its maker's parameters have fields that their `struct_size` does not cover.
+    unannounced_fields: bool,
+}
+
+impl asperity_model {
+    unsafe fn new(params: *const asperity_params) -> Result<Self, Failure> {
+        let params = asperity_params::read(params)?;
+        let unannounced_fields = params.end_of_heights() > params.struct_size;
+        Ok(Self { model: Model::new(&params.to_params()?)?, unannounced_fields })
+    }
+
+    /// Writes its parameters to a caller's struct of a size, with room for perhaps more.
+    unsafe fn write_params(&self, params: *mut asperity_params, size: u64, room: u64) -> Result<(), Failure> {
+        if params.is_null() {
+            return Err(Failure::Null("params"));
+        }
+        let whole = asperity_params { struct_size: size, ..asperity_params::from_params(self.model.params()) };
+        if whole.end_of_heights() > room {
+            return Err(wrong_struct_size(
+                size,
+                "must reach the fields that the model's heights read: call asperity_get_params_sized",
+            ));
+        }
+        whole.write(params, room);
+        Ok(())
+    }
 }
 
 /// Makes a model: checks the parameters, finds the pull-off load, compiles the law.
@@ -26,10 +52,8 @@ pub unsafe extern "C" fn asperity_create(
     model: *mut *mut asperity_model,
 ) -> asperity_status {
     boundary::status(|| {
-        let params = reference(params, "params")?;
         let out = reference_mut(model, "model")?;
-        let model = Model::new(&params.to_params()?)?;
-        *out = Box::into_raw(Box::new(asperity_model { model }));
+        *out = Box::into_raw(Box::new(asperity_model::new(params)?));
         Ok(())
     })
 }
@@ -48,17 +72,23 @@ pub unsafe extern "C" fn asperity_set_params(
 ) -> asperity_status {
     boundary::status(|| {
         let handle = reference_mut(model, "model")?;
-        let params = reference(params, "params")?;
-        handle.model = Model::new(&params.to_params()?)?;
+        *handle = asperity_model::new(params)?;
         Ok(())
     })
 }
 
 /// Copies the parameters of a model out.
 ///
+/// A table is not copied: the pointers to it are those of the model's own copy, valid until `asperity_set_params` or
+/// `asperity_free`. They may be given to `asperity_set_params` of the same model.
+///
+/// This function sets `struct_size` and the fields of the first version of the struct, as `asperity_params_init` does,
+/// and in C and C++ a macro of its name calls `asperity_get_params_sized` instead. It refuses where heights read later
+/// fields, unless the model was made from a struct that had these although its `struct_size` did not say so.
+///
 /// @param model   must not be NULL
-/// @param params  receives the parameters; must not be NULL; its `struct_size` need not be set
-/// @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
+/// @param params  receives the parameters; must not be NULL; its `struct_size` need not be set; untouched on failure
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (the struct lacks fields)
 ///
 /// Threads: may share the model.
 #[no_mangle]
@@ -68,12 +98,29 @@ pub unsafe extern "C" fn asperity_get_params(
 ) -> asperity_status {
     boundary::status(|| {
         let handle = reference(model, "model")?;
-        if params.is_null() {
-            return Err(Failure::Null("params"));
-        }
-        // SAFETY: the caller gives memory for the struct, which need not be initialised.
-        params.write(asperity_params::from_params(handle.model.params()));
-        Ok(())
+        let end_of_heights = asperity_params::from_params(handle.model.params()).end_of_heights();
+        handle.write_params(params, FIRST_SIZE, if handle.unannounced_fields { end_of_heights } else { FIRST_SIZE })
+    })
+}
+
+/// Copies the parameters of a model out, as `asperity_get_params`, into a struct of this size.
+///
+/// @param model        must not be NULL
+/// @param params       receives the parameters; must not be NULL; untouched on failure
+/// @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct, or
+///         one that lacks fields which the heights read)
+///
+/// Threads: may share the model.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_get_params_sized(
+    model: *const asperity_model,
+    params: *mut asperity_params,
+    struct_size: u64,
+) -> asperity_status {
+    boundary::status(|| {
+        let size = checked_size(struct_size)?;
+        reference(model, "model")?.write_params(params, size, size)
     })
 }
 

@@ -1,26 +1,35 @@
-//! Parameters, as C sees them.
+//! Parameters, as C sees them: a struct that grew, of which callers may have an earlier, shorter version.
 
-use super::boundary::{self, reference_mut, wrong_struct_size, Failure};
-use super::status::asperity_status;
+use super::boundary::{wrong_struct_size, Failure};
 use crate::asperity::slip::SlipConstants;
-use crate::error::Error;
+use crate::error::{Error, Value};
 use crate::params::{HeightFamily, Params};
-use std::mem::size_of;
+use crate::surface::heights::tabulated;
+use std::mem::{offset_of, size_of};
+use std::sync::Arc;
 
 /// Gaussian heights, eq (17).
 pub const ASPERITY_HEIGHTS_GAUSSIAN: i32 = 0;
 /// Weibull heights, eqs (18)-(21): skewed, with `weibull_shape`.
 pub const ASPERITY_HEIGHTS_WEIBULL: i32 = 1;
+/// Heights of Johnson's system: with `skew` and `kurtosis`, independent of each other.
+pub const ASPERITY_HEIGHTS_JOHNSON: i32 = 2;
+/// Heights of a measured density: with `table_height`, `table_density` and `table_length`.
+pub const ASPERITY_HEIGHTS_TABULATED: i32 = 3;
 
 /// Two rough elastic surfaces, as the equivalent rough surface against a flat.
 ///
 /// All quantities are in one consistent system of units of the caller's choice: SI, mm-N-MPa, or the paper's
 /// b = G = 1. Loads, forces and areas are totals over `asperity_count` summits. Start from `asperity_params_init`,
-/// which also sets `struct_size`; fields that later versions append then have their defaults.
+/// which also sets `struct_size`.
+///
+/// The struct grew: `max_friction_coefficient` is the last field of its first version. Fields that `struct_size` does
+/// not cover have their defaults, but for those that `height_distribution` asks for: `ASPERITY_HEIGHTS_JOHNSON` and
+/// `ASPERITY_HEIGHTS_TABULATED` came with the fields that they read, so whoever sets one of them has these fields.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_params {
-    /// Size of this struct in bytes, as the caller was compiled; set by `asperity_params_init`.
+    /// Bytes of this struct that the caller has; set by `asperity_params_init`.
     pub struct_size: u64,
     /// E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
     pub composite_modulus: f64,
@@ -38,7 +47,7 @@ pub struct asperity_params {
     pub summit_radius: f64,
     /// N, > 0: number of summits, summit density times nominal area; need not be whole.
     pub asperity_count: f64,
-    /// `ASPERITY_HEIGHTS_GAUSSIAN` (the default) or `ASPERITY_HEIGHTS_WEIBULL`.
+    /// Family of the summit heights, one of `ASPERITY_HEIGHTS_`; Gaussian by default.
     pub height_distribution: i32,
     /// 1: summits out of contact attract (the default, as in the paper); 0: they do not.
     pub attraction: i32,
@@ -59,20 +68,79 @@ pub struct asperity_params {
     /// Cap on every friction coefficient returned, > 0: at and near zero load F/P grows without bound. 1000 by
     /// default, INFINITY allowed.
     pub max_friction_coefficient: f64,
+    /// Skew of the summit heights; read only for `ASPERITY_HEIGHTS_JOHNSON`. 0 by default.
+    pub skew: f64,
+    /// Kurtosis of the summit heights, > skew^2 + 1; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by default, which
+    /// with skew 0 is Gaussian.
+    pub kurtosis: f64,
+    /// H [stress], > 0: indentation hardness of the softer body, which `asperity_state` compares pressures with; it
+    /// does not change friction. 0, the default: not known.
+    pub hardness: f64,
+    /// `table_length` summit heights, strictly increasing, in any unit and from any origin: the library standardises
+    /// them. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model is made. NULL by default.
+    pub table_height: *const f64,
+    /// The density at each of them, >= 0; it need not be normalised. NULL by default.
+    pub table_density: *const f64,
+    /// Number of heights in the table, 3 to 4096. 0 by default.
+    pub table_length: u64,
 }
 
-/// Size of the first version, below which no caller can be.
-const FIRST_SIZE: u64 = size_of::<asperity_params>() as u64;
+/// Size of the first version.
+pub(super) const FIRST_SIZE: u64 = offset_of!(asperity_params, skew) as u64;
+/// Size of today's version.
+const SIZE: u64 = size_of::<asperity_params>() as u64;
+/// Where the fields that Johnson's heights read end.
+const JOHNSON_END: u64 = offset_of!(asperity_params, hardness) as u64;
+/// Where the hardness ends.
+const HARDNESS_END: u64 = offset_of!(asperity_params, table_height) as u64;
 
 impl asperity_params {
-    /// The C form of parameters.
+    /// The parameters of a caller, from a struct of any version, with defaults for what it lacks.
+    ///
+    /// # Safety
+    /// `params` is NULL or points to a struct that has the bytes its first field says, and the fields that its
+    /// `height_distribution` reads.
+    pub(super) unsafe fn read(params: *const Self) -> Result<Self, Failure> {
+        if params.is_null() {
+            return Err(Failure::Null("params"));
+        }
+        let mut whole = Self::from_params(&Params::default());
+        let size = checked_size(params.cast::<u64>().read())?;
+        whole.copy_from(params, size);
+        whole.copy_from(params, size.max(whole.end_of_heights()));
+        if size < HARDNESS_END {
+            whole.hardness = 0.0;
+        }
+        Ok(whole)
+    }
+
+    unsafe fn copy_from(&mut self, params: *const Self, size: u64) {
+        // SAFETY: no more than today's size, which fits both sides and a usize.
+        std::ptr::copy_nonoverlapping(params.cast::<u8>(), std::ptr::from_mut(self).cast::<u8>(), size as usize);
+    }
+
+    /// Writes the first `size` bytes of the struct to a caller's, which need not be initialised.
+    ///
+    /// # Safety
+    /// `params` has so many bytes.
+    pub(super) unsafe fn write(&self, params: *mut Self, size: u64) {
+        // SAFETY: no more than today's size.
+        std::ptr::copy_nonoverlapping(std::ptr::from_ref(self).cast::<u8>(), params.cast::<u8>(), size as usize);
+    }
+
+    /// Where the fields that the heights read end.
+    pub(super) fn end_of_heights(&self) -> u64 {
+        match self.height_distribution {
+            ASPERITY_HEIGHTS_JOHNSON => JOHNSON_END,
+            ASPERITY_HEIGHTS_TABULATED => SIZE,
+            _ => FIRST_SIZE,
+        }
+    }
+
+    /// The C form of parameters; a table is pointed to where it is.
     pub(super) fn from_params(params: &Params) -> Self {
-        let (height_distribution, weibull_shape) = match params.heights {
-            HeightFamily::Gaussian => (ASPERITY_HEIGHTS_GAUSSIAN, DEFAULT_SHAPE),
-            HeightFamily::Weibull { shape } => (ASPERITY_HEIGHTS_WEIBULL, shape),
-        };
-        Self {
-            struct_size: FIRST_SIZE,
+        let mut whole = Self {
+            struct_size: SIZE,
             composite_modulus: params.composite_modulus,
             effective_shear_modulus: params.effective_shear_modulus,
             work_of_adhesion: params.work_of_adhesion,
@@ -81,9 +149,9 @@ impl asperity_params {
             height_std: params.height_std,
             summit_radius: params.summit_radius,
             asperity_count: params.asperity_count,
-            height_distribution,
+            height_distribution: ASPERITY_HEIGHTS_GAUSSIAN,
             attraction: params.attraction.into(),
-            weibull_shape,
+            weibull_shape: DEFAULT_SHAPE,
             radius_amplitude: params.radius_amplitude,
             radius_rate: params.radius_rate,
             slip_radius_1: params.slip.radius_1,
@@ -91,33 +159,54 @@ impl asperity_params {
             slip_radius_2: params.slip.radius_2,
             slip_stress_2: params.slip.stress_2,
             max_friction_coefficient: params.max_friction_coefficient,
+            skew: 0.0,
+            kurtosis: 3.0,
+            hardness: params.hardness,
+            table_height: std::ptr::null(),
+            table_density: std::ptr::null(),
+            table_length: 0,
+        };
+        match &params.heights {
+            HeightFamily::Gaussian => {}
+            HeightFamily::Weibull { shape } => {
+                whole.height_distribution = ASPERITY_HEIGHTS_WEIBULL;
+                whole.weibull_shape = *shape;
+            }
+            HeightFamily::Johnson { skew, kurtosis } => {
+                whole.height_distribution = ASPERITY_HEIGHTS_JOHNSON;
+                (whole.skew, whole.kurtosis) = (*skew, *kurtosis);
+            }
+            HeightFamily::Tabulated { height, density } => {
+                whole.height_distribution = ASPERITY_HEIGHTS_TABULATED;
+                (whole.table_height, whole.table_density) = (height.as_ptr(), density.as_ptr());
+                whole.table_length = height.len() as u64;
+            }
         }
+        whole
     }
 
     /// The library's form; only what is an enum in spirit is checked here, the numbers where they are used.
-    pub(super) fn to_params(self) -> Result<Params, Failure> {
-        self.check_size()?;
+    ///
+    /// # Safety
+    /// The table, where the heights are one, has the length it says.
+    pub(super) unsafe fn to_params(self) -> Result<Params, Failure> {
         let heights = match self.height_distribution {
             ASPERITY_HEIGHTS_GAUSSIAN => HeightFamily::Gaussian,
             ASPERITY_HEIGHTS_WEIBULL => HeightFamily::Weibull { shape: self.weibull_shape },
+            ASPERITY_HEIGHTS_JOHNSON => HeightFamily::Johnson { skew: self.skew, kurtosis: self.kurtosis },
+            ASPERITY_HEIGHTS_TABULATED => self.table()?,
             other => {
-                return Err(Failure::Error(Error::InvalidParameter {
-                    name: "height_distribution",
-                    value: other.into(),
-                    allowed: "must be ASPERITY_HEIGHTS_GAUSSIAN (0) or ASPERITY_HEIGHTS_WEIBULL (1)",
-                }))
+                return Err(invalid(
+                    "height_distribution",
+                    other.into(),
+                    "must be one of ASPERITY_HEIGHTS_: GAUSSIAN (0), WEIBULL (1), JOHNSON (2), TABULATED (3)",
+                ))
             }
         };
         let attraction = match self.attraction {
             0 => false,
             1 => true,
-            other => {
-                return Err(Failure::Error(Error::InvalidParameter {
-                    name: "attraction",
-                    value: other.into(),
-                    allowed: "must be 0 or 1",
-                }))
-            }
+            other => return Err(invalid("attraction", other.into(), "must be 0 or 1")),
         };
         Ok(Params {
             composite_modulus: self.composite_modulus,
@@ -139,148 +228,51 @@ impl asperity_params {
                 stress_2: self.slip_stress_2,
             },
             max_friction_coefficient: self.max_friction_coefficient,
+            hardness: self.hardness,
         })
     }
 
-    fn check_size(&self) -> Result<(), Failure> {
-        if self.struct_size == FIRST_SIZE {
-            return Ok(());
+    /// A copy of the caller's table.
+    unsafe fn table(&self) -> Result<HeightFamily, Failure> {
+        const _: () = assert!(tabulated::LENGTHS.0 == 3 && tabulated::LENGTHS.1 == 4096);
+        let (fewest, most) = tabulated::LENGTHS;
+        let length = usize::try_from(self.table_length).unwrap_or(usize::MAX);
+        if length < fewest || length > most {
+            let value = Value::Integer(i64::try_from(self.table_length).unwrap_or(i64::MAX));
+            return Err(invalid("table_length", value, "must be between 3 and 4096"));
         }
-        Err(wrong_struct_size(
-            self.struct_size,
-            "must be sizeof(asperity_params) of the header of this library; call asperity_params_init first",
-        ))
+        let column = |name: &'static str, first: *const f64| {
+            if first.is_null() {
+                return Err(Failure::Null(name));
+            }
+            // SAFETY: the caller says that there are so many.
+            Ok(Arc::from(unsafe { std::slice::from_raw_parts(first, length) }))
+        };
+        Ok(HeightFamily::Tabulated {
+            height: column("table_height", self.table_height)?,
+            density: column("table_density", self.table_density)?,
+        })
     }
+}
+
+/// The size of a caller's struct, if it is one of a version up to today's.
+pub(super) fn checked_size(size: u64) -> Result<u64, Failure> {
+    const _: () = assert!(FIRST_SIZE == 144 && SIZE == 192);
+    if size > SIZE {
+        return Err(wrong_struct_size(size, "must be at most 192: the header is newer than the library"));
+    }
+    if size < FIRST_SIZE || !size.is_multiple_of(8) {
+        return Err(wrong_struct_size(
+            size,
+            "must be sizeof(asperity_params), 144 to 192 in steps of 8; call asperity_params_init first",
+        ));
+    }
+    Ok(size)
+}
+
+fn invalid(name: &'static str, value: Value, allowed: &'static str) -> Failure {
+    Failure::Error(Error::InvalidParameter { name, value, allowed })
 }
 
 /// The shape of Weibull heights without skew (Table 1 of the paper).
 const DEFAULT_SHAPE: f64 = 3.602;
-
-/// Lets a setter of the library's parameters change the caller's; what it does not change stays bit for bit.
-unsafe fn change(
-    params: *mut asperity_params,
-    set: impl FnOnce(&mut Params) -> Result<(), Error>,
-    take: impl FnOnce(&mut asperity_params, &asperity_params),
-) -> Result<(), Failure> {
-    let params = reference_mut(params, "params")?;
-    params.check_size()?;
-    let mut changed = Params::default();
-    set(&mut changed)?;
-    take(params, &asperity_params::from_params(&changed));
-    Ok(())
-}
-
-/// Sets all parameters to the paper's default case and `struct_size` to the size of the struct.
-///
-/// alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1; Gaussian heights, equal radii
-/// (epsilon = 0, rho = 0.5), attraction on, Hurtado and Kim's slip constants.
-///
-/// @param params  receives the parameters; must not be NULL
-/// @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
-///
-/// Threads: any, on different structs.
-#[no_mangle]
-pub unsafe extern "C" fn asperity_params_init(params: *mut asperity_params) -> asperity_status {
-    boundary::status(|| {
-        if params.is_null() {
-            return Err(Failure::Null("params"));
-        }
-        // SAFETY: the caller gives memory for the struct, which need not be initialised.
-        params.write(asperity_params::from_params(&Params::default()));
-        Ok(())
-    })
-}
-
-/// Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
-///
-/// In the paper's units b = 1, G = 1, N = 1: E* = 2/(1 - nu), G* = 2, sigma = alpha beta, R = beta/alpha,
-/// w = gamma E*, h = 1/(b/h). Loads are then P/(N G b^2). The other parameters stay as they are.
-///
-/// @param params    initialised parameters; must not be NULL; untouched on failure
-/// @param alpha     (sigma/R)^(1/2) > 0, surface roughness
-/// @param beta      (R sigma)^(1/2)/b > 0, friction regime
-/// @param gamma     w/(E* b) >= 0, surface energy
-/// @param b_over_h  Burgers vector over range of adhesion > 0, typically 1
-/// @param poisson   Poisson's ratio, above -1, at most 0.5
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
-///
-/// Threads: any, on different structs.
-#[no_mangle]
-pub unsafe extern "C" fn asperity_params_set_dimensionless(
-    params: *mut asperity_params,
-    alpha: f64,
-    beta: f64,
-    gamma: f64,
-    b_over_h: f64,
-    poisson: f64,
-) -> asperity_status {
-    boundary::status(|| {
-        change(
-            params,
-            |changed| changed.set_dimensionless(alpha, beta, gamma, b_over_h, poisson),
-            |params, changed| {
-                params.composite_modulus = changed.composite_modulus;
-                params.effective_shear_modulus = changed.effective_shear_modulus;
-                params.work_of_adhesion = changed.work_of_adhesion;
-                params.adhesion_range = changed.adhesion_range;
-                params.burgers_vector = changed.burgers_vector;
-                params.height_std = changed.height_std;
-                params.summit_radius = changed.summit_radius;
-                params.asperity_count = changed.asperity_count;
-            },
-        )
-    })
-}
-
-/// Sets E* and G* from Young's modulus and Poisson's ratio of the two bodies.
-///
-/// 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 and G* = 2 G1 G2/(G1 + G2) with G = E/(2 (1 + nu)).
-///
-/// @param params  initialised parameters; must not be NULL; untouched on failure
-/// @param E1,E2   Young's moduli [stress] > 0; INFINITY is a rigid body, which at most one may be
-/// @param nu1,nu2 Poisson's ratios, above -1, at most 0.5
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
-///
-/// Threads: any, on different structs.
-#[no_mangle]
-#[allow(non_snake_case)]
-pub unsafe extern "C" fn asperity_params_set_materials(
-    params: *mut asperity_params,
-    E1: f64,
-    nu1: f64,
-    E2: f64,
-    nu2: f64,
-) -> asperity_status {
-    boundary::status(|| {
-        change(
-            params,
-            |changed| changed.set_materials(E1, nu1, E2, nu2),
-            |params, changed| {
-                params.composite_modulus = changed.composite_modulus;
-                params.effective_shear_modulus = changed.effective_shear_modulus;
-            },
-        )
-    })
-}
-
-/// Chooses Weibull heights with this skew: sets `height_distribution` and `weibull_shape`.
-///
-/// @param params  initialised parameters; must not be NULL; untouched on failure
-/// @param skew    above -1.13955, the limit of the family; 0 gives omega = 3.602
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (skew outside the family),
-///         `ASPERITY_OUT_OF_RANGE` (skew of a shape that is not evaluated)
-///
-/// Threads: any, on different structs.
-#[no_mangle]
-pub unsafe extern "C" fn asperity_params_set_skew(params: *mut asperity_params, skew: f64) -> asperity_status {
-    boundary::status(|| {
-        change(
-            params,
-            |changed| changed.set_skew(skew),
-            |params, changed| {
-                params.height_distribution = changed.height_distribution;
-                params.weibull_shape = changed.weibull_shape;
-            },
-        )
-    })
-}

@@ -4,8 +4,15 @@ use super::boundary::{self, reference, wrong_struct_size, Failure};
 use super::model::asperity_model;
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::model::{State, Summary};
+use crate::model::{State, Summary, WARNING_PLASTIC};
 use std::mem::size_of;
+
+/// Bit of `warnings`: contacts yield, and the model, which is elastic, does not hold. Set where the mean asperity pressure
+/// is at least 0.4 of the hardness, at which yield sets in below a contact, or the plasticity index is above 1, where
+/// contacts flow at any load. Never set where the hardness is not given.
+pub const ASPERITY_WARNING_PLASTIC: u64 = 1;
+
+const _: () = assert!(ASPERITY_WARNING_PLASTIC == WARNING_PLASTIC);
 
 /// The exact state of the contact; all quantities in the units of the parameters.
 #[repr(C)]
@@ -35,6 +42,26 @@ pub struct asperity_state {
     pub attracted: f64,
     /// Part of the load carried by those, <= 0 [force].
     pub attraction_load: f64,
+    /// Mean radius of the contacts [length]; 0 where there are none, as all that follows but the plasticity index.
+    pub mean_contact_radius: f64,
+    /// Radius of the largest contact [length]. Heights have no end, but n = `contacting` summits do: it is the largest radius
+    /// up to the height that 1/(n + 1) of them exceed, as the tallest of n does on average. Not below the mean radius,
+    /// which it is for n <= 1.
+    pub max_contact_radius: f64,
+    /// Fraction of the contacts with radii up to `slip_radius_1`, which slip as a whole.
+    pub fraction_below_slip_radius_1: f64,
+    /// Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2`.
+    pub fraction_between_slip_radii: f64,
+    /// Fraction of the contacts with radii from `slip_radius_2` on.
+    pub fraction_above_slip_radius_2: f64,
+    /// Fraction of all summits that are in contact.
+    pub fraction_in_contact: f64,
+    /// Load of the summits in contact over their real area [stress]; negative where adhesion pulls more than they push.
+    pub mean_asperity_pressure: f64,
+    /// Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H; 0 where the hardness H is not given.
+    pub plasticity_index: f64,
+    /// Bits `ASPERITY_WARNING_`: what of the model does not hold in this state; 0 if nothing is known to fail.
+    pub warnings: u64,
 }
 
 /// Constants of a model, in the units of the parameters.
@@ -84,6 +111,15 @@ impl asperity_state {
             contacting: state.contacting,
             attracted: state.attracted,
             attraction_load: state.attraction_load,
+            mean_contact_radius: state.mean_contact_radius,
+            max_contact_radius: state.max_contact_radius,
+            fraction_below_slip_radius_1: state.fraction_below_slip_radius_1,
+            fraction_between_slip_radii: state.fraction_between_slip_radii,
+            fraction_above_slip_radius_2: state.fraction_above_slip_radius_2,
+            fraction_in_contact: state.fraction_in_contact,
+            mean_asperity_pressure: state.mean_asperity_pressure,
+            plasticity_index: state.plasticity_index,
+            warnings: state.warnings,
         }
     }
 }

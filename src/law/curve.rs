@@ -14,7 +14,7 @@ use std::f64::consts::LN_2;
 const NODES: usize = 10;
 /// Interpolation conditions per panel: value and slope at every node.
 const CONDITIONS: usize = 2 * NODES;
-/// The branch is followed from this separation, in sigma; heavier loads are evaluated exactly.
+/// The branch is followed from this separation of the means, in sigma; heavier loads are evaluated exactly.
 const CLOSEST: f64 = -12.0;
 /// The branch is followed from at least this much above the pull-off load, in ln(load).
 const LOG_ABOVE_PULL_OFF: f64 = 9.0;
@@ -27,10 +27,17 @@ const WIDEST_PART: f64 = 0.4;
 /// The panel that ends at pull-off spans no more of s than this; each one before takes this part of the way there.
 const LONGEST_LAST: f64 = 1.6;
 const PART_OF_THE_WAY: f64 = 0.55;
+/// Without a pull-off load no panel covers more than this part of what is left of the branch, at whose end load vanishes.
+const MOST_OF_THE_REST: f64 = 0.7;
 /// How much wider the next panel is tried after an error of less than this part of the tolerance.
 const GROWTH: [(f64, f64); 2] = [(0.03, 2.0), (0.5, 1.5)];
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
 const MOST_SAMPLES: usize = 800;
+/// Panels end where a table of heights gives the curve a kink. Between more kinks than these hardly a row of the law would
+/// be smooth: the curve then serves to find separations, and loads are evaluated exactly.
+const MOST_KINKS: usize = 240;
+/// What lies between kinks nearer to each other than this, in sigma, is left out: no row would fit in.
+const NEAREST_KINKS: f64 = 0.01;
 /// The narrowest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved (a
 /// height density whose foot passes the edge of contact, say) is evaluated exactly.
 const NARROWEST: f64 = 0.05;
@@ -127,31 +134,54 @@ impl Curve {
         let force = equilibrium.pull_off().map_or(1.0, |point| point.friction);
         let mut curve = Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0 };
         let end = equilibrium.farthest();
-        let mut from = curve.sample(population, equilibrium, CLOSEST.min(end - 10.0))?;
+        let closest = CLOSEST - population.heights().origin();
+        let mut from = curve.sample(population, equilibrium, closest.min(end - 10.0))?;
         // Adhesion that is strong beside the roughness: on to loads well above pull-off.
         while log_pull_off.is_some_and(|pull_off| from.log_excess < pull_off + LOG_ABOVE_PULL_OFF) {
-            from = curve.sample(population, equilibrium, 1.5 * from.separation.min(CLOSEST))?;
+            from = curve.sample(population, equilibrium, 1.5 * from.separation.min(closest))?;
         }
         let lightest = from.log_excess - log_range;
         check.push(from);
+        let mut kinks = population.kinks();
+        let resolvable = kinks.len() <= MOST_KINKS;
+        if !resolvable {
+            kinks.clear();
+        }
+        let most_samples = MOST_SAMPLES + 2 * NODES * kinks.len();
         let mut width = f64::MAX;
         // A separation before which the curve is not smooth, and whether the last attempt failed.
         let (mut obstacle, mut failed) = (None, false);
-        while from.separation < end && from.log_excess > lightest && curve.samples < MOST_SAMPLES {
+        while from.separation < end && from.log_excess > lightest && curve.samples < most_samples {
             let remaining = end - from.separation;
-            let narrowest = (0.2 * remaining).clamp(NARROWEST_AT_END, NARROWEST);
-            let is_last = log_pull_off.is_none() || from.s <= LONGEST_LAST;
-            let length = (if is_last { remaining } else { PART_OF_THE_WAY * remaining })
+            let (part, shortest) = match log_pull_off {
+                None => (MOST_OF_THE_REST, 0.0),
+                Some(_) if from.s <= LONGEST_LAST => (1.0, NARROWEST_AT_END),
+                Some(_) => (PART_OF_THE_WAY, NARROWEST_AT_END),
+            };
+            let narrowest = (0.2 * remaining).clamp(shortest, NARROWEST);
+            let mut length = (part * remaining)
                 .min(width)
                 .min(obstacle.map_or(f64::MAX, |obstacle: f64| (0.5 * (obstacle - from.separation)).max(narrowest)))
                 .min(WIDEST.max(WIDEST_PART * from.separation.abs()));
-            let to = if length < remaining { from.separation + length } else { end };
+            let mut to = if length < remaining { from.separation + length } else { end };
+            if let Some(&kink) = kinks.get(kinks.partition_point(|&kink| kink <= from.separation)) {
+                if kink - from.separation < NEAREST_KINKS && kink < end {
+                    let next = curve.sample(population, equilibrium, kink)?;
+                    curve.panels.push(Panel::gap(&from, &next));
+                    curve.samples += 1;
+                    from = next;
+                    continue;
+                }
+                if kink < to {
+                    (to, length) = (kink, kink - from.separation);
+                }
+            }
             let attempt = curve.attempt(population, equilibrium, from, to)?;
             let excess = attempt.excess;
             if excess <= 1.0 {
                 let growth = GROWTH.iter().find(|&&(part, _)| excess < part).map_or(1.0, |&(_, growth)| growth);
                 width = growth * length;
-            } else if length > narrowest {
+            } else if length > narrowest && resolvable {
                 // As the error of so many conditions grows with length.
                 let shorter = 0.9 * excess.powf(-1.0 / CONDITIONS as f64);
                 width = (shorter.clamp(0.25, 0.8) * length).max(narrowest);
@@ -204,7 +234,8 @@ impl Curve {
         let mut panel = Panel::new(from.s, end.s, &nodes);
         // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
         let between = self.sample(population, equilibrium, middle + 0.1 * half)?;
-        let sparse = panel.separation_at(panel.sparsest()).clamp(from.separation, to);
+        let (first, last) = (nodes[0].separation, nodes[NODES - 1].separation);
+        let sparse = panel.separation_at(panel.sparsest()).max(first).min(last);
         let sparse = self.sample(population, equilibrium, sparse)?;
         self.samples += NODES + 3;
         let excess = [from, between, sparse, end].iter().map(|sample| panel.excess(sample)).fold(0.0, largest);
@@ -303,6 +334,20 @@ impl Panel {
             }
         }
         Self { lowest, highest, nodes, log_force, separation, good: false }
+    }
+
+    /// Between two states with nothing known but these.
+    fn gap(from: &Sample, to: &Sample) -> Self {
+        let mut separation = [0.0; NODES];
+        separation[0] = 0.5 * (from.separation + to.separation);
+        Self {
+            lowest: to.s,
+            highest: from.s,
+            nodes: [0.0; NODES],
+            log_force: [0.0; CONDITIONS],
+            separation,
+            good: false,
+        }
     }
 
     /// ln F and its derivative by s; NaN where the panel is not known to be good.

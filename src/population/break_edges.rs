@@ -82,6 +82,11 @@ impl BreakEdges {
         self.deepest
     }
 
+    /// The break-away of a summit of radius factor g.
+    pub fn break_away(&self, maugis: &Maugis, g: f64) -> Contact {
+        self.common.unwrap_or_else(|| maugis.break_away(g))
+    }
+
     /// The edges at a separation.
     pub fn at_separation(&self, maugis: &Maugis, radius: &RadiusProfile, separation: f64) -> Edges {
         let mut edges = Edges::default();

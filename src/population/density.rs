@@ -19,12 +19,12 @@ pub struct Density<'a> {
 }
 
 impl<'a> Density<'a> {
-    /// For what lies above the lowest summit that counts, of this height and overlap. The reference is that or, where it
-    /// lies above, the mode.
+    /// For what lies above the lowest summit that counts, of this height and overlap. The reference is that or, where the
+    /// density is larger above, its mode.
     pub fn above(heights: &'a Heights, height: f64, overlap: f64, separation: f64) -> Self {
-        let mode = heights.mode();
-        let (height, overlap) = if height < mode { (mode, mode - separation) } else { (height, overlap) };
-        let (log_density, _) = heights.log_density(height);
+        let peak = heights.peak_above(height);
+        let (height, overlap) = if height < peak { (peak, peak - separation) } else { (height, overlap) };
+        let log_density = heights.log_density(height);
         // At the foot it may be infinite; above, the density falls.
         let log_scale = if log_density.is_finite() { log_density } else { 0.0 };
         Self { heights, height, overlap, by_overlap: overlap.abs() < height.abs(), log_scale }

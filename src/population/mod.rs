@@ -10,10 +10,12 @@
 //! G* b^2, areas in b^2.
 
 mod break_edges;
+mod contacts;
 mod density;
 mod gauss_legendre;
 mod nodes;
 
+pub use contacts::Contacts;
 pub use gauss_legendre::integrate_short;
 
 use crate::asperity::attraction::{self, Attraction, ATTRACTION_LAMBDA_CUBED};
@@ -28,14 +30,20 @@ use density::Density;
 use nodes::Nodes;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// One panel reaches from theta to no less than this fraction of it: u(theta) has its singularity at 0.
-const THETA_RATIO: f64 = 0.6;
+/// A panel in theta reaches from theta to no less than this fraction of it: u(theta) has its singularity at 0...
+const THETA_RATIO: f64 = 0.4;
+/// ...and spans no more of the heights than this, in sigma, or this part of where their density is smooth: in theta the
+/// density is a steep function of theta^-3.
+const THETA_SPAN: f64 = 0.15;
+/// A panel in height is no longer than this many times the distance to break-away, where theta(u) is singular.
+const HEIGHT_RATIO: f64 = 2.5;
 /// One panel of attraction with varying radius spans no more than this ratio of sqrt(gap terms).
 const CIRCLE_RATIO: f64 = 4.0;
-/// Where the contact curve is this many panels long, height itself serves as the variable.
-const LONG_CURVE: f64 = 1.5;
+/// Over a panel across which theta changes less than by this factor, it serves as well as the height, and with equal
+/// radii its nodes need no solution of their contact's overlap.
+const SHORT_RATIO: f64 = 0.8;
 /// No sum needs as many panels; it bounds the time of a call.
-const MOST_PANELS: usize = 4000;
+const MOST_PANELS: usize = 6000;
 
 /// A population of summits pressed against a flat.
 #[derive(Debug, Clone)]
@@ -125,38 +133,85 @@ struct Summit {
     friction_by_overlap: f64,
 }
 
-/// A starting value of theta between two points: theta^-3 is nearly linear in overlap under load.
+/// Starting values of theta from one point to another: theta^-3 is nearly linear in overlap under load.
+///
+/// A cubic from values and slopes at both points, corrected by what is known of its error from the values solved for
+/// on the way: over part^2 (1 - part)^2 that is smooth.
 struct Guess {
     cubic: [f64; 4],
     /// Where the cubic may not leave.
     range: (f64, f64),
+    /// The last errors over part^2 (1 - part)^2, at which parts.
+    errors: [(f64, f64); 3],
+    known: usize,
 }
 
 impl Guess {
     /// From values and slopes at two points `rise` apart.
     fn new(from: &Point, to: &Point, rise: f64) -> Self {
-        let value = |point: &Point| point.contact.theta.powi(-3);
-        let slope = |point: &Point| -3.0 * rise * point.theta_slope() / point.contact.theta.powi(4);
-        let (start, start_slope, end_slope) = (value(from), slope(from), slope(to));
-        let end = value(to);
+        let slope =
+            |point: &Point| -3.0 * rise * point.theta_slope() * inverse_cube(point.contact.theta) / point.contact.theta;
+        let (start, start_slope, end_slope) = (inverse_cube(from.contact.theta), slope(from), slope(to));
+        let end = inverse_cube(to.contact.theta);
         let change = end - start;
         let cubic =
             [start, start_slope, 3.0 * change - 2.0 * start_slope - end_slope, start_slope + end_slope - 2.0 * change];
-        Self { cubic, range: (0.5 * start.min(end), 2.0 * start.max(end)) }
+        Self { cubic, range: (0.5 * start.min(end), 2.0 * start.max(end)), errors: [(0.0, 0.0); 3], known: 0 }
     }
 
-    /// Where `part` of the rise is done.
+    /// theta where `part` of the rise is done.
     fn at(&self, part: f64) -> f64 {
-        let [a, b, c, d] = self.cubic;
-        let value = a + part * (b + part * (c + part * d));
+        let [(a, at_a), (b, at_b), (c, at_c)] = self.errors;
+        let error = match self.known {
+            0 => 0.0,
+            1 => at_a,
+            2 => at_a + (at_b - at_a) * (part - a) / (b - a),
+            _ => {
+                let (ab, bc) = ((at_b - at_a) / (b - a), (at_c - at_b) / (c - b));
+                at_a + (part - a) * (ab + (part - b) * (bc - ab) / (c - a))
+            }
+        };
+        let value = self.cubic(part) + error * bubble(part);
         1.0 / value.clamp(self.range.0, self.range.1).cbrt()
     }
+
+    /// Takes in the value found at a part.
+    fn learn(&mut self, part: f64, theta: f64) {
+        let error = (part, (inverse_cube(theta) - self.cubic(part)) / bubble(part));
+        if self.known < 3 {
+            self.errors[self.known] = error;
+            self.known += 1;
+        } else {
+            self.errors = [self.errors[1], self.errors[2], error];
+        }
+    }
+
+    fn cubic(&self, part: f64) -> f64 {
+        let [a, b, c, d] = self.cubic;
+        a + part * (b + part * (c + part * d))
+    }
+}
+
+fn inverse_cube(theta: f64) -> f64 {
+    1.0 / (theta * theta * theta)
+}
+
+/// part^2 (1 - part)^2.
+fn bubble(part: f64) -> f64 {
+    let x = part * (1.0 - part);
+    x * x
 }
 
 /// What walks the panels hands its nodes to.
 trait Sink {
-    /// A panel begins; all its nodes follow.
-    fn panel(&mut self, _from: &Point, _to: &Point) {}
+    /// Whether every panel must have all 16 nodes.
+    const WHOLE_PANELS: bool = false;
+    /// ln phi that is taken as 1.
+    fn log_scale(&self) -> f64 {
+        f64::NEG_INFINITY
+    }
+    /// A panel begins, from a point to another, short beside the distance to break-away or not; all its nodes follow.
+    fn panel(&mut self, _from: &Point, _to: &Point, _by_height: bool) {}
     /// A node: its height, its weight without the density, and the contact there.
     fn node(&mut self, z: f64, weight: f64, contact: &Contact);
 }
@@ -169,6 +224,10 @@ struct Summing<'a> {
 }
 
 impl Sink for Summing<'_> {
+    fn log_scale(&self) -> f64 {
+        self.sums.log_scale
+    }
+
     fn node(&mut self, z: f64, weight: f64, contact: &Contact) {
         let density = self.density.at(z, contact.overlap);
         self.sums.add_contact(weight * density, &self.population.summit(contact));
@@ -217,9 +276,9 @@ impl Population {
     }
 
     /// Whether load against separation can have but one minimum: the slope of the law of equal summits changes sign once,
-    /// and a log-concave density, as all families have, adds no change of sign (it diminishes variation).
+    /// and a log-concave density adds no change of sign (it diminishes variation).
     pub fn has_single_minimum(&self) -> bool {
-        self.radius.is_constant()
+        self.radius.is_constant() && self.heights.is_log_concave()
     }
 
     /// A separation beyond which nothing touches or attracts, in any number that can be represented.
@@ -227,10 +286,35 @@ impl Population {
         self.heights.far_tail() + self.attraction.as_ref().map_or(0.0, |a| a.reach) - self.edges.deepest()
     }
 
+    /// The separations at which a height where the density has a kink passes an overlap where the law of one summit has
+    /// one, in ascending order: there the sums are not smooth.
+    pub fn kinks(&self) -> Vec<f64> {
+        let mut kinks = Vec::new();
+        for &z in self.heights.knots() {
+            let g = self.radius.factor(z);
+            let edge = self.maugis.break_away(g);
+            kinks.push(z - edge.overlap);
+            if let Some(law) = &self.attraction {
+                kinks.push(z + law.reach);
+            }
+            for radius in self.slip.kinks().into_iter().filter(|&radius| radius > edge.radius) {
+                let excess = |theta: f64| self.maugis.at(theta, g).radius - radius;
+                let mut lower = 0.5 * edge.theta;
+                while excess(lower) < 0.0 {
+                    lower *= 0.5;
+                }
+                kinks.push(z - self.maugis.at(root::bracketed(excess, lower, edge.theta), g).overlap);
+            }
+        }
+        kinks.sort_by(f64::total_cmp);
+        kinks.dedup();
+        kinks
+    }
+
     /// The sums at a separation.
     pub fn at_separation(&self, separation: f64) -> Sums {
         let edges = self.edges.at_separation(&self.maugis, &self.radius, separation);
-        let foot = self.heights.foot().map_or(f64::NEG_INFINITY, |(foot, _)| foot);
+        let foot = self.heights.foot();
         let attraction_start = self.attraction.as_ref().map_or(f64::INFINITY, |law| separation - law.reach).max(foot);
         let first_edge = edges.iter().next();
         // Whether the lowest summits are in contact.
@@ -338,6 +422,17 @@ impl Population {
             return self.add_tabulated(nodes, sums, density, separation, lower, upper);
         }
         let mut sink = Summing { population: self, density, sums };
+        self.walk_contacts(separation, (lower, lower_edge), (upper, upper_edge), &mut sink);
+    }
+
+    /// Walks the summits in contact between two heights, either of which may be an edge.
+    fn walk_contacts(
+        &self,
+        separation: f64,
+        (lower, lower_edge): (f64, Option<&Edge>),
+        (upper, upper_edge): (f64, Option<&Edge>),
+        sink: &mut impl Sink,
+    ) {
         let start = match lower_edge {
             Some(edge) if edge.z == lower => self.edge_point(edge),
             _ => self.point_cold(separation, lower),
@@ -346,10 +441,10 @@ impl Population {
             // A second edge above, where a falling radius lets tall summits break first: from both ends.
             Some(edge) if edge.z == upper => {
                 let middle = 0.5 * (lower + upper);
-                self.march(self.above_foot(start, middle, &mut sink), middle, &mut sink);
-                self.march(self.edge_point(edge), middle, &mut sink);
+                self.march(self.above_foot(start, middle, sink), middle, sink);
+                self.march(self.edge_point(edge), middle, sink);
             }
-            _ => self.march(self.above_foot(start, upper, &mut sink), upper, &mut sink),
+            _ => self.march(self.above_foot(start, upper, sink), upper, sink),
         }
     }
 
@@ -373,7 +468,8 @@ impl Population {
                 return;
             }
             let from_start = z_from >= lower;
-            if from_start && self.heights.is_smooth(z_from, z_to) {
+            let roughest = if panel.by_height { 1.0 } else { THETA_SPAN };
+            if from_start && self.heights.roughness(z_from, z_to, sums.log_scale) <= roughest {
                 for node in panel.nodes() {
                     let density = density.at(separation + node.overlap, node.overlap);
                     sums.add_contact(node.weight * density, &node.summit);
@@ -391,6 +487,9 @@ impl Population {
             self.march(start, end, &mut sink);
         }
         let last = nodes.last_point().raised(separation);
+        if last.z >= upper {
+            return;
+        }
         let mut sink = Summing { population: self, density, sums };
         if last.z >= lower {
             self.march(last, upper, &mut sink);
@@ -424,7 +523,7 @@ impl Population {
     /// The first panel above the foot, if the range begins there; `clearance` is the distance from the foot to
     /// where the law of one asperity is singular.
     fn foot_panel(&self, start: f64, upper: f64, clearance: impl FnOnce() -> f64) -> Option<FootPanel> {
-        let (foot, exponent) = self.heights.foot()?;
+        let (foot, exponent) = (self.heights.foot(), self.heights.power_at_foot()?);
         if start > foot {
             return None;
         }
@@ -436,32 +535,52 @@ impl Population {
         Some(FootPanel { length, power })
     }
 
-    /// How far from z towards `end` a panel may reach, as far as heights and radii go.
-    fn smooth_length(&self, z: f64, upwards: bool) -> f64 {
+    /// How far from z upwards or downwards a panel may reach, as far as heights and radii go, in a sum of this scale.
+    fn smooth_length(&self, z: f64, upwards: bool, log_scale: f64) -> f64 {
+        let above = |z: f64| self.heights.smooth_length(z, log_scale).min(self.radius.smooth_length(z));
         if upwards {
-            self.heights.smooth_length(z).min(self.radius.smooth_length(z))
-        } else {
-            // Going down, what lies below is nearer: the distance that z would allow going up, less itself.
-            let mut length = 1.0_f64;
-            for _ in 0..60 {
-                let below = z - length;
-                if self.heights.smooth_length(below).min(self.radius.smooth_length(below)) >= length {
-                    break;
-                }
-                length *= 0.5;
+            return above(z);
+        }
+        // Going down, what lies below is nearer: the distance that z would allow going up, less itself.
+        let mut length = 1.0_f64;
+        for _ in 0..60 {
+            if above(z - length) >= length {
+                break;
             }
+            length *= 0.5;
+        }
+        length
+    }
+
+    /// The length of a panel that may have another; what little would be left of the range goes into it, where no knot of
+    /// the density lies between.
+    fn without_remnant(&self, length: f64, remaining: f64) -> f64 {
+        let most = if self.heights.knots().is_empty() { 0.8 * remaining } else { remaining };
+        if length > most {
+            remaining
+        } else {
             length
+        }
+    }
+
+    /// What part a panel is of the longest on which all but the density is smooth.
+    fn part_of_smooth(&self, z: f64, length: f64, longest: f64) -> f64 {
+        if self.heights.knots().is_empty() {
+            1.0
+        } else {
+            length / longest.min(self.radius.smooth_length(z))
         }
     }
 
     /// Walks panels from a point to a height, and hands every node to `sink`: height, weight, contact.
     fn march(&self, start: Point, end: f64, sink: &mut impl Sink) {
         let upwards = end >= start.z;
-        self.march_by(start, end, |z| self.smooth_length(z, upwards), sink);
+        let log_scale = sink.log_scale();
+        self.march_by(start, end, |z| self.smooth_length(z, upwards, log_scale), sink);
     }
 
     /// Walks panels no longer than `smooth_length` of where each begins.
-    fn march_by(&self, start: Point, end: f64, smooth_length: impl Fn(f64) -> f64, sink: &mut impl Sink) {
+    fn march_by<S: Sink>(&self, start: Point, end: f64, smooth_length: impl Fn(f64) -> f64, sink: &mut S) {
         let direction = if end >= start.z { 1.0 } else { -1.0 };
         let constant_radius = self.radius.is_constant();
         let mut here = start;
@@ -470,26 +589,32 @@ impl Population {
             if remaining <= 0.0 {
                 return;
             }
-            let mut length = smooth_length(here.z);
-            if length > 0.8 * remaining {
-                length = remaining;
-            }
+            let smooth = smooth_length(here.z);
             let theta_far = self.theta_limit(&here);
             let curve = self.maugis.at(theta_far, here.g).overlap - here.contact.overlap;
-            length = length.min(curve);
-            let mut there = self.point(&here, direction * length, here.guess_towards(theta_far, length / curve));
+            let clearance = self.clearance(&here);
+            let in_theta = curve.min(THETA_SPAN * smooth.min(1.0));
+            let in_height = smooth.min(HEIGHT_RATIO * clearance);
+            let by_height = in_height > in_theta;
+            let mut length =
+                if by_height { self.without_remnant(in_height, remaining) } else { in_theta.min(remaining) };
+            let guess = here.guess_towards(theta_far, length / curve);
+            let mut there = self.point(&here, direction * length, guess);
             if let Some(cut) = self.first_cut(&here, &there) {
-                length = (cut.z - here.z).abs();
+                length = cut.rise_above(&here).abs();
                 there = cut;
             }
-            sink.panel(&here, &there);
-            // Heights of one radius need no solution of their contact's overlap, which deep down has too few digits.
-            let by_height = !constant_radius || here.contact.overlap > nodes::LARGEST_OVERLAP;
-            if by_height && curve > LONG_CURVE * length && self.clearance(&here) > length {
-                let guess = Guess::new(&here, &there, direction * length);
-                for (rise, weight) in gauss_legendre::nodes(0.0, direction * length) {
-                    let point = self.point(&here, rise, guess.at(rise / (direction * length)));
-                    sink.node(point.z, weight, &point.contact);
+            sink.panel(&here, &there, by_height);
+            let short = there.contact.theta > SHORT_RATIO * here.contact.theta;
+            let part_of_smooth =
+                if S::WHOLE_PANELS || !by_height { 1.0 } else { self.part_of_smooth(here.z, length, clearance) };
+            if by_height && !(constant_radius && short && here.contact.overlap < nodes::LARGEST_OVERLAP) {
+                let rise = direction * length;
+                let mut guess = Guess::new(&here, &there, rise);
+                for (part, weight) in gauss_legendre::nodes_of_part(part_of_smooth, 0.0, 1.0) {
+                    let point = self.point(&here, part * rise, guess.at(part));
+                    guess.learn(part, point.contact.theta);
+                    sink.node(point.z, length * weight, &point.contact);
                 }
             } else {
                 let theta_end = if constant_radius {
@@ -502,7 +627,8 @@ impl Population {
                 };
                 // How the true theta departs, by the end of the panel, from that at the radius of its beginning.
                 let drift = (there.contact.theta / theta_end - 1.0) / length;
-                for (theta, weight) in gauss_legendre::nodes(theta_end, here.contact.theta) {
+                let part = if S::WHOLE_PANELS { 1.0 } else { self.part_of_smooth(here.z, length, curve) };
+                for (theta, weight) in gauss_legendre::nodes_of_part(part, theta_end, here.contact.theta) {
                     let reference = self.maugis.at(theta, here.g);
                     let rise = direction * (reference.overlap - here.contact.overlap);
                     let weight = weight * reference.overlap_rate.abs();
@@ -532,7 +658,7 @@ impl Population {
 
     /// How far the overlap is above that of break-away.
     fn clearance(&self, point: &Point) -> f64 {
-        point.contact.overlap - self.maugis.break_away(point.g).overlap
+        point.contact.overlap - self.edges.break_away(&self.maugis, point.g).overlap
     }
 
     /// The first summit between two where the integrand has a kink: its contact radius is one of the slip law's
@@ -554,12 +680,14 @@ impl Population {
             }
         }
         for kink in self.slip.kinks() {
-            if (here.contact.radius < kink) != (there.contact.radius < kink) {
-                let point = self.point_of_radius(here, &there, kink);
-                if is_inside(point.z - here.z, there.z - here.z) {
-                    there = point;
-                    cut = Some(point);
-                }
+            // Next to theta = pi/2 radii are known to so many digits of that of the annulus.
+            let is_at = |point: &Point| {
+                let outer_radius = point.contact.radius / point.contact.theta.cos();
+                (point.contact.radius - kink).abs() < (1e-9 * kink).max(1e-14 * outer_radius)
+            };
+            if (here.contact.radius < kink) != (there.contact.radius < kink) && !is_at(here) && !is_at(&there) {
+                there = self.point_of_radius(here, &there, kink);
+                cut = Some(there);
             }
         }
         cut
@@ -634,25 +762,29 @@ impl Population {
             Some(edge) if edge.z == upper => edge.contact.overlap,
             _ => upper - separation,
         };
+        // The smallest summits are attracted within a layer that is thinner than a rounding.
+        let shortest = SHORTEST_PANEL * (end - overlap);
         for _ in 0..MOST_PANELS {
             if overlap >= end {
                 return;
             }
-            let mut length = self.smooth_length(z, true);
-            if length > 0.8 * (end - overlap) {
-                length = end - overlap;
-            }
+            let mut length = self.without_remnant(self.smooth_length(z, true, f64::NEG_INFINITY), end - overlap);
             let g = self.radius.factor(z);
             let here = law.at(law.circle(overlap, g), g);
             let mut circle_end = law.circle(overlap + length, g);
             if !self.radius.is_constant() {
                 let farthest = law.at_rate(CIRCLE_RATIO * here.overlap_rate, g);
-                if farthest.overlap - here.overlap < length {
-                    length = farthest.overlap - here.overlap;
+                let rise = farthest.overlap - here.overlap;
+                if rise < shortest {
+                    length = shortest.min(length);
+                    circle_end = law.circle(overlap + length, g);
+                } else if rise < length {
+                    length = rise;
                     circle_end = farthest.circle;
                 }
             }
-            for (circle, weight) in gauss_legendre::nodes(here.circle, circle_end) {
+            let part = self.part_of_smooth(z, length, f64::MAX);
+            for (circle, weight) in gauss_legendre::nodes_of_part(part, here.circle, circle_end) {
                 let reference = law.at(circle, g);
                 let rise = reference.overlap - here.overlap;
                 sink(z + rise, overlap + rise, weight * reference.overlap_rate);
@@ -702,6 +834,15 @@ impl Point {
     fn guess_towards(&self, theta_far: f64, part: f64) -> f64 {
         let (from, to) = (self.contact.theta.powi(-3), theta_far.powi(-3));
         1.0 / (from + part * (to - from)).cbrt()
+    }
+
+    /// How much higher it is than another: from overlaps where these are known to more digits.
+    fn rise_above(&self, other: &Self) -> f64 {
+        if self.contact.overlap.abs() < self.z.abs() {
+            self.contact.overlap - other.contact.overlap
+        } else {
+            self.z - other.z
+        }
     }
 
     /// dtheta/dz at fixed separation.

@@ -6,8 +6,8 @@ use crate::asperity::maugis::Contact;
 
 /// Panels are tabulated up to this overlap, in sigma: enough for all summits at separations above -8.
 pub const LARGEST_OVERLAP: f64 = 18.0;
-/// The longest panel, in sigma: short enough for the steep upper tails too.
-const LONGEST: f64 = 1.0;
+/// Panels are shorter than the longest by this factor: short enough for steep tails too.
+const PART_OF_LONGEST: f64 = 0.5;
 /// A tabulated panel takes 0.9 kB; deeper ones are walked when needed.
 const MOST_PANELS: usize = 48;
 
@@ -24,6 +24,8 @@ pub struct Node {
 pub struct Panel<'a> {
     pub from: &'a Point,
     pub to: &'a Point,
+    /// Whether it is short beside the distance to break-away, and may be as long as the density is smooth.
+    pub by_height: bool,
     nodes: &'a [Node],
 }
 
@@ -36,7 +38,9 @@ impl<'a> Panel<'a> {
 /// Panels from break-away upwards.
 #[derive(Debug, Clone)]
 pub struct Nodes {
-    ends: Vec<Point>,
+    start: Point,
+    /// Where each panel ends, and whether it is by height.
+    ends: Vec<(Point, bool)>,
     nodes: Vec<Node>,
 }
 
@@ -45,22 +49,25 @@ impl Nodes {
     pub fn new(population: &Population) -> Self {
         let contact = population.maugis.break_away(1.0);
         let start = Point { z: contact.overlap, g: 1.0, g_rate: 0.0, contact };
-        let mut collecting = Collecting { population, table: Nodes { ends: vec![start], nodes: Vec::new() } };
-        population.march_by(start, LARGEST_OVERLAP, |_| LONGEST, &mut collecting);
+        let longest = PART_OF_LONGEST * population.heights.longest_panel();
+        let mut collecting = Collecting { population, table: Nodes { start, ends: Vec::new(), nodes: Vec::new() } };
+        population.march_by(start, LARGEST_OVERLAP, |_| longest, &mut collecting);
         collecting.table
     }
 
     pub fn panels(&self) -> impl Iterator<Item = Panel<'_>> {
-        self.ends.windows(2).zip(self.nodes.chunks(POINTS)).map(|(ends, nodes)| Panel {
-            from: &ends[0],
-            to: &ends[1],
+        let starts = std::iter::once(&self.start).chain(self.ends.iter().map(|(end, _)| end));
+        starts.zip(&self.ends).zip(self.nodes.chunks(POINTS)).map(|((from, (to, by_height)), nodes)| Panel {
+            from,
+            to,
+            by_height: *by_height,
             nodes,
         })
     }
 
     /// Where the tabulated panels end.
     pub fn last_point(&self) -> Point {
-        self.ends[self.ends.len() - 1]
+        self.ends.last().map_or(self.start, |&(end, _)| end)
     }
 }
 
@@ -70,9 +77,11 @@ struct Collecting<'a> {
 }
 
 impl Sink for Collecting<'_> {
-    fn panel(&mut self, _from: &Point, to: &Point) {
-        if self.table.ends.len() <= MOST_PANELS {
-            self.table.ends.push(*to);
+    const WHOLE_PANELS: bool = true;
+
+    fn panel(&mut self, _from: &Point, to: &Point, by_height: bool) {
+        if self.table.ends.len() < MOST_PANELS {
+            self.table.ends.push((*to, by_height));
         }
     }
 

@@ -2,3 +2,4 @@
 
 pub mod heights;
 pub mod radius;
+pub mod spectrum;

@@ -7,6 +7,8 @@ pub struct RadiusProfile {
     pub amplitude: f64,
     /// rho > 0, per sigma.
     pub rate: f64,
+    /// Where heights are measured from, above their mean.
+    pub origin: f64,
 }
 
 /// Smaller radius factors are taken as this: such summits carry nothing, and squares stay in range.
@@ -25,7 +27,7 @@ impl RadiusProfile {
             return (1.0, 0.0);
         }
         let size = self.amplitude.abs();
-        let y = self.rate * z * self.amplitude.signum();
+        let y = self.rate * (z + self.origin) * self.amplitude.signum();
         let decay = (-2.0 * y.abs()).exp();
         let g = if y >= 0.0 {
             1.0 + size * (1.0 - decay) / (1.0 + decay)
@@ -52,6 +54,7 @@ impl RadiusProfile {
             return f64::MAX;
         }
         let pole = std::f64::consts::FRAC_PI_2 / self.rate;
+        let z = z + self.origin;
         if z < 0.0 {
             (0.65 * -z).max(1.1 * pole)
         } else {

@@ -55,15 +55,15 @@ static int close_to(double a, double b, double relative)
 
 /* ---- Sizes ---- */
 
-static void sizes_and_offsets_are_those_of_the_first_version(void)
+static void sizes_and_offsets_do_not_change(void)
 {
 #define OFFSET(type, field, expected)                                                                                  \
     printf("offsetof(" #type ", " #field ") = %zu\n", offsetof(type, field));                                          \
     CHECK(offsetof(type, field) == (expected), "offset of " #field)
     printf("sizeof(asperity_params) = %zu, asperity_state %zu, asperity_summary %zu\n", sizeof(asperity_params),
            sizeof(asperity_state), sizeof(asperity_summary));
-    CHECK(sizeof(asperity_params) >= 144, "asperity_params has lost a field");
-    CHECK(sizeof(asperity_state) >= 96, "asperity_state has lost a field");
+    CHECK(sizeof(asperity_params) >= 192, "asperity_params has lost a field");
+    CHECK(sizeof(asperity_state) >= 168, "asperity_state has lost a field");
     CHECK(sizeof(asperity_summary) >= 104, "asperity_summary has lost a field");
     OFFSET(asperity_params, struct_size, 0);
     OFFSET(asperity_params, composite_modulus, 8);
@@ -72,9 +72,16 @@ static void sizes_and_offsets_are_those_of_the_first_version(void)
     OFFSET(asperity_params, attraction, 76);
     OFFSET(asperity_params, weibull_shape, 80);
     OFFSET(asperity_params, max_friction_coefficient, 136);
+    OFFSET(asperity_params, skew, 144);
+    OFFSET(asperity_params, hardness, 160);
+    OFFSET(asperity_params, table_height, 168);
+    OFFSET(asperity_params, table_length, 184);
     OFFSET(asperity_state, load, 8);
     OFFSET(asperity_state, friction_force, 24);
     OFFSET(asperity_state, attraction_load, 88);
+    OFFSET(asperity_state, mean_contact_radius, 96);
+    OFFSET(asperity_state, fraction_in_contact, 136);
+    OFFSET(asperity_state, warnings, 160);
     OFFSET(asperity_summary, alpha, 8);
     OFFSET(asperity_summary, pull_off_load, 56);
     OFFSET(asperity_summary, table_error, 96);
@@ -124,6 +131,78 @@ static void init_sets_the_default_case_of_the_paper(void)
     CHECK(p.slip_radius_1 == 28 && p.slip_stress_1 == 1.0 / 43, "first slip constants");
     CHECK(p.slip_radius_2 == 8e4 && p.slip_stress_2 == 1.0 / 1290, "second slip constants");
     CHECK(p.max_friction_coefficient == 1000, "cap %g", p.max_friction_coefficient);
+    CHECK(p.skew == 0 && p.kurtosis == 3 && p.hardness == 0, "appended numbers");
+    CHECK(p.table_height == NULL && p.table_density == NULL && p.table_length == 0, "no table");
+}
+
+/* A function of this name, not the macro: for programs of the first version. */
+static void the_plain_functions_know_the_first_version_alone(void)
+{
+    asperity_status (*const init)(asperity_params *) = asperity_params_init;
+    asperity_status (*const get)(const asperity_model *, asperity_params *) = asperity_get_params;
+    const size_t first = offsetof(asperity_params, skew);
+    asperity_params p, whole, guard;
+    asperity_model *model;
+
+    memset(&guard, 0xa5, sizeof guard);
+    p = guard;
+    asperity_params_init(&whole);
+    CHECK(init(&p) == ASPERITY_OK && p.struct_size == first, "struct_size %llu", (unsigned long long)p.struct_size);
+    CHECK(memcmp(&p.composite_modulus, &whole.composite_modulus, first - 8) == 0, "another default case");
+    CHECK(memcmp(&p.skew, &guard.skew, sizeof p - first) == 0, "init wrote more");
+    model = model_of(p);
+    p = guard;
+    CHECK(get(model, &p) == ASPERITY_OK && p.struct_size == first, "struct_size %llu", (unsigned long long)p.struct_size);
+    CHECK(memcmp(&p.composite_modulus, &whole.composite_modulus, first - 8) == 0, "other parameters");
+    CHECK(memcmp(&p.skew, &guard.skew, sizeof p - first) == 0, "get_params wrote more");
+    asperity_free(model);
+    CHECK(init(NULL) == ASPERITY_NULL_POINTER && says("params is NULL"), "'%s'", last_message());
+    CHECK((asperity_params_init)(&p) == ASPERITY_OK && p.struct_size == first, "a name in parentheses");
+}
+
+static void every_size_of_a_version_is_taken(void)
+{
+    const uint64_t first = offsetof(asperity_params, skew), today = sizeof(asperity_params);
+    const uint64_t wrong[] = { 0, 8, first - 8, first + 4, today - 1, today + 8, UINT64_MAX };
+    asperity_params p, guard, whole, hard = surface(0);
+    asperity_model *model;
+
+    asperity_params_init(&whole);
+    hard.hardness = 3;
+    model = model_of(hard);
+    memset(&guard, 0xa5, sizeof guard);
+    for (uint64_t size = first; size <= today; size += 8) {
+        const size_t rest = sizeof p - (size_t)size;
+        p = guard;
+        CHECK(asperity_params_init_sized(&p, size) == ASPERITY_OK && p.struct_size == size, "%s", last_message());
+        CHECK(memcmp((char *)&p + 8, (char *)&whole + 8, (size_t)size - 8) == 0, "another default case");
+        CHECK(memcmp((char *)&p + size, (char *)&guard + size, rest) == 0, "init wrote past %d", (int)size);
+        CHECK(asperity_params_set_dimensionless(&p, 0.02, 500, 0.003, 0.5, 0.2) == ASPERITY_OK, "%s", last_message());
+        CHECK(asperity_params_set_skew(&p, 0.5) == ASPERITY_OK && p.struct_size == size, "%s", last_message());
+        CHECK(asperity_set_params(model, &p) == ASPERITY_OK, "%s", last_message());
+        CHECK(asperity_set_params(model, &hard) == ASPERITY_OK, "%s", last_message());
+        p = guard;
+        CHECK(asperity_get_params_sized(model, &p, size) == ASPERITY_OK && p.struct_size == size, "%s", last_message());
+        CHECK(memcmp((char *)&p + 8, (char *)&hard + 8, (size_t)size - 8) == 0, "other parameters");
+        CHECK(memcmp((char *)&p + size, (char *)&guard + size, rest) == 0, "get_params wrote past %d", (int)size);
+        /* hardness is the last number before the table */
+        CHECK(asperity_set_params(model, &p) == ASPERITY_OK && asperity_get_params(model, &p) == ASPERITY_OK, "%s",
+              last_message());
+        CHECK(p.hardness == (size >= offsetof(asperity_params, table_height) ? 3 : 0), "hardness %g", p.hardness);
+        CHECK(asperity_set_params(model, &hard) == ASPERITY_OK, "%s", last_message());
+    }
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        p = guard;
+        CHECK(asperity_params_init_sized(&p, wrong[i]) == ASPERITY_INVALID_PARAMETER && says("struct_size = "), "init");
+        CHECK(asperity_get_params_sized(model, &p, wrong[i]) == ASPERITY_INVALID_PARAMETER && says("struct_size = "),
+              "get_params");
+        CHECK(wrong[i] <= today || says("the header is newer than the library"), "'%s'", last_message());
+        CHECK(SAME(p, guard), "written in spite of the error");
+        p = hard;
+        p.struct_size = wrong[i];
+        CHECK(asperity_set_params(model, &p) == ASPERITY_INVALID_PARAMETER && says("struct_size = "), "set_params");
+    }
+    asperity_free(model);
 }
 
 static void setters_set_what_they_say_and_nothing_else(void)
@@ -156,6 +235,16 @@ static void setters_set_what_they_say_and_nothing_else(void)
     CHECK(close_to(p.effective_shear_modulus, 2 * 200e9 / 2.6, 1e-14), "G* against a rigid body is 2 G");
 
     expected = p;
+    CHECK(asperity_params_set_spectral_moments(&p, 3, 0.5, 0.7, 11) == ASPERITY_OK, "%s", last_message());
+    CHECK(close_to(p.height_std * p.height_std, 3 - 0.8968 * 0.25 / 0.7, 1e-4), "sigma = %g", p.height_std);
+    CHECK(close_to(p.summit_radius, 0.375 * sqrt(3.14159265358979324 / 0.7), 1e-14), "R = %.9g", p.summit_radius);
+    CHECK(close_to(p.asperity_count, 0.7 * 11 / (3 * sqrt(3) * 3.14159265358979324), 1e-14), "N = %.9g", p.asperity_count);
+    expected.height_std = p.height_std;
+    expected.summit_radius = p.summit_radius;
+    expected.asperity_count = p.asperity_count;
+    CHECK(SAME(p, expected), "set_spectral_moments changed another field");
+
+    expected = p;
     CHECK(asperity_params_set_skew(&p, 0) == ASPERITY_OK, "%s", last_message());
     CHECK(p.height_distribution == ASPERITY_HEIGHTS_WEIBULL, "heights");
     CHECK(fabs(p.weibull_shape - 3.602) < 6e-4, "omega = %g without skew", p.weibull_shape);
@@ -180,6 +269,13 @@ static void failing_setters_touch_nothing(void)
     FAILS(asperity_params_set_materials(&p, 0, 0.3, 1, 0.3), ASPERITY_INVALID_PARAMETER, "E1 = 0: ");
     FAILS(asperity_params_set_materials(&p, 1, 0.3, 1, -1), ASPERITY_INVALID_PARAMETER, "nu2 = -1: ");
     FAILS(asperity_params_set_materials(&p, INFINITY, 0.3, INFINITY, 0.3), ASPERITY_INVALID_PARAMETER, "E2 = inf: ");
+    FAILS(asperity_params_set_spectral_moments(&p, 1, 1, 1.49, 1), ASPERITY_INVALID_PARAMETER,
+          "bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5");
+    FAILS(asperity_params_set_spectral_moments(&p, 0, 1, 2, 1), ASPERITY_INVALID_PARAMETER, "m0 = 0: ");
+    FAILS(asperity_params_set_spectral_moments(&p, 1, -1, 2, 1), ASPERITY_INVALID_PARAMETER, "m2 = -1: ");
+    FAILS(asperity_params_set_spectral_moments(&p, 1, 1, NAN, 1), ASPERITY_INVALID_PARAMETER, "m4 = NaN: ");
+    FAILS(asperity_params_set_spectral_moments(&p, 1, 1, 2, INFINITY), ASPERITY_INVALID_PARAMETER, "nominal_area = inf: ");
+    FAILS(asperity_params_set_spectral_moments(&p, 1, 1e-41, 2, 1), ASPERITY_OUT_OF_RANGE, "m2 = 1e-41: ");
     FAILS(asperity_params_set_skew(&p, -1.2), ASPERITY_INVALID_PARAMETER, "skew = -1.2: ");
     FAILS(asperity_params_set_skew(&p, NAN), ASPERITY_INVALID_PARAMETER, "skew = NaN: ");
     FAILS(asperity_params_set_skew(&p, 1e6), ASPERITY_OUT_OF_RANGE, "skew = ");
@@ -222,6 +318,9 @@ static const refused REFUSED[] = {
     { FIELD(slip_radius_2), 28, ASPERITY_INVALID_PARAMETER, "slip_radius_2 = 28: must be greater than slip_radius_1" },
     { FIELD(slip_stress_2), 1e-12, ASPERITY_INVALID_PARAMETER, "slip_stress_2 = 1e-12: must be at least" },
     { FIELD(max_friction_coefficient), 0, ASPERITY_INVALID_PARAMETER, "max_friction_coefficient = 0: must be > 0" },
+    { FIELD(hardness), -1, ASPERITY_INVALID_PARAMETER, "hardness = -1: must be finite and >= 0" },
+    { FIELD(hardness), NAN, ASPERITY_INVALID_PARAMETER, "hardness = NaN: must be finite and >= 0" },
+    { FIELD(hardness), 1e41, ASPERITY_OUT_OF_RANGE, "hardness = 1e41: must be between 1e-40 and 1e40" },
     { FIELD(summit_radius), 1e-3, ASPERITY_OUT_OF_RANGE, "alpha = 100: " },
     { FIELD(work_of_adhesion), 1e3, ASPERITY_OUT_OF_RANGE, "gamma = " },
     { FIELD(adhesion_range), 1e6, ASPERITY_OUT_OF_RANGE, "b/h = " },
@@ -302,6 +401,66 @@ static void set_params_makes_the_model_that_create_makes(void)
         asperity_free(changed);
         asperity_free(fresh);
     }
+}
+
+/* Heights that came with fields of their own say that these are there, whatever struct_size says. */
+static void heights_tell_of_their_fields(void)
+{
+    const size_t first = offsetof(asperity_params, skew);
+    asperity_params p, kept, guard;
+    asperity_model *model;
+    asperity_summary s;
+
+    memset(&guard, 0xa5, sizeof guard);
+    p = guard;
+    (asperity_params_init)(&p);
+    p.height_distribution = ASPERITY_HEIGHTS_JOHNSON;
+    p.skew = 0.5;
+    p.kurtosis = 4;
+    model = model_of(p); /* hardness, which struct_size does not cover, is not read */
+    s = summary_of(model);
+    CHECK(close_to(s.skew, 0.5, 1e-12) && close_to(s.kurtosis, 4, 1e-12), "skew %g, kurtosis %g", s.skew, s.kurtosis);
+    kept = guard;
+    CHECK((asperity_get_params)(model, &kept) == ASPERITY_OK && kept.struct_size == first, "%s", last_message());
+    CHECK(memcmp(&kept, &p, offsetof(asperity_params, hardness)) == 0, "they do not come back");
+    CHECK(memcmp(&kept.hardness, &guard.hardness, sizeof p - offsetof(asperity_params, hardness)) == 0, "nor no more");
+    CHECK(asperity_get_params(model, &kept) == ASPERITY_OK && kept.struct_size == sizeof kept, "%s", last_message());
+    CHECK(kept.skew == 0.5 && kept.kurtosis == 4 && kept.hardness == 0, "the whole struct");
+
+    /* The plain function may have a caller without these fields: it refuses, unless they came as above. */
+    CHECK(asperity_set_params(model, &kept) == ASPERITY_OK, "%s", last_message());
+    p = guard;
+    CHECK((asperity_get_params)(model, &p) == ASPERITY_INVALID_PARAMETER && says("struct_size = 144: must reach"), "'%s'",
+          last_message());
+    CHECK(asperity_get_params_sized(model, &p, first + 8) == ASPERITY_INVALID_PARAMETER, "without a kurtosis");
+    CHECK(SAME(p, guard), "written in spite of the error");
+    CHECK(asperity_get_params_sized(model, &p, first + 16) == ASPERITY_OK && p.kurtosis == 4, "%s", last_message());
+
+    kept.kurtosis = 1.2;
+    CHECK(asperity_set_params(model, &kept) == ASPERITY_INVALID_PARAMETER && says("kurtosis = 1.2: "), "'%s'",
+          last_message());
+    asperity_free(model);
+}
+
+static void tables_are_refused_by_name(void)
+{
+    const double heights[] = { 0, 1, 2, 3, 4 }, densities[] = { 0, 1, 2, 1, 0 };
+    asperity_params p = surface(0);
+    asperity_model *model = NULL;
+
+    p.height_distribution = ASPERITY_HEIGHTS_TABULATED;
+    CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && says("table_length = 0: must be between "), "'%s'",
+          last_message());
+    p.table_length = UINT64_MAX;
+    CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && says("table_length = "), "'%s'", last_message());
+    p.table_length = 5;
+    CHECK(asperity_create(&p, &model) == ASPERITY_NULL_POINTER && says("table_height is NULL"), "'%s'", last_message());
+    p.table_height = heights;
+    CHECK(asperity_create(&p, &model) == ASPERITY_NULL_POINTER && says("table_density is NULL"), "'%s'", last_message());
+    p.table_density = densities;
+    p.height_distribution = ASPERITY_HEIGHTS_GAUSSIAN;
+    CHECK(asperity_create(&p, &model) == ASPERITY_OK, "a table that is not read: %s", last_message());
+    asperity_free(model);
 }
 
 /* ---- Output structs ---- */
@@ -622,15 +781,19 @@ static void last_message_is_copied_out_whole_or_cut(void)
 
 int main(void)
 {
-    sizes_and_offsets_are_those_of_the_first_version();
+    sizes_and_offsets_do_not_change();
     versions_agree_with_the_header();
     every_status_has_its_own_words();
     init_sets_the_default_case_of_the_paper();
+    the_plain_functions_know_the_first_version_alone();
+    every_size_of_a_version_is_taken();
     setters_set_what_they_say_and_nothing_else();
     failing_setters_touch_nothing();
     create_refuses_by_name_and_leaves_the_pointer();
     failing_set_params_leaves_the_model_bit_for_bit();
     set_params_makes_the_model_that_create_makes();
+    heights_tell_of_their_fields();
+    tables_are_refused_by_name();
     outputs_are_written_no_further_than_struct_size();
     failing_states_say_what_is_wrong();
     for (int i = 0; i < SURFACES; i++) {

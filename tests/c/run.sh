@@ -64,7 +64,11 @@ compile traps tests/c/traps.c
 timeout 300 "$build/traps"
 
 echo "-- valgrind: no invalid access, no leak"
-valgrind --quiet --error-exitcode=1 --leak-check=full --show-leak-kinds=all "$build/threads"
+compile old_caller tests/c/old_caller.c
+compile tables tests/c/tables.c
+for program in threads old_caller tables; do
+    valgrind --quiet --error-exitcode=1 --leak-check=full --show-leak-kinds=all "$build/$program"
+done
 
 echo "-- the example, and its command line"
 compile friction_curve c_examples/friction_curve.c

@@ -145,6 +145,7 @@ static void special_parameters(void)
         offsetof(asperity_params, radius_rate), offsetof(asperity_params, slip_radius_1),
         offsetof(asperity_params, slip_stress_1), offsetof(asperity_params, slip_radius_2),
         offsetof(asperity_params, slip_stress_2), offsetof(asperity_params, max_friction_coefficient),
+        offsetof(asperity_params, skew), offsetof(asperity_params, kurtosis), offsetof(asperity_params, hardness),
     };
     const asperity_params first = surface(0);
     asperity_model *other = NULL;
@@ -153,6 +154,8 @@ static void special_parameters(void)
     for (size_t k = 0; k < sizeof offsets / sizeof *offsets; k++)
         for (int i = 0; i < SPECIALS; i++) {
             asperity_params p = surface(offsets[k] == offsetof(asperity_params, weibull_shape) ? 4 : 0);
+            if (offsets[k] == offsetof(asperity_params, skew) || offsets[k] == offsetof(asperity_params, kurtosis))
+                p.height_distribution = ASPERITY_HEIGHTS_JOHNSON;
             memcpy((char *)&p + offsets[k], &specials[i], sizeof(double));
             try_params(&p, other, 0);
         }
@@ -161,9 +164,9 @@ static void special_parameters(void)
 
 static void special_integers(void)
 {
-    const int32_t integers[] = { INT32_MIN, -1, 2, 3, 1000, INT32_MAX };
-    const uint64_t sizes[] = { 0, 1, 8, sizeof(asperity_params) - 8, sizeof(asperity_params) - 1,
-                               sizeof(asperity_params) + 1, UINT64_MAX };
+    const int32_t integers[] = { INT32_MIN, -1, 4, 5, 1000, INT32_MAX };
+    const uint64_t sizes[] = { 0, 1, 8, offsetof(asperity_params, skew) - 8, sizeof(asperity_params) - 1,
+                               sizeof(asperity_params) + 1, sizeof(asperity_params) + 8, UINT64_MAX };
 
     for (size_t i = 0; i < sizeof integers / sizeof *integers; i++) {
         asperity_params p = surface(0);
@@ -203,6 +206,14 @@ static void special_setter_arguments(void)
             doing = "asperity_params_set_materials";
             asperity_params_set_materials(&p, x[0], x[1], x[2], x[3]);
         }
+        for (int k = 0; k < 4; k++) {
+            asperity_params p = surface(0);
+            const double moments[4] = { 3, 0.5, 0.7, 11 };
+            memcpy(x, moments, sizeof moments);
+            memcpy(&x[k], &specials[i], sizeof *x);
+            doing = "asperity_params_set_spectral_moments";
+            asperity_params_set_spectral_moments(&p, x[0], x[1], x[2], x[3]);
+        }
         {
             asperity_params p = surface(0);
             doing = "asperity_params_set_skew";
@@ -228,6 +239,8 @@ static void null_pointers(void)
     CHECK(asperity_create(&p, &model) == ASPERITY_OK, "no model");
 #define REFUSES(call) CHECK((call) == ASPERITY_NULL_POINTER, "NULL is not refused")
     REFUSES(asperity_params_init(NULL));
+    REFUSES((asperity_params_init)(NULL));
+    REFUSES(asperity_params_set_spectral_moments(NULL, 3, 0.5, 0.7, 11));
     REFUSES(asperity_params_set_dimensionless(NULL, 0.01, 1000, 0.001, 1, 0.3));
     REFUSES(asperity_params_set_materials(NULL, 1, 0.3, 1, 0.3));
     REFUSES(asperity_params_set_skew(NULL, 0));

@@ -20,6 +20,11 @@ pub struct asperity_params {
     pub attraction: i32,
     /// From `weibull_shape` to `max_friction_coefficient`.
     pub constants: [f64; 8],
+    /// `skew`, `kurtosis`, `hardness`.
+    pub appended: [f64; 3],
+    /// `table_height` and `table_density`, as addresses.
+    pub table: [usize; 2],
+    pub table_length: u64,
 }
 
 /// The exact state of the header, field by field in `values`.
@@ -38,6 +43,14 @@ pub struct asperity_state {
     pub contacting: f64,
     pub attracted: f64,
     pub attraction_load: f64,
+    pub mean_contact_radius: f64,
+    pub max_contact_radius: f64,
+    /// Below `slip_radius_1`, between, above `slip_radius_2`.
+    pub fractions: [f64; 3],
+    pub fraction_in_contact: f64,
+    pub mean_asperity_pressure: f64,
+    pub plasticity_index: f64,
+    pub warnings: u64,
 }
 
 /// The summary of the header.
@@ -70,7 +83,7 @@ pub const NOT_CONVERGED: i32 = 6;
 type Model = *const asperity_model;
 
 extern "C" {
-    pub fn asperity_params_init(params: *mut asperity_params) -> i32;
+    pub fn asperity_params_init_sized(params: *mut asperity_params, struct_size: u64) -> i32;
     pub fn asperity_params_set_dimensionless(
         params: *mut asperity_params,
         alpha: f64,
@@ -80,10 +93,17 @@ extern "C" {
         poisson: f64,
     ) -> i32;
     pub fn asperity_params_set_materials(params: *mut asperity_params, e1: f64, nu1: f64, e2: f64, nu2: f64) -> i32;
+    pub fn asperity_params_set_spectral_moments(
+        params: *mut asperity_params,
+        m0: f64,
+        m2: f64,
+        m4: f64,
+        nominal_area: f64,
+    ) -> i32;
     pub fn asperity_params_set_skew(params: *mut asperity_params, skew: f64) -> i32;
     pub fn asperity_create(params: *const asperity_params, model: *mut *mut asperity_model) -> i32;
     pub fn asperity_set_params(model: *mut asperity_model, params: *const asperity_params) -> i32;
-    pub fn asperity_get_params(model: Model, params: *mut asperity_params) -> i32;
+    pub fn asperity_get_params_sized(model: Model, params: *mut asperity_params, struct_size: u64) -> i32;
     pub fn asperity_free(model: *mut asperity_model);
     pub fn asperity_friction_at_load(model: Model, load: f64) -> f64;
     pub fn asperity_friction_force_at_load(model: Model, load: f64) -> f64;
@@ -110,11 +130,19 @@ extern "C" {
 impl asperity_params {
     /// The paper's default case.
     pub fn initial() -> Self {
-        let mut params =
-            Self { struct_size: 0, quantities: [0.0; 8], height_distribution: 0, attraction: 0, constants: [0.0; 8] };
+        // SAFETY: zero bits are a value of every field.
+        let mut params: Self = unsafe { std::mem::zeroed() };
         // SAFETY: a struct to write to.
-        assert_eq!(unsafe { asperity_params_init(&mut params) }, OK);
+        assert_eq!(unsafe { asperity_params_init_sized(&mut params, size_of::<Self>() as u64) }, OK);
         assert_eq!(params.struct_size as usize, size_of::<Self>());
+        params
+    }
+
+    /// The parameters of a model.
+    pub fn of(handle: &Handle) -> Self {
+        let mut params = Self::initial();
+        // SAFETY: the model lives.
+        assert_eq!(unsafe { asperity_get_params_sized(handle.0, &mut params, size_of::<Self>() as u64) }, OK);
         params
     }
 
@@ -131,6 +159,21 @@ impl asperity_params {
     pub fn weibull(mut self, shape: f64) -> Self {
         self.height_distribution = 1;
         self.constants[0] = shape;
+        self
+    }
+
+    /// With heights of Johnson's system.
+    pub fn johnson(mut self, skew: f64, kurtosis: f64) -> Self {
+        self.height_distribution = 2;
+        self.appended[..2].copy_from_slice(&[skew, kurtosis]);
+        self
+    }
+
+    /// With heights of a measured density.
+    pub fn table(mut self, height: &'static [f64], density: &'static [f64]) -> Self {
+        self.height_distribution = 3;
+        self.table = [height, density].map(|column| column.as_ptr() as usize);
+        self.table_length = height.len() as u64;
         self
     }
 
@@ -208,7 +251,7 @@ pub fn message() -> String {
 /// Makes the message of this thread's last failure a known one.
 pub fn reset_message() {
     // SAFETY: NULL is refused.
-    assert_eq!(unsafe { asperity_get_params(std::ptr::null(), std::ptr::null_mut()) }, NULL_POINTER);
+    assert_eq!(unsafe { asperity_set_params(std::ptr::null_mut(), std::ptr::null()) }, NULL_POINTER);
 }
 
 /// The bytes of a struct, to compare NaN as well.

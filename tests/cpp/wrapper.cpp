@@ -139,6 +139,52 @@ void each_setter_sets_its_own_field() {
     FIELD(slip_radius_2, 9e4);
     FIELD(slip_stress_2, 7e-4);
     FIELD(max_friction_coefficient, INF);
+    FIELD(skew, 0.5);
+    FIELD(kurtosis, 4.0);
+    FIELD(hardness, 9e9);
+}
+
+void a_table_is_copied_and_shared() {
+    const std::vector<double> heights{1.0, 2.0, 3.0, 4.0, 5.0}, densities{0.0, 1.0, 2.0, 1.0, 0.0};
+    EXPECT(Params().table_height().size() == 0 && Params().table_density().data() == nullptr);
+    Params copy;
+    {
+        Params params;
+        params.table(std::vector<double>(heights), std::vector<double>(densities));
+        copy = params;
+        params.table(densities, densities);
+    }
+    EXPECT(copy.height_distribution() == asperity::Heights::tabulated);
+    EXPECT(copy.table_height().size() == 5 && copy.table_height().data()[4] == 5.0);
+    EXPECT(copy.table_density().size() == 5 && copy.table_density().data()[2] == 2.0);
+    EXPECT(copy.table_height().data() != heights.data());
+    // From C and back: the copy has a table of its own.
+    const Params again(copy.c());
+    EXPECT(again.table_height().data() != copy.table_height().data() && again.table_density().data()[1] == 1.0);
+
+    // The model copies it once more, and its parameters a last time.
+    Params back;
+    {
+        const Model model(copy);
+        EXPECT(std::fabs(model.summary().skew) < 1e-12 && model.friction_at_load(10.0) > 0.0);
+        back = model.params();
+    }
+    EXPECT(back.table_height().data()[4] == 5.0 && back.table_density().data()[2] == 2.0);
+
+    const Error error = thrown_by([&] { copy.table(heights, {densities.data(), 4}); });
+    EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(begins(error.what(), "size of densities = 4: must be the number of heights, 5"));
+    EXPECT(copy.table_height().size() == 5);
+}
+
+// The functions that asperity.h has macros for: here for programs of the first version of the struct.
+void the_plain_functions_serve_old_programs() {
+    const Model model;
+    asperity_params params;
+    EXPECT((asperity_params_init)(&params) == ASPERITY_OK && params.struct_size == offsetof(asperity_params, skew));
+    EXPECT((asperity_get_params)(model.c(), &params) == ASPERITY_OK);
+    EXPECT(params.struct_size == offsetof(asperity_params, skew));
+    EXPECT(asperity_params_init(&params) == ASPERITY_OK && params.struct_size == sizeof params);
 }
 
 void materials_give_the_moduli_of_both_bodies() {
@@ -150,6 +196,18 @@ void materials_give_the_moduli_of_both_bodies() {
     Params changed = params;
     EXPECT(thrown_by([&] { changed.set_materials(-1.0, 0.3, INF, 0.3); }).status() == ASPERITY_INVALID_PARAMETER);
     EXPECT(changed.composite_modulus() == params.composite_modulus());
+}
+
+void spectral_moments_give_the_summits() {
+    const Params params = Params().set_spectral_moments(3.0, 0.5, 0.7, 11.0);
+    EXPECT(close(params.height_std() * params.height_std(), 3.0 - 0.8968 * 0.25 / 0.7, 1e-4));
+    EXPECT(close(params.summit_radius(), 0.375 * std::sqrt(3.14159265358979324 / 0.7), 1e-14));
+    EXPECT(close(params.asperity_count(), 0.7 * 11.0 / (6.0 * 3.14159265358979324 * std::sqrt(3.0) * 0.5), 1e-14));
+    Params changed = params;
+    const Error error = thrown_by([&] { changed.set_spectral_moments(1.0, 1.0, 1.25, 1.0); });
+    EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(begins(error.what(), "bandwidth m0 m4/m2^2 = 1.25: must be at least 1.5"));
+    EXPECT(changed.summit_radius() == params.summit_radius());
 }
 
 void dimensionless_groups_come_back_from_the_model() {
@@ -177,6 +235,13 @@ void skew_chooses_the_weibull_shape() {
     const Error error = thrown_by([&] { params.set_skew(-1.2); });
     EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
     EXPECT(begins(error.what(), "skew = -1.2: must be "));
+}
+
+void johnson_heights_have_a_skew_and_a_kurtosis_of_their_own() {
+    const Params params = Params().height_distribution(asperity::Heights::johnson).skew(0.4).kurtosis(3.8);
+    const asperity::Summary summary = Model(params).summary();
+    EXPECT(close(summary.skew, 0.4, 1e-9) && close(summary.kurtosis, 3.8, 1e-9));
+    EXPECT(thrown_by([&] { Model(Params(params).kurtosis(1.0)); }).status() == ASPERITY_INVALID_PARAMETER);
 }
 
 // ---- The model ----
@@ -242,6 +307,11 @@ void states_are_those_of_the_reference() {
     EXPECT(close(state.real_area, 318699.2525830931, 1e-7));
     EXPECT(close(state.contacting, 0.17776420898559706, 1e-7));
     EXPECT(close(state.attraction_load, -2.1044486779808658 * (2.0 / 0.7), 1e-6));
+
+    EXPECT(close(state.mean_asperity_pressure, (state.load - state.attraction_load) / state.real_area, 1e-12));
+    EXPECT(state.plasticity_index == 0.0 && state.warnings == 0);
+    const Model soft(Params().hardness(0.01));
+    EXPECT(soft.state_at_load(state.load).warnings == ASPERITY_WARNING_PLASTIC);
 
     const asperity::State same = model.state_at_load(state.load);
     EXPECT(close(same.separation, state.separation, 1e-9));
@@ -413,9 +483,13 @@ int main() {
     every_status_has_its_own_words();
     an_error_carries_status_and_message();
     each_setter_sets_its_own_field();
+    a_table_is_copied_and_shared();
+    the_plain_functions_serve_old_programs();
     materials_give_the_moduli_of_both_bodies();
+    spectral_moments_give_the_summits();
     dimensionless_groups_come_back_from_the_model();
     skew_chooses_the_weibull_shape();
+    johnson_heights_have_a_skew_and_a_kurtosis_of_their_own();
     a_model_moves_and_does_not_copy();
     parameters_change_all_or_nothing();
     friction_is_that_of_the_reference();

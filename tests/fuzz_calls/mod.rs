@@ -10,6 +10,22 @@ mod calls;
 
 use crate::c_abi::*;
 pub use calls::{Calls, Tally};
+use std::mem::offset_of;
+
+/// The word of the parameters at which the table's pointers begin, which are trusted: they lead to `TABLES` or nowhere.
+pub const TABLE_AT: usize = offset_of!(asperity_params, table) / 8;
+const TABLE_LENGTH: usize = 9;
+/// Heights, and densities at them: some that are valid, some that are not.
+static TABLES: [[f64; TABLE_LENGTH]; 8] = [
+    [-2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0],
+    [1e-9, 2e-9, 3e-9, 4e-9, 6e-9, 8e-9, 9e-9, 1e-8, 1.1e-8],
+    [0.0, 0.25, 0.5, 0.75, 1.0, 0.75, 0.5, 0.25, 0.0],
+    [0.1, 1.0, 3.0, 1.0, 0.1, 0.2, 0.6, 0.3, 0.0],
+    [1e-3, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 1e-3],
+    [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+    [0.0, 1.0, f64::NAN, 1.0, -1.0, 1.0, f64::INFINITY, 1e300, 5e-324],
+    [0.0; TABLE_LENGTH],
+];
 
 /// What the bytes say; zeros when they have run out.
 pub struct Bytes<'a>(pub &'a [u8]);
@@ -66,7 +82,7 @@ impl Bytes<'_> {
             0 => self.raw_params(),
             1 => {
                 let mut params = self.surface();
-                let at = 1 + self.below(size_of::<asperity_params>() / 8 - 1);
+                let at = 1 + self.below(TABLE_AT - 1);
                 set_word(&mut params, at, self.any_float().to_bits());
                 params
             }
@@ -81,10 +97,11 @@ impl Bytes<'_> {
 
     fn raw_params(&mut self) -> asperity_params {
         let mut params = asperity_params::initial();
-        for at in 1..size_of::<asperity_params>() / 8 {
+        for at in 1..TABLE_AT {
             set_word(&mut params, at, self.any_float().to_bits());
         }
-        params.height_distribution = i32::from(self.byte() as i8) >> 6;
+        params = self.tabulated(params);
+        params.height_distribution = i32::from(self.byte() as i8) >> 5;
         params.attraction = i32::from(self.byte() as i8) >> 6;
         params
     }
@@ -102,10 +119,17 @@ impl Bytes<'_> {
         for (quantity, unit) in params.quantities.iter_mut().zip(units) {
             *quantity *= unit;
         }
-        params = match self.below(8) {
-            0..=3 => params,
-            4..=6 => params.weibull(self.log_between(1.0, 200.0)),
-            _ => params.weibull(self.log_between(1.0, 1e6)),
+        params = match self.below(16) {
+            0..=5 => params,
+            6..=10 => params.weibull(self.log_between(1.0, 200.0)),
+            11 => params.weibull(self.log_between(1.0, 1e6)),
+            12..=13 => {
+                let skew = 4.0 * self.part() - 2.0;
+                params.height_distribution = 2;
+                [params.appended[0], params.appended[1]] = [skew, skew * skew + 1.0 + self.log_between(0.1, 20.0)];
+                params
+            }
+            _ => self.tabulated(params),
         };
         if self.below(16) == 0 {
             let amplitude = [-1.0, 1.0, 2.0 * self.part() - 1.0][self.below(3)];
@@ -117,6 +141,17 @@ impl Bytes<'_> {
             1 => params.cap(self.log_between(1e-6, 1e6)),
             _ => params,
         }
+    }
+
+    /// With a table of heights, of which not all are valid.
+    fn tabulated(&mut self, mut params: asperity_params) -> asperity_params {
+        params.height_distribution = 3;
+        params.table = [TABLES[self.below(2)].as_ptr() as usize, TABLES[self.below(TABLES.len())].as_ptr() as usize];
+        params.table_length = if self.below(4) == 0 { self.below(TABLE_LENGTH + 1) } else { TABLE_LENGTH } as u64;
+        if self.below(16) == 0 {
+            (params.table[self.below(2)], params.table_length) = (0, self.word());
+        }
+        params
     }
 
     /// A load: on the branch, near its ends, or of any bits.

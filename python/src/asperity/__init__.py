@@ -12,6 +12,6 @@ from ._header import ASPERITY_VERSION as __version__
 from .errors import Error, Status
 from .model import Model
 from .params import Params
-from .results import State, Summary
+from .results import State, Summary, Warnings
 
-__all__ = ["Error", "Model", "Params", "State", "Status", "Summary", "__version__"]
+__all__ = ["Error", "Model", "Params", "State", "Status", "Summary", "Warnings", "__version__"]

@@ -39,7 +39,8 @@ _PHYSICAL = {
 }
 _REQUIRED = ("work_of_adhesion", "adhesion_range", "burgers_vector", "height_std", "summit_radius")
 _OPTIONS = {
-    "skew": "Weibull heights of this skew",
+    "skew": "Weibull heights of this skew; with a kurtosis, Johnson's",
+    "kurtosis": "Johnson's heights of this kurtosis",
     "weibull_shape": "Weibull heights of this shape, instead of a skew",
     "radius_amplitude": "epsilon: growth of the radius with height, -1 to 1",
     "radius_rate": "rho: how fast it grows",
@@ -49,6 +50,8 @@ _OPTIONS = {
     "slip_stress_2": "tau_2/G*",
     "max_friction_coefficient": "cap on the friction coefficient",
 }
+# Options that choose the heights: their defaults are those of heights not chosen.
+_CHOOSING = ("skew", "kurtosis")
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -78,7 +81,7 @@ def _add_options(curve: argparse.ArgumentParser) -> None:
     optional = curve.add_argument_group("and, with either")
     defaults = {field.name: field.default for field in fields(Params) if field.default is not MISSING}
     for name, text in _OPTIONS.items():
-        shown = f" ({defaults[name]:g})" if name in defaults else ""
+        shown = f" ({defaults[name]:g})" if name in defaults and name not in _CHOOSING else ""
         optional.add_argument(_flag(name), type=float, metavar="X", help=text + shown)
     optional.add_argument("--no-attraction", action="store_true", help="summits out of contact do not attract")
     loads = curve.add_argument_group("loads, evenly spaced in the logarithm, and the figure")

@@ -25,6 +25,10 @@ ASPERITY_INTERNAL = 255
 
 ASPERITY_HEIGHTS_GAUSSIAN = 0
 ASPERITY_HEIGHTS_WEIBULL = 1
+ASPERITY_HEIGHTS_JOHNSON = 2
+ASPERITY_HEIGHTS_TABULATED = 3
+
+ASPERITY_WARNING_PLASTIC = 1
 
 ASPERITY_TABLE_LAYOUT = 1
 
@@ -57,6 +61,12 @@ class asperity_params(Structure):
         ("slip_radius_2", c_double),
         ("slip_stress_2", c_double),
         ("max_friction_coefficient", c_double),
+        ("skew", c_double),
+        ("kurtosis", c_double),
+        ("hardness", c_double),
+        ("table_height", POINTER(c_double)),
+        ("table_density", POINTER(c_double)),
+        ("table_length", c_uint64),
     ]
 
 
@@ -74,6 +84,15 @@ class asperity_state(Structure):
         ("contacting", c_double),
         ("attracted", c_double),
         ("attraction_load", c_double),
+        ("mean_contact_radius", c_double),
+        ("max_contact_radius", c_double),
+        ("fraction_below_slip_radius_1", c_double),
+        ("fraction_between_slip_radii", c_double),
+        ("fraction_above_slip_radius_2", c_double),
+        ("fraction_in_contact", c_double),
+        ("mean_asperity_pressure", c_double),
+        ("plasticity_index", c_double),
+        ("warnings", c_uint64),
     ]
 
 
@@ -123,12 +142,15 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_status_string": (c_char_p, [asperity_status]),
     "asperity_last_error": (c_size_t, [POINTER(c_char), c_size_t]),
     "asperity_params_init": (asperity_status, [_params]),
+    "asperity_params_init_sized": (asperity_status, [_params, c_uint64]),
     "asperity_params_set_dimensionless": (asperity_status, [_params, *5 * [c_double]]),
     "asperity_params_set_materials": (asperity_status, [_params, *4 * [c_double]]),
+    "asperity_params_set_spectral_moments": (asperity_status, [_params, *4 * [c_double]]),
     "asperity_params_set_skew": (asperity_status, [_params, c_double]),
     "asperity_create": (asperity_status, [_params, POINTER(_model)]),
     "asperity_set_params": (asperity_status, [_model, _params]),
     "asperity_get_params": (asperity_status, [_model, _params]),
+    "asperity_get_params_sized": (asperity_status, [_model, _params, c_uint64]),
     "asperity_free": (None, [_model]),
     "asperity_friction_at_load": (c_double, [_model, c_double]),
     "asperity_friction_force_at_load": (c_double, [_model, c_double]),

@@ -236,7 +236,7 @@ def _state(handle: _Handle, call: Any, at: float) -> State:
     return State(*_values(struct))
 
 
-def _values(struct: ctypes.Structure) -> list[float]:
+def _values(struct: ctypes.Structure) -> list[Any]:
     """The fields of a struct after its size."""
     return [getattr(struct, field[0]) for field in struct._fields_[1:]]
 

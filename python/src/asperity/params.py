@@ -6,7 +6,7 @@ import ctypes
 import math
 import numbers
 from dataclasses import MISSING, dataclass, fields
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, Sequence
 
 from . import _header
 from ._library import LIBRARY, check
@@ -16,12 +16,16 @@ if TYPE_CHECKING:
     from typing_extensions import TypedDict, Unpack
 
     class Options(TypedDict, total=False):
-        """What every way to make parameters takes beside its own: the fields with a default, and `skew`."""
+        """What every way to make parameters takes beside its own: the fields with a default."""
 
-        height_distribution: Literal["gaussian", "weibull"]
+        height_distribution: Literal["gaussian", "weibull", "johnson", "tabulated"]
         attraction: bool
         weibull_shape: float
         skew: float
+        kurtosis: float
+        hardness: float
+        table_height: Sequence[float]
+        table_density: Sequence[float]
         radius_amplitude: float
         radius_rate: float
         slip_radius_1: float
@@ -30,13 +34,33 @@ if TYPE_CHECKING:
         slip_stress_2: float
         max_friction_coefficient: float
 
+    class Contact(Options, total=False):
+        """What `si` takes beside the roughness."""
 
-_DISTRIBUTIONS = {"gaussian": _header.ASPERITY_HEIGHTS_GAUSSIAN, "weibull": _header.ASPERITY_HEIGHTS_WEIBULL}
+        work_of_adhesion: float
+        adhesion_range: float
+        burgers_vector: float
+        composite_modulus: float
+        effective_shear_modulus: float
+        E1: float
+        nu1: float
+        E2: float
+        nu2: float
+
+
+_DISTRIBUTIONS = {
+    "gaussian": _header.ASPERITY_HEIGHTS_GAUSSIAN,
+    "weibull": _header.ASPERITY_HEIGHTS_WEIBULL,
+    "johnson": _header.ASPERITY_HEIGHTS_JOHNSON,
+    "tabulated": _header.ASPERITY_HEIGHTS_TABULATED,
+}
+# What a field means for the heights, where no height_distribution is given with it. A skew alone is one of Weibull's.
+_CHOOSES = {"weibull_shape": "weibull", "kurtosis": "johnson", "table_height": "tabulated", "table_density": "tabulated"}
 
 
 def _initialised() -> _header.asperity_params:
     struct = _header.asperity_params()
-    check(LIBRARY.asperity_params_init(ctypes.byref(struct)))
+    check(LIBRARY.asperity_params_init_sized(ctypes.byref(struct), ctypes.sizeof(struct)))
     return struct
 
 
@@ -60,7 +84,7 @@ class Params:
         height_std: sigma [length] > 0: standard deviation of summit heights.
         summit_radius: R [length] > 0: mean radius of curvature of the summits.
         asperity_count: N > 0: summit density times nominal area; need not be whole.
-        height_distribution: "gaussian" or "weibull".
+        height_distribution: "gaussian", "weibull", "johnson" or "tabulated".
         attraction: whether summits out of contact attract.
         weibull_shape: omega > 0, 3.602 for no skew; read only for "weibull".
         radius_amplitude: epsilon, -1 to 1: the radius grows with height z as R (1 + epsilon tanh(rho z/sigma)).
@@ -70,6 +94,12 @@ class Params:
         slip_radius_2: a_2/b > a_1/b: from this contact radius on the shear strength is slip_stress_2.
         slip_stress_2: tau_2/G* > 0; tau_2 a_2^2 must not be below tau_1 a_1^2.
         max_friction_coefficient: cap > 0 on every friction coefficient returned; may be infinite.
+        skew: of the summit heights; read only for "johnson".
+        kurtosis: of the summit heights, > skew^2 + 1; read only for "johnson".
+        hardness: H [stress] >= 0, indentation hardness of the softer body, which the contact pressure of a `State`
+            is judged by; 0 where it is not known.
+        table_height: summit heights, increasing, in any unit and from any origin; read only for "tabulated".
+        table_density: as many densities >= 0, of any scale.
     """
 
     composite_modulus: float
@@ -80,7 +110,7 @@ class Params:
     height_std: float
     summit_radius: float
     asperity_count: float
-    height_distribution: Literal["gaussian", "weibull"] = "gaussian"
+    height_distribution: Literal["gaussian", "weibull", "johnson", "tabulated"] = "gaussian"
     attraction: bool = True
     weibull_shape: float = _DEFAULT.weibull_shape
     radius_amplitude: float = _DEFAULT.radius_amplitude
@@ -90,11 +120,19 @@ class Params:
     slip_radius_2: float = _DEFAULT.slip_radius_2
     slip_stress_2: float = _DEFAULT.slip_stress_2
     max_friction_coefficient: float = _DEFAULT.max_friction_coefficient
+    skew: float = _DEFAULT.skew
+    kurtosis: float = _DEFAULT.kurtosis
+    hardness: float = _DEFAULT.hardness
+    table_height: Sequence[float] = ()
+    table_density: Sequence[float] = ()
 
     def __post_init__(self) -> None:
         for field in fields(self):
             value = getattr(self, field.name)
             object.__setattr__(self, field.name, _CHECKS.get(field.name, _real)(field.name, value))
+        heights, densities = len(self.table_height), len(self.table_density)
+        if heights != densities:
+            raise Error(f"table_density: {densities} numbers for {heights} heights", Status.INVALID_PARAMETER)
 
     @classmethod
     def dimensionless(
@@ -115,7 +153,8 @@ class Params:
             gamma: w/(E* b) >= 0, surface energy.
             b_over_h: Burgers vector over range of adhesion > 0.
             poisson: Poisson's ratio, above -1, at most 0.5.
-            **options: any field with a default, and `skew`: Weibull heights of this skew, above -1.13955.
+            **options: any field with a default. `kurtosis` means Johnson's heights, `skew` without it Weibull heights of
+                this skew, above -1.13955; `weibull_shape` and a table mean their heights too.
 
         Raises:
             Error: a value that the library refuses.
@@ -167,7 +206,8 @@ class Params:
             asperity_count: N > 0.
             summit_density: summits per area [1/m^2] > 0.
             nominal_area: [m^2] > 0.
-            **options: any field with a default, and `skew`: Weibull heights of this skew, above -1.13955.
+            **options: any field with a default. `kurtosis` means Johnson's heights, `skew` without it Weibull heights of
+                this skew, above -1.13955; `weibull_shape` and a table mean their heights too.
 
         Raises:
             Error: a value that the library refuses.
@@ -191,9 +231,87 @@ class Params:
         }
         return cls(**(moduli | named | count | _options(options)))
 
+    @classmethod
+    def from_spectral_moments(
+        cls, *, m0: float, m2: float, m4: float, nominal_area: float, **contact: Unpack[Contact]
+    ) -> Params:
+        """Roughness from the variances of height, slope and curvature along profiles of an isotropic Gaussian surface.
+
+        Summit density, radius and height deviation are those of Nayak (1971), with the variance of Bush, Gibson and
+        Thomas (1975), as McCool (1987) collects them. Two rough surfaces: add their moments.
+
+        Args:
+            m0: variance of the heights [m^2] > 0.
+            m2: variance of the slopes dz/dx > 0.
+            m4: variance of the curvatures d2z/dx2 [1/m^2] > 0; the bandwidth m0 m4/m2^2 is at least 1.5.
+            nominal_area: [m^2] > 0.
+            **contact: materials, adhesion and options, as `si` takes them.
+
+        Raises:
+            Error: a value that the library refuses.
+            TypeError: an unknown name, one missing, or names that exclude each other.
+        """
+        struct: Any = _initialised()
+        moments = {"m0": m0, "m2": m2, "m4": m4, "nominal_area": nominal_area}
+        values = [_real(name, value) for name, value in moments.items()]
+        check(LIBRARY.asperity_params_set_spectral_moments(ctypes.byref(struct), *values))
+        summits = {name: getattr(struct, name) for name in ("height_std", "summit_radius", "asperity_count")}
+        return cls.si(**summits, **contact)
+
+    @classmethod
+    def from_iso25178(
+        cls,
+        *,
+        Sq: float,
+        Sdq: float,
+        Ssc: float | None = None,
+        Sds: float | None = None,
+        Ssk: float | None = None,
+        Sku: float | None = None,
+        nominal_area: float,
+        **contact: Unpack[Contact],
+    ) -> Params:
+        """Roughness from areal parameters of an isotropic surface, all in SI units: lengths in m, not in um.
+
+        m0 = Sq^2 and m2 = Sdq^2/2; m4 is that of a Gaussian surface whose summits have the curvature `Ssc`, or else the
+        density `Sds`. With both, `Sds` counts the summits. `Ssk` and `Sku` describe all heights of the surface, and
+        serve for those of the summits: an approximation.
+
+        Args:
+            Sq: standard deviation of the heights [m] > 0.
+            Sdq: root mean square gradient > 0.
+            Ssc: mean curvature of the summits [1/m] > 0.
+            Sds: summits per area [1/m^2] > 0; every local maximum counts, unlike for Spd.
+            Ssk: skew of the heights, together with `Sku`; heights are Gaussian without them.
+            Sku: kurtosis of the heights.
+            nominal_area: [m^2] > 0.
+            **contact: materials, adhesion and options, as `si` takes them.
+
+        Raises:
+            Error: a value that the library refuses.
+            TypeError: an unknown name, one missing, or names that exclude each other.
+        """
+        if Ssc is None and Sds is None:
+            raise TypeError("give Ssc, Sds or both: Sq and Sdq do not tell how sharp the summits are")
+        if (Ssk is None) != (Sku is None):
+            raise TypeError("give both Ssk and Sku, or neither")
+        shape: dict[str, Any] = {} if Sku is None else {"skew": Ssk, "kurtosis": Sku}
+        given = {"Sq": Sq, "Sdq": Sdq, "Ssc": Ssc, "Sds": Sds}
+        areal = {name: _positive(name, value) for name, value in given.items() if value is not None}
+        m2 = areal["Sdq"] ** 2 / 2
+        m4 = 9 * math.pi / 64 * areal["Ssc"] ** 2 if "Ssc" in areal else 6 * math.pi * 3**0.5 * m2 * areal["Sds"]
+        params = cls.from_spectral_moments(
+            m0=areal["Sq"] ** 2, m2=m2, m4=m4, nominal_area=nominal_area, **shape, **contact
+        )
+        if len(areal) == len(given):
+            return params.replace(asperity_count=areal["Sds"] * nominal_area)
+        return params
+
     def replace(self, **changes: Any) -> Params:
-        """A copy with some fields changed; `skew` is understood too, and a `weibull_shape` means Weibull heights."""
+        """A copy with some fields changed, understood as the options of `si`; Johnson's heights keep to a new `skew`."""
         kept = {field.name: getattr(self, field.name) for field in fields(self)}
+        if "skew" in changes and self.height_distribution == "johnson":
+            changes.setdefault("height_distribution", "johnson")
         return type(self)(**(kept | _options(changes)))
 
     def __repr__(self) -> str:
@@ -201,11 +319,16 @@ class Params:
         return f"Params({', '.join(f'{field.name}={_literal(getattr(self, field.name))}' for field in shown)})"
 
     def _as_struct(self) -> _header.asperity_params:
-        struct = _initialised()
+        struct: Any = _initialised()
         for field in fields(self):
             value = getattr(self, field.name)
-            setattr(struct, field.name, _DISTRIBUTIONS[value] if field.name == "height_distribution" else value)
-        return struct
+            if field.name == "height_distribution":
+                value = _DISTRIBUTIONS[value]
+            elif isinstance(value, tuple):
+                value = (ctypes.c_double * len(value))(*value)  # the struct keeps it alive
+            setattr(struct, field.name, value)
+        struct.table_length = len(self.table_height)
+        return struct  # type: ignore[no-any-return]
 
 
 def _physical(struct: _header.asperity_params) -> dict[str, Any]:
@@ -215,17 +338,20 @@ def _physical(struct: _header.asperity_params) -> dict[str, Any]:
 
 
 def _options(given: Any) -> dict[str, Any]:
-    """Fields to set, with `skew` and a lone `weibull_shape` turned into the height distribution that they mean."""
+    """Fields to set, with the height distribution that they mean."""
     changes = dict(given)
-    if "skew" in changes:
-        excluded = {"weibull_shape", "height_distribution"} & changes.keys()
+    meant = {_CHOOSES[name]: name for name in _CHOOSES if name in changes}
+    if len(meant) > 1:
+        raise TypeError(f"{' and '.join(meant.values())} mean different height distributions: give one of them")
+    if "skew" in changes and "johnson" not in (changes.get("height_distribution"), *meant):
+        excluded = {"weibull_shape", "height_distribution", "table_height", "table_density"} & changes.keys()
         if excluded:
             raise TypeError(f"skew chooses the height distribution: do not give {' or '.join(sorted(excluded))} too")
         struct = _initialised()
         check(LIBRARY.asperity_params_set_skew(ctypes.byref(struct), _real("skew", changes.pop("skew"))))
-        changes |= {"height_distribution": "weibull", "weibull_shape": getattr(struct, "weibull_shape")}
-    elif "weibull_shape" in changes:
-        changes.setdefault("height_distribution", "weibull")
+        return changes | {"height_distribution": "weibull", "weibull_shape": getattr(struct, "weibull_shape")}
+    for distribution in meant:
+        changes.setdefault("height_distribution", distribution)
     return changes
 
 
@@ -267,7 +393,8 @@ def _positive(name: str, value: Any) -> float:
 
 def _distribution(name: str, value: Any) -> str:
     if value not in _DISTRIBUTIONS:
-        raise Error(f"{name} = {value!r}: must be 'gaussian' or 'weibull'", Status.INVALID_PARAMETER)
+        allowed = ", ".join(map(repr, _DISTRIBUTIONS))
+        raise Error(f"{name} = {value!r}: must be one of {allowed}", Status.INVALID_PARAMETER)
     return str(value)
 
 
@@ -277,7 +404,16 @@ def _flag(name: str, value: Any) -> bool:
     return bool(value)
 
 
-_CHECKS: dict[str, Any] = {"height_distribution": _distribution, "attraction": _flag}
+def _column(name: str, value: Any) -> tuple[float, ...]:
+    return tuple(_real(f"{name}[{i}]", number) for i, number in enumerate(value))
+
+
+_CHECKS: dict[str, Any] = {
+    "height_distribution": _distribution,
+    "attraction": _flag,
+    "table_height": _column,
+    "table_density": _column,
+}
 
 
 def _literal(value: Any) -> str:

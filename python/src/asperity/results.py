@@ -3,6 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import IntFlag
+
+from . import _header
+
+
+class Warnings(IntFlag):
+    """Bits of `State.warnings`.
+
+    `PLASTIC`: contacts yield. The mean asperity pressure is at least 0.4 of the hardness, or the plasticity index is
+    above 1. Never where the hardness is not given.
+    """
+
+    PLASTIC = _header.ASPERITY_WARNING_PLASTIC
 
 
 @dataclass(frozen=True)
@@ -21,6 +34,16 @@ class State:
         contacting: number of summits in contact.
         attracted: number of summits that attract without contact.
         attraction_load: part of the load that those carry, <= 0 [force].
+        mean_contact_radius: mean radius of the contacts [length]; 0 where there are none.
+        max_contact_radius: radius of the largest contact [length]: the largest up to the height that 1/(n + 1) of the n
+            contacting summits exceed; not below the mean radius, which it is for n <= 1.
+        fraction_below_slip_radius_1: fraction of the contacts with radii up to slip_radius_1.
+        fraction_between_slip_radii: fraction of the contacts with radii between slip_radius_1 and slip_radius_2.
+        fraction_above_slip_radius_2: fraction of the contacts with radii from slip_radius_2 on.
+        fraction_in_contact: fraction of all summits that are in contact.
+        mean_asperity_pressure: load of the summits in contact over their real area [stress].
+        plasticity_index: Greenwood and Williamson's E* (sigma/R)^(1/2)/H; 0 where the hardness is not given.
+        warnings: bits of `Warnings`: what of the model does not hold in this state; 0 if nothing is known to fail.
     """
 
     load: float
@@ -34,6 +57,15 @@ class State:
     contacting: float
     attracted: float
     attraction_load: float
+    mean_contact_radius: float
+    max_contact_radius: float
+    fraction_below_slip_radius_1: float
+    fraction_between_slip_radii: float
+    fraction_above_slip_radius_2: float
+    fraction_in_contact: float
+    mean_asperity_pressure: float
+    plasticity_index: float
+    warnings: int
 
 
 @dataclass(frozen=True)

@@ -1,21 +1,26 @@
-//! The distribution of summit heights, standardised: mean 0, standard deviation 1, height z in sigma.
+//! The distribution of summit heights, standardised: standard deviation 1, height z in sigma above an origin.
 //!
-//! A family gives its log density with its slope, its support, and how long a piece of the height axis
-//! one quadrature panel may cover; the sums over the population need nothing else.
+//! A family gives its log density, its support, what of it may be left out, and how long a piece of the height axis
+//! one quadrature panel may cover; the sums over the population need nothing else. The origin is the mean, but the
+//! highest summit where sums in the upper tail depend on the distance to it.
 
+pub mod johnson;
+pub mod tabulated;
 pub mod weibull;
 
+use johnson::Johnson;
+use tabulated::Tabulated;
 use weibull::Weibull;
 
 /// Contributions below exp(-NEGLIGIBLE) of the largest are left out of the sums.
 const NEGLIGIBLE: f64 = 46.0;
 /// Densities below exp of this are taken as zero.
 pub const UNDERFLOW: f64 = -2000.0;
-/// The longest panel, in sigma, on which a standardised density is a polynomial to rounding.
-const LONGEST_PANEL: f64 = 1.5;
 /// The largest change of ln phi over one panel: of a parabola, and of what may fall doubly exponentially.
 const STEEPEST_GAUSSIAN_PANEL: f64 = 14.0;
 const STEEPEST_PANEL: f64 = 10.0;
+/// Beside this many e-folds of density, what load gains on the way to smaller densities is nothing.
+const GROWTH_OF_LOAD: f64 = 5.0;
 
 /// A standardised height distribution.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,24 +31,39 @@ pub enum Heights {
     ///
     /// Boxed, so that the compiler cannot evaluate ahead of the match what only Weibull heights have.
     Weibull(Box<Weibull>),
+    /// Johnson's system.
+    Johnson(Box<Johnson>),
+    /// A measured density.
+    Tabulated(Box<Tabulated>),
 }
 
 impl Heights {
-    /// ln phi(z) and its slope; minus infinity and 0 outside the support.
+    /// The height above the mean from which heights are measured.
+    pub fn origin(&self) -> f64 {
+        match self {
+            Heights::Gaussian | Heights::Weibull(_) => 0.0,
+            Heights::Johnson(johnson) => johnson.origin(),
+            Heights::Tabulated(table) => table.origin(),
+        }
+    }
+
+    /// ln phi(z); minus infinity outside the support.
     #[inline]
-    pub fn log_density(&self, z: f64) -> (f64, f64) {
+    pub fn log_density(&self, z: f64) -> f64 {
         match self {
             Heights::Gaussian => {
                 const LN_SQRT_2_PI: f64 = 0.918_938_533_204_672_8;
-                (-0.5 * z * z - LN_SQRT_2_PI, -z)
+                -0.5 * z * z - LN_SQRT_2_PI
             }
             Heights::Weibull(weibull) => {
                 if z > -weibull.mean() {
-                    weibull.log_density(z)
+                    weibull.log_density(z).0
                 } else {
-                    (f64::NEG_INFINITY, 0.0)
+                    f64::NEG_INFINITY
                 }
             }
+            Heights::Johnson(johnson) => johnson.log_density(z),
+            Heights::Tabulated(table) => table.density(z).ln(),
         }
     }
 
@@ -54,15 +74,34 @@ impl Heights {
     pub fn relative_density(&self, from: f64, rise: f64, log_scale: f64) -> f64 {
         match self {
             Heights::Gaussian => (-rise * (from + 0.5 * rise)).exp(),
-            Heights::Weibull(_) => (self.log_density(from + rise).0 - log_scale).exp(),
+            _ => (self.log_density(from + rise) - log_scale).exp(),
         }
     }
 
-    /// Where the support begins, with the exponent p of phi ~ (z - foot)^p there; `None` if it is endless.
-    pub fn foot(&self) -> Option<(f64, f64)> {
+    /// Where the support begins; minus infinity if it is endless.
+    pub fn foot(&self) -> f64 {
         match self {
-            Heights::Gaussian => None,
-            Heights::Weibull(weibull) => Some((-weibull.mean(), weibull.shape() - 1.0)),
+            Heights::Gaussian => f64::NEG_INFINITY,
+            Heights::Weibull(weibull) => -weibull.mean(),
+            Heights::Johnson(johnson) => johnson.support().0,
+            Heights::Tabulated(table) => table.support().0,
+        }
+    }
+
+    /// Where the support ends; infinity if it is endless.
+    pub fn head(&self) -> f64 {
+        match self {
+            Heights::Gaussian | Heights::Weibull(_) => f64::INFINITY,
+            Heights::Johnson(johnson) => johnson.support().1,
+            Heights::Tabulated(table) => table.support().1,
+        }
+    }
+
+    /// The exponent p of phi ~ (z - foot)^p at the foot, where it is a power.
+    pub fn power_at_foot(&self) -> Option<f64> {
+        match self {
+            Heights::Gaussian | Heights::Johnson(_) | Heights::Tabulated(_) => None,
+            Heights::Weibull(weibull) => Some(weibull.shape() - 1.0),
         }
     }
 
@@ -86,6 +125,11 @@ impl Heights {
                 let is_foot = lowest + weibull.mean() < 0.01;
                 (if is_foot { lower } else { lower.max(lowest) }, upper.min(highest))
             }
+            Heights::Johnson(johnson) => johnson.worth_summing(lower, upper, NEGLIGIBLE),
+            Heights::Tabulated(table) => {
+                let (foot, head) = table.support();
+                (lower.max(foot), upper.min(head))
+            }
         }
     }
 
@@ -94,6 +138,8 @@ impl Heights {
         match self {
             Heights::Gaussian => -self.far_tail(),
             Heights::Weibull(weibull) => -weibull.mean(),
+            Heights::Johnson(johnson) => johnson.height(-(-2.0 * UNDERFLOW).sqrt()),
+            Heights::Tabulated(table) => table.support().0,
         }
     }
 
@@ -102,42 +148,92 @@ impl Heights {
         match self {
             Heights::Gaussian => (-2.0 * UNDERFLOW).sqrt(),
             Heights::Weibull(weibull) => weibull.height_of_hazard(-UNDERFLOW),
+            Heights::Johnson(johnson) => johnson.height((-2.0 * UNDERFLOW).sqrt()),
+            Heights::Tabulated(table) => table.support().1,
         }
     }
 
-    /// Where the density is largest.
-    pub fn mode(&self) -> f64 {
+    /// The height at or above another where the density is largest, to the order of magnitude.
+    pub fn peak_above(&self, start: f64) -> f64 {
         match self {
-            Heights::Gaussian => 0.0,
+            Heights::Gaussian => start.max(0.0),
             Heights::Weibull(weibull) => {
                 let shape = weibull.shape();
-                if shape > 1.0 {
-                    weibull.height_of_hazard(1.0 - 1.0 / shape)
-                } else {
-                    -weibull.mean()
-                }
+                start.max(if shape > 1.0 { weibull.height_of_hazard(1.0 - 1.0 / shape) } else { -weibull.mean() })
             }
+            Heights::Johnson(johnson) => johnson.peak_above(start),
+            Heights::Tabulated(table) => table.peak_above(start),
         }
     }
 
-    /// How far above z one quadrature panel may reach.
-    pub fn smooth_length(&self, z: f64) -> f64 {
-        let mut length = LONGEST_PANEL;
-        while length > SHORTEST_PANEL && !self.is_smooth(z, z + length) {
-            length *= 0.5;
+    /// Whether ln phi is concave.
+    pub fn is_log_concave(&self) -> bool {
+        matches!(self, Heights::Gaussian | Heights::Weibull(_))
+    }
+
+    /// The heights at which the density is not smooth, none or many.
+    pub fn knots(&self) -> &[f64] {
+        match self {
+            Heights::Tabulated(table) => table.knots(),
+            _ => &[],
+        }
+    }
+
+    /// How far above z one quadrature panel may reach, in a sum whose largest ln phi is `log_scale`.
+    pub fn smooth_length(&self, z: f64, log_scale: f64) -> f64 {
+        match self {
+            Heights::Johnson(johnson) => return johnson.smooth_length(z),
+            Heights::Tabulated(table) => return table.smooth_length(z),
+            Heights::Gaussian | Heights::Weibull(_) => {}
+        }
+        let mut length = self.longest_panel();
+        while length > SHORTEST_PANEL && self.roughness(z, z + length, log_scale) > 1.0 {
+            length *= 0.75;
         }
         length
     }
 
-    /// Whether one quadrature panel may reach from one height to another.
-    pub fn is_smooth(&self, from: f64, to: f64) -> bool {
-        let length = to - from;
-        if self.foot().is_some_and(|(foot, _)| length > 2.0 * (from - foot)) {
-            return false;
+    /// No panel that reaches down from z need be tried that is longer than this.
+    pub fn longest_below(&self, z: f64) -> f64 {
+        match self {
+            Heights::Gaussian | Heights::Weibull(_) => 1.0,
+            Heights::Johnson(johnson) => johnson.smooth_length(z).max(1.0),
+            Heights::Tabulated(table) => table.smooth_length_below(z),
         }
-        let steepest = self.log_density(from).1.abs().max(self.log_density(to).1.abs());
-        let limit = if matches!(self, Heights::Gaussian) { STEEPEST_GAUSSIAN_PANEL } else { STEEPEST_PANEL };
-        length * steepest <= limit
+    }
+
+    /// How much the density changes from one height to another, in such a sum; up to 1 one quadrature panel may reach
+    /// from the one to the other.
+    pub fn roughness(&self, from: f64, to: f64, log_scale: f64) -> f64 {
+        let length = to - from;
+        // What is small beside the sum needs fewer digits; but load grows with height where the density falls.
+        let drop = |log_density: f64| (log_scale - log_density - GROWTH_OF_LOAD).max(0.0);
+        match self {
+            Heights::Gaussian => {
+                let steepest = from.abs().max(to.abs());
+                let highest = self.log_density(from).max(self.log_density(to));
+                length * steepest / (STEEPEST_GAUSSIAN_PANEL + drop(highest))
+            }
+            Heights::Weibull(weibull) => {
+                if length > 2.0 * (from - self.foot()) {
+                    return f64::MAX;
+                }
+                let ((at_from, slope_from), (at_to, slope_to)) = (weibull.log_density(from), weibull.log_density(to));
+                let steepest = slope_from.abs().max(slope_to.abs());
+                length * steepest / (STEEPEST_PANEL + 0.5 * drop(at_from.max(at_to)).min(20.0))
+            }
+            Heights::Johnson(johnson) if !johnson.is_smooth(from, to) => f64::MAX,
+            Heights::Tabulated(table) if !table.is_smooth(from, to) => f64::MAX,
+            _ => (length / self.smooth_length(from, log_scale)).min(1.0),
+        }
+    }
+
+    /// The longest panel, in sigma, on which the density is a polynomial to rounding.
+    pub fn longest_panel(&self) -> f64 {
+        match self {
+            Heights::Gaussian => 3.0,
+            _ => 1.5,
+        }
     }
 
     /// Third standardised moment.
@@ -145,6 +241,8 @@ impl Heights {
         match self {
             Heights::Gaussian => 0.0,
             Heights::Weibull(weibull) => weibull.skew(),
+            Heights::Johnson(johnson) => johnson.skew(),
+            Heights::Tabulated(table) => table.skew(),
         }
     }
 
@@ -153,6 +251,8 @@ impl Heights {
         match self {
             Heights::Gaussian => 3.0,
             Heights::Weibull(weibull) => weibull.kurtosis(),
+            Heights::Johnson(johnson) => johnson.kurtosis(),
+            Heights::Tabulated(table) => table.kurtosis(),
         }
     }
 }

@@ -34,7 +34,10 @@ static const field PARAMS[] = {
     FIELD(asperity_params, radius_amplitude),   FIELD(asperity_params, radius_rate),
     FIELD(asperity_params, slip_radius_1),      FIELD(asperity_params, slip_stress_1),
     FIELD(asperity_params, slip_radius_2),      FIELD(asperity_params, slip_stress_2),
-    FIELD(asperity_params, max_friction_coefficient),
+    FIELD(asperity_params, max_friction_coefficient), FIELD(asperity_params, skew),
+    FIELD(asperity_params, kurtosis),           FIELD(asperity_params, hardness),
+    FIELD(asperity_params, table_height),       FIELD(asperity_params, table_density),
+    FIELD(asperity_params, table_length),
 };
 
 static const field STATE[] = {
@@ -44,6 +47,11 @@ static const field STATE[] = {
     FIELD(asperity_state, dmu_dload),           FIELD(asperity_state, dload_dseparation),
     FIELD(asperity_state, real_area),           FIELD(asperity_state, contacting),
     FIELD(asperity_state, attracted),           FIELD(asperity_state, attraction_load),
+    FIELD(asperity_state, mean_contact_radius), FIELD(asperity_state, max_contact_radius),
+    FIELD(asperity_state, fraction_below_slip_radius_1), FIELD(asperity_state, fraction_between_slip_radii),
+    FIELD(asperity_state, fraction_above_slip_radius_2), FIELD(asperity_state, fraction_in_contact),
+    FIELD(asperity_state, mean_asperity_pressure), FIELD(asperity_state, plasticity_index),
+    FIELD(asperity_state, warnings),
 };
 
 static const field SUMMARY[] = {
@@ -107,24 +115,42 @@ static void fields_fill_the_struct(const field *fields, size_t count, size_t siz
 
 /* ---- Inputs ---- */
 
+static int32_t heights_that_read(const field *f)
+{
+    if (f->offset >= offsetof(asperity_params, table_height))
+        return ASPERITY_HEIGHTS_TABULATED;
+    if (f->offset == offsetof(asperity_params, skew) || f->offset == offsetof(asperity_params, kurtosis))
+        return ASPERITY_HEIGHTS_JOHNSON;
+    return ASPERITY_HEIGHTS_WEIBULL;
+}
+
 static void library_names_the_field_made_invalid(const field *f)
 {
+    const double height[] = { 0, 1, 2, 3, 4 }, density[] = { 0, 1, 2, 1, 0 };
     const double not_a_number = NAN;
     const int32_t no_choice = 77;
+    const int is_pointer = f->offset == offsetof(asperity_params, table_height) ||
+                           f->offset == offsetof(asperity_params, table_density);
     asperity_params params;
     asperity_model *model = NULL;
     char message[256], begin[64];
 
     asperity_params_init(&params);
-    params.height_distribution = ASPERITY_HEIGHTS_WEIBULL;
+    params.height_distribution = heights_that_read(f);
     params.radius_amplitude = 0.5;
-    if (f->size == sizeof no_choice)
+    params.table_height = height;
+    params.table_density = density;
+    params.table_length = COUNT(height);
+    if (is_pointer)
+        memset((char *)&params + f->offset, 0, f->size);
+    else if (f->size == sizeof no_choice)
         memcpy((char *)&params + f->offset, &no_choice, sizeof no_choice);
     else
         memcpy((char *)&params + f->offset, &not_a_number, sizeof not_a_number);
-    expect(asperity_create(&params, &model) == ASPERITY_INVALID_PARAMETER, f->name);
+    expect(asperity_create(&params, &model) == (is_pointer ? ASPERITY_NULL_POINTER : ASPERITY_INVALID_PARAMETER),
+           f->name);
     asperity_last_error(message, sizeof message);
-    snprintf(begin, sizeof begin, "%s = ", f->name);
+    snprintf(begin, sizeof begin, is_pointer ? "%s is NULL: " : "%s = ", f->name);
     expect(strncmp(message, begin, strlen(begin)) == 0, f->name);
 }
 
@@ -166,6 +192,7 @@ static void state_fields_hold_their_quantities(void)
     double mu_slope, force_slope;
 
     asperity_params_init(&params);
+    params.hardness = 0.02;
     model = create(&params);
     state.struct_size = other.struct_size = sizeof state;
     require_ok(asperity_state_at_separation(model, params.height_std, &state), "asperity_state_at_separation");
@@ -179,6 +206,18 @@ static void state_fields_hold_their_quantities(void)
     expect_near("real_area", state.real_area, 318699.2525830931, 1e-7);
     expect_near("contacting", state.contacting, 0.17776420898559706, 1e-7);
     expect_near("attraction_load", state.attraction_load, -2.1044486779808658 * modulus, 1e-6);
+    expect_near("fraction_in_contact", state.fraction_in_contact, state.contacting, 1e-15);    /* N = 1 */
+    expect_near("mean_asperity_pressure", state.mean_asperity_pressure,
+                (state.load - state.attraction_load) / state.real_area, 1e-12);
+    expect_near("regimes", state.fraction_below_slip_radius_1 + state.fraction_between_slip_radii +
+                               state.fraction_above_slip_radius_2, 1, 1e-12);
+    expect(state.fraction_between_slip_radii > state.fraction_below_slip_radius_1, "most contacts are wider than 28 b");
+    expect(state.fraction_above_slip_radius_2 == 0, "and none than 8e4 b");
+    expect(state.mean_contact_radius > 0 && state.mean_contact_radius < sqrt(state.real_area / state.contacting / 3.14159),
+           "the mean radius is below that of the mean area");
+    expect(state.max_contact_radius == state.mean_contact_radius, "the largest of one contact or less is the mean");
+    expect_near("plasticity_index", state.plasticity_index, modulus / params.hardness * 0.01, 1e-14);
+    expect(state.warnings == ASPERITY_WARNING_PLASTIC, "a plasticity index above 1 warns");
     expect(state.attracted > 0 && state.attracted < 1 - state.contacting, "some of the other summits are attracted");
 
     require_ok(asperity_state_at_load(model, state.load, &other), "asperity_state_at_load");

@@ -1,0 +1,104 @@
+"""The data of materials: complete, plausible, usable, and the same as the tables of docs/materials.md."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from asperity import Error, Model, Params
+from asperity.materials import MATERIALS, PAIRS, Material, Pair, Range
+
+
+def within(value: float, bounds: Range) -> bool:
+    return bounds[0] <= value <= bounds[1]
+
+
+@pytest.mark.parametrize("material", MATERIALS.values(), ids=lambda material: material.name)
+def test_values_lie_in_their_ranges_and_have_a_reference(material: Material) -> None:
+    assert MATERIALS[material.name] is material
+    assert within(material.young, material.young_range) and within(material.poisson, (0.05, 0.5))
+    assert within(material.burgers_vector, (0.2e-9, 0.6e-9)) and len(material.reference) > 40
+    assert (material.hardness is None) == (material.hardness_range is None)
+    if material.hardness is not None and material.hardness_range is not None:
+        assert within(material.hardness, material.hardness_range) and material.hardness < material.young / 5
+
+
+@pytest.mark.parametrize("pair", PAIRS.values(), ids=lambda pair: pair.name)
+def test_works_of_adhesion_lie_in_their_ranges_and_are_what_they_are_estimated_from(pair: Pair) -> None:
+    assert PAIRS[pair.name] is pair and len(pair.reference) > 40
+    assert within(pair.work_of_adhesion, pair.work_of_adhesion_range)
+    if pair.hamaker is not None:
+        assert pair.work_of_adhesion == pytest.approx(pair.hamaker / (12 * math.pi * 0.165e-9**2), rel=0.02)
+
+
+def test_crystals_have_the_burgers_vectors_of_their_lattices() -> None:
+    lattices = {"Si": 0.5431e-9 / math.sqrt(2), "Au": 0.4078e-9 / math.sqrt(2), "steel": 0.2866e-9 * math.sqrt(3) / 2}
+    for name, length in lattices.items():
+        assert MATERIALS[name].burgers_vector == pytest.approx(length, rel=2e-3)
+
+
+def test_mica_follows_from_its_stiffnesses() -> None:
+    # Vaughan and Guggenheim, in GPa; means over the two directions of the plane.
+    c11, c33, c12, c13 = (181.0 + 178.4) / 2, 58.6, 48.8, (25.6 + 21.2) / 2
+    mica = MATERIALS["mica"]
+    assert mica.young / 1e9 == pytest.approx(c33 - 2 * c13**2 / (c11 + c12), rel=0.01)
+    assert mica.poisson == pytest.approx(c13 / (c11 + c12), rel=0.03)
+
+
+@pytest.mark.parametrize("pair", PAIRS.values(), ids=lambda pair: pair.name)
+def test_a_pair_and_a_roughness_make_a_model(pair: Pair) -> None:
+    params = Params.si(**pair.contact, height_std=2e-9, summit_radius=2e-6, asperity_count=1e5)
+    assert params.hardness == min(pair.first.hardness or 0.0, pair.second.hardness or 0.0)
+    with Model(params) as model:
+        assert model.friction_at_load(1e-4) > 0
+    moments = Params.from_spectral_moments(**pair.contact, m0=4e-18, m2=0.002, m4=8e12, nominal_area=1e-10)
+    assert moments.composite_modulus == params.composite_modulus
+
+
+def test_data_cannot_be_changed() -> None:
+    with pytest.raises(TypeError):
+        MATERIALS["wood"] = MATERIALS["Si"]  # type: ignore[index]
+    contact = PAIRS["Si/Si"].contact
+    contact["E1"] = -1.0
+    with pytest.raises(Error, match="E1 = -1"):
+        Params.si(**contact, height_std=2e-9, summit_radius=2e-6, asperity_count=1e5)
+    assert PAIRS["Si/Si"].contact["E1"] == MATERIALS["Si"].young
+
+
+# ---- The page ----
+
+
+def scaled(value: float | None, bounds: Range | None, unit: float) -> str:
+    if value is None or bounds is None:
+        return ""
+    low, high = (f"{bound / unit:.4g}" for bound in bounds)
+    return f"{value / unit:.4g} ({low} to {high})"
+
+
+def material_row(material: Material) -> str:
+    cells = [
+        material.name,
+        scaled(material.young, material.young_range, 1e9),
+        f"{material.poisson:g}",
+        scaled(material.hardness, material.hardness_range, 1e9),
+        f"{material.burgers_vector / 1e-9:.4g}",
+        material.reference,
+    ]
+    return f"| {' | '.join(cells)} |"
+
+
+def pair_row(pair: Pair) -> str:
+    hamaker = "" if pair.hamaker is None else f"{pair.hamaker / 1e-20:.4g}"
+    work = scaled(pair.work_of_adhesion, pair.work_of_adhesion_range, 1e-3)
+    return f"| {pair.name} | {work} | {hamaker} | {pair.reference} |"
+
+
+def test_the_page_has_the_numbers_of_the_data(root: Path) -> None:
+    lines = (root / "docs" / "materials.md").read_text(encoding="utf-8").splitlines()
+    rows = [line for line in lines if line.startswith("| ")]
+    bodies = [row for row in rows if not row.startswith("| Material ") and not row.startswith("| Pair ")]
+    assert bodies == [material_row(material) for material in MATERIALS.values()] + [
+        pair_row(pair) for pair in PAIRS.values()
+    ]

@@ -1,0 +1,194 @@
+//! Functions that set parameters, as C calls them.
+
+use super::boundary::{self, Failure};
+use super::params::{asperity_params, checked_size, FIRST_SIZE};
+use super::status::asperity_status;
+use crate::error::Error;
+use crate::params::Params;
+use crate::surface::spectrum::SpectralMoments;
+
+/// Lets a setter of the library's parameters change the caller's; what it does not change stays bit for bit.
+unsafe fn change(
+    params: *mut asperity_params,
+    set: impl FnOnce(&mut Params) -> Result<(), Error>,
+    take: impl FnOnce(&mut asperity_params, &asperity_params),
+) -> Result<(), Failure> {
+    let mut whole = asperity_params::read(params)?;
+    let mut changed = Params::default();
+    set(&mut changed)?;
+    take(&mut whole, &asperity_params::from_params(&changed));
+    // Setters change fields of the first version only, which every caller has.
+    whole.write(params, FIRST_SIZE);
+    Ok(())
+}
+
+/// Sets all parameters to the paper's default case.
+///
+/// alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1; Gaussian heights, equal radii
+/// (epsilon = 0, rho = 0.5), attraction on, Hurtado and Kim's slip constants.
+///
+/// This function sets `struct_size` and the fields of the first version of the struct, and writes no more, since a
+/// program that was compiled with that version has no more. In C and C++ a macro of its name calls
+/// `asperity_params_init_sized` instead, for the whole struct; who finds functions by name calls that directly.
+///
+/// @param params  receives the parameters; must not be NULL
+/// @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
+///
+/// Threads: any, on different structs.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_init(params: *mut asperity_params) -> asperity_status {
+    boundary::status(|| initialise(params, FIRST_SIZE))
+}
+
+/// Sets all parameters to the paper's default case, as `asperity_params_init`, in a struct of this size.
+///
+/// @param params       receives the parameters; must not be NULL; untouched on failure
+/// @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct)
+///
+/// Threads: any, on different structs.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_init_sized(params: *mut asperity_params, struct_size: u64) -> asperity_status {
+    boundary::status(|| initialise(params, checked_size(struct_size)?))
+}
+
+unsafe fn initialise(params: *mut asperity_params, size: u64) -> Result<(), Failure> {
+    if params.is_null() {
+        return Err(Failure::Null("params"));
+    }
+    asperity_params { struct_size: size, ..asperity_params::from_params(&Params::default()) }.write(params, size);
+    Ok(())
+}
+
+/// Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
+///
+/// In the paper's units b = 1, G = 1, N = 1: E* = 2/(1 - nu), G* = 2, sigma = alpha beta, R = beta/alpha,
+/// w = gamma E*, h = 1/(b/h). Loads are then P/(N G b^2). The other parameters stay as they are.
+///
+/// @param params    initialised parameters; must not be NULL; untouched on failure
+/// @param alpha     (sigma/R)^(1/2) > 0, surface roughness
+/// @param beta      (R sigma)^(1/2)/b > 0, friction regime
+/// @param gamma     w/(E* b) >= 0, surface energy
+/// @param b_over_h  Burgers vector over range of adhesion > 0, typically 1
+/// @param poisson   Poisson's ratio, above -1, at most 0.5
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+///
+/// Threads: any, on different structs.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_set_dimensionless(
+    params: *mut asperity_params,
+    alpha: f64,
+    beta: f64,
+    gamma: f64,
+    b_over_h: f64,
+    poisson: f64,
+) -> asperity_status {
+    boundary::status(|| {
+        change(
+            params,
+            |changed| changed.set_dimensionless(alpha, beta, gamma, b_over_h, poisson),
+            |params, changed| {
+                params.composite_modulus = changed.composite_modulus;
+                params.effective_shear_modulus = changed.effective_shear_modulus;
+                params.work_of_adhesion = changed.work_of_adhesion;
+                params.adhesion_range = changed.adhesion_range;
+                params.burgers_vector = changed.burgers_vector;
+                params.height_std = changed.height_std;
+                params.summit_radius = changed.summit_radius;
+                params.asperity_count = changed.asperity_count;
+            },
+        )
+    })
+}
+
+/// Sets E* and G* from Young's modulus and Poisson's ratio of the two bodies.
+///
+/// 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 and G* = 2 G1 G2/(G1 + G2) with G = E/(2 (1 + nu)).
+///
+/// @param params  initialised parameters; must not be NULL; untouched on failure
+/// @param E1,E2   Young's moduli [stress] > 0; INFINITY is a rigid body, which at most one may be
+/// @param nu1,nu2 Poisson's ratios, above -1, at most 0.5
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+///
+/// Threads: any, on different structs.
+#[no_mangle]
+#[allow(non_snake_case)]
+pub unsafe extern "C" fn asperity_params_set_materials(
+    params: *mut asperity_params,
+    E1: f64,
+    nu1: f64,
+    E2: f64,
+    nu2: f64,
+) -> asperity_status {
+    boundary::status(|| {
+        change(
+            params,
+            |changed| changed.set_materials(E1, nu1, E2, nu2),
+            |params, changed| {
+                params.composite_modulus = changed.composite_modulus;
+                params.effective_shear_modulus = changed.effective_shear_modulus;
+            },
+        )
+    })
+}
+
+/// Sets the roughness from the spectral moments of the profiles of an isotropic Gaussian surface.
+///
+/// m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile, which isotropy makes
+/// the same in every direction. Two rough surfaces: add their moments. With the bandwidth alpha = m0 m4/m2^2, after
+/// Nayak (1971), Bush, Gibson and Thomas (1975) and McCool (1987):
+///
+///     height_std     = ((1 - 0.8968/alpha) m0)^(1/2)    where 0.8968 is 1 + 16/pi - 3^(3/2)
+///     summit_radius  = 3 pi^(1/2)/(8 m4^(1/2))
+///     asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area
+///
+/// @param params        initialised parameters; must not be NULL; untouched on failure
+/// @param m0            variance of the heights [length^2] > 0
+/// @param m2            variance of the slopes > 0
+/// @param m4            variance of the curvatures [1/length^2] > 0; alpha must be at least 1.5
+/// @param nominal_area  [length^2] > 0
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+///
+/// Threads: any, on different structs.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_set_spectral_moments(
+    params: *mut asperity_params,
+    m0: f64,
+    m2: f64,
+    m4: f64,
+    nominal_area: f64,
+) -> asperity_status {
+    boundary::status(|| {
+        change(
+            params,
+            |changed| changed.set_spectral_moments(SpectralMoments { m0, m2, m4 }, nominal_area),
+            |params, changed| {
+                params.height_std = changed.height_std;
+                params.summit_radius = changed.summit_radius;
+                params.asperity_count = changed.asperity_count;
+            },
+        )
+    })
+}
+
+/// Chooses Weibull heights with this skew: sets `height_distribution` and `weibull_shape`.
+///
+/// @param params  initialised parameters; must not be NULL; untouched on failure
+/// @param skew    above -1.13955, the limit of the family; 0 gives omega = 3.602
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (skew outside the family),
+///         `ASPERITY_OUT_OF_RANGE` (skew of a shape that is not evaluated)
+///
+/// Threads: any, on different structs.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_set_skew(params: *mut asperity_params, skew: f64) -> asperity_status {
+    boundary::status(|| {
+        change(
+            params,
+            |changed| changed.set_skew(skew),
+            |params, changed| {
+                params.height_distribution = changed.height_distribution;
+                params.weibull_shape = changed.weibull_shape;
+            },
+        )
+    })
+}

@@ -1,0 +1,202 @@
+//! Which curve of Johnson's system has a given skew and kurtosis.
+//!
+//! With u normal and t = epsilon u, epsilon = 1/delta, both kinds are written about their median with slope 1 there:
+//!
+//! ```text
+//! S_U:  epsilon v = sinh t + tau (cosh t - 1)             -1 < tau < 1
+//! S_B:  epsilon v = (e^t - 1)/(1 + share (e^t - 1))        0 <= share <= 1
+//! ```
+//!
+//! tau = +-1, share = 0 or 1 are lognormal and epsilon = 0 is Gaussian, so that nothing is singular there.
+
+use crate::root;
+
+/// The largest epsilon of S_B within the range of [`super::Johnson`].
+const LARGEST_EPSILON: f64 = 3.5;
+
+/// A curve of the system before it is standardised.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fit {
+    /// 1/delta.
+    pub epsilon: f64,
+    /// Its kind.
+    pub kind: Kind,
+    /// Mean of v.
+    pub mean: f64,
+    /// Standard deviation of v.
+    pub deviation: f64,
+}
+
+/// S_U or S_B.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// S_U.
+    Unbounded {
+        /// 1 - tau > 0.
+        below: f64,
+        /// 1 + tau > 0.
+        above: f64,
+    },
+    /// S_B, and lognormal curves at its limit.
+    Bounded {
+        /// The share of the support that lies below the median, of which 0 and 1 are lognormal.
+        share: f64,
+        /// The share above: 1 - share.
+        rest: f64,
+    },
+}
+
+/// The curve of a skew and a kurtosis.
+pub fn fit(skew: f64, kurtosis: f64) -> Fit {
+    let fit = of_positive_skew(skew.abs(), kurtosis);
+    if skew < 0.0 {
+        fit.reflected()
+    } else {
+        fit
+    }
+}
+
+impl Fit {
+    fn reflected(self) -> Self {
+        let kind = match self.kind {
+            Kind::Unbounded { below, above } => Kind::Unbounded { below: above, above: below },
+            Kind::Bounded { share, rest } => Kind::Bounded { share: rest, rest: share },
+        };
+        Self { kind, mean: -self.mean, ..self }
+    }
+}
+
+fn of_positive_skew(skew: f64, kurtosis: f64) -> Fit {
+    let excess = kurtosis - 3.0;
+    if excess > excess_of_lognormal(skew) {
+        unbounded(skew, excess)
+    } else {
+        bounded(skew, kurtosis)
+    }
+}
+
+/// The kurtosis - 3 of the lognormal curve of a skew: more is S_U, less S_B.
+pub fn excess_of_lognormal(skew: f64) -> f64 {
+    let p = lognormal_growth(skew);
+    p * (16.0 + p * (15.0 + p * (6.0 + p)))
+}
+
+/// exp(epsilon^2) - 1 of the lognormal curve of a skew: p (p + 3)^2 = skew^2.
+fn lognormal_growth(skew: f64) -> f64 {
+    let squared = skew * skew;
+    // p (p + 3)^2 lies above both 9 p and p^3.
+    let upper = (squared / 9.0).min(squared.cbrt());
+    root::bracketed(|p| p * (p + 3.0) * (p + 3.0) - squared, 0.0, upper)
+}
+
+/// S_U from its moments (Johnson 1949) in p = exp(epsilon^2) - 1 and q = tau^2, in which every term is positive.
+fn unbounded(skew: f64, excess: f64) -> Fit {
+    // Kurtosis grows with p and q: p is largest where q = 0.
+    let largest = (2.0 * (excess + 2.0)).sqrt() - 1.0;
+    let largest = ((largest.max(1.0)).sqrt() - 1.0).max(0.25 * excess);
+    let growth = |q: f64| root::bracketed(|p| unbounded_excess(p, q) - excess, 0.0, largest);
+    let tau = root::bracketed(|tau| unbounded_skew(growth(tau * tau), tau) - skew, 0.0, 1.0);
+    let q = tau * tau;
+    let p = growth(q);
+    let epsilon = p.ln_1p().sqrt();
+    let kind = if tau < 1.0 {
+        Kind::Unbounded { below: 1.0 - tau, above: 1.0 + tau }
+    } else {
+        Kind::Bounded { share: 0.0, rest: 1.0 }
+    };
+    if epsilon == 0.0 {
+        return Fit { epsilon, kind, mean: 0.0, deviation: 1.0 };
+    }
+    let mean = tau * (0.5 * epsilon * epsilon).exp_m1() / epsilon;
+    Fit { epsilon, kind, mean, deviation: (p * unbounded_variance(p, q)).sqrt() / epsilon }
+}
+
+/// The variance of epsilon v over p.
+fn unbounded_variance(p: f64, q: f64) -> f64 {
+    1.0 + 0.5 * p * (1.0 + q)
+}
+
+fn unbounded_skew(p: f64, tau: f64) -> f64 {
+    let q = tau * tau;
+    let third = 3.0 + 0.25 * p * (p + 4.0) * (3.0 + q);
+    ((1.0 + p) * p).sqrt() * tau * third / unbounded_variance(p, q).powf(1.5)
+}
+
+fn unbounded_excess(p: f64, q: f64) -> f64 {
+    let common = 1.0 + q * (6.0 + q);
+    let terms = [
+        32.0 + 96.0 * q,
+        64.0 + q * (288.0 + 24.0 * q),
+        56.0 + q * (312.0 + 48.0 * q),
+        28.0 * common,
+        8.0 * common,
+        common,
+    ];
+    let sum = terms.iter().rev().fold(0.0, |sum, term| sum * p + term);
+    0.125 * p * sum / unbounded_variance(p, q).powi(2)
+}
+
+/// S_B: epsilon from the kurtosis, and for each epsilon the share from the skew.
+fn bounded(skew: f64, kurtosis: f64) -> Fit {
+    let smallest = lognormal_growth(skew).ln_1p().sqrt();
+    // ln(share/rest), from where it cannot be told from lognormal to where there is no skew.
+    let share = |epsilon: f64| {
+        let lowest = -40.0 - epsilon * (11.0 + 4.0 * epsilon);
+        let residual = |log_odds: f64| Moments::of(epsilon, log_odds).skew - skew;
+        if skew == 0.0 {
+            0.0
+        } else {
+            root::bracketed(residual, lowest, 0.0)
+        }
+    };
+    let residual = |epsilon: f64| Moments::of(epsilon, share(epsilon)).kurtosis - kurtosis;
+    let epsilon = root::bracketed(residual, smallest, LARGEST_EPSILON);
+    let log_odds = share(epsilon);
+    let Moments { mean, deviation, .. } = Moments::of(epsilon, log_odds);
+    let (share, rest) = shares(log_odds);
+    Fit { epsilon, kind: Kind::Bounded { share, rest }, mean, deviation }
+}
+
+fn shares(log_odds: f64) -> (f64, f64) {
+    (1.0 / (1.0 + (-log_odds).exp()), 1.0 / (1.0 + log_odds.exp()))
+}
+
+/// Moments of v on an S_B curve.
+struct Moments {
+    mean: f64,
+    deviation: f64,
+    skew: f64,
+    kurtosis: f64,
+}
+
+impl Moments {
+    /// By the trapezoidal rule in u, whose error falls exponentially with 1/step: v has its poles at Im u = pi/epsilon.
+    fn of(epsilon: f64, log_odds: f64) -> Self {
+        if epsilon == 0.0 {
+            return Self { mean: 0.0, deviation: 1.0, skew: 0.0, kurtosis: 3.0 };
+        }
+        let step = (0.35 / epsilon).min(0.4);
+        let (share, _) = shares(log_odds);
+        // The fourth power grows as exp(4 epsilon u) as long as the share is small.
+        let (lowest, highest) = (-10.0, 10.0 + (4.0 * epsilon).min(6.0));
+        let nodes = ((lowest / step) as i32..=(highest / step) as i32).map(|j| {
+            let u = step * f64::from(j);
+            let rise = (epsilon * u).exp_m1();
+            ((-0.5 * u * u).exp(), rise / (epsilon * (1.0 + share * rise)))
+        });
+        let (weight, sum) = nodes.clone().fold((0.0, 0.0), |(weight, sum), (w, v)| (weight + w, sum + w * v));
+        let mean = sum / weight;
+        let mut central = [0.0; 3];
+        for (w, v) in nodes {
+            let distance = v - mean;
+            let mut term = w * distance;
+            for moment in &mut central {
+                term *= distance;
+                *moment += term;
+            }
+        }
+        let [second, third, fourth] = central.map(|moment| moment / weight);
+        let deviation = second.sqrt();
+        Self { mean, deviation, skew: third / (second * deviation), kurtosis: fourth / (second * second) }
+    }
+}

@@ -1,0 +1,325 @@
+//! Heights of Johnson's system of curves (Biometrika 36, 1949, 149-176): skew and kurtosis chosen independently.
+//!
+//! A function u(z) of height is normal: u = gamma + delta arsinh((z - xi)/lambda) for S_U, which has no end, and
+//! u = gamma + delta ln((z - xi)/(xi + lambda - z)) for S_B, which has two; lognormal curves lie between them, and
+//! the Gaussian is the limit of all. `fit` finds the curve; here it is standardised to mean 0 and standard deviation 1.
+
+mod fit;
+
+use fit::{Fit, Kind};
+
+/// The largest kurtosis that is evaluated.
+pub const LARGEST_KURTOSIS: f64 = 1000.0;
+
+/// The smallest kurtosis that is evaluated: below it nearly all summits have one of two heights.
+pub fn smallest_kurtosis(skew: f64) -> f64 {
+    1.4 + 1.3 * skew * skew
+}
+
+/// The upper end of the support is made the origin of heights where sums in the tail depend on the distance to it: where
+/// less than this part of the distance from the mean is left at this u. The same goes for S_U where it nearly ends: it is
+/// singular at y = -tau +- i (1 - tau^2)^(1/2). An origin farther than this many widths of the bulk would blur it.
+const LEFT_AT_END: f64 = 0.1;
+const FAR_UP: f64 = 12.0;
+const FARTHEST_ORIGIN: f64 = 300.0;
+/// exp of more is not needed.
+const LARGEST_EXPONENT: f64 = 700.0;
+/// The longest panel in u, and its largest change of ln phi, on which a normal density is a polynomial to rounding.
+const LONGEST_PANEL: f64 = 1.5;
+const STEEPEST_PANEL: f64 = 12.0;
+/// The longest panel over its distance to where S_U and S_B are singular.
+const FARTHEST_OF_POLE: f64 = 1.2;
+const FARTHEST_OF_END: f64 = 1.0;
+
+/// Heights beyond this have no normal score in any number that can be represented.
+const FARTHEST: f64 = 1e100;
+const MOST_HALVINGS: u32 = 60;
+
+const LN_SQRT_2_PI: f64 = 0.918_938_533_204_672_8;
+
+/// A standardised curve of Johnson's system.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Johnson {
+    skew: f64,
+    kurtosis: f64,
+    epsilon: f64,
+    /// dv/dz, with v of `fit`.
+    deviation: f64,
+    kind: Kind,
+    /// dy/dz, with y = epsilon v.
+    rate: f64,
+    /// Height of the median.
+    median: f64,
+    /// What is subtracted from heights above their mean.
+    origin: f64,
+    /// Where the density is largest; twice the same where it has one maximum.
+    modes: [f64; 2],
+}
+
+impl Johnson {
+    /// The curve of a skew and a kurtosis between [`smallest_kurtosis`] and [`LARGEST_KURTOSIS`].
+    pub fn new(skew: f64, kurtosis: f64) -> Self {
+        let Fit { epsilon, kind, mean, deviation } = fit::fit(skew, kurtosis);
+        let rate = epsilon * deviation;
+        let median = -mean / deviation;
+        let mut curve =
+            Self { skew, kurtosis, epsilon, deviation, kind, rate, median, origin: 0.0, modes: [median; 2] };
+        let (end, away) = match kind {
+            Kind::Unbounded { below, above } => (median + (below - 1.0) / rate, (below * above).sqrt() / rate),
+            Kind::Bounded { .. } => (curve.support().1, 0.0),
+        };
+        if (end - curve.height(FAR_UP)).max(away) < LEFT_AT_END * end && end * deviation < FARTHEST_ORIGIN {
+            curve.origin = end;
+            curve.median -= end;
+        }
+        curve.modes = curve.find_modes();
+        curve
+    }
+
+    /// Whether the curve is the Gaussian itself.
+    pub fn is_gaussian(&self) -> bool {
+        self.epsilon == 0.0
+    }
+
+    /// Third standardised moment.
+    pub fn skew(&self) -> f64 {
+        self.skew
+    }
+
+    /// Fourth standardised moment.
+    pub fn kurtosis(&self) -> f64 {
+        self.kurtosis
+    }
+
+    /// The height above the mean from which heights are measured.
+    pub fn origin(&self) -> f64 {
+        self.origin
+    }
+
+    /// The ends of the support.
+    pub fn support(&self) -> (f64, f64) {
+        match self.kind {
+            Kind::Unbounded { .. } => (f64::NEG_INFINITY, f64::INFINITY),
+            Kind::Bounded { share, rest } => {
+                let head = if self.origin == 0.0 { self.median + 1.0 / (share * self.rate) } else { 0.0 };
+                (self.median - 1.0 / (rest * self.rate), head)
+            }
+        }
+    }
+
+    /// ln phi.
+    #[inline]
+    pub fn log_density(&self, z: f64) -> f64 {
+        match self.at(z) {
+            Some(at) => -0.5 * at.u * at.u - LN_SQRT_2_PI + at.rate.ln(),
+            None => f64::NEG_INFINITY,
+        }
+    }
+
+    /// u at a height; infinite beyond the support.
+    pub fn normal_score(&self, z: f64) -> f64 {
+        match self.at(z.clamp(-FARTHEST, FARTHEST)) {
+            Some(at) => at.u,
+            None => f64::INFINITY.copysign(z - self.median),
+        }
+    }
+
+    /// The height of a u.
+    pub fn height(&self, u: f64) -> f64 {
+        let t = (self.epsilon * u).clamp(-LARGEST_EXPONENT, LARGEST_EXPONENT);
+        match self.kind {
+            Kind::Unbounded { below, above } if self.origin == 0.0 => {
+                self.median + 0.5 * (above * t.exp_m1() - below * (-t).exp_m1()) / self.rate
+            }
+            Kind::Unbounded { below, above } => 0.5 * (above * t.exp() - below * (-t).exp()) / self.rate,
+            Kind::Bounded { share, .. } if self.origin == 0.0 => {
+                let rise = t.exp_m1();
+                self.median + rise / (1.0 + share * rise) / self.rate
+            }
+            Kind::Bounded { share, .. } => -1.0 / (1.0 + share * t.exp_m1()) / (share * self.rate),
+        }
+    }
+
+    /// The height at or above another where the density is largest, to the order of magnitude.
+    pub fn peak_above(&self, start: f64) -> f64 {
+        let higher = |a: f64, b: f64| if self.log_density(b) > self.log_density(a) { b } else { a };
+        self.modes.iter().filter(|&&mode| mode > start).fold(start.max(-FARTHEST), |peak, &mode| higher(peak, mode))
+    }
+
+    /// u and what else the density takes; `None` beyond the support.
+    #[inline]
+    fn at(&self, z: f64) -> Option<At> {
+        let (t, rate, slope) = match self.kind {
+            Kind::Unbounded { below, above } => {
+                // y + tau and its distance from where the curve is singular, as a complex number.
+                let tau = 0.5 * (above - below);
+                let y = self.rate * (z - self.median);
+                let height = if self.origin == 0.0 { y + tau } else { self.rate * z };
+                let distance = (height * height + below * above).sqrt();
+                let t = match (self.origin == 0.0, height >= 0.0) {
+                    (true, true) => (y * (above + distance + height) / ((1.0 + distance) * above)).ln_1p(),
+                    (true, false) => -(-y * (below + distance - height) / ((1.0 + distance) * below)).ln_1p(),
+                    (false, true) => ((height + distance) / above).ln(),
+                    (false, false) => -((distance - height) / below).ln(),
+                };
+                (t, 1.0 / distance, -height / (distance * distance))
+            }
+            Kind::Bounded { share, rest } => {
+                let y = self.rate * (z - self.median);
+                // The distances to the two ends over those of the median.
+                let (above_foot, below_head) = (1.0 + rest * y, 1.0 - share * y);
+                if self.origin == 0.0 {
+                    if above_foot <= 0.0 || below_head <= 0.0 {
+                        return None;
+                    }
+                    let t = (rest * y).ln_1p() - (-share * y).ln_1p();
+                    (t, 1.0 / (above_foot * below_head), share / below_head - rest / above_foot)
+                } else {
+                    let below_head = -share * self.rate * z;
+                    if above_foot <= 0.0 || below_head <= 0.0 {
+                        return None;
+                    }
+                    let t = above_foot.ln() - below_head.ln();
+                    (t, 1.0 / (above_foot * below_head), share / below_head - rest / above_foot)
+                }
+            }
+        };
+        let u = t / self.epsilon;
+        let rate = self.deviation * rate;
+        Some(At { u, rate, slope: self.rate * slope - u * rate })
+    }
+
+    /// Two maxima at most lie within epsilon of the median in u.
+    fn find_modes(&self) -> [f64; 2] {
+        const PARTS: i32 = 64;
+        let at = |part: i32| {
+            let z = self.height(self.epsilon * f64::from(part) / f64::from(PARTS));
+            (z, self.log_density(z))
+        };
+        let mut modes = (-PARTS..=PARTS).filter_map(|part| {
+            let (z, here) = at(part);
+            (here >= at(part - 1).1 && here > at(part + 1).1).then_some(z)
+        });
+        let first = modes.next().unwrap_or(self.median);
+        [first, modes.next().unwrap_or(first)]
+    }
+
+    /// The part of a range of heights whose contribution is above exp(-negligible) of the whole.
+    pub fn worth_summing(&self, lower: f64, upper: f64, negligible: f64) -> (f64, f64) {
+        let lowest = -self.normal_score(upper).min(0.0).hypot((2.0 * negligible).sqrt());
+        // Load grows as height^(3/2): as exp(1.5 epsilon u), or as far as the head.
+        let growth = 2.0 * self.epsilon;
+        let from = self.normal_score(lower).max(0.0);
+        let mut highest = growth + (from - growth).max(0.0).hypot((2.0 * negligible).sqrt());
+        if let Kind::Bounded { share, .. } = self.kind {
+            let whole = 2.0 * (1.0 / (self.epsilon * share)).ln_1p();
+            highest = highest.min(from.hypot((2.0 * (negligible + whole)).sqrt()));
+        }
+        (lower.max(self.height(lowest)), upper.min(self.height(highest)))
+    }
+
+    /// How far above z one quadrature panel may reach.
+    pub fn smooth_length(&self, z: f64) -> f64 {
+        let mut length = self.height(self.normal_score(z) + LONGEST_PANEL) - z;
+        for _ in 0..MOST_HALVINGS {
+            if self.is_smooth(z, z + length) {
+                break;
+            }
+            length *= 0.5;
+        }
+        length
+    }
+
+    /// Whether the density is a polynomial to rounding between two heights.
+    pub fn is_smooth(&self, from: f64, to: f64) -> bool {
+        let (Some(start), Some(end)) = (self.at(from), self.at(to)) else {
+            return false;
+        };
+        let length = to - from;
+        if end.u - start.u > LONGEST_PANEL * (1.0 + 1e-6)
+            || length * start.slope.abs().max(end.slope.abs()) > STEEPEST_PANEL
+        {
+            return false;
+        }
+        match self.kind {
+            Kind::Unbounded { below, above } => {
+                let centre = if self.origin == 0.0 { self.median - 0.5 * (above - below) / self.rate } else { 0.0 };
+                // The distance from the nearest point of the panel.
+                let nearest = if from > centre { from - centre } else { (centre - to).max(0.0) };
+                length <= FARTHEST_OF_POLE * nearest.hypot((below * above).sqrt() / self.rate)
+            }
+            Kind::Bounded { .. } => {
+                let (foot, head) = self.support();
+                length <= FARTHEST_OF_END * (from - foot).min(head - to)
+            }
+        }
+    }
+}
+
+/// A point of the curve.
+struct At {
+    u: f64,
+    /// du/dz.
+    rate: f64,
+    /// d(ln phi)/dz.
+    slope: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::population::integrate_short;
+
+    /// Moments of the density itself about its mean, on panels that are short in u.
+    fn moments(curve: &Johnson) -> [f64; 5] {
+        const PARTS: i32 = 32;
+        let farthest = PARTS * (12.0 + 4.0 * curve.epsilon) as i32;
+        let mut moments = [0.0; 5];
+        for part in -farthest..farthest {
+            let [from, to] = [part, part + 1].map(|i| curve.height(f64::from(i) / f64::from(PARTS)));
+            for (k, moment) in moments.iter_mut().enumerate() {
+                *moment +=
+                    integrate_short(from, to, |z| curve.log_density(z).exp() * (z + curve.origin()).powi(k as i32));
+            }
+        }
+        moments
+    }
+
+    #[test]
+    fn the_density_has_the_moments_it_was_made_from() {
+        let mut worst = 0.0_f64;
+        for skew in [-20.0, -5.0, -2.0, -1.0, -0.1, -1e-4, 0.0, 1e-9, 1e-3, 0.3, 1.0, 3.0, 8.0, 25.0] {
+            let smallest = smallest_kurtosis(skew);
+            let lognormal = 3.0 + fit::excess_of_lognormal(skew);
+            let mut kurtoses =
+                vec![smallest, LARGEST_KURTOSIS, lognormal, lognormal.next_down(), lognormal.next_up(), 3.0];
+            for part in [1e-12, 1e-6, 1e-3, 0.1, 0.5, 0.9] {
+                kurtoses.push(smallest + (lognormal - smallest) * part);
+                kurtoses.push(lognormal - (lognormal - smallest) * part);
+                kurtoses.push(lognormal * (1.0 + part));
+                kurtoses.push(lognormal * (LARGEST_KURTOSIS / lognormal).powf(part));
+            }
+            for kurtosis in kurtoses {
+                if kurtosis < smallest || kurtosis > LARGEST_KURTOSIS {
+                    continue;
+                }
+                let curve = Johnson::new(skew, kurtosis);
+                if curve.is_gaussian() {
+                    continue;
+                }
+                let [total, mean, second, third, fourth] = moments(&curve);
+                let errors = [
+                    total - 1.0,
+                    mean,
+                    second - 1.0,
+                    (third - skew) / (1.0 + skew.abs()),
+                    (fourth - kurtosis) / kurtosis,
+                ];
+                let error = errors.iter().fold(0.0_f64, |worst, error| worst.max(error.abs()));
+                assert!(error < 3e-13, "skew {skew}, kurtosis {kurtosis}: {errors:?} of {curve:?}");
+                worst = worst.max(error);
+            }
+        }
+        println!("worst {worst:e}");
+    }
+}

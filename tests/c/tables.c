@@ -1,0 +1,122 @@
+/* Tables of heights live as long as they should: a model copies the caller's, and lends its own. Every table lies at the
+ * ends of heap blocks, so that valgrind sees what is read after it was freed, or beyond. */
+
+#include <asperity.h>
+
+#include <stdlib.h>
+
+#include "check.h"
+#include "surfaces.h"
+
+enum { LENGTH = 33 };
+
+/* A raised cosine about 5, in a unit and from an origin of its own. */
+static asperity_params with_table(asperity_params p, size_t length)
+{
+    double *height = malloc(length * sizeof *height), *density = malloc(length * sizeof *density);
+
+    if (height == NULL || density == NULL)
+        exit(1);
+    for (size_t i = 0; i < length; i++) {
+        const double part = (double)i / (double)(length - 1);
+        height[i] = 2 + 6 * part;
+        density[i] = 1 - cos(2 * 3.14159265358979324 * part);
+    }
+    p.height_distribution = ASPERITY_HEIGHTS_TABULATED;
+    p.table_height = height;
+    p.table_density = density;
+    p.table_length = length;
+    return p;
+}
+
+static void free_table(asperity_params *p)
+{
+    free((void *)p->table_height);
+    free((void *)p->table_density);
+    p->table_height = p->table_density = NULL;
+}
+
+static const char *last_message(void)
+{
+    static char message[512];
+    asperity_last_error(message, sizeof message);
+    return message;
+}
+
+static void a_table_is_copied_and_lent(asperity_status init(asperity_params *),
+                                       asperity_status get(const asperity_model *, asperity_params *))
+{
+    asperity_params p, back;
+    asperity_model *model = NULL;
+    asperity_summary s;
+    double mu;
+
+    init(&p);
+    p = with_table(p, LENGTH);
+    CHECK(asperity_create(&p, &model) == ASPERITY_OK, "%s", last_message());
+    mu = asperity_friction_at_load(model, 100);
+    free_table(&p);
+    CHECK(asperity_friction_at_load(model, 100) == mu && mu > 0, "mu = %g", mu);
+    s.struct_size = sizeof s;
+    CHECK(asperity_summary_of(model, &s) == ASPERITY_OK && fabs(s.skew) < 1e-12, "skew %g", s.skew);
+    /* The kurtosis of the raised cosine is 6/5 (90 - pi^4)/(pi^2 - 6)^2 + 3; the table nears it. */
+    CHECK(fabs(s.kurtosis - 2.4062) < 0.01, "kurtosis %g", s.kurtosis);
+
+    CHECK(get(model, &back) == ASPERITY_OK && back.table_length == LENGTH, "%s", last_message());
+    CHECK(back.table_height != NULL && back.table_height[0] == 2 && back.table_height[LENGTH - 1] == 8, "heights");
+    CHECK(back.table_density != NULL && back.table_density[LENGTH / 2] == 2, "densities");
+
+    /* The model's own pointers come back into it, with another parameter. */
+    back.asperity_count = 2;
+    CHECK(asperity_set_params(model, &back) == ASPERITY_OK, "%s", last_message());
+    CHECK(fabs(asperity_friction_at_load(model, 200) / mu - 1) < 1e-8, "twice the summits carry twice the load");
+    CHECK(get(model, &back) == ASPERITY_OK && back.asperity_count == 2, "%s", last_message());
+
+    /* On failure its table is where it was. */
+    back.summit_radius = -1;
+    CHECK(asperity_set_params(model, &back) == ASPERITY_INVALID_PARAMETER, "a negative radius");
+    CHECK(back.table_height[0] == 2, "the table moved");
+    asperity_free(model);
+}
+
+static asperity_status init_whole(asperity_params *p) { return asperity_params_init(p); }
+static asperity_status get_whole(const asperity_model *m, asperity_params *p) { return asperity_get_params(m, p); }
+
+static void bad_tables_are_refused_by_name(void)
+{
+    asperity_params p = with_table(surface(0), LENGTH);
+    asperity_model *model = NULL;
+    double *height = (double *)p.table_height, *density = (double *)p.table_density;
+
+#define FAILS(text)                                                                                                    \
+    CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && model == NULL, "a model: %s", text);            \
+    CHECK(strstr(last_message(), text) != NULL, "'%s' does not say '%s'", last_message(), text)
+    density[3] = -1;
+    FAILS("table_density[3] = -1: must be finite and >= 0");
+    density[3] = NAN;
+    FAILS("table_density[3] = NaN: must be finite and >= 0");
+    density[3] = 1;
+    height[7] = height[6];
+    FAILS("table_height[7] = ");
+    height[7] = INFINITY;
+    FAILS("table_height[7] = inf: must be finite");
+    p.table_length = 4097;
+    FAILS("table_length = 4097: must be between 3 and 4096");
+    p.table_length = 2;
+    FAILS("table_length = 2: must be between 3 and 4096");
+    p.table_length = LENGTH;
+    height[7] = 0.5 * (height[6] + height[8]);
+    memset(density, 0, LENGTH * sizeof *density);
+    FAILS("table_density");
+#undef FAILS
+    free_table(&p);
+}
+
+int main(void)
+{
+    a_table_is_copied_and_lent(init_whole, get_whole);
+    /* A caller by name, whose struct_size is that of the first version. */
+    a_table_is_copied_and_lent(asperity_params_init, asperity_get_params);
+    bad_tables_are_refused_by_name();
+    return checks_report("tables");
+}
