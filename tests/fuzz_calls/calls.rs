@@ -471,7 +471,7 @@ impl<'a> Calls<'a> {
     pub fn structs(&mut self, model: &Model, size: u64) {
         let (at, p): (Shared, _) = (model.handle.0, model.params);
         let words = 64;
-        let valid = size >= 16 && size % 8 == 0 && size <= 8 * words as u64;
+        let valid = size >= 16 && size.is_multiple_of(8) && size <= 8 * words as u64;
         let filled = [0x5eed_5eed_u64; 64];
         type Fill = unsafe extern "C" fn(Shared, *mut u64) -> i32;
         // SAFETY: the functions read the size, and write no more than it says.
@@ -496,7 +496,7 @@ impl<'a> Calls<'a> {
         for (name, fill, whole) in fills {
             let mut out = filled;
             // A size beyond the room given here must not be claimed, unless it is one that is refused.
-            out[0] = if size > 8 * words as u64 && size % 8 == 0 { size | 1 } else { size };
+            out[0] = if size > 8 * words as u64 && size.is_multiple_of(8) { size | 1 } else { size };
             let before = out;
             reset_message();
             let fill = black_box(fill);

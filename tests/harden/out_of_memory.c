@@ -80,10 +80,11 @@ static void each_allocation(enum call call, asperity_model *model)
         survived);
 }
 
-/* The calls that the header says to allocate nothing, and the exact ones. */
-static void calls_allocate_nothing(void)
+/* The calls that the header says to allocate nothing, within the table and beyond it, where they integrate. */
+static void loops_allocate_nothing(void)
 {
     static answers out;
+    double loads[LOADS], force[LOADS], slope[LOADS];
 
     for (int which = 0; which < SURFACES; which++) {
         const asperity_params p = surface(which);
@@ -91,15 +92,22 @@ static void calls_allocate_nothing(void)
         long count;
 
         CHECK(asperity_create(&p, &model) == ASPERITY_OK, "surface %s", SURFACE_NAMES[which]);
-        arm(-1);
         answer(model, &out);
-        asperity_friction_force_at_load(model, NAN);
+        for (int i = 0; i < LOADS; i++)
+            loads[i] = i == 0 ? NAN : out.summary.pull_off_load + out.summary.max_table_load * pow(10, -20 + 0.25 * i);
+        arm(-1);
+        for (int i = 0; i < LOADS; i++) {
+            force[i] = asperity_friction_force_at_load(model, loads[i]);
+            slope[i] = asperity_friction_at_load(model, loads[i]);
+        }
+        asperity_friction_force_at_loads(model, LOADS, loads, force, slope);
+        asperity_friction_at_loads(model, LOADS, loads, force, slope);
         asperity_state_at_load(model, -1e300, &out.exact[0]); /* refused, with a message */
         count = disarm();
-        CHECK(count == 0, "evaluating %s makes %ld allocations", SURFACE_NAMES[which], count);
+        CHECK(count == 0, "the calls of a loop on %s make %ld allocations", SURFACE_NAMES[which], count);
         asperity_free(model);
     }
-    printf("evaluation, exact and compiled, makes no allocation\n");
+    printf("the calls of a solver's loop make no allocation, within the table or beyond it, nor does a refusal\n");
 }
 
 int main(void)
@@ -115,7 +123,7 @@ int main(void)
     }
     each_allocation(CREATE, model);
     each_allocation(SET_PARAMS, model);
-    calls_allocate_nothing();
+    loops_allocate_nothing();
     asperity_free(model);
     return checks_report("out_of_memory");
 }
