@@ -14,6 +14,9 @@ const CLOSEST: f64 = -1e60;
 const SCAN_START: f64 = -6.0;
 /// ...in steps of this: sums over the heights change on the scale of their standard deviation, not faster.
 const SCAN_STEP: f64 = 1.0;
+/// ...or, where the heights may gather at several, of half the range of adhesion within these bounds...
+const WIDEST_SCAN: f64 = 0.25;
+const FINEST_SCAN: f64 = 0.02;
 /// ...where heights end, up to this far from where nothing touches or attracts any more, relative to it.
 const NEAREST_TO_END: f64 = 1e-9;
 /// A pull-off load smaller than exp of this cannot be told from none.
@@ -59,11 +62,19 @@ impl Equilibrium {
         }
     }
 
-    /// The branch that ends before a separation at which the load was found to rise already.
+    /// The branch that ends near a separation at which the load was found to rise already, or to be below what was taken
+    /// for its first minimum.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] if no minimum can be found before it.
-    pub fn ending_before(population: &Population, rising: f64) -> Result<Self, Error> {
+    /// [`Error::NotConverged`] if no minimum can be found there, [`Error::OutOfRange`] if the load there is not negative.
+    pub fn ending_near(population: &Population, off_branch: f64) -> Result<Self, Error> {
+        let mut rising = off_branch;
+        while falls(population, rising) {
+            rising += FINEST_SCAN;
+            if rising > population.farthest() {
+                return Err(Error::NotConverged { what: "separation at pull-off", value: off_branch });
+            }
+        }
         let mut step = 1e-3;
         while step < 100.0 {
             if falls(population, rising - step) {
@@ -71,7 +82,7 @@ impl Equilibrium {
             }
             step *= 2.0;
         }
-        Err(Error::NotConverged { what: "separation at pull-off", value: rising })
+        Err(Error::NotConverged { what: "separation at pull-off", value: off_branch })
     }
 
     fn within(population: &Population, (lower, upper): (f64, f64)) -> Result<Self, Error> {
@@ -222,7 +233,12 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
             return None;
         }
     }
-    step = SCAN_STEP;
+    let scan_step = if population.heights().is_log_concave() {
+        SCAN_STEP
+    } else {
+        (0.5 * population.range_of_adhesion()).clamp(FINEST_SCAN, WIDEST_SCAN)
+    };
+    step = scan_step;
     // Beyond where nothing touches or attracts any more there is no slope to be seen.
     let ends = population.heights().head().is_finite();
     while here < farthest {
@@ -241,7 +257,7 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
         }
         here = next;
         // Far out the heights change on the scale of their distance.
-        step = if single { 1.5 * step } else { SCAN_STEP.max(0.1 * here) };
+        step = if single { 1.5 * step } else { scan_step.max(0.1 * here) };
     }
     None
 }

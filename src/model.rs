@@ -142,7 +142,7 @@ impl Model {
             match law {
                 // Following the branch found an earlier minimum than the search did.
                 Err(Error::NotConverged { what: law::BRANCH, value }) => {
-                    equilibrium = Equilibrium::ending_before(&population, value)?;
+                    equilibrium = Equilibrium::ending_near(&population, value)?;
                     law = Law::new(&population, &equilibrium, scales);
                 }
                 _ => break,

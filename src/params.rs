@@ -366,7 +366,7 @@ fn checked_johnson(skew: f64, kurtosis: f64) -> Result<Heights, Error> {
         return Err(Error::InvalidParameter { name: "skew", value: skew.into(), allowed: "must be finite" });
     }
     // Squares stay finite.
-    let bounded = skew.clamp(-1e100, 1e100);
+    let bounded = skew.clamp(-1e150, 1e150);
     if !finite(kurtosis) || kurtosis <= bounded * bounded + 1.0 {
         return Err(Error::InvalidParameter {
             name: "kurtosis",

@@ -17,14 +17,36 @@ fn random_params(random: &mut SplitMix) -> Params {
     let gamma = if random.chance(0.2) { 0.0 } else { random.log_between(1e-5, 0.02) };
     let b_over_h = random.between(0.3, 1.5);
     params.set_dimensionless(alpha, beta, gamma, b_over_h, 0.3).expect("groups within their range");
-    if random.chance(0.5) {
-        params.heights = HeightFamily::Weibull { shape: random.log_between(1.1, 60.0) };
-    }
+    params.heights = random_heights(random);
     if random.chance(0.3) {
         params.radius_amplitude = random.between(-1.0, 1.0);
         params.radius_rate = random.log_between(0.1, 5.0);
     }
     params
+}
+
+/// Heights of any family; of tables few enough that rows lie between their kinks.
+fn random_heights(random: &mut SplitMix) -> HeightFamily {
+    match random.below(6) {
+        0 | 1 => HeightFamily::Gaussian,
+        2 | 3 => HeightFamily::Weibull { shape: random.log_between(1.1, 60.0) },
+        4 => {
+            let skew = random.between(-2.0, 2.0);
+            HeightFamily::Johnson { skew, kurtosis: 1.5 + 1.3 * skew * skew + random.log_between(0.1, 10.0) }
+        }
+        _ => {
+            let count = 4 + random.below(16);
+            let mut at = 0.0;
+            let mut height = || {
+                at += random.between(0.2, 1.0);
+                at
+            };
+            let height: Vec<f64> = (0..count).map(|_| height()).collect();
+            let density: Vec<f64> =
+                (0..count).map(|_| if random.chance(0.1) { 0.0 } else { random.between(0.1, 1.0) }).collect();
+            HeightFamily::Tabulated { height: height.into(), density: density.into() }
+        }
+    }
 }
 
 /// The models of the random surfaces; one that is refused must be so for a documented reason.

@@ -2,7 +2,8 @@
 //!
 //! `reference/cases.json`: every curve of the paper's figures 3 to 10, and limits; float64, spot-checked with 20 to 30
 //! digits. `reference/wide.json`: surfaces from all over parameter space; 80-bit arithmetic in another formulation and
-//! another quadrature (`reference/generate.py`), checked with 40 digits. Units: E* b^2 for load, G* b^2 for friction,
+//! another quadrature (`reference/generate.py`), checked with 40 digits. `reference/heights.json`: the same summation of
+//! other heights, written down in another form (`reference/heights.py`). Units: E* b^2 for load, G* b^2 for friction,
 //! b^2 for area, sigma for separation, one summit.
 
 use asperity::asperity::slip::SlipConstants;
@@ -25,6 +26,10 @@ struct CaseParams {
     epsilon: f64,
     rho: f64,
     weibull_shape: Option<f64>,
+    skew: Option<f64>,
+    kurtosis: Option<f64>,
+    table_height: Option<Vec<f64>>,
+    table_density: Option<Vec<f64>>,
     noncontacting: bool,
     a1: f64,
     tau1: f64,
@@ -52,6 +57,20 @@ fn read(file: &str) -> Vec<Case> {
     serde_json::from_str(&std::fs::read_to_string(path).expect(file)).expect(file)
 }
 
+impl CaseParams {
+    fn heights(&self) -> HeightFamily {
+        match (self.weibull_shape, self.skew, self.kurtosis, &self.table_height, &self.table_density) {
+            (None, None, None, None, None) => HeightFamily::Gaussian,
+            (Some(shape), None, None, None, None) => HeightFamily::Weibull { shape },
+            (None, Some(skew), Some(kurtosis), None, None) => HeightFamily::Johnson { skew, kurtosis },
+            (None, None, None, Some(height), Some(density)) => {
+                HeightFamily::Tabulated { height: height.clone().into(), density: density.clone().into() }
+            }
+            _ => panic!("{self:?}: more than one family of heights"),
+        }
+    }
+}
+
 fn model(p: &CaseParams) -> Model {
     let params = Params {
         composite_modulus: 1.0,
@@ -62,7 +81,7 @@ fn model(p: &CaseParams) -> Model {
         height_std: p.alpha * p.beta,
         summit_radius: p.beta / p.alpha,
         asperity_count: 1.0,
-        heights: p.weibull_shape.map_or(HeightFamily::Gaussian, |shape| HeightFamily::Weibull { shape }),
+        heights: p.heights(),
         attraction: p.noncontacting,
         radius_amplitude: p.epsilon,
         radius_rate: p.rho,
@@ -185,6 +204,19 @@ fn surfaces_from_all_over_parameter_space_are_reproduced() {
     }
     ordinary.finish(359);
     ill_conditioned.finish(35);
+}
+
+#[test]
+fn heights_of_johnsons_system_and_of_tables_are_reproduced() {
+    let mut comparison = Comparison::default();
+    for case in read("heights.json") {
+        let model = model(&case.params);
+        for row in &case.rows {
+            let state = state_of_row(&model, &case, row);
+            comparison.row(&case, row, &state, &Tolerance { value: 1e-12, slope: 1e-10 });
+        }
+    }
+    comparison.finish(70);
 }
 
 #[test]

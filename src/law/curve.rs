@@ -245,7 +245,9 @@ impl Curve {
 
     fn sample(&self, population: &Population, equilibrium: &Equilibrium, separation: f64) -> Result<Sample, Error> {
         let (log_excess, rate, sums) = equilibrium.log_excess(population, separation);
-        if !(rate < 0.0 && sums.friction > 0.0) {
+        // A load below that of the end is as far above it as can be told.
+        let below_end = self.coordinate.log_pull_off.is_some() && log_excess <= f64::MIN_POSITIVE.ln();
+        if !(rate < 0.0 && sums.friction > 0.0) || below_end {
             return Err(Error::NotConverged { what: BRANCH, value: separation });
         }
         let (s, s_rate) = self.coordinate.at(log_excess);

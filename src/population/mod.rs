@@ -281,6 +281,11 @@ impl Population {
         self.radius.is_constant() && self.heights.is_log_concave()
     }
 
+    /// How far, in sigma, a summit above the flat is pulled, or one in contact holds on.
+    pub fn range_of_adhesion(&self) -> f64 {
+        self.attraction.as_ref().map_or(0.0, |law| law.reach).max(-self.edges.deepest())
+    }
+
     /// A separation beyond which nothing touches or attracts, in any number that can be represented.
     pub fn farthest(&self) -> f64 {
         self.heights.far_tail() + self.attraction.as_ref().map_or(0.0, |a| a.reach) - self.edges.deepest()
@@ -563,7 +568,7 @@ impl Population {
         }
     }
 
-    /// What part a panel is of the longest on which all but the density is smooth.
+    /// What part a panel is of the longest on which all but the density is smooth; 1 if the density is what limits panels.
     fn part_of_smooth(&self, z: f64, length: f64, longest: f64) -> f64 {
         if self.heights.knots().is_empty() {
             1.0
@@ -627,7 +632,12 @@ impl Population {
                 };
                 // How the true theta departs, by the end of the panel, from that at the radius of its beginning.
                 let drift = (there.contact.theta / theta_end - 1.0) / length;
-                let part = if S::WHOLE_PANELS { 1.0 } else { self.part_of_smooth(here.z, length, curve) };
+                let part = if S::WHOLE_PANELS {
+                    1.0
+                } else {
+                    let theta = here.contact.theta;
+                    self.part_of_smooth(here.z, length, f64::MAX).max((theta - theta_end) / (theta - theta_far))
+                };
                 for (theta, weight) in gauss_legendre::nodes_of_part(part, theta_end, here.contact.theta) {
                     let reference = self.maugis.at(theta, here.g);
                     let rise = direction * (reference.overlap - here.contact.overlap);

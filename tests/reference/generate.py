@@ -201,7 +201,16 @@ class Model:
         self.H = 1/(al*be*B); self.L1 = np.sqrt(be/(al*B)); self.k1 = 4*ga*B*B*self.L1
         self.a1, self.t1, self.a2, self.t2 = (LD(p[k]) for k in ("a1", "tau1", "a2", "tau2"))
         self.M = -np.log(self.t1/self.t2)/np.log(self.a2/self.a1)
-        self.om = p["weibull_shape"]
+        self.set_heights(p)
+        self.vary = p["epsilon"] != 0 and p["gamma"] != 0
+        if not self.vary: self.edge1 = Edge([self.k1]) if p["epsilon"] == 0 else Edge([LD(0)])
+        else:
+            n = int(min(12000, max(3000, math.ceil(float((self.hi_full - self.lo_full)*60*max(1., p["rho"]))))))
+            self.grid = self.lo_full + (self.hi_full - self.lo_full)*np.arange(n + 1)/LD(n)
+            self.gw = self.H*Edge(self.kappa(self.grid)).w
+    knots = ()                      # heights where the density has a kink
+    def set_heights(self, p):       # heights.py has other families
+        self.om = p["weibull_shape"]; self.endless = self.om is None
         if self.om is not None:
             o = mp.mpf(self.om); b1, b2 = mp.gamma(1 + 1/o), mp.gamma(1 + 2/o); c = mp.sqrt(b2 - b1*b1)
             self.Cw, self.zM, self.lnC, self.om = ld(c), ld(b1/c), ld(mp.log(c)), LD(self.om)
@@ -210,12 +219,6 @@ class Model:
             self.mode = ld((1/c)*((o - 1)/o)**(1/o)) - self.zM
         else:
             self.foot = None; self.lo_full, self.hi_full, self.mode = LD(-16), LD(42), LD(0)
-        self.vary = p["epsilon"] != 0 and p["gamma"] != 0
-        if not self.vary: self.edge1 = Edge([self.k1]) if p["epsilon"] == 0 else Edge([LD(0)])
-        else:
-            n = int(min(12000, max(3000, math.ceil(float((self.hi_full - self.lo_full)*60*max(1., p["rho"]))))))
-            self.grid = self.lo_full + (self.hi_full - self.lo_full)*np.arange(n + 1)/LD(n)
-            self.gw = self.H*Edge(self.kappa(self.grid)).w
     def g(self, z):
         if self.ep == 0: return np.ones_like(z)
         E = np.exp(-2*self.rho*np.abs(z)); s = np.where(z >= 0, self.ep, -self.ep)
@@ -315,7 +318,7 @@ class Model:
                 if f(m) < L0 - 100: hi = m
                 else: lo = m
         stop = hi
-        if self.om is None and start < top:
+        if self.endless and start < top:
             start = max(start, -np.sqrt(2*(100 - L0)))
         cuts = [start] + [r for r in roots if start < r < stop] + [stop]
         out = []
@@ -355,7 +358,7 @@ class Model:
             iv, roots, ext, low = self.intervals(d)
             pieces = []
             for a, b, con in iv:
-                cut = [a] + ([k for k in self.kinks(a, b, d)] if con else []) + [e for e in ext if a < e < b] + [b]
+                cut = [a] + ([k for k in self.kinks(a, b, d)] if con else []) + [e for e in ext if a < e < b] + [k for k in self.knots if a < k < b] + [b]
                 cut = sorted(cut); pieces += [(x, y, con) for x, y in zip(cut, cut[1:]) if y > x]
             cache["iv"] = (iv, roots, ext, low, pieces)
         iv, roots, ext, low, pieces = cache["iv"]
@@ -427,7 +430,7 @@ class Model:
         d = LD(d); iv, roots, ext, low, pieces = cache["iv"]; dP = LD(0); dF = LD(0)
         for a, b, con in iv:
             for z0, sg in ((a, -1), (b, 1)):
-                z = np.array([z0]); ph = self.phi(z, z + self.zM if self.om is not None else z)[0]
+                z = np.array([z0]); ph = self.phi(z, z + self.zM if self.foot is not None else z)[0]
                 if z0 in roots:
                     ed = self.edge(z)
                     v = 1/(1 - self.H*ed.slope()[0]*self.kappa(z)[0]*self.dlng(z)[0]/2) if self.vary else LD(1)
@@ -714,7 +717,7 @@ def separations(m, R, want=4):
         if la > 0 >= lb and fb > 1e-240: near.append(("zero", da + (db - da)*la/(la - lb)))
     neg = [x for x in q if x[1] < 0 and x[2] > 1e-200]
     if neg: near.append(("pulloff", min(neg, key=lambda x: x[1])[0] + R.uniform(-.1, .1)))
-    if m.om is not None:
+    if m.foot is not None:
         wb = float(m.H*m.edge(np.array([m.foot])).w[0]); df = float(m.foot) - wb
         for s in (1e-3, -1e-3, .2, -.2): near.append(("foot", df + s*R.uniform(.3, 1)))
     near = [x for x in near if -8 <= x[1] <= 8]; R.shuffle(near)
@@ -730,9 +733,9 @@ def dump(cases, path):
     with open(path + ".part", "w") as fh: fh.write(text + "\n")
     os.replace(path + ".part", path)
 
-def generate(path=None, limit=None, first=0):
+def generate(path=None, limit=None, first=0, sets=None, Model=Model):
     cases = []; dropped = []; t0 = time.time()
-    sets = draw(); order = list(range(len(sets))); random.Random(1).shuffle(order)   # early output is already a spread
+    sets = sets or draw(); order = list(range(len(sets))); random.Random(1).shuffle(order)   # early output is already a spread
     for i in order:
         if i < first: continue
         name, p = sets[i]; fixed = p.pop("separations", None); R = random.Random(1000 + i); rows = []
