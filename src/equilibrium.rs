@@ -12,9 +12,10 @@ use crate::root;
 const CLOSEST: f64 = -1e60;
 /// The load curve is looked at for its first minimum from this separation of the means, in sigma...
 const SCAN_START: f64 = -6.0;
-/// ...in steps of this: sums over the heights change on the scale of their standard deviation, not faster.
+/// ...in steps of this: sums over the heights change on the scale of their standard deviation, not faster...
 const SCAN_STEP: f64 = 1.0;
-/// ...or, where the heights may gather at several, of half the range of adhesion within these bounds...
+/// ...or, where radii that vary with height may let the load rise within less, of the wider of these; where the heights
+/// may gather at several, of half the range of adhesion within both...
 const WIDEST_SCAN: f64 = 0.25;
 const FINEST_SCAN: f64 = 0.02;
 /// ...where heights end, up to this far from where nothing touches or attracts any more, relative to it.
@@ -233,8 +234,10 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
             return None;
         }
     }
-    let scan_step = if population.heights().is_log_concave() {
+    let scan_step = if single {
         SCAN_STEP
+    } else if population.heights().is_log_concave() {
+        WIDEST_SCAN
     } else {
         (0.5 * population.range_of_adhesion()).clamp(FINEST_SCAN, WIDEST_SCAN)
     };

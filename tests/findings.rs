@@ -37,3 +37,23 @@ fn a_load_next_to_pull_off_is_that_of_its_separation() {
         assert!((there.load / load - 1.0).abs() < 1e-12, "x {x:e}: load {load:e}, at its separation {:e}", there.load);
     }
 }
+
+/// The search stepped over the first minimum to a later one, where radii fall steeply with height.
+#[test]
+fn the_branch_ends_at_the_first_minimum_of_the_load() {
+    let params = Params {
+        heights: HeightFamily::Gaussian,
+        attraction: true,
+        radius_amplitude: -0.60546875,
+        radius_rate: 9.119288,
+        ..surface(4.1046984e-4, 6.7468579e6, 0.24253, 0.224919, 1.0)
+    };
+    let model = Model::new(&params).expect("a model");
+    let pull_off = model.summary().pull_off_load;
+    let end = model.state_at_load(pull_off).expect("a state").separation;
+    let loads: Vec<f64> = (0..=80)
+        .map(|i| end - (8.0 - 0.1 * f64::from(i)) * params.height_std)
+        .map(|separation| model.state_at_separation(separation).expect("a state").load)
+        .collect();
+    assert!(loads.windows(2).all(|pair| pair[1] < pair[0]), "pull-off {pull_off:e}, loads {loads:?}");
+}
