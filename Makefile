@@ -2,6 +2,7 @@
 # make test      everything that is checked before a release, in order
 # make hosts     the law inside other people's solvers
 # make bench     measures speed and accuracy, and writes docs/performance.md anew
+# make harden    every instrument of docs/reliability.md, for hours; tests/harden/harden.mk names its parts
 # make header    write include/asperity.h anew from the sources
 # make clean     remove what was built
 # make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
@@ -23,7 +24,7 @@ WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Werror
 
 # The scripts of `make test` that check other languages and hosts; each is run as it is, from the root.
 TEST_SCRIPTS := tests/c/run.sh tests/cpp/run.sh fortran/test.sh python/test.sh tests/examples/run.sh \
-    tests/consumers/run.sh tests/c/eval.sh
+    tests/consumers/run.sh tests/c/eval.sh tests/harden/run.sh tests/harden/memory.sh tests/harden/supply_chain.sh
 
 .PHONY: all demo test hosts header clean library
 
@@ -31,6 +32,7 @@ all: library
 
 include cmake/install.mk
 include benches/bench.mk
+include tests/harden/harden.mk
 
 library:
 	$(CARGO) build --release --locked

@@ -5,16 +5,17 @@
 //! nothing holds the surfaces together; above it each load has one state.
 
 use crate::error::Error;
-use crate::population::{Population, Sums};
+use crate::population::{integrate_short, Population, Sums};
 use crate::root;
 
 /// Separations are searched between these, in sigma.
 const CLOSEST: f64 = -1e60;
 /// The load curve is looked at for its first minimum from this separation of the means, in sigma...
 const SCAN_START: f64 = -6.0;
-/// ...in steps of this: sums over the heights change on the scale of their standard deviation, not faster.
+/// ...in steps of this: sums over the heights change on the scale of their standard deviation, not faster...
 const SCAN_STEP: f64 = 1.0;
-/// ...or, where the heights may gather at several, of half the range of adhesion within these bounds...
+/// ...or, where radii that vary with height may let the load rise within less, of the wider of these; where the heights
+/// may gather at several, of half the range of adhesion within both...
 const WIDEST_SCAN: f64 = 0.25;
 const FINEST_SCAN: f64 = 0.02;
 /// ...where heights end, up to this far from where nothing touches or attracts any more, relative to it.
@@ -24,6 +25,9 @@ const SMALLEST_LOG_LOAD: f64 = -640.0;
 /// Below this part of the pull-off load, load minus pull-off load is integrated from the slope: the difference of
 /// the two loads would have lost too many digits.
 const NEAR_PULL_OFF: f64 = 1e-4;
+
+/// How well a load next to the pull-off load is known, relative to it.
+const LOAD_ROUNDING: f64 = 2e-11;
 
 /// Where the surfaces part under load control.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -134,9 +138,13 @@ impl Equilibrium {
         let sums = sums.unscaled();
         let mut excess = sums.load() - pull_off.load;
         if excess < NEAR_PULL_OFF * -pull_off.load {
-            excess = crate::population::integrate_short(separation, pull_off.separation, |d| {
-                -population.at_separation(d).unscaled().load_slope
-            });
+            let slope = |d: f64| -population.at_separation(d).unscaled().load_slope;
+            let integral = integrate_short(separation, pull_off.separation, slope);
+            // The two differ by rounding, unless the slope has a kink between: the foot of the heights passes an edge of
+            // contact. The difference is then the better one.
+            if (integral - excess).abs() <= LOAD_ROUNDING * -pull_off.load {
+                excess = integral;
+            }
         }
         let excess = excess.max(f64::MIN_POSITIVE);
         (excess.ln(), sums.load_slope / excess, sums)
@@ -226,8 +234,10 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
             return None;
         }
     }
-    let scan_step = if population.heights().is_log_concave() {
+    let scan_step = if single {
         SCAN_STEP
+    } else if population.heights().is_log_concave() {
+        WIDEST_SCAN
     } else {
         (0.5 * population.range_of_adhesion()).clamp(FINEST_SCAN, WIDEST_SCAN)
     };
@@ -245,10 +255,8 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
         let sums = population.at_separation(next);
         if sums.load_slope >= 0.0 {
             // The slope vanishes also where nothing is left; past a minimum the load is negative.
-            if sums.load() >= 0.0 {
-                return None;
-            }
-            return Some(if single { (here, next) } else { first_bracket(population, here, next) });
+            let past = if sums.load() < 0.0 { next } else { before_nothing_is_left(population, &mut here, next)? };
+            return Some(if single { (here, past) } else { first_bracket(population, here, past) });
         }
         // What is positive and as small as that has no minimum that counts behind it.
         if sums.load().ln() + sums.log_scale < SMALLEST_LOG_LOAD {
@@ -257,6 +265,24 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
         here = next;
         // Far out the heights change on the scale of their distance.
         step = if single { 1.5 * step } else { scan_step.max(0.1 * here) };
+    }
+    None
+}
+
+/// A separation past the minimum at which something is left, where a step led from a falling load to nothing; `None` if
+/// the load falls until nothing is left. Moves `here` on where the load falls still.
+fn before_nothing_is_left(population: &Population, here: &mut f64, nothing: f64) -> Option<f64> {
+    let mut nothing = nothing;
+    while nothing - *here > 1e-9 * (1.0 + here.abs()) {
+        let middle = 0.5 * (*here + nothing);
+        let sums = population.at_separation(middle);
+        if sums.load_slope < 0.0 {
+            *here = middle;
+        } else if sums.load() < 0.0 {
+            return Some(middle);
+        } else {
+            nothing = middle;
+        }
     }
     None
 }

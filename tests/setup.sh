@@ -1,21 +1,29 @@
 #!/usr/bin/env bash
 # Installs what the demo and the tests need beside cargo, a C compiler and make.
 #
-# usage: tests/setup.sh [core] [hosts]     (core when no group is named)
+# usage: tests/setup.sh [core] [hosts] [harden]     (core when no group is named)
 # As root on Debian or Ubuntu it installs what is missing; otherwise it prints the one command that would, and fails.
 set -euo pipefail
 
 core="g++ gfortran clang cmake pkg-config python3 python3-venv libgsl-dev valgrind"
 hosts="libode-dev libsiconos-numerics-dev liblammps-dev libsimbody-dev python3-getfem python3-matplotlib pkg-config
     python3-venv"
+harden="valgrind qemu-user llvm-19"
+# Of crates.io, at the versions that were tried; fetched and built by cargo.
+harden_tools="cargo-deny@0.20.2 cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
 
-packages=""
+packages="" tools=""
 for group in "${@:-core}"; do
     case "$group" in
     core) packages+=" $core" ;;
     hosts) packages+=" $hosts" ;;
-    *) echo "tests/setup.sh: unknown group '$group': core or hosts" >&2; exit 2 ;;
+    harden) packages+=" $harden" tools+=" $harden_tools" ;;
+    *) echo "tests/setup.sh: unknown group '$group': core, hosts or harden" >&2; exit 2 ;;
     esac
+done
+
+for tool in $tools; do
+    command -v "${tool%@*}" >/dev/null || cargo install --locked --quiet "$tool"
 done
 
 if ! command -v dpkg-query >/dev/null; then

@@ -64,12 +64,10 @@ compile traps tests/c/traps.c
 timeout 300 "$build/traps"
 
 echo "-- valgrind: no invalid access, no leak"
-# Not undefined values: the optimiser computes on some that it then discards, which valgrind takes for a use.
 compile old_caller tests/c/old_caller.c
 compile tables tests/c/tables.c
 for program in threads old_caller tables; do
-    valgrind --quiet --error-exitcode=1 --undef-value-errors=no --leak-check=full --show-leak-kinds=all \
-        "$build/$program"
+    valgrind --quiet --error-exitcode=1 --leak-check=full --show-leak-kinds=all "$build/$program"
 done
 
 echo "-- the example, and its command line"

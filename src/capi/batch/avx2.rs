@@ -68,8 +68,8 @@ unsafe impl Lanes for __m256d {
     }
     #[inline(always)]
     unsafe fn div_where(self, mask: __m256d, other: Self) -> Self {
-        let safe = _mm256_blendv_pd(Self::splat(1.0), other, mask);
-        _mm256_blendv_pd(self, _mm256_div_pd(self, safe), mask)
+        // Not 1, by which the compiler would choose after dividing all lanes.
+        _mm256_div_pd(self, _mm256_blendv_pd(Self::splat(2.0), other, mask))
     }
     #[inline(always)]
     unsafe fn lt(self, other: Self) -> __m256d {

@@ -23,7 +23,7 @@ pub unsafe trait Lanes: Copy {
     unsafe fn sub(self, other: Self) -> Self;
     unsafe fn mul(self, other: Self) -> Self;
     unsafe fn max(self, other: Self) -> Self;
-    /// self/other where the mask is set, itself elsewhere, without raising a flag there.
+    /// self/other where the mask is set, any number elsewhere, without raising a flag there.
     unsafe fn div_where(self, mask: Self::Mask, other: Self) -> Self;
     /// self < other, false for NaN, without raising a flag.
     unsafe fn lt(self, other: Self) -> Self::Mask;
@@ -117,7 +117,8 @@ pub unsafe fn evaluate<L: Lanes>(
 /// Force and slope from the table, and the lanes that it does not answer, whose values mean nothing.
 #[inline(always)]
 unsafe fn force<L: Lanes>(table: &Table, loads: L, not_finite: L::Mask, with_slope: bool) -> (L, L, L::Mask) {
-    let x = loads.sub(L::splat(table.pull_off)).bits();
+    let excess = loads.sub(L::splat(table.pull_off));
+    let x = excess.bits();
     // The row's offset in bytes: its index times 64.
     let shifted = L::and_bits(L::shift_right(x, table.shift - ROW_SHIFT), L::splat_bits(u64::MAX << ROW_SHIFT));
     let offset = L::sub_bits(shifted, L::splat_bits(table.base << ROW_SHIFT));
@@ -148,7 +149,10 @@ unsafe fn force<L: Lanes>(table: &Table, loads: L, not_finite: L::Mask, with_slo
     let low = low.add(times::<L>(3.0, c[3]).add(times::<L>(4.0, c[4]).mul(t)).mul(t2));
     let high = times::<L>(5.0, c[5]).add(times::<L>(6.0, c[6]).mul(t)).add(times::<L>(7.0, c[7]).mul(t2));
     let rate = low.add(high.mul(t4));
-    let binade = L::and_bits(L::or_bits_where(x, slow, one), L::splat_bits(SIGN_AND_EXPONENT));
+    // Below the table as where it begins, so that no slow lane overflows. Not a choice of 1 there: the compiler would
+    // multiply all lanes and choose afterwards.
+    let begin = L::splat(f64::from_bits(table.base << table.shift));
+    let binade = L::and_bits(excess.max(begin).bits(), L::splat_bits(SIGN_AND_EXPONENT));
     let inverse_binade = L::from_bits(L::sub_bits(L::splat_bits(Table::TWICE_BIAS), binade));
     (value, rate.mul(inverse_binade), slow)
 }

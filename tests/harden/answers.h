@@ -1,0 +1,62 @@
+/* What a model answers to every kind of call, to compare bit for bit or within a tolerance. */
+
+#ifndef ANSWERS_H
+#define ANSWERS_H
+
+#include "../c/check.h"
+#include "../c/surfaces.h"
+
+enum { LOADS = 96, EXACT = 6 };
+
+typedef struct answers {
+    double mu[LOADS], force[LOADS], batch[LOADS], slope[LOADS];
+    asperity_state exact[EXACT];
+    asperity_summary summary;
+} answers;
+
+static inline void answer(const asperity_model *model, answers *out)
+{
+    double loads[LOADS], nearest, farthest;
+
+    memset(out, 0, sizeof *out);
+    out->summary.struct_size = sizeof out->summary;
+    asperity_summary_of(model, &out->summary);
+    nearest = out->summary.min_table_load - out->summary.pull_off_load;
+    farthest = 10 * out->summary.max_table_load;
+    for (int i = 0; i < LOADS; i++) {
+        loads[i] = out->summary.pull_off_load + nearest * pow(farthest / nearest, i / (LOADS - 1.0));
+        out->mu[i] = asperity_friction_at_load(model, loads[i]);
+        out->force[i] = asperity_friction_force_at_load(model, loads[i]);
+    }
+    asperity_friction_force_at_loads(model, LOADS, loads, out->batch, out->slope);
+    for (int i = 0; i < EXACT; i++) {
+        out->exact[i].struct_size = sizeof out->exact[i];
+        asperity_state_at_load(model, loads[20 + 12 * i], &out->exact[i]);
+    }
+}
+
+/* The largest relative difference of the answers that a solver uses; NaN counts as infinite. */
+static inline double difference(const answers *a, const answers *b)
+{
+    double worst = fabs(a->summary.pull_off_load / b->summary.pull_off_load - 1);
+
+    if (a->summary.pull_off_load == 0 && b->summary.pull_off_load == 0)
+        worst = 0;
+    for (int i = 0; i < LOADS; i++) {
+        const double pairs[][2] = { { a->mu[i], b->mu[i] }, { a->force[i], b->force[i] }, { a->batch[i], b->batch[i] } };
+        for (int j = 0; j < 3; j++) {
+            const double off = fabs(pairs[j][0] / pairs[j][1] - 1);
+            if (!(off <= worst))
+                worst = off == off ? off : INFINITY;
+        }
+    }
+    return worst;
+}
+
+/* The bits of the answers. */
+static inline int same(const answers *a, const answers *b)
+{
+    return memcmp(a, b, sizeof *a) == 0;
+}
+
+#endif

@@ -1,0 +1,63 @@
+# make harden: every instrument of docs/reliability.md at full length, hours on two cores; its parts have targets of their
+# own. The short form of each is part of `make test`. Heavy runs go one after the other, at low priority.
+#
+# `tests/setup.sh harden` installs what they need.
+#
+#   make fuzz            10^7 calls of random bytes, with oracles         FUZZ_CALLS, FUZZ_SEED
+#   make fuzz-coverage   libFuzzer with AddressSanitizer                  FUZZ_SECONDS; needs cargo-fuzz
+#   make domain          20,000 surfaces against a second evaluation      DOMAIN_SETS; rewrites docs/domain.svg
+#   make faults          10^5 cycles, 1000 reloads, soak of 10^9 calls
+#   make memory          sanitizers, valgrind
+#   make processors      the same bits on emulated processors             needs qemu-user
+#   make supply-chain    licences, bans, sources                          needs cargo-deny
+#   make coverage        lines that the tests run                         needs llvm-19
+#   make mutants         changes to the source that no test notices       SHARD; needs cargo-mutants
+
+FUZZ_CALLS ?= 10000000
+FUZZ_SEED ?= 1
+FUZZ_SECONDS ?= 1800
+DOMAIN_SETS ?= 20000
+SHARD ?= 0/16
+LOW := nice -n 19
+# Compilers of a toolchain with nightly options; a stable one takes them with RUSTC_BOOTSTRAP.
+FUZZ_CARGO ?= RUSTC_BOOTSTRAP=1 $(CARGO)
+
+.PHONY: harden fuzz fuzz-coverage domain faults memory processors supply-chain coverage mutants
+
+harden:
+	tests/setup.sh core hosts harden
+	$(MAKE) --no-print-directory fuzz fuzz-coverage domain faults memory processors supply-chain coverage
+
+fuzz:
+	ASPERITY_FUZZ_CALLS=$(FUZZ_CALLS) ASPERITY_FUZZ_SEED=$(FUZZ_SEED) \
+	    $(LOW) $(CARGO) test --release --locked --test fuzz -- --nocapture
+
+fuzz-coverage:
+	cd fuzz && CARGO_TARGET_DIR=$(TARGET)/fuzz $(FUZZ_CARGO) fuzz build calls
+	cd fuzz && CARGO_TARGET_DIR=$(TARGET)/fuzz $(LOW) env $(FUZZ_CARGO) fuzz run calls -- \
+	    -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -len_control=0 -timeout=60 -print_final_stats=1
+
+domain:
+	mkdir -p $(TARGET)/domain
+	ASPERITY_DOMAIN_SETS=$(DOMAIN_SETS) ASPERITY_DOMAIN_MAP=$(TARGET)/domain \
+	    $(LOW) $(CARGO) test --release --locked --test domain -- --nocapture
+	cp $(TARGET)/domain/domain.svg docs/domain.svg
+
+faults:
+	$(LOW) tests/harden/run.sh long
+
+memory:
+	$(LOW) tests/harden/memory.sh long
+
+processors:
+	$(LOW) tests/harden/processors.sh
+
+supply-chain:
+	$(CARGO) deny --locked check licenses bans sources
+	tests/harden/supply_chain.sh
+
+coverage:
+	$(LOW) tests/harden/coverage.sh
+
+mutants:
+	$(LOW) $(CARGO) mutants --shard $(SHARD)
