@@ -569,9 +569,9 @@ asperity_status asperity_params_set_materials(struct asperity_params *params,
  * the same in every direction. Two rough surfaces: add their moments. With the bandwidth alpha = m0 m4/m2^2, after
  * Nayak (1971), Bush, Gibson and Thomas (1975) and McCool (1987):
  *
- *     height_std     = ((1 - 0.8968/alpha) m0)^(1/2)    where 0.8968 is 1 + 16/pi - 3^(3/2)
- *     summit_radius  = 3 pi^(1/2)/(8 m4^(1/2))
- *     asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area
+ * - height_std = ((1 - 0.8968/alpha) m0)^(1/2), where 0.8968 is 1 + 16/pi - 3^(3/2)
+ * - summit_radius = 3 pi^(1/2)/(8 m4^(1/2))
+ * - asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area
  *
  * @param params        initialised parameters; must not be NULL; untouched on failure
  * @param m0            variance of the heights [length^2] > 0

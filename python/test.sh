@@ -3,7 +3,8 @@
 # and runs its tests there, among them those of the wheel, the source distribution and the guide.
 #
 # usage: python/test.sh [PYTEST-ARGUMENT ...]
-# PYTHON names the interpreter (python3); CARGO_TARGET_DIR is honoured. Needs cargo, a C compiler and, for pip, PyPI.
+# PYTHON names the interpreter (python3), 3.10 or later for SurfaceTopography; CARGO_TARGET_DIR is honoured. Needs cargo,
+# a C compiler and, for pip, PyPI.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -20,7 +21,7 @@ before="$(git status --porcelain)"
 
 rm -rf "$target/python-venv"
 "${PYTHON:-python3}" -m venv "$target/python-venv"
-"$target/python-venv/bin/pip" install --quiet --disable-pip-version-check './python[plot,test]'
+"$target/python-venv/bin/pip" install --quiet --disable-pip-version-check './python[fit,plot,test,topography]'
 cd python
 "$target/python-venv/bin/mypy" --cache-dir "$target/python-mypy" src tests examples
 "$target/python-venv/bin/pytest" --basetemp "$target/python-tests" "$@"

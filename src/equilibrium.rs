@@ -250,6 +250,10 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
             }
             return Some(if single { (here, next) } else { first_bracket(population, here, next) });
         }
+        // What is positive and as small as that has no minimum that counts behind it.
+        if sums.load().ln() + sums.log_scale < SMALLEST_LOG_LOAD {
+            return None;
+        }
         here = next;
         // Far out the heights change on the scale of their distance.
         step = if single { 1.5 * step } else { scan_step.max(0.1 * here) };

@@ -59,8 +59,9 @@ def test_the_wheel_contains_the_package_and_one_library(root: Path, wheel: Path)
     with zipfile.ZipFile(wheel) as archive:
         inside = {name for name in archive.namelist() if ".dist-info/" not in name}
         library = archive.read(f"asperity/{Path(_library.PATH).name}")
-    sources = (root / "python" / "src" / "asperity").glob("*.py")
-    assert inside == {f"asperity/{name}" for name in ("py.typed", Path(_library.PATH).name, *(f.name for f in sources))}
+    source = root / "python" / "src"
+    modules = {file.relative_to(source).as_posix() for file in (source / "asperity").rglob("*.py")}
+    assert inside == modules | {f"asperity/{name}" for name in ("py.typed", Path(_library.PATH).name)}
     assert library[:4] == b"\x7fELF" or sys.platform != "linux"
 
 

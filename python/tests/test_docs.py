@@ -74,3 +74,11 @@ def test_the_guide_runs_and_prints_what_it_says(root: Path, checkout: Path, envi
     assert (checkout / "friction_curve.svg").read_text(encoding="utf-8").startswith("<?xml")
     for page in ("python/README.md", "docs/roughness.md", "docs/materials.md"):  # in what the guide installed
         check_page(root / page, checkout, environment)
+
+
+def test_the_guide_to_fits_runs_and_prints_what_it_says(
+    root: Path, checkout: Path, environment: dict[str, str]
+) -> None:
+    check_page(root / "docs" / "fit.md", checkout, environment)
+    assert (checkout / "fit.svg").read_text(encoding="utf-8").startswith("<?xml")
+    assert (checkout / "fit.png").read_bytes().startswith(b"\x89PNG")

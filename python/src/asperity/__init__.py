@@ -8,10 +8,24 @@
 The Rust library `libasperity` does the work; it is inside the package, unless ASPERITY_LIBRARY names another.
 """
 
+from . import surface
 from ._header import ASPERITY_VERSION as __version__
 from .errors import Error, Status
+from .fit import Fit, fit
 from .model import Model
 from .params import Params
 from .results import State, Summary, Warnings
 
-__all__ = ["Error", "Model", "Params", "State", "Status", "Summary", "Warnings", "__version__"]
+__all__ = [
+    "Error",
+    "Fit",
+    "Model",
+    "Params",
+    "State",
+    "Status",
+    "Summary",
+    "Warnings",
+    "__version__",
+    "fit",
+    "surface",
+]

@@ -1,4 +1,5 @@
-"""The command line: `python -m asperity curve` prints friction over a range of loads and draws the curve.
+"""The command line: `python -m asperity curve` prints friction over a range of loads and draws the curve, `fit` finds
+parameters from measured friction, `figures` draws the paper's figures.
 
 Exit status: 0; 1 if the library, a file or a missing package stands in the way; 2 for a wrong command line.
 """
@@ -9,49 +10,9 @@ import argparse
 import math
 import os
 import sys
-from dataclasses import MISSING, fields
-from typing import Any
+from pathlib import Path
 
-from . import Model, Params, __version__, _header, _library
-
-_GROUPS = {
-    "alpha": (0.01, "(sigma/R)^(1/2), surface roughness"),
-    "beta": (1000.0, "(R sigma)^(1/2)/b, friction regime"),
-    "gamma": (0.001, "w/(E* b), surface energy"),
-    "b_over_h": (1.0, "Burgers vector over range of adhesion"),
-    "poisson": (0.3, "Poisson's ratio"),
-}
-_PHYSICAL = {
-    "E1": "Young's modulus of the first body [stress]",
-    "nu1": "its Poisson's ratio",
-    "E2": "Young's modulus of the second body [stress]",
-    "nu2": "its Poisson's ratio",
-    "composite_modulus": "E* [stress], instead of two bodies",
-    "effective_shear_modulus": "G* [stress], instead of two bodies",
-    "work_of_adhesion": "w [force/length]",
-    "adhesion_range": "h [length]",
-    "burgers_vector": "b [length]",
-    "height_std": "sigma [length]",
-    "summit_radius": "R [length]",
-    "summit_density": "summits per area [1/length^2]",
-    "nominal_area": "[length^2]",
-    "asperity_count": "N, instead of density and area",
-}
-_REQUIRED = ("work_of_adhesion", "adhesion_range", "burgers_vector", "height_std", "summit_radius")
-_OPTIONS = {
-    "skew": "Weibull heights of this skew; with a kurtosis, Johnson's",
-    "kurtosis": "Johnson's heights of this kurtosis",
-    "weibull_shape": "Weibull heights of this shape, instead of a skew",
-    "radius_amplitude": "epsilon: growth of the radius with height, -1 to 1",
-    "radius_rate": "rho: how fast it grows",
-    "slip_radius_1": "a_1/b: shear strength is slip_stress_1 up to it",
-    "slip_stress_1": "tau_1/G*",
-    "slip_radius_2": "a_2/b: shear strength is slip_stress_2 from it on",
-    "slip_stress_2": "tau_2/G*",
-    "max_friction_coefficient": "cap on the friction coefficient",
-}
-# Options that choose the heights: their defaults are those of heights not chosen.
-_CHOOSING = ("skew", "kurtosis")
+from . import Model, Params, __version__, _fit_command, _header, _library, _surface_options
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -67,23 +28,23 @@ def _parser() -> argparse.ArgumentParser:
         epilog="Without any parameter: the paper's case, alpha = 0.01, beta = 1000, gamma = 0.001.",
         allow_abbrev=False,
     )
-    _add_options(curve)
+    _surface_options.add(curve)
+    _add_loads(curve)
+    curve.set_defaults(run=_curve)
+    _fit_command.add(commands)
+    figures = commands.add_parser(
+        "figures",
+        help="draw the figures of the paper and compare them with its text",
+        description="Draws the figures of Adams and Müftü (2005), section 3, as SVG in DIR/figures, and writes "
+        "DIR/gallery.md, which compares each with what the paper says.",
+        allow_abbrev=False,
+    )
+    figures.add_argument("--out", type=Path, default=Path("docs"), metavar="DIR", help="where to (%(default)s)")
+    figures.set_defaults(run=_figures)
     return parser
 
 
-def _add_options(curve: argparse.ArgumentParser) -> None:
-    dimensionless = curve.add_argument_group("the paper's dimensionless groups: b = G = 1, loads are P/(N G b^2)")
-    for name, (default, text) in _GROUPS.items():
-        dimensionless.add_argument(_flag(name), type=float, metavar="X", help=f"{text} ({default:g})")
-    physical = curve.add_argument_group("or physical parameters, all in one consistent system of units")
-    for name, text in _PHYSICAL.items():
-        physical.add_argument(_flag(name), type=float, metavar="X", help=text)
-    optional = curve.add_argument_group("and, with either")
-    defaults = {field.name: field.default for field in fields(Params) if field.default is not MISSING}
-    for name, text in _OPTIONS.items():
-        shown = f" ({defaults[name]:g})" if name in defaults and name not in _CHOOSING else ""
-        optional.add_argument(_flag(name), type=float, metavar="X", help=text + shown)
-    optional.add_argument("--no-attraction", action="store_true", help="summits out of contact do not attract")
+def _add_loads(curve: argparse.ArgumentParser) -> None:
     loads = curve.add_argument_group("loads, evenly spaced in the logarithm, and the figure")
     loads.add_argument("--lowest", type=float, metavar="P", help="lowest load [force] > 0 (1e-4 N E* b^2)")
     loads.add_argument("--highest", type=float, metavar="P", help="highest load [force] (1e4 N E* b^2)")
@@ -94,33 +55,6 @@ def _add_options(curve: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="file to draw in, its ending is its format; '-' for none (%(default)s)",
     )
-
-
-def _flag(name: str) -> str:
-    return "--" + name.replace("_", "-")
-
-
-def _given(options: argparse.Namespace, names: Any) -> dict[str, Any]:
-    return {name: getattr(options, name) for name in names if getattr(options, name) is not None}
-
-
-def _params(parser: argparse.ArgumentParser, options: argparse.Namespace) -> Params:
-    groups, physical = _given(options, _GROUPS), _given(options, _PHYSICAL)
-    others = _given(options, _OPTIONS)
-    others["attraction"] = not options.no_attraction
-    if groups and physical:
-        one, other = _flag(next(iter(groups))), _flag(next(iter(physical)))
-        parser.error(f"{one} is dimensionless, {other} physical: choose one")
-    if physical:
-        missing = [_flag(name) for name in _REQUIRED if name not in physical]
-        if missing:
-            parser.error(f"physical parameters need {', '.join(missing)} too")
-    try:
-        if physical:
-            return Params.si(**physical, **others)
-        return Params.dimensionless(**({name: default for name, (default, _) in _GROUPS.items()} | groups | others))
-    except TypeError as error:
-        parser.error(str(error))
 
 
 def _loads(parser: argparse.ArgumentParser, options: argparse.Namespace, params: Params) -> list[float]:
@@ -174,7 +108,7 @@ def _require_matplotlib() -> None:
 def _curve(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     if options.figure != "-":
         _require_matplotlib()
-    params = _params(parser, options)
+    params = _surface_options.params(parser, options)
     loads = _loads(parser, options, params)
     with Model(params) as model:
         coefficients = _print_table(model, loads)
@@ -182,13 +116,20 @@ def _curve(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
         _draw(options.figure, loads, coefficients)
 
 
+def _figures(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    from .figures import write
+
+    files = write(options.out)
+    print(f"asperity: wrote {len(files)} files, the last is {files[-1]}", file=sys.stderr)
+
+
 def main(arguments: list[str] | None = None) -> int:
     parser = _parser()
     options = parser.parse_args(arguments)
     try:
-        _curve(parser, options)
+        options.run(parser, options)
     except BrokenPipeError:
-        # The reader of the table has seen enough; what is still buffered must not fail at exit.
+        # The reader of the output has seen enough; what is still buffered must not fail at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except (ImportError, OSError, ValueError) as error:

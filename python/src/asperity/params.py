@@ -15,6 +15,8 @@ from .errors import Error, Status
 if TYPE_CHECKING:
     from typing_extensions import TypedDict, Unpack
 
+    from .surface import Summits
+
     class Options(TypedDict, total=False):
         """What every way to make parameters takes beside its own: the fields with a default."""
 
@@ -307,6 +309,49 @@ class Params:
             return params.replace(asperity_count=areal["Sds"] * nominal_area)
         return params
 
+    @classmethod
+    def from_topography(
+        cls,
+        summits: Summits,
+        *,
+        heights: Literal["gaussian", "weibull", "johnson", "tabulated"] = "gaussian",
+        trend: bool = True,
+        nominal_area: float | None = None,
+        **contact: Unpack[Contact],
+    ) -> Params:
+        """The surface that `asperity.surface.summits` found in a height map, of a material given here.
+
+        Summit heights, radius and density are those of the map; lengths here are in the unit of the map.
+
+        Args:
+            summits: of the map; of the sum of both maps, if both surfaces are rough.
+            heights: how the summit heights are represented: "gaussian" by their standard deviation, "weibull" by
+                their skew too, which must be above -1.13955 and at most 2, "johnson" by skew and kurtosis,
+                "tabulated" by their histogram, which ends at the highest summit of the map.
+            trend: whether radius may depend on height: R, epsilon and rho are then those of `summits.radius_trend`,
+                if that is significant. Otherwise epsilon is 0, and R `summits.radius`.
+            nominal_area: [length^2] > 0; without, that of the map.
+            **contact: materials, adhesion and options, as `si` takes them.
+
+        Raises:
+            Error: a value that the library refuses.
+            TypeError: an unknown name, one missing, or one that the map tells.
+        """
+        if not hasattr(summits, "radius_trend"):
+            raise TypeError(f"summits = {summits!r}: must be what asperity.surface.summits returns")
+        law = summits.radius_trend
+        trending = trend and law.significant
+        surface: dict[str, Any] = {
+            "height_std": summits.height_std.value,
+            "summit_radius": law.radius if trending else summits.radius.value,
+            "summit_density": summits.density.value,
+            "nominal_area": summits.nominal_area if nominal_area is None else nominal_area,
+            "radius_amplitude": law.amplitude if trending else 0.0,
+        }
+        if trending:
+            surface["radius_rate"] = law.rate
+        return cls.si(**surface, **_heights_of(summits, heights), **contact)
+
     def replace(self, **changes: Any) -> Params:
         """A copy with some fields changed, understood as the options of `si`; Johnson's heights keep to a new `skew`."""
         kept = {field.name: getattr(self, field.name) for field in fields(self)}
@@ -335,6 +380,18 @@ def _physical(struct: _header.asperity_params) -> dict[str, Any]:
     """The fields that have no default."""
     required = [field.name for field in fields(Params) if field.default is MISSING]
     return {name: getattr(struct, name) for name in required}
+
+
+def _heights_of(summits: Summits, family: Any) -> dict[str, Any]:
+    """The options of a family of heights, from the summits of a map."""
+    if family == "weibull":
+        return {"skew": summits.skew.value}
+    if family == "johnson":
+        return {"skew": summits.skew.value, "kurtosis": summits.kurtosis.value}
+    if family == "tabulated":
+        height, density = summits.histogram()
+        return {"table_height": height, "table_density": density}
+    return {"height_distribution": family}
 
 
 def _options(given: Any) -> dict[str, Any]:

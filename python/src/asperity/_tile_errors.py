@@ -1,0 +1,80 @@
+"""Statistics of the summits of a map, and their standard errors: from what they are without one tile at a time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+Index = npt.NDArray[np.intp]
+
+_ALONG_A_SIDE = 4
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A number from a map, and its standard error.
+
+    The error is from a jackknife over the 4 x 4 tiles of the map, so summits near each other may be correlated; waves
+    longer than a tile it cannot see. It is NaN where leaving a tile out leaves too few summits.
+
+    Attributes:
+        value: the number.
+        error: its standard error, in the same unit.
+    """
+
+    value: float
+    error: float
+
+    def scaled(self, unit: float, origin: float = 0.0) -> Estimate:
+        """The same in another unit, from another origin."""
+        return Estimate(origin + unit * self.value, abs(unit) * self.error)
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __str__(self) -> str:
+        return f"{self.value:.4g} +- {self.error:.2g}"
+
+
+def tiles(row: Array, column: Array, shape: tuple[int, ...]) -> tuple[Index, Array]:
+    """The tile that each summit is in, and the part of the inner points of the map that is in each tile."""
+    found, parts = [], []
+    for place, length in zip((row, column), shape):
+        tile_of = np.arange(length - 2) * _ALONG_A_SIDE // (length - 2)
+        found.append(tile_of[place.astype(int) - 1])
+        parts.append(np.bincount(tile_of, minlength=_ALONG_A_SIDE) / (length - 2))
+    return np.asarray(found[0] * _ALONG_A_SIDE + found[1]), np.outer(*parts).ravel()
+
+
+def estimates(height: Array, curvature: Array, tile: npt.NDArray[np.intp], areas: Array) -> list[Estimate]:
+    """Density, mean, standard deviation, skew and kurtosis of heights, and radius, each with its standard error.
+
+    Args:
+        height: of the summits, of order 1, shape (n,).
+        curvature: mean of the two principal ones, shape (n,).
+        tile: that each is in, shape (n,).
+        areas: of the tiles, in units that the density is wanted in.
+    """
+    powers = [np.ones_like(height), height, height**2, height**3, height**4, curvature]
+    sums = np.stack([np.bincount(tile, weights=values, minlength=areas.size) for values in powers] + [areas])
+    total = sums.sum(axis=1, keepdims=True)
+    values = _from_sums(total)[:, 0]
+    # Jackknife: the same without one tile at a time.
+    without = _from_sums(total - sums[:, areas > 0])
+    count = without.shape[1]
+    variance = (count - 1) / count * ((without - without.mean(axis=1, keepdims=True)) ** 2).sum(axis=1)
+    return [Estimate(float(value), float(error)) for value, error in zip(values, np.sqrt(variance))]
+
+
+def _from_sums(sums: Array) -> Array:
+    count, s1, s2, s3, s4, curvature, area = sums
+    count = np.where(count < 2, np.nan, count)
+    mean, s2, s3, s4 = s1 / count, s2 / count, s3 / count, s4 / count
+    square = s2 - mean**2
+    cube = s3 - 3 * mean * s2 + 2 * mean**3
+    fourth = s4 - 4 * mean * s3 + 6 * mean**2 * s2 - 3 * mean**4
+    std = np.sqrt(square * count / (count - 1))
+    return np.stack([count / area, mean, std, cube / square**1.5, fourth / square**2, count / curvature])

@@ -1,0 +1,28 @@
+"""The figures of Adams and Müftü (2005), section 3, and the page that compares them with what the paper says.
+
+`curves` has the surfaces behind each figure, `drawing` the pictures, `page` the comparison in numbers. Drawing needs
+matplotlib (extra `plot`).
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from . import drawing, page
+
+
+def write(directory: Path) -> list[Path]:
+    """Writes the page `gallery.md` into a directory and the pictures into `figures` below it; returns the files.
+
+    What is written depends on the library and, in the pictures, on matplotlib's version alone: no dates, no chance.
+
+    Raises:
+        ImportError: matplotlib is missing.
+        OSError: a file cannot be written.
+    """
+    pictures = directory / "figures"
+    pictures.mkdir(parents=True, exist_ok=True)
+    files = drawing.draw_all(pictures)
+    gallery = directory / "gallery.md"
+    gallery.write_text(page.text(), encoding="utf-8")
+    return [*files, gallery]

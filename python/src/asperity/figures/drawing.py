@@ -1,0 +1,165 @@
+"""The pictures, as SVG whose bytes depend on nothing but the curves and matplotlib's version.
+
+Axes have fixed places and limits and every curve carries an id, `curve-0` and so on, so that the curves can be read
+back from the file and compared. Lines differ in their dashes, not in colour alone.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Iterable
+
+import numpy as np
+
+from . import curves
+from .curves import Array, Curve, CurveFigure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_SETTINGS: Any = {
+    "svg.hashsalt": "asperity",
+    "svg.fonttype": "path",
+    "path.simplify": False,
+    "font.family": "DejaVu Sans",
+    "font.size": 10,
+    "mathtext.fontset": "dejavusans",
+    "axes.grid": True,
+    "grid.alpha": 0.3,
+    "lines.linewidth": 1.6,
+}
+_DASHES: tuple[Any, ...] = ("-", (0, (6, 2)), (0, (6, 2, 1, 2)), (0, (1, 1.5)), (0, (3, 1)), (0, (9, 2, 1, 2, 1, 2)))
+_COLOURS = ("#1b1b1b", "#b2182b", "#2166ac", "#1b7837", "#762a83", "#a6611a")
+_LOAD = r"normal load $P/(N\,G\,b^2)$ [–]"
+_FRICTION = r"friction coefficient $\mu = F/P$ [–]"
+
+
+def draw_all(directory: Path) -> list[Path]:
+    """Draws every figure into a directory; returns the files.
+
+    Raises:
+        ImportError: matplotlib is missing.
+    """
+    try:
+        import matplotlib
+    except ImportError as error:
+        raise ImportError(f"drawing needs matplotlib ({error}): pip install matplotlib") from None
+
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(_SETTINGS)
+        pictures = {"figure-3": _figure_3()}
+        for figure in (*curves.SKEW_FIGURES, *curves.RADIUS_FIGURES):
+            pictures[f"figure-{figure.number}"] = _curve_figure(figure)
+        pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes()}
+        return [_save(picture, directory / f"{name}.svg") for name, picture in pictures.items()]
+
+
+def _save(picture: Figure, file: Path) -> Path:
+    picture.savefig(file, metadata={"Date": None, "Creator": None})
+    return file
+
+
+def _curve_figure(figure: CurveFigure) -> Figure:
+    alpha, beta, gamma = figure.groups
+    picture, (axes,) = _picture((6.4, 4.4), [(0.12, 0.13, 0.84, 0.79)])
+    axes.set_title(rf"$\alpha = {alpha:g}$, $\beta = {beta:g}$, $\gamma = {gamma:g}$", fontsize=10)
+    _draw(axes, figure.curves)
+    if figure.logarithmic:
+        axes.set_yscale("log")
+        axes.legend(handlelength=4)
+    else:
+        axes.set_ylim(bottom=0)
+        axes.legend(handlelength=4, loc="lower left", ncol=3)
+    axes.set(xlabel=_LOAD, ylabel=_FRICTION)
+    return picture
+
+
+def _figure_3() -> Figure:
+    picture, (above, below) = _picture((6.4, 6.4), [(0.12, 0.5, 0.84, 0.44), (0.12, 0.09, 0.84, 0.34)])
+    above.set_title(r"$\alpha = 0.01$, $\gamma = 0.001$", fontsize=10)
+    _draw(above, curves.FIGURE_3)
+    above.set_ylim(bottom=0)
+    above.set(ylabel=_FRICTION)
+    above.legend(handlelength=4)
+    for number, (beta, paper) in enumerate(((500, 3.8), (1000, 2.1))):
+        style = 2 * number  # that of the curve above it
+        effect = curves.attraction_effect(beta)
+        _line(below, len(curves.FIGURE_3) + number, style, curves.LOADS, effect, rf"$\beta = {beta}$")
+        below.axhline(paper, linewidth=0.8, linestyle=_DASHES[style], color=_COLOURS[style])
+        below.annotate(f"the paper's {paper} %", (curves.HEAVIEST / 1.3, paper), ha="right", va="bottom")
+    below.set_yscale("log")
+    below.set_ylim(0.05, 50)
+    below.set(xlabel=_LOAD, ylabel=r"increase of $\mu$ by attraction [%]")
+    below.legend(handlelength=4)
+    return picture
+
+
+def _kurtosis() -> Figure:
+    """Friction over the load at skew 0, and over the kurtosis at one load."""
+    picture, (left, right) = _picture((9.6, 4.4), [(0.08, 0.13, 0.40, 0.79), (0.57, 0.13, 0.40, 0.79)])
+    left.set_title(r"$\alpha = 0.01$, $\beta = 1000$, $\gamma = 0.001$", fontsize=10)
+    _draw(left, curves.KURTOSIS_CURVES)
+    left.set_yscale("log")
+    left.set(xlabel=_LOAD, ylabel=_FRICTION)
+    left.legend(handlelength=4)
+
+    right.set_title(rf"at $P/(N\,G\,b^2) = {curves.KURTOSIS_LOAD:g}$", fontsize=10)
+    right.set_xscale("linear")
+    right.set_xlim(1, 8)
+    right.set_yscale("log")
+    for number, skew in enumerate(curves.KURTOSIS_SKEWS):
+        kurtosis, values = curves.kurtoses(skew), curves.friction_over_kurtosis(skew)
+        _line(right, len(curves.KURTOSIS_CURVES) + number, number, kurtosis, values, rf"Johnson, $S = {skew:g}$")
+        weibull = curves.surface(*curves.DEFAULT, skew=skew)
+        value = curves.friction(weibull, np.array([curves.KURTOSIS_LOAD]))
+        at = curves.model(weibull).summary().kurtosis
+        right.plot([at], value, "os^"[number], color=_COLOURS[number], label=rf"Weibull, $S = {skew:g}$")
+    right.set(xlabel=r"kurtosis $K$ [–]", ylabel=_FRICTION)
+    right.legend(handlelength=4)
+    return picture
+
+
+def _regimes() -> Figure:
+    """Fractions of the contacts in the three regimes of slip, for three friction regime parameters."""
+    places = [(0.075 + 0.31 * i, 0.14, 0.285, 0.74) for i in range(3)]
+    picture, panels = _picture((9.6, 3.8), places)
+    labels = ("$a < a_1$", "$a_1 < a < a_2$", "$a > a_2$")
+    for panel, (beta, axes) in enumerate(zip(curves.REGIME_BETAS, panels)):
+        axes.set_title(rf"$\alpha = 0.01$, $\beta = {beta:g}$, $\gamma = {curves.REGIME_GAMMA:g}$", fontsize=10)
+        axes.set_xlim(curves.REGIME_LOADS[0], curves.REGIME_LOADS[-1])
+        axes.set_ylim(-0.02, 1.02)
+        for number, fractions in enumerate(curves.regimes(beta)):
+            _line(axes, 3 * panel + number, number, curves.REGIME_LOADS, fractions, labels[number])
+        axes.set_xlabel(r"$P/(N\,G\,b^2\,\alpha\beta^2)$ [–]")
+        if panel > 0:
+            axes.tick_params(labelleft=False)
+    panels[0].set_ylabel("fraction of the contacts [–]")
+    panels[0].legend(handlelength=4)
+    return picture
+
+
+def _picture(
+    size: tuple[float, float], places: Iterable[tuple[float, float, float, float]]
+) -> tuple[Figure, list[Axes]]:
+    """An empty picture [inch] with axes over the load at some places (left, bottom, width, height)."""
+    from matplotlib.figure import Figure
+
+    picture = Figure(figsize=size)
+    all_axes = [picture.add_axes(place) for place in places]
+    for axes in all_axes:
+        axes.set_xscale("log")
+        axes.set_xlim(curves.LIGHTEST, curves.HEAVIEST)
+    return picture, all_axes
+
+
+def _draw(axes: Axes, lines: Iterable[Curve]) -> None:
+    for number, curve in enumerate(lines):
+        _line(axes, number, number, curves.LOADS, curves.friction(curve.params), curve.label)
+
+
+def _line(axes: Axes, number: int, style: int, x: Array, y: Array, label: str) -> None:
+    """Draws the curve of this number in the picture."""
+    (line,) = axes.plot(x, y, linestyle=_DASHES[style], color=_COLOURS[style], label=label)
+    line.set_gid(f"curve-{number}")

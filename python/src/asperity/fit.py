@@ -1,0 +1,298 @@
+"""Parameters from a measured friction curve: least squares, with errors and with what the data cannot tell.
+
+`fit` varies some parameters of a `Params` until the model's friction comes closest to the measured one. It needs SciPy
+(extra `fit`), `Fit.plot` matplotlib (extra `plot`). The names that can be varied are in `fit_names`.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from .fit_names import free_names
+from .fit_search import STEP, Data, Search
+from .model import Model
+from .params import Params
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+
+# A direction that changes no friction by more than this part of it per unit of the search is lost in that error.
+_NO_EFFECT = 1e-6
+# Correlations above this are named: the data fix a combination of the two far better than either.
+_CORRELATED = 0.99
+# A partner of a parameter that the data do not fix: correlation with it, or share of the direction without effect.
+_PARTNER, _SHARE = 0.9, 0.02
+# A fit with sigma this improbable is called a bad one.
+_IMPROBABLE = 1e-3
+# Trial steps of the search at most; a narrow, curved valley of chi-square takes some fifty.
+_STEPS = 200
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """What `fit` found. Arrays follow the order of `free`; `str` of it is a table.
+
+    Attributes:
+        params: the surfaces with the fitted values.
+        free: names of the fitted parameters.
+        values: their values, in the units of `params`.
+        errors: their standard errors, in the same units; infinite where the data do not fix a parameter at all.
+        covariance: of the values, (free, free); rows and columns of an infinite error are NaN off the diagonal.
+        chi_square: sum of squared residuals over sigma; without sigma, of the plain residuals.
+        degrees_of_freedom: measured points less fitted parameters.
+        unidentifiable: names that the data do not determine, see `fit`.
+        at_bound: names whose value is a bound: the data would have it beyond, and its error means little.
+        success: whether the search converged.
+        message: in words: how the search ended and all that there is to be said against the result.
+        load: normal loads of the data [force].
+        measured: friction coefficient or friction force [force] at them.
+        fitted: the same of the model with `params`.
+        sigma: standard errors of the data; None if they were not given.
+        quantity: "mu" or "force": what was fitted.
+    """
+
+    params: Params
+    free: tuple[str, ...]
+    values: dict[str, float]
+    errors: dict[str, float]
+    covariance: Array
+    chi_square: float
+    degrees_of_freedom: int
+    unidentifiable: tuple[str, ...]
+    at_bound: tuple[str, ...]
+    success: bool
+    message: str
+    load: Array
+    measured: Array
+    fitted: Array
+    sigma: Array | None
+    quantity: str
+
+    @property
+    def reduced_chi_square(self) -> float:
+        """chi_square/degrees_of_freedom: about 1 for a good fit; without sigma, the variance of the residuals."""
+        return self.chi_square / self.degrees_of_freedom
+
+    @property
+    def correlation(self) -> Array:
+        """Of the values, (free, free), -1 to 1; NaN with a parameter whose error is infinite."""
+        return _correlation(self.covariance)
+
+    @property
+    def residuals(self) -> Array:
+        """Measured less fitted, over sigma where that is given."""
+        difference = self.measured - self.fitted
+        return difference if self.sigma is None else difference / self.sigma
+
+    def plot(self, file: str | os.PathLike[str] | None = None) -> Figure:
+        """Draws data and fit over the load, the residuals below, and writes the figure if a file is named.
+
+        Args:
+            file: its ending is its format, for example "fit.svg".
+
+        Raises:
+            ImportError: matplotlib is missing.
+        """
+        from .fit_plot import draw
+
+        return draw(self, file)
+
+    def __str__(self) -> str:
+        lines = [f"{name} = {_with_error(self.values[name], self.errors[name])}" for name in self.free]
+        return "\n".join([*lines, self.message])
+
+
+def fit(
+    load: npt.ArrayLike,
+    mu: npt.ArrayLike | None = None,
+    sigma: npt.ArrayLike | None = None,
+    free: Sequence[str] = ("gamma", "sigma"),
+    *,
+    params: Params,
+    force: npt.ArrayLike | None = None,
+    bounds: Mapping[str, tuple[float, float]] | None = None,
+) -> Fit:
+    """Fits parameters of two surfaces to measured friction, by weighted least squares.
+
+    The search starts at `params` and goes by trust regions (SciPy's `least_squares`), in the logarithm of all names
+    that are positive. Trial surfaces that the library refuses are stepped back from. It finds the minimum near the
+    start: where curves have several, start from what is known of the surface.
+
+    A name counts as not identifiable if a change of it, alone or with others that make up for it, does not change the
+    friction; or if its standard error is at least its value (names searched in the logarithm), or at least the
+    standard deviation of a uniform distribution between its bounds: the data then say no more than the bounds did.
+
+    Args:
+        load: normal loads [force], one-dimensional. For `mu` they must be > 0; friction forces may be given at zero
+            and negative loads too. There a trial surface whose pull-off load lies above has no friction.
+        mu: measured friction coefficients F/P > 0 at them; `max_friction_coefficient` plays no part.
+        sigma: standard errors > 0 of the measured friction, one for all or one for each. Without, all points weigh
+            the same, and the errors of the parameters are scaled by the scatter of the residuals.
+        free: names of the parameters to be found, at least one. Each may be a field of `Params` or a symbol of the
+            paper: see `asperity.fit_names`. All others stay as they are in `params`.
+        params: where the search starts, and the parameters that are known.
+        force: measured friction forces F >= 0 [force], instead of `mu`.
+        bounds: lowest and highest value for some of the free names. By default a positive name stays within a factor
+            of 1000 of its start, the others in their domains.
+
+    Returns:
+        The fit. Read its `message`, or print it: it says what the data do not determine.
+
+    Raises:
+        ValueError: data, names or bounds that cannot be used, or a start that the library refuses (`Error`); the
+            message says what is allowed.
+        ImportError: SciPy is missing.
+    """
+    try:
+        from scipy.optimize import least_squares
+    except ImportError as error:
+        raise ImportError(f"fit needs SciPy ({error}): pip install scipy") from None
+
+    if not isinstance(params, Params):
+        raise TypeError(f"params = {params!r}: must be a Params")
+    names = free_names(free, params)
+    data = Data.of(load, mu, force, sigma)
+    if data.load.size <= len(names):
+        raise ValueError(
+            f"{data.load.size} points for {len(names)} free names: there must be more points than free names"
+        )
+    search = Search.of(names, params, data, bounds or {})
+    search.friction(search.start)  # the library's own message if it refuses the start
+
+    found = least_squares(
+        search.residuals, search.start, search.jacobian, (search.low, search.high), method="trf", max_nfev=_STEPS
+    )
+    return _judge(search, found.x, bool(found.success))
+
+
+def _judge(search: Search, x: Array, success: bool) -> Fit:
+    """Values, errors and what is to be said against them, at the end of a search."""
+    data, names = search.data, search.names
+    fitted, residuals = search.friction(x), search.residuals(x)
+    chi_square, freedom = float(residuals @ residuals), residuals.size - x.size
+    scatter = 1.0 if data.sigma is not None else chi_square / freedom
+    estimate = _Estimate.of(search.jacobian(x), float(np.linalg.norm(fitted * data.weight)), scatter)
+
+    values = search.values(x)
+    unit = np.array([name.per_coordinate(value) for name, value in zip(names, values)])
+    deviation = np.sqrt(np.diag(estimate.covariance))
+    # Past these a linear estimate in the coordinates of the search says nothing any more.
+    useful = np.minimum([1.0 if name.positive else math.inf for name in names], (search.high - search.low) / 12**0.5)
+    given = tuple(name.given for name in names)
+    fit = Fit(
+        params=search.surfaces(x),
+        free=given,
+        values=dict(zip(given, values)),
+        errors=dict(zip(given, (deviation * unit).tolist())),
+        covariance=estimate.covariance * np.outer(unit, unit),
+        chi_square=chi_square,
+        degrees_of_freedom=freedom,
+        unidentifiable=tuple(name for name, good in zip(given, deviation < useful) if not good),
+        at_bound=tuple(
+            name for name, at, low, high in zip(given, x, search.low, search.high) if min(at - low, high - at) < STEP
+        ),
+        success=success,
+        message="",
+        load=data.load,
+        measured=data.measured,
+        fitted=fitted,
+        sigma=data.sigma,
+        quantity=data.quantity,
+    )
+    return replace(fit, message="\n".join(_remarks(fit, estimate)))
+
+
+@dataclass(frozen=True, eq=False)
+class _Estimate:
+    """What the Jacobian at the minimum tells, in the coordinates of the search."""
+
+    covariance: Array  # infinite for a name that has a part in a direction without effect
+    ineffective: Array  # (directions, names): unit vectors along which the friction does not change
+
+    @classmethod
+    def of(cls, jacobian: Array, friction: float, scatter: float) -> _Estimate:
+        """From the Jacobian of residuals whose variance is `scatter`, of a friction of this norm."""
+        _, sizes, directions = np.linalg.svd(jacobian, full_matrices=False)
+        effective = sizes > _NO_EFFECT * friction
+        scaled = directions[effective] / sizes[effective, None]
+        covariance = scatter * (scaled.T @ scaled)
+        ineffective = directions[~effective]
+        lost = (np.abs(ineffective) > _SHARE).any(axis=0)
+        covariance[lost, :] = covariance[:, lost] = np.nan
+        covariance[lost, lost] = np.inf
+        return cls(covariance, ineffective)
+
+    def partners(self, names: tuple[str, ...], name: str) -> str:
+        """The others that make up for a change of a name, in words."""
+        i = names.index(name)
+        if math.isinf(self.covariance[i, i]):
+            part = np.abs(self.ineffective) > _SHARE
+            one: Mask = part[part[:, i]].max(axis=0)
+        else:
+            one = np.abs(_correlation(self.covariance)[i]) > _PARTNER
+        return _and(other for other, is_one in zip(names, one) if is_one and other != name)
+
+
+def _remarks(fit: Fit, estimate: _Estimate) -> list[str]:
+    """How the search ended, and then what is to be said against the result."""
+    spread = f"reduced chi-square {fit.reduced_chi_square:.3g}, {fit.degrees_of_freedom} degrees of freedom"
+    remarks = [f"{'converged' if fit.success else f'not converged in {_STEPS} steps'}; {spread}"]
+    for name in fit.unidentifiable:
+        others = estimate.partners(fit.free, name)
+        if others:
+            why = f"a change of it is made up for by {others}"
+        elif math.isinf(fit.errors[name]):
+            why = "it does not change the friction here"
+        else:
+            why = "it hardly changes the friction here"
+        remarks.append(f"not identifiable: {name}; {why}")
+    for i, j in combinations(range(len(fit.free)), 2):
+        one, other, correlation = fit.free[i], fit.free[j], fit.correlation[i, j]
+        if abs(correlation) > _CORRELATED and not {one, other} & set(fit.unidentifiable):
+            remarks.append(f"correlated by {correlation:.4f}: {one} and {other}; a combination of them is known better")
+    for name in fit.at_bound:
+        remarks.append(f"at a bound: {name} = {fit.values[name]:.6g}; the data would have it beyond")
+    if fit.sigma is not None and _improbable(fit):
+        remarks.append("the residuals are larger than sigma explains: the model, or sigma, is wrong")
+    with Model(fit.params) as model:
+        pull_off = model.summary().pull_off_load
+    apart = int(np.count_nonzero(fit.load < pull_off))
+    if apart:
+        remarks.append(f"{apart} loads are below the fitted pull-off load, {pull_off:.4g}: no friction there")
+    return remarks
+
+
+def _with_error(value: float, error: float) -> str:
+    """A value to the digits that its error leaves it."""
+    digits = 2 if math.isinf(error) else 6
+    if value != 0 and 0 < error < math.inf:
+        digits = max(math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 2, 1)
+    return f"{value:.{digits}g} +- {error:.2g}"
+
+
+def _correlation(covariance: Array) -> Array:
+    deviation = np.sqrt(np.diag(covariance))
+    deviation[~np.isfinite(deviation) | (deviation == 0)] = np.nan
+    correlation: Array = covariance / np.outer(deviation, deviation)
+    return correlation
+
+
+def _improbable(fit: Fit) -> bool:
+    from scipy.stats import chi2
+
+    return bool(chi2.sf(fit.chi_square, fit.degrees_of_freedom) < _IMPROBABLE)
+
+
+def _and(names: Iterable[str]) -> str:
+    *most, last = list(names) or [""]
+    return f"{', '.join(most)} and {last}" if most else last

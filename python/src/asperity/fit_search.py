@@ -1,0 +1,159 @@
+"""The least-squares problem of a fit: checked measurements, residuals and their Jacobian over the free parameters."""
+
+from __future__ import annotations
+
+import numbers
+from dataclasses import dataclass
+from typing import Any, Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import Error, Status
+from .fit_names import FreeName
+from .model import Model
+from .params import Params
+
+Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+
+# Of central differences: the compiled law is smooth to 1e-10, so that (1e-10)^(1/3) about balances its error against
+# that of the difference; the derivative is then right to some 1e-7 of the friction.
+STEP = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class Data:
+    """Measurements, checked."""
+
+    load: Array
+    measured: Array
+    sigma: Array | None
+    quantity: str
+
+    @classmethod
+    def of(
+        cls, load: npt.ArrayLike, mu: npt.ArrayLike | None, force: npt.ArrayLike | None, sigma: npt.ArrayLike | None
+    ) -> Data:
+        if (mu is None) == (force is None):
+            raise ValueError("give either mu or force")
+        quantity = "mu" if force is None else "force"
+        loads, measured = _column("load", load), _column(quantity, force if mu is None else mu)
+        _same_length(quantity, measured, loads)
+        if quantity == "mu":
+            _each("load", loads, loads > 0, "must be > 0, for F/P has no finite value there; fit the force instead")
+            _each("mu", measured, measured > 0, "must be > 0")
+        else:
+            _each("force", measured, measured >= 0, "must be >= 0")
+        return cls(loads, measured, _errors(sigma, loads), quantity)
+
+    @property
+    def weight(self) -> Array | float:
+        return 1.0 if self.sigma is None else 1 / self.sigma
+
+
+def _column(name: str, values: Any) -> Array:
+    array = np.asarray(values)
+    if array.ndim != 1 or array.dtype.kind not in "iuf":
+        found = f"{array.ndim}-dimensional of {array.dtype}"
+        raise ValueError(f"{name}: must be a one-dimensional array of real numbers, not {found}")
+    column = np.array(array, dtype=np.float64)
+    _each(name, column, np.isfinite(column), "must be finite")
+    return column
+
+
+def _errors(sigma: npt.ArrayLike | None, load: Array) -> Array | None:
+    if sigma is None:
+        return None
+    errors = _column("sigma", np.full(load.shape, sigma) if isinstance(sigma, numbers.Real) else sigma)
+    _same_length("sigma", errors, load)
+    _each("sigma", errors, errors > 0, "must be > 0")
+    return errors
+
+
+def _same_length(name: str, values: Array, load: Array) -> None:
+    if values.size != load.size:
+        raise ValueError(f"{name} has {values.size} values, load {load.size}: must be as many")
+
+
+def _each(name: str, values: Array, good: Mask, allowed: str) -> None:
+    if not good.all():
+        index = int(np.argmin(good))
+        raise ValueError(f"{name}[{index}] = {values[index]:g}: {allowed}")
+
+
+@dataclass(frozen=True, eq=False)
+class Search:
+    """The least-squares problem in its own coordinates: log(value/start) for positive names, the value for others."""
+
+    names: tuple[FreeName, ...]
+    params: Params
+    data: Data
+    origin: Array  # values at the start
+    start: Array
+    low: Array
+    high: Array
+
+    @classmethod
+    def of(
+        cls, names: tuple[FreeName, ...], params: Params, data: Data, bounds: Mapping[str, tuple[float, float]]
+    ) -> Search:
+        origin = np.array([name.start(params) for name in names])
+        unknown = sorted(set(bounds) - {name.given for name in names})
+        if unknown:
+            raise ValueError(f"bounds of {', '.join(unknown)}: must be of free names")
+        limits = [name.limits(value, bounds.get(name.given)) for name, value in zip(names, origin)]
+        ends = [
+            [name.coordinate(end, value) for name, end, value in zip(names, side, origin)] for side in zip(*limits)
+        ]
+        start = np.array([name.coordinate(value, value) for name, value in zip(names, origin)])
+        return cls(names, params, data, origin, start, np.array(ends[0]), np.array(ends[1]))
+
+    def values(self, x: Array) -> list[float]:
+        return [name.value(float(at), float(origin)) for name, at, origin in zip(self.names, x, self.origin)]
+
+    def surfaces(self, x: Array) -> Params:
+        """Parameters at a point of the search; fields are set before the groups that are made of them."""
+        params = self.params
+        pairs = zip(self.names, self.values(x))
+        for name, value in sorted(pairs, key=lambda pair: pair[0].is_group):
+            params = name.put(params, value)
+        return params
+
+    def friction(self, x: Array) -> Array:
+        """What the model has for the data; raises what the library refuses."""
+        with Model(self.surfaces(x)) as model:
+            force = model.friction_force_at_load(self.data.load)
+        return force / self.data.load if self.data.quantity == "mu" else force
+
+    def residuals(self, x: Array) -> Array:
+        """NaN for surfaces that the library refuses: the search then shortens its step."""
+        try:
+            return (self.friction(x) - self.data.measured) * self.data.weight
+        except Error as error:
+            if error.status == Status.INTERNAL:
+                raise
+            return np.full(self.data.load.shape, np.nan)
+
+    def jacobian(self, x: Array) -> Array:
+        return np.stack([self._derivative(x, i) for i in range(x.size)], axis=1)
+
+    def _derivative(self, x: Array, i: int) -> Array:
+        """By central differences; beside a bound or surfaces that are refused, of the same order to one side."""
+        below, above = self._beside(x, i, -1), self._beside(x, i, 1)
+        if below is not None and above is not None:
+            return (above - below) / (2 * STEP)
+        side, near = (1, above) if above is not None else (-1, below)
+        far = self._beside(x, i, 2 * side)
+        if near is None or far is None:
+            name, value = self.names[i].given, self.values(x)[i]
+            raise Error(f"{name} = {value:g}: the library refuses surfaces on both sides of it", Status.OUT_OF_RANGE)
+        return side * (4 * near - 3 * self.residuals(x) - far) / (2 * STEP)
+
+    def _beside(self, x: Array, i: int, steps: int) -> Array | None:
+        at = x.copy()
+        at[i] += steps * STEP
+        if not self.low[i] <= at[i] <= self.high[i]:
+            return None
+        residuals = self.residuals(at)
+        return residuals if np.isfinite(residuals).all() else None

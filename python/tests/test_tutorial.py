@@ -1,0 +1,61 @@
+"""The pages on height maps do what they say, from installing to a program in C; their table is what maps give."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import sysconfig
+import venv
+from pathlib import Path
+
+import pytest
+from test_docs import check_page
+
+
+@pytest.fixture(scope="module")
+def environment(root: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """A fresh virtual environment, active, that finds the dependencies of this one and so need not download them."""
+    directory = tmp_path_factory.mktemp("venv")
+    venv.create(directory, with_pip=True)
+    (packages,) = directory.glob("lib/python*/site-packages")
+    (packages / "dependencies.pth").write_text(sysconfig.get_path("purelib") + "\n", encoding="utf-8")
+    kept = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "ASPERITY"))}
+    path = f"{directory / 'bin'}{os.pathsep}{os.environ['PATH']}"
+    return {**kept, "VIRTUAL_ENV": str(directory), "PATH": path, "ASPERITY": str(root)}
+
+
+def test_the_tutorial_runs_and_prints_what_it_says(root: Path, environment: dict[str, str], tmp_path: Path) -> None:
+    follow, page = root / "tests" / "consumers" / "follow_docs.py", root / "docs" / "tutorial.md"
+    command = [sys.executable, str(follow), str(page), str(tmp_path)]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=600, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.stdout.endswith("3 files, 5 blocks of commands, 3 outputs as written\n")
+
+
+def test_the_page_on_height_maps_prints_what_it_says(root: Path, environment: dict[str, str], tmp_path: Path) -> None:
+    (tmp_path / "python").symlink_to(root / "python")
+    check_page(root / "docs" / "topography.md", tmp_path, environment)
+
+
+def test_the_table_of_the_page_is_what_maps_give(root: Path) -> None:
+    from sampling_bias import QUANTITIES, compare
+
+    (row,) = (line for line in (root / "docs" / "topography.md").read_text("utf-8").splitlines() if line[:5] == "| 4 |")
+    found = [compare(kind, 4, seeds=24) for kind in ("narrow", "broad")]
+    chosen = [QUANTITIES.index(name) for name in ("density", "height_std", "radius")]
+    cells = [f"{means[i]:.3f} ± {errors[i]:.3f}" for means, errors in found for i in chosen]
+    assert row == f"| 4 | {' | '.join(cells)} |"
+
+
+def test_the_script_draws_its_figure_and_refuses_what_it_cannot_do(root: Path, tmp_path: Path) -> None:
+    import numpy as np
+    from sampling_bias import POINTS_PER_WAVE, draw
+
+    one = [(np.ones(4), np.full(4, 0.1)) for _ in POINTS_PER_WAVE]
+    draw(str(tmp_path / "bias.svg"), {"narrow": one, "broad": one})
+    assert "<svg" in (tmp_path / "bias.svg").read_text("utf-8")
+    for arguments in (["-", "1"], ["-", "x"], ["-", "2", "3"]):
+        command = [sys.executable, str(root / "python" / "examples" / "sampling_bias.py"), *arguments]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+        assert done.returncode == 2 and "usage:" in done.stderr
