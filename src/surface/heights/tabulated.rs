@@ -1,10 +1,10 @@
 //! Heights of a measured density: a table, joined by a monotone cubic cumulative distribution and standardised.
 //!
-//! Between two heights of the table the density is a parabola through the two densities. Its mass is that of the cubic
-//! through them whose slopes are the weighted harmonic means of Fritsch and Carlson's kind (SIAM J. Numer. Anal. 17, 1980,
-//! 238-246; weights of Brodlie), limited so that the parabola is monotonic. The cumulative distribution is then the cubic
-//! Hermite interpolant of its values at the heights with the densities as slopes, and monotonic; no density is negative,
-//! and none is larger than all of the table. Zero densities at the ends are left out up to the last one.
+//! Between two heights of the table the density is a parabola through the two densities. Its mass is that of the monotone
+//! cubic through them (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980, 238-246; slopes of Fritsch and Butland, SIAM J.
+//! Sci. Stat. Comput. 5, 1984, 300-304), limited so that the parabola is monotonic. The cumulative distribution is then the
+//! cubic Hermite interpolant of its values at the heights with the densities as slopes, and monotonic; no density is
+//! negative, and none is larger than all of the table. Zero densities at the ends are left out up to the last one.
 
 use crate::error::Error;
 use crate::params::finite;
