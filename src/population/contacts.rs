@@ -101,10 +101,7 @@ impl Population {
     fn contact_ranges(&self, separation: f64) -> Vec<Range> {
         let edges = self.edges.at_separation(&self.maugis, &self.radius, separation);
         let foot = self.heights.foot();
-        let mut contact = match edges.iter().next() {
-            Some(edge) => edge.rate < 0.0,
-            None => self.edges.all_in_contact(&self.maugis, &self.radius, separation),
-        };
+        let mut contact = self.lowest_are_in_contact(&edges, separation);
         let mut ranges = Vec::new();
         let mut lower = (foot, None);
         for edge in edges.iter().map(Some).chain([None]) {

@@ -25,7 +25,7 @@ use crate::groups::Groups;
 use crate::root;
 use crate::surface::heights::{Heights, SHORTEST_PANEL, UNDERFLOW};
 use crate::surface::radius::RadiusProfile;
-use break_edges::{BreakEdges, Edge};
+use break_edges::{BreakEdges, Edge, Edges};
 use density::Density;
 use nodes::Nodes;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -322,11 +322,7 @@ impl Population {
         let foot = self.heights.foot();
         let attraction_start = self.attraction.as_ref().map_or(f64::INFINITY, |law| separation - law.reach).max(foot);
         let first_edge = edges.iter().next();
-        // Whether the lowest summits are in contact.
-        let mut contact = match first_edge {
-            Some(edge) => edge.rate < 0.0,
-            None => self.edges.all_in_contact(&self.maugis, &self.radius, separation),
-        };
+        let mut contact = self.lowest_are_in_contact(&edges, separation);
         let contact_start = if contact { foot } else { first_edge.map_or(f64::INFINITY, |edge| edge.z.max(foot)) };
         // Of the lowest summit that counts, the overlap to all its digits.
         let start = contact_start.min(attraction_start);
@@ -360,6 +356,14 @@ impl Population {
             lower_edge = upper_edge;
         }
         sums
+    }
+
+    /// Whether the lowest summits are in contact at a separation, which has these edges.
+    fn lowest_are_in_contact(&self, edges: &Edges, separation: f64) -> bool {
+        match edges.iter().next() {
+            Some(edge) => edge.rate < 0.0,
+            None => self.edges.all_in_contact(&self.maugis, &self.radius, separation),
+        }
     }
 
     /// What a contact contributes, friction included.

@@ -5,6 +5,7 @@
 
 #define _GNU_SOURCE
 #include "answers.h"
+#include "resident.h"
 
 #include <fenv.h>
 #include <pthread.h>
@@ -21,19 +22,6 @@ static asperity_model *create(int which)
 
     CHECK(asperity_create(&p, &model) == ASPERITY_OK, "surface %s", SURFACE_NAMES[which]);
     return model;
-}
-
-/* Pages in memory. */
-static long resident(void)
-{
-    long size = 0, pages = 0;
-    FILE *file = fopen("/proc/self/statm", "r");
-
-    if (file == NULL || fscanf(file, "%ld %ld", &size, &pages) != 2)
-        pages = -1;
-    if (file != NULL)
-        fclose(file);
-    return pages;
 }
 
 static void cycles(long count)

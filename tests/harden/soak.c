@@ -4,6 +4,7 @@
 
 #define _GNU_SOURCE
 #include "answers.h"
+#include "resident.h"
 
 #include <pthread.h>
 #include <stdatomic.h>
@@ -69,23 +70,12 @@ static void *rebuild(void *argument)
     return NULL;
 }
 
-static long resident(void)
-{
-    long size = 0, pages = 0;
-    FILE *file = fopen("/proc/self/statm", "r");
-
-    if (file == NULL || fscanf(file, "%ld %ld", &size, &pages) != 2)
-        pages = -1;
-    if (file != NULL)
-        fclose(file);
-    return pages * (sysconf(_SC_PAGESIZE) / 1024);
-}
-
 int main(int argc, char **argv)
 {
     static double loads[POINTS], force[POINTS], slope[POINTS];
     static answers before, after;
     const long scalar = argc > 2 ? strtol(argv[1], NULL, 10) : 0, batch = argc > 2 ? strtol(argv[2], NULL, 10) : 0;
+    const long page = sysconf(_SC_PAGESIZE) / 1024; /* kB */
     const asperity_params p = surface(8);
     asperity_model *model = NULL;
     task tasks[THREADS];
@@ -111,7 +101,7 @@ int main(int argc, char **argv)
         pthread_create(&threads[i], NULL, evaluate, &tasks[i]);
     }
     nanosleep(&(struct timespec){ 1, 0 }, NULL);
-    first = resident();
+    first = resident() * page;
     for (int i = 0; i < THREADS; i++) {
         pthread_join(threads[i], NULL);
         CHECK(tasks[i].wrong == 0, "thread %d: %ld answers differ", i, tasks[i].wrong);
@@ -119,7 +109,7 @@ int main(int argc, char **argv)
         batch_seconds += tasks[i].batch_seconds;
     }
     took = now() - start;
-    last = resident();
+    last = resident() * page;
     atomic_store(&done, 1);
     pthread_join(rebuilder, NULL);
     answer(model, &after);
