@@ -57,7 +57,13 @@ impl Equilibrium {
         if !population.is_adhesive() {
             return Ok(Self { pull_off: None, farthest: population.farthest() });
         }
-        match bracket_first_minimum(population) {
+        let bracket = if population.has_single_minimum() {
+            bracket_first_minimum(population)
+        } else {
+            // Many states are looked at for a sign.
+            bracket_first_minimum(&population.roughly()).map(|bracket| about(population, bracket))
+        };
+        match bracket {
             Some(bracket) => Self::within(population, bracket),
             None => Ok(Self { pull_off: None, farthest: population.farthest() }),
         }
@@ -294,6 +300,20 @@ fn first_bracket(population: &Population, lower: f64, upper: f64) -> (f64, f64) 
     let at = |part: u32| lower + (upper - lower) * f64::from(part) / f64::from(PARTS);
     let first = (1..PARTS).find(|&part| !falls(population, at(part))).unwrap_or(PARTS);
     (at(first - 1), at(first))
+}
+
+/// A bracket of the minimum about one that was found by rough sums, which may mistake a sign next to where it changes.
+fn about(population: &Population, (mut lower, mut upper): (f64, f64)) -> (f64, f64) {
+    let mut step = (upper - lower).max(f64::EPSILON * upper.abs());
+    while !falls(population, lower) && lower > CLOSEST {
+        lower -= step;
+        step *= 2.0;
+    }
+    while falls(population, upper) && upper < population.farthest() {
+        upper += step;
+        step *= 2.0;
+    }
+    (lower, upper)
 }
 
 /// Whether the load falls as separation grows.

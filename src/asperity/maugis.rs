@@ -103,7 +103,12 @@ impl Maugis {
     /// The contact at `theta` for a summit of radius g R: eqs (4)-(6).
     #[inline]
     pub fn at(&self, theta: f64, g: f64) -> Contact {
-        let (sin, cos) = theta.sin_cos();
+        self.at_angle(theta, theta.sin_cos(), g)
+    }
+
+    /// As [`Maugis::at`], from theta's sine and cosine.
+    #[inline]
+    fn at_angle(&self, theta: f64, (sin, cos): (f64, f64), g: f64) -> Contact {
         let (bracket_2, bracket_1) = brackets(theta, sin, cos);
         let inv_g = 1.0 / g;
         // Eq (4) as k2 c^2 + k1 c = 1; d(bracket)/dtheta = 2 theta sin 2theta and theta cos theta.
@@ -158,7 +163,9 @@ impl Maugis {
     /// `guess` is a starting theta; [`Maugis::guess`] makes one from nothing.
     pub fn at_overlap(&self, overlap: f64, g: f64, guess: f64) -> Contact {
         let (mut lower, mut upper) = (0.0, FRAC_PI_2);
-        let mut contact = self.at(guess.min(FRAC_PI_2), g);
+        let start = guess.min(FRAC_PI_2);
+        let mut angle = start.sin_cos();
+        let mut contact = self.at_angle(start, angle, g);
         let mut before = contact;
         let mut last_step = None;
         for _ in 0..200 {
@@ -187,7 +194,8 @@ impl Maugis {
                 return contact.moved(next, overlap, &before);
             }
             before = contact;
-            contact = self.at(next, g);
+            angle = turned(angle, theta, next);
+            contact = self.at_angle(next, angle, g);
             if !trusted {
                 last_step = None;
                 if upper - lower <= 4e-16 * upper {
@@ -213,6 +221,19 @@ impl Maugis {
         let by_bracket_1 = (2.0 / (self.bracket_1 * radius).max(1e-100)).sqrt();
         by_bracket_2.min(by_bracket_1).min(1.0)
     }
+}
+
+/// Sine and cosine of an angle from those of another: if it is near, by the addition theorems.
+#[inline]
+fn turned((sin, cos): (f64, f64), from: f64, to: f64) -> (f64, f64) {
+    let step = to - from;
+    if step.abs() > 0.01_f64.min(0.25 * sin.min(cos)) {
+        return to.sin_cos();
+    }
+    let square = step * step;
+    let sin_step = step * (1.0 - square / 6.0 * (1.0 - square / 20.0));
+    let cos_step_less_1 = -0.5 * square * (1.0 - square / 12.0 * (1.0 - square / 30.0));
+    (sin + (sin * cos_step_less_1 + cos * sin_step), cos + (cos * cos_step_less_1 - sin * sin_step))
 }
 
 /// The two brackets of eq (4) times cos^2 and cos: sin theta cos theta - theta cos 2theta and

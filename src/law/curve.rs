@@ -23,14 +23,14 @@ const VALUE_TOLERANCE: f64 = 1e-11;
 const SLOPE_TOLERANCE: f64 = 1e-9;
 /// No panel is wider than this, in sigma, or than this part of the separation where that is larger.
 const WIDEST: f64 = 2.2;
-const WIDEST_PART: f64 = 0.4;
+const WIDEST_PART: f64 = 0.6;
 /// The panel that ends at pull-off spans no more of s than this; each one before takes this part of the way there.
-const LONGEST_LAST: f64 = 1.6;
-const PART_OF_THE_WAY: f64 = 0.55;
+const LONGEST_LAST: f64 = 2.2;
+const PART_OF_THE_WAY: f64 = 0.65;
 /// Without a pull-off load no panel covers more than this part of what is left of the branch, at whose end load vanishes.
 const MOST_OF_THE_REST: f64 = 0.7;
 /// How much wider the next panel is tried after an error of less than this part of the tolerance.
-const GROWTH: [(f64, f64); 2] = [(0.03, 2.0), (0.5, 1.5)];
+const GROWTH: [(f64, f64); 3] = [(0.01, 3.0), (0.03, 2.0), (0.5, 1.5)];
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
 const MOST_SAMPLES: usize = 800;
 /// Panels end where a table of heights gives the curve a kink. Between more kinks than these hardly a row of the law would
@@ -119,15 +119,15 @@ impl Coordinate {
 }
 
 impl Curve {
-    /// Follows the branch from heavy load down to pull-off, or through `log_range` of ln(load) without one. Hands every
-    /// exact state that is not a node to `check`.
+    /// Follows the branch from heavy load down to pull-off, but not farther than `log_range` of the heaviest ln(load -
+    /// pull-off). Hands every exact state that is not a node to `check`.
     ///
     /// # Errors
     /// [`Error::NotConverged`] where the branch cannot be followed.
     pub fn new(
         population: &Population,
         equilibrium: &Equilibrium,
-        log_range: f64,
+        log_range: impl Fn(f64) -> f64,
         check: &mut Vec<Sample>,
     ) -> Result<Self, Error> {
         let log_pull_off = equilibrium.pull_off().map(|point| (-point.load).ln());
@@ -140,13 +140,14 @@ impl Curve {
         while log_pull_off.is_some_and(|pull_off| from.log_excess < pull_off + LOG_ABOVE_PULL_OFF) {
             from = curve.sample(population, equilibrium, 1.5 * from.separation.min(closest))?;
         }
-        let lightest = from.log_excess - log_range;
+        let lightest = from.log_excess - log_range(from.log_excess);
         check.push(from);
         let mut kinks = population.kinks();
         let resolvable = kinks.len() <= MOST_KINKS;
         if !resolvable {
             kinks.clear();
         }
+        let foot = population.passings_of_foot();
         let most_samples = MOST_SAMPLES + 2 * NODES * kinks.len();
         let mut width = f64::MAX;
         // A separation before which the curve is not smooth, and whether the last attempt failed.
@@ -186,8 +187,9 @@ impl Curve {
                 let shorter = 0.9 * excess.powf(-1.0 / CONDITIONS as f64);
                 width = (shorter.clamp(0.25, 0.8) * length).max(narrowest);
                 // What is smooth needs no second try.
-                if failed {
-                    obstacle = Some(to);
+                let at_foot = foot.iter().copied().find(|&passing| passing > from.separation && passing < to);
+                if failed || at_foot.is_some() {
+                    obstacle = at_foot.or(Some(to));
                 }
                 failed = true;
                 continue;

@@ -23,9 +23,10 @@ const MOST_ROWS: usize = 1024;
 const FRACTIONS: [u32; 3] = [2, 3, 4];
 /// The table begins at this part of the pull-off load above it, at least.
 const NEAREST_TO_PULL_OFF: f64 = 5e-10;
-/// The range of ln(load - pull-off) that is compiled: with adhesion what the rows can hold.
+/// The range of ln(load - pull-off) that is compiled: what the rows can hold where that reaches down to the pull-off
+/// load, or else what anyone may ask for.
 const LOG_RANGE: f64 = MOST_ROWS as f64 / (1 << FRACTIONS[0]) as f64 * std::f64::consts::LN_2;
-const LOG_RANGE_WITHOUT_ADHESION: f64 = 60.0;
+const LOG_RANGE_WITHOUT_PULL_OFF: f64 = 60.0;
 /// The largest relative error of the force, and of its slope, of a row against an exact state.
 const VALUE_TOLERANCE: f64 = 1e-10;
 const SLOPE_TOLERANCE: f64 = 1e-8;
@@ -91,14 +92,15 @@ impl Law {
     /// [`Error::NotConverged`] where the branch of equilibrium states cannot be followed.
     pub fn new(population: &Population, equilibrium: &Equilibrium, scales: Scales) -> Result<Self, Error> {
         let mut samples = Vec::new();
-        let log_range = if equilibrium.pull_off().is_some() { LOG_RANGE } else { LOG_RANGE_WITHOUT_ADHESION };
+        let nearest = equilibrium.pull_off().map(|point| (-point.load * NEAREST_TO_PULL_OFF).ln());
+        let log_range = |heaviest: f64| match nearest {
+            Some(nearest) if heaviest - nearest <= LOG_RANGE => LOG_RANGE,
+            _ => LOG_RANGE_WITHOUT_PULL_OFF,
+        };
         let curve = Curve::new(population, equilibrium, log_range, &mut samples)?;
         let log_load = scales.load.ln();
         let (lower, upper) = curve.log_range();
-        let lower = match equilibrium.pull_off() {
-            Some(point) => (-point.load * NEAREST_TO_PULL_OFF).ln().max(lower),
-            None => lower,
-        } + log_load;
+        let lower = nearest.unwrap_or(lower).max(lower) + log_load;
         let upper = upper + log_load;
         let mut law = Self {
             rows: Vec::new(),

@@ -19,6 +19,10 @@ pub const UNDERFLOW: f64 = -2000.0;
 /// The largest change of ln phi over one panel: of a parabola, and of what may fall doubly exponentially.
 const STEEPEST_GAUSSIAN_PANEL: f64 = 14.0;
 const STEEPEST_PANEL: f64 = 10.0;
+/// A cumulative hazard far out in the tail of Weibull heights.
+const TAIL_HAZARD: f64 = 25.0;
+/// How much more the latter may change where it is small beside the sum.
+const MOST_ALLOWANCE: f64 = 10.0;
 /// Beside this many e-folds of density, what load gains on the way to smaller densities is nothing.
 const GROWTH_OF_LOAD: f64 = 5.0;
 
@@ -181,14 +185,26 @@ impl Heights {
 
     /// How far above z one quadrature panel may reach, in a sum whose largest ln phi is `log_scale`.
     pub fn smooth_length(&self, z: f64, log_scale: f64) -> f64 {
+        let mut length = self.longest_panel();
         match self {
             Heights::Johnson(johnson) => return johnson.smooth_length(z),
             Heights::Tabulated(table) => return table.smooth_length(z),
-            Heights::Gaussian | Heights::Weibull(_) => {}
-        }
-        let mut length = self.longest_panel();
-        while length > SHORTEST_PANEL && self.roughness(z, z + length, log_scale) > 1.0 {
-            length *= 0.75;
+            Heights::Gaussian => {
+                while length > SHORTEST_PANEL && self.roughness(z, z + length, log_scale) > 1.0 {
+                    length *= 0.75;
+                }
+            }
+            Heights::Weibull(weibull) => {
+                let from = weibull.log_density(z);
+                // Longer ones are too steep at their beginning.
+                let longest = SHORTEST_PANEL.max((STEEPEST_PANEL + MOST_ALLOWANCE) / from.1.abs());
+                while length > longest {
+                    length *= 0.75;
+                }
+                while length > SHORTEST_PANEL && weibull_roughness(weibull, (z, from), z + length, log_scale) > 1.0 {
+                    length *= 0.75;
+                }
+            }
         }
         length
     }
@@ -206,22 +222,13 @@ impl Heights {
     /// from the one to the other.
     pub fn roughness(&self, from: f64, to: f64, log_scale: f64) -> f64 {
         let length = to - from;
-        // What is small beside the sum needs fewer digits; but load grows with height where the density falls.
-        let drop = |log_density: f64| (log_scale - log_density - GROWTH_OF_LOAD).max(0.0);
         match self {
             Heights::Gaussian => {
                 let steepest = from.abs().max(to.abs());
                 let highest = self.log_density(from).max(self.log_density(to));
-                length * steepest / (STEEPEST_GAUSSIAN_PANEL + drop(highest))
+                length * steepest / (STEEPEST_GAUSSIAN_PANEL + drop(highest, log_scale))
             }
-            Heights::Weibull(weibull) => {
-                if length > 2.0 * (from - self.foot()) {
-                    return f64::MAX;
-                }
-                let ((at_from, slope_from), (at_to, slope_to)) = (weibull.log_density(from), weibull.log_density(to));
-                let steepest = slope_from.abs().max(slope_to.abs());
-                length * steepest / (STEEPEST_PANEL + 0.5 * drop(at_from.max(at_to)).min(20.0))
-            }
+            Heights::Weibull(weibull) => weibull_roughness(weibull, (from, weibull.log_density(from)), to, log_scale),
             Heights::Johnson(johnson) if !johnson.is_smooth(from, to) => f64::MAX,
             Heights::Tabulated(table) if !table.is_smooth(from, to) => f64::MAX,
             _ => (length / self.smooth_length(from, log_scale)).min(1.0),
@@ -233,6 +240,18 @@ impl Heights {
         match self {
             Heights::Gaussian => 3.0,
             _ => 1.5,
+        }
+    }
+
+    /// A panel that is short enough wherever it lies, steep tails included.
+    pub fn tail_panel(&self) -> f64 {
+        let half = 0.5 * self.longest_panel();
+        match self {
+            Heights::Weibull(weibull) => {
+                let (_, slope) = weibull.log_density(weibull.height_of_hazard(TAIL_HAZARD));
+                half.min(STEEPEST_PANEL / slope.abs())
+            }
+            _ => half,
         }
     }
 
@@ -255,6 +274,27 @@ impl Heights {
             Heights::Tabulated(table) => table.kurtosis(),
         }
     }
+}
+
+/// [`Heights::roughness`] from a height with its ln phi and slope to another.
+fn weibull_roughness(
+    weibull: &Weibull,
+    (from, (at_from, slope_from)): (f64, (f64, f64)),
+    to: f64,
+    log_scale: f64,
+) -> f64 {
+    let length = to - from;
+    if length > 2.0 * (from + weibull.mean()) {
+        return f64::MAX;
+    }
+    let (at_to, slope_to) = weibull.log_density(to);
+    let steepest = slope_from.abs().max(slope_to.abs());
+    length * steepest / (STEEPEST_PANEL + (0.5 * drop(at_from.max(at_to), log_scale)).min(MOST_ALLOWANCE))
+}
+
+/// What is small beside the sum needs fewer digits; but load grows with height where the density falls.
+fn drop(log_density: f64, log_scale: f64) -> f64 {
+    (log_scale - log_density - GROWTH_OF_LOAD).max(0.0)
 }
 
 /// The shortest panel, in sigma: what lies within it of a singular point is negligible.
