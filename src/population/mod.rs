@@ -12,6 +12,7 @@
 mod break_edges;
 mod contacts;
 mod density;
+mod ends;
 mod gauss_legendre;
 mod nodes;
 
@@ -214,6 +215,8 @@ trait Sink {
     fn panel(&mut self, _from: &Point, _to: &Point, _by_height: bool) {}
     /// A node: its height, its weight without the density, and the contact there.
     fn node(&mut self, z: f64, weight: f64, contact: &Contact);
+    /// So many summits at a height, and the contact there.
+    fn summits(&mut self, _z: f64, _mass: f64, _contact: &Contact) {}
 }
 
 /// Sums the nodes, weighted with the density of heights.
@@ -231,6 +234,10 @@ impl Sink for Summing<'_> {
     fn node(&mut self, z: f64, weight: f64, contact: &Contact) {
         let density = self.density.at(z, contact.overlap);
         self.sums.add_contact(weight * density, &self.population.summit(contact));
+    }
+
+    fn summits(&mut self, _z: f64, mass: f64, contact: &Contact) {
+        self.sums.add_contact(mass, &self.population.summit(contact));
     }
 }
 
@@ -259,7 +266,7 @@ impl Population {
             lambda_cubed: groups.lambda_cubed(),
             nodes: None,
         };
-        if radius.is_constant() {
+        if radius.is_constant() && !matches!(population.heights, Heights::Ends(_)) {
             population.nodes = Some(Nodes::new(&population));
         }
         population
@@ -289,6 +296,11 @@ impl Population {
     /// A separation beyond which nothing touches or attracts, in any number that can be represented.
     pub fn farthest(&self) -> f64 {
         self.heights.far_tail() + self.attraction.as_ref().map_or(0.0, |a| a.reach) - self.edges.deepest()
+    }
+
+    /// The least overlap of which contacts without adhesion are known to enough digits.
+    pub fn least_overlap(&self) -> f64 {
+        self.maugis.least_overlap()
     }
 
     /// The separations at which a height where the density has a kink passes an overlap where the law of one summit has
@@ -446,6 +458,17 @@ impl Population {
             Some(edge) if edge.z == lower => self.edge_point(edge),
             _ => self.point_cold(separation, lower),
         };
+        if let Heights::Ends(ends) = &self.heights {
+            match upper_edge {
+                Some(edge) if edge.z == upper => {
+                    let middle = 0.5 * (lower + upper);
+                    self.walk_between_ends(ends, start, middle, sink);
+                    self.walk_between_ends(ends, self.edge_point(edge), middle, sink);
+                }
+                _ => self.walk_between_ends(ends, start, upper, sink),
+            }
+            return;
+        }
         match upper_edge {
             // A second edge above, where a falling radius lets tall summits break first: from both ends.
             Some(edge) if edge.z == upper => {
@@ -754,6 +777,13 @@ impl Population {
             let g = self.radius.factor(lower);
             sums.load_slope -= density.at(lower, -law.reach) * law.at(law.circle(-law.reach, g), g).load;
         }
+        let mut z = lower;
+        let mut overlap = if lower == separation - law.reach { -law.reach } else { lower - separation };
+        if let Heights::Ends(ends) = &self.heights {
+            let log_scale = sums.log_scale;
+            let add = |mass, summit: Summit| sums.add_attraction(mass, &summit);
+            return self.attracted_between_ends(ends, law, (lower, overlap), upper, log_scale, add);
+        }
         let mut sink = |z: f64, overlap: f64, weight: f64| {
             let g = self.radius.factor(z);
             let attracted = law.at(law.circle(overlap, g), g);
@@ -761,8 +791,6 @@ impl Population {
                 Summit { load: attracted.load, load_by_overlap: attracted.load_by_overlap, ..Summit::default() };
             sums.add_attraction(weight * density.at(z, overlap), &summit);
         };
-        let mut z = lower;
-        let mut overlap = if lower == separation - law.reach { -law.reach } else { lower - separation };
         if let Some(panel) = self.foot_panel(z, upper, || overlap + law.reach) {
             for (v, w) in gauss_legendre::nodes(0.0, 1.0) {
                 let (rise, rate) = panel.at(v);

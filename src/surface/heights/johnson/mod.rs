@@ -4,9 +4,12 @@
 //! u = gamma + delta ln((z - xi)/(xi + lambda - z)) for S_B, which has two; lognormal curves lie between them, and
 //! the Gaussian is the limit of all. `fit` finds the curve; here it is standardised to mean 0 and standard deviation 1.
 
+pub mod ends;
 mod fit;
 
-use fit::{Fit, Kind};
+use super::Heights;
+use ends::Ends;
+use fit::{Curve, Fit, Kind};
 
 /// The largest kurtosis that is evaluated.
 pub const LARGEST_KURTOSIS: f64 = 1000.0;
@@ -56,10 +59,18 @@ pub struct Johnson {
     modes: [f64; 2],
 }
 
+/// The heights of a skew and a kurtosis within the range.
+pub fn heights(skew: f64, kurtosis: f64) -> Heights {
+    match fit::fit(skew, kurtosis) {
+        Curve::Median(fit) if fit.epsilon == 0.0 => Heights::Gaussian,
+        Curve::Median(fit) => Heights::Johnson(Box::new(Johnson::new(skew, kurtosis, fit))),
+        Curve::Ends(fit) => Heights::Ends(Box::new(Ends::new(skew, kurtosis, &fit))),
+    }
+}
+
 impl Johnson {
-    /// The curve of a skew and a kurtosis between [`smallest_kurtosis`] and [`LARGEST_KURTOSIS`].
-    pub fn new(skew: f64, kurtosis: f64) -> Self {
-        let Fit { epsilon, kind, mean, deviation } = fit::fit(skew, kurtosis);
+    fn new(skew: f64, kurtosis: f64, fit: Fit) -> Self {
+        let Fit { epsilon, kind, mean, deviation } = fit;
         let rate = epsilon * deviation;
         let median = -mean / deviation;
         let mut curve =
@@ -74,11 +85,6 @@ impl Johnson {
         }
         curve.modes = curve.find_modes();
         curve
-    }
-
-    /// Whether the curve is the Gaussian itself.
-    pub fn is_gaussian(&self) -> bool {
-        self.epsilon == 0.0
     }
 
     /// Third standardised moment.
