@@ -298,6 +298,14 @@ impl Population {
         self.heights.far_tail() + self.attraction.as_ref().map_or(0.0, |a| a.reach) - self.edges.deepest()
     }
 
+    /// The separations at which summits that gather at the foot of the heights lose contact and attraction.
+    pub fn partings(&self) -> Vec<f64> {
+        let Heights::Ends(ends) = &self.heights else { return Vec::new() };
+        let foot = ends.ends()[0];
+        let attraction = self.attraction.as_ref().map(|law| foot + law.reach);
+        [Some(foot - self.maugis.break_away(self.radius.factor(foot)).overlap), attraction].into_iter().flatten().collect()
+    }
+
     /// The least overlap of which contacts without adhesion are known to enough digits.
     pub fn least_overlap(&self) -> f64 {
         self.maugis.least_overlap()

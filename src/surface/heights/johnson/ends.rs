@@ -103,6 +103,11 @@ impl Ends {
         &self.ends
     }
 
+    /// 1/delta.
+    pub fn epsilon(&self) -> f64 {
+        self.epsilon
+    }
+
     /// Their distance.
     pub fn width(&self) -> f64 {
         self.width

@@ -10,16 +10,17 @@
 //! tau = +-1, share = 0 or 1 are lognormal and epsilon = 0 is Gaussian, so that nothing is singular there. S_B of large
 //! epsilon, whose median nears one end, is written about its ends: y = 1/(1 + exp(-epsilon (u - step))), from 0 to 1.
 
+use crate::population::integrate_short;
 use crate::root;
-use statrs::function::erf::erfc;
-use std::f64::consts::SQRT_2;
+use std::f64::consts::PI;
 
-/// S_B is written about its ends above this epsilon.
+/// S_B is written about its ends above this epsilon, and above so many times that of the lognormal curve of its skew.
 const LARGEST_EPSILON: f64 = 2.0;
-/// No curve within the range of [`super::LARGEST`] has a larger epsilon: it is about 1/(kurtosis - skew^2 - 1).
+const FARTHEST_FROM_LOGNORMAL: f64 = 1.3;
+/// No curve has a larger epsilon: it is about 1/(kurtosis - skew^2 - 1), rounding apart.
 const LARGEST_EPSILON_OF_ENDS: f64 = 1e20;
-/// No curve within that range has its step farther out.
-const FARTHEST_STEP: f64 = 40.0;
+/// Nor its step farther out.
+const FARTHEST_STEP: f64 = 15.0;
 
 /// A curve of the system before it is standardised.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -186,10 +187,11 @@ fn bounded(skew: f64, kurtosis: f64) -> Curve {
         }
     };
     let residual = |epsilon: f64| Moments::of(epsilon, share(epsilon)).kurtosis - kurtosis;
-    if smallest >= LARGEST_EPSILON || residual(LARGEST_EPSILON) > 0.0 {
-        return Curve::Ends(about_ends(skew, above_least(skew, kurtosis), smallest));
+    let largest = LARGEST_EPSILON.max(FARTHEST_FROM_LOGNORMAL * smallest);
+    if residual(largest) > 0.0 {
+        return Curve::Ends(about_ends(skew, above_least(skew, kurtosis), largest));
     }
-    let epsilon = root::bracketed(residual, smallest, LARGEST_EPSILON);
+    let epsilon = root::bracketed(residual, smallest, largest);
     let log_odds = share(epsilon);
     let Moments { mean, deviation, .. } = Moments::of(epsilon, log_odds);
     let (share, rest) = shares(log_odds);
@@ -202,21 +204,24 @@ pub fn above_least(skew: f64, kurtosis: f64) -> f64 {
 }
 
 /// S_B about its ends: the step from the skew for each epsilon, and epsilon from kurtosis - skew^2 - 1.
-fn about_ends(skew: f64, above_least: f64, smallest: f64) -> EndsFit {
+fn about_ends(skew: f64, above_least: f64, smallest_epsilon: f64) -> EndsFit {
     let layer = Layer::new();
     let step = |epsilon: f64| {
         let residual = |step: f64| layer.moments(epsilon, step).skew - skew;
         if skew == 0.0 {
-            0.0
-        } else {
-            root::bracketed(residual, 0.0, FARTHEST_STEP)
+            return 0.0;
         }
+        let mut upper = 1.0;
+        while residual(upper) < 0.0 && upper < FARTHEST_STEP {
+            upper *= 1.5;
+        }
+        root::bracketed(residual, 0.0, upper)
     };
     let residual = |log_epsilon: f64| {
         let epsilon = log_epsilon.exp();
         (layer.moments(epsilon, step(epsilon)).above_least / above_least).ln()
     };
-    let (lower, upper) = (smallest.max(LARGEST_EPSILON).ln(), LARGEST_EPSILON_OF_ENDS.ln());
+    let (lower, upper) = (smallest_epsilon.ln(), LARGEST_EPSILON_OF_ENDS.ln());
     let epsilon = root::bracketed(residual, lower, upper).exp();
     let step = step(epsilon);
     let EndMoments { mean, below_head, deviation, .. } = layer.moments(epsilon, step);
@@ -245,26 +250,38 @@ impl Layer {
             let y = 1.0 / (1.0 + (-x).exp());
             (x, y, y / (1.0 + x.exp()))
         };
-        Self((-320..=90).map(node).collect())
+        Self((-320..=90).rev().map(node).collect())
     }
 
     /// The mean of G(y) with G(0) = 0 is the integral of G'(y) dy/dx times the fraction of summits above. What y departs
     /// from 0 or 1 is y (1 - y): with it nothing cancels where nearly all summits lie at the ends.
     fn moments(&self, epsilon: f64, step: f64) -> EndMoments {
-        let [mut mean, mut below_head, mut square, mut bulk, mut bulk_square, mut bulk_first] = [0.0; 6];
+        const SHORT: f64 = 0.0625;
+        const BEYOND: f64 = 12.0;
+        let normal = |u: f64| (-0.5 * u * u).exp() / (2.0 * PI).sqrt();
+        let normal_mass = |from: f64, to: f64| -> f64 {
+            let count = ((to - from) / SHORT).ceil().max(1.0);
+            let at = |i: i32| from + (to - from) * f64::from(i) / count;
+            (0..count as i32).map(|i| integrate_short(at(i), at(i + 1), normal)).sum()
+        };
+        // From the top down, so that all terms of the fraction above are positive.
+        let mut u = step + self.0[0].0 / epsilon;
+        let mut above = normal_mass(u, u + BEYOND);
+        let [mut mean, mut square, mut bulk, mut bulk_square, mut bulk_first] = [0.0; 5];
         for &(x, y, h) in &self.0 {
-            let u = step + x / epsilon;
-            let (above, below) = (0.5 * erfc(u / SQRT_2), 0.5 * erfc(-u / SQRT_2));
-            let density = (-0.5 * u * u).exp() / (epsilon * (2.0 * std::f64::consts::PI).sqrt());
+            let to = step + x / epsilon;
+            above += normal_mass(to, u);
+            u = to;
+            let density = normal(u) / epsilon;
             mean += h * above;
-            below_head += h * below;
             square += 2.0 * y * h * above;
             bulk += h * density;
             bulk_square += h * h * density;
             bulk_first += y * h * density;
         }
-        let scaled = [mean, below_head, square, bulk, bulk_square, bulk_first].map(|sum| Self::STEP * sum);
-        let [mean, below_head, square, bulk, bulk_square, bulk_first] = scaled;
+        let [mean, square, bulk, bulk_square, bulk_first] =
+            [mean, square, bulk, bulk_square, bulk_first].map(|sum| Self::STEP * sum);
+        let below_head = 1.0 - mean;
         let variance = square - mean * mean;
         let covariance = bulk_first - mean * bulk;
         let third = (below_head - mean) * variance - covariance;
