@@ -260,12 +260,6 @@ def sets():
               (1., near(1)), (-1., near(1)), (1., near(1)*(1 + 1e-7)), (1., near(1)*.99), (.6311106578189366, 3.2450893006876368)]
     for i, (S, K) in enumerate(shapes):
         out.append(("johnson %s %s" % (S, K), dict(surface(i), skew=S, kurtosis=K)))
-    edge = [(0., 1.39), (0., 1.2), (0., 1.05), (0., 1.004), (1., 2.5), (1., 2.1), (1., 2.004), (-1., 2.3), (-1., 2.02), (2., 5.8), (2., 5.05),
-            (-2., 6.), (.1, 1.1), (5., 30.), (5., 26.2), (-5., 27.), (20., 420.), (-20., 402.)]
-    for i, (S, K) in enumerate(edge):
-        p = dict(surface(i), skew=S, kurtosis=K)
-        if p["gamma"] > 0: p["epsilon"] = 0.
-        out.append(("johnson %s %s" % (S, K), p))
     def table(name, i, x, f): out.append(("table " + name, dict(surface(i), table_height=[float(v) for v in x], table_density=[float(v) for v in f])))
     bell = lambda x, m, s: math.exp(-(x - m)**2/2/s/s)
     table("of three", 0, [0, 1, 3], [0, 2, 1])
@@ -278,6 +272,12 @@ def sets():
     table("uneven", 7, [-3, -2.9, -1, 0, .01, .5, 2, 2.2, 5], [0, .01, .3, 1, .9, .8, .2, .25, 0])
     table("measured", 8, [12.0 + .7*k for k in range(14)], [R.randrange(1, 40) for k in range(14)])
     table("far from its origin", 9, [1e6 + k for k in range(9)], [0, 1, 4, 9, 12, 8, 5, 2, 1])
+    edge = [(0., 1.39), (0., 1.2), (0., 1.05), (0., 1.004), (1., 2.5), (1., 2.1), (1., 2.004), (-1., 2.3), (-1., 2.02), (2., 5.8), (2., 5.05),
+            (-2., 6.), (.1, 1.1), (5., 30.), (5., 26.2), (-5., 27.), (20., 420.), (-20., 402.)]
+    for i, (S, K) in enumerate(edge):
+        p = dict(surface(i), skew=S, kurtosis=K)
+        if p["gamma"] > 0: p["epsilon"] = 0.
+        out.append(("johnson %s %s" % (S, K), p))
     return out
 
 if __name__ == "__main__":
