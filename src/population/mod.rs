@@ -15,9 +15,10 @@ mod density;
 mod ends;
 mod gauss_legendre;
 mod nodes;
+mod table;
 
 pub use contacts::Contacts;
-pub use gauss_legendre::integrate_short;
+pub use gauss_legendre::{integrate_short, nodes, POINTS};
 
 use crate::asperity::attraction::{self, Attraction, ATTRACTION_LAMBDA_CUBED};
 use crate::asperity::maugis::{Contact, Maugis};
@@ -266,7 +267,8 @@ impl Population {
             lambda_cubed: groups.lambda_cubed(),
             nodes: None,
         };
-        if radius.is_constant() && !matches!(population.heights, Heights::Ends(_)) {
+        // Nodes serve every separation where panels do not depend on the heights.
+        if radius.is_constant() && population.heights.knots().is_empty() {
             population.nodes = Some(Nodes::new(&population));
         }
         population
@@ -628,6 +630,10 @@ impl Population {
             let remaining = direction * (end - here.z);
             if remaining <= 0.0 {
                 return;
+            }
+            if let Some(there) = self.cell(&here, end, sink) {
+                here = there;
+                continue;
             }
             let smooth = smooth_length(here.z);
             let theta_far = self.theta_limit(&here);
