@@ -103,6 +103,8 @@ pub struct Curve {
     panels: Vec<Panel>,
     /// Exact states spent.
     samples: usize,
+    /// Whether panels end at all kinks.
+    resolved: bool,
 }
 
 impl Coordinate {
@@ -134,7 +136,7 @@ impl Curve {
     ) -> Result<Self, Error> {
         let log_pull_off = equilibrium.pull_off().map(|point| (-point.load).ln());
         let force = equilibrium.pull_off().map_or(1.0, |point| point.friction);
-        let mut curve = Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0 };
+        let mut curve = Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0, resolved: true };
         let end = match equilibrium.pull_off() {
             Some(point) => point.separation,
             None => equilibrium.farthest() - population.least_overlap(),
@@ -149,6 +151,7 @@ impl Curve {
         check.push(from);
         let mut kinks = population.kinks();
         let resolvable = kinks.len() <= MOST_KINKS;
+        curve.resolved = resolvable;
         // Where heights end, all that is left of the branch may be as short as adhesion reaches.
         let narrowest_at_end = match population.heights().head().is_finite() {
             true => NARROWEST_AT_END.min(0.01 * population.range_of_adhesion()),
@@ -301,6 +304,11 @@ impl Curve {
             s.map(|s| self.panel(s).log_force_at([s])[0])
         };
         std::array::from_fn(|i| (self.coordinate.force * log_force[i].0.exp(), log_force[i].1 * coordinates[i].1))
+    }
+
+    /// Whether panels end at all kinks; if not, there are too many, and the curve serves to find separations.
+    pub fn is_resolved(&self) -> bool {
+        self.resolved
     }
 
     /// F of an exact state.

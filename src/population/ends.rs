@@ -85,7 +85,10 @@ impl<'a> Walk<'a> {
             smooth(None).min(LOGIT_RATIO * logits)
         } else {
             let beyond = ((clearance - behind) / self.ends.width()).max(f64::MIN_POSITIVE).ln();
-            smooth(Some(self.direction * beyond))
+            // The law is singular at complex heights around that edge as well.
+            let farthest = self.place.raised(self.direction * super::HEIGHT_RATIO * clearance).logit;
+            let in_height = if farthest.is_finite() { self.direction * (farthest - self.place.logit) } else { f64::MAX };
+            smooth(Some(self.direction * beyond)).min(in_height)
         };
         longest.min(by_score)
     }
