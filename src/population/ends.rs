@@ -130,7 +130,9 @@ impl Population {
             let clearance = self.clearance(&here);
             if let Some(next) = walk.beside_end(clearance) {
                 sink.summits(here.z, walk.mass_to(next, log_scale), &here.contact);
-                walk.place = ends.place(next);
+                let place = ends.place(next);
+                here = self.point(&here, walk.place.rise_to(&place), here.contact.theta);
+                walk.place = place;
                 continue;
             }
             let mut there_place = walk.towards(walk.longest_panel(clearance));
@@ -211,7 +213,9 @@ impl Population {
             let clearance = (overlap + law.reach).max(0.0);
             if let Some(next) = walk.beside_end(clearance) {
                 add(&walk.place, overlap, walk.mass_to(next, log_scale));
-                walk.place = ends.place(next);
+                let place = ends.place(next);
+                overlap += walk.place.rise_to(&place);
+                walk.place = place;
                 continue;
             }
             let mut there = walk.towards(walk.longest_panel(clearance));

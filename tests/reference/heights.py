@@ -272,11 +272,13 @@ def sets():
     table("uneven", 7, [-3, -2.9, -1, 0, .01, .5, 2, 2.2, 5], [0, .01, .3, 1, .9, .8, .2, .25, 0])
     table("measured", 8, [12.0 + .7*k for k in range(14)], [R.randrange(1, 40) for k in range(14)])
     table("far from its origin", 9, [1e6 + k for k in range(9)], [0, 1, 4, 9, 12, 8, 5, 2, 1])
-    edge = [(0., 1.39), (0., 1.2), (0., 1.05), (0., 1.004), (1., 2.5), (1., 2.1), (1., 2.004), (-1., 2.3), (-1., 2.02), (2., 5.8), (2., 5.05),
-            (-2., 6.), (.1, 1.1), (5., 30.), (5., 26.2), (-5., 27.), (20., 420.), (-20., 402.)]
+    # next to the edge of the feasible region: with adhesion the roughness is small beside its range, else they part in steps
+    edge = [(0., 1.39), (0., 1.2), (0., 1.05), (1., 2.5), (1., 2.1), (-1., 2.3), (2., 5.8), (2., 5.3), (-2., 6.), (5., 30.), (-5., 28.)]
     for i, (S, K) in enumerate(edge):
-        p = dict(surface(i), skew=S, kurtosis=K)
-        if p["gamma"] > 0: p["epsilon"] = 0.
+        root = math.hypot(S, 2); lower, upper = (S - root)/2, (S + root)/2; p = dict(surface(i), skew=S, kurtosis=K)
+        p["separations"] = [float("%.6g" % (lower + (upper - lower)*q)) for q in (-.4, .003, .3, .97)]
+        if i % 2: p["alpha"], p["beta"], p["gamma"], p["epsilon"] = lu(3e-3, 6e-3), lu(100, 200), lu(2e-3, 4e-3), 0.
+        else: p["gamma"] = 0.
         out.append(("johnson %s %s" % (S, K), p))
     return out
 

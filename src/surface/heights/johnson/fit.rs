@@ -242,7 +242,7 @@ struct EndMoments {
 }
 
 impl Layer {
-    const STEP: f64 = 0.5;
+    const STEP: f64 = 0.375;
 
     fn new() -> Self {
         let node = |j: i32| {
@@ -250,7 +250,7 @@ impl Layer {
             let y = 1.0 / (1.0 + (-x).exp());
             (x, y, y / (1.0 + x.exp()))
         };
-        Self((-320..=90).rev().map(node).collect())
+        Self((-430..=120).rev().map(node).collect())
     }
 
     /// The mean of G(y) with G(0) = 0 is the integral of G'(y) dy/dx times the fraction of summits above. What y departs

@@ -317,7 +317,7 @@ mod tests {
         let mut worst = [0.0_f64; 2];
         for skew in [0.0_f64, 1e-6, -0.1, 1.0, -3.0, 30.0, 1e3, -3e4] {
             let least: f64 = skew * skew + 1.0;
-            for part in [1e-13, 1e-10, 1e-6, 1e-3, 0.02, 0.1, 0.25] {
+            for part in [1e-13, 1e-10, 1e-6, 1e-3, 0.02, 0.1, 0.25, 0.3, 0.35, 0.4, 0.45] {
                 let kurtosis = f64::next_up(least * (1.0 + part));
                 let Heights::Ends(curve) = heights(skew, kurtosis) else { continue };
                 let ([total, mean, second, third], above_least) = moments_about_ends(&curve);
