@@ -326,6 +326,52 @@ fn the_law_of_a_table_is_exact_where_it_answers() {
     }
 }
 
+/// A histogram of so many heights of a skewed surface in equal bins, with the scatter of counts.
+fn histogram(bins: usize, count: f64) -> HeightFamily {
+    let mut random = SplitMix(0x415_706);
+    let density = |z: f64| bell(z) * (1.0 + 0.08 * (z * z * z - 3.0 * z)).max(0.0);
+    let height: Vec<f64> = (0..bins).map(|i| -3.6 + 7.6 * (i as f64 + 0.5) / bins as f64).collect();
+    let counts = height.iter().map(|&z| {
+        let expected = count * density(z) / (2.0 * std::f64::consts::PI).sqrt() * 7.6 / bins as f64;
+        // The sum of 12 uniform numbers is nearly normal.
+        let deviation = (0..12).map(|_| random.between(0.0, 1.0)).sum::<f64>() - 6.0;
+        (expected + expected.sqrt() * deviation).round().max(0.0)
+    });
+    let density: Vec<f64> = counts.collect();
+    table(&height, &density)
+}
+
+#[test]
+fn measured_histograms_of_many_bins_are_compiled() {
+    let mut random = SplitMix(0xb15);
+    for (bins, count, gamma, least) in
+        [(100, 2e4, 0.0, 0.8), (100, 2e4, 0.003, 0.7), (200, 1e5, 0.0, 0.7), (500, 1e5, 0.0, 0.5), (500, 1e6, 0.0, 0.5)]
+    {
+        let model = model(gamma, histogram(bins, count));
+        let summary = model.summary();
+        // From where one summit in 10^4 touches to where all do.
+        let (lightest, heaviest) = (30.0, 1e6);
+        let (mut worst, mut worst_slope, mut answered) = (0.0_f64, 0.0_f64, 0);
+        const COUNT: usize = 150;
+        for i in 0..COUNT {
+            let part = (i as f64 + random.between(0.0, 1.0)) / COUNT as f64;
+            let load = lightest * (heaviest / lightest as f64).powf(part);
+            let exact = model.state_at_load(load).expect("a state");
+            let (force, slope) = model.friction_force_and_slope(load);
+            worst = worst.max((force / exact.friction_force - 1.0).abs());
+            worst_slope = worst_slope.max((slope / exact.dforce_dload - 1.0).abs());
+            answered += usize::from(force != exact.friction_force);
+        }
+        println!(
+            "{bins} bins of {count:e} heights, gamma {gamma}: {answered} of {COUNT} loads from the table, \
+             worst error {worst:.1e}, of slopes {worst_slope:.1e}, table_error {:.1e}",
+            summary.table_error
+        );
+        assert!(worst < 1e-10 && worst_slope < 5e-7, "{bins} bins, gamma {gamma}: {worst:e}, slope {worst_slope:e}");
+        assert!(answered as f64 >= least * COUNT as f64, "{bins} bins, gamma {gamma}: {answered} of {COUNT}");
+    }
+}
+
 #[test]
 fn slopes_are_those_of_secants() {
     let families = [
