@@ -221,7 +221,7 @@ impl Params {
     ///
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`], naming the first offence.
-    pub fn surface(&self) -> Result<(Groups, Heights, RadiusProfile), Error> {
+    pub(crate) fn surface(&self) -> Result<(Groups, Heights, RadiusProfile), Error> {
         positive("composite_modulus", self.composite_modulus)?;
         positive("effective_shear_modulus", self.effective_shear_modulus)?;
         if self.work_of_adhesion.to_bits() << 1 != 0 {

@@ -171,7 +171,7 @@ fn anywhere(random: &mut SplitMix) -> (f64, f64) {
 
 #[test]
 fn the_whole_feasible_region_makes_sound_models() {
-    let mut random = SplitMix(0x0ed6_e5);
+    let mut random = SplitMix(0x000e_d6e5);
     let (mut made, mut answered, mut asked, mut worst) = (0, 0, 0, 0.0_f64);
     for i in 0..80 {
         let (skew, kurtosis) = anywhere(&mut random);
@@ -181,7 +181,8 @@ fn the_whole_feasible_region_makes_sound_models() {
         if random.chance(0.4) {
             (params.radius_amplitude, params.radius_rate) = (random.between(-0.95, 0.95), random.log_between(0.1, 2.0));
         }
-        let name = format!("{i}: skew {skew}, kurtosis {kurtosis:?}, gamma {gamma}, epsilon {}", params.radius_amplitude);
+        let name =
+            format!("{i}: skew {skew}, kurtosis {kurtosis:?}, gamma {gamma}, epsilon {}", params.radius_amplitude);
         let start = std::time::Instant::now();
         let model = match Model::new(&params) {
             Ok(model) => model,
@@ -199,7 +200,8 @@ fn the_whole_feasible_region_makes_sound_models() {
         let mut before: Option<asperity::State> = None;
         const COUNT: usize = 16;
         for j in 0..COUNT {
-            let load = pull_off + nearest * (farthest / nearest).powf((j as f64 + random.between(0.0, 1.0)) / COUNT as f64);
+            let load =
+                pull_off + nearest * (farthest / nearest).powf((j as f64 + random.between(0.0, 1.0)) / COUNT as f64);
             let exact = model.state_at_load(load).unwrap_or_else(|error| panic!("{name}, load {load}: {error}"));
             let (force, slope) = model.friction_force_and_slope(load);
             let error = (force / exact.friction_force - 1.0).abs();
@@ -328,7 +330,7 @@ fn the_law_of_a_table_is_exact_where_it_answers() {
 
 /// A histogram of so many heights of a skewed surface in equal bins, with the scatter of counts.
 fn histogram(bins: usize, count: f64) -> HeightFamily {
-    let mut random = SplitMix(0x415_706);
+    let mut random = SplitMix(0x0041_5706);
     let density = |z: f64| bell(z) * (1.0 + 0.08 * (z * z * z - 3.0 * z)).max(0.0);
     let height: Vec<f64> = (0..bins).map(|i| -3.6 + 7.6 * (i as f64 + 0.5) / bins as f64).collect();
     let counts = height.iter().map(|&z| {
@@ -350,12 +352,12 @@ fn measured_histograms_of_many_bins_are_compiled() {
         let model = model(gamma, histogram(bins, count));
         let summary = model.summary();
         // From where one summit in 10^4 touches to where all do.
-        let (lightest, heaviest) = (30.0, 1e6);
+        let (lightest, heaviest) = (30.0, 1e6_f64);
         let (mut worst, mut worst_slope, mut answered) = (0.0_f64, 0.0_f64, 0);
         const COUNT: usize = 150;
         for i in 0..COUNT {
             let part = (i as f64 + random.between(0.0, 1.0)) / COUNT as f64;
-            let load = lightest * (heaviest / lightest as f64).powf(part);
+            let load = lightest * (heaviest / lightest).powf(part);
             let exact = model.state_at_load(load).expect("a state");
             let (force, slope) = model.friction_force_and_slope(load);
             worst = worst.max((force / exact.friction_force - 1.0).abs());
@@ -398,6 +400,9 @@ fn slopes_are_those_of_secants() {
                         model.state_at_separation((separation + part) * params.height_std).expect("a state")
                     };
                     let (here, step) = (at(0.0), 1e-5);
+                    if here.contacting + here.attracted == 0.0 {
+                        continue; // above the highest summit
+                    }
                     let (above, below) = (at(step), at(-step));
                     let secant = (above.load - below.load) / (above.separation - below.separation);
                     assert!(

@@ -136,7 +136,8 @@ impl Curve {
     ) -> Result<Self, Error> {
         let log_pull_off = equilibrium.pull_off().map(|point| (-point.load).ln());
         let force = equilibrium.pull_off().map_or(1.0, |point| point.friction);
-        let mut curve = Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0, resolved: true };
+        let mut curve =
+            Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0, resolved: true };
         let end = match equilibrium.pull_off() {
             Some(point) => point.separation,
             None => equilibrium.farthest() - population.least_overlap(),

@@ -115,9 +115,8 @@ pub fn fill(
             continue;
         };
         let points = [a, b, c, d, e].map(|state| filling.scales.force * state.force);
-        let slopes: [f64; 5] = std::array::from_fn(|i| {
-            points[i] * [a, b, c, d, e][i].slope * width / (1.0 + (within + PARTS[i]) * width)
-        });
+        let slopes: [f64; 5] =
+            std::array::from_fn(|i| points[i] * [a, b, c, d, e][i].slope * width / (1.0 + (within + PARTS[i]) * width));
         let coefficients = hermite(&points, &slopes);
         let (value, rate) = polynomial(&coefficients, PARTS[COMPARED]);
         let error = (value / points[COMPARED] - 1.0).abs();

@@ -43,12 +43,14 @@ impl<'a> Walk<'a> {
 
     /// The mass on the way from here to a logit, over exp(log_scale).
     fn mass_to(&self, logit: f64, log_scale: f64) -> f64 {
-        let (lower, upper) = (self.place.logit.min(logit).max(self.counted.0), self.place.logit.max(logit).min(self.counted.1));
+        let (lower, upper) =
+            (self.place.logit.min(logit).max(self.counted.0), self.place.logit.max(logit).min(self.counted.1));
         let mut mass = 0.0;
         let mut from = lower;
         while from < upper {
             let to = upper.min(from + self.ends.longest_panel(from, 1.0));
-            mass += gauss_legendre::nodes(from, to).map(|(x, weight)| weight * self.ends.mass(x, log_scale)).sum::<f64>();
+            mass +=
+                gauss_legendre::nodes(from, to).map(|(x, weight)| weight * self.ends.mass(x, log_scale)).sum::<f64>();
             from = to;
         }
         mass
@@ -87,7 +89,8 @@ impl<'a> Walk<'a> {
             let beyond = ((clearance - behind) / self.ends.width()).max(f64::MIN_POSITIVE).ln();
             // The law is singular at complex heights around that edge as well.
             let farthest = self.place.raised(self.direction * super::HEIGHT_RATIO * clearance).logit;
-            let in_height = if farthest.is_finite() { self.direction * (farthest - self.place.logit) } else { f64::MAX };
+            let in_height =
+                if farthest.is_finite() { self.direction * (farthest - self.place.logit) } else { f64::MAX };
             smooth(Some(self.direction * beyond)).min(in_height)
         };
         longest.min(by_score)

@@ -305,7 +305,10 @@ impl Population {
         let Heights::Ends(ends) = &self.heights else { return Vec::new() };
         let foot = ends.ends()[0];
         let attraction = self.attraction.as_ref().map(|law| foot + law.reach);
-        [Some(foot - self.maugis.break_away(self.radius.factor(foot)).overlap), attraction].into_iter().flatten().collect()
+        [Some(foot - self.maugis.break_away(self.radius.factor(foot)).overlap), attraction]
+            .into_iter()
+            .flatten()
+            .collect()
     }
 
     /// The least overlap of which contacts without adhesion are known to enough digits.

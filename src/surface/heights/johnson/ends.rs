@@ -208,7 +208,11 @@ impl Ends {
         // A panel as long as the distance to a pole is good; e^x converges on one of 16.
         let length = |pole: f64| {
             let ahead = (pole - logit) * direction;
-            if ahead > 0.0 { (ahead - 6.0).max(3.0) } else { 3.0 - 2.0 * ahead }
+            if ahead > 0.0 {
+                (ahead - 6.0).max(3.0)
+            } else {
+                3.0 - 2.0 * ahead
+            }
         };
         length(0.0).min(beyond.map_or(16.0, length)).min(16.0)
     }

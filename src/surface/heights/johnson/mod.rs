@@ -327,7 +327,10 @@ mod tests {
                 let excess = above_least / super::above_least(skew, kurtosis) - 1.0;
                 worst = [worst[0].max(error), worst[1].max(excess.abs())];
                 println!("{skew} {part} {errors:?} {excess:e}");
-                assert!(error < 1e-12 && excess.abs() < 1e-9, "skew {skew}, kurtosis {kurtosis}: {errors:?}, {excess:e} of {curve:?}");
+                assert!(
+                    error < 1e-12 && excess.abs() < 1e-9,
+                    "skew {skew}, kurtosis {kurtosis}: {errors:?}, {excess:e} of {curve:?}"
+                );
             }
         }
         println!("worst {worst:?}");
@@ -339,8 +342,7 @@ mod tests {
         for skew in [-20.0, -5.0, -2.0, -1.0, -0.1, -1e-4, 0.0, 1e-9, 1e-3, 0.3, 1.0, 3.0, 8.0, 25.0] {
             let smallest = 1.4 + 1.3 * skew * skew;
             let lognormal = 3.0 + fit::excess_of_lognormal(skew);
-            let mut kurtoses =
-                vec![smallest, 1000.0, lognormal, lognormal.next_down(), lognormal.next_up(), 3.0];
+            let mut kurtoses = vec![smallest, 1000.0, lognormal, lognormal.next_down(), lognormal.next_up(), 3.0];
             for part in [1e-12, 1e-6, 1e-3, 0.1, 0.5, 0.9] {
                 kurtoses.push(smallest + (lognormal - smallest) * part);
                 kurtoses.push(lognormal - (lognormal - smallest) * part);
