@@ -20,6 +20,8 @@ const WIDEST_SCAN: f64 = 0.25;
 const FINEST_SCAN: f64 = 0.02;
 /// ...where heights end, up to this far from where nothing touches or attracts any more, relative to it.
 const NEAREST_TO_END: f64 = 1e-9;
+/// ...no farther out than this many ranges of adhesion.
+const FARTHEST_SCAN: f64 = 1e12;
 /// A pull-off load smaller than exp of this cannot be told from none.
 const SMALLEST_LOG_LOAD: f64 = -640.0;
 /// Below this part of the pull-off load, load minus pull-off load is integrated from the slope: the difference of
@@ -57,11 +59,15 @@ impl Equilibrium {
         if !population.is_adhesive() {
             return Ok(Self { pull_off: None, farthest: population.farthest() });
         }
-        let bracket = if population.has_single_minimum() {
+        let scanned = if population.has_single_minimum() {
             bracket_first_minimum(population)
         } else {
             // Many states are looked at for a sign.
             bracket_first_minimum(&population.roughly()).map(|bracket| about(population, bracket))
+        };
+        let bracket = match (scanned, bracket_at_foot(population)) {
+            (Some(scanned), Some(at_foot)) => Some(if at_foot.0 < scanned.0 { at_foot } else { scanned }),
+            (scanned, at_foot) => scanned.or(at_foot),
         };
         match bracket {
             Some(bracket) => Self::within(population, bracket),
@@ -99,7 +105,8 @@ impl Equilibrium {
             let sums = population.at_separation(separation);
             sums.load_slope * (sums.log_scale - scale).min(600.0).exp()
         };
-        let separation = root::bracketed(slope, lower, upper);
+        // A load that falls on both sides rises in a jump between.
+        let separation = if slope(upper) < 0.0 { lower } else { root::bracketed(slope, lower, upper) };
         let sums = population.at_separation(separation);
         if sums.load() >= 0.0 {
             return Err(Error::OutOfRange {
@@ -248,6 +255,8 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
         (0.5 * population.range_of_adhesion()).clamp(FINEST_SCAN, WIDEST_SCAN)
     };
     step = scan_step;
+    // In a tail so heavy that the load falls that far out, separations no longer resolve what adhesion does.
+    let farthest = if single { farthest } else { farthest.min(FARTHEST_SCAN * population.range_of_adhesion()) };
     // Beyond where nothing touches or attracts any more there is no slope to be seen.
     let ends = population.heights().head().is_finite();
     while here < farthest {
@@ -273,6 +282,28 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
         step = if single { 1.5 * step } else { scan_step.max(0.1 * here) };
     }
     None
+}
+
+/// Two separations between which the load has a minimum because many summits that gather at the foot part at once: next to
+/// where they lose contact or attraction, nearer than a scan looks.
+fn bracket_at_foot(population: &Population) -> Option<(f64, f64)> {
+    const NEAREST: i32 = 15;
+    let scale = population.heights().head() - population.heights().foot();
+    let offsets = (1..=NEAREST).map(|k| -0.1_f64.powi(k)).chain((1..=NEAREST).rev().map(|k| 0.1_f64.powi(k)));
+    let first_minimum = |parting: f64| {
+        let mut before: Option<(f64, f64)> = None;
+        for separation in offsets.clone().map(|offset| parting + scale * offset) {
+            let sums = population.at_separation(separation).unscaled();
+            let rises = sums.load_slope >= 0.0;
+            match before {
+                None if rises => return None,
+                Some((nearer, load)) if rises || sums.load() >= load => return Some((nearer, separation)),
+                _ => before = Some((separation, sums.load())),
+            }
+        }
+        None
+    };
+    population.partings().into_iter().find_map(first_minimum)
 }
 
 /// A separation past the minimum at which something is left, where a step led from a falling load to nothing; `None` if

@@ -213,6 +213,13 @@ impl Maugis {
         contact
     }
 
+    /// Without adhesion, smaller overlaps have lost digits: so near to pi/2 theta has no more.
+    pub fn least_overlap(&self) -> f64 {
+        const LEAST_COS: f64 = 1e-5;
+        let annulus_squared = 2.0 / (PI * self.bracket_2);
+        LEAST_COS * LEAST_COS * annulus_squared * self.overlap_hertz
+    }
+
     /// A starting theta for [`Maugis::at_overlap`]: eq (4) for heavy load, with Hertz' radius.
     pub fn guess(&self, overlap: f64, g: f64) -> f64 {
         let hertz_radius_squared = overlap.max(1e-100) / self.overlap_hertz; // over g

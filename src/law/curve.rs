@@ -36,8 +36,10 @@ const MOST_SAMPLES: usize = 800;
 /// Panels end where a table of heights gives the curve a kink. Between more kinks than these hardly a row of the law would
 /// be smooth: the curve then serves to find separations, and loads are evaluated exactly.
 const MOST_KINKS: usize = 240;
-/// What lies between kinks nearer to each other than this, in sigma, is left out: no row would fit in.
+/// What lies between kinks nearer to each other than this, in sigma, or than this part of what is left of the branch, is left
+/// out: no row would fit in.
 const NEAREST_KINKS: f64 = 0.01;
+const NEAREST_PART: f64 = 0.02;
 /// The narrowest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved (a
 /// height density whose foot passes the edge of contact, say) is evaluated exactly.
 const NARROWEST: f64 = 0.05;
@@ -101,6 +103,8 @@ pub struct Curve {
     panels: Vec<Panel>,
     /// Exact states spent.
     samples: usize,
+    /// Whether panels end at all kinks.
+    resolved: bool,
 }
 
 impl Coordinate {
@@ -132,8 +136,12 @@ impl Curve {
     ) -> Result<Self, Error> {
         let log_pull_off = equilibrium.pull_off().map(|point| (-point.load).ln());
         let force = equilibrium.pull_off().map_or(1.0, |point| point.friction);
-        let mut curve = Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0 };
-        let end = equilibrium.farthest();
+        let mut curve =
+            Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0, resolved: true };
+        let end = match equilibrium.pull_off() {
+            Some(point) => point.separation,
+            None => equilibrium.farthest() - population.least_overlap(),
+        };
         let closest = CLOSEST - population.heights().origin();
         let mut from = curve.sample(population, equilibrium, closest.min(end - 10.0))?;
         // Adhesion that is strong beside the roughness: on to loads well above pull-off.
@@ -144,6 +152,12 @@ impl Curve {
         check.push(from);
         let mut kinks = population.kinks();
         let resolvable = kinks.len() <= MOST_KINKS;
+        curve.resolved = resolvable;
+        // Where heights end, all that is left of the branch may be as short as adhesion reaches.
+        let narrowest_at_end = match population.heights().head().is_finite() {
+            true => NARROWEST_AT_END.min(0.01 * population.range_of_adhesion()),
+            false => NARROWEST_AT_END,
+        };
         if !resolvable {
             kinks.clear();
         }
@@ -156,8 +170,8 @@ impl Curve {
             let remaining = end - from.separation;
             let (part, shortest) = match log_pull_off {
                 None => (MOST_OF_THE_REST, 0.0),
-                Some(_) if from.s <= LONGEST_LAST => (1.0, NARROWEST_AT_END),
-                Some(_) => (PART_OF_THE_WAY, NARROWEST_AT_END),
+                Some(_) if from.s <= LONGEST_LAST => (1.0, narrowest_at_end),
+                Some(_) => (PART_OF_THE_WAY, narrowest_at_end),
             };
             let narrowest = (0.2 * remaining).clamp(shortest, NARROWEST);
             let mut length = (part * remaining)
@@ -166,7 +180,7 @@ impl Curve {
                 .min(WIDEST.max(WIDEST_PART * from.separation.abs()));
             let mut to = if length < remaining { from.separation + length } else { end };
             if let Some(&kink) = kinks.get(kinks.partition_point(|&kink| kink <= from.separation)) {
-                if kink - from.separation < NEAREST_KINKS && kink < end {
+                if kink - from.separation < NEAREST_KINKS.min(NEAREST_PART * remaining) && kink < end {
                     let next = curve.sample(population, equilibrium, kink)?;
                     curve.panels.push(Panel::gap(&from, &next));
                     curve.samples += 1;
@@ -293,6 +307,11 @@ impl Curve {
             s.map(|s| self.panel(s).log_force_at([s])[0])
         };
         std::array::from_fn(|i| (self.coordinate.force * log_force[i].0.exp(), log_force[i].1 * coordinates[i].1))
+    }
+
+    /// Whether panels end at all kinks; if not, there are too many, and the curve serves to find separations.
+    pub fn is_resolved(&self) -> bool {
+        self.resolved
     }
 
     /// F of an exact state.

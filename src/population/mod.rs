@@ -12,11 +12,13 @@
 mod break_edges;
 mod contacts;
 mod density;
+mod ends;
 mod gauss_legendre;
 mod nodes;
+mod table;
 
 pub use contacts::Contacts;
-pub use gauss_legendre::integrate_short;
+pub use gauss_legendre::{integrate_short, nodes, POINTS};
 
 use crate::asperity::attraction::{self, Attraction, ATTRACTION_LAMBDA_CUBED};
 use crate::asperity::maugis::{Contact, Maugis};
@@ -219,6 +221,8 @@ trait Sink {
     fn panel(&mut self, _from: &Point, _to: &Point, _by_height: bool) {}
     /// A node: its height, its weight without the density, and the contact there.
     fn node(&mut self, z: f64, weight: f64, contact: &Contact);
+    /// So many summits at a height, and the contact there.
+    fn summits(&mut self, _z: f64, _mass: f64, _contact: &Contact) {}
 }
 
 /// Sums the nodes, weighted with the density of heights.
@@ -236,6 +240,10 @@ impl Sink for Summing<'_> {
     fn node(&mut self, z: f64, weight: f64, contact: &Contact) {
         let density = self.density.at(z, contact.overlap);
         self.sums.add_contact(weight * density, &self.population.summit(contact));
+    }
+
+    fn summits(&mut self, _z: f64, mass: f64, contact: &Contact) {
+        self.sums.add_contact(mass, &self.population.summit(contact));
     }
 }
 
@@ -265,7 +273,8 @@ impl Population {
             nodes: None,
             fineness: 1.0,
         };
-        if radius.is_constant() {
+        // Nodes serve every separation where panels do not depend on the heights.
+        if radius.is_constant() && population.heights.knots().is_empty() {
             population.nodes = Some(Nodes::new(&population));
         }
         population
@@ -300,6 +309,22 @@ impl Population {
     /// A separation beyond which nothing touches or attracts, in any number that can be represented.
     pub fn farthest(&self) -> f64 {
         self.heights.far_tail() + self.attraction.as_ref().map_or(0.0, |a| a.reach) - self.edges.deepest()
+    }
+
+    /// The separations at which summits that gather at the foot of the heights lose contact and attraction.
+    pub fn partings(&self) -> Vec<f64> {
+        let Heights::Ends(ends) = &self.heights else { return Vec::new() };
+        let foot = ends.ends()[0];
+        let attraction = self.attraction.as_ref().map(|law| foot + law.reach);
+        [Some(foot - self.maugis.break_away(self.radius.factor(foot)).overlap), attraction]
+            .into_iter()
+            .flatten()
+            .collect()
+    }
+
+    /// The least overlap of which contacts without adhesion are known to enough digits.
+    pub fn least_overlap(&self) -> f64 {
+        self.maugis.least_overlap()
     }
 
     /// The separations at which a height where the density has a kink passes an overlap where the law of one summit has
@@ -470,6 +495,17 @@ impl Population {
             Some(edge) if edge.z == lower => self.edge_point(edge),
             _ => self.point_cold(separation, lower),
         };
+        if let Heights::Ends(ends) = &self.heights {
+            match upper_edge {
+                Some(edge) if edge.z == upper => {
+                    let middle = 0.5 * (lower + upper);
+                    self.walk_between_ends(ends, start, middle, sink);
+                    self.walk_between_ends(ends, self.edge_point(edge), middle, sink);
+                }
+                _ => self.walk_between_ends(ends, start, upper, sink),
+            }
+            return;
+        }
         match upper_edge {
             // A second edge above, where a falling radius lets tall summits break first: from both ends.
             Some(edge) if edge.z == upper => {
@@ -621,6 +657,10 @@ impl Population {
             let remaining = direction * (end - here.z);
             if remaining <= 0.0 {
                 return;
+            }
+            if let Some(there) = self.cell(&here, end, sink) {
+                here = there;
+                continue;
             }
             let smooth = smooth_length(here.z);
             let theta_far = self.theta_limit(&here);
@@ -801,6 +841,13 @@ impl Population {
             let g = self.radius.factor(lower);
             sums.load_slope -= density.at(lower, -law.reach) * law.at(law.circle(-law.reach, g), g).load;
         }
+        let mut z = lower;
+        let mut overlap = if lower == separation - law.reach { -law.reach } else { lower - separation };
+        if let Heights::Ends(ends) = &self.heights {
+            let log_scale = sums.log_scale;
+            let add = |mass, summit: Summit| sums.add_attraction(mass, &summit);
+            return self.attracted_between_ends(ends, law, (lower, overlap), upper, log_scale, add);
+        }
         let mut sink = |z: f64, overlap: f64, weight: f64| {
             let g = self.radius.factor(z);
             let attracted = law.at(law.circle(overlap, g), g);
@@ -808,8 +855,6 @@ impl Population {
                 Summit { load: attracted.load, load_by_overlap: attracted.load_by_overlap, ..Summit::default() };
             sums.add_attraction(weight * density.at(z, overlap), &summit);
         };
-        let mut z = lower;
-        let mut overlap = if lower == separation - law.reach { -law.reach } else { lower - separation };
         if let Some(panel) = self.foot_panel(z, upper, || overlap + law.reach) {
             for (v, w) in gauss_legendre::nodes(0.0, 1.0) {
                 let (rise, rate) = panel.at(v);

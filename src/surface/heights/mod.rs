@@ -8,7 +8,7 @@ pub mod johnson;
 pub mod tabulated;
 pub mod weibull;
 
-use johnson::Johnson;
+use johnson::{ends::Ends, Johnson};
 use tabulated::Tabulated;
 use weibull::Weibull;
 
@@ -37,6 +37,8 @@ pub enum Heights {
     Weibull(Box<Weibull>),
     /// Johnson's system.
     Johnson(Box<Johnson>),
+    /// The part of it next to its edge, where summits gather at two heights.
+    Ends(Box<Ends>),
     /// A measured density.
     Tabulated(Box<Tabulated>),
 }
@@ -47,6 +49,7 @@ impl Heights {
         match self {
             Heights::Gaussian | Heights::Weibull(_) => 0.0,
             Heights::Johnson(johnson) => johnson.origin(),
+            Heights::Ends(ends) => ends.origin(),
             Heights::Tabulated(table) => table.origin(),
         }
     }
@@ -67,6 +70,7 @@ impl Heights {
                 }
             }
             Heights::Johnson(johnson) => johnson.log_density(z),
+            Heights::Ends(ends) => ends.log_density(z),
             Heights::Tabulated(table) => table.density(z).ln(),
         }
     }
@@ -88,6 +92,7 @@ impl Heights {
             Heights::Gaussian => f64::NEG_INFINITY,
             Heights::Weibull(weibull) => -weibull.mean(),
             Heights::Johnson(johnson) => johnson.support().0,
+            Heights::Ends(ends) => ends.ends()[0],
             Heights::Tabulated(table) => table.support().0,
         }
     }
@@ -97,6 +102,7 @@ impl Heights {
         match self {
             Heights::Gaussian | Heights::Weibull(_) => f64::INFINITY,
             Heights::Johnson(johnson) => johnson.support().1,
+            Heights::Ends(ends) => ends.ends()[1],
             Heights::Tabulated(table) => table.support().1,
         }
     }
@@ -104,8 +110,16 @@ impl Heights {
     /// The exponent p of phi ~ (z - foot)^p at the foot, where it is a power.
     pub fn power_at_foot(&self) -> Option<f64> {
         match self {
-            Heights::Gaussian | Heights::Johnson(_) | Heights::Tabulated(_) => None,
+            Heights::Gaussian | Heights::Johnson(_) | Heights::Ends(_) | Heights::Tabulated(_) => None,
             Heights::Weibull(weibull) => Some(weibull.shape() - 1.0),
+        }
+    }
+
+    /// What densities are taken relative to where this height is the reference: ln phi there, but for a spike.
+    pub fn log_scale(&self, z: f64) -> f64 {
+        match self {
+            Heights::Ends(ends) => ends.log_scale(z),
+            _ => self.log_density(z),
         }
     }
 
@@ -130,10 +144,7 @@ impl Heights {
                 (if is_foot { lower } else { lower.max(lowest) }, upper.min(highest))
             }
             Heights::Johnson(johnson) => johnson.worth_summing(lower, upper, NEGLIGIBLE),
-            Heights::Tabulated(table) => {
-                let (foot, head) = table.support();
-                (lower.max(foot), upper.min(head))
-            }
+            Heights::Ends(_) | Heights::Tabulated(_) => (lower.max(self.foot()), upper.min(self.head())),
         }
     }
 
@@ -143,6 +154,7 @@ impl Heights {
             Heights::Gaussian => -self.far_tail(),
             Heights::Weibull(weibull) => -weibull.mean(),
             Heights::Johnson(johnson) => johnson.height(-(-2.0 * UNDERFLOW).sqrt()),
+            Heights::Ends(ends) => ends.ends()[0],
             Heights::Tabulated(table) => table.support().0,
         }
     }
@@ -153,6 +165,7 @@ impl Heights {
             Heights::Gaussian => (-2.0 * UNDERFLOW).sqrt(),
             Heights::Weibull(weibull) => weibull.height_of_hazard(-UNDERFLOW),
             Heights::Johnson(johnson) => johnson.height((-2.0 * UNDERFLOW).sqrt()),
+            Heights::Ends(ends) => ends.ends()[1],
             Heights::Tabulated(table) => table.support().1,
         }
     }
@@ -166,6 +179,7 @@ impl Heights {
                 start.max(if shape > 1.0 { weibull.height_of_hazard(1.0 - 1.0 / shape) } else { -weibull.mean() })
             }
             Heights::Johnson(johnson) => johnson.peak_above(start),
+            Heights::Ends(ends) => ends.peak_above(start),
             Heights::Tabulated(table) => table.peak_above(start),
         }
     }
@@ -179,6 +193,7 @@ impl Heights {
     pub fn knots(&self) -> &[f64] {
         match self {
             Heights::Tabulated(table) => table.knots(),
+            Heights::Ends(ends) => ends.ends(),
             _ => &[],
         }
     }
@@ -189,6 +204,8 @@ impl Heights {
         match self {
             Heights::Johnson(johnson) => return johnson.smooth_length(z),
             Heights::Tabulated(table) => return table.smooth_length(z),
+            // Panels in another variable.
+            Heights::Ends(_) => return f64::MAX,
             Heights::Gaussian => {
                 while length > SHORTEST_PANEL && self.roughness(z, z + length, log_scale) > 1.0 {
                     length *= 0.75;
@@ -207,15 +224,6 @@ impl Heights {
             }
         }
         length
-    }
-
-    /// No panel that reaches down from z need be tried that is longer than this.
-    pub fn longest_below(&self, z: f64) -> f64 {
-        match self {
-            Heights::Gaussian | Heights::Weibull(_) => 1.0,
-            Heights::Johnson(johnson) => johnson.smooth_length(z).max(1.0),
-            Heights::Tabulated(table) => table.smooth_length_below(z),
-        }
     }
 
     /// How much the density changes from one height to another, in such a sum; up to 1 one quadrature panel may reach
@@ -261,6 +269,7 @@ impl Heights {
             Heights::Gaussian => 0.0,
             Heights::Weibull(weibull) => weibull.skew(),
             Heights::Johnson(johnson) => johnson.skew(),
+            Heights::Ends(ends) => ends.skew(),
             Heights::Tabulated(table) => table.skew(),
         }
     }
@@ -271,6 +280,7 @@ impl Heights {
             Heights::Gaussian => 3.0,
             Heights::Weibull(weibull) => weibull.kurtosis(),
             Heights::Johnson(johnson) => johnson.kurtosis(),
+            Heights::Ends(ends) => ends.kurtosis(),
             Heights::Tabulated(table) => table.kurtosis(),
         }
     }
