@@ -87,11 +87,11 @@ impl Equilibrium {
     }
 
     fn within(population: &Population, (lower, upper): (f64, f64)) -> Result<Self, Error> {
-        // The slope in one scale, so that interpolation makes sense.
+        // The slope in one scale, so that interpolation makes sense; of what is far below it, the sign.
         let scale = population.at_separation(lower).log_scale;
         let slope = |separation: f64| {
             let sums = population.at_separation(separation);
-            sums.load_slope * (sums.log_scale - scale).min(600.0).exp()
+            sums.load_slope * (sums.log_scale - scale).clamp(-600.0, 600.0).exp()
         };
         let separation = root::bracketed(slope, lower, upper);
         let sums = population.at_separation(separation);

@@ -38,6 +38,35 @@ fn a_load_next_to_pull_off_is_that_of_its_separation() {
     }
 }
 
+/// Contact of the highest summits alone, within the rounding of their height, was summed beyond that height.
+#[test]
+fn the_tip_of_the_highest_summit_carries_the_lightest_loads() {
+    let (height, density) = ([-2.0, -1.0, 1.0, 2.0], [1e-3, 2.0, 2.0, 1e-3]);
+    let params = Params {
+        heights: HeightFamily::Tabulated { height: height.to_vec().into(), density: density.to_vec().into() },
+        ..surface(0.0954, 20.76, 0.0, 5.75, 1.0)
+    };
+    let model = Model::new(&params).expect("a model");
+    let unit = params.composite_modulus * params.burgers_vector.powi(2) * params.asperity_count;
+    // Where the density is even, load goes with the overlap to the power of 5/2, area to that of 2.
+    let friction = |part: f64| model.friction_force_at_load(part * unit);
+    for part in [1e-30, 1e-32, 1e-34, 1e-36, 1e-38] {
+        let ratio = friction(part) / friction(part * 1e-5);
+        assert!((ratio * 1e-4 - 1.0).abs() < 1e-5, "from {part:e} of the units: {ratio:e}");
+    }
+}
+
+/// The slope underflowed on the far side of the bracket, and the search ended where the load was still positive.
+#[test]
+fn a_pull_off_load_that_is_no_number_is_none() {
+    let params = Params { attraction: true, ..surface(2.34e-2, 3.159e5, 1.4726e-4, 0.08055, 128.0) };
+    let model = Model::new(&params).expect("a model");
+    assert_eq!(model.summary().pull_off_load, 0.0);
+    let state = model.state_at_separation(4.0 * params.height_std).expect("a state");
+    let exact = model.state_at_load(state.load).expect("a state");
+    assert!((exact.friction_force / state.friction_force - 1.0).abs() < 1e-11, "{exact:?}, {state:?}");
+}
+
 /// The search stepped over the first minimum to a later one, where radii fall steeply with height.
 #[test]
 fn the_branch_ends_at_the_first_minimum_of_the_load() {

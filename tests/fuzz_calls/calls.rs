@@ -20,8 +20,11 @@ const LOAD_ERROR: f64 = 1e-11;
 /// How far a slope may be from the secant over 2e-4 of load - pull-off, relative to F/(load - pull-off): two errors of
 /// the law, and what the secant is off by where radii change steeply with height.
 const SECANT: f64 = 1e-5;
-/// Lighter loads, in the same unit or the caller's, may have no friction left.
-const LIGHTEST: f64 = 1e-90;
+/// Lighter loads, in the same unit or the caller's, may have no friction left: contact is then so small beside the circle
+/// of attraction that the angle of the contact law tells it from none no more.
+const LIGHTEST: f64 = 1e-60;
+/// In that unit: lighter ones have fewer digits where heights end, for the same reason.
+const LIGHTEST_OF_ALL_DIGITS: f64 = 1e-30;
 /// What outputs hold before a call.
 const BEFORE: f64 = -7.25;
 
@@ -130,6 +133,11 @@ impl Model {
         // SAFETY: the model lives.
         let force = unsafe { asperity_friction_force_and_slope_at_load(self.handle.0, load, &mut slope) };
         slope.min(1e300) * LOAD_ERROR * load.abs().max(-self.summary.pull_off_load) / force
+    }
+
+    /// Whether heights may end at one.
+    fn has_highest_summit(&self) -> bool {
+        self.params.height_distribution >= 2
     }
 
     fn is_within_range(&self, load: f64) -> bool {
@@ -266,9 +274,8 @@ impl<'a> Calls<'a> {
             assert_eq!([force, mu, slope, mu_slope], [0.0; 4], "{}", what());
         } else if model.is_within_range(load) {
             assert!(is_finite(force) && force >= 0.0 && slope >= 0.0, "{}", what());
-            // Nothing is left at zero load without adhesion; and loads so light that but the very tip of the highest
-            // summit touches may leave nothing that is a number.
-            assert!(force > 0.0 || load <= LIGHTEST * model.unit_load().min(1.0), "{}", what());
+            // Nothing is left at zero load without adhesion, nor of the very tip of a highest summit.
+            assert!(force > 0.0 || load <= LIGHTEST * model.unit_load().max(1.0), "{}", what());
             assert!(slope.is_finite() || load == pull_off, "{}", what());
             assert!(!mu_slope.is_nan() && mu >= 0.0 && mu <= cap, "{}", what());
             let close = |a: f64, b: f64| (a - b).abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs());
@@ -417,8 +424,10 @@ impl<'a> Calls<'a> {
     pub fn order(&mut self, model: &Model, one: f64, other: f64) {
         let pull_off = model.summary.pull_off_load;
         // Loads that are hardly numbers have hardly an order.
+        let lightest = if model.has_highest_summit() { LIGHTEST_OF_ALL_DIGITS * model.unit_load() } else { 0.0 };
+        let lightest = lightest.max(1e-290);
         let on_branch =
-            |load: f64| model.is_within_range(load) && load >= pull_off && (load == 0.0 || load.abs() > 1e-290);
+            |load: f64| model.is_within_range(load) && load >= pull_off && (load == 0.0 || load.abs() > lightest);
         if !on_branch(one) || !on_branch(other) {
             return;
         }
