@@ -27,6 +27,9 @@ pub struct asperity_params {
     pub table_length: u64,
 }
 
+// SAFETY: the table that it leads to is static.
+unsafe impl Send for asperity_params {}
+
 /// The exact state of the header, field by field in `values`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
