@@ -1,6 +1,10 @@
 //! What fuzzing and the sweep over the box of parameters found, each kept as a case.
 
+mod processor_time;
+
 use asperity::{HeightFamily, Model, Params};
+use processor_time::processor_time;
+use std::time::Duration;
 
 fn surface(alpha: f64, beta: f64, gamma: f64, b_over_h: f64, shape: f64) -> Params {
     let mut params = Params::default();
@@ -65,6 +69,22 @@ fn a_pull_off_load_that_is_no_number_is_none() {
     let state = model.state_at_separation(4.0 * params.height_std).expect("a state");
     let exact = model.state_at_load(state.load).expect("a state");
     assert!((exact.friction_force / state.friction_force - 1.0).abs() < 1e-11, "{exact:?}, {state:?}");
+}
+
+/// Where radii fall with height, sums go down from where contact ends; they did so in steps of one sigma over a thousand.
+#[test]
+fn heights_with_a_long_lower_tail_take_no_longer_than_others() {
+    let params = Params {
+        heights: HeightFamily::Johnson { skew: -0.33831787109375, kurtosis: 13.284959342760148 },
+        attraction: true,
+        radius_amplitude: -1.0,
+        radius_rate: 16.294315938765745,
+        ..surface(2.0541023068e-4, 14.6071685326, 0.115624353223, 8.45309277181, 1.0)
+    };
+    let start = processor_time();
+    let model = Model::new(&params).expect("a model");
+    let took = processor_time() - start;
+    assert!(took < Duration::from_millis(500) || cfg!(debug_assertions), "{took:?}, {:?}", model.summary());
 }
 
 /// The search stepped over the first minimum to a later one, where radii fall steeply with height.

@@ -551,7 +551,7 @@ impl Population {
             return above(z);
         }
         // Going down, what lies below is nearer: the distance that z would allow going up, less itself.
-        let mut length = 1.0_f64;
+        let mut length = self.heights.longest_below(z);
         for _ in 0..60 {
             if above(z - length) >= length {
                 break;
