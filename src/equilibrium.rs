@@ -26,6 +26,9 @@ const SMALLEST_LOG_LOAD: f64 = -640.0;
 /// the two loads would have lost too many digits.
 const NEAR_PULL_OFF: f64 = 1e-4;
 
+/// The lightest loads of a highest summit are found by halving the distance from it, hundreds of times.
+const MOST_STEPS: u32 = 1000;
+
 /// How well a load next to the pull-off load is known, relative to it.
 const LOAD_ROUNDING: f64 = 2e-11;
 
@@ -187,7 +190,7 @@ impl Equilibrium {
             }
         }
         let mut last_step = f64::MAX;
-        for _ in 0..200 {
+        for _ in 0..MOST_STEPS {
             let (log_excess, slope, sums) = here;
             let residual = log_excess - target;
             if residual >= 0.0 {

@@ -42,7 +42,8 @@ fn a_load_next_to_pull_off_is_that_of_its_separation() {
     }
 }
 
-/// Contact of the highest summits alone, within the rounding of their height, was summed beyond that height.
+/// Contact of the highest summits alone was summed beyond their height, or to the few digits that theta has of its
+/// distance from pi/2.
 #[test]
 fn the_tip_of_the_highest_summit_carries_the_lightest_loads() {
     let (height, density) = ([-2.0, -1.0, 1.0, 2.0], [1e-3, 2.0, 2.0, 1e-3]);
@@ -53,10 +54,10 @@ fn the_tip_of_the_highest_summit_carries_the_lightest_loads() {
     let model = Model::new(&params).expect("a model");
     let unit = params.composite_modulus * params.burgers_vector.powi(2) * params.asperity_count;
     // Where the density is even, load goes with the overlap to the power of 5/2, area to that of 2.
-    let friction = |part: f64| model.friction_force_at_load(part * unit);
-    for part in [1e-30, 1e-32, 1e-34, 1e-36, 1e-38] {
-        let ratio = friction(part) / friction(part * 1e-5);
-        assert!((ratio * 1e-4 - 1.0).abs() < 1e-5, "from {part:e} of the units: {ratio:e}");
+    for power in (-250..=-45).step_by(5) {
+        let friction = |power: i32| model.friction_force_at_load(10f64.powi(power) * unit);
+        let ratio = friction(power) / friction(power - 5);
+        assert!((ratio * 1e-4 - 1.0).abs() < 1e-12, "from 1e{power} of the units: {ratio:e}");
     }
 }
 

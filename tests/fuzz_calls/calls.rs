@@ -20,11 +20,8 @@ const LOAD_ERROR: f64 = 1e-11;
 /// How far a slope may be from the secant over 2e-4 of load - pull-off, relative to F/(load - pull-off): two errors of
 /// the law, and what the secant is off by where radii change steeply with height.
 const SECANT: f64 = 1e-5;
-/// Lighter loads, in the same unit or the caller's, may have no friction left: contact is then so small beside the circle
-/// of attraction that the angle of the contact law tells it from none no more.
-const LIGHTEST: f64 = 1e-60;
-/// In that unit: lighter ones have fewer digits where heights end, for the same reason.
-const LIGHTEST_OF_ALL_DIGITS: f64 = 1e-30;
+/// Lighter loads, in the same unit or the caller's, may have no friction that is a number.
+const LIGHTEST: f64 = 1e-250;
 /// What outputs hold before a call.
 const BEFORE: f64 = -7.25;
 
@@ -135,11 +132,6 @@ impl Model {
         slope.min(1e300) * LOAD_ERROR * load.abs().max(-self.summary.pull_off_load) / force
     }
 
-    /// Whether heights may end at one.
-    fn has_highest_summit(&self) -> bool {
-        self.params.height_distribution >= 2
-    }
-
     fn is_within_range(&self, load: f64) -> bool {
         is_finite(load) && load <= HEAVIEST * self.unit_load()
     }
@@ -228,7 +220,7 @@ impl<'a> Calls<'a> {
             return Some(model);
         }
         *self.tally.refused.entry(status).or_default() += 1;
-        self.documented(status, &[INVALID_PARAMETER, OUT_OF_RANGE, NOT_CONVERGED], &|| format!("create {params:?}"));
+        self.documented(status, refusals(params), &|| format!("create {params:?}"));
         assert_eq!(model, untouched, "{params:?}: refused, yet *model is written");
         None
     }
@@ -274,7 +266,7 @@ impl<'a> Calls<'a> {
             assert_eq!([force, mu, slope, mu_slope], [0.0; 4], "{}", what());
         } else if model.is_within_range(load) {
             assert!(is_finite(force) && force >= 0.0 && slope >= 0.0, "{}", what());
-            // Nothing is left at zero load without adhesion, nor of the very tip of a highest summit.
+            // Nothing is left at zero load without adhesion.
             assert!(force > 0.0 || load <= LIGHTEST * model.unit_load().max(1.0), "{}", what());
             assert!(slope.is_finite() || load == pull_off, "{}", what());
             assert!(!mu_slope.is_nan() && mu >= 0.0 && mu <= cap, "{}", what());
@@ -424,10 +416,8 @@ impl<'a> Calls<'a> {
     pub fn order(&mut self, model: &Model, one: f64, other: f64) {
         let pull_off = model.summary.pull_off_load;
         // Loads that are hardly numbers have hardly an order.
-        let lightest = if model.has_highest_summit() { LIGHTEST_OF_ALL_DIGITS * model.unit_load() } else { 0.0 };
-        let lightest = lightest.max(1e-290);
         let on_branch =
-            |load: f64| model.is_within_range(load) && load >= pull_off && (load == 0.0 || load.abs() > lightest);
+            |load: f64| model.is_within_range(load) && load >= pull_off && (load == 0.0 || load.abs() > 1e-290);
         if !on_branch(one) || !on_branch(other) {
             return;
         }
@@ -601,9 +591,19 @@ impl<'a> Calls<'a> {
             let back: *const asperity_params = &model.params;
             assert_eq!(call!(self, params, asperity_set_params(at, back)), OK, "{}", message());
         } else {
-            self.documented(status, &[INVALID_PARAMETER, OUT_OF_RANGE, NOT_CONVERGED], &|| format!("{params:?}"));
+            self.documented(status, refusals(params), &|| format!("{params:?}"));
         }
         assert_eq!(answers(&model.handle), before, "after {params:?}, of {:?}", model.params);
+    }
+}
+
+/// How parameters may be refused.
+fn refusals(params: &asperity_params) -> &'static [i32] {
+    let lacks_table = params.height_distribution == 3 && params.table.iter().any(|pointer| pointer.is_null());
+    if lacks_table {
+        &[INVALID_PARAMETER, OUT_OF_RANGE, NULL_POINTER]
+    } else {
+        &[INVALID_PARAMETER, OUT_OF_RANGE, NOT_CONVERGED]
     }
 }
 
