@@ -46,8 +46,6 @@ pub struct Table<'a> {
     pub base: u64,
     /// The pull-off load.
     pub pull_off: f64,
-    /// Whether no row is left out.
-    pub complete: bool,
 }
 
 impl Table<'_> {
@@ -74,8 +72,6 @@ pub struct Law {
     base: u64,
     pull_off: f64,
     error: f64,
-    /// Whether no row is left out.
-    complete: bool,
     curve: Curve,
 }
 
@@ -110,7 +106,6 @@ impl Law {
             base: 0,
             pull_off: equilibrium.pull_off_load() * scales.load,
             error: 0.0,
-            complete: false,
             curve,
         };
         let mut best = 0.0;
@@ -132,7 +127,6 @@ impl Law {
             }
         }
         law.certify(&samples, scales);
-        law.complete = !law.rows.iter().any(Row::is_left_out);
         Ok(law)
     }
 
@@ -163,6 +157,18 @@ impl Law {
         (index < self.rows.len() as u64).then_some(index as usize)
     }
 
+    /// The row of a finite load, which may be left out, and where in it the load lies; `None` outside the table.
+    #[inline]
+    pub fn row_at(&self, load: f64) -> Option<(&Row, f64)> {
+        self.row_at_excess(load - self.pull_off)
+    }
+
+    #[inline]
+    fn row_at_excess(&self, x: f64) -> Option<(&Row, f64)> {
+        let row = &self.rows[self.row_of(x)?];
+        Some((row, f64::from_bits(x.to_bits() & within_row(self.shift) | Table::ONE) - 1.0))
+    }
+
     /// Friction force and dF/d(load) at a finite load from the table; `None` where the table does not answer.
     #[inline]
     pub fn at_load(&self, load: f64) -> Option<(f64, f64)> {
@@ -171,18 +177,16 @@ impl Law {
 
     #[inline]
     fn at_excess(&self, x: f64) -> Option<(f64, f64)> {
-        let row = &self.rows[self.row_of(x)?].0;
-        let bits = x.to_bits();
-        let t = f64::from_bits(bits & within_row(self.shift) | Table::ONE) - 1.0;
-        let (force, rate) = polynomial(row, t);
+        let (row, t) = self.row_at_excess(x)?;
+        let (force, rate) = polynomial(&row.0, t);
         // 1/2^exponent: dF/dx = dF/d(mantissa) / 2^exponent
-        let inverse_binade = f64::from_bits(Table::TWICE_BIAS - (bits & !Table::MANTISSA));
+        let inverse_binade = f64::from_bits(Table::TWICE_BIAS - (x.to_bits() & !Table::MANTISSA));
         (!force.is_nan()).then_some((force, rate * inverse_binade))
     }
 
     /// The table itself.
     pub fn table(&self) -> Table<'_> {
-        Table { rows: &self.rows, shift: self.shift, base: self.base, pull_off: self.pull_off, complete: self.complete }
+        Table { rows: &self.rows, shift: self.shift, base: self.base, pull_off: self.pull_off }
     }
 
     /// The lightest and heaviest load of the table.
