@@ -28,6 +28,9 @@ const SMALLEST_LOG_LOAD: f64 = -640.0;
 /// the two loads would have lost too many digits.
 const NEAR_PULL_OFF: f64 = 1e-4;
 
+/// The lightest loads of a highest summit are found by halving the distance from it, hundreds of times.
+const MOST_STEPS: u32 = 1000;
+
 /// How well a load next to the pull-off load is known, relative to it.
 const LOAD_ROUNDING: f64 = 2e-11;
 
@@ -99,11 +102,11 @@ impl Equilibrium {
     }
 
     fn within(population: &Population, (lower, upper): (f64, f64)) -> Result<Self, Error> {
-        // The slope in one scale, so that interpolation makes sense.
+        // The slope in one scale, so that interpolation makes sense; of what is far below it, the sign.
         let scale = population.at_separation(lower).log_scale;
         let slope = |separation: f64| {
             let sums = population.at_separation(separation);
-            sums.load_slope * (sums.log_scale - scale).min(600.0).exp()
+            sums.load_slope * (sums.log_scale - scale).clamp(-600.0, 600.0).exp()
         };
         // A load that falls on both sides rises in a jump between.
         let separation = if slope(upper) < 0.0 { lower } else { root::bracketed(slope, lower, upper) };
@@ -200,7 +203,7 @@ impl Equilibrium {
             }
         }
         let mut last_step = f64::MAX;
-        for _ in 0..200 {
+        for _ in 0..MOST_STEPS {
             let (log_excess, slope, sums) = here;
             let residual = log_excess - target;
             if residual >= 0.0 {

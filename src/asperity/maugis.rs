@@ -14,6 +14,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// breaks with a > 0. It is where d^2u/dtheta^2 = 0 at theta = pi/2.
 pub const FOLD_LAMBDA_CUBED: f64 = 0.825_154_991_394_896_2;
 
+/// Within this of pi/2 the distance from there is known to few digits by theta.
+pub const TIP: f64 = 1e-3;
 /// A Newton step in theta, over the distance to 0 or pi/2, so small that the derivatives at its beginning carry the
 /// contact along: by itself for the contact, and times the step before for the derivatives.
 const FIRST_ORDER_STEP: f64 = 1e-8;
@@ -106,6 +108,24 @@ impl Maugis {
         self.at_angle(theta, theta.sin_cos(), g)
     }
 
+    /// The contact without adhesion of an overlap up to that at pi/2 - [`TIP`]. Its theta has few digits of the distance
+    /// from pi/2, which is here found itself: a = c sin(pi/2 - theta), where c hardly changes, and a is Hertz'.
+    pub fn at_tip(&self, overlap: f64, g: f64) -> Contact {
+        let radius = (overlap * g / self.overlap_hertz).sqrt();
+        let at = |complement: f64| {
+            let (cos, sin) = complement.sin_cos();
+            self.at_angle(FRAC_PI_2 - complement, (sin, cos), g)
+        };
+        let edge = self.at(FRAC_PI_2, g);
+        let mut complement = radius * (FRAC_PI_2.cos() / edge.radius);
+        let mut contact = at(complement);
+        for _ in 0..3 {
+            complement *= radius / contact.radius;
+            contact = at(complement);
+        }
+        contact
+    }
+
     /// As [`Maugis::at`], from theta's sine and cosine.
     #[inline]
     fn at_angle(&self, theta: f64, (sin, cos): (f64, f64), g: f64) -> Contact {
@@ -145,7 +165,7 @@ impl Maugis {
     /// Where unloading under displacement control ends: a = 0, or the fold where lambda_g is large.
     pub fn break_away(&self, g: f64) -> Contact {
         if self.lambda_cubed * g <= FOLD_LAMBDA_CUBED {
-            return self.at(FRAC_PI_2, g);
+            return self.at_angle(FRAC_PI_2, (1.0, 0.0), g);
         }
         // du/dtheta < 0 for heavy load; the first zero going up in theta is the fold.
         let rate = |theta: f64| self.at(theta, g).overlap_rate / theta.cos();

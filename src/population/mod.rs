@@ -21,7 +21,7 @@ pub use contacts::Contacts;
 pub use gauss_legendre::{integrate_short, nodes, POINTS};
 
 use crate::asperity::attraction::{self, Attraction, ATTRACTION_LAMBDA_CUBED};
-use crate::asperity::maugis::{Contact, Maugis};
+use crate::asperity::maugis::{Contact, Maugis, TIP};
 use crate::asperity::slip::{Slip, SlipConstants};
 use crate::groups::Groups;
 use crate::root;
@@ -611,7 +611,7 @@ impl Population {
             return above(z);
         }
         // Going down, what lies below is nearer: the distance that z would allow going up, less itself.
-        let mut length = 1.0_f64;
+        let mut length = self.heights.longest_below(z);
         for _ in 0..60 {
             if above(z - length) >= length {
                 break;
@@ -663,6 +663,9 @@ impl Population {
                 continue;
             }
             let smooth = smooth_length(here.z);
+            if remaining <= smooth && self.is_tip(&here, remaining) {
+                return self.walk_tip(&here, remaining, sink);
+            }
             let theta_far = self.theta_limit(&here);
             let curve = self.maugis.at(theta_far, here.g).overlap - here.contact.overlap;
             let clearance = self.clearance(&here);
@@ -724,6 +727,29 @@ impl Population {
                 }
             }
             here = there;
+        }
+    }
+
+    /// Whether all that is left is so small that theta tells it from break-away by few digits: the very tip of a highest
+    /// summit. With adhesion the surfaces part before.
+    fn is_tip(&self, here: &Point, remaining: f64) -> bool {
+        here.contact.theta == FRAC_PI_2
+            && !self.is_adhesive()
+            && !self.heights.knots().is_empty()
+            && remaining <= self.maugis.at(FRAC_PI_2 - TIP, here.g).overlap
+    }
+
+    /// Walks one panel from break-away, in the square root of the rise.
+    fn walk_tip(&self, here: &Point, length: f64, sink: &mut impl Sink) {
+        let at = |rise: f64| {
+            let z = here.z + rise;
+            let (g, g_rate) = self.radius.at(z);
+            Point { z, g, g_rate, contact: self.maugis.at_tip(rise, g) }
+        };
+        sink.panel(here, &at(length), false);
+        for (part, weight) in gauss_legendre::nodes(0.0, 1.0) {
+            let point = at(length * part * part);
+            sink.node(point.z, 2.0 * length * part * weight, &point.contact);
         }
     }
 

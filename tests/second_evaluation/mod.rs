@@ -10,7 +10,7 @@
 mod heights;
 mod quadrature;
 
-pub use heights::Heights;
+pub use heights::{Heights, Johnson, Table};
 use quadrature::{integrate, Values, COMPONENTS};
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -186,7 +186,9 @@ impl Tabulated {
 
     /// Whether the density is a polynomial between two heights.
     pub fn is_smooth(&self, from: f64, to: f64) -> bool {
-        to - from <= self.smooth_length(from) + AT_KNOT * (1.0 + to.abs())
+        let slack = AT_KNOT * (1.0 + to.abs());
+        // Also what is nearer to the last knot than that ends there: there may be nothing else in contact.
+        to - from <= self.smooth_length(from) + slack && to <= self.support().1 + slack
     }
 
     /// The first knot above a height.
