@@ -10,7 +10,7 @@
 #   make memory          sanitizers, valgrind
 #   make processors      the same bits on emulated processors             needs qemu-user
 #   make supply-chain    licences, bans, sources                          needs cargo-deny
-#   make coverage        lines that the tests run                         needs llvm-19
+#   make coverage        lines that the tests run                         needs llvm-22
 #   make mutants         changes to the source that no test notices       SHARD; needs cargo-mutants
 
 FUZZ_CALLS ?= 10000000

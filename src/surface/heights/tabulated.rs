@@ -157,17 +157,6 @@ impl Tabulated {
         self.knots.get(next).map_or(f64::MAX, |knot| knot - z)
     }
 
-    /// How far below z the density is a polynomial.
-    pub fn smooth_length_below(&self, z: f64) -> f64 {
-        let z = z - AT_KNOT * (1.0 + z.abs());
-        let next = self.knots.partition_point(|&knot| knot < z);
-        if next == 0 {
-            f64::MAX
-        } else {
-            z - self.knots[next - 1]
-        }
-    }
-
     /// Whether the density is a polynomial between two heights.
     pub fn is_smooth(&self, from: f64, to: f64) -> bool {
         to - from <= self.smooth_length(from) + AT_KNOT * (1.0 + to.abs())
