@@ -5,10 +5,11 @@ one copy of the sources, which is built once. Each test runs alone once, to lear
 and how long it takes; then each mutant meets the tests that reach it, quick ones first, until one fails. What cannot be
 planted (constants) is for cargo-mutants itself, and is listed.
 
-usage: run.py FOLDER [--jobs N] [--shard K/N] [--seconds S] [--again] [--only TEXT]
+usage: run.py FOLDER [--jobs N] [--shard K/N] [--seconds S] [--again] [--only PATTERN]
     FOLDER     for the copy, what is built and the outcome; kept from run to run
     --seconds  tests that take longer are left out
     --again    only mutants that the last run missed
+    --only     only mutants in whose names this pattern is found
 """
 
 import argparse
@@ -19,7 +20,6 @@ import os
 import pathlib
 import re
 import resource
-import shutil
 import subprocess
 import sys
 import time
@@ -31,7 +31,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 PROGRAMS = ["contract", "old_caller", "tables", "threads", "traps"]
 EMULATED = ["batch"]
 EMULATOR = ["qemu-x86_64", "-cpu", "Haswell"]
-TARGETS = ["batch", "contacts", "figures", "findings", "fuzz", "heights", "law", "published", "reference", "robustness"]
+TARGETS = ["batch", "contacts", "figures", "findings", "fuzz", "heights", "law", "published", "reference", "robustness",
+    "thresholds"]
 MEMORY = 8 << 30
 # Short forms of the tests that have a length.
 LENGTHS = {"ASPERITY_FUZZ_CALLS": "5000"}
@@ -46,41 +47,45 @@ def listed(folder):
     bare = folder / "listed"
     copy(bare)
     for path in (bare / "src").rglob("*.rs"):
-        blank = lambda found: " " * 7 + found[1]
-        path.write_text(re.sub(r"\bunsafe ((?:extern \"C\" )?fn)", blank, path.read_text()))
+        path.write_text(re.sub(r"\bunsafe ((?:extern \"C\" )?fn)", r"       \1", path.read_text()))
     found = json.loads(run(["cargo", "mutants", "--list", "--json"], cwd=bare, stdout=subprocess.PIPE).stdout)
     for number, mutant in enumerate(found, 1):
         mutant["number"] = number
     return found
 
 
-def copy(to):
-    """The files of the repository; those that are as they were keep their time, so that cargo builds no more than it must."""
+def copy(to, changed={}):
+    """The files of the repository, some changed; what is there already keeps its time, so that cargo builds no more than it
+    must."""
     for name in run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, stdout=subprocess.PIPE).stdout.split():
-        source, target = ROOT / name, to / name
-        if source.is_file() and not (target.is_file() and target.read_bytes() == source.read_bytes()):
+        if not (ROOT / name).is_file():
+            continue
+        content, target = changed.get(name, (ROOT / name).read_bytes()), to / name
+        if not (target.is_file() and target.read_bytes() == content):
             target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(source, target)
+            target.write_bytes(content)
 
 
 def planted(folder, mutants):
     """Writes the copy with all mutants; those that are left out."""
-    tree = folder / "tree"
-    copy(tree)
     left = []
     by_file = collections.defaultdict(list)
     for mutant in mutants:
         by_file[mutant["file"]].append(mutant)
+    changed = {}
     for name, here in by_file.items():
         source, not_planted = plant.planted((ROOT / name).read_text(), here)
         left += not_planted
-        if (tree / name).read_text() != source:
-            (tree / name).write_text(source)
+        changed[name] = source.encode()
+    library = (ROOT / "src/lib.rs").read_text()
+    module = "#[allow(missing_docs)]\npub mod mutant;\npub mod asperity;"
+    changed["src/lib.rs"] = library.replace("pub mod asperity;", module, 1).encode()
+    copy(folder / "tree", changed)
+    switch = folder / "tree/src/mutant.rs"
     count = max(mutant["number"] for mutant in mutants) + 1
-    (tree / "src/mutant.rs").write_text(plant.SWITCH % (count, count))
-    library = tree / "src/lib.rs"
-    source = (ROOT / "src/lib.rs").read_text()
-    library.write_text(source.replace("pub mod asperity;", "#[allow(missing_docs)]\npub mod mutant;\npub mod asperity;", 1))
+    source = plant.SWITCH % (count, count)
+    if not switch.exists() or switch.read_text() != source:
+        switch.write_text(source)
     return left
 
 
@@ -146,7 +151,7 @@ def call(command, folder, seconds, **environment):
     try:
         end = subprocess.run(
             command, cwd=folder / "tree", stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=8 * seconds + 5, preexec_fn=limits(seconds),
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=20 * seconds + 20, preexec_fn=limits(seconds), start_new_session=True,
             env=dict(os.environ, **LENGTHS, **environment))
     except subprocess.TimeoutExpired:
         return "timeout", seconds
@@ -157,8 +162,11 @@ def call(command, folder, seconds, **environment):
     return ("passed" if end.returncode == 0 else "failed"), spent
 
 
-def surveyed(folder, programs):
-    """Of each test: its time, and the functions with mutants that it reaches. Known ones of unchanged programs are kept."""
+def surveyed(folder, programs, longest):
+    """Of each test that takes no longer: its time, and the functions with mutants that it reaches.
+
+    What is known of unchanged programs is kept.
+    """
     kept = folder / "tests.json"
     known = json.loads(kept.read_text()) if kept.exists() else {}
     commands = {name: [str(folder / name)] for name in PROGRAMS}
@@ -172,21 +180,21 @@ def surveyed(folder, programs):
     tests = []
     for name, command in commands.items():
         key = f"{name}, {built}"
-        if key not in known:
-            known[key] = survey(folder, command)
+        if known.get(key, {"asked": 0})["asked"] < longest:
+            known[key] = survey(folder, command, longest)
             print(f"{name}: {known[key]['end']}, {known[key]['seconds']:.2f} s", flush=True)
-        if known[key]["end"] == "passed":
+        if known[key]["end"] == "passed" and known[key]["seconds"] <= longest:
             tests.append({"name": name, "command": command, **known[key]})
     kept.write_text(json.dumps(known))
     return sorted(tests, key=lambda test: test["seconds"])
 
 
-def survey(folder, command):
+def survey(folder, command, longest):
     reached = folder / "reached"
     reached.unlink(missing_ok=True)
-    end, seconds = call(command, folder, 300, ASPERITY_REACHED=str(reached))
+    end, seconds = call(command, folder, longest, ASPERITY_REACHED=str(reached))
     sites = [int(line) for line in reached.read_text().split()] if reached.exists() else []
-    return {"end": end, "seconds": seconds, "sites": sites}
+    return {"asked": longest, "end": end, "seconds": seconds, "sites": sites}
 
 
 def judged(folder, mutant, tests, killers):
@@ -194,7 +202,7 @@ def judged(folder, mutant, tests, killers):
     reaching = [test for test in tests if mutant["site"] in test["sites"]]
     reaching.sort(key=lambda test: test is not killers.get(mutant["site"]))
     for test in reaching:
-        end, _ = call(test["command"], folder, 5 + 12 * test["seconds"], ASPERITY_MUTANT=str(mutant["number"]))
+        end, _ = call(test["command"], folder, 2 + 12 * test["seconds"], ASPERITY_MUTANT=str(mutant["number"]))
         if end != "passed":
             killers[mutant["site"]] = test
             return {"failed": "caught", "timeout": "timeout"}[end], test["name"]
@@ -206,7 +214,7 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--shard", default="0/1")
-    parser.add_argument("--seconds", type=float, default=1e9)
+    parser.add_argument("--seconds", type=float, default=600.0)
     parser.add_argument("--again", action="store_true")
     parser.add_argument("--only", default="")
     asked = parser.parse_args()
@@ -215,7 +223,10 @@ def main():
 
     mutants = listed(folder)
     print(f"{len(mutants)} mutants", flush=True)
-    unviable = set()
+    # Known from run to run: what does not compile.
+    kept = folder / "unviable.json"
+    known = set(json.loads(kept.read_text())) if kept.exists() else set()
+    unviable = {mutant["number"] for mutant in mutants if mutant["name"] + mutant["diff"] in known}
     while True:
         left = planted(folder, [mutant for mutant in mutants if mutant["number"] not in unviable])
         programs, more = built(folder)
@@ -223,34 +234,33 @@ def main():
             break
         unviable |= more
         print(f"{len(unviable)} do not compile", flush=True)
+    kept.write_text(json.dumps([mutant["name"] + mutant["diff"] for mutant in mutants if mutant["number"] in unviable]))
     compiled(folder)
-    tests = surveyed(folder, programs)
-    tests = [test for test in tests if test["seconds"] <= asked.seconds]
+    tests = surveyed(folder, programs, asked.seconds)
+    print(f"{len(tests)} tests, {sum(test['seconds'] for test in tests):.1f} s", flush=True)
 
     not_planted = {mutant["number"] for mutant in left}
     alive = [mutant for mutant in mutants if mutant["number"] not in unviable | not_planted]
     part, parts = map(int, asked.shard.split("/"))
-    alive = [mutant for i, mutant in enumerate(alive) if i % parts == part and asked.only in mutant["name"]]
-    kept = folder / "outcome.json"
+    alive = [mutant for i, mutant in enumerate(alive) if i % parts == part and re.search(asked.only, mutant["name"])]
+    outcome = folder / "outcome.json"
     if asked.again:
-        last = json.loads(kept.read_text())
+        last = json.loads(outcome.read_text())
         alive = [mutant for mutant in alive if last.get(mutant["name"], ["missed"])[0] in ("missed", "not reached")]
-
-    outcome = json.loads(kept.read_text()) if kept.exists() and asked.again else {}
-    outcome |= {mutant["name"]: ["unviable", ""] for mutant in mutants if mutant["number"] in unviable}
-    outcome |= {mutant["name"]: ["constant", ""] for mutant in left}
+    ends = {mutant["name"]: ["unviable", ""] for mutant in mutants if mutant["number"] in unviable}
+    ends |= {mutant["name"]: ["constant", ""] for mutant in left}
     started, killers = time.time(), {}
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
         judge = lambda mutant: (mutant, judged(folder, mutant, tests, killers))
         for done, (mutant, end) in enumerate(pool.map(judge, alive), 1):
-            outcome[mutant["name"]] = end
+            ends[mutant["name"]] = end
             if end[0] in ("missed", "not reached"):
                 print(f"{end[0]}: {mutant['name']}", flush=True)
-            if done % 100 == 0:
+            if done % 20 == 0 or done == len(alive):
                 print(f"{done} of {len(alive)} after {time.time() - started:.0f} s", flush=True)
-                kept.write_text(json.dumps(outcome, indent=0))
-    kept.write_text(json.dumps(outcome, indent=0))
-    counts = collections.Counter(end[0] for end in outcome.values())
+                ends = (json.loads(outcome.read_text()) if outcome.exists() else {}) | ends
+                outcome.write_text(json.dumps(ends, indent=0))
+    counts = collections.Counter(end for end, _ in ends.values())
     print(", ".join(f"{name} {count}" for name, count in sorted(counts.items())))
 
 

@@ -1,0 +1,108 @@
+//! Surfaces on which a formula ends among the heights, so that a sum has to find where: against the second evaluation,
+//! state by state.
+
+mod second_evaluation;
+
+use asperity::{Error, HeightFamily, Model, Params};
+use second_evaluation::{Heights, Surface};
+
+/// The library's parameters of a surface, in units E* = G* = b = N = 1.
+fn params(surface: &Surface) -> Params {
+    Params {
+        composite_modulus: 1.0,
+        effective_shear_modulus: 1.0,
+        work_of_adhesion: surface.gamma,
+        adhesion_range: 1.0 / surface.b_over_h,
+        burgers_vector: 1.0,
+        height_std: surface.alpha * surface.beta,
+        summit_radius: surface.beta / surface.alpha,
+        asperity_count: 1.0,
+        heights: match surface.heights {
+            Heights::Gaussian => HeightFamily::Gaussian,
+            Heights::Weibull { shape, .. } => HeightFamily::Weibull { shape },
+        },
+        attraction: surface.attraction,
+        radius_amplitude: surface.epsilon,
+        radius_rate: surface.rho,
+        ..Params::default()
+    }
+}
+
+/// Compares states at separations, in sigma; returns the attraction loads relative to all loads.
+fn agree(surface: &Surface, separations: &[f64]) -> Vec<f64> {
+    let params = params(surface);
+    let model = Model::new(&params).unwrap_or_else(|error| panic!("{surface:?}: {error}"));
+    let compare = |&separation: &f64| {
+        let state = model.state_at_separation(separation * params.height_std).expect("a state");
+        let exact = surface.at_separation(separation);
+        assert!(exact.converged, "{surface:?} at {separation}");
+        let scale = exact.log_scale.exp();
+        let loads = scale * exact.load_absolute;
+        let near = |what: &str, value: f64, expected: f64, of: f64| {
+            let error = (value - expected).abs() / of;
+            assert!(error <= 1e-9, "{what} of {surface:?} at {separation}: {value}, not {expected}: {error:e}");
+        };
+        near("load", state.load, scale * (exact.load_contacting + exact.load_attracted), loads);
+        near("attraction", state.attraction_load, scale * exact.load_attracted, loads);
+        near("attracted", state.attracted, scale * exact.attracted, scale * exact.attracted.max(exact.contacting));
+        near("contacting", state.contacting, scale * exact.contacting, scale * exact.contacting);
+        near("friction", state.friction_force, scale * exact.friction, scale * exact.friction);
+        near("area", state.real_area, scale * exact.area, scale * exact.area);
+        state.attraction_load / loads
+    };
+    separations.iter().map(compare).collect()
+}
+
+#[test]
+fn attraction_ends_where_summits_are_too_round_for_it() {
+    // lambda^3 g passes 9/32 next to the mean height, on the way up or down.
+    for (epsilon, separations) in
+        [(0.5, [-1.0, 0.0, 0.04, 0.08, 0.12, 1.0]), (-0.5, [1.0, 0.14, 0.1, 0.08, 0.04, -1.0])]
+    {
+        let surface = Surface {
+            alpha: 0.01,
+            beta: 1000.0,
+            gamma: 1.398e-3,
+            b_over_h: 1.0,
+            heights: Heights::Gaussian,
+            epsilon,
+            rho: 1.0,
+            attraction: true,
+            slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+        };
+        let shares = agree(&surface, &separations);
+        assert!(shares[0] < -1e-6 && shares[2] < 0.0 && shares[5] == 0.0, "{shares:?}");
+    }
+}
+
+#[test]
+fn a_first_minimum_that_the_search_steps_over_is_found_by_following_the_branch() {
+    let surface = Surface {
+        alpha: 0.06043,
+        beta: 2167.38,
+        gamma: 0.869433,
+        b_over_h: 0.340755,
+        heights: Heights::weibull(2.3909024),
+        epsilon: -0.90625,
+        rho: 10.554496,
+        attraction: true,
+        slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+    };
+    let load = |separation: f64| {
+        let sums = surface.at_separation(separation);
+        sums.log_scale.exp() * (sums.load_contacting + sums.load_attracted)
+    };
+    // Through three loads about the minimum: its height to some 1e-6.
+    let [left, middle, right] = [-0.108, -0.105, -0.102].map(load);
+    assert!(left > middle && right > middle, "{left:e}, {middle:e}, {right:e}");
+    let minimum = middle - (right - left).powi(2) / (8.0 * (right + left - 2.0 * middle));
+    let before = [-0.4, -0.3, -0.2, -0.12].map(load);
+    assert!(before.windows(2).all(|pair| pair[1] < pair[0]) && before[3] > left, "{before:?}");
+    match Model::new(&params(&surface)) {
+        Err(Error::OutOfRange { name: "pull-off load", value, .. }) => {
+            let value: f64 = value.to_string().parse().expect("a number");
+            assert!((value / minimum - 1.0).abs() < 1e-5, "{value:e}, not {minimum:e}");
+        }
+        other => panic!("{:?}", other.map(|model| model.summary())),
+    }
+}
