@@ -1,5 +1,5 @@
-//! Surfaces on which a formula ends among the heights, so that a sum has to find where: against the second evaluation,
-//! state by state.
+//! Where a formula ends: among the heights, so that a sum has to find the place, against the second evaluation state by
+//! state; and next to pull-off, where loads differ by less than they are known to.
 
 mod second_evaluation;
 
@@ -104,5 +104,29 @@ fn a_first_minimum_that_the_search_steps_over_is_found_by_following_the_branch()
             assert!((value / minimum - 1.0).abs() < 1e-5, "{value:e}, not {minimum:e}");
         }
         other => panic!("{:?}", other.map(|model| model.summary())),
+    }
+}
+
+#[test]
+fn separation_nears_that_of_pull_off_as_the_root_of_the_load() {
+    for (params, name) in [
+        (Params::default(), "the default"),
+        (Params { attraction: false, ..Params::default() }, "without attraction"),
+        (Params { heights: HeightFamily::Weibull { shape: 6.0 }, ..Params::default() }, "Weibull"),
+    ] {
+        let model = Model::new(&params).expect("a model");
+        let pull_off = model.summary().pull_off_load;
+        let end = model.state_at_load(pull_off).expect("a state").separation;
+        let quotient = |x: f64| {
+            let load = pull_off * (1.0 - x);
+            let state = model.state_at_load(load).expect("a state");
+            // The difference of loads that are so near is exact.
+            (end - state.separation) / ((load - pull_off) / -pull_off).sqrt()
+        };
+        let limit = quotient(1e-9);
+        for x in [1e-14, 1e-13, 1e-12, 1e-11, 1e-10] {
+            let error = quotient(x) / limit - 1.0;
+            assert!(error.abs() < 1e-4, "{name}, {x:e}: {error:e}");
+        }
     }
 }
