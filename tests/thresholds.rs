@@ -3,6 +3,12 @@
 
 mod second_evaluation;
 
+use asperity::asperity::maugis::Maugis;
+use asperity::groups::Groups;
+use asperity::population::Population;
+use asperity::surface::heights::tabulated::Tabulated;
+use asperity::surface::heights::Heights as Family;
+use asperity::surface::radius::RadiusProfile;
 use asperity::{Error, HeightFamily, Model, Params};
 use second_evaluation::{Heights, Surface};
 
@@ -127,6 +133,42 @@ fn separation_nears_that_of_pull_off_as_the_root_of_the_load() {
         for x in [1e-14, 1e-13, 1e-12, 1e-11, 1e-10] {
             let error = quotient(x) / limit - 1.0;
             assert!(error.abs() < 1e-4, "{name}, {x:e}: {error:e}");
+        }
+    }
+}
+
+/// Where a knot of the density passes the end of attraction, of contact, or of a regime of slip: by bisection.
+#[test]
+fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
+    let groups = Groups { alpha: 0.02, beta: 2000.0, gamma: 0.002, b_over_h: 0.5 };
+    let radius = RadiusProfile { amplitude: 0.4, rate: 0.7, origin: 0.0 };
+    let table = Tabulated::new(&[-2.0, -1.0, 0.5, 1.0, 3.0], &[0.0, 1.0, 2.0, 1.0, 0.0]).expect("a density");
+    let slip = Params::default().slip;
+    let maugis = Maugis::new(&groups);
+    let mut expected = Vec::new();
+    for &z in table.knots() {
+        let g = radius.factor(z);
+        let edge = maugis.break_away(g);
+        expected.push(z - edge.overlap);
+        expected.push(z + groups.reach());
+        for kink in [slip.radius_1, slip.radius_2].into_iter().filter(|&kink| kink > edge.radius) {
+            let (mut lower, mut upper) = (edge.overlap, 1e4);
+            for _ in 0..200 {
+                let middle = 0.5 * (lower + upper);
+                let contact = maugis.at_overlap(middle, g, maugis.guess(middle, g));
+                *(if contact.radius < kink { &mut lower } else { &mut upper }) = middle;
+            }
+            expected.push(z - lower);
+        }
+    }
+    expected.sort_by(f64::total_cmp);
+    for (attract, count) in [(true, expected.len()), (false, expected.len() - table.knots().len())] {
+        let population = Population::new(&groups, slip, Family::Tabulated(Box::new(table.clone())), radius, attract);
+        let kinks = population.kinks();
+        assert_eq!(kinks.len(), count);
+        for kink in &kinks {
+            let nearest = expected.iter().map(|d| (d - kink).abs()).fold(f64::INFINITY, f64::min);
+            assert!(nearest <= 1e-10 * (1.0 + kink.abs()), "{kink} is none of {expected:?}");
         }
     }
 }

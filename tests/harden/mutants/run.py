@@ -5,10 +5,11 @@ one copy of the sources, which is built once. Each test runs alone once, to lear
 and how long it takes; then each mutant meets the tests that reach it, quick ones first, until one fails. What cannot be
 planted (constants) is for cargo-mutants itself, and is listed.
 
-usage: run.py FOLDER [--jobs N] [--shard K/N] [--seconds S] [--again] [--only PATTERN]
+usage: run.py FOLDER [--jobs N] [--shard K/N] [--seconds S] [--again | --resume] [--only PATTERN]
     FOLDER     for the copy, what is built and the outcome; kept from run to run
     --seconds  tests that take longer are left out
     --again    only mutants that the last run missed
+    --resume   only mutants of which nothing is known
     --only     only mutants in whose names this pattern is found
 """
 
@@ -216,6 +217,7 @@ def main():
     parser.add_argument("--shard", default="0/1")
     parser.add_argument("--seconds", type=float, default=600.0)
     parser.add_argument("--again", action="store_true")
+    parser.add_argument("--resume", action="store_true")
     parser.add_argument("--only", default="")
     asked = parser.parse_args()
     folder = asked.folder.resolve()
@@ -244,9 +246,11 @@ def main():
     part, parts = map(int, asked.shard.split("/"))
     alive = [mutant for i, mutant in enumerate(alive) if i % parts == part and re.search(asked.only, mutant["name"])]
     outcome = folder / "outcome.json"
+    last = json.loads(outcome.read_text()) if outcome.exists() else {}
     if asked.again:
-        last = json.loads(outcome.read_text())
-        alive = [mutant for mutant in alive if last.get(mutant["name"], ["missed"])[0] in ("missed", "not reached")]
+        alive = [mutant for mutant in alive if last.get(mutant["name"], [""])[0] in ("missed", "not reached")]
+    elif asked.resume:
+        alive = [mutant for mutant in alive if mutant["name"] not in last]
     ends = {mutant["name"]: ["unviable", ""] for mutant in mutants if mutant["number"] in unviable}
     ends |= {mutant["name"]: ["constant", ""] for mutant in left}
     started, killers = time.time(), {}
