@@ -226,6 +226,15 @@ impl Heights {
         length
     }
 
+    /// No panel that reaches down from z need be tried that is longer than this.
+    pub fn longest_below(&self, z: f64) -> f64 {
+        match self {
+            Heights::Gaussian | Heights::Weibull(_) | Heights::Ends(_) => 1.0,
+            Heights::Johnson(johnson) => johnson.smooth_length(z).max(1.0),
+            Heights::Tabulated(table) => table.smooth_length_below(z),
+        }
+    }
+
     /// How much the density changes from one height to another, in such a sum; up to 1 one quadrature panel may reach
     /// from the one to the other.
     pub fn roughness(&self, from: f64, to: f64, log_scale: f64) -> f64 {

@@ -168,6 +168,17 @@ impl Tabulated {
         self.knots.get(next).map_or(f64::MAX, |knot| knot - z)
     }
 
+    /// How far below a height the density is a polynomial.
+    pub fn smooth_length_below(&self, z: f64) -> f64 {
+        let z = z - AT_KNOT * (1.0 + z.abs());
+        let next = self.knots.partition_point(|&knot| knot < z);
+        if next == 0 {
+            f64::MAX
+        } else {
+            z - self.knots[next - 1]
+        }
+    }
+
     /// The longest cell that begins at a height and is no longer than this: its length, and its weights for the points of
     /// [`nodes`].
     pub fn cell(&self, z: f64, longest: f64) -> Option<(f64, &[f64; POINTS])> {
