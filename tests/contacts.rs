@@ -283,11 +283,18 @@ fn the_largest_contact_is_exceeded_by_one_in_n_plus_1() {
 
 #[test]
 fn nothing_touches_far_away() {
-    let model = model(&Params { hardness: 1.0, ..Params::default() });
-    let state = model.state_at_separation(1e6).expect("a state");
-    assert_eq!((state.contacting, state.mean_contact_radius, state.max_contact_radius), (0.0, 0.0, 0.0));
-    assert_eq!((state.mean_asperity_pressure, state.fraction_in_contact), (0.0, 0.0));
-    assert!(state.plasticity_index > 0.0);
+    let params = Params { hardness: 1.0, ..Params::default() };
+    let model = model(&params);
+    // In sigma: heights of which some are counted, none but the last, none.
+    for separation in [63.2, 63.35, 64.0, 1e5] {
+        let state = model.state_at_separation(separation * params.height_std).expect("a state");
+        assert_eq!((state.contacting, state.mean_contact_radius, state.max_contact_radius), (0.0, 0.0, 0.0));
+        assert_eq!((state.load, state.friction_force, state.fraction_in_contact), (0.0, 0.0, 0.0));
+        assert!(state.plasticity_index > 0.0);
+        if separation > 63.3 {
+            assert_eq!(state.mean_asperity_pressure, 0.0);
+        }
+    }
 }
 
 #[test]

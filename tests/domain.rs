@@ -11,15 +11,18 @@ mod reference_rows;
 mod second_evaluation;
 mod sobol;
 mod splitmix;
+mod surface_params;
 
-use asperity::{Error, HeightFamily, Model, Params, State};
+use asperity::{Error, Model, State};
 use domain_map::{Answer, Map, Outcome};
 use processor_time::processor_time;
 use reference_rows::read;
-use second_evaluation::{Heights, Johnson, Sums, Surface, Table};
+use second_evaluation::heights::{Heights, Johnson, Table};
+use second_evaluation::{Sums, Surface};
 use sobol::Sobol;
 use splitmix::SplitMix;
 use std::time::{Duration, Instant};
+use surface_params::params;
 
 /// What the library promises against the second evaluation.
 const ACCURACY: f64 = 1e-8;
@@ -89,32 +92,6 @@ fn table(random: &mut SplitMix) -> Table {
         }
     }
     Table::new(height, density)
-}
-
-/// The library's parameters of a surface, in units E* = G* = b = N = 1 and sigma in b.
-fn params(surface: &Surface) -> Params {
-    Params {
-        composite_modulus: 1.0,
-        effective_shear_modulus: 1.0,
-        work_of_adhesion: surface.gamma,
-        adhesion_range: 1.0 / surface.b_over_h,
-        burgers_vector: 1.0,
-        height_std: surface.alpha * surface.beta,
-        summit_radius: surface.beta / surface.alpha,
-        asperity_count: 1.0,
-        heights: match &surface.heights {
-            Heights::Gaussian => HeightFamily::Gaussian,
-            Heights::Weibull { shape, .. } => HeightFamily::Weibull { shape: *shape },
-            Heights::Johnson(curve) => HeightFamily::Johnson { skew: curve.skew, kurtosis: curve.kurtosis },
-            Heights::Table(table) => {
-                HeightFamily::Tabulated { height: table.height.clone().into(), density: table.density.clone().into() }
-            }
-        },
-        attraction: surface.attraction,
-        radius_amplitude: surface.epsilon,
-        radius_rate: surface.rho,
-        ..Params::default()
-    }
 }
 
 fn timed<T>(answer: &mut Answer, call: impl FnOnce() -> T) -> T {

@@ -10,6 +10,7 @@ use c_abi::*;
 use processor_time::processor_time;
 use splitmix::SplitMix;
 use std::collections::BTreeMap;
+use std::mem::size_of;
 use std::ptr::null_mut;
 use std::sync::{mpsc, Arc, Mutex};
 use std::time::Duration;
@@ -598,5 +599,27 @@ fn a_null_handle_is_refused_everywhere() {
         assert_eq!(asperity_state_at_separation(null_mut(), 1.0, &mut state), NULL_POINTER);
         assert_eq!(asperity_summary_of(null_mut(), &mut summary), NULL_POINTER);
         asperity_free(null_mut());
+    }
+}
+
+#[test]
+fn a_null_output_is_refused_everywhere() {
+    fn refused(status: i32, name: &str) {
+        assert_eq!(status, NULL_POINTER, "{name}");
+        assert_eq!(message(), format!("{name} is NULL: pass a valid pointer"));
+    }
+    let handle = Handle::new(&asperity_params::initial());
+    let size = size_of::<asperity_params>() as u64;
+    // SAFETY: NULL is refused.
+    unsafe {
+        refused(asperity_params_init_sized(null_mut(), size), "params");
+        refused(asperity_params_set_dimensionless(null_mut(), 0.01, 1000.0, 0.001, 1.0, 0.3), "params");
+        refused(asperity_params_set_materials(null_mut(), 1.0, 0.3, 1.0, 0.3), "params");
+        refused(asperity_params_set_spectral_moments(null_mut(), 1.0, 1.0, 2.0, 1.0), "params");
+        refused(asperity_params_set_skew(null_mut(), 0.0), "params");
+        refused(asperity_get_params_sized(handle.0, null_mut(), size), "params");
+        refused(asperity_state_at_load(handle.0, 1.0, null_mut()), "state");
+        refused(asperity_state_at_separation(handle.0, 1.0, null_mut()), "state");
+        refused(asperity_summary_of(handle.0, null_mut()), "summary");
     }
 }

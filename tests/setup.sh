@@ -8,7 +8,7 @@ set -euo pipefail
 core="g++ gfortran clang cmake pkg-config python3 python3-venv libgsl-dev valgrind"
 hosts="libode-dev libsiconos-numerics-dev liblammps-dev libsimbody-dev python3-getfem python3-matplotlib pkg-config
     python3-venv"
-harden="valgrind qemu-user llvm-19"
+harden="valgrind qemu-user llvm-22"
 # Of crates.io, at the versions that were tried; fetched and built by cargo.
 harden_tools="cargo-deny@0.20.2 cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
 

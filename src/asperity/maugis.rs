@@ -126,6 +126,7 @@ impl Maugis {
         contact
     }
 
+    /// As [`Maugis::at`], from theta's sine and cosine.
     #[inline]
     fn at_angle(&self, theta: f64, (sin, cos): (f64, f64), g: f64) -> Contact {
         let (bracket_2, bracket_1) = brackets(theta, sin, cos);
@@ -182,7 +183,9 @@ impl Maugis {
     /// `guess` is a starting theta; [`Maugis::guess`] makes one from nothing.
     pub fn at_overlap(&self, overlap: f64, g: f64, guess: f64) -> Contact {
         let (mut lower, mut upper) = (0.0, FRAC_PI_2);
-        let mut contact = self.at(guess.min(FRAC_PI_2), g);
+        let start = guess.min(FRAC_PI_2);
+        let mut angle = start.sin_cos();
+        let mut contact = self.at_angle(start, angle, g);
         let mut before = contact;
         let mut last_step = None;
         for _ in 0..200 {
@@ -211,7 +214,8 @@ impl Maugis {
                 return contact.moved(next, overlap, &before);
             }
             before = contact;
-            contact = self.at(next, g);
+            angle = turned(angle, theta, next);
+            contact = self.at_angle(next, angle, g);
             if !trusted {
                 last_step = None;
                 if upper - lower <= 4e-16 * upper {
@@ -229,6 +233,13 @@ impl Maugis {
         contact
     }
 
+    /// Without adhesion, smaller overlaps have lost digits: so near to pi/2 theta has no more.
+    pub fn least_overlap(&self) -> f64 {
+        const LEAST_COS: f64 = 1e-5;
+        let annulus_squared = 2.0 / (PI * self.bracket_2);
+        LEAST_COS * LEAST_COS * annulus_squared * self.overlap_hertz
+    }
+
     /// A starting theta for [`Maugis::at_overlap`]: eq (4) for heavy load, with Hertz' radius.
     pub fn guess(&self, overlap: f64, g: f64) -> f64 {
         let hertz_radius_squared = overlap.max(1e-100) / self.overlap_hertz; // over g
@@ -237,6 +248,19 @@ impl Maugis {
         let by_bracket_1 = (2.0 / (self.bracket_1 * radius).max(1e-100)).sqrt();
         by_bracket_2.min(by_bracket_1).min(1.0)
     }
+}
+
+/// Sine and cosine of an angle from those of another: if it is near, by the addition theorems.
+#[inline]
+fn turned((sin, cos): (f64, f64), from: f64, to: f64) -> (f64, f64) {
+    let step = to - from;
+    if step.abs() > 0.01_f64.min(0.25 * sin.min(cos)) {
+        return to.sin_cos();
+    }
+    let square = step * step;
+    let sin_step = step * (1.0 - square / 6.0 * (1.0 - square / 20.0));
+    let cos_step_less_1 = -0.5 * square * (1.0 - square / 12.0 * (1.0 - square / 30.0));
+    (sin + (sin * cos_step_less_1 + cos * sin_step), cos + (cos * cos_step_less_1 - sin * sin_step))
 }
 
 /// The two brackets of eq (4) times cos^2 and cos: sin theta cos theta - theta cos 2theta and

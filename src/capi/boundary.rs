@@ -86,3 +86,42 @@ pub fn wrong_struct_size(size: u64, allowed: &'static str) -> Failure {
     let value = Value::Integer(i64::try_from(size).unwrap_or(i64::MAX));
     Failure::Error(Error::InvalidParameter { name: "struct_size", value, allowed })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_becomes_a_status_with_a_message_or_nan() {
+        let hook = std::panic::take_hook();
+        std::panic::set_hook(Box::new(|_| {}));
+        let (stopped, value) = (status(|| panic!("a bug")), fast_value(|| panic!("a bug")));
+        std::panic::set_hook(hook);
+        let mut message = [0_u8; 200];
+        // SAFETY: a buffer of the length that is given.
+        let length = unsafe { last_error::asperity_last_error(message.as_mut_ptr().cast(), message.len()) };
+        let message = String::from_utf8_lossy(&message[..length]);
+        assert_eq!(stopped, ASPERITY_INTERNAL);
+        assert!(value.is_nan());
+        assert!(message.starts_with("internal error: a bug in asperity"), "{message}");
+    }
+
+    #[test]
+    fn every_failure_has_its_status() {
+        let value = Value::Integer(0);
+        let errors = [
+            (Error::InvalidParameter { name: "", value, allowed: "" }, 2),
+            (Error::InvalidEntry { name: "", index: 0, value: 0.0, allowed: "" }, 2),
+            (Error::InvalidLoad { value: f64::NAN }, 3),
+            (Error::Separated { load: -2.0, pull_off: -1.0 }, 4),
+            (Error::OutOfRange { name: "", value, allowed: "" }, 5),
+            (Error::NotConverged { what: "", value: 0.0 }, 6),
+        ];
+        for (error, expected) in errors {
+            assert_eq!(fast_status(|| Err(error.clone().into())), expected, "{error:?}");
+            assert_eq!(fast_status(|| Err(Failure::Element(7, error.clone()))), expected, "{error:?}");
+        }
+        assert_eq!(fast_status(|| Err(Failure::Null(""))), 1);
+        assert_eq!(fast_status(|| Ok(())), 0);
+    }
+}

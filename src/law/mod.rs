@@ -6,6 +6,7 @@
 //! evaluated exactly.
 
 mod curve;
+mod direct;
 mod row;
 
 use crate::equilibrium::Equilibrium;
@@ -21,11 +22,14 @@ pub use row::{polynomial, Row, COEFFICIENTS};
 const MOST_ROWS: usize = 1024;
 /// Rows per binade, as powers of two: tried in turn.
 const FRACTIONS: [u32; 3] = [2, 3, 4];
+/// The same where the curve has more kinks than panels could avoid, and rows are filled from exact states.
+const FRACTION_OF_KINKS: u32 = 6;
 /// The table begins at this part of the pull-off load above it, at least.
 const NEAREST_TO_PULL_OFF: f64 = 5e-10;
-/// The range of ln(load - pull-off) that is compiled: with adhesion what the rows can hold.
+/// The range of ln(load - pull-off) that is compiled: what the rows can hold where that reaches down to the pull-off
+/// load, or else what anyone may ask for.
 const LOG_RANGE: f64 = MOST_ROWS as f64 / (1 << FRACTIONS[0]) as f64 * std::f64::consts::LN_2;
-const LOG_RANGE_WITHOUT_ADHESION: f64 = 60.0;
+const LOG_RANGE_WITHOUT_PULL_OFF: f64 = 60.0;
 /// The largest relative error of the force, and of its slope, of a row against an exact state.
 const VALUE_TOLERANCE: f64 = 1e-10;
 const SLOPE_TOLERANCE: f64 = 1e-8;
@@ -91,15 +95,17 @@ impl Law {
     /// [`Error::NotConverged`] where the branch of equilibrium states cannot be followed.
     pub fn new(population: &Population, equilibrium: &Equilibrium, scales: Scales) -> Result<Self, Error> {
         let mut samples = Vec::new();
-        let log_range = if equilibrium.pull_off().is_some() { LOG_RANGE } else { LOG_RANGE_WITHOUT_ADHESION };
+        let nearest = equilibrium.pull_off().map(|point| (-point.load * NEAREST_TO_PULL_OFF).ln());
+        let log_range = |heaviest: f64| match nearest {
+            Some(nearest) if heaviest - nearest <= LOG_RANGE => LOG_RANGE,
+            _ => LOG_RANGE_WITHOUT_PULL_OFF,
+        };
         let curve = Curve::new(population, equilibrium, log_range, &mut samples)?;
         let log_load = scales.load.ln();
         let (lower, upper) = curve.log_range();
-        let lower = match equilibrium.pull_off() {
-            Some(point) => (-point.load * NEAREST_TO_PULL_OFF).ln().max(lower),
-            None => lower,
-        } + log_load;
+        let lower = nearest.unwrap_or(lower).max(lower) + log_load;
         let upper = upper + log_load;
+        let curve_is_resolved = curve.is_resolved();
         let mut law = Self {
             rows: Vec::new(),
             shift: 0,
@@ -109,13 +115,17 @@ impl Law {
             curve,
         };
         let mut best = 0.0;
-        for fraction in FRACTIONS {
+        let fractions = if curve_is_resolved { &FRACTIONS[..] } else { &[FRACTION_OF_KINKS] };
+        for &fraction in fractions {
             let shift = MANTISSA_BITS - fraction;
             let last = (upper.min(700.0).exp().to_bits() >> shift) - 1;
             // What does not fit in the table is left to exact evaluation at the light end.
             let first = (lower.max(-700.0).exp().to_bits() >> shift).max(last - MOST_ROWS as u64) + 1;
             let filling = Filling { curve: &law.curve, shift, scales };
-            let (rows, error) = filling.rows(first..=last);
+            let (mut rows, mut error) = filling.rows(first..=last);
+            if !curve_is_resolved {
+                error = error.max(direct::fill(&filling, population, equilibrium, first, &mut rows));
+            }
             let missing = rows.iter().filter(|row| row.is_left_out()).count();
             let binades = (rows.len() - missing) as f64 / f64::from(1 << fraction);
             if law.rows.is_empty() || binades > best {

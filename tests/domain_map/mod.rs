@@ -1,6 +1,7 @@
 //! What came of each surface of the box: counts, worst errors, the slowest call, as a table and as a picture.
 
-use crate::second_evaluation::{Heights, Surface};
+use crate::second_evaluation::heights::Heights;
+use crate::second_evaluation::Surface;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::time::Duration;

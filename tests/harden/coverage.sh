@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Lines of src/ that the tests run: cargo test and the C programs, on a build with counters.
+# Lines of src/ that the tests run: cargo test, the batch tests on processors with AVX2 and with SSE alone, and the C
+# programs, on a build with counters.
 #
-# usage: tests/harden/coverage.sh      needs llvm-profdata and llvm-cov (Debian: llvm-19, or newer; LLVM 18 or older cannot
-# read what rustc writes); LLVM_SUFFIX names the version, -19 by default
+# usage: tests/harden/coverage.sh      needs qemu-x86_64 (Debian: qemu-user), and llvm-profdata and llvm-cov no older than
+# the LLVM of rustc (rustc -vV; Debian: llvm-22); LLVM_SUFFIX names the version, -22 by default
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-suffix=${LLVM_SUFFIX--19}
-for tool in cargo gcc "llvm-profdata$suffix" "llvm-cov$suffix"; do
+suffix=${LLVM_SUFFIX--22}
+for tool in cargo gcc qemu-x86_64 "llvm-profdata$suffix" "llvm-cov$suffix"; do
     command -v "$tool" >/dev/null ||
         { echo "tests/harden/coverage.sh: $tool is missing: run tests/setup.sh harden" >&2; exit 1; }
 done
@@ -26,6 +27,7 @@ unset CARGO_ENCODED_RUSTFLAGS
 objects=()
 while read -r program; do
     objects+=(-object "$program")
+    case "$program" in */batch-*) batch=$program ;; esac
 done < <(cargo test --release --locked --target "$triple" --no-run --message-format=json 2>/dev/null |
     sed -n 's/.*"executable":"\([^"]*\)".*/\1/p')
 [ "${#objects[@]}" -gt 0 ] || { echo "tests/harden/coverage.sh: the tests do not build" >&2; exit 1; }
@@ -33,6 +35,9 @@ done < <(cargo test --release --locked --target "$triple" --no-run --message-for
 ASPERITY_DOMAIN_SETS=40 ASPERITY_FUZZ_CALLS=40000 \
     cargo test --release --locked --quiet --no-fail-fast --target "$triple" >"$CARGO_TARGET_DIR/tests.log" 2>&1 ||
     grep -E '^test .*FAILED|FAILED$' "$CARGO_TARGET_DIR/tests.log" || true
+for cpu in Haswell Nehalem; do
+    qemu-x86_64 -cpu "$cpu" "$batch" --quiet the_ >/dev/null
+done
 cargo build --release --locked --quiet --target "$triple"
 link=(-L"$built" -Wl,-rpath,"$built" -lasperity -lm -lpthread)
 for program in contract threads eval; do
@@ -44,7 +49,8 @@ objects+=(-object "$built/libasperity.so")
 "llvm-profdata$suffix" merge -sparse "$profiles"/*.profraw -o "$CARGO_TARGET_DIR/all.profdata"
 show=("llvm-cov$suffix")
 sources=(-instr-profile="$CARGO_TARGET_DIR/all.profdata" "${objects[@]:1}" --sources src)
-"${show[@]}" report "${sources[@]}" | awk 'NR == 1 || /\.rs|TOTAL/ { print $1, $8, $9, $10 }' | column -t
+"${show[@]}" report "${sources[@]}" |
+    awk 'BEGIN { print "file lines missed run" } /\.rs|TOTAL/ { print $1, $8, $9, $10 }' | column -t
 echo "lines that no test runs:"
 "${show[@]}" show "${sources[@]}" --show-instantiations=false |
     awk -F'|' '/^\/.*\.rs:$/ { file = $0; sub(/^.*\/src\//, "src/", file) } $2 ~ /^ *0$/ { print file $1 ":" $3 }' \

@@ -12,14 +12,15 @@
 #   make miri            undefined behaviour in the Rust code             MIRI_CALLS; needs a nightly Rust with miri
 #   make processors      the same bits on emulated processors             needs qemu-user
 #   make supply-chain    licences, bans, sources                          needs cargo-deny
-#   make coverage        lines that the tests run                         needs llvm-19
-#   make mutants         changes to the source that no test notices       SHARD; needs cargo-mutants
+#   make coverage        lines that the tests run                         needs llvm-22
+#   make mutants         changes to the source that no test notices       SHARD, MUTANT_TEST_SECONDS; needs cargo-mutants
 
 FUZZ_CALLS ?= 10000000
 FUZZ_SEED ?= 1
 FUZZ_SECONDS ?= 1800
 DOMAIN_SETS ?= 20000
-SHARD ?= 0/16
+SHARD ?= 0/1
+MUTANT_TEST_SECONDS ?= 0.5
 MIRI_CALLS ?= 40
 LOW := nice -n 19
 # Compilers of a toolchain with nightly options; a stable one takes them with RUSTC_BOOTSTRAP.
@@ -74,4 +75,4 @@ coverage:
 	$(LOW) tests/harden/coverage.sh
 
 mutants:
-	$(LOW) $(CARGO) mutants --shard $(SHARD)
+	$(LOW) tests/harden/mutants/run.sh --shard $(SHARD) --seconds $(MUTANT_TEST_SECONDS)

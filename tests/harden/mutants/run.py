@@ -1,0 +1,272 @@
+"""Runs the tests against each mutant of the physics and the C interface: `make mutants`.
+
+cargo-mutants says what the mutants are (.cargo/mutants.toml), functions marked unsafe included; plant.py puts them all into
+one copy of the sources, which is built once. Each test runs alone once, to learn which functions with mutants it reaches
+and how long it takes; then each mutant meets the tests that reach it, quick ones first, until one fails. What cannot be
+planted (constants) is for cargo-mutants itself, and is listed.
+
+usage: run.py FOLDER [--jobs N] [--shard K/N] [--seconds S] [--again | --resume] [--only PATTERN]
+    FOLDER     for the copy, what is built and the outcome; kept from run to run
+    --seconds  tests that take longer are left out
+    --again    only mutants that the last run missed
+    --resume   only mutants of which nothing is known
+    --only     only mutants in whose names this pattern is found
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import resource
+import subprocess
+import sys
+import time
+
+import plant
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+# Programs in C; and tests that also run on another processor, emulated, so that AVX2 is seen where AVX-512 is at hand.
+PROGRAMS = ["contract", "old_caller", "tables", "threads", "traps"]
+EMULATED = ["batch"]
+EMULATOR = ["qemu-x86_64", "-cpu", "Haswell"]
+TARGETS = ["batch", "contacts", "figures", "findings", "fuzz", "heights", "law", "published", "reference", "robustness",
+    "thresholds"]
+MEMORY = 8 << 30
+# Short forms of the tests that have a length.
+LENGTHS = {"ASPERITY_FUZZ_CALLS": "5000"}
+
+
+def run(command, **more):
+    return subprocess.run(command, check=True, text=True, **more)
+
+
+def listed(folder):
+    """The mutants of cargo-mutants, for the sources without `unsafe`, whose functions it would pass over."""
+    bare = folder / "listed"
+    copy(bare)
+    for path in (bare / "src").rglob("*.rs"):
+        path.write_text(re.sub(r"\bunsafe ((?:extern \"C\" )?fn)", r"       \1", path.read_text()))
+    found = json.loads(run(["cargo", "mutants", "--list", "--json"], cwd=bare, stdout=subprocess.PIPE).stdout)
+    for number, mutant in enumerate(found, 1):
+        mutant["number"] = number
+    return found
+
+
+def copy(to, changed={}):
+    """The files of the repository, some changed; what is there already keeps its time, so that cargo builds no more than it
+    must."""
+    for name in run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, stdout=subprocess.PIPE).stdout.split():
+        if not (ROOT / name).is_file():
+            continue
+        content, target = changed.get(name, (ROOT / name).read_bytes()), to / name
+        if not (target.is_file() and target.read_bytes() == content):
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(content)
+
+
+def planted(folder, mutants):
+    """Writes the copy with all mutants; those that are left out."""
+    left = []
+    by_file = collections.defaultdict(list)
+    for mutant in mutants:
+        by_file[mutant["file"]].append(mutant)
+    changed = {}
+    for name, here in by_file.items():
+        source, not_planted = plant.planted((ROOT / name).read_text(), here)
+        left += not_planted
+        changed[name] = source.encode()
+    library = (ROOT / "src/lib.rs").read_text()
+    module = "#[allow(missing_docs)]\npub mod mutant;\npub mod asperity;"
+    changed["src/lib.rs"] = library.replace("pub mod asperity;", module, 1).encode()
+    copy(folder / "tree", changed)
+    switch = folder / "tree/src/mutant.rs"
+    count = max(mutant["number"] for mutant in mutants) + 1
+    source = plant.SWITCH % (count, count)
+    if not switch.exists() or switch.read_text() != source:
+        switch.write_text(source)
+    return left
+
+
+def built(folder):
+    """Test programs by target, or the numbers of mutants that do not compile."""
+    tree = folder / "tree"
+    command = ["cargo", "test", "--profile", "mutants", "--locked", "--no-run", "--message-format=json", "--lib"]
+    command += [word for target in TARGETS for word in ("--test", target)]
+    output = subprocess.run(command, cwd=tree, env=cargo(folder), text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    programs, unviable, other = {}, set(), []
+    for line in output.stdout.splitlines():
+        message = json.loads(line)
+        if message["reason"] == "compiler-artifact" and message["executable"] and message["profile"]["test"]:
+            programs[message["target"]["name"]] = message["executable"]
+        elif message["reason"] == "compiler-message" and message["message"]["level"] == "error":
+            spans = [span for span in message["message"]["spans"] if span["is_primary"]]
+            numbers = {around(tree / span["file_name"], span["byte_start"], span["byte_end"]) for span in spans}
+            if numbers - {None}:
+                unviable |= numbers - {None}
+            elif spans:
+                other.append(message["message"]["rendered"])
+    if other and not unviable:
+        sys.exit("the copy does not build:\n" + "\n".join(other[:5]))
+    if output.returncode and not unviable:
+        sys.exit(output.stderr)
+    return programs, unviable
+
+
+def compiled(folder):
+    """The programs in C, with the shared library of the mutants."""
+    library = folder / "target/mutants"
+    run(["cargo", "build", "--profile", "mutants", "--locked", "--quiet"], cwd=folder / "tree", env=cargo(folder))
+    for name in PROGRAMS:
+        flags = ["-O1", "-Iinclude", f"-L{library}", f"-Wl,-rpath,{library}"]
+        libraries = ["-lasperity", "-lm", "-lpthread"]
+        run(["cc", *flags, f"tests/c/{name}.c", "-o", str(folder / name), *libraries], cwd=folder / "tree")
+
+
+def cargo(folder):
+    """The same for every build, so that all is built once."""
+    return dict(os.environ, CARGO_TARGET_DIR=str(folder / "target"), RUSTFLAGS="--cap-lints=warn -Awarnings")
+
+
+def around(path, start, end):
+    """The mutant whose text is there."""
+    for found in re.finditer(rb"/\*<(\d+)\*/.*?/\*\1>\*/", path.read_bytes(), re.S):
+        if found.start() <= start and end <= found.end():
+            return int(found[1])
+    return None
+
+
+def limits(seconds):
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    return limit
+
+
+def call(command, folder, seconds, **environment):
+    """How a test ends: passed, failed or timeout; and its processor time."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    try:
+        end = subprocess.run(
+            command, cwd=folder / "tree", stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=20 * seconds + 20, preexec_fn=limits(seconds), start_new_session=True,
+            env=dict(os.environ, **LENGTHS, **environment))
+    except subprocess.TimeoutExpired:
+        return "timeout", seconds
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    if end.returncode in (-24, -9):
+        return "timeout", spent
+    return ("passed" if end.returncode == 0 else "failed"), spent
+
+
+def surveyed(folder, programs, longest):
+    """Of each test that takes no longer: its time, and the functions with mutants that it reaches.
+
+    What is known of unchanged programs is kept.
+    """
+    kept = folder / "tests.json"
+    known = json.loads(kept.read_text()) if kept.exists() else {}
+    commands = {name: [str(folder / name)] for name in PROGRAMS}
+    for target, program in programs.items():
+        names = run([program, "--list"], cwd=folder / "tree", stdout=subprocess.PIPE).stdout
+        for name in re.findall(r"^(.*): test$", names, re.M):
+            commands[f"{target} {name}"] = [program, "--exact", name, "--test-threads=1"]
+            if target in EMULATED:
+                commands[f"{target} {name}, emulated"] = [*EMULATOR, *commands[f"{target} {name}"]]
+    built = os.stat(folder / "target/mutants/libasperity.so").st_mtime
+    tests = []
+    for name, command in commands.items():
+        key = f"{name}, {built}"
+        if known.get(key, {"asked": 0})["asked"] < longest:
+            known[key] = survey(folder, command, longest)
+            print(f"{name}: {known[key]['end']}, {known[key]['seconds']:.2f} s", flush=True)
+        if known[key]["end"] == "passed" and known[key]["seconds"] <= longest:
+            tests.append({"name": name, "command": command, **known[key]})
+    kept.write_text(json.dumps(known))
+    return sorted(tests, key=lambda test: test["seconds"])
+
+
+def survey(folder, command, longest):
+    reached = folder / "reached"
+    reached.unlink(missing_ok=True)
+    end, seconds = call(command, folder, longest, ASPERITY_REACHED=str(reached))
+    sites = [int(line) for line in reached.read_text().split()] if reached.exists() else []
+    return {"asked": longest, "end": end, "seconds": seconds, "sites": sites}
+
+
+def judged(folder, mutant, tests, killers):
+    """What becomes of a mutant, and the test that decides. The test that caught the last one of its function comes first."""
+    reaching = [test for test in tests if mutant["site"] in test["sites"]]
+    reaching.sort(key=lambda test: test is not killers.get(mutant["site"]))
+    for test in reaching:
+        end, _ = call(test["command"], folder, 2 + 12 * test["seconds"], ASPERITY_MUTANT=str(mutant["number"]))
+        if end != "passed":
+            killers[mutant["site"]] = test
+            return {"failed": "caught", "timeout": "timeout"}[end], test["name"]
+    return ("missed" if reaching else "not reached"), ""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--shard", default="0/1")
+    parser.add_argument("--seconds", type=float, default=600.0)
+    parser.add_argument("--again", action="store_true")
+    parser.add_argument("--resume", action="store_true")
+    parser.add_argument("--only", default="")
+    asked = parser.parse_args()
+    folder = asked.folder.resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+
+    mutants = listed(folder)
+    print(f"{len(mutants)} mutants", flush=True)
+    # Known from run to run: what does not compile.
+    kept = folder / "unviable.json"
+    known = set(json.loads(kept.read_text())) if kept.exists() else set()
+    unviable = {mutant["number"] for mutant in mutants if mutant["name"] + mutant["diff"] in known}
+    while True:
+        left = planted(folder, [mutant for mutant in mutants if mutant["number"] not in unviable])
+        programs, more = built(folder)
+        if not more:
+            break
+        unviable |= more
+        print(f"{len(unviable)} do not compile", flush=True)
+    kept.write_text(json.dumps([mutant["name"] + mutant["diff"] for mutant in mutants if mutant["number"] in unviable]))
+    compiled(folder)
+    tests = surveyed(folder, programs, asked.seconds)
+    print(f"{len(tests)} tests, {sum(test['seconds'] for test in tests):.1f} s", flush=True)
+
+    not_planted = {mutant["number"] for mutant in left}
+    alive = [mutant for mutant in mutants if mutant["number"] not in unviable | not_planted]
+    part, parts = map(int, asked.shard.split("/"))
+    alive = [mutant for i, mutant in enumerate(alive) if i % parts == part and re.search(asked.only, mutant["name"])]
+    outcome = folder / "outcome.json"
+    last = json.loads(outcome.read_text()) if outcome.exists() else {}
+    if asked.again:
+        alive = [mutant for mutant in alive if last.get(mutant["name"], [""])[0] in ("missed", "not reached")]
+    elif asked.resume:
+        alive = [mutant for mutant in alive if mutant["name"] not in last]
+    ends = {mutant["name"]: ["unviable", ""] for mutant in mutants if mutant["number"] in unviable}
+    ends |= {mutant["name"]: ["constant", ""] for mutant in left}
+    started, killers = time.time(), {}
+    with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
+        judge = lambda mutant: (mutant, judged(folder, mutant, tests, killers))
+        for done, (mutant, end) in enumerate(pool.map(judge, alive), 1):
+            ends[mutant["name"]] = end
+            if end[0] in ("missed", "not reached"):
+                print(f"{end[0]}: {mutant['name']}", flush=True)
+            if done % 20 == 0 or done == len(alive):
+                print(f"{done} of {len(alive)} after {time.time() - started:.0f} s", flush=True)
+                ends = (json.loads(outcome.read_text()) if outcome.exists() else {}) | ends
+                outcome.write_text(json.dumps(ends, indent=0))
+    counts = collections.Counter(end for end, _ in ends.values())
+    print(", ".join(f"{name} {count}" for name, count in sorted(counts.items())))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,155 @@
+//! Where a formula ends: among the heights, so that a sum has to find the place, against the second evaluation state by
+//! state; and next to pull-off, where loads differ by less than they are known to.
+
+mod second_evaluation;
+mod surface_params;
+
+use asperity::asperity::maugis::Maugis;
+use asperity::groups::Groups;
+use asperity::population::Population;
+use asperity::surface::heights::tabulated::Tabulated;
+use asperity::surface::heights::Heights as Family;
+use asperity::surface::radius::RadiusProfile;
+use asperity::{Error, HeightFamily, Model, Params};
+use second_evaluation::heights::Heights;
+use second_evaluation::Surface;
+use surface_params::params;
+
+/// Compares states at separations, in sigma; returns the attraction loads relative to all loads.
+fn agree(surface: &Surface, separations: &[f64]) -> Vec<f64> {
+    let params = params(surface);
+    let model = Model::new(&params).unwrap_or_else(|error| panic!("{surface:?}: {error}"));
+    let compare = |&separation: &f64| {
+        let state = model.state_at_separation(separation * params.height_std).expect("a state");
+        let exact = surface.at_separation(separation);
+        assert!(exact.converged, "{surface:?} at {separation}");
+        let scale = exact.log_scale.exp();
+        let loads = scale * exact.load_absolute;
+        let near = |what: &str, value: f64, expected: f64, of: f64| {
+            let error = (value - expected).abs() / of;
+            assert!(error <= 1e-9, "{what} of {surface:?} at {separation}: {value}, not {expected}: {error:e}");
+        };
+        near("load", state.load, scale * (exact.load_contacting + exact.load_attracted), loads);
+        near("attraction", state.attraction_load, scale * exact.load_attracted, loads);
+        near("attracted", state.attracted, scale * exact.attracted, scale * exact.attracted.max(exact.contacting));
+        near("contacting", state.contacting, scale * exact.contacting, scale * exact.contacting);
+        near("friction", state.friction_force, scale * exact.friction, scale * exact.friction);
+        near("area", state.real_area, scale * exact.area, scale * exact.area);
+        state.attraction_load / loads
+    };
+    separations.iter().map(compare).collect()
+}
+
+#[test]
+fn attraction_ends_where_summits_are_too_round_for_it() {
+    // lambda^3 g passes 9/32 next to the mean height, on the way up or down.
+    for (epsilon, separations) in
+        [(0.5, [-1.0, 0.0, 0.04, 0.08, 0.12, 1.0]), (-0.5, [1.0, 0.14, 0.1, 0.08, 0.04, -1.0])]
+    {
+        let surface = Surface {
+            alpha: 0.01,
+            beta: 1000.0,
+            gamma: 1.398e-3,
+            b_over_h: 1.0,
+            heights: Heights::Gaussian,
+            epsilon,
+            rho: 1.0,
+            attraction: true,
+            slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+        };
+        let shares = agree(&surface, &separations);
+        assert!(shares[0] < -1e-6 && shares[2] < 0.0 && shares[5] == 0.0, "{shares:?}");
+    }
+}
+
+#[test]
+fn a_first_minimum_that_the_search_steps_over_is_found_by_following_the_branch() {
+    let surface = Surface {
+        alpha: 0.06043,
+        beta: 2167.38,
+        gamma: 0.869433,
+        b_over_h: 0.340755,
+        heights: Heights::weibull(2.3909024),
+        epsilon: -0.90625,
+        rho: 10.554496,
+        attraction: true,
+        slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+    };
+    let load = |separation: f64| {
+        let sums = surface.at_separation(separation);
+        sums.log_scale.exp() * (sums.load_contacting + sums.load_attracted)
+    };
+    // Through three loads about the minimum: its height to some 1e-6.
+    let [left, middle, right] = [-0.108, -0.105, -0.102].map(load);
+    assert!(left > middle && right > middle, "{left:e}, {middle:e}, {right:e}");
+    let minimum = middle - (right - left).powi(2) / (8.0 * (right + left - 2.0 * middle));
+    let before = [-0.4, -0.3, -0.2, -0.12].map(load);
+    assert!(before.windows(2).all(|pair| pair[1] < pair[0]) && before[3] > left, "{before:?}");
+    match Model::new(&params(&surface)) {
+        Err(Error::OutOfRange { name: "pull-off load", value, .. }) => {
+            let value: f64 = value.to_string().parse().expect("a number");
+            assert!((value / minimum - 1.0).abs() < 1e-5, "{value:e}, not {minimum:e}");
+        }
+        other => panic!("{:?}", other.map(|model| model.summary())),
+    }
+}
+
+#[test]
+fn separation_nears_that_of_pull_off_as_the_root_of_the_load() {
+    for (params, name) in [
+        (Params::default(), "the default"),
+        (Params { attraction: false, ..Params::default() }, "without attraction"),
+        (Params { heights: HeightFamily::Weibull { shape: 6.0 }, ..Params::default() }, "Weibull"),
+    ] {
+        let model = Model::new(&params).expect("a model");
+        let pull_off = model.summary().pull_off_load;
+        let end = model.state_at_load(pull_off).expect("a state").separation;
+        let quotient = |x: f64| {
+            let load = pull_off * (1.0 - x);
+            let state = model.state_at_load(load).expect("a state");
+            // The difference of loads that are so near is exact.
+            (end - state.separation) / ((load - pull_off) / -pull_off).sqrt()
+        };
+        let limit = quotient(1e-9);
+        for x in [1e-14, 1e-13, 1e-12, 1e-11, 1e-10] {
+            let error = quotient(x) / limit - 1.0;
+            assert!(error.abs() < 1e-4, "{name}, {x:e}: {error:e}");
+        }
+    }
+}
+
+/// Where a knot of the density passes the end of attraction, of contact, or of a regime of slip: by bisection.
+#[test]
+fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
+    let groups = Groups { alpha: 0.02, beta: 2000.0, gamma: 0.002, b_over_h: 0.5 };
+    let radius = RadiusProfile { amplitude: 0.4, rate: 0.7, origin: 0.0 };
+    let table = Tabulated::new(&[-2.0, -1.0, 0.5, 1.0, 3.0], &[0.0, 1.0, 2.0, 1.0, 0.0]).expect("a density");
+    let slip = Params::default().slip;
+    let maugis = Maugis::new(&groups);
+    let mut expected = Vec::new();
+    for &z in table.knots() {
+        let g = radius.factor(z);
+        let edge = maugis.break_away(g);
+        expected.push(z - edge.overlap);
+        expected.push(z + groups.reach());
+        for kink in [slip.radius_1, slip.radius_2].into_iter().filter(|&kink| kink > edge.radius) {
+            let (mut lower, mut upper) = (edge.overlap, 1e4);
+            for _ in 0..200 {
+                let middle = 0.5 * (lower + upper);
+                let contact = maugis.at_overlap(middle, g, maugis.guess(middle, g));
+                *(if contact.radius < kink { &mut lower } else { &mut upper }) = middle;
+            }
+            expected.push(z - lower);
+        }
+    }
+    expected.sort_by(f64::total_cmp);
+    for (attract, count) in [(true, expected.len()), (false, expected.len() - table.knots().len())] {
+        let population = Population::new(&groups, slip, Family::Tabulated(Box::new(table.clone())), radius, attract);
+        let kinks = population.kinks();
+        assert_eq!(kinks.len(), count);
+        for kink in &kinks {
+            let nearest = expected.iter().map(|d| (d - kink).abs()).fold(f64::INFINITY, f64::min);
+            assert!(nearest <= 1e-10 * (1.0 + kink.abs()), "{kink} is none of {expected:?}");
+        }
+    }
+}
