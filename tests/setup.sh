@@ -26,10 +26,10 @@ for tool in $tools; do
     command -v "${tool%@*}" >/dev/null || cargo install --locked --quiet "$tool"
 done
 
-# Miri, and the sources from which a sanitizer builds the standard library.
+# The sources from which a sanitizer builds the standard library.
 if [[ " $* " == *" harden "* ]] && command -v rustup >/dev/null; then
-    rustup component add --toolchain nightly miri rust-src >/dev/null 2>&1 ||
-        rustup toolchain install nightly --profile minimal --component miri --component rust-src
+    rustup component add --toolchain nightly rust-src >/dev/null 2>&1 ||
+        rustup toolchain install nightly --profile minimal --component rust-src
 fi
 
 if ! command -v dpkg-query >/dev/null; then

@@ -9,7 +9,6 @@
 #   make faults          10^5 cycles, 1000 reloads, soak of 10^9 calls
 #   make memory          sanitizers, valgrind
 #   make races           ThreadSanitizer in the Rust code                 needs a nightly Rust with rust-src
-#   make miri            undefined behaviour in the Rust code             MIRI_CALLS; needs a nightly Rust with miri
 #   make processors      the same bits on emulated processors             needs qemu-user
 #   make supply-chain    licences, bans, sources                          needs cargo-deny
 #   make coverage        lines that the tests run                         needs llvm-22
@@ -21,7 +20,6 @@ FUZZ_SECONDS ?= 1800
 DOMAIN_SETS ?= 20000
 SHARD ?= 0/1
 MUTANT_TEST_SECONDS ?= 0.5
-MIRI_CALLS ?= 40
 LOW := nice -n 19
 # Compilers of a toolchain with nightly options; a stable one takes them with RUSTC_BOOTSTRAP.
 FUZZ_CARGO ?= RUSTC_BOOTSTRAP=1 $(CARGO)
@@ -29,7 +27,7 @@ FUZZ_CARGO ?= RUSTC_BOOTSTRAP=1 $(CARGO)
 NIGHTLY ?= cargo +nightly
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 
-.PHONY: harden fuzz fuzz-coverage domain faults memory races miri processors supply-chain coverage mutants
+.PHONY: harden fuzz fuzz-coverage domain faults memory races processors supply-chain coverage mutants
 
 harden:
 	tests/setup.sh core hosts harden
@@ -59,10 +57,6 @@ memory:
 races:
 	CARGO_TARGET_DIR=$(TARGET)/races RUSTFLAGS=-Zsanitizer=thread $(LOW) $(NIGHTLY) test -Zbuild-std --target $(HOST) \
 	    --profile mutants --locked --test batch threads_that_share
-
-miri:
-	MIRIFLAGS="-Zmiri-disable-isolation -Zmiri-deterministic-floats" ASPERITY_FUZZ_CALLS=$(MIRI_CALLS) \
-	    $(LOW) $(NIGHTLY) miri test --target-dir $(TARGET)/miri --locked --test fuzz -- --nocapture
 
 processors:
 	$(LOW) tests/harden/processors.sh
