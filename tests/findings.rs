@@ -59,6 +59,8 @@ fn the_tip_of_the_highest_summit_carries_the_lightest_loads() {
         let ratio = friction(power) / friction(power - 5);
         assert!((ratio * 1e-4 - 1.0).abs() < 1e-12, "from 1e{power} of the units: {ratio:e}");
     }
+    let lightest = model.friction_force_at_load(f64::from_bits(1));
+    assert!((0.0..1e-200).contains(&lightest), "{lightest:e}");
 }
 
 /// The slope underflowed on the far side of the bracket, and the search ended where the load was still positive.
