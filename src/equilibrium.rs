@@ -24,6 +24,8 @@ const NEAREST_TO_END: f64 = 1e-9;
 const FARTHEST_SCAN: f64 = 1e12;
 /// A pull-off load smaller than exp of this cannot be told from none.
 const SMALLEST_LOG_LOAD: f64 = -640.0;
+/// The lightest load of a highest summit, in the same way.
+const SMALLEST_LOG_LOAD_AT_END: f64 = -690.0;
 /// Below this part of the pull-off load, load minus pull-off load is integrated from the slope: the difference of
 /// the two loads would have lost too many digits.
 const NEAR_PULL_OFF: f64 = 1e-4;
@@ -177,6 +179,9 @@ impl Equilibrium {
         guess: Option<f64>,
     ) -> Result<(f64, Sums), Error> {
         let failure = Error::NotConverged { what: "ln(load - pull-off load)", value: target };
+        // Where heights end nothing scales the sums up: lighter loads are no numbers.
+        let ends = population.heights().head().is_finite();
+        let target = if ends { target.max(SMALLEST_LOG_LOAD_AT_END) } else { target };
         let mut upper = self.farthest;
         let (mut separation, mut here, mut lower);
         match guess {

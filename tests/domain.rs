@@ -151,7 +151,9 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
                 Error::NotConverged { what, .. } => what,
                 other => panic!("{params:?}: {other}"),
             };
-            return Outcome::Refused { reason: (*name).to_string(), after: processor_time() - start };
+            let after = processor_time() - start;
+            let unfounded = *name != "pull-off load" || !parts_in_steps(surface);
+            return Outcome::Refused { reason: (*name).to_string(), after, unfounded };
         }
     };
     answer.slowest = processor_time() - start;
@@ -197,6 +199,27 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
         answer.complaint = Some(format!("no pull-off point, yet a load of {load:e}"));
     }
     Outcome::Answered(answer)
+}
+
+/// Whether by the second evaluation the load rises with separation while it is still positive.
+fn parts_in_steps(surface: &Surface) -> bool {
+    let load = |d: f64| {
+        let sums = surface.at_separation(d);
+        sums.log_scale.exp() * (sums.load_contacting + sums.load_attracted)
+    };
+    let step = (0.2 / surface.rho).clamp(0.004, 0.1);
+    let mut last = f64::INFINITY;
+    for i in 0.. {
+        let here = load(-8.0 + step * f64::from(i));
+        if here <= 0.0 {
+            return false;
+        }
+        if here > last * (1.0 + 1e-9) {
+            return true;
+        }
+        last = here;
+    }
+    false
 }
 
 /// A load that pulls, at some separation.

@@ -26,6 +26,12 @@ for tool in $tools; do
     command -v "${tool%@*}" >/dev/null || cargo install --locked --quiet "$tool"
 done
 
+# The sources from which a sanitizer builds the standard library.
+if [[ " $* " == *" harden "* ]] && command -v rustup >/dev/null; then
+    rustup component add --toolchain nightly rust-src >/dev/null 2>&1 ||
+        rustup toolchain install nightly --profile minimal --component rust-src
+fi
+
 if ! command -v dpkg-query >/dev/null; then
     echo "tests/setup.sh: not a Debian system; install the equivalents of:$packages" >&2
     exit 1

@@ -34,7 +34,12 @@ impl Answer {
 
 pub enum Outcome {
     Answered(Answer),
-    Refused { reason: String, after: Duration },
+    /// `unfounded` says that the second evaluation does not bear the reason out.
+    Refused {
+        reason: String,
+        after: Duration,
+        unfounded: bool,
+    },
 }
 
 /// Cells of the picture along an axis.
@@ -68,6 +73,11 @@ impl Map {
     /// What is not as promised.
     pub fn failures(&self, accuracy: f64, longest: Duration) -> Vec<String> {
         let mut failures = Vec::new();
+        for (surface, outcome) in &self.sets {
+            if let Outcome::Refused { reason, unfounded: true, .. } = outcome {
+                failures.push(format!("refused for {reason} without need: {}", describe(surface)));
+            }
+        }
         for (surface, answer) in self.answers() {
             let at = describe(surface);
             for (name, (error, load)) in &answer.errors {
@@ -90,7 +100,7 @@ impl Map {
         let mut text = String::new();
         let mut refused = BTreeMap::<&str, (usize, Duration, &Surface)>::new();
         for (surface, outcome) in &self.sets {
-            if let Outcome::Refused { reason, after } = outcome {
+            if let Outcome::Refused { reason, after, .. } = outcome {
                 let entry = refused.entry(reason).or_insert((0, Duration::ZERO, surface));
                 *entry = (entry.0 + 1, entry.1.max(*after), surface);
             }

@@ -8,6 +8,7 @@
 #   make domain          20,000 surfaces against a second evaluation      DOMAIN_SETS; rewrites docs/domain.svg
 #   make faults          10^5 cycles, 1000 reloads, soak of 10^9 calls
 #   make memory          sanitizers, valgrind
+#   make races           ThreadSanitizer in the Rust code                 needs a nightly Rust with rust-src
 #   make processors      the same bits on emulated processors             needs qemu-user
 #   make supply-chain    licences, bans, sources                          needs cargo-deny
 #   make coverage        lines that the tests run                         needs llvm-22
@@ -23,11 +24,14 @@ LOW := nice -n 19
 # Compilers of a toolchain with nightly options; a stable one takes them with RUSTC_BOOTSTRAP.
 FUZZ_CARGO ?= RUSTC_BOOTSTRAP=1 $(CARGO)
 
-.PHONY: harden fuzz fuzz-coverage domain faults memory processors supply-chain coverage mutants
+NIGHTLY ?= cargo +nightly
+HOST = $(shell rustc -vV | sed -n 's/^host: //p')
+
+.PHONY: harden fuzz fuzz-coverage domain faults memory races processors supply-chain coverage mutants
 
 harden:
 	tests/setup.sh core hosts harden
-	$(MAKE) --no-print-directory fuzz fuzz-coverage domain faults memory processors supply-chain coverage
+	$(MAKE) --no-print-directory fuzz fuzz-coverage domain faults memory races processors supply-chain coverage
 
 fuzz:
 	ASPERITY_FUZZ_CALLS=$(FUZZ_CALLS) ASPERITY_FUZZ_SEED=$(FUZZ_SEED) \
@@ -49,6 +53,10 @@ faults:
 
 memory:
 	$(LOW) tests/harden/memory.sh long
+
+races:
+	CARGO_TARGET_DIR=$(TARGET)/races RUSTFLAGS=-Zsanitizer=thread $(LOW) $(NIGHTLY) test -Zbuild-std --target $(HOST) \
+	    --profile mutants --locked --test batch threads_that_share
 
 processors:
 	$(LOW) tests/harden/processors.sh
