@@ -6,11 +6,13 @@ and how long it takes; then each mutant meets the tests that reach it, quick one
 planted (constants) is for cargo-mutants itself, and is listed.
 
 usage: run.py FOLDER [--jobs N] [--shard K/N] [--seconds S] [--again | --resume] [--only PATTERN]
+              [--tests PATTERN]
     FOLDER     for the copy, what is built and the outcome; kept from run to run
     --seconds  tests that take longer are left out
     --again    only mutants that the last run missed
     --resume   only mutants of which nothing is known
     --only     only mutants in whose names this pattern is found
+    --tests    only tests in whose names this pattern is found
 """
 
 import argparse
@@ -163,12 +165,12 @@ def call(command, folder, seconds, **environment):
     return ("passed" if end.returncode == 0 else "failed"), spent
 
 
-def surveyed(folder, programs, longest):
+def surveyed(folder, programs, asked):
     """Of each test that takes no longer: its time, and the functions with mutants that it reaches.
 
     What is known of unchanged programs is kept.
     """
-    kept = folder / "tests.json"
+    kept, longest = folder / "tests.json", asked.seconds
     known = json.loads(kept.read_text()) if kept.exists() else {}
     commands = {name: [str(folder / name)] for name in PROGRAMS}
     for target, program in programs.items():
@@ -180,6 +182,8 @@ def surveyed(folder, programs, longest):
     built = os.stat(folder / "target/mutants/libasperity.so").st_mtime
     tests = []
     for name, command in commands.items():
+        if not re.search(asked.tests, name):
+            continue
         key = f"{name}, {built}"
         if known.get(key, {"asked": 0})["asked"] < longest:
             known[key] = survey(folder, command, longest)
@@ -219,6 +223,7 @@ def main():
     parser.add_argument("--again", action="store_true")
     parser.add_argument("--resume", action="store_true")
     parser.add_argument("--only", default="")
+    parser.add_argument("--tests", default="")
     asked = parser.parse_args()
     folder = asked.folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)
@@ -238,7 +243,7 @@ def main():
         print(f"{len(unviable)} do not compile", flush=True)
     kept.write_text(json.dumps([mutant["name"] + mutant["diff"] for mutant in mutants if mutant["number"] in unviable]))
     compiled(folder)
-    tests = surveyed(folder, programs, asked.seconds)
+    tests = surveyed(folder, programs, asked)
     print(f"{len(tests)} tests, {sum(test['seconds'] for test in tests):.1f} s", flush=True)
 
     not_planted = {mutant["number"] for mutant in left}
