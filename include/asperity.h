@@ -226,8 +226,8 @@ typedef struct asperity_params {
    */
   double skew;
   /**
-   * Kurtosis of the summit heights, > skew^2 + 1; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by default, which
-   * with skew 0 is Gaussian.
+   * Kurtosis of the summit heights, > skew^2 + 1 and at most 1e10; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by
+   * default, which with skew 0 is Gaussian.
    */
   double kurtosis;
   /**
@@ -308,8 +308,8 @@ typedef struct asperity_state {
   double mean_contact_radius;
   /**
    * Radius of the largest contact [length]. Heights have no end, but n = `contacting` summits do: it is the largest radius
-   * up to the height that 1/(n + 1) of them exceed, as the tallest of n does on average. Not below the mean radius,
-   * which it is for n <= 1.
+   * up to the height that 1/(n + 1) of them exceed, as the tallest of n does on average. Not below the mean radius, which
+   * it is for n <= 1, so always where `asperity_count` is 1: give the number of summits.
    */
   double max_contact_radius;
   /**

@@ -20,11 +20,16 @@ const WIDEST_SCAN: f64 = 0.25;
 const FINEST_SCAN: f64 = 0.02;
 /// ...where heights end, up to this far from where nothing touches or attracts any more, relative to it.
 const NEAREST_TO_END: f64 = 1e-9;
+/// ...no farther out than this many ranges of adhesion.
+const FARTHEST_SCAN: f64 = 1e12;
 /// A pull-off load smaller than exp of this cannot be told from none.
 const SMALLEST_LOG_LOAD: f64 = -640.0;
 /// Below this part of the pull-off load, load minus pull-off load is integrated from the slope: the difference of
 /// the two loads would have lost too many digits.
 const NEAR_PULL_OFF: f64 = 1e-4;
+
+/// The lightest loads of a highest summit are found by halving the distance from it, hundreds of times.
+const MOST_STEPS: u32 = 1000;
 
 /// How well a load next to the pull-off load is known, relative to it.
 const LOAD_ROUNDING: f64 = 2e-11;
@@ -57,7 +62,17 @@ impl Equilibrium {
         if !population.is_adhesive() {
             return Ok(Self { pull_off: None, farthest: population.farthest() });
         }
-        match bracket_first_minimum(population) {
+        let scanned = if population.has_single_minimum() {
+            bracket_first_minimum(population)
+        } else {
+            // Many states are looked at for a sign.
+            bracket_first_minimum(&population.roughly()).map(|bracket| about(population, bracket))
+        };
+        let bracket = match (scanned, bracket_at_foot(population)) {
+            (Some(scanned), Some(at_foot)) => Some(if at_foot.0 < scanned.0 { at_foot } else { scanned }),
+            (scanned, at_foot) => scanned.or(at_foot),
+        };
+        match bracket {
             Some(bracket) => Self::within(population, bracket),
             None => Ok(Self { pull_off: None, farthest: population.farthest() }),
         }
@@ -87,13 +102,14 @@ impl Equilibrium {
     }
 
     fn within(population: &Population, (lower, upper): (f64, f64)) -> Result<Self, Error> {
-        // The slope in one scale, so that interpolation makes sense.
+        // The slope in one scale, so that interpolation makes sense; of what is far below it, the sign.
         let scale = population.at_separation(lower).log_scale;
         let slope = |separation: f64| {
             let sums = population.at_separation(separation);
-            sums.load_slope * (sums.log_scale - scale).min(600.0).exp()
+            sums.load_slope * (sums.log_scale - scale).clamp(-600.0, 600.0).exp()
         };
-        let separation = root::bracketed(slope, lower, upper);
+        // A load that falls on both sides rises in a jump between.
+        let separation = if slope(upper) < 0.0 { lower } else { root::bracketed(slope, lower, upper) };
         let sums = population.at_separation(separation);
         if sums.load() >= 0.0 {
             return Err(Error::OutOfRange {
@@ -187,7 +203,7 @@ impl Equilibrium {
             }
         }
         let mut last_step = f64::MAX;
-        for _ in 0..200 {
+        for _ in 0..MOST_STEPS {
             let (log_excess, slope, sums) = here;
             let residual = log_excess - target;
             if residual >= 0.0 {
@@ -242,6 +258,8 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
         (0.5 * population.range_of_adhesion()).clamp(FINEST_SCAN, WIDEST_SCAN)
     };
     step = scan_step;
+    // In a tail so heavy that the load falls that far out, separations no longer resolve what adhesion does.
+    let farthest = if single { farthest } else { farthest.min(FARTHEST_SCAN * population.range_of_adhesion()) };
     // Beyond where nothing touches or attracts any more there is no slope to be seen.
     let ends = population.heights().head().is_finite();
     while here < farthest {
@@ -269,6 +287,28 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
     None
 }
 
+/// Two separations between which the load has a minimum because many summits that gather at the foot part at once: next to
+/// where they lose contact or attraction, nearer than a scan looks.
+fn bracket_at_foot(population: &Population) -> Option<(f64, f64)> {
+    const NEAREST: i32 = 15;
+    let scale = population.heights().head() - population.heights().foot();
+    let offsets = (1..=NEAREST).map(|k| -0.1_f64.powi(k)).chain((1..=NEAREST).rev().map(|k| 0.1_f64.powi(k)));
+    let first_minimum = |parting: f64| {
+        let mut before: Option<(f64, f64)> = None;
+        for separation in offsets.clone().map(|offset| parting + scale * offset) {
+            let sums = population.at_separation(separation).unscaled();
+            let rises = sums.load_slope >= 0.0;
+            match before {
+                None if rises => return None,
+                Some((nearer, load)) if rises || sums.load() >= load => return Some((nearer, separation)),
+                _ => before = Some((separation, sums.load())),
+            }
+        }
+        None
+    };
+    population.partings().into_iter().find_map(first_minimum)
+}
+
 /// A separation past the minimum at which something is left, where a step led from a falling load to nothing; `None` if
 /// the load falls until nothing is left. Moves `here` on where the load falls still.
 fn before_nothing_is_left(population: &Population, here: &mut f64, nothing: f64) -> Option<f64> {
@@ -294,6 +334,20 @@ fn first_bracket(population: &Population, lower: f64, upper: f64) -> (f64, f64) 
     let at = |part: u32| lower + (upper - lower) * f64::from(part) / f64::from(PARTS);
     let first = (1..PARTS).find(|&part| !falls(population, at(part))).unwrap_or(PARTS);
     (at(first - 1), at(first))
+}
+
+/// A bracket of the minimum about one that was found by rough sums, which may mistake a sign next to where it changes.
+fn about(population: &Population, (mut lower, mut upper): (f64, f64)) -> (f64, f64) {
+    let mut step = (upper - lower).max(f64::EPSILON * upper.abs());
+    while !falls(population, lower) && lower > CLOSEST {
+        lower -= step;
+        step *= 2.0;
+    }
+    while falls(population, upper) && upper < population.farthest() {
+        upper += step;
+        step *= 2.0;
+    }
+    (lower, upper)
 }
 
 /// Whether the load falls as separation grows.

@@ -3,7 +3,7 @@
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::groups::Groups;
-use crate::law::{self, Law, Scales, Table};
+use crate::law::{self, Law, Row, Scales, Table};
 use crate::params::{finite, Params};
 use crate::population::{Contacts, Population, Sums};
 
@@ -187,6 +187,13 @@ impl Model {
             return None;
         }
         self.law.at_load(load)
+    }
+
+    /// The table's row for a load, and where in it the load lies; `None` for a load that is not finite or outside.
+    #[inline]
+    pub(crate) fn row_at(&self, load: f64) -> Option<(&Row, f64)> {
+        // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
+        finite(load).then(|| self.law.row_at(load))?
     }
 
     /// Friction coefficient and slope where the compiled law answers.

@@ -3,7 +3,7 @@
 use crate::asperity::slip::SlipConstants;
 use crate::error::Error;
 use crate::groups::Groups;
-use crate::surface::heights::johnson::{self, Johnson};
+use crate::surface::heights::johnson;
 use crate::surface::heights::tabulated::Tabulated;
 use crate::surface::heights::weibull::{self, Weibull};
 use crate::surface::heights::Heights;
@@ -367,23 +367,21 @@ fn checked_johnson(skew: f64, kurtosis: f64) -> Result<Heights, Error> {
     }
     // Squares stay finite.
     let bounded = skew.clamp(-1e150, 1e150);
-    if !finite(kurtosis) || kurtosis <= bounded * bounded + 1.0 {
+    if !finite(kurtosis) || johnson::above_least(bounded, kurtosis) <= 0.0 {
         return Err(Error::InvalidParameter {
             name: "kurtosis",
             value: kurtosis.into(),
             allowed: "must be finite and > skew^2 + 1, as that of every distribution",
         });
     }
-    if kurtosis < johnson::smallest_kurtosis(bounded) || kurtosis > johnson::LARGEST_KURTOSIS {
+    if kurtosis > johnson::LARGEST_KURTOSIS {
         return Err(Error::OutOfRange {
             name: "kurtosis",
             value: kurtosis.into(),
-            allowed: "must be between 1.4 + 1.3 skew^2 and 1000: nearer to skew^2 + 1 nearly all summits have one of \
-                      two heights",
+            allowed: "must be at most 1e10: in heavier tails numbers overflow; so |skew| is below 1e5",
         });
     }
-    let johnson = Johnson::new(skew, kurtosis);
-    Ok(if johnson.is_gaussian() { Heights::Gaussian } else { Heights::Johnson(Box::new(johnson)) })
+    Ok(johnson::heights(skew, kurtosis))
 }
 
 /// Tested by bits: a comparison with a signalling NaN would raise a floating-point exception.

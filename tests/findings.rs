@@ -1,6 +1,10 @@
 //! What fuzzing and the sweep over the box of parameters found, each kept as a case.
 
+mod processor_time;
+
 use asperity::{HeightFamily, Model, Params};
+use processor_time::processor_time;
+use std::time::Duration;
 
 fn surface(alpha: f64, beta: f64, gamma: f64, b_over_h: f64, shape: f64) -> Params {
     let mut params = Params::default();
@@ -36,6 +40,52 @@ fn a_load_next_to_pull_off_is_that_of_its_separation() {
         let there = model.state_at_separation(state.separation).expect("a state");
         assert!((there.load / load - 1.0).abs() < 1e-12, "x {x:e}: load {load:e}, at its separation {:e}", there.load);
     }
+}
+
+/// Contact of the highest summits alone was summed beyond their height, or to the few digits that theta has of its
+/// distance from pi/2.
+#[test]
+fn the_tip_of_the_highest_summit_carries_the_lightest_loads() {
+    let (height, density) = ([-2.0, -1.0, 1.0, 2.0], [1e-3, 2.0, 2.0, 1e-3]);
+    let params = Params {
+        heights: HeightFamily::Tabulated { height: height.to_vec().into(), density: density.to_vec().into() },
+        ..surface(0.0954, 20.76, 0.0, 5.75, 1.0)
+    };
+    let model = Model::new(&params).expect("a model");
+    let unit = params.composite_modulus * params.burgers_vector.powi(2) * params.asperity_count;
+    // Where the density is even, load goes with the overlap to the power of 5/2, area to that of 2.
+    for power in (-250..=-45).step_by(5) {
+        let friction = |power: i32| model.friction_force_at_load(10f64.powi(power) * unit);
+        let ratio = friction(power) / friction(power - 5);
+        assert!((ratio * 1e-4 - 1.0).abs() < 1e-12, "from 1e{power} of the units: {ratio:e}");
+    }
+}
+
+/// The slope underflowed on the far side of the bracket, and the search ended where the load was still positive.
+#[test]
+fn a_pull_off_load_that_is_no_number_is_none() {
+    let params = Params { attraction: true, ..surface(2.34e-2, 3.159e5, 1.4726e-4, 0.08055, 128.0) };
+    let model = Model::new(&params).expect("a model");
+    assert_eq!(model.summary().pull_off_load, 0.0);
+    let state = model.state_at_separation(4.0 * params.height_std).expect("a state");
+    let exact = model.state_at_load(state.load).expect("a state");
+    assert!((exact.friction_force / state.friction_force - 1.0).abs() < 1e-11, "{exact:?}, {state:?}");
+}
+
+/// Where radii fall with height, sums go down from where contact ends; they did so in steps of one sigma over a thousand.
+#[test]
+fn heights_with_a_long_lower_tail_take_no_longer_than_others() {
+    let params = Params {
+        heights: HeightFamily::Johnson { skew: -0.33831787109375, kurtosis: 13.284959342760148 },
+        attraction: true,
+        radius_amplitude: -1.0,
+        radius_rate: 16.294315938765745,
+        ..surface(2.0541023068e-4, 14.6071685326, 0.115624353223, 8.45309277181, 1.0)
+    };
+    let start = processor_time();
+    let model = Model::new(&params).expect("a model");
+    let took = processor_time() - start;
+    assert!(took < Duration::from_millis(500) || cfg!(debug_assertions), "{took:?}, {:?}", model.summary());
 }
 
 /// The search stepped over the first minimum to a later one, where radii fall steeply with height.

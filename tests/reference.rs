@@ -6,68 +6,21 @@
 //! other heights, written down in another form (`reference/heights.py`). Units: E* b^2 for load, G* b^2 for friction,
 //! b^2 for area, sigma for separation, one summit.
 
+mod reference_rows;
+
 use asperity::asperity::slip::SlipConstants;
 use asperity::{HeightFamily, Model, Params, State};
-use serde::Deserialize;
+use reference_rows::{read, Case, CaseParams, Row};
 
-#[derive(Deserialize)]
-struct Case {
-    name: String,
-    params: CaseParams,
-    rows: Vec<Row>,
-}
-
-#[derive(Debug, Deserialize)]
-struct CaseParams {
-    alpha: f64,
-    beta: f64,
-    gamma: f64,
-    b_over_h: f64,
-    epsilon: f64,
-    rho: f64,
-    weibull_shape: Option<f64>,
-    skew: Option<f64>,
-    kurtosis: Option<f64>,
-    table_height: Option<Vec<f64>>,
-    table_density: Option<Vec<f64>>,
-    noncontacting: bool,
-    a1: f64,
-    tau1: f64,
-    a2: f64,
-    tau2: f64,
-}
-
-#[derive(Deserialize)]
-struct Row {
-    separation: f64,
-    load: f64,
-    load_contacting: f64,
-    load_attracted: f64,
-    friction: f64,
-    contacting: f64,
-    area: f64,
-    dload_dseparation: f64,
-    dfriction_dload: f64,
-    attracted: Option<f64>,
-    load_absolute: Option<f64>,
-}
-
-fn read(file: &str) -> Vec<Case> {
-    let path = format!("{}/tests/reference/{file}", env!("CARGO_MANIFEST_DIR"));
-    serde_json::from_str(&std::fs::read_to_string(path).expect(file)).expect(file)
-}
-
-impl CaseParams {
-    fn heights(&self) -> HeightFamily {
-        match (self.weibull_shape, self.skew, self.kurtosis, &self.table_height, &self.table_density) {
-            (None, None, None, None, None) => HeightFamily::Gaussian,
-            (Some(shape), None, None, None, None) => HeightFamily::Weibull { shape },
-            (None, Some(skew), Some(kurtosis), None, None) => HeightFamily::Johnson { skew, kurtosis },
-            (None, None, None, Some(height), Some(density)) => {
-                HeightFamily::Tabulated { height: height.clone().into(), density: density.clone().into() }
-            }
-            _ => panic!("{self:?}: more than one family of heights"),
+fn heights(p: &CaseParams) -> HeightFamily {
+    match (p.weibull_shape, p.skew, p.kurtosis, &p.table_height, &p.table_density) {
+        (None, None, None, None, None) => HeightFamily::Gaussian,
+        (Some(shape), None, None, None, None) => HeightFamily::Weibull { shape },
+        (None, Some(skew), Some(kurtosis), None, None) => HeightFamily::Johnson { skew, kurtosis },
+        (None, None, None, Some(height), Some(density)) => {
+            HeightFamily::Tabulated { height: height.clone().into(), density: density.clone().into() }
         }
+        _ => panic!("{p:?}: more than one family of heights"),
     }
 }
 
@@ -81,7 +34,7 @@ fn model(p: &CaseParams) -> Model {
         height_std: p.alpha * p.beta,
         summit_radius: p.beta / p.alpha,
         asperity_count: 1.0,
-        heights: p.heights(),
+        heights: heights(p),
         attraction: p.noncontacting,
         radius_amplitude: p.epsilon,
         radius_rate: p.rho,

@@ -2,6 +2,7 @@
 //! state; and next to pull-off, where loads differ by less than they are known to.
 
 mod second_evaluation;
+mod surface_params;
 
 use asperity::asperity::maugis::Maugis;
 use asperity::groups::Groups;
@@ -11,29 +12,9 @@ use asperity::surface::heights::weibull::Weibull;
 use asperity::surface::heights::Heights as Family;
 use asperity::surface::radius::RadiusProfile;
 use asperity::{Error, HeightFamily, Model, Params};
-use second_evaluation::{Heights, Surface};
-
-/// The library's parameters of a surface, in units E* = G* = b = N = 1.
-fn params(surface: &Surface) -> Params {
-    Params {
-        composite_modulus: 1.0,
-        effective_shear_modulus: 1.0,
-        work_of_adhesion: surface.gamma,
-        adhesion_range: 1.0 / surface.b_over_h,
-        burgers_vector: 1.0,
-        height_std: surface.alpha * surface.beta,
-        summit_radius: surface.beta / surface.alpha,
-        asperity_count: 1.0,
-        heights: match surface.heights {
-            Heights::Gaussian => HeightFamily::Gaussian,
-            Heights::Weibull { shape, .. } => HeightFamily::Weibull { shape },
-        },
-        attraction: surface.attraction,
-        radius_amplitude: surface.epsilon,
-        radius_rate: surface.rho,
-        ..Params::default()
-    }
-}
+use second_evaluation::heights::Heights;
+use second_evaluation::Surface;
+use surface_params::params;
 
 /// Compares states at separations, in sigma; returns the attraction loads relative to all loads.
 fn agree(surface: &Surface, separations: &[f64]) -> Vec<f64> {

@@ -14,6 +14,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// breaks with a > 0. It is where d^2u/dtheta^2 = 0 at theta = pi/2.
 pub const FOLD_LAMBDA_CUBED: f64 = 0.825_154_991_394_896_2;
 
+/// Within this of pi/2 the distance from there is known to few digits by theta.
+pub const TIP: f64 = 1e-3;
 /// A Newton step in theta, over the distance to 0 or pi/2, so small that the derivatives at its beginning carry the
 /// contact along: by itself for the contact, and times the step before for the derivatives.
 const FIRST_ORDER_STEP: f64 = 1e-8;
@@ -103,7 +105,30 @@ impl Maugis {
     /// The contact at `theta` for a summit of radius g R: eqs (4)-(6).
     #[inline]
     pub fn at(&self, theta: f64, g: f64) -> Contact {
-        let (sin, cos) = theta.sin_cos();
+        self.at_angle(theta, theta.sin_cos(), g)
+    }
+
+    /// The contact without adhesion of an overlap up to that at pi/2 - [`TIP`]. Its theta has few digits of the distance
+    /// from pi/2, which is here found itself: a = c sin(pi/2 - theta), where c hardly changes, and a is Hertz'.
+    pub fn at_tip(&self, overlap: f64, g: f64) -> Contact {
+        let radius = (overlap * g / self.overlap_hertz).sqrt();
+        let at = |complement: f64| {
+            let (cos, sin) = complement.sin_cos();
+            self.at_angle(FRAC_PI_2 - complement, (sin, cos), g)
+        };
+        let edge = self.at(FRAC_PI_2, g);
+        let mut complement = radius * (FRAC_PI_2.cos() / edge.radius);
+        let mut contact = at(complement);
+        for _ in 0..3 {
+            complement *= radius / contact.radius;
+            contact = at(complement);
+        }
+        contact
+    }
+
+    /// As [`Maugis::at`], from theta's sine and cosine.
+    #[inline]
+    fn at_angle(&self, theta: f64, (sin, cos): (f64, f64), g: f64) -> Contact {
         let (bracket_2, bracket_1) = brackets(theta, sin, cos);
         let inv_g = 1.0 / g;
         // Eq (4) as k2 c^2 + k1 c = 1; d(bracket)/dtheta = 2 theta sin 2theta and theta cos theta.
@@ -140,7 +165,7 @@ impl Maugis {
     /// Where unloading under displacement control ends: a = 0, or the fold where lambda_g is large.
     pub fn break_away(&self, g: f64) -> Contact {
         if self.lambda_cubed * g <= FOLD_LAMBDA_CUBED {
-            return self.at(FRAC_PI_2, g);
+            return self.at_angle(FRAC_PI_2, (1.0, 0.0), g);
         }
         // du/dtheta < 0 for heavy load; the first zero going up in theta is the fold.
         let rate = |theta: f64| self.at(theta, g).overlap_rate / theta.cos();
@@ -158,7 +183,9 @@ impl Maugis {
     /// `guess` is a starting theta; [`Maugis::guess`] makes one from nothing.
     pub fn at_overlap(&self, overlap: f64, g: f64, guess: f64) -> Contact {
         let (mut lower, mut upper) = (0.0, FRAC_PI_2);
-        let mut contact = self.at(guess.min(FRAC_PI_2), g);
+        let start = guess.min(FRAC_PI_2);
+        let mut angle = start.sin_cos();
+        let mut contact = self.at_angle(start, angle, g);
         let mut before = contact;
         let mut last_step = None;
         for _ in 0..200 {
@@ -187,7 +214,8 @@ impl Maugis {
                 return contact.moved(next, overlap, &before);
             }
             before = contact;
-            contact = self.at(next, g);
+            angle = turned(angle, theta, next);
+            contact = self.at_angle(next, angle, g);
             if !trusted {
                 last_step = None;
                 if upper - lower <= 4e-16 * upper {
@@ -205,6 +233,13 @@ impl Maugis {
         contact
     }
 
+    /// Without adhesion, smaller overlaps have lost digits: so near to pi/2 theta has no more.
+    pub fn least_overlap(&self) -> f64 {
+        const LEAST_COS: f64 = 1e-5;
+        let annulus_squared = 2.0 / (PI * self.bracket_2);
+        LEAST_COS * LEAST_COS * annulus_squared * self.overlap_hertz
+    }
+
     /// A starting theta for [`Maugis::at_overlap`]: eq (4) for heavy load, with Hertz' radius.
     pub fn guess(&self, overlap: f64, g: f64) -> f64 {
         let hertz_radius_squared = overlap.max(1e-100) / self.overlap_hertz; // over g
@@ -213,6 +248,19 @@ impl Maugis {
         let by_bracket_1 = (2.0 / (self.bracket_1 * radius).max(1e-100)).sqrt();
         by_bracket_2.min(by_bracket_1).min(1.0)
     }
+}
+
+/// Sine and cosine of an angle from those of another: if it is near, by the addition theorems.
+#[inline]
+fn turned((sin, cos): (f64, f64), from: f64, to: f64) -> (f64, f64) {
+    let step = to - from;
+    if step.abs() > 0.01_f64.min(0.25 * sin.min(cos)) {
+        return to.sin_cos();
+    }
+    let square = step * step;
+    let sin_step = step * (1.0 - square / 6.0 * (1.0 - square / 20.0));
+    let cos_step_less_1 = -0.5 * square * (1.0 - square / 12.0 * (1.0 - square / 30.0));
+    (sin + (sin * cos_step_less_1 + cos * sin_step), cos + (cos * cos_step_less_1 - sin * sin_step))
 }
 
 /// The two brackets of eq (4) times cos^2 and cos: sin theta cos theta - theta cos 2theta and

@@ -17,9 +17,7 @@ use crate::model::Model;
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model, load: f64) -> f64 {
-    boundary::fast_value(|| {
-        model.as_ref().map_or(f64::NAN, |handle| Quantity::Coefficient.value_at(&handle.model, load))
-    })
+    model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls.coefficient)(&handle.model, load))
 }
 
 /// Friction force F at a load.
@@ -32,7 +30,7 @@ pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model,
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_model, load: f64) -> f64 {
-    boundary::fast_value(|| model.as_ref().map_or(f64::NAN, |handle| Quantity::Force.value_at(&handle.model, load)))
+    model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls.force)(&handle.model, load))
 }
 
 /// Friction coefficients at many loads, and their slopes.

@@ -2,12 +2,14 @@
 
 use super::boundary::{self, reference, reference_mut, wrong_struct_size, Failure};
 use super::params::{asperity_params, checked_size, FIRST_SIZE};
+use super::scalar::ScalarCalls;
 use super::status::asperity_status;
 use crate::model::Model;
 
 /// A friction law ready for use; opaque.
 pub struct asperity_model {
     pub(super) model: Model,
+    pub(super) scalar_calls: ScalarCalls,
     /// Whether its maker's parameters have fields that their `struct_size` does not cover.
     unannounced_fields: bool,
 }
@@ -16,7 +18,7 @@ impl asperity_model {
     unsafe fn new(params: *const asperity_params) -> Result<Self, Failure> {
         let params = asperity_params::read(params)?;
         let unannounced_fields = params.end_of_heights() > params.struct_size;
-        Ok(Self { model: Model::new(&params.to_params()?)?, unannounced_fields })
+        Ok(Self { model: Model::new(&params.to_params()?)?, scalar_calls: ScalarCalls::new(), unannounced_fields })
     }
 
     /// Writes its parameters to a caller's struct of a size, with room for perhaps more.

@@ -70,8 +70,8 @@ pub struct asperity_params {
     pub max_friction_coefficient: f64,
     /// Skew of the summit heights; read only for `ASPERITY_HEIGHTS_JOHNSON`. 0 by default.
     pub skew: f64,
-    /// Kurtosis of the summit heights, > skew^2 + 1; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by default, which
-    /// with skew 0 is Gaussian.
+    /// Kurtosis of the summit heights, > skew^2 + 1 and at most 1e10; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by
+    /// default, which with skew 0 is Gaussian.
     pub kurtosis: f64,
     /// H [stress], > 0: indentation hardness of the softer body, which `asperity_state` compares pressures with; it
     /// does not change friction. 0, the default: not known.

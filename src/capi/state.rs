@@ -45,8 +45,8 @@ pub struct asperity_state {
     /// Mean radius of the contacts [length]; 0 where there are none, as all that follows but the plasticity index.
     pub mean_contact_radius: f64,
     /// Radius of the largest contact [length]. Heights have no end, but n = `contacting` summits do: it is the largest radius
-    /// up to the height that 1/(n + 1) of them exceed, as the tallest of n does on average. Not below the mean radius,
-    /// which it is for n <= 1.
+    /// up to the height that 1/(n + 1) of them exceed, as the tallest of n does on average. Not below the mean radius, which
+    /// it is for n <= 1, so always where `asperity_count` is 1: give the number of summits.
     pub max_contact_radius: f64,
     /// Fraction of the contacts with radii up to `slip_radius_1`, which slip as a whole.
     pub fraction_below_slip_radius_1: f64,

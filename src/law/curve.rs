@@ -23,21 +23,23 @@ const VALUE_TOLERANCE: f64 = 1e-11;
 const SLOPE_TOLERANCE: f64 = 1e-9;
 /// No panel is wider than this, in sigma, or than this part of the separation where that is larger.
 const WIDEST: f64 = 2.2;
-const WIDEST_PART: f64 = 0.4;
+const WIDEST_PART: f64 = 0.6;
 /// The panel that ends at pull-off spans no more of s than this; each one before takes this part of the way there.
-const LONGEST_LAST: f64 = 1.6;
-const PART_OF_THE_WAY: f64 = 0.55;
+const LONGEST_LAST: f64 = 2.2;
+const PART_OF_THE_WAY: f64 = 0.65;
 /// Without a pull-off load no panel covers more than this part of what is left of the branch, at whose end load vanishes.
 const MOST_OF_THE_REST: f64 = 0.7;
 /// How much wider the next panel is tried after an error of less than this part of the tolerance.
-const GROWTH: [(f64, f64); 2] = [(0.03, 2.0), (0.5, 1.5)];
+const GROWTH: [(f64, f64); 3] = [(0.01, 3.0), (0.03, 2.0), (0.5, 1.5)];
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
 const MOST_SAMPLES: usize = 800;
 /// Panels end where a table of heights gives the curve a kink. Between more kinks than these hardly a row of the law would
 /// be smooth: the curve then serves to find separations, and loads are evaluated exactly.
 const MOST_KINKS: usize = 240;
-/// What lies between kinks nearer to each other than this, in sigma, is left out: no row would fit in.
+/// What lies between kinks nearer to each other than this, in sigma, or than this part of what is left of the branch, is left
+/// out: no row would fit in.
 const NEAREST_KINKS: f64 = 0.01;
+const NEAREST_PART: f64 = 0.02;
 /// The narrowest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved (a
 /// height density whose foot passes the edge of contact, say) is evaluated exactly.
 const NARROWEST: f64 = 0.05;
@@ -101,6 +103,8 @@ pub struct Curve {
     panels: Vec<Panel>,
     /// Exact states spent.
     samples: usize,
+    /// Whether panels end at all kinks.
+    resolved: bool,
 }
 
 impl Coordinate {
@@ -119,34 +123,45 @@ impl Coordinate {
 }
 
 impl Curve {
-    /// Follows the branch from heavy load down to pull-off, or through `log_range` of ln(load) without one. Hands every
-    /// exact state that is not a node to `check`.
+    /// Follows the branch from heavy load down to pull-off, but not farther than `log_range` of the heaviest ln(load -
+    /// pull-off). Hands every exact state that is not a node to `check`.
     ///
     /// # Errors
     /// [`Error::NotConverged`] where the branch cannot be followed.
     pub fn new(
         population: &Population,
         equilibrium: &Equilibrium,
-        log_range: f64,
+        log_range: impl Fn(f64) -> f64,
         check: &mut Vec<Sample>,
     ) -> Result<Self, Error> {
         let log_pull_off = equilibrium.pull_off().map(|point| (-point.load).ln());
         let force = equilibrium.pull_off().map_or(1.0, |point| point.friction);
-        let mut curve = Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0 };
-        let end = equilibrium.farthest();
+        let mut curve =
+            Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0, resolved: true };
+        let end = match equilibrium.pull_off() {
+            Some(point) => point.separation,
+            None => equilibrium.farthest() - population.least_overlap(),
+        };
         let closest = CLOSEST - population.heights().origin();
         let mut from = curve.sample(population, equilibrium, closest.min(end - 10.0))?;
         // Adhesion that is strong beside the roughness: on to loads well above pull-off.
         while log_pull_off.is_some_and(|pull_off| from.log_excess < pull_off + LOG_ABOVE_PULL_OFF) {
             from = curve.sample(population, equilibrium, 1.5 * from.separation.min(closest))?;
         }
-        let lightest = from.log_excess - log_range;
+        let lightest = from.log_excess - log_range(from.log_excess);
         check.push(from);
         let mut kinks = population.kinks();
         let resolvable = kinks.len() <= MOST_KINKS;
+        curve.resolved = resolvable;
+        // Where heights end, all that is left of the branch may be as short as adhesion reaches.
+        let narrowest_at_end = match population.heights().head().is_finite() {
+            true => NARROWEST_AT_END.min(0.01 * population.range_of_adhesion()),
+            false => NARROWEST_AT_END,
+        };
         if !resolvable {
             kinks.clear();
         }
+        let foot = population.passings_of_foot();
         let most_samples = MOST_SAMPLES + 2 * NODES * kinks.len();
         let mut width = f64::MAX;
         // A separation before which the curve is not smooth, and whether the last attempt failed.
@@ -155,8 +170,8 @@ impl Curve {
             let remaining = end - from.separation;
             let (part, shortest) = match log_pull_off {
                 None => (MOST_OF_THE_REST, 0.0),
-                Some(_) if from.s <= LONGEST_LAST => (1.0, NARROWEST_AT_END),
-                Some(_) => (PART_OF_THE_WAY, NARROWEST_AT_END),
+                Some(_) if from.s <= LONGEST_LAST => (1.0, narrowest_at_end),
+                Some(_) => (PART_OF_THE_WAY, narrowest_at_end),
             };
             let narrowest = (0.2 * remaining).clamp(shortest, NARROWEST);
             let mut length = (part * remaining)
@@ -165,7 +180,7 @@ impl Curve {
                 .min(WIDEST.max(WIDEST_PART * from.separation.abs()));
             let mut to = if length < remaining { from.separation + length } else { end };
             if let Some(&kink) = kinks.get(kinks.partition_point(|&kink| kink <= from.separation)) {
-                if kink - from.separation < NEAREST_KINKS && kink < end {
+                if kink - from.separation < NEAREST_KINKS.min(NEAREST_PART * remaining) && kink < end {
                     let next = curve.sample(population, equilibrium, kink)?;
                     curve.panels.push(Panel::gap(&from, &next));
                     curve.samples += 1;
@@ -186,8 +201,9 @@ impl Curve {
                 let shorter = 0.9 * excess.powf(-1.0 / CONDITIONS as f64);
                 width = (shorter.clamp(0.25, 0.8) * length).max(narrowest);
                 // What is smooth needs no second try.
-                if failed {
-                    obstacle = Some(to);
+                let at_foot = foot.iter().copied().find(|&passing| passing > from.separation && passing < to);
+                if failed || at_foot.is_some() {
+                    obstacle = at_foot.or(Some(to));
                 }
                 failed = true;
                 continue;
@@ -291,6 +307,11 @@ impl Curve {
             s.map(|s| self.panel(s).log_force_at([s])[0])
         };
         std::array::from_fn(|i| (self.coordinate.force * log_force[i].0.exp(), log_force[i].1 * coordinates[i].1))
+    }
+
+    /// Whether panels end at all kinks; if not, there are too many, and the curve serves to find separations.
+    pub fn is_resolved(&self) -> bool {
+        self.resolved
     }
 
     /// F of an exact state.

@@ -6,6 +6,7 @@
 //! evaluated exactly.
 
 mod curve;
+mod direct;
 mod row;
 
 use crate::equilibrium::Equilibrium;
@@ -21,11 +22,14 @@ pub use row::{polynomial, Row, COEFFICIENTS};
 const MOST_ROWS: usize = 1024;
 /// Rows per binade, as powers of two: tried in turn.
 const FRACTIONS: [u32; 3] = [2, 3, 4];
+/// The same where the curve has more kinks than panels could avoid, and rows are filled from exact states.
+const FRACTION_OF_KINKS: u32 = 6;
 /// The table begins at this part of the pull-off load above it, at least.
 const NEAREST_TO_PULL_OFF: f64 = 5e-10;
-/// The range of ln(load - pull-off) that is compiled: with adhesion what the rows can hold.
+/// The range of ln(load - pull-off) that is compiled: what the rows can hold where that reaches down to the pull-off
+/// load, or else what anyone may ask for.
 const LOG_RANGE: f64 = MOST_ROWS as f64 / (1 << FRACTIONS[0]) as f64 * std::f64::consts::LN_2;
-const LOG_RANGE_WITHOUT_ADHESION: f64 = 60.0;
+const LOG_RANGE_WITHOUT_PULL_OFF: f64 = 60.0;
 /// The largest relative error of the force, and of its slope, of a row against an exact state.
 const VALUE_TOLERANCE: f64 = 1e-10;
 const SLOPE_TOLERANCE: f64 = 1e-8;
@@ -46,8 +50,6 @@ pub struct Table<'a> {
     pub base: u64,
     /// The pull-off load.
     pub pull_off: f64,
-    /// Whether no row is left out.
-    pub complete: bool,
 }
 
 impl Table<'_> {
@@ -74,8 +76,6 @@ pub struct Law {
     base: u64,
     pull_off: f64,
     error: f64,
-    /// Whether no row is left out.
-    complete: bool,
     curve: Curve,
 }
 
@@ -95,32 +95,37 @@ impl Law {
     /// [`Error::NotConverged`] where the branch of equilibrium states cannot be followed.
     pub fn new(population: &Population, equilibrium: &Equilibrium, scales: Scales) -> Result<Self, Error> {
         let mut samples = Vec::new();
-        let log_range = if equilibrium.pull_off().is_some() { LOG_RANGE } else { LOG_RANGE_WITHOUT_ADHESION };
+        let nearest = equilibrium.pull_off().map(|point| (-point.load * NEAREST_TO_PULL_OFF).ln());
+        let log_range = |heaviest: f64| match nearest {
+            Some(nearest) if heaviest - nearest <= LOG_RANGE => LOG_RANGE,
+            _ => LOG_RANGE_WITHOUT_PULL_OFF,
+        };
         let curve = Curve::new(population, equilibrium, log_range, &mut samples)?;
         let log_load = scales.load.ln();
         let (lower, upper) = curve.log_range();
-        let lower = match equilibrium.pull_off() {
-            Some(point) => (-point.load * NEAREST_TO_PULL_OFF).ln().max(lower),
-            None => lower,
-        } + log_load;
+        let lower = nearest.unwrap_or(lower).max(lower) + log_load;
         let upper = upper + log_load;
+        let curve_is_resolved = curve.is_resolved();
         let mut law = Self {
             rows: Vec::new(),
             shift: 0,
             base: 0,
             pull_off: equilibrium.pull_off_load() * scales.load,
             error: 0.0,
-            complete: false,
             curve,
         };
         let mut best = 0.0;
-        for fraction in FRACTIONS {
+        let fractions = if curve_is_resolved { &FRACTIONS[..] } else { &[FRACTION_OF_KINKS] };
+        for &fraction in fractions {
             let shift = MANTISSA_BITS - fraction;
             let last = (upper.min(700.0).exp().to_bits() >> shift) - 1;
             // What does not fit in the table is left to exact evaluation at the light end.
             let first = (lower.max(-700.0).exp().to_bits() >> shift).max(last - MOST_ROWS as u64) + 1;
             let filling = Filling { curve: &law.curve, shift, scales };
-            let (rows, error) = filling.rows(first..=last);
+            let (mut rows, mut error) = filling.rows(first..=last);
+            if !curve_is_resolved {
+                error = error.max(direct::fill(&filling, population, equilibrium, first, &mut rows));
+            }
             let missing = rows.iter().filter(|row| row.is_left_out()).count();
             let binades = (rows.len() - missing) as f64 / f64::from(1 << fraction);
             if law.rows.is_empty() || binades > best {
@@ -132,7 +137,6 @@ impl Law {
             }
         }
         law.certify(&samples, scales);
-        law.complete = !law.rows.iter().any(Row::is_left_out);
         Ok(law)
     }
 
@@ -163,6 +167,18 @@ impl Law {
         (index < self.rows.len() as u64).then_some(index as usize)
     }
 
+    /// The row of a finite load, which may be left out, and where in it the load lies; `None` outside the table.
+    #[inline]
+    pub fn row_at(&self, load: f64) -> Option<(&Row, f64)> {
+        self.row_at_excess(load - self.pull_off)
+    }
+
+    #[inline]
+    fn row_at_excess(&self, x: f64) -> Option<(&Row, f64)> {
+        let row = &self.rows[self.row_of(x)?];
+        Some((row, f64::from_bits(x.to_bits() & within_row(self.shift) | Table::ONE) - 1.0))
+    }
+
     /// Friction force and dF/d(load) at a finite load from the table; `None` where the table does not answer.
     #[inline]
     pub fn at_load(&self, load: f64) -> Option<(f64, f64)> {
@@ -171,18 +187,16 @@ impl Law {
 
     #[inline]
     fn at_excess(&self, x: f64) -> Option<(f64, f64)> {
-        let row = &self.rows[self.row_of(x)?].0;
-        let bits = x.to_bits();
-        let t = f64::from_bits(bits & within_row(self.shift) | Table::ONE) - 1.0;
-        let (force, rate) = polynomial(row, t);
+        let (row, t) = self.row_at_excess(x)?;
+        let (force, rate) = polynomial(&row.0, t);
         // 1/2^exponent: dF/dx = dF/d(mantissa) / 2^exponent
-        let inverse_binade = f64::from_bits(Table::TWICE_BIAS - (bits & !Table::MANTISSA));
+        let inverse_binade = f64::from_bits(Table::TWICE_BIAS - (x.to_bits() & !Table::MANTISSA));
         (!force.is_nan()).then_some((force, rate * inverse_binade))
     }
 
     /// The table itself.
     pub fn table(&self) -> Table<'_> {
-        Table { rows: &self.rows, shift: self.shift, base: self.base, pull_off: self.pull_off, complete: self.complete }
+        Table { rows: &self.rows, shift: self.shift, base: self.base, pull_off: self.pull_off }
     }
 
     /// The lightest and heaviest load of the table.

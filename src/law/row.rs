@@ -7,9 +7,10 @@ use std::ops::RangeInclusive;
 
 /// Coefficients per row: a polynomial of degree 7, one cache line.
 pub const COEFFICIENTS: usize = 8;
-/// The largest relative error of the force, and of its slope, of a row that is kept.
-const VALUE_TOLERANCE: f64 = 5e-11;
-const SLOPE_TOLERANCE: f64 = 5e-9;
+/// The largest relative error of the force of a row that is kept.
+pub const VALUE_TOLERANCE: f64 = 5e-11;
+/// Of its slope.
+pub const SLOPE_TOLERANCE: f64 = 5e-9;
 /// Where within a row the curve determines it, beside its ends; where the two are compared.
 const INTERIOR: [f64; 4] = [0.125, 0.359_375, 0.640_625, 0.875];
 const BETWEEN: [f64; 3] = [0.05, 0.5, 0.95];

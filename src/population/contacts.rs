@@ -3,7 +3,7 @@
 //!
 //! Walked anew with every panel, for exact states only: the sums that a law is compiled from need none of this.
 
-use super::{gauss_legendre, Contact, Density, Edge, Point, Population, Sink, MOST_PANELS};
+use super::{ends, gauss_legendre, Contact, Density, Edge, Heights, Point, Population, Sink, MOST_PANELS};
 use crate::root;
 use crate::surface::heights::UNDERFLOW;
 
@@ -45,7 +45,10 @@ impl Sink for Counting<'_> {
     }
 
     fn node(&mut self, z: f64, weight: f64, contact: &Contact) {
-        let weight = weight * self.density.at(z, contact.overlap);
+        self.summits(z, weight * self.density.at(z, contact.overlap), contact);
+    }
+
+    fn summits(&mut self, z: f64, weight: f64, contact: &Contact) {
         let [first, second] = self.population.slip.kinks();
         let regime = usize::from(contact.radius > first) + usize::from(contact.radius >= second);
         self.count += weight;
@@ -117,6 +120,9 @@ impl Population {
 
     /// The fraction of all summits that are higher, on the scale of a density.
     fn exceedance(&self, z: f64, separation: f64, density: &Density) -> f64 {
+        if let Heights::Ends(ends) = &self.heights {
+            return ends::mass_above(ends, z, density.log_scale);
+        }
         let (mut z, upper) = self.heights.worth_summing(z, f64::INFINITY);
         let mut fraction = 0.0;
         for _ in 0..MOST_PANELS {

@@ -24,7 +24,7 @@ impl<'a> Density<'a> {
     pub fn above(heights: &'a Heights, height: f64, overlap: f64, separation: f64) -> Self {
         let peak = heights.peak_above(height);
         let (height, overlap) = if height < peak { (peak, peak - separation) } else { (height, overlap) };
-        let log_density = heights.log_density(height);
+        let log_density = heights.log_scale(height);
         // At the foot it may be infinite; above, the density falls.
         let log_scale = if log_density.is_finite() { log_density } else { 0.0 };
         Self { heights, height, overlap, by_overlap: overlap.abs() < height.abs(), log_scale }

@@ -12,14 +12,16 @@
 mod break_edges;
 mod contacts;
 mod density;
+mod ends;
 mod gauss_legendre;
 mod nodes;
+mod table;
 
 pub use contacts::Contacts;
-pub use gauss_legendre::integrate_short;
+pub use gauss_legendre::{integrate_short, nodes, POINTS};
 
 use crate::asperity::attraction::{self, Attraction, ATTRACTION_LAMBDA_CUBED};
-use crate::asperity::maugis::{Contact, Maugis};
+use crate::asperity::maugis::{Contact, Maugis, TIP};
 use crate::asperity::slip::{Slip, SlipConstants};
 use crate::groups::Groups;
 use crate::root;
@@ -44,6 +46,8 @@ const CIRCLE_RATIO: f64 = 4.0;
 const SHORT_RATIO: f64 = 0.8;
 /// No sum needs as many panels; it bounds the time of a call.
 const MOST_PANELS: usize = 6000;
+/// The fineness of sums of which the sign is asked: every panel has as few points as there are.
+const ROUGH: f64 = 0.05;
 
 /// A population of summits pressed against a flat.
 #[derive(Debug, Clone)]
@@ -56,6 +60,8 @@ pub struct Population {
     edges: BreakEdges,
     lambda_cubed: f64,
     nodes: Option<Nodes>,
+    /// What part a whole panel counts as when its points are chosen.
+    fineness: f64,
 }
 
 /// The sums at one separation, all to be multiplied by exp(`log_scale`).
@@ -133,7 +139,7 @@ struct Summit {
     friction_by_overlap: f64,
 }
 
-/// Starting values of theta from one point to another: theta^-3 is nearly linear in overlap under load.
+/// Starting values of theta from one point to another, by theta^-2, which is smooth in overlap under load.
 ///
 /// A cubic from values and slopes at both points, corrected by what is known of its error from the values solved for
 /// on the way: over part^2 (1 - part)^2 that is smooth.
@@ -149,10 +155,11 @@ struct Guess {
 impl Guess {
     /// From values and slopes at two points `rise` apart.
     fn new(from: &Point, to: &Point, rise: f64) -> Self {
-        let slope =
-            |point: &Point| -3.0 * rise * point.theta_slope() * inverse_cube(point.contact.theta) / point.contact.theta;
-        let (start, start_slope, end_slope) = (inverse_cube(from.contact.theta), slope(from), slope(to));
-        let end = inverse_cube(to.contact.theta);
+        let slope = |point: &Point| {
+            -2.0 * rise * point.theta_slope() * inverse_square(point.contact.theta) / point.contact.theta
+        };
+        let (start, start_slope, end_slope) = (inverse_square(from.contact.theta), slope(from), slope(to));
+        let end = inverse_square(to.contact.theta);
         let change = end - start;
         let cubic =
             [start, start_slope, 3.0 * change - 2.0 * start_slope - end_slope, start_slope + end_slope - 2.0 * change];
@@ -172,12 +179,12 @@ impl Guess {
             }
         };
         let value = self.cubic(part) + error * bubble(part);
-        1.0 / value.clamp(self.range.0, self.range.1).cbrt()
+        1.0 / value.clamp(self.range.0, self.range.1).sqrt()
     }
 
     /// Takes in the value found at a part.
     fn learn(&mut self, part: f64, theta: f64) {
-        let error = (part, (inverse_cube(theta) - self.cubic(part)) / bubble(part));
+        let error = (part, (inverse_square(theta) - self.cubic(part)) / bubble(part));
         if self.known < 3 {
             self.errors[self.known] = error;
             self.known += 1;
@@ -192,8 +199,8 @@ impl Guess {
     }
 }
 
-fn inverse_cube(theta: f64) -> f64 {
-    1.0 / (theta * theta * theta)
+fn inverse_square(theta: f64) -> f64 {
+    1.0 / (theta * theta)
 }
 
 /// part^2 (1 - part)^2.
@@ -214,6 +221,8 @@ trait Sink {
     fn panel(&mut self, _from: &Point, _to: &Point, _by_height: bool) {}
     /// A node: its height, its weight without the density, and the contact there.
     fn node(&mut self, z: f64, weight: f64, contact: &Contact);
+    /// So many summits at a height, and the contact there.
+    fn summits(&mut self, _z: f64, _mass: f64, _contact: &Contact) {}
 }
 
 /// Sums the nodes, weighted with the density of heights.
@@ -231,6 +240,10 @@ impl Sink for Summing<'_> {
     fn node(&mut self, z: f64, weight: f64, contact: &Contact) {
         let density = self.density.at(z, contact.overlap);
         self.sums.add_contact(weight * density, &self.population.summit(contact));
+    }
+
+    fn summits(&mut self, _z: f64, mass: f64, contact: &Contact) {
+        self.sums.add_contact(mass, &self.population.summit(contact));
     }
 }
 
@@ -258,11 +271,18 @@ impl Population {
             edges,
             lambda_cubed: groups.lambda_cubed(),
             nodes: None,
+            fineness: 1.0,
         };
-        if radius.is_constant() {
+        // Nodes serve every separation where panels do not depend on the heights.
+        if radius.is_constant() && population.heights.knots().is_empty() {
             population.nodes = Some(Nodes::new(&population));
         }
         population
+    }
+
+    /// The same population, whose sums are good to six digits or more in half the time where radii vary with height.
+    pub fn roughly(&self) -> Self {
+        Self { fineness: ROUGH, ..self.clone() }
     }
 
     /// The height distribution.
@@ -291,29 +311,58 @@ impl Population {
         self.heights.far_tail() + self.attraction.as_ref().map_or(0.0, |a| a.reach) - self.edges.deepest()
     }
 
+    /// The separations at which summits that gather at the foot of the heights lose contact and attraction.
+    pub fn partings(&self) -> Vec<f64> {
+        let Heights::Ends(ends) = &self.heights else { return Vec::new() };
+        let foot = ends.ends()[0];
+        let attraction = self.attraction.as_ref().map(|law| foot + law.reach);
+        [Some(foot - self.maugis.break_away(self.radius.factor(foot)).overlap), attraction]
+            .into_iter()
+            .flatten()
+            .collect()
+    }
+
+    /// The least overlap of which contacts without adhesion are known to enough digits.
+    pub fn least_overlap(&self) -> f64 {
+        self.maugis.least_overlap()
+    }
+
     /// The separations at which a height where the density has a kink passes an overlap where the law of one summit has
     /// one, in ascending order: there the sums are not smooth.
     pub fn kinks(&self) -> Vec<f64> {
-        let mut kinks = Vec::new();
-        for &z in self.heights.knots() {
-            let g = self.radius.factor(z);
-            let edge = self.maugis.break_away(g);
-            kinks.push(z - edge.overlap);
-            if let Some(law) = &self.attraction {
-                kinks.push(z + law.reach);
-            }
-            for radius in self.slip.kinks().into_iter().filter(|&radius| radius > edge.radius) {
-                let excess = |theta: f64| self.maugis.at(theta, g).radius - radius;
-                let mut lower = 0.5 * edge.theta;
-                while excess(lower) < 0.0 {
-                    lower *= 0.5;
-                }
-                kinks.push(z - self.maugis.at(root::bracketed(excess, lower, edge.theta), g).overlap);
-            }
-        }
+        let mut kinks: Vec<f64> = self.heights.knots().iter().flat_map(|&z| self.passings(z)).collect();
         kinks.sort_by(f64::total_cmp);
         kinks.dedup();
         kinks
+    }
+
+    /// The same for the foot of the heights, where the density is a power: about there the sums may not be smooth.
+    pub fn passings_of_foot(&self) -> Vec<f64> {
+        let mut passings = match self.heights.power_at_foot() {
+            Some(_) => self.passings(self.heights.foot()),
+            None => Vec::new(),
+        };
+        passings.sort_by(f64::total_cmp);
+        passings
+    }
+
+    /// The separations at which a height passes the overlaps where the law of one summit has a kink.
+    fn passings(&self, z: f64) -> Vec<f64> {
+        let g = self.radius.factor(z);
+        let edge = self.maugis.break_away(g);
+        let mut passings = vec![z - edge.overlap];
+        if let Some(law) = &self.attraction {
+            passings.push(z + law.reach);
+        }
+        for radius in self.slip.kinks().into_iter().filter(|&radius| radius > edge.radius) {
+            let excess = |theta: f64| self.maugis.at(theta, g).radius - radius;
+            let mut lower = 0.5 * edge.theta;
+            while excess(lower) < 0.0 {
+                lower *= 0.5;
+            }
+            passings.push(z - self.maugis.at(root::bracketed(excess, lower, edge.theta), g).overlap);
+        }
+        passings
     }
 
     /// The sums at a separation.
@@ -446,6 +495,17 @@ impl Population {
             Some(edge) if edge.z == lower => self.edge_point(edge),
             _ => self.point_cold(separation, lower),
         };
+        if let Heights::Ends(ends) = &self.heights {
+            match upper_edge {
+                Some(edge) if edge.z == upper => {
+                    let middle = 0.5 * (lower + upper);
+                    self.walk_between_ends(ends, start, middle, sink);
+                    self.walk_between_ends(ends, self.edge_point(edge), middle, sink);
+                }
+                _ => self.walk_between_ends(ends, start, upper, sink),
+            }
+            return;
+        }
         match upper_edge {
             // A second edge above, where a falling radius lets tall summits break first: from both ends.
             Some(edge) if edge.z == upper => {
@@ -551,7 +611,7 @@ impl Population {
             return above(z);
         }
         // Going down, what lies below is nearer: the distance that z would allow going up, less itself.
-        let mut length = 1.0_f64;
+        let mut length = self.heights.longest_below(z);
         for _ in 0..60 {
             if above(z - length) >= length {
                 break;
@@ -598,7 +658,14 @@ impl Population {
             if remaining <= 0.0 {
                 return;
             }
+            if let Some(there) = self.cell(&here, end, sink) {
+                here = there;
+                continue;
+            }
             let smooth = smooth_length(here.z);
+            if remaining <= smooth && self.is_tip(&here, remaining) {
+                return self.walk_tip(&here, remaining, sink);
+            }
             let theta_far = self.theta_limit(&here);
             let curve = self.maugis.at(theta_far, here.g).overlap - here.contact.overlap;
             let clearance = self.clearance(&here);
@@ -609,14 +676,18 @@ impl Population {
                 if by_height { self.without_remnant(in_height, remaining) } else { in_theta.min(remaining) };
             let guess = here.guess_towards(theta_far, length / curve);
             let mut there = self.point(&here, direction * length, guess);
-            if let Some(cut) = self.first_cut(&here, &there) {
+            // Load is smooth where only friction has a kink.
+            let cut = if self.fineness < 1.0 { None } else { self.first_cut(&here, &there) };
+            if let Some(cut) = cut {
                 length = cut.rise_above(&here).abs();
                 there = cut;
             }
             sink.panel(&here, &there, by_height);
             let short = there.contact.theta > SHORT_RATIO * here.contact.theta;
-            let part_of_smooth =
-                if S::WHOLE_PANELS || !by_height { 1.0 } else { self.part_of_smooth(here.z, length, clearance) };
+            let part_of_smooth = match S::WHOLE_PANELS || !by_height {
+                true => 1.0,
+                false => self.fineness * self.part_of_smooth(here.z, length, clearance),
+            };
             if by_height && !(constant_radius && short && here.contact.overlap < nodes::LARGEST_OVERLAP) {
                 let rise = direction * length;
                 let mut guess = Guess::new(&here, &there, rise);
@@ -640,7 +711,8 @@ impl Population {
                     1.0
                 } else {
                     let theta = here.contact.theta;
-                    self.part_of_smooth(here.z, length, f64::MAX).max((theta - theta_end) / (theta - theta_far))
+                    let part_of_theta = (theta - theta_end) / (theta - theta_far);
+                    self.fineness * self.part_of_smooth(here.z, length, f64::MAX).max(part_of_theta)
                 };
                 for (theta, weight) in gauss_legendre::nodes_of_part(part, theta_end, here.contact.theta) {
                     let reference = self.maugis.at(theta, here.g);
@@ -655,6 +727,29 @@ impl Population {
                 }
             }
             here = there;
+        }
+    }
+
+    /// Whether all that is left is so small that theta tells it from break-away by few digits: the very tip of a highest
+    /// summit. With adhesion the surfaces part before.
+    fn is_tip(&self, here: &Point, remaining: f64) -> bool {
+        here.contact.theta == FRAC_PI_2
+            && !self.is_adhesive()
+            && !self.heights.knots().is_empty()
+            && remaining <= self.maugis.at(FRAC_PI_2 - TIP, here.g).overlap
+    }
+
+    /// Walks one panel from break-away, in the square root of the rise.
+    fn walk_tip(&self, here: &Point, length: f64, sink: &mut impl Sink) {
+        let at = |rise: f64| {
+            let z = here.z + rise;
+            let (g, g_rate) = self.radius.at(z);
+            Point { z, g, g_rate, contact: self.maugis.at_tip(rise, g) }
+        };
+        sink.panel(here, &at(length), false);
+        for (part, weight) in gauss_legendre::nodes(0.0, 1.0) {
+            let point = at(length * part * part);
+            sink.node(point.z, 2.0 * length * part * weight, &point.contact);
         }
     }
 
@@ -680,7 +775,10 @@ impl Population {
     fn first_cut(&self, here: &Point, there: &Point) -> Option<Point> {
         let mut cut = None;
         let mut there = *there;
-        if !self.radius.is_constant() && (here.radius_rise() > 0.0) != (there.radius_rise() > 0.0) {
+        if !self.radius.is_constant()
+            && (here.radius_rise() > 0.0) != (there.radius_rise() > 0.0)
+            && self.may_pass_kink(here, &there)
+        {
             let mut theta = there.contact.theta;
             let rate = |rise: f64| {
                 let point = self.point(here, rise, theta);
@@ -707,13 +805,26 @@ impl Population {
         cut
     }
 
+    /// Whether contact radii between two summits, where they have an extremum, may pass one of the slip law's. They change by
+    /// no more than a few times what their slopes at the two give; in theta these are finite at break-away too.
+    fn may_pass_kink(&self, here: &Point, there: &Point) -> bool {
+        let change_at = |point: &Point| {
+            let by_theta = point.contact.radius_rate * (there.contact.theta - here.contact.theta);
+            let by_g = point.contact.radius_by_g * point.g_rate * (there.z - here.z);
+            by_theta.abs() + by_g.abs()
+        };
+        let change = 4.0 * change_at(here).max(change_at(there));
+        let (a, b) = (here.contact.radius, there.contact.radius);
+        self.slip.kinks().iter().any(|&kink| kink > a.min(b) - change && kink < a.max(b) + change)
+    }
+
     /// The summit between two whose contact radius is `radius`, by Newton's method within the bracket.
     fn point_of_radius(&self, here: &Point, there: &Point, radius: f64) -> Point {
         let rising = there.contact.radius > here.contact.radius;
         let (mut lower, mut upper) = (0.0, 1.0);
         let whole = there.z - here.z;
-        let mut point = *there;
-        let mut part = 1.0;
+        let mut part = part_of_radius(here, there, radius);
+        let mut point = self.point(here, part * whole, here.guess_towards(there.contact.theta, part));
         for _ in 0..100 {
             let excess = point.contact.radius - radius;
             if (excess > 0.0) == rising {
@@ -723,14 +834,16 @@ impl Population {
             }
             let slope = point.radius_slope() * whole;
             let newton = if excess.abs() < slope.abs() { part - excess / slope } else { lower };
-            let next = if newton > lower && newton < upper { newton } else { 0.5 * (lower + upper) };
+            let inside = newton > lower && newton < upper;
+            let next = if inside { newton } else { 0.5 * (lower + upper) };
             let change = next - part;
             // theta to first order in the step.
             let theta = point.contact.theta;
             let guess = theta + (change * whole * point.theta_slope()).clamp(-0.5 * theta, 0.5 * theta);
             part = next;
             point = self.point(here, part * whole, guess);
-            if change.abs() <= 1e-14 * part || upper - lower <= 1e-14 * part {
+            // Newton's next step would be as the square of this one.
+            if inside && change.abs() <= 1e-6 * part || upper - lower <= 1e-14 * part {
                 break;
             }
         }
@@ -754,6 +867,13 @@ impl Population {
             let g = self.radius.factor(lower);
             sums.load_slope -= density.at(lower, -law.reach) * law.at(law.circle(-law.reach, g), g).load;
         }
+        let mut z = lower;
+        let mut overlap = if lower == separation - law.reach { -law.reach } else { lower - separation };
+        if let Heights::Ends(ends) = &self.heights {
+            let log_scale = sums.log_scale;
+            let add = |mass, summit: Summit| sums.add_attraction(mass, &summit);
+            return self.attracted_between_ends(ends, law, (lower, overlap), upper, log_scale, add);
+        }
         let mut sink = |z: f64, overlap: f64, weight: f64| {
             let g = self.radius.factor(z);
             let attracted = law.at(law.circle(overlap, g), g);
@@ -761,8 +881,6 @@ impl Population {
                 Summit { load: attracted.load, load_by_overlap: attracted.load_by_overlap, ..Summit::default() };
             sums.add_attraction(weight * density.at(z, overlap), &summit);
         };
-        let mut z = lower;
-        let mut overlap = if lower == separation - law.reach { -law.reach } else { lower - separation };
         if let Some(panel) = self.foot_panel(z, upper, || overlap + law.reach) {
             for (v, w) in gauss_legendre::nodes(0.0, 1.0) {
                 let (rise, rate) = panel.at(v);
@@ -797,7 +915,7 @@ impl Population {
                     circle_end = farthest.circle;
                 }
             }
-            let part = self.part_of_smooth(z, length, f64::MAX);
+            let part = self.fineness * self.part_of_smooth(z, length, f64::MAX);
             for (circle, weight) in gauss_legendre::nodes_of_part(part, here.circle, circle_end) {
                 let reference = law.at(circle, g);
                 let rise = reference.overlap - here.overlap;
@@ -846,8 +964,8 @@ impl Point {
 
     /// A starting theta on the way to a contact of smaller theta, when `part` of the overlap between is gone.
     fn guess_towards(&self, theta_far: f64, part: f64) -> f64 {
-        let (from, to) = (self.contact.theta.powi(-3), theta_far.powi(-3));
-        1.0 / (from + part * (to - from)).cbrt()
+        let (from, to) = (inverse_square(self.contact.theta), inverse_square(theta_far));
+        1.0 / (from + part * (to - from)).sqrt()
     }
 
     /// How much higher it is than another: from overlaps where these are known to more digits.
@@ -878,6 +996,21 @@ impl Point {
     fn radius_rise(&self) -> f64 {
         let c = &self.contact;
         -(c.radius_rate * (1.0 - c.overlap_by_g * self.g_rate) + c.radius_by_g * self.g_rate * c.overlap_rate)
+    }
+}
+
+/// About which part of the way from one summit to another the contact radius is `radius`: by the cubic that has the height's
+/// values and slopes against radius at both, or the straight line where that leaves the way.
+fn part_of_radius(here: &Point, there: &Point, radius: f64) -> f64 {
+    let change = there.contact.radius - here.contact.radius;
+    let line = (radius - here.contact.radius) / change;
+    let slope = |point: &Point| change / (point.radius_slope() * (there.z - here.z));
+    let (start, end) = (slope(here), slope(there));
+    let cubic = line * (start + line * ((3.0 - 2.0 * start - end) + line * (start + end - 2.0)));
+    if cubic > 0.0 && cubic < 1.0 {
+        cubic
+    } else {
+        line.clamp(1e-6, 1.0 - 1e-6)
     }
 }
 

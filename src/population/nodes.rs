@@ -6,8 +6,6 @@ use crate::asperity::maugis::Contact;
 
 /// Panels are tabulated up to this overlap, in sigma: enough for all summits at separations above -8.
 pub const LARGEST_OVERLAP: f64 = 18.0;
-/// Panels are shorter than the longest by this factor: short enough for steep tails too.
-const PART_OF_LONGEST: f64 = 0.5;
 /// A tabulated panel takes 0.9 kB; deeper ones are walked when needed.
 const MOST_PANELS: usize = 48;
 
@@ -49,7 +47,7 @@ impl Nodes {
     pub fn new(population: &Population) -> Self {
         let contact = population.maugis.break_away(1.0);
         let start = Point { z: contact.overlap, g: 1.0, g_rate: 0.0, contact };
-        let longest = PART_OF_LONGEST * population.heights.longest_panel();
+        let longest = population.heights.tail_panel();
         let mut collecting = Collecting { population, table: Nodes { start, ends: Vec::new(), nodes: Vec::new() } };
         population.march_by(start, LARGEST_OVERLAP, |_| longest, &mut collecting);
         collecting.table

@@ -22,10 +22,13 @@ pub struct asperity_params {
     pub constants: [f64; 8],
     /// `skew`, `kurtosis`, `hardness`.
     pub appended: [f64; 3],
-    /// `table_height` and `table_density`, as addresses.
-    pub table: [usize; 2],
+    /// `table_height` and `table_density`.
+    pub table: [*const f64; 2],
     pub table_length: u64,
 }
+
+// SAFETY: the table that it leads to is static.
+unsafe impl Send for asperity_params {}
 
 /// The exact state of the header, field by field in `values`.
 #[repr(C)]
@@ -172,7 +175,7 @@ impl asperity_params {
     /// With heights of a measured density.
     pub fn table(mut self, height: &'static [f64], density: &'static [f64]) -> Self {
         self.height_distribution = 3;
-        self.table = [height, density].map(|column| column.as_ptr() as usize);
+        self.table = [height.as_ptr(), density.as_ptr()];
         self.table_length = height.len() as u64;
         self
     }
@@ -261,7 +264,7 @@ pub fn bytes<T>(value: &T) -> &[u8] {
 }
 
 /// The flags that hosts trap: invalid operation, division by zero, overflow.
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", not(miri)))]
 pub mod flags {
     use std::arch::asm;
 
@@ -293,11 +296,27 @@ pub mod flags {
     }
 }
 
-/// Elsewhere the flags have no portable name: the call alone.
-#[cfg(not(target_arch = "x86_64"))]
+/// Elsewhere the flags have no portable name, and Miri has none: the call alone.
+#[cfg(any(not(target_arch = "x86_64"), miri))]
 pub mod flags {
     /// Runs a call.
     pub fn watch<T>(call: impl FnOnce() -> T) -> (T, Option<String>) {
         (call(), None)
+    }
+}
+
+/// Miri calls no C: the two functions of libm that hold the floating-point environment, of which it has none.
+#[cfg(miri)]
+mod environment {
+    use std::ffi::{c_int, c_void};
+
+    #[no_mangle]
+    extern "C" fn feholdexcept(_: *mut c_void) -> c_int {
+        0
+    }
+
+    #[no_mangle]
+    extern "C" fn fesetenv(_: *const c_void) -> c_int {
+        0
     }
 }

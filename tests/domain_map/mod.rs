@@ -1,6 +1,7 @@
 //! What came of each surface of the box: counts, worst errors, the slowest call, as a table and as a picture.
 
-use crate::second_evaluation::{Heights, Surface};
+use crate::second_evaluation::heights::Heights;
+use crate::second_evaluation::Surface;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::time::Duration;
@@ -224,9 +225,11 @@ impl Map {
 
 /// A surface as a person reads it, with all digits.
 fn describe(s: &Surface) -> String {
-    let heights = match s.heights {
+    let heights = match &s.heights {
         Heights::Gaussian => "Gaussian".to_string(),
         Heights::Weibull { shape, .. } => format!("omega {shape}"),
+        Heights::Johnson(curve) => format!("skew {}, kurtosis {}", curve.skew, curve.kurtosis),
+        Heights::Table(table) => format!("table {:?} {:?}", table.height, table.density),
     };
     let lambda = (4.5 / std::f64::consts::PI * s.beta * s.gamma * s.gamma * s.b_over_h.powi(3) / s.alpha).cbrt();
     format!(

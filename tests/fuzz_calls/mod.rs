@@ -146,10 +146,10 @@ impl Bytes<'_> {
     /// With a table of heights, of which not all are valid.
     fn tabulated(&mut self, mut params: asperity_params) -> asperity_params {
         params.height_distribution = 3;
-        params.table = [TABLES[self.below(2)].as_ptr() as usize, TABLES[self.below(TABLES.len())].as_ptr() as usize];
+        params.table = [TABLES[self.below(2)].as_ptr(), TABLES[self.below(TABLES.len())].as_ptr()];
         params.table_length = if self.below(4) == 0 { self.below(TABLE_LENGTH + 1) } else { TABLE_LENGTH } as u64;
         if self.below(16) == 0 {
-            (params.table[self.below(2)], params.table_length) = (0, self.word());
+            (params.table[self.below(2)], params.table_length) = (std::ptr::null(), self.word());
         }
         params
     }

@@ -7,10 +7,10 @@
 
 #![allow(dead_code)]
 
-mod heights;
+pub mod heights;
 mod quadrature;
 
-pub use heights::Heights;
+use heights::Heights;
 use quadrature::{integrate, Values, COMPONENTS};
 use std::f64::consts::{FRAC_PI_2, PI};
 

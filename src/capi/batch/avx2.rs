@@ -5,6 +5,7 @@ use super::{Arrays, Quantity};
 use crate::law::{Row, COEFFICIENTS};
 use crate::model::Model;
 use std::arch::x86_64::*;
+use std::ptr;
 
 /// Evaluates all full vectors; returns how many elements they are.
 #[target_feature(enable = "avx2")]
@@ -97,11 +98,10 @@ unsafe impl Lanes for __m256d {
         _mm256_castsi256_pd(bits)
     }
     #[inline(always)]
-    unsafe fn rows(rows: *const Row, offset: __m256i) -> [Self; COEFFICIENTS] {
-        let mut lane = [0_u64; 4];
-        _mm256_storeu_si256(lane.as_mut_ptr().cast(), offset);
-        let [c0, c1, c2, c3] = transposed_half(rows, &lane, 0);
-        let [c4, c5, c6, c7] = transposed_half(rows, &lane, 4);
+    unsafe fn rows(rows: *const Row, offset: &__m256i) -> [Self; COEFFICIENTS] {
+        let lane = &*ptr::from_ref(offset).cast();
+        let [c0, c1, c2, c3] = transposed_half(rows, lane, 0);
+        let [c4, c5, c6, c7] = transposed_half(rows, lane, 4);
         [c0, c1, c2, c3, c4, c5, c6, c7]
     }
     #[inline(always)]

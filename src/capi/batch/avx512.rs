@@ -5,6 +5,7 @@ use super::{Arrays, Quantity};
 use crate::law::{Row, COEFFICIENTS};
 use crate::model::Model;
 use std::arch::x86_64::*;
+use std::ptr;
 
 /// Evaluates all full vectors; returns how many elements they are.
 #[target_feature(enable = "avx512f,avx512dq")]
@@ -15,25 +16,23 @@ pub unsafe fn evaluate(model: &Model, quantity: Quantity, arrays: Arrays, offenc
 /// Coefficients `from` to `from` + 3 of the rows of all lanes.
 #[inline(always)]
 unsafe fn transposed_half(rows: *const Row, lane: &[u64; 8], from: usize) -> [__m512d; 4] {
-    // Half rows of lanes i and i + 4 side by side, which costs no shuffle; then pairs, then quarters.
+    // Half rows of lanes i and i + 2 side by side, which costs no shuffle; then pairs, then quarters.
     let (r0, r1) = (half_rows(rows, lane, 0, from), half_rows(rows, lane, 1, from));
-    let (r2, r3) = (half_rows(rows, lane, 2, from), half_rows(rows, lane, 3, from));
+    let (r4, r5) = (half_rows(rows, lane, 4, from), half_rows(rows, lane, 5, from));
     let (a0, a1) = (_mm512_unpacklo_pd(r0, r1), _mm512_unpackhi_pd(r0, r1));
-    let (a2, a3) = (_mm512_unpacklo_pd(r2, r3), _mm512_unpackhi_pd(r2, r3));
-    let lower = _mm512_set_epi64(13, 12, 5, 4, 9, 8, 1, 0);
-    let upper = _mm512_set_epi64(15, 14, 7, 6, 11, 10, 3, 2);
+    let (a4, a5) = (_mm512_unpacklo_pd(r4, r5), _mm512_unpackhi_pd(r4, r5));
     [
-        _mm512_permutex2var_pd(a0, lower, a2),
-        _mm512_permutex2var_pd(a1, lower, a3),
-        _mm512_permutex2var_pd(a0, upper, a2),
-        _mm512_permutex2var_pd(a1, upper, a3),
+        _mm512_shuffle_f64x2::<0x88>(a0, a4),
+        _mm512_shuffle_f64x2::<0x88>(a1, a5),
+        _mm512_shuffle_f64x2::<0xdd>(a0, a4),
+        _mm512_shuffle_f64x2::<0xdd>(a1, a5),
     ]
 }
 
 #[inline(always)]
 unsafe fn half_rows(rows: *const Row, lane: &[u64; 8], i: usize, from: usize) -> __m512d {
     let low = _mm256_load_pd(rows.byte_add(lane[i] as usize).cast::<f64>().add(from));
-    let high = _mm256_load_pd(rows.byte_add(lane[i + 4] as usize).cast::<f64>().add(from));
+    let high = _mm256_load_pd(rows.byte_add(lane[i + 2] as usize).cast::<f64>().add(from));
     _mm512_insertf64x4::<1>(_mm512_castpd256_pd512(low), high)
 }
 
@@ -100,11 +99,10 @@ unsafe impl Lanes for __m512d {
         _mm512_castsi512_pd(bits)
     }
     #[inline(always)]
-    unsafe fn rows(rows: *const Row, offset: __m512i) -> [Self; COEFFICIENTS] {
-        let mut lane = [0_u64; 8];
-        _mm512_storeu_si512(lane.as_mut_ptr().cast(), offset);
-        let [c0, c1, c2, c3] = transposed_half(rows, &lane, 0);
-        let [c4, c5, c6, c7] = transposed_half(rows, &lane, 4);
+    unsafe fn rows(rows: *const Row, offset: &__m512i) -> [Self; COEFFICIENTS] {
+        let lane = &*ptr::from_ref(offset).cast();
+        let [c0, c1, c2, c3] = transposed_half(rows, lane, 0);
+        let [c4, c5, c6, c7] = transposed_half(rows, lane, 4);
         [c0, c1, c2, c3, c4, c5, c6, c7]
     }
     #[inline(always)]

@@ -3,7 +3,7 @@
 use super::{one, Arrays, Quantity};
 use crate::law::{within_row, Row, Table, COEFFICIENTS};
 use crate::model::Model;
-use std::mem::size_of;
+use std::mem::{size_of, MaybeUninit};
 
 /// A vector of floats, with its masks and integers; every method is one or two instructions.
 ///
@@ -35,7 +35,7 @@ pub unsafe trait Lanes: Copy {
     unsafe fn bits(self) -> Self::Bits;
     unsafe fn from_bits(bits: Self::Bits) -> Self;
     /// The row of each lane, at an offset in bytes, transposed: coefficient j of all lanes in vector j.
-    unsafe fn rows(rows: *const Row, offset: Self::Bits) -> [Self; COEFFICIENTS];
+    unsafe fn rows(rows: *const Row, offset: &Self::Bits) -> [Self; COEFFICIENTS];
 
     unsafe fn splat_bits(x: u64) -> Self::Bits;
     unsafe fn and_bits(a: Self::Bits, b: Self::Bits) -> Self::Bits;
@@ -58,6 +58,21 @@ const ROW_SHIFT: u32 = size_of::<Row>().trailing_zeros();
 /// Lighter positive loads may make a slope overflow: the scalar call takes care.
 const LIGHTEST: f64 = 1e-100;
 
+/// Vectors whose rows are found before the first of them is read. What a processor can look ahead is less than the way
+/// from a load to its result: a row whose address is known by then need not wait.
+const BLOCK: usize = 16;
+
+/// Where the table has the answers to a vector of loads.
+#[derive(Clone, Copy)]
+struct Found<L: Lanes> {
+    /// The loads, with 1 for those that are not finite.
+    load: L,
+    /// Where within its row each load lies; NaN where the table does not reach.
+    t: L,
+    /// The row's offset in bytes; the first row's where the table does not reach.
+    offset: L::Bits,
+}
+
 /// Evaluates all full vectors; returns how many elements they are.
 #[inline(always)]
 pub unsafe fn evaluate<L: Lanes>(
@@ -69,79 +84,88 @@ pub unsafe fn evaluate<L: Lanes>(
     let table = model.table();
     let inverse_cap = model.inverse_cap();
     let with_slope = !arrays.slope.is_null();
-    let full = arrays.n / L::COUNT * L::COUNT;
-    let mut i = 0;
-    while i < full {
-        let loads = L::read(arrays.load.add(i));
-        // Arithmetic with a signalling NaN would raise a flag, a comparison too: go on with 1 instead.
-        let not_finite = loads.not_finite();
-        let safe = loads.or_where(not_finite, L::splat(1.0));
-        let (force, force_slope, mut slow) = force::<L>(&table, safe, not_finite, with_slope);
-        let (value, slope) = match quantity {
-            Quantity::Force => (force, force_slope),
-            Quantity::Coefficient => {
-                // Where the coefficient is capped, or the load so light that the slope may overflow.
-                let least = force.mul(L::splat(inverse_cap)).max(L::splat(LIGHTEST));
-                slow = L::or_mask(slow, L::not_mask(least.lt(safe)));
-                let fast = L::not_mask(slow);
-                // Only what cannot trap is divided.
-                let mu = force.div_where(fast, safe);
-                let slope = if with_slope { force_slope.sub(mu).div_where(fast, safe) } else { mu };
-                (mu, slope)
+    let vectors = arrays.n / L::COUNT;
+    let mut block = [MaybeUninit::<Found<L>>::uninit(); BLOCK];
+    let mut begin = 0;
+    while begin < vectors {
+        let in_block = (vectors - begin).min(BLOCK);
+        for (vector, found) in block[..in_block].iter_mut().enumerate() {
+            found.write(find::<L>(&table, L::read(arrays.load.add((begin + vector) * L::COUNT))));
+        }
+        for (vector, found) in block[..in_block].iter().enumerate() {
+            let i = (begin + vector) * L::COUNT;
+            let found = found.assume_init_ref();
+            let (force, force_slope, mut slow) = force::<L>(&table, found, with_slope);
+            let (value, slope) = match quantity {
+                Quantity::Force => (force, force_slope),
+                Quantity::Coefficient => {
+                    // Where the coefficient is capped, or the load so light that the slope may overflow.
+                    let least = force.mul(L::splat(inverse_cap)).max(L::splat(LIGHTEST));
+                    slow = L::or_mask(slow, L::not_mask(least.lt(found.load)));
+                    let fast = L::not_mask(slow);
+                    // Only what cannot trap is divided.
+                    let mu = force.div_where(fast, found.load);
+                    let slope = if with_slope { force_slope.sub(mu).div_where(fast, found.load) } else { mu };
+                    (mu, slope)
+                }
+            };
+            // The input, before an output that may be the same array is written.
+            let mut kept = [0.0; 8];
+            let slow = L::lanes_of(slow);
+            if slow != 0 {
+                L::read(arrays.load.add(i)).write(kept.as_mut_ptr());
             }
-        };
-        // The input, before an output that may be the same array is written.
-        let mut kept = [0.0; 8];
-        let slow = L::lanes_of(slow);
-        if slow != 0 {
-            loads.write(kept.as_mut_ptr());
-        }
-        if !arrays.value.is_null() {
-            value.write(arrays.value.add(i));
-        }
-        if with_slope {
-            slope.write(arrays.slope.add(i));
-        }
-        if slow != 0 {
-            for (lane, &load) in kept.iter().enumerate().take(L::COUNT) {
-                if slow >> lane & 1 != 0 {
-                    one(model, quantity, arrays, i + lane, load, offence);
+            if !arrays.value.is_null() {
+                value.write(arrays.value.add(i));
+            }
+            if with_slope {
+                slope.write(arrays.slope.add(i));
+            }
+            if slow != 0 {
+                for (lane, &load) in kept.iter().enumerate().take(L::COUNT) {
+                    if slow >> lane & 1 != 0 {
+                        one(model, quantity, arrays, i + lane, load, offence);
+                    }
                 }
             }
         }
-        i += L::COUNT;
+        begin += in_block;
     }
-    full
+    vectors * L::COUNT
+}
+
+/// Finds the rows.
+#[inline(always)]
+unsafe fn find<L: Lanes>(table: &Table, loads: L) -> Found<L> {
+    // Arithmetic with a signalling NaN would raise a flag, a comparison too: go on with 1 instead.
+    let not_finite = loads.not_finite();
+    let load = loads.or_where(not_finite, L::splat(1.0));
+    let x = load.sub(L::splat(table.pull_off)).bits();
+    // The row's offset in bytes: its index times 64.
+    let shifted = L::and_bits(L::shift_right(x, table.shift - ROW_SHIFT), L::splat_bits(u64::MAX << ROW_SHIFT));
+    let offset = L::sub_bits(shifted, L::splat_bits(table.base << ROW_SHIFT));
+    let slow = L::or_mask(not_finite, L::outside(offset, (table.rows.len() as u64) << ROW_SHIFT));
+    let one = L::splat_bits(Table::ONE);
+    let within_row = L::and_bits(x, L::splat_bits(within_row(table.shift)));
+    let t = L::from_bits(L::or_bits(within_row, one)).sub(L::splat(1.0));
+    Found { load, t: t.or_where(slow, L::splat(f64::NAN)), offset: L::or_bits_where(offset, slow, L::splat_bits(0)) }
 }
 
 /// Force and slope from the table, and the lanes that it does not answer, whose values mean nothing.
 #[inline(always)]
-unsafe fn force<L: Lanes>(table: &Table, loads: L, not_finite: L::Mask, with_slope: bool) -> (L, L, L::Mask) {
-    let excess = loads.sub(L::splat(table.pull_off));
-    let x = excess.bits();
-    // The row's offset in bytes: its index times 64.
-    let shifted = L::and_bits(L::shift_right(x, table.shift - ROW_SHIFT), L::splat_bits(u64::MAX << ROW_SHIFT));
-    let offset = L::sub_bits(shifted, L::splat_bits(table.base << ROW_SHIFT));
-    let mut slow = L::or_mask(not_finite, L::outside(offset, (table.rows.len() as u64) << ROW_SHIFT));
-    let offset = L::or_bits_where(offset, slow, L::splat_bits(0));
-    let one = L::splat_bits(Table::ONE);
-    let within_row = L::and_bits(x, L::splat_bits(within_row(table.shift)));
-    let t = L::from_bits(L::or_bits(within_row, one)).sub(L::splat(1.0));
+unsafe fn force<L: Lanes>(table: &Table, found: &Found<L>, with_slope: bool) -> (L, L, L::Mask) {
     // Loading whole rows and transposing them takes half the time of gather instructions.
-    let c = L::rows(table.rows.as_ptr(), offset);
+    let c = L::rows(table.rows.as_ptr(), &found.offset);
     // The same order of operations as the scalar polynomial.
+    let t = found.t;
     let t2 = t.mul(t);
     let t4 = t2.mul(t2);
     let low = c[0].add(c[1].mul(t)).add(c[2].add(c[3].mul(t)).mul(t2));
     let high = c[4].add(c[5].mul(t)).add(c[6].add(c[7].mul(t)).mul(t2));
     let value = low.add(high.mul(t4));
-    let value = if table.complete {
-        value
-    } else {
-        // The largest of a number and NaN would raise a flag.
-        slow = L::or_mask(slow, c[0].is_nan());
-        value.or_where(slow, L::splat(0.0))
-    };
+    // Outside the table, and in rows that are left out. The largest of a number and NaN would raise a flag.
+    let slow = value.is_nan();
+    let value = value.or_where(slow, L::splat(0.0));
     if !with_slope {
         return (value, value, slow);
     }
@@ -152,7 +176,8 @@ unsafe fn force<L: Lanes>(table: &Table, loads: L, not_finite: L::Mask, with_slo
     // Below the table as where it begins, so that no slow lane overflows. Not a choice of 1 there: the compiler would
     // multiply all lanes and choose afterwards.
     let begin = L::splat(f64::from_bits(table.base << table.shift));
-    let binade = L::and_bits(excess.max(begin).bits(), L::splat_bits(SIGN_AND_EXPONENT));
+    let excess = found.load.sub(L::splat(table.pull_off)).max(begin);
+    let binade = L::and_bits(excess.bits(), L::splat_bits(SIGN_AND_EXPONENT));
     let inverse_binade = L::from_bits(L::sub_bits(L::splat_bits(Table::TWICE_BIAS), binade));
     (value, rate.mul(inverse_binade), slow)
 }

@@ -25,18 +25,6 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// The quantity at one load: the scalar call.
-    #[inline]
-    pub fn value_at(self, model: &Model, load: f64) -> f64 {
-        let Some((force, _)) = model.tabulated_force(load) else {
-            return self.exact(model, load).0;
-        };
-        match self {
-            Quantity::Coefficient => model.coefficient(load, force),
-            Quantity::Force => force,
-        }
-    }
-
     /// The quantity at one load and its slope.
     #[inline]
     pub fn at(self, model: &Model, load: f64) -> (f64, f64) {

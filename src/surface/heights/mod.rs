@@ -8,7 +8,7 @@ pub mod johnson;
 pub mod tabulated;
 pub mod weibull;
 
-use johnson::Johnson;
+use johnson::{ends::Ends, Johnson};
 use tabulated::Tabulated;
 use weibull::Weibull;
 
@@ -19,6 +19,10 @@ pub const UNDERFLOW: f64 = -2000.0;
 /// The largest change of ln phi over one panel: of a parabola, and of what may fall doubly exponentially.
 const STEEPEST_GAUSSIAN_PANEL: f64 = 14.0;
 const STEEPEST_PANEL: f64 = 10.0;
+/// A cumulative hazard far out in the tail of Weibull heights.
+const TAIL_HAZARD: f64 = 25.0;
+/// How much more the latter may change where it is small beside the sum.
+const MOST_ALLOWANCE: f64 = 10.0;
 /// Beside this many e-folds of density, what load gains on the way to smaller densities is nothing.
 const GROWTH_OF_LOAD: f64 = 5.0;
 
@@ -33,6 +37,8 @@ pub enum Heights {
     Weibull(Box<Weibull>),
     /// Johnson's system.
     Johnson(Box<Johnson>),
+    /// The part of it next to its edge, where summits gather at two heights.
+    Ends(Box<Ends>),
     /// A measured density.
     Tabulated(Box<Tabulated>),
 }
@@ -43,6 +49,7 @@ impl Heights {
         match self {
             Heights::Gaussian | Heights::Weibull(_) => 0.0,
             Heights::Johnson(johnson) => johnson.origin(),
+            Heights::Ends(ends) => ends.origin(),
             Heights::Tabulated(table) => table.origin(),
         }
     }
@@ -63,6 +70,7 @@ impl Heights {
                 }
             }
             Heights::Johnson(johnson) => johnson.log_density(z),
+            Heights::Ends(ends) => ends.log_density(z),
             Heights::Tabulated(table) => table.density(z).ln(),
         }
     }
@@ -84,6 +92,7 @@ impl Heights {
             Heights::Gaussian => f64::NEG_INFINITY,
             Heights::Weibull(weibull) => -weibull.mean(),
             Heights::Johnson(johnson) => johnson.support().0,
+            Heights::Ends(ends) => ends.ends()[0],
             Heights::Tabulated(table) => table.support().0,
         }
     }
@@ -93,6 +102,7 @@ impl Heights {
         match self {
             Heights::Gaussian | Heights::Weibull(_) => f64::INFINITY,
             Heights::Johnson(johnson) => johnson.support().1,
+            Heights::Ends(ends) => ends.ends()[1],
             Heights::Tabulated(table) => table.support().1,
         }
     }
@@ -100,8 +110,16 @@ impl Heights {
     /// The exponent p of phi ~ (z - foot)^p at the foot, where it is a power.
     pub fn power_at_foot(&self) -> Option<f64> {
         match self {
-            Heights::Gaussian | Heights::Johnson(_) | Heights::Tabulated(_) => None,
+            Heights::Gaussian | Heights::Johnson(_) | Heights::Ends(_) | Heights::Tabulated(_) => None,
             Heights::Weibull(weibull) => Some(weibull.shape() - 1.0),
+        }
+    }
+
+    /// What densities are taken relative to where this height is the reference: ln phi there, but for a spike.
+    pub fn log_scale(&self, z: f64) -> f64 {
+        match self {
+            Heights::Ends(ends) => ends.log_scale(z),
+            _ => self.log_density(z),
         }
     }
 
@@ -126,10 +144,7 @@ impl Heights {
                 (if is_foot { lower } else { lower.max(lowest) }, upper.min(highest))
             }
             Heights::Johnson(johnson) => johnson.worth_summing(lower, upper, NEGLIGIBLE),
-            Heights::Tabulated(table) => {
-                let (foot, head) = table.support();
-                (lower.max(foot), upper.min(head))
-            }
+            Heights::Ends(_) | Heights::Tabulated(_) => (lower.max(self.foot()), upper.min(self.head())),
         }
     }
 
@@ -139,6 +154,7 @@ impl Heights {
             Heights::Gaussian => -self.far_tail(),
             Heights::Weibull(weibull) => -weibull.mean(),
             Heights::Johnson(johnson) => johnson.height(-(-2.0 * UNDERFLOW).sqrt()),
+            Heights::Ends(ends) => ends.ends()[0],
             Heights::Tabulated(table) => table.support().0,
         }
     }
@@ -149,6 +165,7 @@ impl Heights {
             Heights::Gaussian => (-2.0 * UNDERFLOW).sqrt(),
             Heights::Weibull(weibull) => weibull.height_of_hazard(-UNDERFLOW),
             Heights::Johnson(johnson) => johnson.height((-2.0 * UNDERFLOW).sqrt()),
+            Heights::Ends(ends) => ends.ends()[1],
             Heights::Tabulated(table) => table.support().1,
         }
     }
@@ -162,6 +179,7 @@ impl Heights {
                 start.max(if shape > 1.0 { weibull.height_of_hazard(1.0 - 1.0 / shape) } else { -weibull.mean() })
             }
             Heights::Johnson(johnson) => johnson.peak_above(start),
+            Heights::Ends(ends) => ends.peak_above(start),
             Heights::Tabulated(table) => table.peak_above(start),
         }
     }
@@ -175,44 +193,59 @@ impl Heights {
     pub fn knots(&self) -> &[f64] {
         match self {
             Heights::Tabulated(table) => table.knots(),
+            Heights::Ends(ends) => ends.ends(),
             _ => &[],
         }
     }
 
     /// How far above z one quadrature panel may reach, in a sum whose largest ln phi is `log_scale`.
     pub fn smooth_length(&self, z: f64, log_scale: f64) -> f64 {
+        let mut length = self.longest_panel();
         match self {
             Heights::Johnson(johnson) => return johnson.smooth_length(z),
             Heights::Tabulated(table) => return table.smooth_length(z),
-            Heights::Gaussian | Heights::Weibull(_) => {}
-        }
-        let mut length = self.longest_panel();
-        while length > SHORTEST_PANEL && self.roughness(z, z + length, log_scale) > 1.0 {
-            length *= 0.75;
+            // Panels in another variable.
+            Heights::Ends(_) => return f64::MAX,
+            Heights::Gaussian => {
+                while length > SHORTEST_PANEL && self.roughness(z, z + length, log_scale) > 1.0 {
+                    length *= 0.75;
+                }
+            }
+            Heights::Weibull(weibull) => {
+                let from = weibull.log_density(z);
+                // Longer ones are too steep at their beginning.
+                let longest = SHORTEST_PANEL.max((STEEPEST_PANEL + MOST_ALLOWANCE) / from.1.abs());
+                while length > longest {
+                    length *= 0.75;
+                }
+                while length > SHORTEST_PANEL && weibull_roughness(weibull, (z, from), z + length, log_scale) > 1.0 {
+                    length *= 0.75;
+                }
+            }
         }
         length
+    }
+
+    /// No panel that reaches down from z need be tried that is longer than this.
+    pub fn longest_below(&self, z: f64) -> f64 {
+        match self {
+            Heights::Gaussian | Heights::Weibull(_) | Heights::Ends(_) => 1.0,
+            Heights::Johnson(johnson) => johnson.smooth_length(z).max(1.0),
+            Heights::Tabulated(table) => table.smooth_length_below(z),
+        }
     }
 
     /// How much the density changes from one height to another, in such a sum; up to 1 one quadrature panel may reach
     /// from the one to the other.
     pub fn roughness(&self, from: f64, to: f64, log_scale: f64) -> f64 {
         let length = to - from;
-        // What is small beside the sum needs fewer digits; but load grows with height where the density falls.
-        let drop = |log_density: f64| (log_scale - log_density - GROWTH_OF_LOAD).max(0.0);
         match self {
             Heights::Gaussian => {
                 let steepest = from.abs().max(to.abs());
                 let highest = self.log_density(from).max(self.log_density(to));
-                length * steepest / (STEEPEST_GAUSSIAN_PANEL + drop(highest))
+                length * steepest / (STEEPEST_GAUSSIAN_PANEL + drop(highest, log_scale))
             }
-            Heights::Weibull(weibull) => {
-                if length > 2.0 * (from - self.foot()) {
-                    return f64::MAX;
-                }
-                let ((at_from, slope_from), (at_to, slope_to)) = (weibull.log_density(from), weibull.log_density(to));
-                let steepest = slope_from.abs().max(slope_to.abs());
-                length * steepest / (STEEPEST_PANEL + 0.5 * drop(at_from.max(at_to)).min(20.0))
-            }
+            Heights::Weibull(weibull) => weibull_roughness(weibull, (from, weibull.log_density(from)), to, log_scale),
             Heights::Johnson(johnson) if !johnson.is_smooth(from, to) => f64::MAX,
             Heights::Tabulated(table) if !table.is_smooth(from, to) => f64::MAX,
             _ => (length / self.smooth_length(from, log_scale)).min(1.0),
@@ -227,12 +260,25 @@ impl Heights {
         }
     }
 
+    /// A panel that is short enough wherever it lies, steep tails included.
+    pub fn tail_panel(&self) -> f64 {
+        let half = 0.5 * self.longest_panel();
+        match self {
+            Heights::Weibull(weibull) => {
+                let (_, slope) = weibull.log_density(weibull.height_of_hazard(TAIL_HAZARD));
+                half.min(STEEPEST_PANEL / slope.abs())
+            }
+            _ => half,
+        }
+    }
+
     /// Third standardised moment.
     pub fn skew(&self) -> f64 {
         match self {
             Heights::Gaussian => 0.0,
             Heights::Weibull(weibull) => weibull.skew(),
             Heights::Johnson(johnson) => johnson.skew(),
+            Heights::Ends(ends) => ends.skew(),
             Heights::Tabulated(table) => table.skew(),
         }
     }
@@ -243,9 +289,31 @@ impl Heights {
             Heights::Gaussian => 3.0,
             Heights::Weibull(weibull) => weibull.kurtosis(),
             Heights::Johnson(johnson) => johnson.kurtosis(),
+            Heights::Ends(ends) => ends.kurtosis(),
             Heights::Tabulated(table) => table.kurtosis(),
         }
     }
+}
+
+/// [`Heights::roughness`] from a height with its ln phi and slope to another.
+fn weibull_roughness(
+    weibull: &Weibull,
+    (from, (at_from, slope_from)): (f64, (f64, f64)),
+    to: f64,
+    log_scale: f64,
+) -> f64 {
+    let length = to - from;
+    if length > 2.0 * (from + weibull.mean()) {
+        return f64::MAX;
+    }
+    let (at_to, slope_to) = weibull.log_density(to);
+    let steepest = slope_from.abs().max(slope_to.abs());
+    length * steepest / (STEEPEST_PANEL + (0.5 * drop(at_from.max(at_to), log_scale)).min(MOST_ALLOWANCE))
+}
+
+/// What is small beside the sum needs fewer digits; but load grows with height where the density falls.
+fn drop(log_density: f64, log_scale: f64) -> f64 {
+    (log_scale - log_density - GROWTH_OF_LOAD).max(0.0)
 }
 
 /// The shortest panel, in sigma: what lies within it of a singular point is negligible.

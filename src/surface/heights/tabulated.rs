@@ -8,7 +8,7 @@
 
 use crate::error::Error;
 use crate::params::finite;
-use crate::population::integrate_short;
+use crate::population::{integrate_short, nodes, POINTS};
 
 /// How many heights a table may have.
 pub const LENGTHS: (usize, usize) = (3, 4096);
@@ -18,6 +18,8 @@ const FARTHEST: f64 = 1e4;
 const FARTHEST_ORIGIN: f64 = 16.0;
 /// Larger heights could overflow when combined.
 const LARGEST_HEIGHT: f64 = 1e300;
+/// Cells of at least so many pieces, as powers of two.
+const SMALLEST_CELL: u32 = 3;
 /// What is nearer to a knot than this, relative to 1 or to its height, counts as at the knot.
 const AT_KNOT: f64 = 4e-15;
 
@@ -30,10 +32,16 @@ pub struct Tabulated {
     pieces: Vec<Piece>,
     /// For each knot the one at or above it with the largest density.
     peaks: Vec<usize>,
+    /// Cells of 8 pieces, 16, 32, ...
+    cells: Vec<Vec<Cell>>,
     origin: f64,
     skew: f64,
     kurtosis: f64,
 }
+
+/// For a cell of many pieces the integrals of the density times the polynomials that are 1 at one Gauss point of the cell
+/// and 0 at the others: with these weights the values there integrate what is smooth across the cell against the density.
+type Cell = [f64; POINTS];
 
 /// The density on a piece of the support: (1 - t) lower + t upper + t (1 - t) bulge with t from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,9 +106,12 @@ impl Tabulated {
                 peaks[i] = peaks[i + 1];
             }
         }
+        let knots: Vec<f64> = part.iter().map(|x| (x - zero) / deviation).collect();
+        let pieces: Vec<Piece> = pieces.iter().map(scaled).collect();
         Ok(Self {
-            knots: part.iter().map(|x| (x - zero) / deviation).collect(),
-            pieces: pieces.iter().map(scaled).collect(),
+            cells: cells(&knots, &pieces),
+            knots,
+            pieces,
             peaks,
             origin,
             skew: central(3) / deviation.powi(3),
@@ -157,9 +168,38 @@ impl Tabulated {
         self.knots.get(next).map_or(f64::MAX, |knot| knot - z)
     }
 
+    /// How far below a height the density is a polynomial.
+    pub fn smooth_length_below(&self, z: f64) -> f64 {
+        let z = z - AT_KNOT * (1.0 + z.abs());
+        let next = self.knots.partition_point(|&knot| knot < z);
+        if next == 0 {
+            f64::MAX
+        } else {
+            z - self.knots[next - 1]
+        }
+    }
+
+    /// The longest cell that begins at a height and is no longer than this: its length, and its weights for the points of
+    /// [`nodes`].
+    pub fn cell(&self, z: f64, longest: f64) -> Option<(f64, &[f64; POINTS])> {
+        let first = self.next_knot(z).checked_sub(1)?;
+        if (self.knots[first] - z).abs() > AT_KNOT * (1.0 + z.abs()) {
+            return None;
+        }
+        (0..self.cells.len()).rev().find_map(|level| {
+            let shift = SMALLEST_CELL + level as u32;
+            let weights = self.cells[level].get(first >> shift)?;
+            let is_start = first.is_multiple_of(1 << shift);
+            let length = is_start.then(|| self.knots[first + (1 << shift)] - z)?;
+            (length <= longest).then_some((length, weights))
+        })
+    }
+
     /// Whether the density is a polynomial between two heights.
     pub fn is_smooth(&self, from: f64, to: f64) -> bool {
-        to - from <= self.smooth_length(from) + AT_KNOT * (1.0 + to.abs())
+        let slack = AT_KNOT * (1.0 + to.abs());
+        // Also what is nearer to the last knot than that ends there: there may be nothing else in contact.
+        to - from <= self.smooth_length(from) + slack && to <= self.support().1 + slack
     }
 
     /// The first knot above a height.
@@ -167,6 +207,44 @@ impl Tabulated {
         let z = z + AT_KNOT * (1.0 + z.abs());
         self.knots.partition_point(|&knot| knot <= z)
     }
+}
+
+/// The weights of all cells: each integral is that of a polynomial of degree 17 on each piece.
+fn cells(knots: &[f64], pieces: &[Piece]) -> Vec<Vec<Cell>> {
+    let points: Vec<f64> = nodes(0.0, 1.0).map(|(x, _)| x).collect();
+    let scales: Vec<f64> = points
+        .iter()
+        .map(|x| 1.0 / points.iter().filter(|other| *other != x).map(|other| x - other).product::<f64>())
+        .collect();
+    let cell = |from: usize, to: usize| {
+        let (start, length) = (knots[from], knots[to] - knots[from]);
+        let mut weights = [0.0; POINTS];
+        for (piece, ends) in pieces[from..to].iter().zip(knots[from..=to].windows(2)) {
+            if piece.is_empty() {
+                continue;
+            }
+            for (z, weight) in nodes(ends[0], ends[1]) {
+                let mass = weight * piece.at(ends[1] - z, z - ends[0]);
+                let x = (z - start) / length;
+                let all: f64 = points.iter().map(|point| x - point).product();
+                for ((weight, point), scale) in weights.iter_mut().zip(&points).zip(&scales) {
+                    // Next to a Gauss point of the cell its own polynomial is 1, the others are 0.
+                    let distance = x - point;
+                    *weight += if distance == 0.0 { mass } else { mass * all / distance * scale };
+                }
+            }
+        }
+        weights
+    };
+    let mut levels = Vec::new();
+    for shift in SMALLEST_CELL.. {
+        let count = pieces.len() >> shift;
+        if count == 0 {
+            return levels;
+        }
+        levels.push((0..count).map(|i| cell(i << shift, (i + 1) << shift)).collect());
+    }
+    levels
 }
 
 /// A table that has a meaning, without what lies beyond its support.

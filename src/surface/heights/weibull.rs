@@ -18,6 +18,8 @@ pub struct Weibull {
     ln_b1: f64,
     /// z_M = B_1 / C of eq (20): the support begins at -z_M.
     mean: f64,
+    /// ln(omega / z_M).
+    ln_shape_over_mean: f64,
     skew: f64,
     kurtosis: f64,
 }
@@ -40,10 +42,12 @@ impl Weibull {
         } else {
             (e(3) - 3.0 * e(2), e(4) - 4.0 * e(3) + 6.0 * e(2))
         };
+        let mean = 1.0 / variance.sqrt();
         Self {
             shape,
             ln_b1: ln_gamma_1p(x),
-            mean: 1.0 / variance.sqrt(),
+            mean,
+            ln_shape_over_mean: (shape / mean).ln(),
             skew: third / variance.powf(1.5),
             kurtosis: fourth / (variance * variance),
         }
@@ -88,7 +92,7 @@ impl Weibull {
         let t = self.shape * (self.ln_b1 + relative);
         let hazard = t.min(600.0).exp();
         let y = z + self.mean;
-        ((self.shape / self.mean).ln() + t - relative - hazard, (self.shape - 1.0 - self.shape * hazard) / y)
+        (self.ln_shape_over_mean + t - relative - hazard, (self.shape - 1.0 - self.shape * hazard) / y)
     }
 
     /// The cumulative hazard (C y)^omega at z.

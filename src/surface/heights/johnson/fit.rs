@@ -7,12 +7,20 @@
 //! S_B:  epsilon v = (e^t - 1)/(1 + share (e^t - 1))        0 <= share <= 1
 //! ```
 //!
-//! tau = +-1, share = 0 or 1 are lognormal and epsilon = 0 is Gaussian, so that nothing is singular there.
+//! tau = +-1, share = 0 or 1 are lognormal and epsilon = 0 is Gaussian, so that nothing is singular there. S_B of large
+//! epsilon, whose median nears one end, is written about its ends: y = 1/(1 + exp(-epsilon (u - step))), from 0 to 1.
 
+use crate::population::integrate_short;
 use crate::root;
+use std::f64::consts::PI;
 
-/// The largest epsilon of S_B within the range of [`super::Johnson`].
-const LARGEST_EPSILON: f64 = 3.5;
+/// S_B is written about its ends above this epsilon, and above so many times that of the lognormal curve of its skew.
+const LARGEST_EPSILON: f64 = 2.0;
+const FARTHEST_FROM_LOGNORMAL: f64 = 1.3;
+/// No curve has a larger epsilon: it is about 1/(kurtosis - skew^2 - 1), rounding apart.
+const LARGEST_EPSILON_OF_ENDS: f64 = 1e20;
+/// Nor its step farther out.
+const FARTHEST_STEP: f64 = 15.0;
 
 /// A curve of the system before it is standardised.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,13 +54,42 @@ pub enum Kind {
     },
 }
 
+/// S_B about its ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EndsFit {
+    /// 1/delta.
+    pub epsilon: f64,
+    /// The u of y = 1/2.
+    pub step: f64,
+    /// Mean of y.
+    pub above_foot: f64,
+    /// 1 - mean of y.
+    pub below_head: f64,
+    /// Standard deviation of y.
+    pub deviation: f64,
+}
+
+/// A curve in either form.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Curve {
+    /// About its median.
+    Median(Fit),
+    /// About its ends.
+    Ends(EndsFit),
+}
+
 /// The curve of a skew and a kurtosis.
-pub fn fit(skew: f64, kurtosis: f64) -> Fit {
-    let fit = of_positive_skew(skew.abs(), kurtosis);
-    if skew < 0.0 {
-        fit.reflected()
-    } else {
-        fit
+pub fn fit(skew: f64, kurtosis: f64) -> Curve {
+    match of_positive_skew(skew.abs(), kurtosis) {
+        Curve::Median(fit) if skew < 0.0 => Curve::Median(fit.reflected()),
+        Curve::Ends(fit) if skew < 0.0 => Curve::Ends(fit.reflected()),
+        curve => curve,
+    }
+}
+
+impl EndsFit {
+    fn reflected(self) -> Self {
+        Self { step: -self.step, above_foot: self.below_head, below_head: self.above_foot, ..self }
     }
 }
 
@@ -66,10 +103,10 @@ impl Fit {
     }
 }
 
-fn of_positive_skew(skew: f64, kurtosis: f64) -> Fit {
+fn of_positive_skew(skew: f64, kurtosis: f64) -> Curve {
     let excess = kurtosis - 3.0;
     if excess > excess_of_lognormal(skew) {
-        unbounded(skew, excess)
+        Curve::Median(unbounded(skew, excess))
     } else {
         bounded(skew, kurtosis)
     }
@@ -137,7 +174,7 @@ fn unbounded_excess(p: f64, q: f64) -> f64 {
 }
 
 /// S_B: epsilon from the kurtosis, and for each epsilon the share from the skew.
-fn bounded(skew: f64, kurtosis: f64) -> Fit {
+fn bounded(skew: f64, kurtosis: f64) -> Curve {
     let smallest = lognormal_growth(skew).ln_1p().sqrt();
     // ln(share/rest), from where it cannot be told from lognormal to where there is no skew.
     let share = |epsilon: f64| {
@@ -150,11 +187,114 @@ fn bounded(skew: f64, kurtosis: f64) -> Fit {
         }
     };
     let residual = |epsilon: f64| Moments::of(epsilon, share(epsilon)).kurtosis - kurtosis;
-    let epsilon = root::bracketed(residual, smallest, LARGEST_EPSILON);
+    let largest = LARGEST_EPSILON.max(FARTHEST_FROM_LOGNORMAL * smallest);
+    if residual(largest) > 0.0 {
+        return Curve::Ends(about_ends(skew, above_least(skew, kurtosis), largest));
+    }
+    let epsilon = root::bracketed(residual, smallest, largest);
     let log_odds = share(epsilon);
     let Moments { mean, deviation, .. } = Moments::of(epsilon, log_odds);
     let (share, rest) = shares(log_odds);
-    Fit { epsilon, kind: Kind::Bounded { share, rest }, mean, deviation }
+    Curve::Median(Fit { epsilon, kind: Kind::Bounded { share, rest }, mean, deviation })
+}
+
+/// kurtosis - skew^2 - 1, rounded but once.
+pub fn above_least(skew: f64, kurtosis: f64) -> f64 {
+    skew.mul_add(-skew, kurtosis - 1.0)
+}
+
+/// S_B about its ends: the step from the skew for each epsilon, and epsilon from kurtosis - skew^2 - 1.
+fn about_ends(skew: f64, above_least: f64, smallest_epsilon: f64) -> EndsFit {
+    let layer = Layer::new();
+    let step = |epsilon: f64| {
+        let residual = |step: f64| layer.moments(epsilon, step).skew - skew;
+        if skew == 0.0 {
+            return 0.0;
+        }
+        let mut upper = 1.0;
+        while residual(upper) < 0.0 && upper < FARTHEST_STEP {
+            upper *= 1.5;
+        }
+        root::bracketed(residual, 0.0, upper)
+    };
+    let residual = |log_epsilon: f64| {
+        let epsilon = log_epsilon.exp();
+        (layer.moments(epsilon, step(epsilon)).above_least / above_least).ln()
+    };
+    let (lower, upper) = (smallest_epsilon.ln(), LARGEST_EPSILON_OF_ENDS.ln());
+    let epsilon = root::bracketed(residual, lower, upper).exp();
+    let step = step(epsilon);
+    let EndMoments { mean, below_head, deviation, .. } = layer.moments(epsilon, step);
+    EndsFit { epsilon, step, above_foot: mean, below_head, deviation }
+}
+
+/// The nodes of the trapezoidal rule in x = epsilon (u - step), with y and y (1 - y) there: both integrands of means are
+/// analytic to a distance of pi, and what is left out of dy/dx = y (1 - y) is nothing.
+struct Layer(Vec<(f64, f64, f64)>);
+
+/// Moments of y, and kurtosis - skew^2 - 1.
+struct EndMoments {
+    mean: f64,
+    below_head: f64,
+    deviation: f64,
+    skew: f64,
+    above_least: f64,
+}
+
+impl Layer {
+    const STEP: f64 = 0.375;
+
+    fn new() -> Self {
+        let node = |j: i32| {
+            let x = Self::STEP * f64::from(j);
+            let y = 1.0 / (1.0 + (-x).exp());
+            (x, y, y / (1.0 + x.exp()))
+        };
+        Self((-430..=120).rev().map(node).collect())
+    }
+
+    /// The mean of G(y) with G(0) = 0 is the integral of G'(y) dy/dx times the fraction of summits above. What y departs
+    /// from 0 or 1 is y (1 - y): with it nothing cancels where nearly all summits lie at the ends.
+    fn moments(&self, epsilon: f64, step: f64) -> EndMoments {
+        const SHORT: f64 = 0.0625;
+        const BEYOND: f64 = 12.0;
+        let normal = |u: f64| (-0.5 * u * u).exp() / (2.0 * PI).sqrt();
+        let normal_mass = |from: f64, to: f64| -> f64 {
+            let count = ((to - from) / SHORT).ceil().max(1.0);
+            let at = |i: i32| from + (to - from) * f64::from(i) / count;
+            (0..count as i32).map(|i| integrate_short(at(i), at(i + 1), normal)).sum()
+        };
+        // From the top down, so that all terms of the fraction above are positive.
+        let mut u = step + self.0[0].0 / epsilon;
+        let mut above = normal_mass(u, u + BEYOND);
+        let [mut mean, mut square, mut bulk, mut bulk_square, mut bulk_first] = [0.0; 5];
+        for &(x, y, h) in &self.0 {
+            let to = step + x / epsilon;
+            above += normal_mass(to, u);
+            u = to;
+            let density = normal(u) / epsilon;
+            mean += h * above;
+            square += 2.0 * y * h * above;
+            bulk += h * density;
+            bulk_square += h * h * density;
+            bulk_first += y * h * density;
+        }
+        let [mean, square, bulk, bulk_square, bulk_first] =
+            [mean, square, bulk, bulk_square, bulk_first].map(|sum| Self::STEP * sum);
+        let below_head = 1.0 - mean;
+        let variance = square - mean * mean;
+        let covariance = bulk_first - mean * bulk;
+        let third = (below_head - mean) * variance - covariance;
+        // The variance of what of y (1 - y) is not linear in y.
+        let above_least = (bulk_square - bulk * bulk - covariance * covariance / variance) / (variance * variance);
+        EndMoments {
+            mean,
+            below_head,
+            deviation: variance.sqrt(),
+            skew: third / variance.powf(1.5),
+            above_least: above_least.max(f64::MIN_POSITIVE),
+        }
+    }
 }
 
 fn shares(log_odds: f64) -> (f64, f64) {

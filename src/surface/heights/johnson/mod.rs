@@ -4,17 +4,17 @@
 //! u = gamma + delta ln((z - xi)/(xi + lambda - z)) for S_B, which has two; lognormal curves lie between them, and
 //! the Gaussian is the limit of all. `fit` finds the curve; here it is standardised to mean 0 and standard deviation 1.
 
+pub mod ends;
 mod fit;
 
-use fit::{Fit, Kind};
+use super::Heights;
+use ends::Ends;
+use fit::{Curve, Fit, Kind};
 
-/// The largest kurtosis that is evaluated.
-pub const LARGEST_KURTOSIS: f64 = 1000.0;
+pub use fit::above_least;
 
-/// The smallest kurtosis that is evaluated: below it nearly all summits have one of two heights.
-pub fn smallest_kurtosis(skew: f64) -> f64 {
-    1.4 + 1.3 * skew * skew
-}
+/// The largest kurtosis that is evaluated: loads on heavier tails could not be represented.
+pub const LARGEST_KURTOSIS: f64 = 1e10;
 
 /// The upper end of the support is made the origin of heights where sums in the tail depend on the distance to it: where
 /// less than this part of the distance from the mean is left at this u. The same goes for S_U where it nearly ends: it is
@@ -56,10 +56,18 @@ pub struct Johnson {
     modes: [f64; 2],
 }
 
+/// The heights of a skew and a kurtosis within the range.
+pub fn heights(skew: f64, kurtosis: f64) -> Heights {
+    match fit::fit(skew, kurtosis) {
+        Curve::Median(fit) if fit.epsilon == 0.0 => Heights::Gaussian,
+        Curve::Median(fit) => Heights::Johnson(Box::new(Johnson::new(skew, kurtosis, fit))),
+        Curve::Ends(fit) => Heights::Ends(Box::new(Ends::new(skew, kurtosis, &fit))),
+    }
+}
+
 impl Johnson {
-    /// The curve of a skew and a kurtosis between [`smallest_kurtosis`] and [`LARGEST_KURTOSIS`].
-    pub fn new(skew: f64, kurtosis: f64) -> Self {
-        let Fit { epsilon, kind, mean, deviation } = fit::fit(skew, kurtosis);
+    fn new(skew: f64, kurtosis: f64, fit: Fit) -> Self {
+        let Fit { epsilon, kind, mean, deviation } = fit;
         let rate = epsilon * deviation;
         let median = -mean / deviation;
         let mut curve =
@@ -74,11 +82,6 @@ impl Johnson {
         }
         curve.modes = curve.find_modes();
         curve
-    }
-
-    /// Whether the curve is the Gaussian itself.
-    pub fn is_gaussian(&self) -> bool {
-        self.epsilon == 0.0
     }
 
     /// Third standardised moment.
@@ -285,28 +288,72 @@ mod tests {
         moments
     }
 
+    /// The same of a curve about its ends, by masses; mean over skew^2 + 1 in what is above the least kurtosis.
+    fn moments_about_ends(curve: &Ends) -> ([f64; 4], f64) {
+        let (lower, upper) = (curve.logit_of_score(-12.0), curve.logit_of_score(12.0));
+        let (first, last) = (lower.max(-80.0), upper.min(80.0));
+        // Next to an end the place does not change.
+        let mut pieces = Vec::new();
+        for (from, to, count) in [(lower, first, 400), (first, last, 4000), (last, upper, 400)] {
+            let at = |i: i32| from + (to - from) * f64::from(i) / f64::from(count);
+            pieces.extend((0..count).map(|i| (at(i), at(i + 1))));
+        }
+        let mean = |f: &dyn Fn(f64) -> f64| -> f64 {
+            let integral = |&(from, to): &(f64, f64)| {
+                integrate_short(from, to, |logit| {
+                    curve.mass(logit, 0.0) * f(curve.height(&curve.place(logit)) + curve.origin())
+                })
+            };
+            pieces.iter().map(integral).sum()
+        };
+        let skew = curve.skew();
+        let above_least = mean(&|z| (z * z - skew * z - 1.0).powi(2));
+        ([mean(&|_| 1.0), mean(&|z| z), mean(&|z| z * z), mean(&|z| z * z * z)], above_least)
+    }
+
+    /// Up to what rounds to skew^2 + 1. kurtosis - skew^2 - 1 is the mean square of z^2 - skew z - 1.
+    #[test]
+    fn curves_about_their_ends_have_the_moments_they_were_made_from() {
+        let mut worst = [0.0_f64; 2];
+        for skew in [0.0_f64, 1e-6, -0.1, 1.0, -3.0, 30.0, 1e3, -3e4] {
+            let least: f64 = skew * skew + 1.0;
+            for part in [1e-13, 1e-10, 1e-6, 1e-3, 0.02, 0.1, 0.25, 0.3, 0.35, 0.4, 0.45] {
+                let kurtosis = f64::next_up(least * (1.0 + part));
+                let Heights::Ends(curve) = heights(skew, kurtosis) else { continue };
+                let ([total, mean, second, third], above_least) = moments_about_ends(&curve);
+                let errors = [total - 1.0, mean, second - 1.0, (third - skew) / (1.0 + skew.abs())];
+                let error = errors.iter().fold(0.0_f64, |worst, error| worst.max(error.abs()));
+                // The heights of a double lose what is below 1e-16 of least.
+                let excess = above_least / super::above_least(skew, kurtosis) - 1.0;
+                worst = [worst[0].max(error), worst[1].max(excess.abs())];
+                println!("{skew} {part} {errors:?} {excess:e}");
+                assert!(
+                    error < 1e-12 && excess.abs() < 1e-9,
+                    "skew {skew}, kurtosis {kurtosis}: {errors:?}, {excess:e} of {curve:?}"
+                );
+            }
+        }
+        println!("worst {worst:?}");
+    }
+
     #[test]
     fn the_density_has_the_moments_it_was_made_from() {
         let mut worst = 0.0_f64;
         for skew in [-20.0, -5.0, -2.0, -1.0, -0.1, -1e-4, 0.0, 1e-9, 1e-3, 0.3, 1.0, 3.0, 8.0, 25.0] {
-            let smallest = smallest_kurtosis(skew);
+            let smallest = 1.4 + 1.3 * skew * skew;
             let lognormal = 3.0 + fit::excess_of_lognormal(skew);
-            let mut kurtoses =
-                vec![smallest, LARGEST_KURTOSIS, lognormal, lognormal.next_down(), lognormal.next_up(), 3.0];
+            let mut kurtoses = vec![smallest, 1000.0, lognormal, lognormal.next_down(), lognormal.next_up(), 3.0];
             for part in [1e-12, 1e-6, 1e-3, 0.1, 0.5, 0.9] {
                 kurtoses.push(smallest + (lognormal - smallest) * part);
                 kurtoses.push(lognormal - (lognormal - smallest) * part);
                 kurtoses.push(lognormal * (1.0 + part));
-                kurtoses.push(lognormal * (LARGEST_KURTOSIS / lognormal).powf(part));
+                kurtoses.push(lognormal * (1000.0 / lognormal).powf(part));
             }
             for kurtosis in kurtoses {
-                if kurtosis < smallest || kurtosis > LARGEST_KURTOSIS {
+                if kurtosis < smallest || kurtosis > 1000.0 {
                     continue;
                 }
-                let curve = Johnson::new(skew, kurtosis);
-                if curve.is_gaussian() {
-                    continue;
-                }
+                let Heights::Johnson(curve) = heights(skew, kurtosis) else { continue };
                 let [total, mean, second, third, fourth] = moments(&curve);
                 let errors = [
                     total - 1.0,

@@ -1,0 +1,89 @@
+//! Friction at one load, one number: the table's answer in as few instructions as there are, or else the exact model's.
+//!
+//! A table cannot panic and its answer needs no stack frame; exact evaluation is out of line, and guarded. A model keeps
+//! the addresses of the functions that suit the processor, so that a call does not look for them.
+
+use super::boundary;
+use super::fp_environment;
+use crate::law::{polynomial, Row};
+use crate::model::Model;
+
+/// The scalar calls, as suits the processor.
+#[derive(Clone, Copy)]
+pub struct ScalarCalls {
+    /// Friction coefficient at a load.
+    pub coefficient: unsafe extern "C" fn(&Model, f64) -> f64,
+    /// Friction force at a load.
+    pub force: unsafe extern "C" fn(&Model, f64) -> f64,
+}
+
+impl ScalarCalls {
+    /// Those of this processor.
+    pub fn new() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("bmi2") {
+            return Self { coefficient: avx2::value_at::<true>, force: avx2::value_at::<false> };
+        }
+        Self { coefficient: value_at::<true>, force: value_at::<false> }
+    }
+}
+
+/// # Safety
+/// None is needed; the functions of other processors ask for their instructions.
+unsafe extern "C" fn value_at<const COEFFICIENT: bool>(model: &Model, load: f64) -> f64 {
+    tabulated::<COEFFICIENT>(model, load, |row, t| polynomial(&row.0, t).0)
+}
+
+#[inline(always)]
+fn tabulated<const COEFFICIENT: bool>(model: &Model, load: f64, force: impl FnOnce(&Row, f64) -> f64) -> f64 {
+    let Some((row, t)) = model.row_at(load) else {
+        return exact::<COEFFICIENT>(model, load);
+    };
+    let force = force(row, t);
+    if !COEFFICIENT {
+        return if force.is_nan() { exact::<COEFFICIENT>(model, load) } else { force };
+    }
+    // Not for the NaN of a row that is left out either.
+    if load > force * model.inverse_cap() {
+        return force / load;
+    }
+    if force.is_nan() {
+        return exact::<COEFFICIENT>(model, load);
+    }
+    model.params().max_friction_coefficient
+}
+
+#[cold]
+#[inline(never)]
+extern "C" fn exact<const COEFFICIENT: bool>(model: &Model, load: f64) -> f64 {
+    boundary::fast_value(|| {
+        fp_environment::held(|| if COEFFICIENT { model.exact_coefficient(load).0 } else { model.exact_force(load).0 })
+    })
+}
+
+#[cfg(target_arch = "x86_64")]
+mod avx2 {
+    use crate::law::Row;
+    use crate::model::Model;
+    use std::arch::x86_64::*;
+
+    /// # Safety
+    /// The processor has the instructions.
+    #[target_feature(enable = "avx2,bmi2")]
+    pub unsafe extern "C" fn value_at<const COEFFICIENT: bool>(model: &Model, load: f64) -> f64 {
+        super::tabulated::<COEFFICIENT>(model, load, |row, t| unsafe { polynomial(row, t) })
+    }
+
+    /// [`crate::law::polynomial`], its four lines side by side: the same operations in the same order.
+    #[inline(always)]
+    unsafe fn polynomial(row: &Row, t: f64) -> f64 {
+        let (low, high) = (_mm256_load_pd(row.0.as_ptr()), _mm256_load_pd(row.0.as_ptr().add(4)));
+        let (constant, linear) = (_mm256_unpacklo_pd(low, high), _mm256_unpackhi_pd(low, high));
+        // c0 + c1 t, c4 + c5 t, c2 + c3 t, c6 + c7 t
+        let lines = _mm256_add_pd(constant, _mm256_mul_pd(linear, _mm256_set1_pd(t)));
+        let t2 = t * t;
+        let cubics =
+            _mm_add_pd(_mm256_castpd256_pd128(lines), _mm_mul_pd(_mm256_extractf128_pd::<1>(lines), _mm_set1_pd(t2)));
+        _mm_cvtsd_f64(cubics) + _mm_cvtsd_f64(_mm_unpackhi_pd(cubics, cubics)) * (t2 * t2)
+    }
+}

@@ -1,0 +1,159 @@
+//! Rows filled from exact states, where the law has too many kinks for a curve: those that no kink disturbs.
+//!
+//! A row is the polynomial with the values and slopes of four states, two of them at its ends. Going from row to row the
+//! separation of the next state is extrapolated, which leaves one evaluation for each.
+
+use super::row::{polynomial, Filling, Row, COEFFICIENTS, SLOPE_TOLERANCE, VALUE_TOLERANCE};
+use super::MANTISSA_BITS;
+use crate::equilibrium::Equilibrium;
+use crate::population::Population;
+use std::f64::consts::LN_2;
+
+/// Where a row takes its states from, and where it is compared with one.
+const PARTS: [f64; 5] = [0.0, 0.276_393_2, 0.5, 0.723_606_8, 1.0];
+const COMPARED: usize = 2;
+/// A state this near to where it is wanted, in ln(load - pull-off), is carried there by its slope.
+const NEAR: f64 = 1e-9;
+
+/// An exact state: ln x, separation, d(ln x)/d(separation), F, d(ln F)/d(ln x).
+#[derive(Debug, Clone, Copy)]
+struct State {
+    log_excess: f64,
+    separation: f64,
+    rate: f64,
+    force: f64,
+    slope: f64,
+}
+
+struct Follower<'a> {
+    population: &'a Population,
+    equilibrium: &'a Equilibrium,
+    last: Option<[State; 2]>,
+}
+
+impl Follower<'_> {
+    fn evaluate(&self, separation: f64) -> Option<State> {
+        let (log_excess, rate, sums) = self.equilibrium.log_excess(self.population, separation);
+        (rate < 0.0 && sums.friction > 0.0).then(|| State {
+            log_excess,
+            separation,
+            rate,
+            force: sums.friction * sums.log_scale.exp(),
+            slope: sums.friction_slope / sums.friction / rate,
+        })
+    }
+
+    /// The state at ln x, from the last two or a guess.
+    fn state(&mut self, log_excess: f64, guess: f64) -> Option<State> {
+        let predicted = self.last.map_or(guess, |[a, b]| {
+            // The cubic with the values and slopes of both.
+            let (width, t) = (b.log_excess - a.log_excess, (log_excess - a.log_excess) / (b.log_excess - a.log_excess));
+            let (rise, start, end) = (b.separation - a.separation, width / a.rate, width / b.rate);
+            a.separation + t * (start + t * (3.0 * rise - 2.0 * start - end + t * (start + end - 2.0 * rise)))
+        });
+        let mut state = self.evaluate(predicted)?;
+        for _ in 0..8 {
+            let missing = log_excess - state.log_excess;
+            if missing.abs() <= NEAR {
+                let carried = State {
+                    log_excess,
+                    separation: state.separation + missing / state.rate,
+                    force: state.force * (state.slope * missing).exp(),
+                    ..state
+                };
+                self.last = Some([self.last.map_or(carried, |[_, last]| last), carried]);
+                return Some(carried);
+            }
+            state = self.evaluate(state.separation + missing / state.rate)?;
+        }
+        None
+    }
+}
+
+/// Fills the rows that are left out, of which the first has these shifted bits; the largest error of those it keeps.
+pub fn fill(
+    filling: &Filling,
+    population: &Population,
+    equilibrium: &Equilibrium,
+    first: u64,
+    rows: &mut [Row],
+) -> f64 {
+    let width = (2.0_f64).powi(filling.shift as i32 - MANTISSA_BITS as i32);
+    let per_binade = 1_u64 << (MANTISSA_BITS - filling.shift);
+    let log_load = filling.scales.load.ln();
+    let mut follower = Follower { population, equilibrium, last: None };
+    // Where the row before ends.
+    let mut joint: Option<State> = None;
+    let mut worst = 0.0_f64;
+    for (index, row) in (first..).zip(rows.iter_mut()) {
+        if !row.is_left_out() {
+            (follower.last, joint) = (None, None);
+            continue;
+        }
+        let within = (index % per_binade) as f64;
+        let binade = (index / per_binade) as f64 - 1023.0;
+        let mut states = [None; PARTS.len()];
+        for (state, part) in states.iter_mut().zip(PARTS) {
+            let log_excess = ((within + part) * width).ln_1p() + (binade * LN_2 - log_load);
+            *state = match joint.filter(|_| part == 0.0) {
+                Some(joint) => Some(joint),
+                None => match (follower.last, filling.curve.separation(log_excess)) {
+                    (None, None) => None,
+                    (_, guess) => follower.state(log_excess, guess.unwrap_or(0.0)),
+                },
+            };
+            if follower.last.is_some_and(|[a, b]| a.log_excess == b.log_excess) {
+                // Two states are needed to extrapolate from.
+                let [_, only] = follower.last.unwrap_or_else(|| unreachable!());
+                let beside = follower.evaluate(only.separation - 1e-3);
+                follower.last = beside.map(|beside| [beside, only]);
+            }
+        }
+        joint = states[PARTS.len() - 1];
+        let [Some(a), Some(b), Some(c), Some(d), Some(e)] = states else {
+            follower.last = None;
+            continue;
+        };
+        let points = [a, b, c, d, e].map(|state| filling.scales.force * state.force);
+        let slopes: [f64; 5] =
+            std::array::from_fn(|i| points[i] * [a, b, c, d, e][i].slope * width / (1.0 + (within + PARTS[i]) * width));
+        let coefficients = hermite(&points, &slopes);
+        let (value, rate) = polynomial(&coefficients, PARTS[COMPARED]);
+        let error = (value / points[COMPARED] - 1.0).abs();
+        if error <= VALUE_TOLERANCE && (rate / slopes[COMPARED] - 1.0).abs() <= SLOPE_TOLERANCE {
+            worst = worst.max(error);
+            let mut scale = 1.0;
+            *row = Row(coefficients.map(|coefficient| {
+                let scaled = coefficient * scale;
+                scale /= width;
+                scaled
+            }));
+        }
+    }
+    worst
+}
+
+/// The polynomial with these values and slopes at all parts but the one that is compared.
+fn hermite(values: &[f64; PARTS.len()], slopes: &[f64; PARTS.len()]) -> [f64; COEFFICIENTS] {
+    const KEPT: [usize; 4] = [0, 1, 3, 4];
+    let node = |i: usize| PARTS[KEPT[i / 2]];
+    let mut differences: [f64; COEFFICIENTS] = std::array::from_fn(|i| values[KEPT[i / 2]]);
+    for order in 1..COEFFICIENTS {
+        for i in (order..COEFFICIENTS).rev() {
+            differences[i] = if order == 1 && i % 2 == 1 {
+                slopes[KEPT[i / 2]]
+            } else {
+                (differences[i] - differences[i - 1]) / (node(i) - node(i - order))
+            };
+        }
+    }
+    let mut coefficients = [0.0; COEFFICIENTS];
+    for i in (0..COEFFICIENTS).rev() {
+        for k in (0..COEFFICIENTS).rev() {
+            let lower = if k > 0 { coefficients[k - 1] } else { 0.0 };
+            coefficients[k] = lower - node(i) * coefficients[k];
+        }
+        coefficients[0] += differences[i];
+    }
+    coefficients
+}

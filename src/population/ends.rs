@@ -1,0 +1,255 @@
+//! Panels for heights that gather next to two ends: in the logit of a height, in which their spikes are smooth.
+//!
+//! Next to an end nothing but the density changes, and so its whole spike has one contact. Next to an edge of contact the
+//! variable is theta as elsewhere. What panels hand on is the mass of summits, the density itself has no bound.
+
+use super::{gauss_legendre, Guess, Point, Population, Sink, Summit, MOST_PANELS, THETA_SPAN};
+use crate::asperity::attraction::Attraction;
+use crate::surface::heights::johnson::ends::{Ends, Place};
+
+/// Nearer to an end than this part of the distance to where the law of one summit is singular, it does not change.
+const SAME: f64 = 1e-17;
+/// A panel in logit is no longer than this many times the distance to an edge of contact behind it.
+const LOGIT_RATIO: f64 = 2.0;
+/// A panel of attraction in the circle's radius spans no more than this part of the distance from the nearest end.
+const CIRCLE_SPAN: f64 = 0.3;
+/// The shortest distance from an edge that counts.
+const SHORTEST: f64 = 1e-290;
+
+/// A walk from a place to a logit.
+struct Walk<'a> {
+    ends: &'a Ends,
+    place: Place,
+    last: f64,
+    direction: f64,
+    /// The logits of the lowest and the highest summit that contribute.
+    counted: (f64, f64),
+}
+
+impl<'a> Walk<'a> {
+    fn new(ends: &'a Ends, from: f64, to: f64) -> Self {
+        let (place, last) = (ends.place_of(from), ends.place_of(to).logit);
+        let direction = if to >= from { 1.0 } else { -1.0 };
+        let (lowest, highest) = ends.worth_summing(ends.score(place.logit.min(last)));
+        Self { ends, place, last, direction, counted: (ends.logit_of_score(lowest), ends.logit_of_score(highest)) }
+    }
+
+    /// Whether nothing is left.
+    fn is_over(&self) -> bool {
+        let done = if self.direction > 0.0 { self.counted.1 } else { -self.counted.0 };
+        let logit = self.direction * self.place.logit;
+        logit >= self.direction * self.last || logit >= done
+    }
+
+    /// The mass on the way from here to a logit, over exp(log_scale).
+    fn mass_to(&self, logit: f64, log_scale: f64) -> f64 {
+        let (lower, upper) =
+            (self.place.logit.min(logit).max(self.counted.0), self.place.logit.max(logit).min(self.counted.1));
+        let mut mass = 0.0;
+        let mut from = lower;
+        while from < upper {
+            let to = upper.min(from + self.ends.longest_panel(from, 1.0));
+            mass +=
+                gauss_legendre::nodes(from, to).map(|(x, weight)| weight * self.ends.mass(x, log_scale)).sum::<f64>();
+            from = to;
+        }
+        mass
+    }
+
+    /// Where a walk that has come to an end of the heights, or begins there, is to go on, if the law of one summit is
+    /// singular at this distance behind.
+    fn beside_end(&self, clearance: f64) -> Option<f64> {
+        let near = SAME * clearance.clamp(SHORTEST, self.ends.width());
+        let (behind, ahead) = if self.direction > 0.0 {
+            (self.place.above_foot, self.place.below_head)
+        } else {
+            (self.place.below_head, self.place.above_foot)
+        };
+        if behind <= 0.5 * near {
+            let next = Ends::clamped((near / self.ends.width()).ln());
+            let counted = if self.direction > 0.0 { self.counted.0 } else { -self.counted.1 };
+            return Some(self.direction * next.max(counted).min(self.direction * self.last));
+        }
+        (ahead <= near).then_some(self.last)
+    }
+
+    /// How far from here a panel in logit may reach, if the law of one summit is singular at this distance behind.
+    fn longest_panel(&self, clearance: f64) -> f64 {
+        let (behind, ahead) = if self.direction > 0.0 {
+            (self.place.above_foot, self.place.below_head)
+        } else {
+            (self.place.below_head, self.place.above_foot)
+        };
+        let by_score = self.ends.longest_panel(self.place.logit, self.direction);
+        let smooth = |beyond| self.ends.longest_smooth(self.place.logit, self.direction, beyond);
+        let longest = if clearance < behind {
+            let logits = (clearance / ahead).ln_1p() - (-clearance / behind).ln_1p();
+            smooth(None).min(LOGIT_RATIO * logits)
+        } else {
+            let beyond = ((clearance - behind) / self.ends.width()).max(f64::MIN_POSITIVE).ln();
+            // The law is singular at complex heights around that edge as well.
+            let farthest = self.place.raised(self.direction * super::HEIGHT_RATIO * clearance).logit;
+            let in_height =
+                if farthest.is_finite() { self.direction * (farthest - self.place.logit) } else { f64::MAX };
+            smooth(Some(self.direction * beyond)).min(in_height)
+        };
+        longest.min(by_score)
+    }
+
+    /// The place a length further on, or the last where that is nearer.
+    fn raised(&self, length: f64) -> Place {
+        let last = self.ends.place(self.last);
+        if length < self.direction * self.place.rise_to(&last) {
+            self.place.raised(self.direction * length)
+        } else {
+            last
+        }
+    }
+
+    /// The place of a logit, or the last where little is left.
+    fn towards(&self, length: f64) -> Place {
+        let remaining = self.direction * (self.last - self.place.logit);
+        let logit = if length > 0.8 * remaining { self.last } else { self.place.logit + self.direction * length };
+        self.ends.place(logit)
+    }
+}
+
+/// The mass of the summits above a height, over exp(log_scale).
+pub(super) fn mass_above(ends: &Ends, z: f64, log_scale: f64) -> f64 {
+    Walk::new(ends, z, 0.0).mass_to(f64::INFINITY, log_scale)
+}
+
+impl Population {
+    /// Walks the summits in contact from one to a height.
+    pub(super) fn walk_between_ends(&self, ends: &Ends, start: Point, end: f64, sink: &mut impl Sink) {
+        let mut walk = Walk::new(ends, start.z, end);
+        let mut here = start;
+        let log_scale = sink.log_scale();
+        let direction = walk.direction;
+        for _ in 0..MOST_PANELS {
+            if walk.is_over() {
+                return;
+            }
+            let clearance = self.clearance(&here);
+            if let Some(next) = walk.beside_end(clearance) {
+                sink.summits(here.z, walk.mass_to(next, log_scale), &here.contact);
+                let place = ends.place(next);
+                here = self.point(&here, walk.place.rise_to(&place), here.contact.theta);
+                walk.place = place;
+                continue;
+            }
+            let mut there_place = walk.towards(walk.longest_panel(clearance));
+            if !self.radius.is_constant() {
+                let longest = self.smooth_length(here.z, direction > 0.0, log_scale);
+                if (direction * walk.place.rise_to(&there_place)) > longest {
+                    there_place = walk.place.raised(direction * longest);
+                }
+            }
+            let in_logit = direction * walk.place.rise_to(&there_place);
+            let theta_far = self.theta_limit(&here);
+            let curve = self.maugis.at(theta_far, here.g).overlap - here.contact.overlap;
+            let in_theta = curve.min(THETA_SPAN * walk.place.from_end().min(1.0));
+            let by_logit = in_logit > in_theta || direction * there_place.logit >= direction * walk.last;
+            if !by_logit {
+                there_place = walk.raised(in_theta);
+            }
+            let mut rise = walk.place.rise_to(&there_place);
+            let mut there = self.point(&here, rise, here.guess_towards(theta_far, rise.abs() / curve));
+            if let Some(cut) = self.first_cut(&here, &there) {
+                rise = cut.rise_above(&here);
+                there = cut;
+                there_place = walk.place.raised(rise);
+            }
+            there.z = ends.height(&there_place);
+            sink.panel(&here, &there, by_logit);
+            if by_logit {
+                let guess = Guess::new(&here, &there, rise);
+                for (logit, weight) in gauss_legendre::nodes(walk.place.logit, there_place.logit) {
+                    let place = ends.place(logit);
+                    let above = walk.place.rise_to(&place);
+                    let point = self.point(&here, above, guess.at(above / rise));
+                    sink.summits(ends.height(&place), weight * ends.mass(logit, log_scale), &point.contact);
+                }
+            } else {
+                let overlap = here.contact.overlap + rise.abs();
+                let theta_end = self.maugis.at_overlap(overlap, here.g, there.contact.theta).theta;
+                let drift = (there.contact.theta / theta_end - 1.0) / rise.abs();
+                for (theta, weight) in gauss_legendre::nodes(theta_end, here.contact.theta) {
+                    let reference = self.maugis.at(theta, here.g);
+                    let above = reference.overlap - here.contact.overlap;
+                    let place = walk.place.raised(direction * above);
+                    let mass = weight * reference.overlap_rate.abs() * ends.density(&place, log_scale);
+                    let contact = if self.radius.is_constant() {
+                        reference
+                    } else {
+                        self.point(&here, direction * above, theta * (1.0 + drift * above.abs())).contact
+                    };
+                    sink.summits(ends.height(&place), mass, &contact);
+                }
+            }
+            here = there;
+            walk.place = there_place;
+        }
+    }
+
+    /// Hands on the summits that attract without contact, from one of an overlap to a height: overlap, height, mass.
+    pub(super) fn attracted_between_ends(
+        &self,
+        ends: &Ends,
+        law: &Attraction,
+        (lower, overlap): (f64, f64),
+        upper: f64,
+        log_scale: f64,
+        mut add: impl FnMut(f64, Summit),
+    ) {
+        let mut walk = Walk::new(ends, lower, upper);
+        let (mut z, mut overlap) = (lower, overlap);
+        let mut add = |place: &Place, overlap: f64, mass: f64| {
+            let g = self.radius.factor(ends.height(place));
+            let attracted = law.at(law.circle(overlap, g), g);
+            add(mass, Summit { load: attracted.load, load_by_overlap: attracted.load_by_overlap, ..Summit::default() });
+        };
+        for _ in 0..MOST_PANELS {
+            if walk.is_over() {
+                return;
+            }
+            let clearance = (overlap + law.reach).max(0.0);
+            if let Some(next) = walk.beside_end(clearance) {
+                add(&walk.place, overlap, walk.mass_to(next, log_scale));
+                let place = ends.place(next);
+                overlap += walk.place.rise_to(&place);
+                walk.place = place;
+                continue;
+            }
+            let mut there = walk.towards(walk.longest_panel(clearance));
+            if !self.radius.is_constant() && walk.place.rise_to(&there) > self.radius.smooth_length(z) {
+                there = walk.place.raised(self.radius.smooth_length(z));
+            }
+            let g = self.radius.factor(z);
+            let here = law.at(law.circle(overlap, g), g);
+            let mut length = CIRCLE_SPAN * walk.place.from_end().min(1.0);
+            if !self.radius.is_constant() {
+                let farthest = law.at_rate(super::CIRCLE_RATIO * here.overlap_rate, g);
+                length = length.min((farthest.overlap - here.overlap).max(SAME.sqrt() * length));
+            }
+            if walk.place.rise_to(&there) > length || there.logit >= walk.last {
+                for (logit, weight) in gauss_legendre::nodes(walk.place.logit, there.logit) {
+                    let place = ends.place(logit);
+                    add(&place, overlap + walk.place.rise_to(&place), weight * ends.mass(logit, log_scale));
+                }
+            } else {
+                there = walk.raised(length);
+                let circle_end = law.circle(overlap + walk.place.rise_to(&there), g);
+                for (circle, weight) in gauss_legendre::nodes(here.circle, circle_end) {
+                    let reference = law.at(circle, g);
+                    let rise = reference.overlap - here.overlap;
+                    let place = walk.place.raised(rise);
+                    add(&place, overlap + rise, weight * reference.overlap_rate * ends.density(&place, log_scale));
+                }
+            }
+            overlap += walk.place.rise_to(&there);
+            walk.place = there;
+            z = ends.height(&there);
+        }
+    }
+}
