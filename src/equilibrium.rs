@@ -14,8 +14,8 @@ const CLOSEST: f64 = -1e60;
 const SCAN_START: f64 = -6.0;
 /// ...in steps of this: sums over the heights change on the scale of their standard deviation, not faster...
 const SCAN_STEP: f64 = 1.0;
-/// ...or, where radii that vary with height may let the load rise within less, of the wider of these; where the heights
-/// may gather at several, of half the range of adhesion within both...
+/// ...or, where radii that vary with height may let the load rise within less, of the wider of these, and twice it where
+/// they vary gently; where the heights may gather at several, of half the range of adhesion within both...
 const WIDEST_SCAN: f64 = 0.25;
 const FINEST_SCAN: f64 = 0.02;
 /// ...where heights end, up to this far from where nothing touches or attracts any more, relative to it.
@@ -253,7 +253,7 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
     let scan_step = if single {
         SCAN_STEP
     } else if population.heights().is_log_concave() {
-        WIDEST_SCAN
+        (0.5 * population.radius_scale()).clamp(WIDEST_SCAN, 2.0 * WIDEST_SCAN)
     } else {
         (0.5 * population.range_of_adhesion()).clamp(FINEST_SCAN, WIDEST_SCAN)
     };

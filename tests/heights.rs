@@ -420,7 +420,7 @@ fn slopes_are_those_of_secants() {
             }
         }
     }
-    assert!(made >= 32, "{made} models");
+    assert!(made >= 28, "{made} models");
 }
 
 #[test]

@@ -301,6 +301,11 @@ impl Population {
         self.radius.is_constant() && self.heights.is_log_concave()
     }
 
+    /// The heights, in sigma, on whose scale radii change.
+    pub fn radius_scale(&self) -> f64 {
+        1.0 / self.radius.rate
+    }
+
     /// How far, in sigma, a summit above the flat is pulled, or one in contact holds on.
     pub fn range_of_adhesion(&self) -> f64 {
         self.attraction.as_ref().map_or(0.0, |law| law.reach).max(-self.edges.deepest())
