@@ -623,3 +623,19 @@ fn a_null_output_is_refused_everywhere() {
         refused(asperity_summary_of(handle.0, null_mut()), "summary");
     }
 }
+
+#[test]
+fn no_adhesion_has_no_sign() {
+    let none = asperity_params::dimensionless(0.01, 1000.0, 0.0, 1.0);
+    let mut negative = asperity_params::dimensionless(0.01, 1000.0, -0.0, 1.0);
+    assert!(negative.quantities[2].is_sign_negative() && negative.quantities[2] == 0.0);
+    let (none, signed) = (Handle::new(&none), Handle::new(&negative));
+    for load in [0.0, 1e-3, 1.0, 1e3] {
+        // SAFETY: both models live.
+        let forces = unsafe { [none.0, signed.0].map(|model| asperity_friction_force_at_load(model, load)) };
+        assert_eq!(forces[0].to_bits(), forces[1].to_bits(), "at {load}");
+    }
+    negative.quantities[2] = -1e-300;
+    // SAFETY: the parameters live.
+    assert_eq!(unsafe { asperity_create(&negative, &mut null_mut()) }, INVALID_PARAMETER, "{}", message());
+}

@@ -8,6 +8,7 @@ use asperity::asperity::maugis::Maugis;
 use asperity::groups::Groups;
 use asperity::population::Population;
 use asperity::surface::heights::tabulated::Tabulated;
+use asperity::surface::heights::weibull::Weibull;
 use asperity::surface::heights::Heights as Family;
 use asperity::surface::radius::RadiusProfile;
 use asperity::{Error, HeightFamily, Model, Params};
@@ -150,6 +151,82 @@ fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
         for kink in &kinks {
             let nearest = expected.iter().map(|d| (d - kink).abs()).fold(f64::INFINITY, f64::min);
             assert!(nearest <= 1e-10 * (1.0 + kink.abs()), "{kink} is none of {expected:?}");
+        }
+    }
+}
+
+/// Families of heights, with where they end.
+fn families() -> [(Family, f64, f64); 4] {
+    let table = Tabulated::new(&[-2.0, -1.0, 0.5, 1.0, 3.0], &[0.0, 1.0, 2.0, 1.0, 0.0]).expect("a density");
+    let (first, last) = table.support();
+    let weibull = |shape: f64| {
+        let weibull = Weibull::new(shape);
+        let mean = weibull.mean();
+        (Family::Weibull(Box::new(weibull)), -mean, f64::INFINITY)
+    };
+    [
+        (Family::Gaussian, f64::NEG_INFINITY, f64::INFINITY),
+        weibull(1.5),
+        weibull(6.0),
+        (Family::Tabulated(Box::new(table)), first, last),
+    ]
+}
+
+#[test]
+fn densities_are_positive_between_the_ends_of_heights_and_peak_where_it_is_said() {
+    for (heights, foot, head) in families() {
+        assert_eq!((heights.foot(), heights.head()), (foot, head), "{heights:?}");
+        let (far_foot, far_tail) = (heights.far_foot(), heights.far_tail());
+        assert_eq!(far_foot == foot, foot.is_finite(), "{heights:?}");
+        assert_eq!(far_tail == head, head.is_finite(), "{heights:?}");
+        for (end, far, outwards) in [(foot, far_foot, -1.0), (head, far_tail, 1.0)] {
+            if end.is_finite() {
+                assert_eq!(heights.log_density(end + 1e-9 * outwards), f64::NEG_INFINITY, "{heights:?}");
+                assert!(heights.log_density(end - 1e-9 * outwards).is_finite(), "{heights:?}");
+            } else {
+                let log_density = heights.log_density(far);
+                assert!((-2010.0..-1990.0).contains(&log_density), "{heights:?}: {log_density}");
+            }
+        }
+        for start in [-9.0, -3.0, -1.0, -0.1, 0.0, 0.2, 0.7, 1.5] {
+            let start = f64::max(start, foot + 1e-3);
+            if start >= head {
+                continue;
+            }
+            let peak = heights.peak_above(start);
+            let highest = (0..2000)
+                .map(|i| heights.log_density(start + 0.005 * f64::from(i)))
+                .fold(heights.log_density(peak), f64::max);
+            assert!(peak >= start && highest - heights.log_density(peak) < 1.0, "{heights:?} above {start}: {peak}");
+        }
+    }
+}
+
+/// What is left out of a sum holds less than 1e-17 of it, and what is summed reaches little farther than that.
+#[test]
+fn sums_reach_as_far_as_heights_count() {
+    for (heights, foot, head) in families() {
+        for (lower, upper) in [(-20.0, 20.0), (1.0, 30.0), (4.0, 60.0), (-30.0, -0.5), (-0.5, 0.5)] {
+            let (lower, upper) = (f64::max(lower, foot), f64::min(upper, head));
+            if lower >= upper {
+                continue;
+            }
+            let (first, last) = heights.worth_summing(lower, upper);
+            assert!(first >= lower && last <= upper && first < last, "{heights:?} {lower} {upper}: {first} {last}");
+            let width = (upper - lower) / 40_000.0;
+            let (mut within, mut without) = (0.0, 0.0);
+            for i in 0..40_000 {
+                let z = lower + width * (f64::from(i) + 0.5);
+                let density = heights.log_density(z).exp();
+                *(if z > first && z < last { &mut within } else { &mut without }) += density;
+            }
+            assert!(without <= 1e-17 * within, "{heights:?} {lower} {upper}: {first} {last} leaves {without:e}");
+            // A step inside either end lies what counts at the level of exp(-100).
+            for (end, bound) in [(first, lower), (last, upper)] {
+                let log_density = heights.log_density(end + 1e-6 * (first + last - 2.0 * end));
+                let largest = heights.log_density(heights.peak_above(first).min(last));
+                assert!(end == bound || log_density > largest - 150.0, "{heights:?} {lower} {upper}: {first} {last}");
+            }
         }
     }
 }

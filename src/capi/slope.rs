@@ -7,7 +7,8 @@ use super::model::asperity_model;
 use crate::params::finite;
 use crate::regularised::smooth_sign;
 
-/// Areas and rates must lie between the inverse of this and this, pressures below its square.
+/// Areas and rates must lie between these, pressures below the square of the larger.
+const SMALLEST: f64 = 1e-60;
 const LARGEST: f64 = 1e60;
 
 /// Friction coefficient at a load, with its slope.
@@ -170,5 +171,5 @@ fn load_of(pressure: f64, nominal_area: f64) -> Option<f64> {
 
 /// Compares bits, which order positive numbers: comparing a signalling NaN would raise a flag.
 fn is_allowed(x: f64) -> bool {
-    ((1.0 / LARGEST).to_bits()..=LARGEST.to_bits()).contains(&x.to_bits())
+    (SMALLEST.to_bits()..=LARGEST.to_bits()).contains(&x.to_bits())
 }
