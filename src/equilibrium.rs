@@ -65,13 +65,14 @@ impl Equilibrium {
             return Ok(Self { pull_off: None, farthest: population.farthest() });
         }
         let scanned = if population.has_single_minimum() {
-            bracket_first_minimum(population)
+            bracket_first_minimum(population).map(|bracket| ends(population, bracket))
         } else {
             // Many states are looked at for a sign.
             bracket_first_minimum(&population.roughly()).map(|bracket| about(population, bracket))
         };
-        let bracket = match (scanned, bracket_at_foot(population)) {
-            (Some(scanned), Some(at_foot)) => Some(if at_foot.0 < scanned.0 { at_foot } else { scanned }),
+        let at_foot = bracket_at_foot(population).map(|bracket| ends(population, bracket));
+        let bracket = match (scanned, at_foot) {
+            (Some(scanned), Some(at_foot)) => Some(if at_foot[0].0 < scanned[0].0 { at_foot } else { scanned }),
             (scanned, at_foot) => scanned.or(at_foot),
         };
         match bracket {
@@ -96,23 +97,34 @@ impl Equilibrium {
         let mut step = 1e-3;
         while step < 100.0 {
             if falls(population, rising - step) {
-                return Self::within(population, (rising - step, rising));
+                return Self::within(population, ends(population, (rising - step, rising)));
             }
             step *= 2.0;
         }
         Err(Error::NotConverged { what: "separation at pull-off", value: off_branch })
     }
 
-    fn within(population: &Population, (lower, upper): (f64, f64)) -> Result<Self, Error> {
+    /// The branch that ends in a bracket, of two separations with their sums.
+    fn within(
+        population: &Population,
+        [(lower, at_lower), (upper, at_upper)]: [(f64, Sums); 2],
+    ) -> Result<Self, Error> {
         // The slope in one scale, so that interpolation makes sense; of what is far below it, the sign.
-        let scale = population.at_separation(lower).log_scale;
-        let slope = |separation: f64| {
-            let sums = population.at_separation(separation);
-            sums.load_slope * (sums.log_scale - scale).clamp(-600.0, 600.0).exp()
-        };
+        let slope = |sums: &Sums| sums.load_slope * (sums.log_scale - at_lower.log_scale).clamp(-600.0, 600.0).exp();
+        let (mut last, mut sums) = (lower, at_lower);
         // A load that falls on both sides rises in a jump between.
-        let separation = if slope(upper) < 0.0 { lower } else { root::bracketed(slope, lower, upper) };
-        let sums = population.at_separation(separation);
+        let separation = if slope(&at_upper) < 0.0 {
+            lower
+        } else {
+            let slope_at = |separation: f64| {
+                (last, sums) = (separation, population.at_separation(separation));
+                slope(&sums)
+            };
+            root::between(slope_at, (lower, slope(&at_lower)), (upper, slope(&at_upper)))
+        };
+        if separation != last {
+            sums = population.at_separation(separation);
+        }
         if sums.load() >= 0.0 {
             return Err(Error::OutOfRange {
                 name: "pull-off load",
@@ -341,18 +353,24 @@ fn first_bracket(population: &Population, lower: f64, upper: f64) -> (f64, f64) 
     (at(first - 1), at(first))
 }
 
-/// A bracket of the minimum about one that was found by rough sums, which may mistake a sign next to where it changes.
-fn about(population: &Population, (mut lower, mut upper): (f64, f64)) -> (f64, f64) {
-    let mut step = (upper - lower).max(f64::EPSILON * upper.abs());
-    while !falls(population, lower) && lower > CLOSEST {
-        lower -= step;
+/// A bracket with the sums at its ends.
+fn ends(population: &Population, (lower, upper): (f64, f64)) -> [(f64, Sums); 2] {
+    [lower, upper].map(|separation| (separation, population.at_separation(separation)))
+}
+
+/// The same about a bracket that was found by rough sums, which may mistake a sign next to where it changes.
+fn about(population: &Population, bracket: (f64, f64)) -> [(f64, Sums); 2] {
+    let [mut lower, mut upper] = ends(population, bracket);
+    let mut step = (upper.0 - lower.0).max(f64::EPSILON * upper.0.abs());
+    while lower.1.load_slope >= 0.0 && lower.0 > CLOSEST {
+        lower = (lower.0 - step, population.at_separation(lower.0 - step));
         step *= 2.0;
     }
-    while falls(population, upper) && upper < population.farthest() {
-        upper += step;
+    while upper.1.load_slope < 0.0 && upper.0 < population.farthest() {
+        upper = (upper.0 + step, population.at_separation(upper.0 + step));
         step *= 2.0;
     }
-    (lower, upper)
+    [lower, upper]
 }
 
 /// Whether the load falls as separation grows.

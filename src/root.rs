@@ -5,8 +5,14 @@
 ///
 /// `f` must change sign between the ends; where it does not, the end with the smaller |f| is the answer.
 pub fn bracketed(mut f: impl FnMut(f64) -> f64, lower: f64, upper: f64) -> f64 {
+    let (at_upper, at_lower) = (f(upper), f(lower));
+    between(f, (lower, at_lower), (upper, at_upper))
+}
+
+/// The same where the values at both ends are known.
+pub fn between(mut f: impl FnMut(f64) -> f64, (lower, at_lower): (f64, f64), (upper, at_upper): (f64, f64)) -> f64 {
     let (mut a, mut b) = (upper, lower);
-    let (mut fa, mut fb) = (f(a), f(b));
+    let (mut fa, mut fb) = (at_upper, at_lower);
     if (fa < 0.0) == (fb < 0.0) {
         return if fa.abs() < fb.abs() { a } else { b };
     }

@@ -25,7 +25,7 @@ use crate::asperity::maugis::{Contact, Maugis, TIP};
 use crate::asperity::slip::{Slip, SlipConstants};
 use crate::groups::Groups;
 use crate::root;
-use crate::surface::heights::{Heights, SHORTEST_PANEL, UNDERFLOW};
+use crate::surface::heights::{Heights, Place, SHORTEST_PANEL, UNDERFLOW};
 use crate::surface::radius::RadiusProfile;
 use break_edges::{BreakEdges, Edge, Edges};
 use density::Density;
@@ -533,6 +533,7 @@ impl Population {
         lower: f64,
         upper: f64,
     ) {
+        let mut last_end: Option<Place> = None;
         for panel in nodes.panels() {
             let (z_from, z_to) = (separation + panel.from.z, separation + panel.to.z);
             if z_to <= lower {
@@ -543,7 +544,13 @@ impl Population {
             }
             let from_start = z_from >= lower;
             let roughest = if panel.by_height { 1.0 } else { THETA_SPAN };
-            if from_start && self.heights.roughness(z_from, z_to, sums.log_scale) <= roughest {
+            let is_smooth = from_start && {
+                let from = last_end.filter(|end| end.is_at(z_from)).unwrap_or_else(|| self.heights.place(z_from));
+                let to = self.heights.place(z_to);
+                last_end = Some(to);
+                self.heights.roughness(&from, &to, sums.log_scale) <= roughest
+            };
+            if is_smooth {
                 for node in panel.nodes() {
                     let density = density.at(separation + node.overlap, node.overlap);
                     sums.add_contact(node.weight * density, &node.summit);

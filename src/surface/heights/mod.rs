@@ -26,6 +26,21 @@ const MOST_ALLOWANCE: f64 = 10.0;
 /// Beside this many e-folds of density, what load gains on the way to smaller densities is nothing.
 const GROWTH_OF_LOAD: f64 = 5.0;
 
+/// A height, with ln phi and its slope there where the family's roughness depends on them.
+#[derive(Debug, Clone, Copy)]
+pub struct Place {
+    z: f64,
+    log_density: f64,
+    slope: f64,
+}
+
+impl Place {
+    /// Whether it is this height.
+    pub fn is_at(&self, z: f64) -> bool {
+        self.z == z
+    }
+}
+
 /// A standardised height distribution.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Heights {
@@ -206,22 +221,18 @@ impl Heights {
             Heights::Tabulated(table) => return table.smooth_length(z),
             // Panels in another variable.
             Heights::Ends(_) => return f64::MAX,
-            Heights::Gaussian => {
-                while length > SHORTEST_PANEL && self.roughness(z, z + length, log_scale) > 1.0 {
-                    length *= 0.75;
-                }
+            Heights::Gaussian | Heights::Weibull(_) => {}
+        }
+        let from = self.place(z);
+        if let Heights::Weibull(_) = self {
+            // Longer ones are too steep at their beginning.
+            let longest = SHORTEST_PANEL.max((STEEPEST_PANEL + MOST_ALLOWANCE) / from.slope.abs());
+            while length > longest {
+                length *= 0.75;
             }
-            Heights::Weibull(weibull) => {
-                let from = weibull.log_density(z);
-                // Longer ones are too steep at their beginning.
-                let longest = SHORTEST_PANEL.max((STEEPEST_PANEL + MOST_ALLOWANCE) / from.1.abs());
-                while length > longest {
-                    length *= 0.75;
-                }
-                while length > SHORTEST_PANEL && weibull_roughness(weibull, (z, from), z + length, log_scale) > 1.0 {
-                    length *= 0.75;
-                }
-            }
+        }
+        while length > SHORTEST_PANEL && self.roughness(&from, &self.place(z + length), log_scale) > 1.0 {
+            length *= 0.75;
         }
         length
     }
@@ -235,20 +246,30 @@ impl Heights {
         }
     }
 
+    /// What [`Heights::roughness`] needs to know of a height.
+    pub fn place(&self, z: f64) -> Place {
+        let (log_density, slope) = match self {
+            Heights::Gaussian => (self.log_density(z), -z),
+            Heights::Weibull(weibull) => weibull.log_density(z),
+            _ => (f64::NAN, f64::NAN),
+        };
+        Place { z, log_density, slope }
+    }
+
     /// How much the density changes from one height to another, in such a sum; up to 1 one quadrature panel may reach
     /// from the one to the other.
-    pub fn roughness(&self, from: f64, to: f64, log_scale: f64) -> f64 {
-        let length = to - from;
+    pub fn roughness(&self, from: &Place, to: &Place, log_scale: f64) -> f64 {
+        let length = to.z - from.z;
+        let change = length * from.slope.abs().max(to.slope.abs());
+        // What is small beside the sum needs fewer digits; but load grows with height where the density falls.
+        let drop = (log_scale - from.log_density.max(to.log_density) - GROWTH_OF_LOAD).max(0.0);
         match self {
-            Heights::Gaussian => {
-                let steepest = from.abs().max(to.abs());
-                let highest = self.log_density(from).max(self.log_density(to));
-                length * steepest / (STEEPEST_GAUSSIAN_PANEL + drop(highest, log_scale))
-            }
-            Heights::Weibull(weibull) => weibull_roughness(weibull, (from, weibull.log_density(from)), to, log_scale),
-            Heights::Johnson(johnson) if !johnson.is_smooth(from, to) => f64::MAX,
-            Heights::Tabulated(table) if !table.is_smooth(from, to) => f64::MAX,
-            _ => (length / self.smooth_length(from, log_scale)).min(1.0),
+            Heights::Gaussian => change / (STEEPEST_GAUSSIAN_PANEL + drop),
+            Heights::Weibull(weibull) if length > 2.0 * (from.z + weibull.mean()) => f64::MAX,
+            Heights::Weibull(_) => change / (STEEPEST_PANEL + (0.5 * drop).min(MOST_ALLOWANCE)),
+            Heights::Johnson(johnson) if !johnson.is_smooth(from.z, to.z) => f64::MAX,
+            Heights::Tabulated(table) if !table.is_smooth(from.z, to.z) => f64::MAX,
+            _ => (length / self.smooth_length(from.z, log_scale)).min(1.0),
         }
     }
 
@@ -293,27 +314,6 @@ impl Heights {
             Heights::Tabulated(table) => table.kurtosis(),
         }
     }
-}
-
-/// [`Heights::roughness`] from a height with its ln phi and slope to another.
-fn weibull_roughness(
-    weibull: &Weibull,
-    (from, (at_from, slope_from)): (f64, (f64, f64)),
-    to: f64,
-    log_scale: f64,
-) -> f64 {
-    let length = to - from;
-    if length > 2.0 * (from + weibull.mean()) {
-        return f64::MAX;
-    }
-    let (at_to, slope_to) = weibull.log_density(to);
-    let steepest = slope_from.abs().max(slope_to.abs());
-    length * steepest / (STEEPEST_PANEL + (0.5 * drop(at_from.max(at_to), log_scale)).min(MOST_ALLOWANCE))
-}
-
-/// What is small beside the sum needs fewer digits; but load grows with height where the density falls.
-fn drop(log_density: f64, log_scale: f64) -> f64 {
-    (log_scale - log_density - GROWTH_OF_LOAD).max(0.0)
 }
 
 /// The shortest panel, in sigma: what lies within it of a singular point is negligible.
