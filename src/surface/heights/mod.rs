@@ -283,13 +283,12 @@ impl Heights {
 
     /// A panel that is short enough wherever it lies, steep tails included.
     pub fn tail_panel(&self) -> f64 {
-        let half = 0.5 * self.longest_panel();
         match self {
             Heights::Weibull(weibull) => {
                 let (_, slope) = weibull.log_density(weibull.height_of_hazard(TAIL_HAZARD));
-                half.min(STEEPEST_PANEL / slope.abs())
+                self.longest_panel().min(STEEPEST_PANEL / slope.abs())
             }
-            _ => half,
+            _ => 0.5 * self.longest_panel(),
         }
     }
 
