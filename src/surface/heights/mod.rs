@@ -273,10 +273,11 @@ impl Heights {
         }
     }
 
-    /// The longest panel, in sigma, on which the density is a polynomial to rounding.
+    /// The longest panel, in sigma, on which the density is a polynomial to rounding where it is not steep.
     pub fn longest_panel(&self) -> f64 {
         match self {
             Heights::Gaussian => 3.0,
+            Heights::Weibull(_) => 2.5,
             _ => 1.5,
         }
     }
