@@ -26,6 +26,6 @@ pub mod regularised;
 mod root;
 pub mod surface;
 
-pub use error::Error;
+pub use error::{Error, Value};
 pub use model::{Model, State, Summary, WARNING_PLASTIC};
 pub use params::{HeightFamily, Params};

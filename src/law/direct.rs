@@ -102,9 +102,8 @@ pub fn fill(
                     (_, guess) => follower.state(log_excess, guess.unwrap_or(0.0)),
                 },
             };
-            if follower.last.is_some_and(|[a, b]| a.log_excess == b.log_excess) {
+            if let Some([_, only]) = follower.last.filter(|[a, b]| a.log_excess == b.log_excess) {
                 // Two states are needed to extrapolate from.
-                let [_, only] = follower.last.unwrap_or_else(|| unreachable!());
                 let beside = follower.evaluate(only.separation - 1e-3);
                 follower.last = beside.map(|beside| [beside, only]);
             }

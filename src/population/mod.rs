@@ -25,7 +25,7 @@ use crate::asperity::maugis::{Contact, Maugis, TIP};
 use crate::asperity::slip::{Slip, SlipConstants};
 use crate::groups::Groups;
 use crate::root;
-use crate::surface::heights::{Heights, Place, SHORTEST_PANEL, UNDERFLOW};
+use crate::surface::heights::{Heights, Steepness, SHORTEST_PANEL, UNDERFLOW};
 use crate::surface::radius::RadiusProfile;
 use break_edges::{BreakEdges, Edge, Edges};
 use density::Density;
@@ -533,7 +533,7 @@ impl Population {
         lower: f64,
         upper: f64,
     ) {
-        let mut last_end: Option<Place> = None;
+        let mut last_end: Option<Steepness> = None;
         for panel in nodes.panels() {
             let (z_from, z_to) = (separation + panel.from.z, separation + panel.to.z);
             if z_to <= lower {
@@ -545,8 +545,8 @@ impl Population {
             let from_start = z_from >= lower;
             let roughest = if panel.by_height { 1.0 } else { THETA_SPAN };
             let is_smooth = from_start && {
-                let from = last_end.filter(|end| end.is_at(z_from)).unwrap_or_else(|| self.heights.place(z_from));
-                let to = self.heights.place(z_to);
+                let from = last_end.filter(|end| end.is_at(z_from)).unwrap_or_else(|| self.heights.steepness(z_from));
+                let to = self.heights.steepness(z_to);
                 last_end = Some(to);
                 self.heights.roughness(&from, &to, sums.log_scale) <= roughest
             };

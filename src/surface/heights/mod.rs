@@ -28,13 +28,13 @@ const GROWTH_OF_LOAD: f64 = 5.0;
 
 /// A height, with ln phi and its slope there where the family's roughness depends on them.
 #[derive(Debug, Clone, Copy)]
-pub struct Place {
+pub struct Steepness {
     z: f64,
     log_density: f64,
     slope: f64,
 }
 
-impl Place {
+impl Steepness {
     /// Whether it is this height.
     pub fn is_at(&self, z: f64) -> bool {
         self.z == z
@@ -223,7 +223,7 @@ impl Heights {
             Heights::Ends(_) => return f64::MAX,
             Heights::Gaussian | Heights::Weibull(_) => {}
         }
-        let from = self.place(z);
+        let from = self.steepness(z);
         if let Heights::Weibull(_) = self {
             // Longer ones are too steep at their beginning.
             let longest = SHORTEST_PANEL.max((STEEPEST_PANEL + MOST_ALLOWANCE) / from.slope.abs());
@@ -231,7 +231,7 @@ impl Heights {
                 length *= 0.75;
             }
         }
-        while length > SHORTEST_PANEL && self.roughness(&from, &self.place(z + length), log_scale) > 1.0 {
+        while length > SHORTEST_PANEL && self.roughness(&from, &self.steepness(z + length), log_scale) > 1.0 {
             length *= 0.75;
         }
         length
@@ -247,18 +247,18 @@ impl Heights {
     }
 
     /// What [`Heights::roughness`] needs to know of a height.
-    pub fn place(&self, z: f64) -> Place {
+    pub fn steepness(&self, z: f64) -> Steepness {
         let (log_density, slope) = match self {
             Heights::Gaussian => (self.log_density(z), -z),
             Heights::Weibull(weibull) => weibull.log_density(z),
             _ => (f64::NAN, f64::NAN),
         };
-        Place { z, log_density, slope }
+        Steepness { z, log_density, slope }
     }
 
     /// How much the density changes from one height to another, in such a sum; up to 1 one quadrature panel may reach
     /// from the one to the other.
-    pub fn roughness(&self, from: &Place, to: &Place, log_scale: f64) -> f64 {
+    pub fn roughness(&self, from: &Steepness, to: &Steepness, log_scale: f64) -> f64 {
         let length = to.z - from.z;
         let change = length * from.slope.abs().max(to.slope.abs());
         // What is small beside the sum needs fewer digits; but load grows with height where the density falls.
