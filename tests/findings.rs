@@ -63,6 +63,28 @@ fn the_tip_of_the_highest_summit_carries_the_lightest_loads() {
     assert!((0.0..1e-200).contains(&lightest), "{lightest:e}");
 }
 
+/// The panel at the tip had none of its ends where contact radii pass one of the slip law's.
+#[test]
+fn the_slope_at_the_tip_is_that_of_a_secant() {
+    let height: Vec<f64> = (-4..=4).map(|i| 0.5 * f64::from(i)).collect();
+    let density = vec![1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 9.0, 10.0, 11.0];
+    let mut params = surface(1.8608628e-3, 1.1696864e6, 0.0, 0.0617684, 1.0);
+    params.heights = HeightFamily::Tabulated { height: height.into(), density: density.into() };
+    let model = Model::new(&params).expect("a model");
+    let middle = model.state_at_load(1e-8 * model.summary().max_table_load).expect("a state");
+    let mut kinks = 0;
+    // Through loads at which the highest contact has the first radius, and the second.
+    for decade in -300..0 {
+        let load = middle.load * 10.0_f64.powf(0.1 * f64::from(decade));
+        let at = |part: f64| model.state_at_load(load * part).expect("a state");
+        let (below, here, above) = (at(1.0 - 1e-5), at(1.0), at(1.0 + 1e-5));
+        let secant = (above.friction_force - below.friction_force) / (above.load - below.load);
+        assert!((secant / here.dforce_dload - 1.0).abs() < 1e-6, "{load:e}: {secant:e}, not {:e}", here.dforce_dload);
+        kinks += usize::from(here.fraction_below_slip_radius_1 > 0.0 && here.fraction_below_slip_radius_1 < 1.0);
+    }
+    assert!(kinks > 10, "the contacts are of one regime at all but {kinks} loads");
+}
+
 /// The slope underflowed on the far side of the bracket, and the search ended where the load was still positive.
 #[test]
 fn a_pull_off_load_that_is_no_number_is_none() {

@@ -126,6 +126,11 @@ impl Maugis {
         contact
     }
 
+    /// The overlap at which a contact without adhesion has this radius.
+    pub fn hertz_overlap(&self, radius: f64, g: f64) -> f64 {
+        self.overlap_hertz * radius * radius / g
+    }
+
     /// As [`Maugis::at`], from theta's sine and cosine.
     #[inline]
     fn at_angle(&self, theta: f64, (sin, cos): (f64, f64), g: f64) -> Contact {

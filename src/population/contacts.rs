@@ -35,12 +35,14 @@ struct Counting<'a> {
 }
 
 impl Sink for Counting<'_> {
+    /// The largest radius may be there.
+    const EXTREMA: bool = true;
+
     fn log_scale(&self) -> f64 {
         self.density.log_scale
     }
 
     fn panel(&mut self, from: &Point, to: &Point, _by_height: bool) {
-        // A panel ends where the contact radius has an extremum.
         self.seen.extend([from, to].map(|point| (point.z, point.contact.radius)));
     }
 

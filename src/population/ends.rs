@@ -121,7 +121,7 @@ pub(super) fn mass_above(ends: &Ends, z: f64, log_scale: f64) -> f64 {
 
 impl Population {
     /// Walks the summits in contact from one to a height.
-    pub(super) fn walk_between_ends(&self, ends: &Ends, start: Point, end: f64, sink: &mut impl Sink) {
+    pub(super) fn walk_between_ends<S: Sink>(&self, ends: &Ends, start: Point, end: f64, sink: &mut S) {
         let mut walk = Walk::new(ends, start.z, end);
         let mut here = start;
         let log_scale = sink.log_scale();
@@ -155,7 +155,7 @@ impl Population {
             }
             let mut rise = walk.place.rise_to(&there_place);
             let mut there = self.point(&here, rise, here.guess_towards(theta_far, rise.abs() / curve));
-            if let Some(cut) = self.first_cut(&here, &there) {
+            if let Some(cut) = self.first_cut::<S>(&here, &there) {
                 rise = cut.rise_above(&here);
                 there = cut;
                 there_place = walk.place.raised(rise);

@@ -213,6 +213,8 @@ fn bubble(part: f64) -> f64 {
 trait Sink {
     /// Whether every panel must have all 16 nodes.
     const WHOLE_PANELS: bool = false;
+    /// Whether a panel must end where the contact radius has an extremum, though it passes none of the slip law's.
+    const EXTREMA: bool = false;
     /// ln phi that is taken as 1.
     fn log_scale(&self) -> f64 {
         f64::NEG_INFINITY
@@ -689,7 +691,7 @@ impl Population {
             let guess = here.guess_towards(theta_far, length / curve);
             let mut there = self.point(&here, direction * length, guess);
             // Load is smooth where only friction has a kink.
-            let cut = if self.fineness < 1.0 { None } else { self.first_cut(&here, &there) };
+            let cut = if self.fineness < 1.0 { None } else { self.first_cut::<S>(&here, &there) };
             if let Some(cut) = cut {
                 length = cut.rise_above(&here).abs();
                 there = cut;
@@ -751,17 +753,26 @@ impl Population {
             && remaining <= self.maugis.at(FRAC_PI_2 - TIP, here.g).overlap
     }
 
-    /// Walks one panel from break-away, in the square root of the rise.
+    /// Walks from break-away in the square root of the rise, with a cut where contact radii pass one of the slip law's.
     fn walk_tip(&self, here: &Point, length: f64, sink: &mut impl Sink) {
         let at = |rise: f64| {
             let z = here.z + rise;
             let (g, g_rate) = self.radius.at(z);
             Point { z, g, g_rate, contact: self.maugis.at_tip(rise, g) }
         };
-        sink.panel(here, &at(length), false);
-        for (part, weight) in gauss_legendre::nodes(0.0, 1.0) {
-            let point = at(length * part * part);
-            sink.node(point.z, 2.0 * length * part * weight, &point.contact);
+        let (mut from, mut begin) = (*here, 0.0_f64);
+        for kink in self.slip.kinks().into_iter().chain([f64::INFINITY]) {
+            let rise = self.maugis.hertz_overlap(kink, here.g).min(length);
+            let to = at(rise);
+            sink.panel(&from, &to, false);
+            for (root, weight) in gauss_legendre::nodes(begin.sqrt(), rise.sqrt()) {
+                let point = at(root * root);
+                sink.node(point.z, 2.0 * root * weight, &point.contact);
+            }
+            if rise == length {
+                return;
+            }
+            (from, begin) = (to, rise);
         }
     }
 
@@ -783,13 +794,13 @@ impl Population {
     }
 
     /// The first summit between two where the integrand has a kink: its contact radius is one of the slip law's
-    /// radii. Where the contact radius has an extremum between the two, the summit of that.
-    fn first_cut(&self, here: &Point, there: &Point) -> Option<Point> {
+    /// radii. Where the contact radius has an extremum between the two that matters, the summit of that.
+    fn first_cut<S: Sink>(&self, here: &Point, there: &Point) -> Option<Point> {
         let mut cut = None;
         let mut there = *there;
         if !self.radius.is_constant()
             && (here.radius_rise() > 0.0) != (there.radius_rise() > 0.0)
-            && self.may_pass_kink(here, &there)
+            && (S::EXTREMA || self.may_pass_kink(here, &there))
         {
             let mut theta = there.contact.theta;
             let rate = |rise: f64| {

@@ -21,7 +21,7 @@ impl Population {
             let theta_far = self.theta_limit(here);
             let curve = self.maugis.at(theta_far, here.g).overlap - here.contact.overlap;
             let there = self.point(here, length, here.guess_towards(theta_far, length / curve));
-            if self.first_cut(here, &there).is_some() {
+            if self.first_cut::<S>(here, &there).is_some() {
                 longest = 0.75 * length;
                 continue;
             }
