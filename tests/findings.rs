@@ -161,3 +161,46 @@ fn the_branch_ends_at_the_first_minimum_of_the_load() {
         .collect();
     assert!(loads.windows(2).all(|pair| pair[1] < pair[0]), "pull-off {pull_off:e}, loads {loads:?}");
 }
+
+/// Panels that were cut next to where the contact radius passes one of the slip law's were cut there again, and again.
+#[test]
+fn sums_do_not_stop_where_contact_radii_pass_the_slip_law() {
+    let johnson = |skew, kurtosis| HeightFamily::Johnson { skew, kurtosis };
+    let surfaces = [
+        (
+            3.7180266679e-4,
+            2.92952275558e6,
+            6.15880606360e-6,
+            1.33984238048,
+            johnson(-0.197878277, 3.051877402),
+            -0.42968750,
+            0.507081919,
+        ),
+        (
+            4.91367299119e-3,
+            1.79838558711e6,
+            2.38206235570e-4,
+            0.277654520261,
+            johnson(-0.166818896, 2.362414729),
+            -0.05859375,
+            0.642121465,
+        ),
+    ];
+    for (alpha, beta, gamma, b_over_h, heights, amplitude, rate) in surfaces {
+        let mut params = surface(alpha, beta, gamma, b_over_h, 1.0);
+        (params.heights, params.attraction) = (heights, true);
+        (params.radius_amplitude, params.radius_rate) = (amplitude, rate);
+        let model = Model::new(&params).expect("a model");
+        let end = model.state_at_load(model.summary().pull_off_load).expect("a state").separation;
+        let load = |steps: i32| {
+            let separation = end - 0.01 * f64::from(steps) * params.height_std;
+            model.state_at_separation(separation).expect("a state").load
+        };
+        let mut last = load(0);
+        for steps in 1..1200 {
+            let here = load(steps);
+            assert!(here > last, "{params:?}: {here:e} at {steps} steps, {last:e} at one less");
+            last = here;
+        }
+    }
+}

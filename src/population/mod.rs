@@ -44,6 +44,8 @@ const CIRCLE_RATIO: f64 = 4.0;
 /// Over a panel across which theta changes less than by this factor, it serves as well as the height, and with equal
 /// radii its nodes need no solution of their contact's overlap.
 const SHORT_RATIO: f64 = 0.8;
+/// What part of a radius of the slip law is nothing beside it.
+const AT_KINK: f64 = 1e-9;
 /// No sum needs as many panels; it bounds the time of a call.
 const MOST_PANELS: usize = 6000;
 /// The fineness of sums of which the sign is asked: every panel has as few points as there are.
@@ -818,7 +820,7 @@ impl Population {
             // Next to theta = pi/2 radii are known to so many digits of that of the annulus.
             let is_at = |point: &Point| {
                 let outer_radius = point.contact.radius / point.contact.theta.cos();
-                (point.contact.radius - kink).abs() < (1e-9 * kink).max(1e-14 * outer_radius)
+                (point.contact.radius - kink).abs() < (AT_KINK * kink).max(1e-14 * outer_radius)
             };
             if (here.contact.radius < kink) != (there.contact.radius < kink) && !is_at(here) && !is_at(&there) {
                 there = self.point_of_radius(here, &there, kink);
@@ -857,16 +859,15 @@ impl Population {
             }
             let slope = point.radius_slope() * whole;
             let newton = if excess.abs() < slope.abs() { part - excess / slope } else { lower };
-            let inside = newton > lower && newton < upper;
-            let next = if inside { newton } else { 0.5 * (lower + upper) };
+            let next = if newton > lower && newton < upper { newton } else { 0.5 * (lower + upper) };
             let change = next - part;
             // theta to first order in the step.
             let theta = point.contact.theta;
             let guess = theta + (change * whole * point.theta_slope()).clamp(-0.5 * theta, 0.5 * theta);
             part = next;
             point = self.point(here, part * whole, guess);
-            // Newton's next step would be as the square of this one.
-            if inside && change.abs() <= 1e-6 * part || upper - lower <= 1e-14 * part {
+            let is_there = (point.contact.radius - radius).abs() <= 1e-2 * AT_KINK * radius;
+            if is_there || change.abs() <= 1e-14 * part || upper - lower <= 1e-14 * part {
                 break;
             }
         }
