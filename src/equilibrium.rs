@@ -64,7 +64,8 @@ impl Equilibrium {
         if !population.is_adhesive() {
             return Ok(Self { pull_off: None, farthest: population.farthest() });
         }
-        let scanned = if population.has_single_minimum() {
+        // Where heights gather, minima are shallow.
+        let scanned = if population.has_single_minimum() || !population.heights().is_log_concave() {
             bracket_first_minimum(population).map(|bracket| ends(population, bracket))
         } else {
             // Many states are looked at for a sign.
@@ -111,19 +112,28 @@ impl Equilibrium {
     ) -> Result<Self, Error> {
         // The slope in one scale, so that interpolation makes sense; of what is far below it, the sign.
         let slope = |sums: &Sums| sums.load_slope * (sums.log_scale - at_lower.log_scale).clamp(-600.0, 600.0).exp();
+        let load = |sums: &Sums| sums.load() * (sums.log_scale - at_lower.log_scale).clamp(-600.0, 600.0).exp();
         let (mut last, mut sums) = (lower, at_lower);
+        let mut lowest = (lower, at_lower);
         // A load that falls on both sides rises in a jump between.
-        let separation = if slope(&at_upper) < 0.0 {
+        let mut separation = if slope(&at_upper) < 0.0 {
             lower
         } else {
             let slope_at = |separation: f64| {
                 (last, sums) = (separation, population.at_separation(separation));
+                if load(&sums) < load(&lowest.1) {
+                    lowest = (last, sums);
+                }
                 slope(&sums)
             };
             root::between(slope_at, (lower, slope(&at_lower)), (upper, slope(&at_upper)))
         };
         if separation != last {
             sums = population.at_separation(separation);
+        }
+        // The slope changes sign in a jump, and the load has jumped already.
+        if load(&sums) - load(&lowest.1) > LOAD_ROUNDING * load(&lowest.1).abs() {
+            (separation, sums) = lowest;
         }
         if sums.load() >= 0.0 {
             return Err(Error::OutOfRange {
