@@ -131,8 +131,9 @@ impl Equilibrium {
         if separation != last {
             sums = population.at_separation(separation);
         }
-        // The slope changes sign in a jump, and the load has jumped already.
-        if load(&sums) - load(&lowest.1) > LOAD_ROUNDING * load(&lowest.1).abs() {
+        // Where summits that gather at the foot part at once, the slope changes sign in a jump: the load may have jumped.
+        let jumped = load(&sums) - load(&lowest.1) > LOAD_ROUNDING * load(&lowest.1).abs();
+        if jumped && !population.partings().is_empty() {
             (separation, sums) = lowest;
         }
         if sums.load() >= 0.0 {

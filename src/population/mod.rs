@@ -866,7 +866,8 @@ impl Population {
             let guess = theta + (change * whole * point.theta_slope()).clamp(-0.5 * theta, 0.5 * theta);
             part = next;
             point = self.point(here, part * whole, guess);
-            if change.abs() <= 1e-14 * part || upper - lower <= 1e-14 * part {
+            let is_there = (point.contact.radius - radius).abs() <= 1e-2 * AT_KINK * radius;
+            if is_there || change.abs() <= 1e-14 * part || upper - lower <= 1e-14 * part {
                 break;
             }
         }
