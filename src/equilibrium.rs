@@ -110,9 +110,10 @@ impl Equilibrium {
         population: &Population,
         [(lower, at_lower), (upper, at_upper)]: [(f64, Sums); 2],
     ) -> Result<Self, Error> {
-        // The slope in one scale, so that interpolation makes sense; of what is far below it, the sign.
-        let slope = |sums: &Sums| sums.load_slope * (sums.log_scale - at_lower.log_scale).clamp(-600.0, 600.0).exp();
-        let load = |sums: &Sums| sums.load() * (sums.log_scale - at_lower.log_scale).clamp(-600.0, 600.0).exp();
+        // All in one scale, so that interpolation makes sense; of what is far below it, the sign.
+        let scale = |sums: &Sums| (sums.log_scale - at_lower.log_scale).clamp(-600.0, 600.0).exp();
+        let slope = |sums: &Sums| sums.load_slope * scale(sums);
+        let load = |sums: &Sums| sums.load() * scale(sums);
         let (mut last, mut sums) = (lower, at_lower);
         let mut lowest = (lower, at_lower);
         // A load that falls on both sides rises in a jump between.

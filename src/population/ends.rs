@@ -56,15 +56,20 @@ impl<'a> Walk<'a> {
         mass
     }
 
+    /// How far behind one end of the heights is, and how far ahead the other.
+    fn distances(&self) -> (f64, f64) {
+        if self.direction > 0.0 {
+            (self.place.above_foot, self.place.below_head)
+        } else {
+            (self.place.below_head, self.place.above_foot)
+        }
+    }
+
     /// Where a walk that has come to an end of the heights, or begins there, is to go on, if the law of one summit is
     /// singular at this distance behind.
     fn beside_end(&self, clearance: f64) -> Option<f64> {
         let near = SAME * clearance.clamp(SHORTEST, self.ends.width());
-        let (behind, ahead) = if self.direction > 0.0 {
-            (self.place.above_foot, self.place.below_head)
-        } else {
-            (self.place.below_head, self.place.above_foot)
-        };
+        let (behind, ahead) = self.distances();
         if behind <= 0.5 * near {
             let next = Ends::clamped((near / self.ends.width()).ln());
             let counted = if self.direction > 0.0 { self.counted.0 } else { -self.counted.1 };
@@ -75,11 +80,7 @@ impl<'a> Walk<'a> {
 
     /// How far from here a panel in logit may reach, if the law of one summit is singular at this distance behind.
     fn longest_panel(&self, clearance: f64) -> f64 {
-        let (behind, ahead) = if self.direction > 0.0 {
-            (self.place.above_foot, self.place.below_head)
-        } else {
-            (self.place.below_head, self.place.above_foot)
-        };
+        let (behind, ahead) = self.distances();
         let by_score = self.ends.longest_panel(self.place.logit, self.direction);
         let smooth = |beyond| self.ends.longest_smooth(self.place.logit, self.direction, beyond);
         let longest = if clearance < behind {
