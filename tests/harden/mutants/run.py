@@ -2,8 +2,8 @@
 
 cargo-mutants says what the mutants are (.cargo/mutants.toml), functions marked unsafe included; plant.py puts them all into
 one copy of the sources, which is built once. Each test runs alone once, to learn which functions with mutants it reaches
-and how long it takes; then each mutant meets the tests that reach it, quick ones first, until one fails. What cannot be
-planted (constants) is for cargo-mutants itself, and is listed.
+and how long it takes; then each mutant meets the tests that reach it until one fails. What cannot be planted (constants) is
+for cargo-mutants itself.
 
 What is found is kept for as long as the function of a mutant stays as it is.
 
@@ -209,9 +209,10 @@ def surveyed(folder, programs, asked):
             known[build] = survey(folder, command, longest)
             print(f"{name}: {known[build]['end']}, {known[build]['seconds']:.2f} s", flush=True)
         if known[build]["end"] == "passed" and known[build]["seconds"] <= longest:
-            tests.append({"name": name, "command": command, **known[build], "sites": set(known[build]["sites"])})
+            sites = set(known[build]["sites"])
+            tests.append({"name": name, "command": command, **known[build], "sites": sites, "met": 0, "caught": 0})
     kept.write_text(json.dumps(known))
-    return sorted(tests, key=lambda test: test["seconds"])
+    return tests
 
 
 def survey(folder, command, longest):
@@ -223,17 +224,21 @@ def survey(folder, command, longest):
 
 
 def judged(folder, mutant, tests, killers):
-    """What becomes of a mutant, and the test that decides. The test that caught the last one of its function comes first.
+    """What becomes of a mutant, and the test that decides. The test that caught the last one of its function comes first,
+    then those that catch most for their time.
 
     One that makes a test slow may fail another: only the third that does not end decides.
     """
     reaching = [test for test in tests if mutant["site"] in test["sites"]]
-    reaching.sort(key=lambda test: test is not killers.get(mutant["site"]))
+    worth = lambda test: (1 + test["caught"]) / (1 + test["met"]) / (0.005 + test["seconds"])
+    reaching.sort(key=lambda test: (test is not killers.get(mutant["site"]), -worth(test)))
     slow = []
     for test in reaching:
+        test["met"] += 1
         end, _ = call(test["command"], folder, 0.3 + 6 * test["seconds"], ASPERITY_MUTANT=str(mutant["number"]))
         if end == "failed":
             killers[mutant["site"]] = test
+            test["caught"] += 1
             return "caught", test["name"]
         if end == "timeout":
             slow.append(test["name"])
