@@ -13,7 +13,7 @@ use asperity::surface::heights::weibull::Weibull;
 use asperity::surface::heights::Heights as Family;
 use asperity::surface::radius::RadiusProfile;
 use asperity::{Error, HeightFamily, Model, Params};
-use second_evaluation::heights::Heights;
+use second_evaluation::heights::{Heights, Johnson};
 use second_evaluation::Surface;
 use surface_params::params;
 
@@ -61,6 +61,50 @@ fn attraction_ends_where_summits_are_too_round_for_it() {
         };
         let shares = agree(&surface, &separations);
         assert!(shares[0] < -1e-6 && shares[2] < 0.0 && shares[5] == 0.0, "{shares:?}");
+    }
+}
+
+/// Where the foot of a power law attracts: a panel of its own.
+#[test]
+fn the_foot_of_weibull_heights_attracts() {
+    for (shape, epsilon) in [(1.3, 0.0), (1.3, 0.6), (2.2, -0.6)] {
+        let surface = Surface {
+            alpha: 0.01,
+            beta: 1000.0,
+            gamma: 1e-3,
+            b_over_h: 0.03,
+            heights: Heights::weibull(shape),
+            epsilon,
+            rho: 0.7,
+            attraction: true,
+            slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+        };
+        let shares = agree(&surface, &[-1.2, 0.0, 1.0, 2.0, 2.3]);
+        assert!(shares.iter().all(|&share| share < -1e-9), "{shares:?}");
+    }
+}
+
+/// Where summits gather at both ends of the heights, so that the density is nothing but spikes; and where radii that fall
+/// with height let the tallest of them part first.
+#[test]
+fn sums_over_heights_that_gather_at_two_ends_are_those_of_a_second_evaluation() {
+    for (gamma, delta) in [(0.0, 0.45), (0.25, 0.4), (-0.3, 0.45)] {
+        for (epsilon, rho) in [(0.0, 1.0), (0.7, 1.0), (-0.95, 3.0)] {
+            for (gamma_of_surface, b_over_h) in [(0.0, 1.0), (1e-3, 0.2), (4e-3, 1.0)] {
+                let surface = Surface {
+                    alpha: 0.01,
+                    beta: 1000.0,
+                    gamma: gamma_of_surface,
+                    b_over_h,
+                    heights: Heights::Johnson(Johnson::new(true, gamma, delta)),
+                    epsilon,
+                    rho,
+                    attraction: true,
+                    slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+                };
+                agree(&surface, &[-1.5, -0.9, 0.0, 0.8]);
+            }
+        }
     }
 }
 
