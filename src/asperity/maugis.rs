@@ -134,6 +134,8 @@ impl Maugis {
     /// As [`Maugis::at`], from theta's sine and cosine.
     #[inline]
     fn at_angle(&self, theta: f64, (sin, cos): (f64, f64), g: f64) -> Contact {
+        #[cfg(test)]
+        tests::EVALUATIONS.set(tests::EVALUATIONS.get() + 1);
         let (bracket_2, bracket_1) = brackets(theta, sin, cos);
         let inv_g = 1.0 / g;
         // Eq (4) as k2 c^2 + k1 c = 1; d(bracket)/dtheta = 2 theta sin 2theta and theta cos theta.
@@ -322,6 +324,12 @@ const fn series_1() -> [f64; SERIES_TERMS] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::cell::Cell;
+
+    thread_local! {
+        /// Evaluations of the contact law.
+        pub static EVALUATIONS: Cell<u32> = const { Cell::new(0) };
+    }
 
     /// Without adhesion, with little and with much.
     fn laws() -> [Maugis; 3] {
@@ -423,6 +431,32 @@ mod tests {
                         }
                     }
                 }
+            }
+        }
+    }
+
+    /// At heavy load, in the middle of the branch, and next to where the contact breaks; each from starting values that are
+    /// far off, as far as those of neighbouring nodes, and next to the answer.
+    #[test]
+    fn a_contact_takes_few_evaluations() {
+        let parts: [&[f64]; 3] = [&[1e-6, 1e-3, 0.02, 0.1], &[0.3, 0.5, 0.7, 0.9], &[0.99, 0.999, 0.999_99]];
+        let offs = [[1e-3, 20.0], [0.5, 1.6], [0.95, 1.05], [0.9999, 1.0001], [1.0 - 1e-7, 1.0 + 1e-7]];
+        let most = [[1408, 540, 360, 216, 144], [1369, 582, 369, 216, 144], [1499, 894, 774, 405, 136]];
+        for (parts, most) in parts.into_iter().zip(most) {
+            for (offs, most) in offs.into_iter().zip(most) {
+                let mut count = 0;
+                for law in laws() {
+                    for g in FACTORS {
+                        let last = law.break_away(g).theta;
+                        for (part, off) in parts.iter().flat_map(|part| offs.map(|off| (part, off))) {
+                            let overlap = law.at(part * last, g).overlap;
+                            EVALUATIONS.set(0);
+                            law.at_overlap(overlap, g, off * part * last);
+                            count += EVALUATIONS.get();
+                        }
+                    }
+                }
+                assert!(count <= most + 2, "{count} evaluations at {parts:?} from {offs:?}, not {most}");
             }
         }
     }
