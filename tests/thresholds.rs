@@ -230,6 +230,8 @@ fn densities_are_positive_between_the_ends_of_heights_and_peak_where_it_is_said(
     for (heights, foot, head) in families() {
         assert_eq!((heights.foot(), heights.head()), (foot, head), "{heights:?}");
         let (far_foot, far_tail) = (heights.far_foot(), heights.far_tail());
+        let [lowest, highest] = [far_foot, far_tail].map(|z| z + heights.origin());
+        assert!(lowest < -0.9 && highest > 0.9, "{heights:?}: {lowest} to {highest}");
         // Curves of Johnson's system become too thin before they end.
         let is_thin = matches!(heights, Family::Johnson(_));
         assert!(is_thin || (far_foot == foot) == foot.is_finite(), "{heights:?}");
