@@ -272,6 +272,7 @@ mod tests {
             [-FARTHEST_LOGIT, 2.0, FARTHEST_LOGIT]
         );
         assert_eq!(*ends.ends(), [-ends.width(), 0.0]);
+        assert_eq!((ends.skew(), ends.kurtosis()), (0.7, 0.7 * 0.7 + 1.0 + 0.05));
         // The mean lies skew above the middle: of two heights alone, at the part of the upper.
         let two = curve(0.7, 1e-12);
         let upper = 0.5 * (1.0 - 0.7 / (0.7_f64 * 0.7 + 4.0).sqrt());

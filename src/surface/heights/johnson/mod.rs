@@ -273,6 +273,93 @@ mod tests {
     use super::*;
     use crate::population::nodes;
 
+    fn curve(skew: f64, kurtosis: f64) -> Johnson {
+        match heights(skew, kurtosis) {
+            Heights::Johnson(curve) => *curve,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// S_U, S_B and the lognormal curve, with the mean and with their end as the origin.
+    fn curves() -> Vec<Johnson> {
+        let [lognormal, steep] = [0.4, 3.0].map(|skew| 3.0 + fit::excess_of_lognormal(skew));
+        let moments = [(0.8, 6.0), (-0.9, 30.0), (-1.2, 5.8), (3.0, 22.0), (0.5, 3.3), (-0.8, 3.2), (0.2, 1.75)];
+        moments
+            .into_iter()
+            .chain([(0.4, lognormal), (-0.4, lognormal), (-3.0, 1.0001 * steep)])
+            .map(|(s, k)| curve(s, k))
+            .collect()
+    }
+
+    #[test]
+    fn scores_densities_and_slopes_belong_together() {
+        let mut kinds = [false; 4];
+        for curve in curves() {
+            let is_bounded = matches!(curve.kind, Kind::Bounded { .. });
+            kinds[2 * usize::from(is_bounded) + usize::from(curve.origin == 0.0)] = true;
+            let (foot, head) = curve.support();
+            assert_eq!(is_bounded, foot.is_finite() || head.is_finite(), "{curve:?}");
+            for u in [-4.0, -2.0, -0.3, 0.0, 0.3, 2.0, 4.0] {
+                let z = curve.height(u);
+                assert!(z > foot && z < head, "{z} of {curve:?}");
+                let (at, step) = (curve.at(z).expect("a height"), 1e-5);
+                assert!((at.u - u).abs() < 1e-9 && curve.normal_score(z) == at.u, "{}, not {u}, of {curve:?}", at.u);
+                let width = curve.height(u + step) - curve.height(u - step);
+                assert!((at.rate * width / (2.0 * step) - 1.0).abs() < 1e-6, "{} at {u} of {curve:?}", at.rate);
+                let rise = curve.log_density(z + 0.5 * width) - curve.log_density(z - 0.5 * width);
+                assert!((at.slope - rise / width).abs() < 1e-4 * at.rate, "{} at {u} of {curve:?}", at.slope);
+                let normal = -0.5 * u * u - 0.5 * (2.0 * std::f64::consts::PI).ln();
+                assert!((curve.log_density(z) - normal - at.rate.ln()).abs() < 1e-8, "{u} of {curve:?}");
+            }
+            for (end, score) in
+                [(foot, f64::NEG_INFINITY), (head, f64::INFINITY)].into_iter().filter(|(z, _)| z.abs() < 1e6)
+            {
+                let beyond = end + 1e-9 * score.signum();
+                assert!(
+                    curve.normal_score(beyond) == score && curve.log_density(beyond) == f64::NEG_INFINITY,
+                    "{curve:?}"
+                );
+            }
+        }
+        assert_eq!(kinds, [true; 4]);
+    }
+
+    #[test]
+    fn modes_are_where_the_density_is_largest() {
+        for curve in curves() {
+            let at = |u: f64| curve.log_density(curve.height(u));
+            // All local maxima, on a finer grid.
+            let maxima: Vec<f64> = (-4000..4000)
+                .map(|i| 0.001 * f64::from(i))
+                .filter(|&u| at(u) >= at(u - 0.001) && at(u) > at(u + 0.001))
+                .collect();
+            let scores = curve.modes.map(|mode| curve.normal_score(mode));
+            assert_eq!(scores[0] == scores[1], maxima.len() == 1, "{scores:?}, {maxima:?}");
+            for (score, maximum) in scores.iter().zip([maxima[0], maxima[maxima.len() - 1]]) {
+                assert!((score - maximum).abs() < 0.02 * curve.epsilon + 0.001, "{scores:?}, {maxima:?} of {curve:?}");
+            }
+            let [first, last] = curve.modes;
+            for start in [first - 0.1, 0.5 * (first + last), last, last + 0.1] {
+                let above: Vec<f64> = [start, first, last].into_iter().filter(|&z| z >= start).collect();
+                let best =
+                    above.iter().copied().fold(
+                        start,
+                        |a, b| {
+                            if curve.log_density(b) > curve.log_density(a) {
+                                b
+                            } else {
+                                a
+                            }
+                        },
+                    );
+                assert_eq!(curve.peak_above(start), best, "{curve:?}");
+            }
+        }
+        let two = curve(0.2, 1.75);
+        assert!(two.modes[0] < two.modes[1]);
+        assert_eq!((two.skew(), two.kurtosis()), (0.2, 1.75));
+    }
+
     /// Moments of the density itself about its mean, on panels that are short in u.
     fn moments(curve: &Johnson) -> [f64; 5] {
         const PARTS: i32 = 4;
