@@ -288,3 +288,59 @@ fn sums_reach_as_far_as_heights_count() {
         }
     }
 }
+
+/// With heights that end, and with those that gather at two ends.
+#[test]
+fn contact_and_attraction_end_where_it_is_said() {
+    let table = Tabulated::new(&[-2.0, -1.0, 0.5, 1.0, 3.0], &[0.0, 1.0, 2.0, 1.0, 0.5]).expect("a density");
+    let radius = RadiusProfile { amplitude: 0.0, rate: 0.25, origin: 0.0 };
+    let slip = Params::default().slip;
+    for (gamma, b_over_h) in [(0.0, 1.0), (1e-3, 0.2), (0.05, 1.0)] {
+        let groups = Groups { alpha: 0.02, beta: 2000.0, gamma, b_over_h };
+        let maugis = Maugis::new(&groups);
+        let holds = -maugis.break_away(1.0).overlap;
+        for attract in [true, false] {
+            let of = |heights: Family| Population::new(&groups, slip, heights, radius, attract);
+            let ending = of(Family::Tabulated(Box::new(table.clone())));
+            let attracts = attract && gamma > 0.0;
+            let reach = if attracts { groups.reach() } else { 0.0 };
+            assert_eq!(ending.is_adhesive(), gamma > 0.0);
+            assert_eq!(ending.range_of_adhesion(), reach.max(holds));
+            assert_eq!(ending.radius_scale(), 4.0);
+            assert_eq!(ending.least_overlap(), maugis.least_overlap());
+            assert!(!ending.has_single_minimum() && of(Family::Gaussian).has_single_minimum());
+            // The last contact and the last attraction.
+            let count = |separation: f64| {
+                let sums = ending.at_separation(separation).unscaled();
+                (sums.contacting > 0.0, sums.attracted > 0.0)
+            };
+            for (last, kind) in [(holds, 0), (reach, 1)].into_iter().filter(|&(_, kind)| kind == 0 || attracts) {
+                let [before, after] = [last - 1e-6, last + 1e-6].map(|off| count(table.support().1 + off));
+                let of_kind = |(contact, attraction): (bool, bool)| if kind == 0 { contact } else { attraction };
+                // Where adhesion is strong, nothing out of contact attracts.
+                let strong = kind == 1 && groups.lambda_cubed() >= 9.0 / 32.0;
+                assert_eq!((of_kind(before), of_kind(after)), (!strong, false), "{kind} {gamma} {attract}");
+            }
+            let farthest = ending.farthest();
+            assert!(farthest >= table.support().1 + reach.max(holds) && count(farthest + 1e-6) == (false, false));
+            assert!(farthest <= table.support().1 + reach + holds + 1e-9);
+            // A part of all summits parts at once at each.
+            let gathered = of(johnson::heights(0.2, 1.05));
+            let partings = gathered.partings();
+            assert_eq!(partings.len(), if attracts { 2 } else { 1 });
+            assert!(ending.partings().is_empty());
+            for (parting, kind) in partings.into_iter().zip([0, 1]) {
+                let [before, after] = [-1e-9, 1e-9].map(|off| {
+                    let sums = gathered.at_separation(parting + off).unscaled();
+                    if kind == 0 {
+                        sums.contacting
+                    } else {
+                        sums.attracted
+                    }
+                });
+                let strong = kind == 1 && groups.lambda_cubed() >= 9.0 / 32.0;
+                assert!(strong || before - after > 0.1, "{kind} {gamma}: {before} and {after}");
+            }
+        }
+    }
+}
