@@ -208,11 +208,7 @@ impl Maugis {
             // A tiny step may leave the bracket by rounding.
             let trusted = (newton - theta).abs() <= 1e-9 * theta
                 || newton > lower.max(0.5 * theta) && newton < upper.min(2.0 * theta);
-            let next = match trusted {
-                true => newton,
-                false if lower > 0.0 => (0.5 * (lower + upper)).clamp(0.5 * theta, 2.0 * theta),
-                false => 0.5 * upper,
-            };
+            let next = if trusted { newton } else { (0.5 * (lower + upper)).clamp(0.5 * theta, 2.0 * theta) };
             let step = (next - theta).abs();
             let way = last_step.unwrap_or(theta);
             // Next to pi/2 the radius is proportional to the distance from there.
