@@ -371,14 +371,10 @@ mod tests {
         let line = Tabulated::new(&[0.0, 1.0, 2.0, 4.0], &[0.0, 1.0, 2.0, 4.0]).expect("a table");
         assert!(near(line.skew(), -0.4 * 2.0_f64.sqrt(), 1e-13), "{}", line.skew());
         assert!(near(line.kurtosis(), 2.4, 1e-13), "{}", line.kurtosis());
-        // Slopes of Fritsch and Butland: 3/(2/1 + 1/2) = 6/5 at the middle, secants at the ends.
-        let bent = pieces(&[0.0, 1.0, 2.0], &[0.0, 1.0, 3.0]);
-        let expected = [-0.5 * (4.0 / 3.0 - 1.0), -0.5 * (2.0 - 4.0 / 3.0)];
-        assert!(near(bent[0].bulge, expected[0], 1e-14) && near(bent[1].bulge, expected[1], 1e-14), "{bent:?}");
-        // Of unequal lengths: (2 w + l, w + 2 l)-weighted harmonic mean of the secants.
-        let bent = pieces(&[0.0, 1.0, 4.0], &[0.0, 1.0, 7.0]);
-        let middle = 12.0 / (7.0 / 1.0 + 5.0 / 2.0);
-        let expected = [-0.5 * (middle - 1.0), -0.5 * 3.0 * (2.0 - middle)];
+        // Slopes of Fritsch and Butland: of secants 2 and 1.5 over lengths 2 and 1, (4 + 5)/(4/2 + 5/1.5); secants at the ends.
+        let bent = pieces(&[1.0, 3.0, 4.0], &[0.5, 4.5, 6.0]);
+        let middle = 9.0 / (4.0 / 2.0 + 5.0 / 1.5);
+        let expected = [-0.5 * 2.0 * (middle - 2.0), -0.5 * (1.5 - middle)];
         assert!(near(bent[0].bulge, expected[0], 1e-14) && near(bent[1].bulge, expected[1], 1e-14), "{bent:?}");
         // A maximum is flat, and the bulge no more than the rise.
         let peak = pieces(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0]);

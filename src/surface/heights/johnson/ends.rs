@@ -131,11 +131,7 @@ impl Ends {
     /// The height of a place.
     #[inline]
     pub fn height(&self, place: &Place) -> f64 {
-        if place.above_foot < place.below_head {
-            place.above_foot - self.width
-        } else {
-            -place.below_head
-        }
+        -place.below_head
     }
 
     /// The height of a u.
@@ -180,9 +176,7 @@ impl Ends {
 
     /// ln phi.
     pub fn log_density(&self, z: f64) -> f64 {
-        if z < -self.width || z > 0.0 {
-            return f64::NEG_INFINITY;
-        }
+        // At the ends, and so beyond them, no summits are left.
         self.density(&self.place_of(z), 0.0).ln()
     }
 

@@ -311,6 +311,11 @@ mod tests {
                 let normal = -0.5 * u * u - 0.5 * (2.0 * std::f64::consts::PI).ln();
                 assert!((curve.log_density(z) - normal - at.rate.ln()).abs() < 1e-8, "{u} of {curve:?}");
             }
+            // Next to the end that is the origin, all digits.
+            for u in [6.0, 12.0, 20.0].into_iter().filter(|_| curve.origin != 0.0) {
+                let score = curve.normal_score(curve.height(u));
+                assert!((score - u).abs() < 1e-12 * u, "{score}, not {u}, of {curve:?}");
+            }
             for (end, score) in
                 [(foot, f64::NEG_INFINITY), (head, f64::INFINITY)].into_iter().filter(|(z, _)| z.abs() < 1e6)
             {
