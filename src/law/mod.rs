@@ -239,7 +239,12 @@ mod tests {
             let (population, equilibrium) = branch(gamma);
             let law = Law::new(&population, &equilibrium, SCALES).expect("a law");
             assert!(law.rows.iter().all(|row| !row.is_left_out()));
-            assert!(law.error > 1e-16 && law.error < 5e-11, "{:e}", law.error);
+            assert!(law.error() > 1e-16 && law.error() < 5e-11, "{:e}", law.error());
+            for log_excess in [-3.0, 0.0, 4.0] {
+                let separation = law.separation(log_excess).expect("it is covered");
+                let found = equilibrium.log_excess(&population, separation).0;
+                assert!((found - log_excess).abs() < 1e-4, "{found}, not {log_excess}");
+            }
             let (lightest, heaviest) = law.range();
             let heaviest_state = equilibrium.log_excess(&population, -12.0).0.exp() * SCALES.load;
             assert!(heaviest > 0.8 * heaviest_state && heaviest <= heaviest_state, "{heaviest}");
