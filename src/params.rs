@@ -423,7 +423,7 @@ fn poisson_ratio(name: &'static str, value: f64) -> Result<(), Error> {
 mod tests {
     use super::*;
 
-    /// What a change of the default case is refused for, if it is: whether it has a meaning, and the name of the offence.
+    /// What a change of the default case is refused for, if it is: whether it has a meaning, and the offence's name.
     fn refused(change: impl FnOnce(&mut Params)) -> Option<(bool, &'static str)> {
         let mut params = Params::default();
         change(&mut params);

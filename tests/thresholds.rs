@@ -84,8 +84,8 @@ fn the_foot_of_weibull_heights_attracts() {
     }
 }
 
-/// Where summits gather at both ends of the heights, so that the density is nothing but spikes; and where radii that fall
-/// with height let the tallest of them part first.
+/// Where summits gather at both ends of the heights, so that the density is nothing but spikes; and where radii that
+/// fall with height let the tallest of them part first.
 #[test]
 fn sums_over_heights_that_gather_at_two_ends_are_those_of_a_second_evaluation() {
     for (gamma, delta) in [(0.0, 0.45), (0.25, 0.4), (-0.3, 0.45)] {

@@ -103,7 +103,7 @@ mod tests {
             for overlap in [-law.reach, -0.9 * law.reach, -0.1 * law.reach, 0.0] {
                 let circle = law.circle(overlap, g);
                 let (radius, sigma, stress) = (300.0 / 0.02 * g, 0.02 * 300.0, 0.004 * 0.5);
-                // The parabola less 4 c stress/(pi E*), by which the flat bulges at the edge more than... above the middle.
+                // That of the parabola less 4 c stress/(pi E*), by which attraction closes it there.
                 let gap = -overlap * sigma + circle * circle / (2.0 * radius) - 4.0 / PI * stress * circle;
                 assert!(near(gap, 1.0 / 0.5, 1e-13), "{gap}");
                 let found = law.at(circle, g);

@@ -431,8 +431,8 @@ mod tests {
         }
     }
 
-    /// At heavy load, in the middle of the branch, and next to where the contact breaks; each from starting values that are
-    /// far off, as far as those of neighbouring nodes, and next to the answer.
+    /// At heavy load, in the middle of the branch, and next to where the contact breaks; each from starting values that
+    /// are far off, as far as those of neighbouring nodes, and next to the answer.
     #[test]
     fn a_contact_takes_few_evaluations() {
         let parts: [&[f64]; 3] = [&[1e-6, 1e-3, 0.02, 0.1], &[0.3, 0.5, 0.7, 0.9], &[0.99, 0.999, 0.999_99]];

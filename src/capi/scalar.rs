@@ -93,7 +93,7 @@ mod tests {
     use super::*;
     use crate::params::Params;
 
-    /// The function of this processor and that of any, at loads within the table, beyond it, and where friction is capped.
+    /// The function of this processor and that of any, within the table, beyond it, and where friction is capped.
     #[test]
     fn every_processor_gives_the_same_bits() {
         let model = Model::new(&Params::default()).expect("a model");

@@ -199,7 +199,7 @@ mod tests {
             }
             EVALUATIONS.set(0);
             let error = fill(&filling, &population, &equilibrium, first, &mut rows);
-            // Fifteen rows of four states, in three runs that begin with one, found in a step or two, and one beside it.
+            // Fifteen rows of four states, in three runs that each begin with one found in two steps and one beside it.
             assert!(EVALUATIONS.get() <= 70, "{} evaluations", EVALUATIONS.get());
             assert!(error > 1e-16 && error <= VALUE_TOLERANCE, "{error:e}");
             for (i, (row, expected)) in rows.iter().zip(&expected).enumerate() {

@@ -332,7 +332,7 @@ mod tests {
         Heights::Tabulated(Box::new(Tabulated::new(&[0.0, 1.0, 2.0, 4.0], &[1.0, 3.0, 1.0, 2.0]).expect("a table")))
     }
 
-    /// Panels from a height to another in a sum of this scale: how many, and the integrals of the density times 1, z and z^2.
+    /// Panels from a height to another in a sum of this scale: how many, and the density's integral, times z, times z^2.
     fn march(heights: &Heights, (from, to): (f64, f64), log_scale: f64) -> (usize, [f64; 3]) {
         let (mut z, mut count, mut sums) = (from, 0, [0.0; 3]);
         while z < to {

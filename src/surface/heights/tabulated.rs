@@ -371,7 +371,7 @@ mod tests {
         let line = Tabulated::new(&[0.0, 1.0, 2.0, 4.0], &[0.0, 1.0, 2.0, 4.0]).expect("a table");
         assert!(near(line.skew(), -0.4 * 2.0_f64.sqrt(), 1e-13), "{}", line.skew());
         assert!(near(line.kurtosis(), 2.4, 1e-13), "{}", line.kurtosis());
-        // Slopes of Fritsch and Butland: of secants 2 and 1.5 over lengths 2 and 1, (4 + 5)/(4/2 + 5/1.5); secants at the ends.
+        // Slopes of Fritsch and Butland: secants at the ends; of 2 and 1.5 over lengths 2 and 1, (4 + 5)/(4/2 + 5/1.5).
         let bent = pieces(&[1.0, 3.0, 4.0], &[0.5, 4.5, 6.0]);
         let middle = 9.0 / (4.0 / 2.0 + 5.0 / 1.5);
         let expected = [-0.5 * 2.0 * (middle - 2.0), -0.5 * (1.5 - middle)];

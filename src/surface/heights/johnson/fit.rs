@@ -363,8 +363,8 @@ mod tests {
         assert_eq!(lognormal_growth(0.0), 0.0);
     }
 
-    /// Johnson (1949), of v = sinh(epsilon u + shift): y of this file is that times (1 - tau^2)^(1/2), less tau, where tau is
-    /// tanh(shift).
+    /// Johnson (1949), of sinh(epsilon u + shift): epsilon v of this file is that times (1 - tau^2)^(1/2), less tau, with
+    /// tau = tanh(shift).
     #[test]
     fn moments_of_unbounded_curves_are_johnsons() {
         for p in [0.05_f64, 0.4, 2.0] {
