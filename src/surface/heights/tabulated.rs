@@ -379,8 +379,10 @@ mod tests {
         // A maximum is flat, and the bulge no more than the rise.
         let peak = pieces(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0]);
         assert_eq!([peak[0].bulge, peak[1].bulge], [0.5, 0.5]);
-        let step = pieces(&[0.0, 10.0, 11.0], &[1.0, 1.1, 9.0]);
-        assert!(step.iter().all(|piece| piece.bulge.abs() <= (piece.upper - piece.lower).abs()), "{step:?}");
+        let steep = pieces(&[0.0, 1.0, 11.0, 11.1], &[1.0, 0.5, 1.5, 100.0]);
+        assert_eq!(steep[1].bulge, -1.0);
+        // A parabola through three points.
+        assert_eq!(Piece { lower: 1.0, upper: 3.0, bulge: 2.0 }.at(3.0, 1.0), 2.875);
     }
 
     #[test]
