@@ -382,7 +382,7 @@ mod tests {
         let steep = pieces(&[0.0, 1.0, 11.0, 11.1], &[1.0, 0.5, 1.5, 100.0]);
         assert_eq!(steep[1].bulge, -1.0);
         // A parabola through three points.
-        assert_eq!(Piece { lower: 1.0, upper: 3.0, bulge: 2.0 }.at(3.0, 1.0), 2.875);
+        assert_eq!(Piece { lower: 1.0, upper: 3.0, bulge: 2.0 }.at(1.0, 3.0), 2.875);
     }
 
     #[test]
