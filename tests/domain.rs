@@ -28,6 +28,8 @@ use surface_params::params;
 const ACCURACY: f64 = 1e-8;
 const LONGEST_CALL: Duration = Duration::from_secs(1);
 const SETS: usize = 200;
+/// Surfaces after which a long run says how far it is.
+const PROGRESS: usize = 500;
 /// Surfaces of the box for one of other heights.
 const PER_OTHER_HEIGHTS: usize = 4;
 /// Parameters that a point of a sequence chooses, and the loads.
@@ -256,11 +258,15 @@ fn sweep(name: &str, sets: usize, dimensions: usize, surface: fn(&[f64]) -> Surf
     let mut map = Map::default();
     let mut sobol = Sobol::new(dimensions);
     let start = Instant::now();
-    for _ in 0..sets {
+    for done in 1..=sets {
         let point = sobol.next_point();
         let surface = surface(&point);
         let outcome = examine(&surface, point[LOADS]);
         map.add(&surface, outcome);
+        if done % PROGRESS == 0 {
+            let failures = map.failures(ACCURACY, LONGEST_CALL).len();
+            println!("{name}: {done} of {sets} surfaces in {:.0?}, {failures} failures", start.elapsed());
+        }
     }
     let report = map.report(start.elapsed());
     println!("{name}: {report}");
