@@ -142,6 +142,19 @@ fn no_model_takes_a_second_to_make() {
     }
 }
 
+/// A panel of the branch, three times as long as the one before, was as long as all that was left but for a rounding: the next
+/// one had nowhere to go.
+#[test]
+fn a_panel_that_reaches_pull_off_but_for_a_rounding_ends_there() {
+    let params = Params {
+        heights: HeightFamily::Johnson { skew: 0.04912994274799331, kurtosis: 2.9070851720296362 },
+        attraction: true,
+        ..surface(2.329096594957861e-3, 13.638469154519356, 4.6276934687543594e-7, 6.857850478831809e-2, 1.0)
+    };
+    let model = Model::new(&params).expect("a model");
+    assert!(model.summary().pull_off_load < 0.0, "{:?}", model.summary());
+}
+
 /// The search stepped over the first minimum to a later one, where radii fall steeply with height.
 #[test]
 fn the_branch_ends_at_the_first_minimum_of_the_load() {

@@ -29,6 +29,8 @@ const LONGEST_LAST: f64 = 2.2;
 const PART_OF_THE_WAY: f64 = 0.65;
 /// Without a pull-off load no panel covers more than this part of what is left of the branch, at whose end load vanishes.
 const MOST_OF_THE_REST: f64 = 0.7;
+/// A panel that takes more than this part of what is left takes all.
+const WHOLE: f64 = 0.99;
 /// How much wider the next panel is tried after an error of less than this part of the tolerance.
 const GROWTH: [(f64, f64); 3] = [(0.01, 3.0), (0.03, 2.0), (0.5, 1.5)];
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
@@ -178,7 +180,8 @@ impl Curve {
                 .min(width)
                 .min(obstacle.map_or(f64::MAX, |obstacle: f64| (0.5 * (obstacle - from.separation)).max(narrowest)))
                 .min(WIDEST.max(WIDEST_PART * from.separation.abs()));
-            let mut to = if length < remaining { from.separation + length } else { end };
+            // What little would be left is part of this panel.
+            let mut to = if length < WHOLE * remaining { from.separation + length } else { end };
             if let Some(&kink) = kinks.get(kinks.partition_point(|&kink| kink <= from.separation)) {
                 if kink - from.separation < NEAREST_KINKS.min(NEAREST_PART * remaining) && kink < end {
                     let next = curve.sample(population, equilibrium, kink)?;
