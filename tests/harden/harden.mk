@@ -11,6 +11,7 @@
 #   make races           ThreadSanitizer in the Rust code                 needs a nightly Rust with rust-src
 #   make processors      the same bits on emulated processors             needs qemu-user
 #   make supply-chain    licences, bans, sources                          needs cargo-deny
+#   make oldest-rust     the Rust tests with the oldest compiler          needs rustup
 #   make coverage        lines that the tests run                         needs llvm-22
 #   make mutants         changes to the source that no test notices       SHARD, MUTANT_TEST_SECONDS; needs cargo-mutants
 
@@ -25,13 +26,14 @@ LOW := nice -n 19
 FUZZ_CARGO ?= RUSTC_BOOTSTRAP=1 $(CARGO)
 
 NIGHTLY ?= cargo +nightly
+OLDEST_RUST = $(shell sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
 
-.PHONY: harden fuzz fuzz-coverage domain faults memory races processors supply-chain coverage mutants
+.PHONY: harden fuzz fuzz-coverage domain faults memory races processors supply-chain oldest-rust coverage mutants
 
 harden:
 	tests/setup.sh core hosts harden
-	$(MAKE) --no-print-directory fuzz fuzz-coverage domain faults memory races processors supply-chain coverage
+	$(MAKE) --no-print-directory fuzz fuzz-coverage domain faults memory races processors supply-chain oldest-rust coverage
 
 fuzz:
 	ASPERITY_FUZZ_CALLS=$(FUZZ_CALLS) ASPERITY_FUZZ_SEED=$(FUZZ_SEED) \
@@ -64,6 +66,10 @@ processors:
 supply-chain:
 	$(CARGO) deny --locked check licenses bans sources
 	tests/harden/supply_chain.sh
+
+oldest-rust:
+	rustup toolchain install $(OLDEST_RUST) --profile minimal
+	CARGO_TARGET_DIR=$(TARGET)/oldest-rust $(LOW) cargo +$(OLDEST_RUST) test --release --locked
 
 coverage:
 	$(LOW) tests/harden/coverage.sh
