@@ -26,8 +26,8 @@ const LAWS: [(BatchCall, SlopeCall); 2] = [
 const BEFORE: u64 = 0x5eed_5eed_5eed_5eed;
 /// The size of the first version of the parameters.
 const FIRST_SIZE: usize = offset_of!(asperity_params, appended);
-/// More than two blocks of the widest vectors, and a rest.
-const LONGEST: usize = 16 * 8 * 2 + 7;
+/// Two blocks of vectors of four lanes, one of eight, and a rest.
+const LONGEST: usize = 16 * 4 * 2 + 7;
 
 /// Memory of a caller, of so many bytes, at an address that is a multiple of 8 or odd. It holds nothing until it is filled.
 struct Place {
@@ -102,7 +102,7 @@ fn loads(model: &Handle, n: usize) -> Vec<f64> {
     let at = |i: usize| s.pull_off_load + nearest * (farthest / nearest).powf((i % 37) as f64 / 37.0);
     (0..n)
         .map(|i| match i {
-            4 => 2.0 * s.max_table_load,
+            18 => 2.0 * s.max_table_load,
             9 => 2.0 * s.pull_off_load,
             11 => f64::from_bits(0x7ff0_0000_0000_0001),
             13 => 0.0,
@@ -318,7 +318,7 @@ fn batches(handle: &Handle) {
         assert_eq!(unsafe { batch(handle.0, 0, null(), null_mut(), null_mut()) }, OK);
         // SAFETY: NULL is refused.
         assert_eq!(unsafe { batch(handle.0, 1, null(), null_mut(), null_mut()) }, NULL_POINTER);
-        for n in (0..=4).chain([7, 8, 9, 17, 64, LONGEST]) {
+        for n in (0..=4).chain([7, 8, 9, 17, LONGEST]) {
             let status = if n > 9 { SEPARATED } else { OK };
             for odd in [0, 1] {
                 let load = Place::of(bits(&all[..n.max(1)]), odd);
@@ -468,8 +468,8 @@ fn threads_share_it(handle: &Handle) {
 /// A table of heights goes in through the caller's pointers and comes out through the model's own, which may be given back.
 #[test]
 fn a_table_of_heights_is_copied_and_given_back() {
-    let mut params = asperity_params::dimensionless(0.1, 4.0, 0.01, 0.03);
-    let (height, density) = (Place::of(bits(&[0.0, 1.0, 2.0]), 0), Place::of(bits(&[1.0, 1.0, 1.0]), 0));
+    let mut params = asperity_params::dimensionless(0.6, 0.3, 2.0, 40.0);
+    let (height, density) = (Place::of(bits(&[0.0, 1.0, 2.0]), 0), Place::of(bits(&[0.0, 0.0, 1.0]), 0));
     params.height_distribution = 3;
     params.table = [height.pointer(), density.pointer()];
     params.table_length = 3;
