@@ -116,6 +116,7 @@ fn bits(numbers: &[f64]) -> Vec<u64> {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "reads text, which takes half a minute there")]
 fn every_function_of_the_header_is_called_here() {
     let (header, here) = (include_str!("../include/asperity.h"), include_str!("pointers.rs"));
     let mut functions = 0;
@@ -359,7 +360,8 @@ fn structs(handle: &Handle) {
     let summary_of = |place: &Place| unsafe { asperity_summary_of(handle.0, place.pointer()) };
     // SAFETY: as before.
     let table_of = |place: &Place| unsafe { asperity_table_of(handle.0, place.pointer()) };
-    let fills: [(&dyn Fn(&Place) -> i32, usize); 4] = [
+    type Fill<'a> = &'a dyn Fn(&Place) -> i32;
+    let fills: [(Fill, usize); 4] = [
         (&at_load, size_of::<asperity_state>()),
         (&at_separation, size_of::<asperity_state>()),
         (&summary_of, size_of::<asperity_summary>()),

@@ -5,7 +5,7 @@ use super::TABLE_AT;
 use crate::c_abi::*;
 use crate::processor_time::processor_time;
 use std::collections::BTreeMap;
-use std::ffi::CStr;
+use std::ffi::{c_char, CStr};
 use std::hint::black_box;
 use std::ptr::{null, null_mut};
 use std::time::Duration;
