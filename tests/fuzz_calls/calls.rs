@@ -29,37 +29,7 @@ const LIGHTEST: f64 = 1e-250;
 /// What outputs hold before a call.
 const BEFORE: f64 = -7.25;
 
-#[repr(C)]
-struct asperity_table {
-    struct_size: u64,
-    rows: *const f64,
-    row_count: u64,
-    base: u64,
-    shift: u32,
-    layout_version: u32,
-    pull_off_load: f64,
-    max_friction_coefficient: f64,
-    inverse_cap: f64,
-}
-
 type Shared = *const asperity_model;
-
-extern "C" {
-    fn asperity_friction_and_slope_at_load(model: Shared, load: f64, slope: *mut f64) -> f64;
-    fn asperity_friction_force_and_slope_at_load(model: Shared, load: f64, slope: *mut f64) -> f64;
-    fn asperity_friction_at_pressure(model: Shared, pressure: f64, area: f64, slope: *mut f64) -> f64;
-    fn asperity_shear_stress_at_pressure(model: Shared, pressure: f64, area: f64, slope: *mut f64) -> f64;
-    fn asperity_slip_force(
-        model: Shared,
-        load: f64,
-        slip_rate: f64,
-        transition_rate: f64,
-        dforce_dload: *mut f64,
-        dforce_dslip_rate: *mut f64,
-    ) -> f64;
-    fn asperity_table_of(model: Shared, table: *mut asperity_table) -> i32;
-    fn asperity_status_string(status: i32) -> *const c_char;
-}
 
 /// What was called, and the worst that was seen.
 #[derive(Default)]
