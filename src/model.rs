@@ -475,3 +475,139 @@ impl Units {
         self.of(self.load, sums, value)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn default_case() -> Model {
+        Model::new(&Params::default()).expect("a model")
+    }
+
+    #[test]
+    fn slopes_saturate_where_they_would_overflow() {
+        for (a, b, quotient) in [
+            (3.0, 2.0, 1.5),
+            (-1e-10, 1e-300, -1e290),
+            (-1.0, 1e-301, -1e300),
+            (1e299, 0.5, 2e299),
+            (1e300, 1e300, 1e300),
+            (-2e300, 4.0, -1e300),
+            (0.0, 5e-324, 0.0),
+        ] {
+            let found = ratio(a, b);
+            assert!((found - quotient).abs() <= 1e-15 * quotient.abs(), "{a:e}/{b:e}: {found:e}");
+        }
+        let light =
+            Model::new(&Params { work_of_adhesion: 0.0, max_friction_coefficient: f64::INFINITY, ..Params::default() });
+        let (mu, slope) = light.expect("a model").friction_and_slope(1e-305);
+        assert!(mu > 0.0 && mu.is_finite() && slope == -1e300, "{mu}, {slope:e}");
+    }
+
+    #[test]
+    fn a_tiny_scale_and_a_large_unit_make_a_number() {
+        let units = Units { load: 1e60, ..default_case().units };
+        for (log_scale, expected) in [(-800.0, 60.0 * 10.0_f64.ln() - 800.0), (-590.0, 60.0 * 10.0_f64.ln() - 590.0)] {
+            let found = units.of_load(&Sums { log_scale, ..Sums::default() }, 2.0);
+            assert!((found / (2.0 * expected.exp()) - 1.0).abs() < 1e-12, "{log_scale}: {found:e}");
+        }
+        // Next to where one way takes over from the other they give the same.
+        let at = |log_scale: f64| units.of(1e-20, &Sums { log_scale, ..Sums::default() }, 3.0);
+        assert!((at(-600.0) / at((-600.0_f64).next_up()) - 1.0).abs() < 1e-12);
+    }
+
+    /// E* b^2 is 2.857, sigma 10.
+    #[test]
+    fn loads_and_separations_are_taken_up_to_the_limits_and_no_further() {
+        let model = default_case();
+        let load = HEAVIEST_LOAD * model.units.load;
+        let separation = FARTHEST_SEPARATION * model.units.length;
+        for (outcome, refused) in [
+            (model.state_at_load(load), false),
+            (model.state_at_load(load.next_up()), true),
+            (model.state_at_separation(separation), false),
+            (model.state_at_separation(separation.next_up()), true),
+            (model.state_at_separation(-separation), false),
+            (model.state_at_separation((-separation).next_down()), true),
+        ] {
+            assert_eq!(matches!(outcome, Err(Error::OutOfRange { .. })), refused, "{outcome:?}");
+        }
+    }
+
+    /// A pulling load has the capped coefficient on the branch, and none beyond it, where nothing holds the surfaces.
+    #[test]
+    fn coefficients_end_with_the_branch() {
+        let model = default_case();
+        let pull_off = model.equilibrium.farthest() * model.units.length;
+        let cap = model.params.max_friction_coefficient;
+        for (off, coefficient) in [(-1e-6, cap), (0.0, cap), (1e-6, 0.0), (0.5, 0.0)] {
+            let state = model.state_at_separation(pull_off + off * model.units.length).expect("a state");
+            assert!(state.load < 0.0 && state.friction_coefficient == coefficient, "{off}: {state:?}");
+            assert_eq!(state.dmu_dload, 0.0, "{off}");
+        }
+        let heavy = model.state_at_separation(0.0).expect("a state");
+        let coefficient = heavy.friction_force / heavy.load;
+        assert_eq!(heavy.friction_coefficient, coefficient);
+        let slope = (heavy.dforce_dload - coefficient) / heavy.load;
+        assert!((heavy.dmu_dload / slope - 1.0).abs() < 1e-14);
+    }
+
+    /// In units of which none is 1, with heights that are not measured from their mean.
+    #[test]
+    fn states_are_in_the_callers_units_and_their_slopes_those_of_secants() {
+        let mut params = Params {
+            heights: crate::params::HeightFamily::Tabulated {
+                height: [0.0, 1.0, 2.0, 4.0].into(),
+                density: [0.0, 2.0, 3.0, 0.0].into(),
+            },
+            ..Params::default()
+        };
+        params.composite_modulus *= 5.0;
+        params.work_of_adhesion *= 5.0 * 0.1;
+        params.effective_shear_modulus *= 7.0;
+        params.asperity_count = 11.0;
+        for length in
+            [&mut params.burgers_vector, &mut params.height_std, &mut params.summit_radius, &mut params.adhesion_range]
+        {
+            *length *= 0.1;
+        }
+        let model = Model::new(&params).expect("a model");
+        let near = |a: f64, b: f64, tolerance: f64| (a - b).abs() <= tolerance * b.abs();
+        for separation in [-0.5, 0.3, 1.1] {
+            let at = |separation: f64| model.state_at_separation(separation).expect("a state");
+            let (state, before, after) = (at(separation), at(separation - 1e-5), at(separation + 1e-5));
+            assert!(near(state.separation, separation, 1e-14), "{}", state.separation);
+            let step = after.separation - before.separation;
+            assert!(near(state.dload_dseparation, (after.load - before.load) / step, 1e-7), "{state:?}");
+            let slope = (after.friction_force - before.friction_force) / (after.load - before.load);
+            assert!(near(state.dforce_dload, slope, 1e-7), "{}, not {slope}", state.dforce_dload);
+            let again = model.state_at_load(state.load).expect("a state");
+            assert!(near(again.separation, separation, 1e-10), "{}", again.separation);
+            let (force, slope) = model.exact_force(state.load);
+            assert!(near(force, state.friction_force, 1e-10) && near(slope, state.dforce_dload, 1e-8), "{force}");
+        }
+        let (summary, point) = (model.summary(), model.equilibrium.pull_off().expect("a pull-off point"));
+        let pull_off = model.state_at_load(summary.pull_off_load).expect("a state");
+        assert!(near(summary.pull_off_load, point.load * params.composite_modulus * 0.01 * 11.0, 1e-14));
+        assert!(near(
+            summary.pull_off_friction_force,
+            point.friction * params.effective_shear_modulus * 0.01 * 11.0,
+            1e-14
+        ));
+        assert!(near(pull_off.friction_force, summary.pull_off_friction_force, 1e-14));
+        assert_eq!((pull_off.dforce_dload, pull_off.dload_dseparation), (f64::INFINITY, 0.0));
+        assert_eq!(model.exact_force(summary.pull_off_load), (pull_off.friction_force, f64::INFINITY));
+        for (load, is_finite) in [(0.9 * summary.pull_off_load, true), (0.0, true), (1.0, true)] {
+            assert_eq!(model.exact_force(load).1.is_finite(), is_finite, "{load}");
+            assert_eq!(model.state_at_load(load).expect("a state").dforce_dload.is_finite(), is_finite, "{load}");
+        }
+        assert_eq!(model.exact_force(1.1 * summary.pull_off_load), (0.0, 0.0));
+        assert!(model.exact_force(1.1 * HEAVIEST_LOAD * model.units.load).0.is_nan());
+        let none = Model::new(&Params { work_of_adhesion: 0.0, ..params }).expect("a model");
+        assert_eq!(none.exact_force(0.0), (0.0, f64::INFINITY));
+        // Nothing is left, and nothing is divided by it.
+        let apart = none.state_at_separation(9.0).expect("a state");
+        assert_eq!((apart.load, apart.friction_force, apart.dforce_dload), (0.0, 0.0, 0.0));
+        assert_eq!((apart.mean_contact_radius, apart.mean_asperity_pressure), (0.0, 0.0));
+    }
+}

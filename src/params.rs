@@ -418,3 +418,191 @@ fn poisson_ratio(name: &'static str, value: f64) -> Result<(), Error> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a change of the default case is refused for, if it is: whether it has a meaning, and the offence's name.
+    fn refused(change: impl FnOnce(&mut Params)) -> Option<(bool, &'static str)> {
+        let mut params = Params::default();
+        change(&mut params);
+        params.surface().err().map(offence)
+    }
+
+    fn offence(error: Error) -> (bool, &'static str) {
+        match error {
+            Error::InvalidParameter { name, .. } | Error::InvalidEntry { name, .. } => (false, name),
+            Error::OutOfRange { name, .. } => (true, name),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// Refused next to an interval and taken at its ends, by a change of the default case.
+    fn assert_interval(name: &'static str, has_meaning: bool, [from, to]: [f64; 2], change: impl Fn(&mut Params, f64)) {
+        for (value, next) in [(from, from.next_down()), (to, to.next_up())] {
+            assert_eq!(refused(|params| change(params, value)), None, "{name} = {value:e}");
+            assert_eq!(refused(|params| change(params, next)), Some((has_meaning, name)), "{name} = {next:e}");
+        }
+    }
+
+    /// Any unit does: the paper's groups stay as they are.
+    fn scaled(params: &mut Params, stress: f64, length: f64) {
+        for modulus in [&mut params.composite_modulus, &mut params.effective_shear_modulus] {
+            *modulus *= stress;
+        }
+        params.work_of_adhesion *= stress * length;
+        for quantity in
+            [&mut params.adhesion_range, &mut params.burgers_vector, &mut params.height_std, &mut params.summit_radius]
+        {
+            *quantity *= length;
+        }
+    }
+
+    #[test]
+    fn quantities_are_taken_up_to_the_limits_and_no_further() {
+        let magnitudes = [1.0 / LARGEST, LARGEST];
+        assert_interval("hardness", true, magnitudes, |params, x| params.hardness = x);
+        assert_interval("max_friction_coefficient", true, magnitudes, |params, x| params.max_friction_coefficient = x);
+        assert_interval("asperity_count", true, magnitudes, |params, x| params.asperity_count = x);
+        assert_interval("effective_shear_modulus", true, magnitudes, |params, x| params.effective_shear_modulus = x);
+        assert_interval("slip_stress_1", true, magnitudes, |params, x| {
+            params.slip = SlipConstants { stress_1: x, stress_2: x.clamp(magnitudes[0], magnitudes[1]), ..params.slip }
+        });
+        assert_eq!(refused(|params| params.hardness = 0.0), None);
+        assert_eq!(refused(|params| params.hardness = -0.0), None);
+        assert_eq!(refused(|params| params.max_friction_coefficient = f64::INFINITY), None);
+        assert_eq!(refused(|params| params.work_of_adhesion = 0.0), None);
+        for (stress, length) in [(1e30, 1e-30), (1e-30, 1e30)] {
+            assert_eq!(refused(|params| scaled(params, stress, length)), None);
+        }
+        let interval = [-1.0, 1.0];
+        assert_interval("radius_amplitude", false, interval, |params, x| params.radius_amplitude = x);
+        let interval = [1e-6, 1e3];
+        assert_interval("radius_rate", true, interval, |params, x| {
+            (params.radius_amplitude, params.radius_rate) = (0.5, x);
+        });
+        // It is not read for equal radii.
+        for rate in interval.map(|rate| 10.0 * rate * rate) {
+            assert_eq!(refused(|params| params.radius_rate = rate), None, "{rate}");
+        }
+        assert_eq!(refused(|params| params.radius_rate = 0.0), Some((false, "radius_rate")));
+        assert_interval("weibull_shape", true, [1.0, 1e6], |params, shape| {
+            params.heights = HeightFamily::Weibull { shape };
+        });
+        for shape in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let change = |params: &mut Params| params.heights = HeightFamily::Weibull { shape };
+            assert_eq!(refused(change), Some((false, "weibull_shape")), "{shape}");
+        }
+    }
+
+    #[test]
+    fn groups_are_taken_up_to_the_limits_and_no_further() {
+        fn roughness(params: &mut Params, alpha: f64, beta: f64) {
+            (params.height_std, params.summit_radius) = (alpha * beta, beta / alpha);
+        }
+        type Change = fn(&mut Params, f64);
+        let groups: [(_, [f64; 2], Change); 5] = [
+            ("alpha", [1e-5, 10.0], |params, alpha| roughness(params, alpha, 1e3)),
+            ("beta", [0.1, 1e8], |params, beta| roughness(params, 0.01, beta)),
+            ("gamma", [1e-9, 10.0], |params, gamma| params.work_of_adhesion = gamma * params.composite_modulus),
+            ("b/h", [1e-3, 100.0], |params, b_over_h| params.adhesion_range = 1.0 / b_over_h),
+            ("h/sigma", [0.0, 1e6], |params, reach| {
+                params.adhesion_range = 100.0;
+                roughness(params, 1e-4, 1e6 / reach); // alpha beta is sigma/b
+            }),
+        ];
+        for (name, limits, set) in groups {
+            for (limit, outwards) in limits.into_iter().zip([-1.0, 1.0]).filter(|&(limit, _)| limit > 0.0) {
+                let at = |off: f64| refused(|params| set(params, limit * (1.0 + off * outwards)));
+                assert_eq!(at(-1e-12), None, "{name} = {limit}");
+                assert_eq!(at(1e-12), Some((true, name)), "{name} = {limit}");
+            }
+        }
+        // Without adhesion its range does not matter.
+        let far = |params: &mut Params, work: f64| {
+            roughness(params, 1e-5, 1.0);
+            (params.work_of_adhesion, params.adhesion_range) = (work, 100.0);
+        };
+        assert_eq!(refused(|params| far(params, 0.0)), None);
+        assert_eq!(refused(|params| far(params, 1e-3)), Some((true, "h/sigma")));
+    }
+
+    #[test]
+    fn slip_constants_are_taken_where_force_grows_with_radius() {
+        let with = |radius_2: f64, stress_2: f64| {
+            let slip = SlipConstants { radius_1: 3.0, stress_1: 0.02, radius_2, stress_2 };
+            refused(|params| params.slip = slip)
+        };
+        // A force that does not grow between the two radii.
+        let least = |radius_2: f64| 0.02 * 3.0 * 3.0 / (radius_2 * radius_2);
+        for radius in [3.0 * (1.0 + 2e-9), 5.0, 1e3] {
+            assert_eq!(with(radius, least(radius)), None, "{radius}");
+            assert_eq!(with(radius, 1e3), None, "{radius}");
+            assert_eq!(with(radius, least(radius) * (1.0 - 1e-10)), Some((false, "slip_stress_2")), "{radius}");
+        }
+        for radius in [3.0 * (1.0 + 1e-10), 3.0, 2.0] {
+            assert_eq!(with(radius, 1.0), Some((false, "slip_radius_2")), "{radius}");
+        }
+    }
+
+    #[test]
+    fn moments_of_heights_are_taken_up_to_the_limits_and_no_further() {
+        let with =
+            |skew: f64, kurtosis: f64| refused(|params| params.heights = HeightFamily::Johnson { skew, kurtosis });
+        assert_eq!(with(0.0, johnson::LARGEST_KURTOSIS), None);
+        assert_eq!(with(0.0, johnson::LARGEST_KURTOSIS.next_up()), Some((true, "kurtosis")));
+        for skew in [0.0, 1.0, -3.0] {
+            let least = skew * skew + 1.0;
+            assert_eq!(with(skew, f64::next_up(least)), None, "{skew}");
+            assert_eq!(with(skew, least), Some((false, "kurtosis")), "{skew}");
+        }
+        for not_finite in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(with(not_finite, 3.0), Some((false, "skew")));
+            assert_eq!(with(0.0, not_finite), Some((false, "kurtosis")));
+        }
+        let skewed = |skew: f64| Params::default().set_skew(skew).err().map(offence);
+        for (skew, outcome) in [
+            (weibull::SKEW_LIMIT, Some((false, "skew"))),
+            (weibull::SKEW_LIMIT.next_up(), Some((true, "skew"))),
+            (Weibull::new(1e6).skew(), None),
+            (2.0, None),
+            (2.0 + 1e-9, Some((true, "skew"))),
+            (f64::NAN, Some((false, "skew"))),
+            (f64::INFINITY, Some((false, "skew"))),
+        ] {
+            assert_eq!(skewed(skew), outcome, "{skew}");
+        }
+    }
+
+    #[test]
+    fn poissons_ratios_are_taken_above_minus_1_up_to_a_half() {
+        let allowed = |nu: f64| {
+            let mut params = Params::default();
+            let outcomes = [
+                params.set_dimensionless(0.01, 1e3, 0.0, 1.0, nu),
+                params.set_materials(1.0, nu, 1.0, 0.0),
+                params.set_materials(1.0, 0.0, 1.0, nu),
+            ];
+            outcomes.map(|outcome| outcome.is_ok())
+        };
+        for (nu, outcome) in [(-1.0, false), ((-1.0_f64).next_up(), true), (0.5, true), (0.5_f64.next_up(), false)] {
+            assert_eq!(allowed(nu), [outcome; 3], "{nu}");
+        }
+        assert_eq!(allowed(f64::NAN), [false; 3]);
+    }
+
+    #[test]
+    fn numbers_are_told_apart_by_their_bits() {
+        let signalling = f64::from_bits(0x7ff0_0000_0000_0001);
+        for x in [f64::NAN, -f64::NAN, signalling, -signalling] {
+            assert!(nan(x) && !finite(x) && !infinite(x), "{:x}", x.to_bits());
+        }
+        for x in [f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(!nan(x) && !finite(x) && infinite(x) == (x > 0.0), "{x}");
+        }
+        for x in [0.0, -0.0, 5e-324, -1.0, 1.5, f64::MAX, f64::MIN] {
+            assert!(!nan(x) && finite(x) && !infinite(x), "{x}");
+        }
+    }
+}

@@ -18,12 +18,19 @@ mod tests {
 
     #[test]
     fn the_smooth_sign_is_odd_and_its_slope_is_the_secant() {
-        for rate in [-50.0, -3.0, -0.1, 0.0, 0.7, 19.0, 21.0] {
-            let (sign, slope) = smooth_sign(rate, 0.5);
-            assert_eq!(smooth_sign(-rate, 0.5).0, -sign);
-            let step = 1e-5;
-            let secant = (smooth_sign(rate + step, 0.5).0 - smooth_sign(rate - step, 0.5).0) / (2.0 * step);
-            assert!((slope - secant).abs() < 1e-8, "slope {slope} against {secant} at {rate}");
+        for transition in [1e-3, 0.5, 100.0] {
+            for ratio in [-100.0, -6.0, -0.2, 0.0, 1.4, 18.0, 19.9, 20.1, 38.0, 42.0] {
+                let rate = ratio * transition;
+                let (sign, slope) = smooth_sign(rate, transition);
+                assert_eq!(smooth_sign(-rate, transition).0, -sign);
+                assert!((sign - (1.0 - 2.0 / (1.0 + (2.0 * ratio).exp()))).abs() < 1e-15, "{sign} at {ratio}");
+                let step = 2e-5 * transition;
+                let secant =
+                    (smooth_sign(rate + step, transition).0 - smooth_sign(rate - step, transition).0) / (2.0 * step);
+                let error = (slope - secant) * transition;
+                assert!(error.abs() < 1e-8, "slope {slope} against {secant} at {rate}");
+            }
         }
+        assert_eq!(smooth_sign(-f64::MAX, 1e-60), (-1.0, 0.0));
     }
 }

@@ -639,3 +639,22 @@ fn no_adhesion_has_no_sign() {
     // SAFETY: the parameters live.
     assert_eq!(unsafe { asperity_create(&negative, &mut null_mut()) }, INVALID_PARAMETER, "{}", message());
 }
+
+/// No adhesion, so that there is no pull-off load to be found among thousands of kinks.
+#[test]
+fn tables_are_read_from_the_fewest_heights_to_the_most() {
+    let height: Vec<f64> = (0..4097).map(f64::from).collect();
+    let density = vec![1.0; height.len()];
+    for (length, expected) in [(2, INVALID_PARAMETER), (3, OK), (4096, OK), (4097, INVALID_PARAMETER)] {
+        let mut params = asperity_params::dimensionless(0.01, 1000.0, 0.0, 1.0);
+        params.height_distribution = 3;
+        params.table = [height.as_ptr(), density.as_ptr()];
+        params.table_length = length;
+        let mut model = null_mut();
+        // SAFETY: the table has so many heights.
+        assert_eq!(unsafe { asperity_create(&params, &mut model) }, expected, "{length}: {}", message());
+        assert_eq!(expected == OK, !model.is_null());
+        // SAFETY: a model, or NULL.
+        unsafe { asperity_free(model) };
+    }
+}

@@ -7,12 +7,13 @@ mod surface_params;
 use asperity::asperity::maugis::Maugis;
 use asperity::groups::Groups;
 use asperity::population::Population;
+use asperity::surface::heights::johnson;
 use asperity::surface::heights::tabulated::Tabulated;
 use asperity::surface::heights::weibull::Weibull;
 use asperity::surface::heights::Heights as Family;
 use asperity::surface::radius::RadiusProfile;
 use asperity::{Error, HeightFamily, Model, Params};
-use second_evaluation::heights::Heights;
+use second_evaluation::heights::{Heights, Johnson};
 use second_evaluation::Surface;
 use surface_params::params;
 
@@ -60,6 +61,50 @@ fn attraction_ends_where_summits_are_too_round_for_it() {
         };
         let shares = agree(&surface, &separations);
         assert!(shares[0] < -1e-6 && shares[2] < 0.0 && shares[5] == 0.0, "{shares:?}");
+    }
+}
+
+/// Where the foot of a power law attracts: a panel of its own.
+#[test]
+fn the_foot_of_weibull_heights_attracts() {
+    for (shape, epsilon) in [(1.3, 0.0), (1.3, 0.6), (2.2, -0.6)] {
+        let surface = Surface {
+            alpha: 0.01,
+            beta: 1000.0,
+            gamma: 1e-3,
+            b_over_h: 0.03,
+            heights: Heights::weibull(shape),
+            epsilon,
+            rho: 0.7,
+            attraction: true,
+            slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+        };
+        let shares = agree(&surface, &[-1.2, 0.0, 1.0, 2.0, 2.3]);
+        assert!(shares.iter().all(|&share| share < -1e-9), "{shares:?}");
+    }
+}
+
+/// Where summits gather at both ends of the heights, so that the density is nothing but spikes; and where radii that
+/// fall with height let the tallest of them part first.
+#[test]
+fn sums_over_heights_that_gather_at_two_ends_are_those_of_a_second_evaluation() {
+    for (gamma, delta) in [(0.0, 0.45), (0.25, 0.4), (-0.3, 0.45)] {
+        for (epsilon, rho) in [(0.0, 1.0), (0.7, 1.0), (-0.95, 3.0)] {
+            for (gamma_of_surface, b_over_h) in [(0.0, 1.0), (1e-3, 0.2), (4e-3, 1.0)] {
+                let surface = Surface {
+                    alpha: 0.01,
+                    beta: 1000.0,
+                    gamma: gamma_of_surface,
+                    b_over_h,
+                    heights: Heights::Johnson(Johnson::new(true, gamma, delta)),
+                    epsilon,
+                    rho,
+                    attraction: true,
+                    slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+                };
+                agree(&surface, &[-1.5, -0.9, 0.0, 0.8]);
+            }
+        }
     }
 }
 
@@ -156,7 +201,7 @@ fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
 }
 
 /// Families of heights, with where they end.
-fn families() -> [(Family, f64, f64); 4] {
+fn families() -> Vec<(Family, f64, f64)> {
     let table = Tabulated::new(&[-2.0, -1.0, 0.5, 1.0, 3.0], &[0.0, 1.0, 2.0, 1.0, 0.0]).expect("a density");
     let (first, last) = table.support();
     let weibull = |shape: f64| {
@@ -164,12 +209,20 @@ fn families() -> [(Family, f64, f64); 4] {
         let mean = weibull.mean();
         (Family::Weibull(Box::new(weibull)), -mean, f64::INFINITY)
     };
-    [
+    let mut families = vec![
         (Family::Gaussian, f64::NEG_INFINITY, f64::INFINITY),
         weibull(1.5),
         weibull(6.0),
         (Family::Tabulated(Box::new(table)), first, last),
-    ]
+    ];
+    // S_U; S_B with the mean as the origin and with its end; S_U that nearly ends.
+    for (skew, kurtosis) in [(0.8, 6.0), (-0.9, 30.0), (0.5, 3.3), (-0.8, 3.2), (-1.2, 5.8)] {
+        let heights = johnson::heights(skew, kurtosis);
+        let Family::Johnson(curve) = &heights else { panic!("{heights:?}") };
+        let (foot, head) = curve.support();
+        families.push((heights, foot, head));
+    }
+    families
 }
 
 #[test]
@@ -177,15 +230,20 @@ fn densities_are_positive_between_the_ends_of_heights_and_peak_where_it_is_said(
     for (heights, foot, head) in families() {
         assert_eq!((heights.foot(), heights.head()), (foot, head), "{heights:?}");
         let (far_foot, far_tail) = (heights.far_foot(), heights.far_tail());
-        assert_eq!(far_foot == foot, foot.is_finite(), "{heights:?}");
-        assert_eq!(far_tail == head, head.is_finite(), "{heights:?}");
+        let [lowest, highest] = [far_foot, far_tail].map(|z| z + heights.origin());
+        assert!(lowest < -0.9 && highest > 0.9, "{heights:?}: {lowest} to {highest}");
+        // Curves of Johnson's system become too thin before they end.
+        let is_thin = matches!(heights, Family::Johnson(_));
+        assert!(is_thin || (far_foot == foot) == foot.is_finite(), "{heights:?}");
+        assert!(is_thin || (far_tail == head) == head.is_finite(), "{heights:?}");
         for (end, far, outwards) in [(foot, far_foot, -1.0), (head, far_tail, 1.0)] {
             if end.is_finite() {
                 assert_eq!(heights.log_density(end + 1e-9 * outwards), f64::NEG_INFINITY, "{heights:?}");
                 assert!(heights.log_density(end - 1e-9 * outwards).is_finite(), "{heights:?}");
-            } else {
+            }
+            if (far - end).abs() > 1e-12 {
                 let log_density = heights.log_density(far);
-                assert!((-2010.0..-1990.0).contains(&log_density), "{heights:?}: {log_density}");
+                assert!((-2100.0..-1900.0).contains(&log_density), "{heights:?}: {log_density}");
             }
         }
         for start in [-9.0, -3.0, -1.0, -0.1, 0.0, 0.2, 0.7, 1.5] {
@@ -226,6 +284,62 @@ fn sums_reach_as_far_as_heights_count() {
                 let log_density = heights.log_density(end + 1e-6 * (first + last - 2.0 * end));
                 let largest = heights.log_density(heights.peak_above(first).min(last));
                 assert!(end == bound || log_density > largest - 150.0, "{heights:?} {lower} {upper}: {first} {last}");
+            }
+        }
+    }
+}
+
+/// With heights that end, and with those that gather at two ends.
+#[test]
+fn contact_and_attraction_end_where_it_is_said() {
+    let table = Tabulated::new(&[-2.0, -1.0, 0.5, 1.0, 3.0], &[0.0, 1.0, 2.0, 1.0, 0.5]).expect("a density");
+    let radius = RadiusProfile { amplitude: 0.0, rate: 0.25, origin: 0.0 };
+    let slip = Params::default().slip;
+    for (gamma, b_over_h) in [(0.0, 1.0), (1e-3, 0.2), (0.05, 1.0)] {
+        let groups = Groups { alpha: 0.02, beta: 2000.0, gamma, b_over_h };
+        let maugis = Maugis::new(&groups);
+        let holds = -maugis.break_away(1.0).overlap;
+        for attract in [true, false] {
+            let of = |heights: Family| Population::new(&groups, slip, heights, radius, attract);
+            let ending = of(Family::Tabulated(Box::new(table.clone())));
+            let attracts = attract && gamma > 0.0;
+            let reach = if attracts { groups.reach() } else { 0.0 };
+            assert_eq!(ending.is_adhesive(), gamma > 0.0);
+            assert_eq!(ending.range_of_adhesion(), reach.max(holds));
+            assert_eq!(ending.radius_scale(), 4.0);
+            assert_eq!(ending.least_overlap(), maugis.least_overlap());
+            assert!(!ending.has_single_minimum() && of(Family::Gaussian).has_single_minimum());
+            // The last contact and the last attraction.
+            let count = |separation: f64| {
+                let sums = ending.at_separation(separation).unscaled();
+                (sums.contacting > 0.0, sums.attracted > 0.0)
+            };
+            for (last, kind) in [(holds, 0), (reach, 1)].into_iter().filter(|&(_, kind)| kind == 0 || attracts) {
+                let [before, after] = [last - 1e-6, last + 1e-6].map(|off| count(table.support().1 + off));
+                let of_kind = |(contact, attraction): (bool, bool)| if kind == 0 { contact } else { attraction };
+                // Where adhesion is strong, nothing out of contact attracts.
+                let strong = kind == 1 && groups.lambda_cubed() >= 9.0 / 32.0;
+                assert_eq!((of_kind(before), of_kind(after)), (!strong, false), "{kind} {gamma} {attract}");
+            }
+            let farthest = ending.farthest();
+            assert!(farthest >= table.support().1 + reach.max(holds) && count(farthest + 1e-6) == (false, false));
+            assert!(farthest <= table.support().1 + reach + holds + 1e-9);
+            // A part of all summits parts at once at each.
+            let gathered = of(johnson::heights(0.2, 1.05));
+            let partings = gathered.partings();
+            assert_eq!(partings.len(), if attracts { 2 } else { 1 });
+            assert!(ending.partings().is_empty());
+            for (parting, kind) in partings.into_iter().zip([0, 1]) {
+                let [before, after] = [-1e-9, 1e-9].map(|off| {
+                    let sums = gathered.at_separation(parting + off).unscaled();
+                    if kind == 0 {
+                        sums.contacting
+                    } else {
+                        sums.attracted
+                    }
+                });
+                let strong = kind == 1 && groups.lambda_cubed() >= 9.0 / 32.0;
+                assert!(strong || before - after > 0.1, "{kind} {gamma}: {before} and {after}");
             }
         }
     }

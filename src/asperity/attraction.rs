@@ -84,3 +84,40 @@ impl Attraction {
         self.at(self.radius * g * (overlap_rate * self.sigma + self.strain), g)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn near(a: f64, b: f64, tolerance: f64) -> bool {
+        (a - b).abs() <= tolerance * b.abs()
+    }
+
+    /// Eq (10): the gap at the edge of the circle, deformed by the constant stress within, is h.
+    #[test]
+    fn the_gap_at_the_circle_is_the_range_of_adhesion() {
+        let groups = Groups { alpha: 0.02, beta: 300.0, gamma: 0.004, b_over_h: 0.5 };
+        let law = Attraction::new(&groups);
+        assert!(near(law.reach, groups.reach(), 1e-15) && near(groups.reach(), 1.0 / (0.02 * 300.0 * 0.5), 1e-15));
+        for g in [0.4, 1.0, 1.7] {
+            for overlap in [-law.reach, -0.9 * law.reach, -0.1 * law.reach, 0.0] {
+                let circle = law.circle(overlap, g);
+                let (radius, sigma, stress) = (300.0 / 0.02 * g, 0.02 * 300.0, 0.004 * 0.5);
+                // That of the parabola less 4 c stress/(pi E*), by which attraction closes it there.
+                let gap = -overlap * sigma + circle * circle / (2.0 * radius) - 4.0 / PI * stress * circle;
+                assert!(near(gap, 1.0 / 0.5, 1e-13), "{gap}");
+                let found = law.at(circle, g);
+                assert!((found.overlap - overlap).abs() < 1e-14 * law.reach, "{}, not {overlap}", found.overlap);
+                assert!(near(found.load, -PI * circle * circle * stress, 1e-14), "{}", found.load);
+                let step = 1e-6 * circle;
+                let (before, after) = (law.at(circle - step, g), law.at(circle + step, g));
+                let rise = after.overlap - before.overlap;
+                assert!(near(found.overlap_rate, rise / (2.0 * step), 1e-6), "{}", found.overlap_rate);
+                assert!(near(found.load_by_overlap, (after.load - before.load) / rise, 1e-6));
+                assert!(near(law.at_rate(found.overlap_rate, g).circle, circle, 1e-13));
+            }
+            // Attraction begins at its reach and no nearer circle is asked for.
+            assert!(near(law.circle(-2.0 * law.reach, g), law.circle(-law.reach, g), 1e-15));
+        }
+    }
+}

@@ -134,6 +134,8 @@ impl Maugis {
     /// As [`Maugis::at`], from theta's sine and cosine.
     #[inline]
     fn at_angle(&self, theta: f64, (sin, cos): (f64, f64), g: f64) -> Contact {
+        #[cfg(test)]
+        tests::EVALUATIONS.set(tests::EVALUATIONS.get() + 1);
         let (bracket_2, bracket_1) = brackets(theta, sin, cos);
         let inv_g = 1.0 / g;
         // Eq (4) as k2 c^2 + k1 c = 1; d(bracket)/dtheta = 2 theta sin 2theta and theta cos theta.
@@ -206,11 +208,7 @@ impl Maugis {
             // A tiny step may leave the bracket by rounding.
             let trusted = (newton - theta).abs() <= 1e-9 * theta
                 || newton > lower.max(0.5 * theta) && newton < upper.min(2.0 * theta);
-            let next = match trusted {
-                true => newton,
-                false if lower > 0.0 => (0.5 * (lower + upper)).clamp(0.5 * theta, 2.0 * theta),
-                false => 0.5 * upper,
-            };
+            let next = if trusted { newton } else { (0.5 * (lower + upper)).clamp(0.5 * theta, 2.0 * theta) };
             let step = (next - theta).abs();
             let way = last_step.unwrap_or(theta);
             // Next to pi/2 the radius is proportional to the distance from there.
@@ -317,4 +315,203 @@ const fn series_1() -> [f64; SERIES_TERMS] {
         k += 1;
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::Cell;
+
+    thread_local! {
+        /// Evaluations of the contact law.
+        pub static EVALUATIONS: Cell<u32> = const { Cell::new(0) };
+    }
+
+    /// Without adhesion, with little and with much.
+    fn laws() -> [Maugis; 3] {
+        [0.0, 1e-4, 0.02].map(|gamma| Maugis::new(&Groups { alpha: 0.01, beta: 1e3, gamma, b_over_h: 0.7 }))
+    }
+
+    const FACTORS: [f64; 3] = [0.3, 1.0, 1.8];
+
+    fn near(a: f64, b: f64, tolerance: f64) -> bool {
+        (a - b).abs() <= tolerance * b.abs()
+    }
+
+    #[test]
+    fn brackets_are_one_function_by_series_and_in_closed_form() {
+        let closed = |theta: f64| {
+            let (sin, cos) = theta.sin_cos();
+            (sin * cos - theta * (2.0 * theta).cos(), theta * sin - (1.0 - cos))
+        };
+        for theta in [0.2, 0.3, 0.49, 0.499_999_999_999, 0.5, 0.6, 1.2, FRAC_PI_2] {
+            let (found, expected) = (brackets(theta, theta.sin(), theta.cos()), closed(theta));
+            let tolerance = if theta < 0.45 { 1e-12 } else { 2e-14 };
+            assert!(near(found.0, expected.0, tolerance), "{theta}: {found:?}, not {expected:?}");
+            assert!(near(found.1, expected.1, tolerance), "{theta}: {found:?}, not {expected:?}");
+        }
+        // 4/3 theta^3 and theta^2/2 at heavy load.
+        let (second, first) = brackets(1e-5, 1e-5_f64.sin(), 1e-5_f64.cos());
+        assert!(near(second, 4.0 / 3.0 * 1e-15, 1e-9) && near(first, 0.5e-10, 1e-9), "{second:e}, {first:e}");
+    }
+
+    #[test]
+    fn an_angle_is_turned_to_the_sine_and_cosine_of_another() {
+        for from in [1e-3_f64, 0.1, 0.8, 1.57] {
+            for step in [1e-12, 1e-5, 2e-4, 0.0099, 0.011, 0.3] {
+                for to in [from + step, from - step] {
+                    let (found, expected) = (turned(from.sin_cos(), from, to), to.sin_cos());
+                    let error = (found.0 - expected.0).abs().max((found.1 - expected.1).abs());
+                    assert!(error <= 3e-16, "from {from} to {to}: {error:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn rates_are_those_of_secants() {
+        for law in laws() {
+            for g in FACTORS {
+                for theta in [0.01, 0.3, 0.7, 1.2, 1.5] {
+                    let (step, here) = (1e-5, law.at(theta, g));
+                    let (before, after) = (law.at(theta * (1.0 - step), g), law.at(theta * (1.0 + step), g));
+                    let by_theta = |of: fn(&Contact) -> f64| (of(&after) - of(&before)) / (2.0 * step * theta);
+                    let (less, more) = (law.at(theta, g * (1.0 - step)), law.at(theta, g * (1.0 + step)));
+                    let by_g = |of: fn(&Contact) -> f64| (of(&more) - of(&less)) / (2.0 * step * g);
+                    // Without adhesion the overlap depends on g by rounding alone.
+                    for (rate, secant, least) in [
+                        (here.overlap_rate, by_theta(|contact| contact.overlap), 0.0),
+                        (here.radius_rate, by_theta(|contact| contact.radius), 0.0),
+                        (here.load_rate, by_theta(|contact| contact.load), 0.0),
+                        (here.overlap_by_g, by_g(|contact| contact.overlap), 1e-10 * here.overlap.abs() / g),
+                        (here.radius_by_g, by_g(|contact| contact.radius), 0.0),
+                    ] {
+                        let off = (rate - secant).abs();
+                        assert!(off <= (1e-7 * rate.abs()).max(least), "{rate:e}, not {secant:e} at {theta}, {g}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// From starting values near and far, and from one that is the answer to all digits that matter.
+    #[test]
+    fn a_contact_is_found_by_its_overlap() {
+        for law in laws() {
+            for g in FACTORS {
+                let last = law.break_away(g).theta;
+                for part in [1e-6, 1e-3, 0.1, 0.5, 0.9, 0.999] {
+                    let expected = law.at(part * last, g);
+                    let theta = expected.theta;
+                    let cold = law.guess(expected.overlap, g);
+                    for guess in [cold, 1e-3 * theta, 0.4 * theta, theta * (1.0 + 1e-4), theta * (1.0 + 1e-9), 9.0] {
+                        let found = law.at_overlap(expected.overlap, g, guess);
+                        // Next to break-away the overlap hardly depends on theta.
+                        let known = 1e-15 * expected.overlap.abs().max(law.break_away(g).overlap.abs());
+                        let known = 1e-10 + 2e3 * known / (expected.overlap_rate * theta).abs();
+                        let change = 1e-10 * expected.overlap.abs() / g;
+                        for (found, expected, least) in [
+                            (found.theta, theta, 0.0),
+                            (found.radius, expected.radius, 0.0),
+                            (found.overlap_rate, expected.overlap_rate, 0.0),
+                            (found.radius_rate, expected.radius_rate, 0.0),
+                            (found.load_rate, expected.load_rate, 0.0),
+                            (found.overlap_by_g, expected.overlap_by_g, change),
+                            (found.radius_by_g, expected.radius_by_g, 0.0),
+                        ] {
+                            let off = (found - expected).abs();
+                            assert!(
+                                off <= (known * expected.abs()).max(least),
+                                "{found:e}, not {expected:e}, at {part} of {last} from {guess}"
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// At heavy load, in the middle of the branch, and next to where the contact breaks; each from starting values that
+    /// are far off, as far as those of neighbouring nodes, and next to the answer.
+    #[test]
+    fn a_contact_takes_few_evaluations() {
+        let parts: [&[f64]; 3] = [&[1e-6, 1e-3, 0.02, 0.1], &[0.3, 0.5, 0.7, 0.9], &[0.99, 0.999, 0.999_99]];
+        let offs = [[1e-3, 20.0], [0.5, 1.6], [0.95, 1.05], [0.9999, 1.0001], [1.0 - 1e-7, 1.0 + 1e-7]];
+        let most = [[1408, 540, 360, 216, 144], [1369, 582, 369, 216, 144], [1499, 894, 774, 405, 136]];
+        for (parts, most) in parts.into_iter().zip(most) {
+            for (offs, most) in offs.into_iter().zip(most) {
+                let mut count = 0;
+                for law in laws() {
+                    for g in FACTORS {
+                        let last = law.break_away(g).theta;
+                        for (part, off) in parts.iter().flat_map(|part| offs.map(|off| (part, off))) {
+                            let overlap = law.at(part * last, g).overlap;
+                            EVALUATIONS.set(0);
+                            law.at_overlap(overlap, g, off * part * last);
+                            count += EVALUATIONS.get();
+                        }
+                    }
+                }
+                assert!(count <= most + 2, "{count} evaluations at {parts:?} from {offs:?}, not {most}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_starting_value_is_of_the_right_size_where_a_contact_is_loaded() {
+        for law in laws() {
+            for g in FACTORS {
+                for overlap in [0.1, 1.0, 10.0, 1e6] {
+                    let part = law.guess(overlap, g) / law.at_overlap(overlap, g, 0.1).theta;
+                    assert!(part > 0.9 && part < 2.2, "{part} at {overlap}, {g}");
+                    assert!(overlap < 1e6 || part < 1.15, "{part} at {overlap}, {g}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn contact_breaks_where_the_overlap_is_least() {
+        for law in laws() {
+            for g in FACTORS {
+                let edge = law.break_away(g);
+                assert_eq!(edge.theta == FRAC_PI_2, law.lambda_cubed * g <= FOLD_LAMBDA_CUBED, "{g}");
+                let scale = law.at(0.5 * edge.theta, g).overlap_rate.abs();
+                assert!(edge.theta == FRAC_PI_2 || edge.overlap_rate.abs() < 1e-10 * scale, "{}", edge.overlap_rate);
+                for part in 1..100 {
+                    let theta = 0.01 * f64::from(part) * FRAC_PI_2;
+                    assert!(law.at(theta, g).overlap >= edge.overlap, "{theta} before {}", edge.theta);
+                    assert!(
+                        theta >= edge.theta || law.at(theta, g).overlap_rate < 0.0,
+                        "{theta} before {}",
+                        edge.theta
+                    );
+                }
+            }
+        }
+        // The fold sets in at pi/2.
+        let law = &laws()[2];
+        let g = FOLD_LAMBDA_CUBED / law.lambda_cubed;
+        assert_eq!(law.break_away(g * (1.0 - 1e-12)).theta, FRAC_PI_2);
+        let fold = law.break_away(g * (1.0 + 1e-6)).theta;
+        assert!(fold < FRAC_PI_2 && fold > FRAC_PI_2 - 0.01, "{fold}");
+    }
+
+    /// Hertz: radius^2 is radius of curvature times overlap.
+    #[test]
+    fn the_tip_of_a_contact_without_adhesion_is_that_of_hertz() {
+        let law = &laws()[0];
+        for g in FACTORS {
+            let edge = law.at(FRAC_PI_2 - TIP, g);
+            for part in [1e-30, 1e-8, 0.1, 1.0] {
+                let overlap = part * edge.overlap;
+                let contact = law.at_tip(overlap, g);
+                let radius = (overlap * g).sqrt() * 1e3;
+                assert!(near(contact.radius, radius, 1e-14), "{}, not {radius}", contact.radius);
+                assert!(near(contact.overlap, overlap, 1e-13), "{}, not {overlap}", contact.overlap);
+                assert!(near(law.hertz_overlap(radius, g), overlap, 1e-14));
+            }
+            assert!(near(law.least_overlap(), law.at(FRAC_PI_2 - 1e-5, g).overlap, 1e-4));
+        }
+    }
 }

@@ -87,3 +87,28 @@ mod avx2 {
         _mm_cvtsd_f64(cubics) + _mm_cvtsd_f64(_mm_unpackhi_pd(cubics, cubics)) * (t2 * t2)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Params;
+
+    /// The function of this processor and that of any, within the table, beyond it, and where friction is capped.
+    #[test]
+    fn every_processor_gives_the_same_bits() {
+        let model = Model::new(&Params::default()).expect("a model");
+        let calls = ScalarCalls::new();
+        let summary = model.summary();
+        for i in 0..400 {
+            let excess = 1e-12 * 1e20_f64.powf(f64::from(i) / 400.0);
+            for load in [summary.pull_off_load * (1.0 - excess), excess, -excess, f64::NAN, f64::INFINITY] {
+                // SAFETY: the functions of this processor, or of any.
+                let found = unsafe { [value_at::<true>(&model, load), value_at::<false>(&model, load)] };
+                let chosen = unsafe { [(calls.coefficient)(&model, load), (calls.force)(&model, load)] };
+                let exact = [model.friction_at_load(load), model.friction_force_at_load(load)];
+                assert_eq!(found.map(f64::to_bits), exact.map(f64::to_bits), "{load:e}: {found:?}, not {exact:?}");
+                assert_eq!(chosen.map(f64::to_bits), exact.map(f64::to_bits), "{load:e}: {chosen:?}, not {exact:?}");
+            }
+        }
+    }
+}

@@ -434,3 +434,94 @@ fn largest(a: f64, b: f64) -> f64 {
         a.max(b)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::branch;
+    use super::*;
+
+    fn near(a: f64, b: f64, tolerance: f64) -> bool {
+        (a - b).abs() <= tolerance * b.abs()
+    }
+
+    #[test]
+    fn the_coordinate_is_arsinh_of_the_root_of_load_over_pull_off() {
+        let pull_off = Coordinate { log_pull_off: Some(-7.0), force: 1.0 };
+        for log_excess in [-40.0, -20.0, -7.0, -3.0, 10.0, 30.0, 34.4, 34.5, 60.0] {
+            let (s, rate) = pull_off.at(log_excess);
+            let root = (0.5 * (log_excess + 7.0)).exp();
+            assert!(near(s, root.asinh(), 1e-14), "{log_excess}: {s}");
+            assert!(near(rate, 0.5 * root / root.hypot(1.0), 1e-14), "{log_excess}: {rate}");
+        }
+        assert_eq!(Coordinate { log_pull_off: None, force: 1.0 }.at(-8.0), (-4.0, 0.5));
+    }
+
+    #[test]
+    fn the_curve_reaches_from_its_heaviest_state_to_pull_off_or_as_light_as_asked_for() {
+        for (gamma, range) in [(0.0, 20.0), (0.001, 20.0), (0.001, 1e3)] {
+            let (population, equilibrium) = branch(gamma);
+            let mut states = Vec::new();
+            let curve = Curve::new(&population, &equilibrium, |_| range, &mut states).expect("a curve");
+            let (lower, upper) = curve.log_range();
+            assert!(near(upper, states[0].log_excess, 1e-13), "{upper}");
+            assert!(upper - lower >= range && curve.is_resolved(), "{lower} to {upper}");
+            assert!(if range < 100.0 { upper - lower < 3.0 * range } else { lower == f64::NEG_INFINITY }, "{lower}");
+            for state in &states {
+                let found = curve.separation(state.log_excess).expect("a separation");
+                assert!((found - state.separation).abs() < 1e-4, "{found}, not {}", state.separation);
+                let [(force, slope)] = curve.at([state.log_excess]);
+                assert!(near(force, curve.force_of(state), 1e-10), "{force}");
+                assert!(near(slope, state.log_slope, 1e-8), "{slope}");
+            }
+            assert_eq!(curve.separation(upper + 1e-9), None);
+            assert_eq!(curve.separation(lower.max(-1e3) - 1e-9).is_some(), lower == f64::NEG_INFINITY);
+            // Side by side as one by one, also where panels meet.
+            let several: [f64; 8] = std::array::from_fn(|i| lower.max(upper - 40.0) + 2.5 * i as f64 + 0.1);
+            assert_eq!(curve.at(several), several.map(|log_excess| curve.at([log_excess])[0]));
+        }
+    }
+
+    /// ln F = 2 + 3 s + s^2/2 at separations 1 - s.
+    fn parabola() -> Panel {
+        let sample = |s: f64| Sample {
+            separation: 1.0 - s,
+            log_excess: 2.0 * s,
+            s,
+            log_force: 2.0 + 3.0 * s + 0.5 * s * s,
+            slope: 3.0 + s,
+            log_slope: f64::NAN,
+        };
+        let node = |j: usize| 0.1 + (1.0 + (std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64).cos()).powf(1.2);
+        Panel { good: true, ..Panel::new(2.5, 0.1, &std::array::from_fn(|j| sample(node(j)))) }
+    }
+
+    #[test]
+    fn a_panel_has_the_values_and_slopes_it_is_made_from_and_says_how_far_others_lie() {
+        let panel = parabola();
+        let exact =
+            Sample { separation: 0.7, log_excess: 0.6, s: 0.3, log_force: 2.945, slope: 3.3, log_slope: f64::NAN };
+        assert!(near(panel.separation_at(0.3), 0.7, 1e-13));
+        let [(value, slope)] = panel.log_force_at([0.3]);
+        assert!(near(value, 2.945, 1e-13) && near(slope, 3.3, 1e-11), "{value}, {slope}");
+        assert!(Panel { good: false, ..panel.clone() }.log_force_at([0.3])[0].0.is_nan());
+        let gaps: Vec<[f64; 2]> =
+            panel.nodes.windows(2).map(|pair| [pair[0] - pair[1], 0.5 * (pair[0] + pair[1])]).collect();
+        let widest = gaps.iter().fold([0.0; 2], |widest, &gap| if gap[0] > widest[0] { gap } else { widest });
+        assert!(near(panel.sparsest(), widest[1], 1e-15), "{}, not {widest:?} of {gaps:?}", panel.sparsest());
+        let off = |value: f64, slope: f64| {
+            panel.excess(&Sample { log_force: exact.log_force + value, slope: exact.slope * (1.0 + slope), ..exact })
+        };
+        for sign in [1.0, -1.0] {
+            assert!(near(off(sign * 20.0 * VALUE_TOLERANCE, 0.0), 20.0, 0.1), "{}", off(20.0 * VALUE_TOLERANCE, 0.0));
+            assert!(near(off(0.0, sign * 20.0 * SLOPE_TOLERANCE), 20.0, 0.1), "{}", off(0.0, 20.0 * SLOPE_TOLERANCE));
+        }
+        assert!(off(0.0, 0.0) < 0.1);
+        // At pull-off itself there is no slope; a value that is none is as far as can be.
+        let at_pull_off = Sample { slope: f64::NAN, log_force: exact.log_force + 5.0 * VALUE_TOLERANCE, ..exact };
+        assert!(near(panel.excess(&at_pull_off), 5.0, 0.1));
+        assert_eq!(panel.excess(&Sample { log_force: f64::NAN, ..exact }), f64::INFINITY);
+        assert_eq!(largest(1.0, f64::NAN), f64::INFINITY);
+        assert_eq!(largest(f64::NAN, 1.0), f64::INFINITY);
+        assert_eq!(largest(1.0, 2.0), 2.0);
+    }
+}

@@ -33,6 +33,8 @@ struct Follower<'a> {
 
 impl Follower<'_> {
     fn evaluate(&self, separation: f64) -> Option<State> {
+        #[cfg(test)]
+        tests::EVALUATIONS.set(tests::EVALUATIONS.get() + 1);
         let (log_excess, rate, sums) = self.equilibrium.log_excess(self.population, separation);
         (rate < 0.0 && sums.friction > 0.0).then(|| State {
             log_excess,
@@ -155,4 +157,74 @@ fn hermite(values: &[f64; PARTS.len()], slopes: &[f64; PARTS.len()]) -> [f64; CO
         coefficients[0] += differences[i];
     }
     coefficients
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::curve::Curve;
+    use super::super::tests::branch;
+    use super::super::Scales;
+    use super::*;
+    use std::cell::Cell;
+
+    thread_local! {
+        /// Exact states.
+        pub static EVALUATIONS: Cell<u32> = const { Cell::new(0) };
+    }
+
+    #[test]
+    fn a_polynomial_of_degree_7_has_the_coefficients_of_its_values_and_slopes() {
+        const C: [f64; COEFFICIENTS] = [3.0, -2.0, 0.5, 1.25, -0.75, 2.5, -1.5, 0.375];
+        let at = |t: f64| polynomial(&C, t);
+        let found = hermite(&PARTS.map(|part| at(part).0), &PARTS.map(|part| at(part).1));
+        for (found, expected) in found.into_iter().zip(C) {
+            assert!((found - expected).abs() < 1e-11, "{found}, not {expected}");
+        }
+    }
+
+    /// Where the law is smooth, rows from states are those from the curve; only what is left out is filled.
+    #[test]
+    fn rows_from_states_are_rows_of_the_curve() {
+        for gamma in [0.0, 0.001] {
+            let (population, equilibrium) = branch(gamma);
+            let curve = Curve::new(&population, &equilibrium, |_| 60.0, &mut Vec::new()).expect("a curve");
+            let filling = Filling { curve: &curve, shift: MANTISSA_BITS - 6, scales: Scales { load: 3.0, force: 0.5 } };
+            let first = f64::to_bits(0.95) >> filling.shift;
+            let (expected, _) = filling.rows(first..=first + 23);
+            let mut rows = expected.clone();
+            for (i, row) in rows.iter_mut().enumerate() {
+                if i % 8 > 2 {
+                    row.leave_out();
+                }
+            }
+            EVALUATIONS.set(0);
+            let error = fill(&filling, &population, &equilibrium, first, &mut rows);
+            // Fifteen rows of four states, in three runs that each begin with one found in two steps and one beside it.
+            assert!(EVALUATIONS.get() <= 70, "{} evaluations", EVALUATIONS.get());
+            assert!(error > 1e-16 && error <= VALUE_TOLERANCE, "{error:e}");
+            for (i, (row, expected)) in rows.iter().zip(&expected).enumerate() {
+                if i % 8 <= 2 {
+                    assert_eq!(row, expected, "row {i}");
+                }
+                for part in [0.0, 0.2, 0.5, 0.9, 1.0] {
+                    let t = part / 64.0;
+                    let ((force, slope), (a, b)) = (polynomial(&row.0, t), polynomial(&expected.0, t));
+                    assert!((force / a - 1.0).abs() < 1e-10, "row {i} at {part}: {force}, not {a}");
+                    assert!((slope / b - 1.0).abs() < 1e-8, "row {i} at {part}: slope {slope}, not {b}");
+                }
+            }
+        }
+    }
+
+    /// Where the branch ends nothing is filled.
+    #[test]
+    fn rows_beyond_the_branch_stay_left_out() {
+        let (population, equilibrium) = branch(0.001);
+        let curve = Curve::new(&population, &equilibrium, |_| 60.0, &mut Vec::new()).expect("a curve");
+        let filling = Filling { curve: &curve, shift: MANTISSA_BITS - 4, scales: Scales { load: 1.0, force: 1.0 } };
+        let first = f64::to_bits(10.0 * curve.log_range().1.exp()) >> filling.shift;
+        let mut rows = [Row([f64::NAN; COEFFICIENTS]); 3];
+        let error = fill(&filling, &population, &equilibrium, first, &mut rows);
+        assert!(error == 0.0 && rows.iter().all(Row::is_left_out), "{error:e}, {rows:?}");
+    }
 }

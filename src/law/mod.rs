@@ -213,3 +213,82 @@ impl Law {
         self.curve.separation(log_excess)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Params;
+
+    /// The paper's default case with another surface energy.
+    pub(super) fn branch(gamma: f64) -> (Population, Equilibrium) {
+        let mut params = Params::default();
+        params.set_dimensionless(0.01, 1000.0, gamma, 1.0, 0.3).expect("a surface");
+        let (groups, heights, radius) = params.surface().expect("a surface");
+        let population = Population::new(&groups, params.slip, heights, radius, true);
+        let equilibrium = Equilibrium::new(&population).expect("a branch");
+        (population, equilibrium)
+    }
+
+    const SCALES: Scales = Scales { load: 3.0, force: 0.5 };
+
+    #[test]
+    fn every_row_of_the_default_case_answers_from_next_to_pull_off_to_heavy_load() {
+        for gamma in [0.0, 0.001] {
+            let (population, equilibrium) = branch(gamma);
+            let law = Law::new(&population, &equilibrium, SCALES).expect("a law");
+            assert!(law.rows.iter().all(|row| !row.is_left_out()));
+            assert!(law.error() > 1e-16 && law.error() < 5e-11, "{:e}", law.error());
+            for log_excess in [-3.0, 0.0, 4.0] {
+                let separation = law.separation(log_excess).expect("it is covered");
+                let found = equilibrium.log_excess(&population, separation).0;
+                assert!((found - log_excess).abs() < 1e-4, "{found}, not {log_excess}");
+            }
+            let (lightest, heaviest) = law.range();
+            let heaviest_state = equilibrium.log_excess(&population, -12.0).0.exp() * SCALES.load;
+            assert!(heaviest > 0.8 * heaviest_state && heaviest <= heaviest_state, "{heaviest}");
+            let pull_off = equilibrium.pull_off_load() * SCALES.load;
+            if gamma > 0.0 {
+                let nearest = -pull_off * NEAREST_TO_PULL_OFF;
+                assert!(lightest - pull_off >= nearest && lightest - pull_off < 1.6 * nearest, "{lightest}");
+            } else {
+                let range = (heaviest / lightest).ln();
+                assert!((LOG_RANGE_WITHOUT_PULL_OFF..1.5 * LOG_RANGE_WITHOUT_PULL_OFF).contains(&range), "{range}");
+            }
+            for (load, answers) in [
+                (lightest, true),
+                (pull_off + (lightest - pull_off) * (1.0 - 1e-3), false),
+                (heaviest.next_down(), true),
+                (heaviest, false),
+            ] {
+                assert_eq!(law.at_load(load).is_some(), answers, "{load:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_row_is_left_out_where_it_misses_an_exact_state_and_only_there() {
+        let (population, equilibrium) = branch(0.001);
+        let law = Law::new(&population, &equilibrium, SCALES).expect("a law");
+        let mut states = Vec::new();
+        Curve::new(&population, &equilibrium, |_| LOG_RANGE, &mut states).expect("a curve");
+        let state = states[states.len() / 2];
+        let x = state.log_excess.exp() * SCALES.load;
+        let (row, _) = law.row_at_excess(x).expect("a row");
+        let row = law.rows.iter().position(|other| other == row).expect("it is one of them");
+        let certified = |log_force: f64, slope: f64| {
+            let mut law = Law { error: 0.0, ..law.clone() };
+            let mut state = state;
+            state.log_force += log_force;
+            state.log_slope *= 1.0 + slope;
+            law.certify(&[state], SCALES);
+            let left_out: Vec<usize> = (0..law.rows.len()).filter(|&row| law.rows[row].is_left_out()).collect();
+            (left_out, law.error)
+        };
+        for sign in [1.0, -1.0] {
+            assert_eq!(certified(3.0 * sign * VALUE_TOLERANCE, 0.0), (vec![row], 0.0));
+            assert_eq!(certified(0.0, 3.0 * sign * SLOPE_TOLERANCE), (vec![row], 0.0));
+            let (left_out, error) = certified(0.3 * sign * VALUE_TOLERANCE, 0.3 * sign * SLOPE_TOLERANCE);
+            assert!(left_out.is_empty() && (error / (0.3 * VALUE_TOLERANCE) - 1.0).abs() < 0.1, "{error:e}");
+        }
+    }
+}

@@ -167,3 +167,85 @@ impl RowBasis {
         c
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::branch;
+    use super::*;
+
+    const C: [f64; COEFFICIENTS] = [3.0, -2.0, 0.5, 1.25, -0.75, 2.5, -1.5, 0.375];
+
+    fn horner(t: f64) -> (f64, f64) {
+        C.iter().rev().fold((0.0, 0.0), |(value, slope), c| (value * t + c, slope * t + value))
+    }
+
+    fn near(a: f64, b: f64, tolerance: f64) -> bool {
+        (a - b).abs() <= tolerance * b.abs()
+    }
+
+    #[test]
+    fn value_and_slope_are_those_of_horners_scheme() {
+        for t in [0.0, 0.125, 0.4, 0.5, 0.99] {
+            let ((value, slope), expected) = (polynomial(&C, t), horner(t));
+            assert!(near(value, expected.0, 1e-14) && near(slope, expected.1, 1e-14), "{t}: {value}, {slope}");
+        }
+    }
+
+    #[test]
+    fn a_row_has_the_coefficients_of_the_polynomial_that_it_is_made_from() {
+        let found = RowBasis::new().coefficients(horner(0.0), horner(1.0), INTERIOR.map(|u| horner(u).0));
+        for (found, expected) in found.into_iter().zip(C) {
+            assert!((found - expected).abs() < 1e-11, "{found}, not {expected}");
+        }
+    }
+
+    /// Rows of two surfaces against the curve they were filled from, over more than two binades.
+    #[test]
+    fn rows_lie_on_the_curve_and_their_values_and_slopes_meet() {
+        for (gamma, start) in [(0.0, 0.75), (0.001, 1.0)] {
+            let (population, equilibrium) = branch(gamma);
+            let curve = Curve::new(&population, &equilibrium, |_| 60.0, &mut Vec::new()).expect("a curve");
+            let (shift, scales) = (MANTISSA_BITS - 2, Scales { load: 3.0, force: 0.5 });
+            let first = f64::to_bits(start) >> shift;
+            let (rows, error) = Filling { curve: &curve, shift, scales }.rows(first..=first + 10);
+            assert_eq!(rows.len(), 11);
+            let at = |x: f64| {
+                let [(force, log_slope)] = curve.at([(x / scales.load).ln()]);
+                (scales.force * force, scales.force * force * log_slope / x)
+            };
+            let mut worst = 0.0_f64;
+            for (row, index) in rows.iter().zip(first..) {
+                let (begin, end) = (f64::from_bits(index << shift), f64::from_bits((index + 1) << shift));
+                let binade = 2.0_f64.powi(begin.log2().floor() as i32);
+                for part in [0.0, 0.05, 0.3, 0.5, 0.8, 0.95, 1.0] {
+                    let (value, rate) = polynomial(&row.0, part * (end - begin) / binade);
+                    let (force, slope) = at(begin + part * (end - begin));
+                    let found = (value, rate / binade);
+                    let (tolerance, of_slope) = if part % 1.0 == 0.0 { (1e-14, 1e-12) } else { (5e-11, 5e-9) };
+                    assert!(near(found.0, force, tolerance), "{index} {part}: {}, not {force}", found.0);
+                    assert!(near(found.1, slope, of_slope), "{index} {part}: {}, not {slope}", found.1);
+                    if BETWEEN.contains(&part) {
+                        worst = worst.max((value / force - 1.0).abs());
+                    }
+                }
+            }
+            assert!(near(error, worst, 1e-3) && error > 1e-16, "{error:e}, not {worst:e}");
+        }
+    }
+
+    #[test]
+    fn rows_are_left_out_where_the_curve_is_not_known_and_no_table_is_without_a_row() {
+        let (population, equilibrium) = branch(0.001);
+        let curve = Curve::new(&population, &equilibrium, |_| 60.0, &mut Vec::new()).expect("a curve");
+        let filling = Filling { curve: &curve, shift: MANTISSA_BITS - 2, scales: Scales { load: 1.0, force: 1.0 } };
+        let beyond = f64::to_bits(10.0 * curve.log_range().1.exp()) >> filling.shift;
+        let (rows, error) = filling.rows(beyond..=beyond + 1);
+        assert!(rows.len() == 2 && rows.iter().all(Row::is_left_out) && error == 0.0, "{error:e}");
+        let (rows, _) = filling.rows(RangeInclusive::new(beyond + 1, beyond));
+        assert!(rows.len() == 1 && rows[0].is_left_out());
+        let mut row = Row(C);
+        assert!(!row.is_left_out());
+        row.leave_out();
+        assert!(row.is_left_out());
+    }
+}

@@ -14,13 +14,16 @@
 #   make supply-chain    licences, bans, sources                          needs cargo-deny
 #   make oldest-rust     the Rust tests with the oldest compiler          needs rustup
 #   make coverage        lines that the tests run                         needs llvm-22
-#   make mutants         changes to the source that no test notices       SHARD, MUTANT_TEST_SECONDS; needs cargo-mutants
+#   make mutants         changes to the source that no test notices       SHARD, MUTANTS (a pattern of names, which begin
+#                                                                         with the file), MUTANT_TEST_SECONDS; needs
+#                                                                         cargo-mutants
 
 FUZZ_CALLS ?= 10000000
 FUZZ_SEED ?= 1
 FUZZ_SECONDS ?= 1800
 DOMAIN_SETS ?= 20000
 SHARD ?= 0/1
+MUTANTS ?=
 MUTANT_TEST_SECONDS ?= 0.5
 LOW := nice -n 19
 # Compilers of a toolchain with nightly options; a stable one takes them with RUSTC_BOOTSTRAP.
@@ -88,4 +91,4 @@ coverage:
 	$(LOW) tests/harden/coverage.sh
 
 mutants:
-	$(LOW) tests/harden/mutants/run.sh --shard $(SHARD) --seconds $(MUTANT_TEST_SECONDS)
+	$(LOW) tests/harden/mutants/run.sh --shard $(SHARD) --only '$(MUTANTS)' --seconds $(MUTANT_TEST_SECONDS)

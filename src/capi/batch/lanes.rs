@@ -173,10 +173,8 @@ unsafe fn force<L: Lanes>(table: &Table, found: &Found<L>, with_slope: bool) -> 
     let low = low.add(times::<L>(3.0, c[3]).add(times::<L>(4.0, c[4]).mul(t)).mul(t2));
     let high = times::<L>(5.0, c[5]).add(times::<L>(6.0, c[6]).mul(t)).add(times::<L>(7.0, c[7]).mul(t2));
     let rate = low.add(high.mul(t4));
-    // Below the table as where it begins, so that no slow lane overflows. Not a choice of 1 there: the compiler would
-    // multiply all lanes and choose afterwards.
-    let begin = L::splat(f64::from_bits(table.base << table.shift));
-    let excess = found.load.sub(L::splat(table.pull_off)).max(begin);
+    // Where the table does not reach t is NaN, so that the product raises no flag whatever the binade is.
+    let excess = found.load.sub(L::splat(table.pull_off));
     let binade = L::and_bits(excess.bits(), L::splat_bits(SIGN_AND_EXPONENT));
     let inverse_binade = L::from_bits(L::sub_bits(L::splat_bits(Table::TWICE_BIAS), binade));
     (value, rate.mul(inverse_binade), slow)

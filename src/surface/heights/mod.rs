@@ -318,3 +318,141 @@ impl Heights {
 
 /// The shortest panel, in sigma: what lies within it of a singular point is negligible.
 pub const SHORTEST_PANEL: f64 = 1e-8;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::population::nodes;
+
+    fn weibull(shape: f64) -> Heights {
+        Heights::Weibull(Box::new(Weibull::new(shape)))
+    }
+
+    fn table() -> Heights {
+        Heights::Tabulated(Box::new(Tabulated::new(&[0.0, 1.0, 2.0, 4.0], &[1.0, 3.0, 1.0, 2.0]).expect("a table")))
+    }
+
+    /// Panels from a height to another in a sum of this scale: how many, and the density's integral, times z, times z^2.
+    fn march(heights: &Heights, (from, to): (f64, f64), log_scale: f64) -> (usize, [f64; 3]) {
+        let (mut z, mut count, mut sums) = (from, 0, [0.0; 3]);
+        while z < to {
+            let length = heights.smooth_length(z, log_scale).min(to - z);
+            for (x, weight) in nodes(z, z + length) {
+                let mut term = weight * heights.log_density(x).exp();
+                for sum in &mut sums {
+                    *sum += term;
+                    term *= x + heights.origin();
+                }
+            }
+            z += length;
+            count += 1;
+        }
+        (count, sums)
+    }
+
+    /// With all digits everywhere, and with those that a sum of all heights needs.
+    #[test]
+    fn panels_give_the_moments_of_heights_to_rounding_and_are_few() {
+        for (heights, most) in [
+            (Heights::Gaussian, [11, 7]),
+            (weibull(3.0), [22, 20]),
+            (weibull(40.0), [16, 14]),
+            (johnson::heights(0.8, 6.0), [24, 24]),
+            (johnson::heights(-0.9, 30.0), [37, 37]),
+            (johnson::heights(0.5, 3.3), [18, 18]),
+            (johnson::heights(-0.8, 3.2), [33, 33]),
+        ] {
+            let largest = heights.log_density(heights.peak_above(-1.0 - heights.origin()));
+            for (log_scale, most) in [f64::NEG_INFINITY, largest].into_iter().zip(most) {
+                let (lower, upper) = heights.worth_summing(-1e4, 1e4);
+                let range = (lower.max(heights.foot() + 1e-6), upper);
+                let (count, [mass, mean, square]) = march(&heights, range, log_scale);
+                assert!(count <= most, "{count} panels of {heights:?}");
+                let error = (mass - 1.0).abs().max(mean.abs()).max((square - 1.0).abs());
+                assert!(error < 2e-14, "{error:e} of {heights:?}");
+            }
+        }
+    }
+
+    /// Wherever it lies, beside all that is above.
+    #[test]
+    fn a_panel_of_the_tail_is_short_enough() {
+        for heights in [Heights::Gaussian, weibull(1.2), weibull(3.0), weibull(40.0)] {
+            let length = heights.tail_panel();
+            assert!(length > 0.1 && length <= heights.longest_panel(), "{length} of {heights:?}");
+            for z in [0.0, 1.0, 3.0, 6.0, 9.0] {
+                let (_, upper) = heights.worth_summing(z, 1e4);
+                if z + length > upper {
+                    continue;
+                }
+                let density = |x: f64| heights.relative_density(z, x - z, heights.log_density(z));
+                let whole: f64 = nodes(z, z + length).map(|(x, weight)| weight * density(x)).sum();
+                let halves: f64 = [z, z + 0.5 * length]
+                    .into_iter()
+                    .flat_map(|from| nodes(from, from + 0.5 * length))
+                    .map(|(x, weight)| weight * density(x))
+                    .sum();
+                assert!((whole / halves - 1.0).abs() < 1e-13, "{:e} at {z} of {heights:?}", whole / halves - 1.0);
+            }
+        }
+    }
+
+    #[test]
+    fn roughness_says_how_far_a_panel_may_reach() {
+        for heights in [Heights::Gaussian, weibull(1.2), weibull(3.0), weibull(40.0)] {
+            for z in [-1.0, 0.0, 2.0, 5.0] {
+                let from = heights.steepness(z);
+                let length = heights.smooth_length(z, f64::NEG_INFINITY);
+                let at = |part: f64| heights.roughness(&from, &heights.steepness(z + part * length), f64::NEG_INFINITY);
+                assert!(from.is_at(z) && !from.is_at(z + 1e-9) && at(0.0) == 0.0, "{z} of {heights:?}");
+                assert!(at(1.0) <= 1.0 && at(0.5) < at(1.0), "{z} of {heights:?}");
+                let limit = length == heights.longest_panel();
+                assert!(limit || at(1.4) > 1.0, "{z} of {heights:?}: {}", at(1.4));
+            }
+        }
+        for heights in [johnson::heights(0.8, 6.0), table()] {
+            let from = heights.steepness(0.2 - heights.origin());
+            let length = heights.smooth_length(from.z, f64::NEG_INFINITY);
+            let at =
+                |part: f64| heights.roughness(&from, &heights.steepness(from.z + part * length), f64::NEG_INFINITY);
+            assert!((at(0.25) - 0.25).abs() < 1e-12 && at(1.0 - 1e-9) <= 1.0, "{heights:?}");
+            assert!(at(2.0) > 1.0, "{heights:?}");
+        }
+        let gathered = johnson::heights(0.3, 1.3);
+        assert_eq!(gathered.smooth_length(-0.1, 0.0), f64::MAX);
+        assert_eq!(gathered.longest_below(-0.1), 1.0);
+        let middle = 0.5 * table().knots()[2];
+        assert!((table().longest_below(middle) + middle).abs() < 1e-13);
+        assert_eq!(Heights::Gaussian.longest_below(0.0), 1.0);
+        assert!(johnson::heights(0.8, 6.0).longest_below(30.0) > 5.0);
+    }
+
+    #[test]
+    fn densities_have_the_shapes_that_are_said() {
+        let gathered = johnson::heights(0.3, 1.3);
+        assert_eq!(gathered.knots(), [gathered.foot(), gathered.head()]);
+        let reference = gathered.log_scale(-1e-9);
+        assert!(reference < -1.0 && reference > -600.0 && gathered.log_scale(gathered.foot()) == 0.0, "{reference}");
+        assert_eq!(Heights::Gaussian.log_scale(1.0), Heights::Gaussian.log_density(1.0));
+        assert!(Heights::Gaussian.knots().is_empty() && table().knots().len() == 4);
+        for heights in [Heights::Gaussian, weibull(1.2), weibull(3.0), table(), johnson::heights(0.8, 6.0), gathered] {
+            let at = |z: f64| heights.log_density(z);
+            // Nowhere convex.
+            let width = heights.head().min(8.0) - heights.foot().max(-8.0);
+            let bends = |i: i32| {
+                let z = heights.foot().max(-8.0) + width * f64::from(i) / 500.0;
+                at(z - 0.01 * width) + at(z + 0.01 * width) - 2.0 * at(z) > 1e-9
+            };
+            assert_eq!(heights.is_log_concave(), !(10..490).any(bends), "{heights:?}");
+            if let Some(power) = heights.power_at_foot() {
+                let (near, far) = (at(heights.foot() + 1e-7), at(heights.foot() + 1e-5));
+                assert!(((far - near) / 100.0_f64.ln() - power).abs() < 1e-3, "{power} of {heights:?}");
+            } else {
+                assert!(!matches!(heights, Heights::Weibull(_)));
+            }
+            let (from, rise) = (-0.4, 0.3);
+            let quotient = (at(from + rise) - at(from)).exp();
+            assert!((heights.relative_density(from, rise, at(from)) / quotient - 1.0).abs() < 1e-14, "{heights:?}");
+        }
+    }
+}

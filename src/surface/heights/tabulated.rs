@@ -328,3 +328,170 @@ fn pieces(height: &[f64], density: &[f64]) -> Vec<Piece> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn near(a: f64, b: f64, tolerance: f64) -> bool {
+        (a - b).abs() <= tolerance * b.abs()
+    }
+
+    /// Uneven heights with uneven densities, zero in the middle and at one end.
+    fn uneven(count: usize) -> (Vec<f64>, Vec<f64>) {
+        let height = (0..count).map(|i| i as f64 + 0.3 * (i as f64).sin()).collect();
+        let density = (0..count).map(|i| if i == 5 || i == 6 { 0.0 } else { 2.0 + (1.7 * i as f64).cos() });
+        (height, density.collect())
+    }
+
+    /// The mean of a function of the height above the mean.
+    fn mean(table: &Tabulated, f: impl Fn(f64) -> f64) -> f64 {
+        let pieces = table.knots().windows(2);
+        pieces.map(|ends| integrate_short(ends[0], ends[1], |z| table.density(z) * f(z + table.origin()))).sum()
+    }
+
+    #[test]
+    fn the_density_is_that_of_the_table_at_its_heights_and_standardised() {
+        let (height, density) = uneven(20);
+        let table = Tabulated::new(&height, &density).expect("a table");
+        let knots = table.knots();
+        let scale = (knots[19] - knots[0]) / (height[19] - height[0]);
+        let unit = table.density(knots[3]) / density[3];
+        for i in 0..20 {
+            assert!((knots[i] - knots[0] - scale * (height[i] - height[0])).abs() < 1e-14, "{i}");
+            assert!((table.density(knots[i]) - unit * density[i]).abs() < 1e-14, "{i}");
+        }
+        assert_eq!(table.support(), (knots[0], 0.0));
+        assert_eq!([table.density(knots[0] - 1e-9), table.density(1e-9)], [0.0; 2]);
+        let expected = [1.0, 0.0, 1.0, table.skew(), table.kurtosis()];
+        for (power, expected) in expected.into_iter().enumerate() {
+            let found = mean(&table, |z| z.powi(power as i32));
+            assert!((found - expected).abs() < 1e-13, "moment {power}: {found}, not {expected}");
+        }
+        // Between two heights the density stays between theirs.
+        for (i, ends) in knots.windows(2).enumerate() {
+            for part in [0.1, 0.5, 0.9] {
+                let found = table.density(ends[0] + part * (ends[1] - ends[0])) / unit;
+                let (low, high) = (density[i].min(density[i + 1]), density[i].max(density[i + 1]));
+                assert!(found > low - 1e-13 && found < high + 1e-13, "{found} between {low} and {high}");
+            }
+        }
+    }
+
+    /// A straight line has the mass of its trapezium, a parabola through three points nearly that of Simpson's rule.
+    #[test]
+    fn masses_of_pieces_are_those_of_the_monotone_cubic() {
+        let line = Tabulated::new(&[0.0, 1.0, 2.0, 4.0], &[0.0, 1.0, 2.0, 4.0]).expect("a table");
+        assert!(near(line.skew(), -0.4 * 2.0_f64.sqrt(), 1e-13), "{}", line.skew());
+        assert!(near(line.kurtosis(), 2.4, 1e-13), "{}", line.kurtosis());
+        // Slopes of Fritsch and Butland: secants at the ends; of 2 and 1.5 over lengths 2 and 1, (4 + 5)/(4/2 + 5/1.5).
+        let bent = pieces(&[1.0, 3.0, 4.0], &[0.5, 4.5, 6.0]);
+        let middle = 9.0 / (4.0 / 2.0 + 5.0 / 1.5);
+        let expected = [-0.5 * 2.0 * (middle - 2.0), -0.5 * (1.5 - middle)];
+        assert!(near(bent[0].bulge, expected[0], 1e-14) && near(bent[1].bulge, expected[1], 1e-14), "{bent:?}");
+        // A maximum is flat, and the bulge no more than the rise.
+        let peak = pieces(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0]);
+        assert_eq!([peak[0].bulge, peak[1].bulge], [0.5, 0.5]);
+        let step = pieces(&[0.0, 10.0, 11.0], &[1.0, 1.1, 9.0]);
+        assert!(step.iter().all(|piece| piece.bulge.abs() <= (piece.upper - piece.lower).abs()), "{step:?}");
+    }
+
+    #[test]
+    fn zeros_at_the_ends_are_left_out_up_to_the_last() {
+        let height = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+        let support = |density: &[f64; 7]| {
+            let (height, of_support) = checked(&height, density).expect("a table");
+            assert_eq!(height.len(), of_support.len());
+            (height[0], height[height.len() - 1])
+        };
+        assert_eq!(support(&[0.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0]), (1.0, 4.0));
+        assert_eq!(support(&[0.0, 1.0, 1.0, 2.0, 0.0, 1.0, 0.0]), (0.0, 6.0));
+        assert_eq!(support(&[1.0; 7]), (0.0, 6.0));
+        assert_eq!(support(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]), (5.0, 6.0));
+        assert_eq!(support(&[1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]), (0.0, 1.0));
+    }
+
+    #[test]
+    fn tables_are_taken_up_to_the_limits_and_no_further() {
+        let table = |count: usize| {
+            let height: Vec<f64> = (0..count).map(|i| i as f64).collect();
+            Tabulated::new(&height, &vec![1.0; count]).map(|table| table.knots().len())
+        };
+        for (count, taken) in [(2, false), (3, true), (4096, true), (4097, false)] {
+            assert_eq!(table(count).is_ok(), taken, "{count}");
+        }
+        let high = |highest: f64| Tabulated::new(&[-1.0, 0.0, highest], &[1.0; 3]).is_ok();
+        let low = |lowest: f64| Tabulated::new(&[lowest, 0.0, 1.0], &[1.0; 3]).is_ok();
+        assert!(high(LARGEST_HEIGHT) && !high(LARGEST_HEIGHT.next_up()));
+        assert!(low(-LARGEST_HEIGHT) && !low((-LARGEST_HEIGHT).next_down()));
+        // All but all of the summits within a small part of the range.
+        let narrow = |far: f64| Tabulated::new(&[0.0, 1.0, 2.0, far], &[1.0, 1.0, 0.0, 1e-300]);
+        let deviation = 1.0 / narrow(100.0).map(|table| table.knots()[1] - table.knots()[0]).expect("a table");
+        assert!(narrow(0.999 * FARTHEST * deviation).is_ok() && narrow(1.001 * FARTHEST * deviation).is_err());
+        // The highest height is the origin where it is near.
+        let origin = |far: f64| narrow(far).expect("a table").origin();
+        assert!(origin(15.0 * deviation) > 10.0 && origin(18.0 * deviation) == 0.0);
+    }
+
+    #[test]
+    fn lengths_reach_from_knot_to_knot() {
+        let (height, density) = uneven(20);
+        let table = Tabulated::new(&height, &density).expect("a table");
+        let knots = table.knots().to_vec();
+        let tiny = 1e-15;
+        for (i, ends) in knots.windows(2).enumerate() {
+            let [from, to] = [ends[0], ends[1]];
+            let middle = 0.5 * (from + to);
+            for z in [from, from * (1.0 + tiny), from * (1.0 - tiny)] {
+                assert!(near(table.smooth_length(z), to - from, 1e-12), "{i}");
+                assert!(table.is_smooth(z, to) && table.is_smooth(z, to * (1.0 - tiny)), "{i}");
+                assert!(!table.is_smooth(z, to + 1e-9), "{i}");
+            }
+            assert!(near(table.smooth_length(middle), to - middle, 1e-12), "{i}");
+            assert!(near(table.smooth_length_below(middle), middle - from, 1e-12), "{i}");
+            assert!(near(table.smooth_length_below(to), to - from, 1e-12), "{i}");
+        }
+        assert_eq!(table.smooth_length(1.0), f64::MAX);
+        assert_eq!(table.smooth_length_below(knots[0]), f64::MAX);
+        assert!(!table.is_smooth(-0.1, 0.1));
+        // The largest density at or above.
+        for start in [knots[0] - 1.0, knots[4], 0.5 * (knots[8] + knots[9]), knots[19]] {
+            let peak = table.peak_above(start);
+            let above = knots.iter().filter(|&&knot| knot >= start);
+            let largest = above.fold(table.density(start), |largest, &knot| largest.max(table.density(knot)));
+            assert!(peak >= start && table.density(peak) == largest, "{start}: {peak}");
+        }
+    }
+
+    /// Of a function that is smooth across a cell, against the sum over its pieces.
+    #[test]
+    fn cells_integrate_against_the_density() {
+        let (height, density) = uneven(45);
+        let table = Tabulated::new(&height, &density).expect("a table");
+        let knots = table.knots().to_vec();
+        let smooth = |z: f64| (0.9 * z).sin() + 2.0;
+        for (first, longest, pieces) in [
+            (0, f64::MAX, Some(32)),
+            (0, knots[32] - knots[0], Some(32)),
+            (0, knots[32] - knots[0] - 1e-9, Some(16)),
+            (8, f64::MAX, Some(8)),
+            (16, f64::MAX, Some(16)),
+            (32, f64::MAX, Some(8)),
+            (32, 1e-3, None),
+            (40, f64::MAX, None),
+            (4, f64::MAX, None),
+        ] {
+            let found = table.cell(knots[first], longest);
+            assert_eq!(found.is_some(), pieces.is_some(), "from {first}");
+            let (Some((length, weights)), Some(pieces)) = (found, pieces) else { continue };
+            assert!(near(length, knots[first + pieces] - knots[first], 1e-12), "from {first}: {length}");
+            let sum: f64 = nodes(0.0, 1.0).zip(weights).map(|((x, _), w)| w * smooth(knots[first] + x * length)).sum();
+            let whole: f64 = knots[first..=first + pieces]
+                .windows(2)
+                .map(|ends| integrate_short(ends[0], ends[1], |z| table.density(z) * smooth(z)))
+                .sum();
+            assert!(near(sum, whole, 1e-9), "from {first}: {sum}, not {whole}");
+        }
+        assert!(table.cell(knots[8] + 1e-9, f64::MAX).is_none() && table.cell(knots[0] - 1.0, f64::MAX).is_none());
+    }
+}

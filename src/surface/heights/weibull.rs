@@ -238,4 +238,70 @@ mod tests {
             assert!((w.kurtosis() - kurtosis).abs() < 1e-3, "kurtosis {} at {shape}", w.kurtosis());
         }
     }
+
+    fn near(a: f64, b: f64, tolerance: f64) -> bool {
+        (a - b).abs() <= tolerance * b.abs()
+    }
+
+    /// Gamma(1 + n/omega) is (n/omega)!; the limit of large omega is Gumbel's distribution.
+    #[test]
+    fn moments_are_those_of_factorials_and_of_the_limit() {
+        let root_pi = std::f64::consts::PI.sqrt();
+        for (shape, factorials) in [(1.0, [1.0, 2.0, 6.0, 24.0]), (2.0, [0.5 * root_pi, 1.0, 0.75 * root_pi, 2.0])] {
+            let [b1, b2, b3, b4]: [f64; 4] = factorials;
+            let variance = b2 - b1 * b1;
+            let third = b3 - 3.0 * b1 * b2 + 2.0 * b1 * b1 * b1;
+            let fourth = b4 - 4.0 * b1 * b3 + 6.0 * b1 * b1 * b2 - 3.0 * b1.powi(4);
+            let w = Weibull::new(shape);
+            assert!(near(w.mean(), b1 / variance.sqrt(), 1e-13), "{shape}: {}", w.mean());
+            assert!(near(w.skew(), third / variance.powf(1.5), 1e-13), "{shape}: {}", w.skew());
+            assert!(near(w.kurtosis(), fourth / (variance * variance), 1e-13), "{shape}: {}", w.kurtosis());
+        }
+        let limit = Weibull::new(1e6);
+        assert!(near(limit.skew(), SKEW_LIMIT, 1e-5) && near(limit.kurtosis(), 5.4, 1e-5));
+        // mean sqrt(6)/pi omega of Gumbel's standard deviation pi/(sqrt(6) omega).
+        assert!(near(limit.mean(), 1e6 * 6.0_f64.sqrt() / std::f64::consts::PI, 1e-5), "{}", limit.mean());
+        for shape in [8.0, 2.0, 1.0] {
+            // Where one formula takes over from another.
+            let (a, b) = (Weibull::new(shape * (1.0 - 1e-14)), Weibull::new(shape * (1.0 + 1e-14)));
+            assert!(near(a.skew(), b.skew(), 1e-10) && near(a.kurtosis(), b.kurtosis(), 1e-10), "{a:?}, {b:?}");
+        }
+        for x in [0.0, 1e-9, 0.1, 0.5, 0.99, 1.0, 1.01, 3.0] {
+            assert!((ln_gamma_1p(x) - ln_gamma(1.0 + x)).abs() < 1e-13, "{x}");
+        }
+    }
+
+    #[test]
+    fn density_and_hazard_belong_together() {
+        for shape in [1.0, 1.5, 3.602, 40.0, 1e5] {
+            let w = Weibull::new(shape);
+            for hazard in [1e-6, 0.1, 1.0, 5.0, 30.0, 500.0] {
+                let z = w.height_of_hazard(hazard);
+                assert!(near(w.hazard(z), hazard, 1e-9), "{shape}: {} of {hazard}", w.hazard(z));
+                // What exceeds z is exp(-hazard): its slope is the density.
+                let step = 1e-5 * (z + w.mean()) / shape;
+                let rate = (w.hazard(z + step) - w.hazard(z - step)) / (2.0 * step);
+                let (log_density, slope) = w.log_density(z);
+                assert!((log_density - (rate.ln() - hazard)).abs() < 1e-6, "{shape}: {log_density}");
+                let secant = (w.log_density(z + step).0 - w.log_density(z - step).0) / (2.0 * step);
+                assert!(
+                    (slope - secant).abs() <= 1e-5 * (slope.abs() + (shape * hazard + 1.0) / (z + w.mean())),
+                    "{slope}"
+                );
+            }
+            assert_eq!([w.hazard(-w.mean()), w.hazard(-2.0 * w.mean())], [0.0; 2]);
+        }
+    }
+
+    #[test]
+    fn a_shape_is_that_of_its_skew() {
+        for shape in [1.0, 1.3, 3.602, 40.0, 1e4] {
+            let found = Weibull::shape_of_skew(Weibull::new(shape).skew()).expect("a shape");
+            assert!(near(found, shape, 1e-12 * shape), "{found}, not {shape}");
+        }
+        assert_eq!(Weibull::shape_of_skew(2.0 + 1e-9), None);
+        assert_eq!(Weibull::shape_of_skew(SKEW_LIMIT), None);
+        // What rounds to the ends of the range is there.
+        assert_eq!(Weibull::shape_of_skew(2.0 + 1e-13), Some(1.0));
+    }
 }

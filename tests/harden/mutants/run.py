@@ -2,8 +2,10 @@
 
 cargo-mutants says what the mutants are (.cargo/mutants.toml), functions marked unsafe included; plant.py puts them all into
 one copy of the sources, which is built once. Each test runs alone once, to learn which functions with mutants it reaches
-and how long it takes; then each mutant meets the tests that reach it, quick ones first, until one fails. What cannot be
-planted (constants) is for cargo-mutants itself, and is listed.
+and how long it takes; then each mutant meets the tests that reach it until one fails. What cannot be planted (constants) is
+for cargo-mutants itself.
+
+What is found is kept for as long as the function of a mutant stays as it is.
 
 usage: run.py FOLDER [--jobs N] [--shard K/N] [--seconds S] [--again | --resume] [--only PATTERN]
               [--tests PATTERN]
@@ -11,18 +13,20 @@ usage: run.py FOLDER [--jobs N] [--shard K/N] [--seconds S] [--again | --resume]
     --seconds  tests that take longer are left out
     --again    only mutants that the last run did not catch
     --resume   only mutants of which nothing is known
-    --only     only mutants in whose names this pattern is found
+    --only     only mutants in whose names, which begin with the file, this pattern is found
     --tests    only tests in whose names this pattern is found
 """
 
 import argparse
 import collections
 import concurrent.futures
+import hashlib
 import json
 import os
 import pathlib
 import re
 import resource
+import signal
 import subprocess
 import sys
 import time
@@ -55,7 +59,19 @@ def listed(folder):
     found = json.loads(run(["cargo", "mutants", "--list", "--json"], cwd=bare, stdout=subprocess.PIPE).stdout)
     for number, mutant in enumerate(found, 1):
         mutant["number"] = number
+        mutant["key"] = key(mutant)
     return found
+
+
+def key(mutant):
+    """What a mutant is known by for as long as its function stays as it is, wherever in its file that is."""
+    if not mutant["function"]:
+        return mutant["name"]
+    lines = (ROOT / mutant["file"]).read_text().splitlines()
+    start, end = (mutant["function"]["span"][side]["line"] for side in ("start", "end"))
+    text = hashlib.sha256("\n".join(lines[start - 1:end]).encode()).hexdigest()[:12]
+    place, what = mutant["span"]["start"], mutant["name"].split(": ", 1)[1]
+    return f"{mutant['file']}: {what} ({text} {place['line'] - start}:{place['column']})"
 
 
 def copy(to, changed={}):
@@ -144,7 +160,8 @@ def around(path, start, end):
 def limits(seconds):
     def limit():
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-        resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
+        # Of processor time, to the fraction of a second; it goes on in the program that takes this process's place.
+        signal.setitimer(signal.ITIMER_PROF, seconds)
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     return limit
 
@@ -155,13 +172,13 @@ def call(command, folder, seconds, **environment):
     try:
         end = subprocess.run(
             command, cwd=folder / "tree", stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=20 * seconds + 20, preexec_fn=limits(seconds), start_new_session=True,
-            env=dict(os.environ, **LENGTHS, **environment))
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=20 * seconds + 20, preexec_fn=limits(seconds),
+            start_new_session=True, env=dict(os.environ, **LENGTHS, **environment))
     except subprocess.TimeoutExpired:
         return "timeout", seconds
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    if end.returncode in (-24, -9):
+    if end.returncode in (-signal.SIGPROF, -signal.SIGKILL):
         return "timeout", spent
     return ("passed" if end.returncode == 0 else "failed"), spent
 
@@ -174,25 +191,28 @@ def surveyed(folder, programs, asked):
     kept, longest = folder / "tests.json", asked.seconds
     known = json.loads(kept.read_text()) if kept.exists() else {}
     commands = {name: [str(folder / name)] for name in PROGRAMS}
+    built = {name: os.stat(folder / "target/mutants/libasperity.so").st_mtime for name in PROGRAMS}
     for target, program in programs.items():
         names = run([program, "--list"], cwd=folder / "tree", stdout=subprocess.PIPE).stdout
         for name in re.findall(r"^(.*): test$", names, re.M):
-            commands[f"{target} {name}"] = [program, "--exact", name, "--test-threads=1"]
+            command = [program, "--exact", name, "--test-threads=1"]
+            commands[f"{target} {name}"] = command
             if target in EMULATED:
-                commands[f"{target} {name}, emulated"] = [*EMULATOR, *commands[f"{target} {name}"]]
-    built = os.stat(folder / "target/mutants/libasperity.so").st_mtime
+                commands[f"{target} {name}, emulated"] = [*EMULATOR, *command]
+        built |= {name: os.stat(program).st_mtime for name in commands if name not in built}
     tests = []
     for name, command in commands.items():
         if not re.search(asked.tests, name):
             continue
-        key = f"{name}, {built}"
-        if known.get(key, {"asked": 0})["asked"] < longest:
-            known[key] = survey(folder, command, longest)
-            print(f"{name}: {known[key]['end']}, {known[key]['seconds']:.2f} s", flush=True)
-        if known[key]["end"] == "passed" and known[key]["seconds"] <= longest:
-            tests.append({"name": name, "command": command, **known[key]})
+        build = f"{name}, {built[name]}"
+        if known.get(build, {"asked": 0})["asked"] < longest:
+            known[build] = survey(folder, command, longest)
+            print(f"{name}: {known[build]['end']}, {known[build]['seconds']:.2f} s", flush=True)
+        if known[build]["end"] == "passed" and known[build]["seconds"] <= longest:
+            sites = set(known[build]["sites"])
+            tests.append({"name": name, "command": command, **known[build], "sites": sites, "met": 0, "caught": 0})
     kept.write_text(json.dumps(known))
-    return sorted(tests, key=lambda test: test["seconds"])
+    return tests
 
 
 def survey(folder, command, longest):
@@ -204,17 +224,21 @@ def survey(folder, command, longest):
 
 
 def judged(folder, mutant, tests, killers):
-    """What becomes of a mutant, and the test that decides. The test that caught the last one of its function comes first.
+    """What becomes of a mutant, and the test that decides. The test that caught the last one of its function comes first,
+    then those that catch most for their time.
 
     One that makes a test slow may fail another: only the third that does not end decides.
     """
     reaching = [test for test in tests if mutant["site"] in test["sites"]]
-    reaching.sort(key=lambda test: test is not killers.get(mutant["site"]))
+    worth = lambda test: (1 + test["caught"]) / (1 + test["met"]) / (0.005 + test["seconds"])
+    reaching.sort(key=lambda test: (test is not killers.get(mutant["site"]), -worth(test)))
     slow = []
     for test in reaching:
-        end, _ = call(test["command"], folder, 2 + 12 * test["seconds"], ASPERITY_MUTANT=str(mutant["number"]))
+        test["met"] += 1
+        end, _ = call(test["command"], folder, 0.3 + 6 * test["seconds"], ASPERITY_MUTANT=str(mutant["number"]))
         if end == "failed":
             killers[mutant["site"]] = test
+            test["caught"] += 1
             return "caught", test["name"]
         if end == "timeout":
             slow.append(test["name"])
@@ -258,30 +282,44 @@ def main():
     print(f"{len(tests)} tests, {sum(test['seconds'] for test in tests):.1f} s", flush=True)
 
     not_planted = {mutant["number"] for mutant in left}
-    alive = [mutant for mutant in mutants if mutant["number"] not in unviable | not_planted]
     part, parts = map(int, asked.shard.split("/"))
-    alive = [mutant for i, mutant in enumerate(alive) if i % parts == part and re.search(asked.only, mutant["name"])]
+    alive = [mutant for mutant in mutants if mutant["number"] not in unviable | not_planted]
+    chosen = [mutant for i, mutant in enumerate(alive) if i % parts == part and re.search(asked.only, mutant["name"])]
     outcome = folder / "outcome.json"
-    last = json.loads(outcome.read_text()) if outcome.exists() else {}
+    ends = json.loads(outcome.read_text()) if outcome.exists() else {}
     if asked.again:
-        alive = [mutant for mutant in alive if last.get(mutant["name"], [""])[0] in OPEN]
+        chosen = [mutant for mutant in chosen if ends.get(mutant["key"], [""])[0] in OPEN]
     elif asked.resume:
-        alive = [mutant for mutant in alive if mutant["name"] not in last]
-    ends = {mutant["name"]: ["unviable", ""] for mutant in mutants if mutant["number"] in unviable}
-    ends |= {mutant["name"]: ["constant", ""] for mutant in left}
+        chosen = [mutant for mutant in chosen if mutant["key"] not in ends]
     started, killers = time.time(), {}
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
         judge = lambda mutant: (mutant, judged(folder, mutant, tests, killers))
-        for done, (mutant, end) in enumerate(pool.map(judge, alive), 1):
-            ends[mutant["name"]] = end
-            if end[0] in ("missed", "not reached"):
-                print(f"{end[0]}: {mutant['name']}", flush=True)
-            if done % 20 == 0 or done == len(alive):
-                print(f"{done} of {len(alive)} after {time.time() - started:.0f} s", flush=True)
-                ends = (json.loads(outcome.read_text()) if outcome.exists() else {}) | ends
+        for done, (mutant, end) in enumerate(pool.map(judge, chosen), 1):
+            ends[mutant["key"]] = end
+            if done % 20 == 0 or done == len(chosen):
+                print(f"{done} of {len(chosen)} after {time.time() - started:.0f} s", flush=True)
                 outcome.write_text(json.dumps(ends, indent=0))
-    counts = collections.Counter(end for end, _ in ends.values())
-    print(", ".join(f"{name} {count}" for name, count in sorted(counts.items())))
+    report(folder, mutants, {mutant["number"] for mutant in alive}, unviable, ends)
+
+
+def report(folder, mutants, alive, unviable, ends):
+    """What is known of all mutants, by file; and a list of those that are left."""
+    by_file, still = collections.defaultdict(collections.Counter), []
+    for mutant in mutants:
+        if mutant["number"] in alive:
+            end = ends.get(mutant["key"], ["not run"])[0]
+        else:
+            end = "no build" if mutant["number"] in unviable else "constant"
+        by_file[mutant["file"]][end] += 1
+        if end in OPEN:
+            still.append(f"{end}: {mutant['name']}")
+    by_file["all"] = sum(by_file.values(), collections.Counter())
+    columns = ["caught", "timeout", "missed", "not reached", "not run", "constant", "no build"]
+    print("".join(f"{column:>12}" for column in columns))
+    for name, counts in sorted(by_file.items(), key=lambda file: (file[0] == "all", file[0])):
+        print("".join(f"{counts[column]:>12}" for column in columns), "", name)
+    (folder / "left.txt").write_text("\n".join(sorted(still)) + "\n")
+    print(f"those that are left: {folder / 'left.txt'}")
 
 
 if __name__ == "__main__":

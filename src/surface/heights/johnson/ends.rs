@@ -131,11 +131,7 @@ impl Ends {
     /// The height of a place.
     #[inline]
     pub fn height(&self, place: &Place) -> f64 {
-        if place.above_foot < place.below_head {
-            place.above_foot - self.width
-        } else {
-            -place.below_head
-        }
+        -place.below_head
     }
 
     /// The height of a u.
@@ -180,9 +176,7 @@ impl Ends {
 
     /// ln phi.
     pub fn log_density(&self, z: f64) -> f64 {
-        if z < -self.width || z > 0.0 {
-            return f64::NEG_INFINITY;
-        }
+        // At the ends, and so beyond them, no summits are left.
         self.density(&self.place_of(z), 0.0).ln()
     }
 
@@ -220,5 +214,124 @@ impl Ends {
     /// The nearest logit to an end that is told from it.
     pub fn clamped(logit: f64) -> f64 {
         logit.clamp(-FARTHEST_LOGIT, FARTHEST_LOGIT)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::heights;
+    use super::*;
+    use crate::surface::heights::Heights;
+
+    fn curve(skew: f64, above_least: f64) -> Ends {
+        match heights(skew, skew * skew + 1.0 + above_least) {
+            Heights::Ends(ends) => *ends,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    fn near(a: f64, b: f64, tolerance: f64) -> bool {
+        (a - b).abs() <= tolerance * b.abs()
+    }
+
+    #[test]
+    fn places_are_known_by_their_distances_from_both_ends() {
+        let ends = curve(0.7, 0.05);
+        for logit in [-650.0, -40.0, -1.0, 0.0, 0.5, 40.0, 650.0] {
+            let place = ends.place(logit);
+            assert!(near(place.above_foot / place.below_head, f64::exp(logit), 1e-12), "{logit}");
+            assert!(near(place.above_foot + place.below_head, ends.width(), 1e-15), "{logit}");
+            assert_eq!(place.from_end(), place.above_foot.min(place.below_head));
+            let z = ends.height(&place);
+            assert!((z + place.below_head).abs() < 1e-15 * ends.width() && z >= -ends.width() && z <= 0.0, "{logit}");
+            if logit.abs() < 30.0 {
+                assert!((ends.place_of(z).logit - logit).abs() < 1e-2, "{logit}");
+            }
+            for other in [-600.0, -38.0, 0.25, 38.0] {
+                let other = ends.place(other);
+                let rise = place.rise_to(&other);
+                assert!((rise - (ends.height(&other) - z)).abs() <= 2e-15 * ends.width(), "{logit}");
+                let there = place.raised(rise);
+                assert!((there.above_foot - other.above_foot).abs() <= 4e-16 * ends.width(), "{logit}");
+                assert!((there.below_head - other.below_head).abs() <= 4e-16 * ends.width(), "{logit}");
+            }
+        }
+        // Next to an end a rise is known to all digits.
+        assert!(near(ends.place(-650.0).rise_to(&ends.place(-640.0)), ends.place(-640.0).above_foot, 1e-4));
+        assert!(near(ends.place(640.0).rise_to(&ends.place(650.0)), ends.place(640.0).below_head, 1e-4));
+        let (below, above) = (ends.place_of(-2.0 * ends.width()), ends.place_of(1.0));
+        assert_eq!([below.above_foot, above.below_head], [0.0; 2]);
+        assert_eq!(
+            [Ends::clamped(-1e9), Ends::clamped(2.0), Ends::clamped(1e9)],
+            [-FARTHEST_LOGIT, 2.0, FARTHEST_LOGIT]
+        );
+        assert_eq!(*ends.ends(), [-ends.width(), 0.0]);
+        assert_eq!((ends.skew(), ends.kurtosis()), (0.7, 0.7 * 0.7 + 1.0 + 0.05));
+        // The mean lies skew above the middle: of two heights alone, at the part of the upper.
+        let two = curve(0.7, 1e-12);
+        let upper = 0.5 * (1.0 - 0.7 / (0.7_f64 * 0.7 + 4.0).sqrt());
+        assert!(near(two.origin() / two.width(), 1.0 - upper, 1e-6), "{}", two.origin());
+    }
+
+    #[test]
+    fn mass_and_density_are_those_of_a_normal_score() {
+        let ends = curve(-0.4, 0.2);
+        let normal = |u: f64| (-0.5 * u * u).exp() / (2.0 * std::f64::consts::PI).sqrt();
+        for u in [-9.0, -2.0, -0.3, 0.0, 1.0, 9.0] {
+            let logit = ends.logit_of_score(u);
+            assert!((ends.score(logit) - u).abs() < 1e-13 && near(logit, ends.median + ends.epsilon() * u, 1e-15));
+            let place = ends.place(logit);
+            let z = ends.height(&place);
+            assert!((ends.height_of_score(u) - z).abs() < 1e-15);
+            for log_scale in [0.0, -3.0, 2.0] {
+                let scale = f64::exp(-log_scale);
+                assert!(near(ends.mass(logit, log_scale), scale * normal(u) / ends.epsilon(), 1e-12), "{u}");
+                // Mass per logit times logits per height.
+                let step = 1e-5 * place.from_end();
+                let rate = (place.raised(step).logit - place.raised(-step).logit) / (2.0 * step);
+                assert!(near(ends.density(&place, log_scale), rate * ends.mass(logit, log_scale), 1e-8), "{u}");
+            }
+            // Nearer to an end a height does not tell the place.
+            if logit.abs() < 30.0 {
+                assert!((ends.log_density(z) - ends.density(&place, 0.0).ln()).abs() < 1e-2, "{u}");
+                let scale = if u > 0.0 { -0.5 * u * u } else { 0.0 };
+                assert!((ends.log_scale(z) - scale).abs() < 1e-2, "{u}: {}", ends.log_scale(z));
+            }
+            assert!((ends.peak_above(z) - z.max(ends.height_of_score(0.0))).abs() < 1e-15, "{u}");
+            let (lowest, highest) = ends.worth_summing(u);
+            assert_eq!(lowest, -FARTHEST_SCORE);
+            assert!(near(highest, (u.max(0.0).powi(2) + 144.0).sqrt(), 1e-15), "{u}: {highest}");
+        }
+        for beyond in [-ends.width() * (1.0 + 1e-9), 1e-9] {
+            assert_eq!(ends.log_density(beyond), f64::NEG_INFINITY);
+        }
+        assert_eq!(ends.density(&ends.place(1e6), 0.0), 0.0);
+    }
+
+    /// As far as the steepness of the normal density and the distance to where heights are singular allow.
+    #[test]
+    fn panels_are_as_long_as_what_is_summed_is_smooth() {
+        let ends = curve(0.0, 0.2);
+        for u in [-8.0, -1.0, 0.0, 3.0] {
+            let logit = ends.logit_of_score(u);
+            for direction in [1.0, -1.0] {
+                let scores = ends.longest_panel(logit, direction) / ends.epsilon();
+                assert!(near(scores, LONGEST_PANEL.min(STEEPEST_PANEL / (u.abs() + LONGEST_PANEL)), 1e-12), "{u}");
+            }
+        }
+        for (logit, direction, beyond, expected) in [
+            (0.0, 1.0, None, 3.0),
+            (-5.0, 1.0, None, 3.0),
+            (-12.0, 1.0, None, 6.0),
+            (-50.0, 1.0, None, 16.0),
+            (2.0, 1.0, None, 7.0),
+            (-2.0, -1.0, None, 7.0),
+            (12.0, -1.0, None, 6.0),
+            (4.0, 1.0, Some(14.0), 4.0),
+            (4.0, 1.0, Some(3.0), 5.0),
+            (40.0, 1.0, Some(30.0), 16.0),
+        ] {
+            assert_eq!(ends.longest_smooth(logit, direction, beyond), expected, "{logit} {direction} {beyond:?}");
+        }
     }
 }

@@ -340,3 +340,153 @@ impl Moments {
         Self { mean, deviation, skew: third / (second * deviation), kurtosis: fourth / (second * second) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn near(a: f64, b: f64, tolerance: f64) -> bool {
+        (a - b).abs() <= tolerance * b.abs()
+    }
+
+    #[test]
+    fn lognormal_curves_have_the_moments_of_the_closed_form() {
+        for growth in [1e-6_f64, 0.01, 0.5, 3.0, 40.0] {
+            // w = exp(epsilon^2): skew (w + 2) (w - 1)^(1/2), kurtosis w^4 + 2 w^3 + 3 w^2 - 3.
+            let skew = (growth + 3.0) * growth.sqrt();
+            let (p, excess) = (lognormal_growth(skew), excess_of_lognormal(skew));
+            assert!(near(p, growth, 1e-13), "{p}, not {growth}");
+            let w = 1.0 + growth;
+            let expected = w.powi(4) + 2.0 * w.powi(3) + 3.0 * w * w - 6.0;
+            assert!((excess - expected).abs() < 1e-12 * (1.0 + expected), "{excess}, not {expected}");
+        }
+        assert_eq!(lognormal_growth(0.0), 0.0);
+    }
+
+    /// Johnson (1949), of sinh(epsilon u + shift): epsilon v of this file is that times (1 - tau^2)^(1/2), less tau, with
+    /// tau = tanh(shift).
+    #[test]
+    fn moments_of_unbounded_curves_are_johnsons() {
+        for p in [0.05_f64, 0.4, 2.0] {
+            for tau in [0.0_f64, 0.2, 0.9] {
+                let (w, shift) = (1.0 + p, tau.atanh());
+                let variance = 0.5 * p * (w * (2.0 * shift).cosh() + 1.0);
+                let third = 0.25 * w.sqrt() * p * p * (w * (w + 2.0) * (3.0 * shift).sinh() + 3.0 * shift.sinh());
+                let fourth = 0.125
+                    * p
+                    * p
+                    * (w * w * (w.powi(4) + 2.0 * w.powi(3) + 3.0 * w * w - 3.0) * (4.0 * shift).cosh()
+                        + 4.0 * w * w * (w + 2.0) * (2.0 * shift).cosh()
+                        + 3.0 * (2.0 * w + 1.0));
+                let q = tau * tau;
+                assert!(near(p * unbounded_variance(p, q), (1.0 - q) * variance, 1e-13), "{p} {tau}");
+                assert!(near(unbounded_skew(p, tau), third / variance.powf(1.5), 1e-12), "{p} {tau}");
+                let excess = fourth / (variance * variance) - 3.0;
+                assert!(near(unbounded_excess(p, q), excess, 1e-12 / p), "{p} {tau}: {excess}");
+                // The curve is found by its moments.
+                let fit = unbounded(unbounded_skew(p, tau), excess);
+                assert!(near(fit.epsilon, p.ln_1p().sqrt(), 1e-10), "{p} {tau}: {fit:?}");
+                assert!(near(fit.deviation * fit.epsilon, ((1.0 - q) * variance).sqrt(), 1e-10), "{p} {tau}: {fit:?}");
+                assert!((fit.mean * fit.epsilon - tau * (w.sqrt() - 1.0)).abs() < 1e-9, "{p} {tau}: {fit:?}");
+                let Kind::Unbounded { below, above } = fit.kind else { panic!("{fit:?}") };
+                assert!((below - (1.0 - tau)).abs() < 1e-9 && (above - (1.0 + tau)).abs() < 1e-9, "{p} {tau}: {fit:?}");
+            }
+        }
+        let gaussian = unbounded(0.0, 0.0);
+        assert!(gaussian.epsilon == 0.0 && gaussian.mean == 0.0 && gaussian.deviation == 1.0);
+    }
+
+    /// Raw moments by a plain sum over u.
+    #[test]
+    fn moments_of_bounded_curves_are_those_of_a_sum() {
+        for epsilon in [0.05, 0.7, 2.5] {
+            for log_odds in [-9.0, -1.5, 0.0] {
+                let (share, rest) = shares(log_odds);
+                assert!(near(share / rest, f64::exp(log_odds), 1e-14) && near(share + rest, 1.0, 1e-15));
+                let mut raw = [0.0; 5];
+                for i in -3000..=4000 {
+                    let u = 0.005 * f64::from(i);
+                    let rise = (epsilon * u).exp_m1();
+                    let v = rise / (1.0 + share * rise) / epsilon;
+                    let mut term = 0.005 * (-0.5 * u * u).exp() / (2.0 * PI).sqrt();
+                    for moment in &mut raw {
+                        *moment += term;
+                        term *= v;
+                    }
+                }
+                let [_, mean, square, cube, quartic] = raw;
+                let variance = square - mean * mean;
+                let third = cube - 3.0 * mean * square + 2.0 * mean.powi(3);
+                let fourth = quartic - 4.0 * mean * cube + 6.0 * mean * mean * square - 3.0 * mean.powi(4);
+                let found = Moments::of(epsilon, log_odds);
+                let scale = 1.0 + mean * mean / variance;
+                assert!((found.mean - mean).abs() < 1e-12 * (1.0 + mean.abs()), "{epsilon} {log_odds}: {}", found.mean);
+                assert!(near(found.deviation, variance.sqrt(), 1e-11 * scale), "{epsilon} {log_odds}");
+                let skew = third / variance.powf(1.5);
+                assert!((found.skew - skew).abs() < 1e-10 * (1.0 + skew.abs()), "{epsilon} {log_odds}: {}", found.skew);
+                assert!(near(found.kurtosis, fourth / (variance * variance), 1e-9), "{epsilon} {log_odds}");
+            }
+        }
+        let gaussian = Moments::of(0.0, -3.0);
+        let moments = [gaussian.mean, gaussian.deviation, gaussian.skew, gaussian.kurtosis];
+        assert_eq!(moments, [0.0, 1.0, 0.0, 3.0]);
+    }
+
+    /// The mirror image of a curve has the opposite skew.
+    #[test]
+    fn curves_of_opposite_skew_are_reflected() {
+        let Curve::Median(fit) = fit(0.8, 6.0) else { panic!("about its ends") };
+        let Curve::Median(other) = super::fit(-0.8, 6.0) else { panic!("about its ends") };
+        let (Kind::Unbounded { below, above }, Kind::Unbounded { below: lower, above: upper }) = (fit.kind, other.kind)
+        else {
+            panic!("{fit:?}, {other:?}")
+        };
+        assert_eq!((fit.epsilon, fit.mean, fit.deviation), (other.epsilon, -other.mean, other.deviation));
+        assert_eq!((below, above), (upper, lower));
+        let Curve::Ends(fit) = super::fit(0.8, 1.7) else { panic!("about its median") };
+        let Curve::Ends(other) = super::fit(-0.8, 1.7) else { panic!("about its median") };
+        assert_eq!((fit.epsilon, fit.step, fit.deviation), (other.epsilon, -other.step, other.deviation));
+        assert_eq!((fit.above_foot, fit.below_head), (other.below_head, other.above_foot));
+    }
+
+    /// Two heights alone: with the part r of the summits at the upper one skew is (1 - 2 r)/(r (1 - r))^(1/2).
+    #[test]
+    fn moments_about_the_ends_near_those_of_two_heights() {
+        let layer = Layer::new();
+        let normal_mass = |step: f64| 0.5 * (1.0 - statrs::function::erf::erf(step / 2.0_f64.sqrt()));
+        for step in [0.0, 0.5, 2.0] {
+            let upper = normal_mass(step);
+            let found = layer.moments(1e9, step);
+            assert!(near(found.mean, upper, 1e-8) && near(found.below_head, 1.0 - upper, 1e-8), "{step}");
+            assert!(near(found.deviation, (upper * (1.0 - upper)).sqrt(), 1e-8), "{step}");
+            assert!((found.skew - (1.0 - 2.0 * upper) / found.deviation).abs() < 1e-8, "{step}: {}", found.skew);
+            // What departs from two heights: the integral of (y (1 - y))^2 dx, 1/6, times the density there.
+            let density = (-0.5 * step * step).exp() / (2.0 * PI).sqrt() / 1e9;
+            let above_least = density / 6.0 / found.deviation.powi(4);
+            assert!(near(found.above_least, above_least, 1e-6), "{step}: {:e}, not {above_least:e}", found.above_least);
+        }
+        // Moments of y themselves, by a plain sum over u.
+        for (epsilon, step) in [(2.0, 0.0), (3.0, 1.2), (15.0, 0.4)] {
+            let mut raw = [0.0; 5];
+            for i in -240_000..=240_000 {
+                let u = 5e-5 * f64::from(i);
+                let y = 1.0 / (1.0 + (-epsilon * (u - step)).exp());
+                let mut term = 5e-5 * (-0.5 * u * u).exp() / (2.0 * PI).sqrt();
+                for moment in &mut raw {
+                    *moment += term;
+                    term *= y;
+                }
+            }
+            let [_, mean, square, cube, quartic] = raw;
+            let variance = square - mean * mean;
+            let skew = (cube - 3.0 * mean * square + 2.0 * mean.powi(3)) / variance.powf(1.5);
+            let kurtosis =
+                (quartic - 4.0 * mean * cube + 6.0 * mean * mean * square - 3.0 * mean.powi(4)) / variance.powi(2);
+            let found = layer.moments(epsilon, step);
+            assert!(near(found.mean, mean, 1e-11) && near(found.deviation, variance.sqrt(), 1e-11), "{epsilon} {step}");
+            assert!((found.skew - skew).abs() < 1e-10, "{epsilon} {step}: {}, not {skew}", found.skew);
+            let above_least = kurtosis - skew * skew - 1.0;
+            assert!((found.above_least - above_least).abs() < 1e-9, "{epsilon} {step}: {}", found.above_least);
+        }
+    }
+}

@@ -271,18 +271,113 @@ struct At {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::population::integrate_short;
+    use crate::population::nodes;
+
+    fn curve(skew: f64, kurtosis: f64) -> Johnson {
+        match heights(skew, kurtosis) {
+            Heights::Johnson(curve) => *curve,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// S_U, S_B and the lognormal curve, with the mean and with their end as the origin.
+    fn curves() -> Vec<Johnson> {
+        let [lognormal, steep] = [0.4, 3.0].map(|skew| 3.0 + fit::excess_of_lognormal(skew));
+        let moments = [(0.8, 6.0), (-0.9, 30.0), (-1.2, 5.8), (3.0, 22.0), (0.5, 3.3), (-0.8, 3.2), (0.2, 1.75)];
+        moments
+            .into_iter()
+            .chain([(0.4, lognormal), (-0.4, lognormal), (-3.0, 1.0001 * steep)])
+            .map(|(s, k)| curve(s, k))
+            .collect()
+    }
+
+    #[test]
+    fn scores_densities_and_slopes_belong_together() {
+        let mut kinds = [false; 4];
+        for curve in curves() {
+            let is_bounded = matches!(curve.kind, Kind::Bounded { .. });
+            kinds[2 * usize::from(is_bounded) + usize::from(curve.origin == 0.0)] = true;
+            let (foot, head) = curve.support();
+            assert_eq!(is_bounded, foot.is_finite() || head.is_finite(), "{curve:?}");
+            for u in [-4.0, -2.0, -0.3, 0.0, 0.3, 2.0, 4.0] {
+                let z = curve.height(u);
+                assert!(z > foot && z < head, "{z} of {curve:?}");
+                let (at, step) = (curve.at(z).expect("a height"), 1e-5);
+                assert!((at.u - u).abs() < 1e-9 && curve.normal_score(z) == at.u, "{}, not {u}, of {curve:?}", at.u);
+                let width = curve.height(u + step) - curve.height(u - step);
+                assert!((at.rate * width / (2.0 * step) - 1.0).abs() < 1e-6, "{} at {u} of {curve:?}", at.rate);
+                let rise = curve.log_density(z + 0.5 * width) - curve.log_density(z - 0.5 * width);
+                assert!((at.slope - rise / width).abs() < 1e-4 * at.rate, "{} at {u} of {curve:?}", at.slope);
+                let normal = -0.5 * u * u - 0.5 * (2.0 * std::f64::consts::PI).ln();
+                assert!((curve.log_density(z) - normal - at.rate.ln()).abs() < 1e-8, "{u} of {curve:?}");
+            }
+            // Next to the end that is the origin, all digits.
+            for u in [6.0, 12.0, 20.0].into_iter().filter(|_| curve.origin != 0.0) {
+                let score = curve.normal_score(curve.height(u));
+                assert!((score - u).abs() < 1e-12 * u, "{score}, not {u}, of {curve:?}");
+            }
+            for (end, score) in
+                [(foot, f64::NEG_INFINITY), (head, f64::INFINITY)].into_iter().filter(|(z, _)| z.abs() < 1e6)
+            {
+                let beyond = end + 1e-9 * score.signum();
+                assert!(
+                    curve.normal_score(beyond) == score && curve.log_density(beyond) == f64::NEG_INFINITY,
+                    "{curve:?}"
+                );
+            }
+        }
+        assert_eq!(kinds, [true; 4]);
+    }
+
+    #[test]
+    fn modes_are_where_the_density_is_largest() {
+        for curve in curves() {
+            let at = |u: f64| curve.log_density(curve.height(u));
+            // All local maxima, on a finer grid.
+            let maxima: Vec<f64> = (-4000..4000)
+                .map(|i| 0.001 * f64::from(i))
+                .filter(|&u| at(u) >= at(u - 0.001) && at(u) > at(u + 0.001))
+                .collect();
+            let scores = curve.modes.map(|mode| curve.normal_score(mode));
+            assert_eq!(scores[0] == scores[1], maxima.len() == 1, "{scores:?}, {maxima:?}");
+            for (score, maximum) in scores.iter().zip([maxima[0], maxima[maxima.len() - 1]]) {
+                assert!((score - maximum).abs() < 0.02 * curve.epsilon + 0.001, "{scores:?}, {maxima:?} of {curve:?}");
+            }
+            let [first, last] = curve.modes;
+            for start in [first - 0.1, 0.5 * (first + last), last, last + 0.1] {
+                let above: Vec<f64> = [start, first, last].into_iter().filter(|&z| z >= start).collect();
+                let best =
+                    above.iter().copied().fold(
+                        start,
+                        |a, b| {
+                            if curve.log_density(b) > curve.log_density(a) {
+                                b
+                            } else {
+                                a
+                            }
+                        },
+                    );
+                assert_eq!(curve.peak_above(start), best, "{curve:?}");
+            }
+        }
+        let two = curve(0.2, 1.75);
+        assert!(two.modes[0] < two.modes[1]);
+        assert_eq!((two.skew(), two.kurtosis()), (0.2, 1.75));
+    }
 
     /// Moments of the density itself about its mean, on panels that are short in u.
     fn moments(curve: &Johnson) -> [f64; 5] {
-        const PARTS: i32 = 32;
+        const PARTS: i32 = 4;
         let farthest = PARTS * (12.0 + 4.0 * curve.epsilon) as i32;
         let mut moments = [0.0; 5];
         for part in -farthest..farthest {
             let [from, to] = [part, part + 1].map(|i| curve.height(f64::from(i) / f64::from(PARTS)));
-            for (k, moment) in moments.iter_mut().enumerate() {
-                *moment +=
-                    integrate_short(from, to, |z| curve.log_density(z).exp() * (z + curve.origin()).powi(k as i32));
+            for (z, weight) in nodes(from, to) {
+                let mut term = weight * curve.log_density(z).exp();
+                for moment in &mut moments {
+                    *moment += term;
+                    term *= z + curve.origin();
+                }
             }
         }
         moments
@@ -292,30 +387,39 @@ mod tests {
     fn moments_about_ends(curve: &Ends) -> ([f64; 4], f64) {
         let (lower, upper) = (curve.logit_of_score(-12.0), curve.logit_of_score(12.0));
         let (first, last) = (lower.max(-80.0), upper.min(80.0));
-        // Next to an end the place does not change.
-        let mut pieces = Vec::new();
-        for (from, to, count) in [(lower, first, 400), (first, last, 4000), (last, upper, 400)] {
-            let at = |i: i32| from + (to - from) * f64::from(i) / f64::from(count);
-            pieces.extend((0..count).map(|i| (at(i), at(i + 1))));
-        }
-        let mean = |f: &dyn Fn(f64) -> f64| -> f64 {
-            let integral = |&(from, to): &(f64, f64)| {
-                integrate_short(from, to, |logit| {
-                    curve.mass(logit, 0.0) * f(curve.height(&curve.place(logit)) + curve.origin())
-                })
-            };
-            pieces.iter().map(integral).sum()
-        };
         let skew = curve.skew();
-        let above_least = mean(&|z| (z * z - skew * z - 1.0).powi(2));
-        ([mean(&|_| 1.0), mean(&|z| z), mean(&|z| z * z), mean(&|z| z * z * z)], above_least)
+        let (mut moments, mut above_least) = ([0.0; 4], 0.0);
+        // Next to an end the place does not change.
+        for (from, to, count) in [(lower, first, 100), (first, last, 1000), (last, upper, 100)] {
+            let at = |i: i32| from + (to - from) * f64::from(i) / f64::from(count);
+            for (logit, weight) in (0..count).flat_map(|i| nodes(at(i), at(i + 1))) {
+                let z = curve.height(&curve.place(logit)) + curve.origin();
+                let mass = weight * curve.mass(logit, 0.0);
+                above_least += mass * (z * z - skew * z - 1.0).powi(2);
+                let mut term = mass;
+                for moment in &mut moments {
+                    *moment += term;
+                    term *= z;
+                }
+            }
+        }
+        (moments, above_least)
+    }
+
+    #[test]
+    fn curves_about_their_ends_have_the_moments_they_were_made_from() {
+        assert_moments_about_ends(&[1.0, -30.0]);
+    }
+
+    #[test]
+    fn and_those_of_less_and_more_skew() {
+        assert_moments_about_ends(&[0.0, 1e-6, -0.1, -3.0, 1e3, -3e4]);
     }
 
     /// Up to what rounds to skew^2 + 1. kurtosis - skew^2 - 1 is the mean square of z^2 - skew z - 1.
-    #[test]
-    fn curves_about_their_ends_have_the_moments_they_were_made_from() {
+    fn assert_moments_about_ends(skews: &[f64]) {
         let mut worst = [0.0_f64; 2];
-        for skew in [0.0_f64, 1e-6, -0.1, 1.0, -3.0, 30.0, 1e3, -3e4] {
+        for &skew in skews {
             let least: f64 = skew * skew + 1.0;
             for part in [1e-13, 1e-10, 1e-6, 1e-3, 0.02, 0.1, 0.25, 0.3, 0.35, 0.4, 0.45] {
                 let kurtosis = f64::next_up(least * (1.0 + part));
@@ -338,8 +442,17 @@ mod tests {
 
     #[test]
     fn the_density_has_the_moments_it_was_made_from() {
+        assert_moments(&[-2.0, 0.3]);
+    }
+
+    #[test]
+    fn and_that_of_less_and_more_skew() {
+        assert_moments(&[-20.0, -5.0, -1.0, -0.1, -1e-4, 0.0, 1e-9, 1e-3, 1.0, 3.0, 8.0, 25.0]);
+    }
+
+    fn assert_moments(skews: &[f64]) {
         let mut worst = 0.0_f64;
-        for skew in [-20.0, -5.0, -2.0, -1.0, -0.1, -1e-4, 0.0, 1e-9, 1e-3, 0.3, 1.0, 3.0, 8.0, 25.0] {
+        for &skew in skews {
             let smallest = 1.4 + 1.3 * skew * skew;
             let lognormal = 3.0 + fit::excess_of_lognormal(skew);
             let mut kurtoses = vec![smallest, 1000.0, lognormal, lognormal.next_down(), lognormal.next_up(), 3.0];
@@ -363,7 +476,7 @@ mod tests {
                     (fourth - kurtosis) / kurtosis,
                 ];
                 let error = errors.iter().fold(0.0_f64, |worst, error| worst.max(error.abs()));
-                assert!(error < 3e-13, "skew {skew}, kurtosis {kurtosis}: {errors:?} of {curve:?}");
+                assert!(error < 5e-14, "skew {skew}, kurtosis {kurtosis}: {errors:?} of {curve:?}");
                 worst = worst.max(error);
             }
         }
