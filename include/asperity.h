@@ -236,8 +236,9 @@ typedef struct asperity_params {
    */
   double hardness;
   /**
-   * `table_length` summit heights, strictly increasing, in any unit and from any origin: the library standardises
-   * them. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model is made. NULL by default.
+   * `table_length` summit heights, in any unit and from any origin: the library standardises them. They increase by
+   * 1e-12 of their range at least. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model is made. NULL
+   * by default.
    */
   const double *table_height;
   /**

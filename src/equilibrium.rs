@@ -234,6 +234,9 @@ impl Equilibrium {
         let mut last_step = f64::MAX;
         for _ in 0..MOST_STEPS {
             let (log_excess, slope, sums) = here;
+            if !sums.are_known() {
+                return Err(failure);
+            }
             let residual = log_excess - target;
             if residual >= 0.0 {
                 lower = separation;

@@ -244,7 +244,7 @@ impl Model {
     /// [`Error::InvalidLoad`], [`Error::Separated`] below pull-off, [`Error::OutOfRange`].
     pub fn state_at_load(&self, load: f64) -> Result<State, Error> {
         let (separation, sums) = self.equilibrium_at(load)?;
-        let mut state = self.state(load, separation, &sums);
+        let mut state = self.state(load, separation, &sums)?;
         if self.is_pull_off(load) {
             state.dforce_dload = f64::INFINITY;
             state.dload_dseparation = 0.0;
@@ -309,7 +309,7 @@ impl Model {
         let dimensionless = separation / self.units.length - self.population.heights().origin();
         let sums = self.population.at_separation(dimensionless);
         let load = self.units.of_load(&sums, sums.load());
-        Ok(self.state(load, dimensionless, &sums))
+        self.state(load, dimensionless, &sums)
     }
 
     /// The constants of the model.
@@ -371,7 +371,12 @@ impl Model {
         }
     }
 
-    fn state(&self, load: f64, separation: f64, sums: &Sums) -> State {
+    fn state(&self, load: f64, separation: f64, sums: &Sums) -> Result<State, Error> {
+        let failure =
+            Error::NotConverged { what: "sums over the summits at separation / height_std", value: separation };
+        if !sums.are_known() {
+            return Err(failure);
+        }
         let units = &self.units;
         let friction_force = units.of(units.force, sums, sums.friction);
         let dforce_dload = self.force_slope(sums);
@@ -383,13 +388,15 @@ impl Model {
             (0.0, 0.0)
         };
         let contacting = units.of(units.count, sums, sums.contacting);
-        let contacts =
-            if contacting > 0.0 { self.population.contacts(separation, contacting) } else { Contacts::default() };
+        let contacts = match contacting > 0.0 {
+            true => self.population.contacts(separation, contacting).ok_or(failure)?,
+            false => Contacts::default(),
+        };
         let [below, between, above] = contacts.by_regime;
         let mean_asperity_pressure =
             if sums.area > 0.0 { sums.load_contacting / sums.area * self.params.composite_modulus } else { 0.0 };
         let plasticity_index = self.plasticity_index();
-        State {
+        Ok(State {
             load,
             separation: (separation + self.population.heights().origin()) * units.length,
             friction_force,
@@ -410,7 +417,7 @@ impl Model {
             mean_asperity_pressure,
             plasticity_index,
             warnings: self.warnings(mean_asperity_pressure, plasticity_index),
-        }
+        })
     }
 
     /// E* (sigma/R)^(1/2)/H; 0 where the hardness is not known.

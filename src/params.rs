@@ -30,7 +30,7 @@ pub enum HeightFamily {
     },
     /// A measured density of summit heights, in any unit and of any origin; it need not be normalised.
     Tabulated {
-        /// Heights, strictly increasing.
+        /// Heights, increasing by 1e-12 of their range at least.
         height: Arc<[f64]>,
         /// The density at each height, >= 0.
         density: Arc<[f64]>,

@@ -13,7 +13,7 @@ mod sobol;
 mod splitmix;
 mod surface_params;
 
-use asperity::{Error, Model, State};
+use asperity::{Error, Model, State, Value};
 use domain_map::{Answer, Map, Outcome};
 use processor_time::processor_time;
 use reference_rows::read;
@@ -28,6 +28,8 @@ use surface_params::params;
 const ACCURACY: f64 = 1e-8;
 const LONGEST_CALL: Duration = Duration::from_secs(1);
 const SETS: usize = 200;
+/// Surfaces after which a long run says how far it is.
+const PROGRESS: usize = 250;
 /// Surfaces of the box for one of other heights.
 const PER_OTHER_HEIGHTS: usize = 4;
 /// Parameters that a point of a sequence chooses, and the loads.
@@ -146,14 +148,14 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
     let model = match Model::new(&params) {
         Ok(model) => model,
         Err(error) => {
-            let name = match &error {
-                Error::InvalidParameter { name, .. } | Error::OutOfRange { name, .. } => name,
-                Error::NotConverged { what, .. } => what,
-                other => panic!("{params:?}: {other}"),
-            };
             let after = processor_time() - start;
-            let unfounded = *name != "pull-off load" || !parts_in_steps(surface);
-            return Outcome::Refused { reason: (*name).to_string(), after, unfounded };
+            let founded = match &error {
+                Error::OutOfRange { name: "pull-off load", value: Value::Real(load), .. } => {
+                    parts_in_steps(surface, *load)
+                }
+                _ => false,
+            };
+            return Outcome::Refused { error, after, founded };
         }
     };
     answer.slowest = processor_time() - start;
@@ -201,25 +203,47 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
     Outcome::Answered(answer)
 }
 
-/// Whether by the second evaluation the load rises with separation while it is still positive.
-fn parts_in_steps(surface: &Surface) -> bool {
+/// Whether by the second evaluation the load rises with separation while it is still positive; where it passes `minimum`,
+/// which is said to be its first one, also if it does so within little.
+fn parts_in_steps(surface: &Surface, minimum: f64) -> bool {
+    const RISE: f64 = 1e-9;
     let load = |d: f64| {
         let sums = surface.at_separation(d);
         sums.log_scale.exp() * (sums.load_contacting + sums.load_attracted)
     };
     let step = (0.2 / surface.rho).clamp(0.004, 0.1);
     let mut last = f64::INFINITY;
+    let mut passing = None;
     for i in 0.. {
-        let here = load(-8.0 + step * f64::from(i));
-        if here <= 0.0 {
-            return false;
-        }
-        if here > last * (1.0 + 1e-9) {
+        let separation = -8.0 + step * f64::from(i);
+        let here = load(separation);
+        if here > last * (1.0 + RISE) {
             return true;
+        }
+        if here <= minimum {
+            passing = Some(separation);
+            break;
         }
         last = here;
     }
-    false
+    // The load falls to its minimum, rises and falls to the same again, where it goes on falling.
+    let Some(mut upper) = passing else { return false };
+    let mut lower = upper - step;
+    for _ in 0..50 {
+        let middle = 0.5 * (lower + upper);
+        if load(middle) > minimum {
+            lower = middle;
+        } else {
+            upper = middle;
+        }
+    }
+    let mut last = minimum;
+    (0..80).map(|i| 1e-8 * 1.3_f64.powi(i)).take_while(|distance| *distance < 4.0 * step).any(|distance| {
+        let here = load(lower - distance);
+        let falls_again = here < last * (1.0 - RISE);
+        last = here;
+        falls_again
+    })
 }
 
 /// A load that pulls, at some separation.
@@ -256,11 +280,17 @@ fn sweep(name: &str, sets: usize, dimensions: usize, surface: fn(&[f64]) -> Surf
     let mut map = Map::default();
     let mut sobol = Sobol::new(dimensions);
     let start = Instant::now();
-    for _ in 0..sets {
+    for done in 1..=sets {
         let point = sobol.next_point();
         let surface = surface(&point);
         let outcome = examine(&surface, point[LOADS]);
         map.add(&surface, outcome);
+        if done % PROGRESS == 0 {
+            println!("{name}: {done} of {sets} surfaces in {:.0?}", start.elapsed());
+            for failure in map.failures(ACCURACY, LONGEST_CALL) {
+                println!("  {failure}");
+            }
+        }
     }
     let report = map.report(start.elapsed());
     println!("{name}: {report}");

@@ -142,6 +142,41 @@ fn no_model_takes_a_second_to_make() {
     }
 }
 
+/// A panel of the branch, three times as long as the one before, was as long as all that was left but for a rounding: the next
+/// one had nowhere to go.
+#[test]
+fn a_panel_that_reaches_pull_off_but_for_a_rounding_ends_there() {
+    let params = Params {
+        heights: HeightFamily::Johnson { skew: 0.04912994274799331, kurtosis: 2.9070851720296362 },
+        attraction: true,
+        ..surface(2.329096594957861e-3, 13.638469154519356, 4.6276934687543594e-7, 6.857850478831809e-2, 1.0)
+    };
+    let model = Model::new(&params).expect("a model");
+    assert!(model.summary().pull_off_load < 0.0, "{:?}", model.summary());
+}
+
+/// The surfaces part where the lowest summits of a table, which are many, break away at once: the kink that this is lay four
+/// last bits before pull-off, and a panel ended there.
+#[test]
+fn a_kink_that_is_pull_off_but_for_a_rounding_is_pull_off() {
+    let height = [-1.4093479261729662, 0.4951633956355579, 1.100103384727512, 2.2195404273845534, 2.8828799061916413];
+    let above = [3.743406098657912, 4.131820410609361, 4.920442278118893, 5.274598585586237, 5.751908373880217];
+    let density = [1.291737295659562, 0.04486363317469843, 1.1174710905852423, 1.64098619502017, 0.08188832716777573];
+    let densities_above =
+        [2.5786260480154564, 1.0802024468880105, 0.0330638326119372, 2.3702676917735004, 0.35769355011204895];
+    let params = Params {
+        heights: HeightFamily::Tabulated {
+            height: [&height[..], &above, &[5.9960727995793315]].concat().into(),
+            density: [&density[..], &densities_above, &[2.5862327845063233]].concat().into(),
+        },
+        radius_amplitude: 0.1855468754656613,
+        radius_rate: 2.99951323003386e-2,
+        ..surface(2.5141467600485447e-2, 11.744221120720635, 8.515889855282423e-3, 0.19602471573611835, 1.0)
+    };
+    let model = Model::new(&params).expect("a model");
+    assert!(model.summary().pull_off_load < 0.0, "{:?}", model.summary());
+}
+
 /// The search stepped over the first minimum to a later one, where radii fall steeply with height.
 #[test]
 fn the_branch_ends_at_the_first_minimum_of_the_load() {

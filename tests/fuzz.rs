@@ -17,6 +17,8 @@ use std::time::Instant;
 
 const SEED: u64 = 0x5eed_f022;
 const CALLS: u64 = 40_000;
+/// Calls after which a long run says how far it is.
+const PROGRESS: u64 = 500_000;
 /// So many failures are enough to know.
 const MOST_FAILURES: usize = 8;
 
@@ -48,7 +50,11 @@ fn any_bytes_give_answers_as_promised() {
             let text = panic.downcast_ref::<String>().cloned();
             failures.push(format!("seed {this:#x}: {}", text.unwrap_or_else(|| "a panic without text".into())));
         }
+        let before = tally.total();
         tally.merge(seen);
+        if tally.total() / PROGRESS > before / PROGRESS {
+            println!("{} calls of {wanted} in {:.0?}, {} failures", tally.total(), start.elapsed(), failures.len());
+        }
     }
     let took = start.elapsed().as_secs_f64();
     println!("{} calls of {} inputs from seed {seed:#x} in {took:.1} s", tally.total(), inputs);

@@ -434,6 +434,15 @@ fn tables_without_a_meaning_are_refused_by_name_and_index() {
         (refused(&[0.0, 1.0, 2.0], &[1.0, 1.0]), "length of table_density = 2: must be that of table_height"),
         (refused(&[0.0, 2.0, 2.0], &[1.0; 3]), "table_height[2] = 2: must be greater than the height before it"),
         (refused(&[0.0, 2.0, 1.0], &[1.0; 3]), "table_height[2] = 1: must be greater than the height before it"),
+        // Below the last bits of their range two heights are one.
+        (
+            refused(&[-1.0, 0.0, 1.0 - 1e-16, 1.0], &[1.0; 4]),
+            "table_height[3] = 1: must be greater than the height before it by 1e-12 of their range at least",
+        ),
+        (
+            refused(&[0.0, 1e-310, 1.0], &[1.0; 3]),
+            "table_height[1] = 1e-310: must be greater than the height before it by",
+        ),
         (refused(&[0.0, f64::NAN, 1.0], &[1.0; 3]), "table_height[1] = NaN: must be finite"),
         (refused(&[0.0, 1.0, 2.0], &[1.0, -0.5, 1.0]), "table_density[1] = -0.5: must be finite and >= 0"),
         (refused(&[0.0, 1.0, 2.0], &[1.0, 1.0, f64::INFINITY]), "table_density[2] = inf: must be finite and >= 0"),
@@ -472,7 +481,11 @@ fn any_bits_are_refused_or_make_a_sound_model() {
             table(&height, &density)
         };
         let params = surface(if random.chance(0.3) { 0.0 } else { 0.001 }, heights);
-        let Ok(model) = Model::new(&params) else { continue };
+        let model = match Model::new(&params) {
+            Ok(model) => model,
+            Err(Error::NotConverged { what, value }) => panic!("{:?}: {what} {value}", params.heights),
+            Err(_) => continue,
+        };
         made += 1;
         let summary = model.summary();
         assert!(summary.kurtosis > summary.skew * summary.skew + 1.0 - 1e-9, "{:?}: {summary:?}", params.heights);

@@ -7,16 +7,6 @@ mod c_abi;
 use c_abi::*;
 use std::ptr::null_mut;
 
-type Model = *const asperity_model;
-
-extern "C" {
-    fn asperity_friction_and_slope_at_load(model: Model, load: f64, slope: *mut f64) -> f64;
-    fn asperity_friction_force_and_slope_at_load(model: Model, load: f64, slope: *mut f64) -> f64;
-    fn asperity_friction_at_pressure(model: Model, pressure: f64, area: f64, slope: *mut f64) -> f64;
-    fn asperity_shear_stress_at_pressure(model: Model, pressure: f64, area: f64, slope: *mut f64) -> f64;
-    fn asperity_slip_force(model: Model, load: f64, rate: f64, transition: f64, one: *mut f64, other: *mut f64) -> f64;
-}
-
 /// Value and slope of a call that takes a place for the slope.
 fn both(call: impl FnOnce(*mut f64) -> f64) -> (f64, f64) {
     let mut slope = 7.0;

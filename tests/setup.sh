@@ -26,10 +26,10 @@ for tool in $tools; do
     command -v "${tool%@*}" >/dev/null || cargo install --locked --quiet "$tool"
 done
 
-# The sources from which a sanitizer builds the standard library.
+# Miri, and the sources from which it and a sanitizer build the standard library.
 if [[ " $* " == *" harden "* ]] && command -v rustup >/dev/null; then
-    rustup component add --toolchain nightly rust-src >/dev/null 2>&1 ||
-        rustup toolchain install nightly --profile minimal --component rust-src
+    rustup component add --toolchain nightly rust-src miri >/dev/null 2>&1 ||
+        rustup toolchain install nightly --profile minimal --component rust-src,miri
 fi
 
 if ! command -v dpkg-query >/dev/null; then

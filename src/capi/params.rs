@@ -76,8 +76,9 @@ pub struct asperity_params {
     /// H [stress], > 0: indentation hardness of the softer body, which `asperity_state` compares pressures with; it
     /// does not change friction. 0, the default: not known.
     pub hardness: f64,
-    /// `table_length` summit heights, strictly increasing, in any unit and from any origin: the library standardises
-    /// them. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model is made. NULL by default.
+    /// `table_length` summit heights, in any unit and from any origin: the library standardises them. They increase by
+    /// 1e-12 of their range at least. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model is made. NULL
+    /// by default.
     pub table_height: *const f64,
     /// The density at each of them, >= 0; it need not be normalised. NULL by default.
     pub table_density: *const f64,

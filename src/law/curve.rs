@@ -29,6 +29,10 @@ const LONGEST_LAST: f64 = 2.2;
 const PART_OF_THE_WAY: f64 = 0.65;
 /// Without a pull-off load no panel covers more than this part of what is left of the branch, at whose end load vanishes.
 const MOST_OF_THE_REST: f64 = 0.7;
+/// A panel that takes more than this part of what is left takes all.
+const WHOLE: f64 = 0.99;
+/// A kink nearer to the end than this part of what is left is at the end: contact with the foot that breaks at once.
+const AT_END: f64 = 1e-9;
 /// How much wider the next panel is tried after an error of less than this part of the tolerance.
 const GROWTH: [(f64, f64); 3] = [(0.01, 3.0), (0.03, 2.0), (0.5, 1.5)];
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
@@ -164,8 +168,8 @@ impl Curve {
         let foot = population.passings_of_foot();
         let most_samples = MOST_SAMPLES + 2 * NODES * kinks.len();
         let mut width = f64::MAX;
-        // A separation before which the curve is not smooth, and whether the last attempt failed.
-        let (mut obstacle, mut failed) = (None, false);
+        // A separation before which the curve is not smooth, if there is one, and whether the last attempt failed.
+        let (mut obstacle, mut failed) = (f64::INFINITY, false);
         while from.separation < end && from.log_excess > lightest && curve.samples < most_samples {
             let remaining = end - from.separation;
             let (part, shortest) = match log_pull_off {
@@ -176,9 +180,10 @@ impl Curve {
             let narrowest = (0.2 * remaining).clamp(shortest, NARROWEST);
             let mut length = (part * remaining)
                 .min(width)
-                .min(obstacle.map_or(f64::MAX, |obstacle: f64| (0.5 * (obstacle - from.separation)).max(narrowest)))
+                .min((0.5 * (obstacle - from.separation)).max(narrowest))
                 .min(WIDEST.max(WIDEST_PART * from.separation.abs()));
-            let mut to = if length < remaining { from.separation + length } else { end };
+            // What little would be left is part of this panel.
+            let mut to = if length < WHOLE * remaining { from.separation + length } else { end };
             if let Some(&kink) = kinks.get(kinks.partition_point(|&kink| kink <= from.separation)) {
                 if kink - from.separation < NEAREST_KINKS.min(NEAREST_PART * remaining) && kink < end {
                     let next = curve.sample(population, equilibrium, kink)?;
@@ -187,7 +192,7 @@ impl Curve {
                     from = next;
                     continue;
                 }
-                if kink < to {
+                if kink < to && end - kink > AT_END * remaining {
                     (to, length) = (kink, kink - from.separation);
                 }
             }
@@ -203,14 +208,14 @@ impl Curve {
                 // What is smooth needs no second try.
                 let at_foot = foot.iter().copied().find(|&passing| passing > from.separation && passing < to);
                 if failed || at_foot.is_some() {
-                    obstacle = at_foot.or(Some(to));
+                    obstacle = at_foot.unwrap_or(to);
                 }
                 failed = true;
                 continue;
             }
             failed = false;
-            if obstacle.is_some_and(|obstacle| to >= obstacle) {
-                obstacle = None;
+            if to >= obstacle {
+                obstacle = f64::INFINITY;
             }
             curve.panels.push(attempt.panel);
             check.extend(attempt.between);

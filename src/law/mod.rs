@@ -95,15 +95,13 @@ impl Law {
     /// [`Error::NotConverged`] where the branch of equilibrium states cannot be followed.
     pub fn new(population: &Population, equilibrium: &Equilibrium, scales: Scales) -> Result<Self, Error> {
         let mut samples = Vec::new();
-        let nearest = equilibrium.pull_off().map(|point| (-point.load * NEAREST_TO_PULL_OFF).ln());
-        let log_range = |heaviest: f64| match nearest {
-            Some(nearest) if heaviest - nearest <= LOG_RANGE => LOG_RANGE,
-            _ => LOG_RANGE_WITHOUT_PULL_OFF,
-        };
+        let nearest = (-equilibrium.pull_off_load() * NEAREST_TO_PULL_OFF).ln();
+        let log_range =
+            |heaviest: f64| if heaviest - nearest <= LOG_RANGE { LOG_RANGE } else { LOG_RANGE_WITHOUT_PULL_OFF };
         let curve = Curve::new(population, equilibrium, log_range, &mut samples)?;
         let log_load = scales.load.ln();
         let (lower, upper) = curve.log_range();
-        let lower = nearest.unwrap_or(lower).max(lower) + log_load;
+        let lower = nearest.max(lower) + log_load;
         let upper = upper + log_load;
         let curve_is_resolved = curve.is_resolved();
         let mut law = Self {

@@ -58,17 +58,22 @@ impl Sink for Counting<'_> {
         self.by_regime[regime] += weight;
         self.seen.push((z, contact.radius));
     }
+
+    fn out_of_panels(&mut self) {
+        self.count = f64::NAN;
+    }
 }
 
 impl Population {
-    /// The contacts at a separation, of which `number` are expected on the surface; all 0 where there are none.
-    pub fn contacts(&self, separation: f64, number: f64) -> Contacts {
+    /// The contacts at a separation, of which `number` are expected on the surface; all 0 where there are none. `None` if
+    /// they cannot be counted in as many panels as there may be.
+    pub fn contacts(&self, separation: f64, number: f64) -> Option<Contacts> {
         let ranges = self.contact_ranges(separation);
-        let Some(&Range { lower: (lowest, edge), .. }) = ranges.first() else { return Contacts::default() };
+        let Some(&Range { lower: (lowest, edge), .. }) = ranges.first() else { return Some(Contacts::default()) };
         let overlap = edge.filter(|edge| edge.z == lowest).map_or(lowest - separation, |edge| edge.contact.overlap);
         let density = &Density::above(&self.heights, lowest, overlap, separation);
         if density.log_scale < UNDERFLOW {
-            return Contacts::default();
+            return Some(Contacts::default());
         }
         let mut counting =
             Counting { population: self, density, count: 0.0, radius: 0.0, by_regime: [0.0; 3], seen: Vec::new() };
@@ -84,8 +89,11 @@ impl Population {
             }
         }
         let Counting { count, radius, by_regime, seen, .. } = counting;
+        if count.is_nan() {
+            return None;
+        }
         if count == 0.0 {
-            return Contacts::default();
+            return Some(Contacts::default());
         }
         let mean_radius = radius / count;
         let mut largest_radius = mean_radius;
@@ -99,7 +107,7 @@ impl Population {
             let below = seen.iter().filter(|(z, _)| *z <= tallest).map(|(_, radius)| *radius);
             largest_radius = below.chain(there).fold(mean_radius, f64::max);
         }
-        Contacts { mean_radius, largest_radius, by_regime: by_regime.map(|weight| weight / count) }
+        Some(Contacts { mean_radius, largest_radius, by_regime: by_regime.map(|weight| weight / count) })
     }
 
     /// Where summits are in contact, from low to high.

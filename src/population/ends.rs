@@ -127,7 +127,7 @@ impl Population {
         let mut here = start;
         let log_scale = sink.log_scale();
         let direction = walk.direction;
-        for _ in 0..MOST_PANELS {
+        for _ in 0..S::MOST_PANELS {
             if walk.is_over() {
                 return;
             }
@@ -191,9 +191,11 @@ impl Population {
             here = there;
             walk.place = there_place;
         }
+        sink.out_of_panels();
     }
 
-    /// Hands on the summits that attract without contact, from one of an overlap to a height: overlap, height, mass.
+    /// Hands on the summits that attract without contact, from one of an overlap to a height: overlap, height, mass. Whether
+    /// the panels sufficed.
     pub(super) fn attracted_between_ends(
         &self,
         ends: &Ends,
@@ -202,7 +204,7 @@ impl Population {
         upper: f64,
         log_scale: f64,
         mut add: impl FnMut(f64, Summit),
-    ) {
+    ) -> bool {
         let mut walk = Walk::new(ends, lower, upper);
         let (mut z, mut overlap) = (lower, overlap);
         let mut add = |place: &Place, overlap: f64, mass: f64| {
@@ -212,7 +214,7 @@ impl Population {
         };
         for _ in 0..MOST_PANELS {
             if walk.is_over() {
-                return;
+                return true;
             }
             let clearance = (overlap + law.reach).max(0.0);
             if let Some(next) = walk.beside_end(clearance) {
@@ -252,5 +254,6 @@ impl Population {
             walk.place = there;
             z = ends.height(&there);
         }
+        false
     }
 }

@@ -46,7 +46,7 @@ const CIRCLE_RATIO: f64 = 4.0;
 const SHORT_RATIO: f64 = 0.8;
 /// What part of a radius of the slip law is nothing beside it.
 const AT_KINK: f64 = 1e-9;
-/// No sum needs as many panels; it bounds the time of a call.
+/// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
 const MOST_PANELS: usize = 6000;
 /// The fineness of sums of which the sign is asked: every panel has as few points as there are.
 const ROUGH: f64 = 0.05;
@@ -109,6 +109,23 @@ impl Sums {
             load_slope: scale * self.load_slope,
             friction_slope: scale * self.friction_slope,
         }
+    }
+
+    /// What sums are that ran out of panels.
+    fn unknown() -> Self {
+        let unknown = f64::NAN;
+        Self {
+            load_contacting: unknown,
+            load_attracted: unknown,
+            load_slope: unknown,
+            friction: unknown,
+            ..Self::default()
+        }
+    }
+
+    /// Whether the sums are to be had: not where they took more panels than there may be.
+    pub fn are_known(&self) -> bool {
+        !self.load().is_nan()
     }
 
     /// Adds one contacting summit, `weight` times.
@@ -215,6 +232,8 @@ fn bubble(part: f64) -> f64 {
 trait Sink {
     /// Whether every panel must have all 16 nodes.
     const WHOLE_PANELS: bool = false;
+    /// No more panels than these.
+    const MOST_PANELS: usize = MOST_PANELS;
     /// Whether a panel must end where the contact radius has an extremum, though it passes none of the slip law's.
     const EXTREMA: bool = false;
     /// ln phi that is taken as 1.
@@ -227,6 +246,8 @@ trait Sink {
     fn node(&mut self, z: f64, weight: f64, contact: &Contact);
     /// So many summits at a height, and the contact there.
     fn summits(&mut self, _z: f64, _mass: f64, _contact: &Contact) {}
+    /// The panels did not suffice.
+    fn out_of_panels(&mut self) {}
 }
 
 /// Sums the nodes, weighted with the density of heights.
@@ -248,6 +269,10 @@ impl Sink for Summing<'_> {
 
     fn summits(&mut self, _z: f64, mass: f64, contact: &Contact) {
         self.sums.add_contact(mass, &self.population.summit(contact));
+    }
+
+    fn out_of_panels(&mut self) {
+        *self.sums = Sums::unknown();
     }
 }
 
@@ -669,7 +694,7 @@ impl Population {
         let direction = if end >= start.z { 1.0 } else { -1.0 };
         let constant_radius = self.radius.is_constant();
         let mut here = start;
-        for _ in 0..MOST_PANELS {
+        for _ in 0..S::MOST_PANELS {
             let remaining = direction * (end - here.z);
             if remaining <= 0.0 {
                 return;
@@ -744,6 +769,7 @@ impl Population {
             }
             here = there;
         }
+        sink.out_of_panels();
     }
 
     /// Whether all that is left is so small that theta tells it from break-away by few digits: the very tip of a highest
@@ -896,7 +922,10 @@ impl Population {
         if let Heights::Ends(ends) = &self.heights {
             let log_scale = sums.log_scale;
             let add = |mass, summit: Summit| sums.add_attraction(mass, &summit);
-            return self.attracted_between_ends(ends, law, (lower, overlap), upper, log_scale, add);
+            if !self.attracted_between_ends(ends, law, (lower, overlap), upper, log_scale, add) {
+                *sums = Sums::unknown();
+            }
+            return;
         }
         let mut sink = |z: f64, overlap: f64, weight: f64| {
             let g = self.radius.factor(z);
@@ -948,6 +977,7 @@ impl Population {
             z += length;
             overlap += length;
         }
+        *sums = Sums::unknown();
     }
 
     /// The part of a range of heights in which summits out of contact attract: lambda_g^3 < 9/32.
@@ -1042,4 +1072,55 @@ fn part_of_radius(here: &Point, there: &Point, radius: f64) -> f64 {
 fn is_inside(rise: f64, whole: f64) -> bool {
     let part = rise / whole;
     part > 1e-9 && part < 1.0 - 1e-9
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::{HeightFamily, Params};
+
+    /// Takes three panels.
+    #[derive(Default)]
+    struct Few {
+        panels: usize,
+        out: bool,
+    }
+
+    impl Sink for Few {
+        const MOST_PANELS: usize = 3;
+
+        fn panel(&mut self, _from: &Point, _to: &Point, _by_height: bool) {
+            self.panels += 1;
+        }
+
+        fn node(&mut self, _z: f64, _weight: f64, _contact: &Contact) {}
+
+        fn out_of_panels(&mut self) {
+            self.out = true;
+        }
+    }
+
+    fn population(heights: HeightFamily) -> Population {
+        let params = Params { heights, ..Params::default() };
+        let (groups, heights, radius) = params.surface().expect("a surface");
+        Population::new(&groups, params.slip, heights, radius, params.attraction)
+    }
+
+    #[test]
+    fn a_sum_that_runs_out_of_panels_is_not_known() {
+        // The second gathers at two ends.
+        for heights in [HeightFamily::Gaussian, HeightFamily::Johnson { skew: 0.5, kurtosis: 1.26 }] {
+            let population = population(heights);
+            let mut few = Few::default();
+            let (foot, head) = (population.heights.foot().max(-1.0), population.heights.head().min(5.0));
+            population.walk_contacts(-2.0, (foot, None), (head, None), &mut few);
+            assert!(few.out && few.panels <= 3, "{} panels", few.panels);
+
+            let density = Density::above(&population.heights, -1.0, 1.0, -2.0);
+            let mut sums = Sums::default();
+            assert!(sums.are_known());
+            Summing { population: &population, density: &density, sums: &mut sums }.out_of_panels();
+            assert!(!sums.are_known() && !sums.unscaled().are_known());
+        }
+    }
 }

@@ -76,17 +76,14 @@ struct Collecting<'a> {
 
 impl Sink for Collecting<'_> {
     const WHOLE_PANELS: bool = true;
+    const MOST_PANELS: usize = MOST_PANELS;
 
     fn panel(&mut self, _from: &Point, to: &Point, by_height: bool) {
-        if self.table.ends.len() < MOST_PANELS {
-            self.table.ends.push((*to, by_height));
-        }
+        self.table.ends.push((*to, by_height));
     }
 
     fn node(&mut self, z: f64, weight: f64, contact: &Contact) {
-        if self.table.nodes.len() < MOST_PANELS * POINTS {
-            let summit = self.population.summit(contact);
-            self.table.nodes.push(Node { overlap: z, weight, summit });
-        }
+        let summit = self.population.summit(contact);
+        self.table.nodes.push(Node { overlap: z, weight, summit });
     }
 }

@@ -75,6 +75,21 @@ pub struct asperity_summary {
     pub table_error: f64,
 }
 
+/// The view of the compiled law of the header.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct asperity_table {
+    pub struct_size: u64,
+    pub rows: *const f64,
+    pub row_count: u64,
+    pub base: u64,
+    pub shift: u32,
+    pub layout_version: u32,
+    pub pull_off_load: f64,
+    pub max_friction_coefficient: f64,
+    pub inverse_cap: f64,
+}
+
 pub const OK: i32 = 0;
 pub const NULL_POINTER: i32 = 1;
 pub const INVALID_PARAMETER: i32 = 2;
@@ -86,6 +101,10 @@ pub const NOT_CONVERGED: i32 = 6;
 type Model = *const asperity_model;
 
 extern "C" {
+    pub fn asperity_abi_version() -> u32;
+    pub fn asperity_version() -> *const c_char;
+    pub fn asperity_status_string(status: i32) -> *const c_char;
+    pub fn asperity_params_init(params: *mut asperity_params) -> i32;
     pub fn asperity_params_init_sized(params: *mut asperity_params, struct_size: u64) -> i32;
     pub fn asperity_params_set_dimensionless(
         params: *mut asperity_params,
@@ -106,6 +125,7 @@ extern "C" {
     pub fn asperity_params_set_skew(params: *mut asperity_params, skew: f64) -> i32;
     pub fn asperity_create(params: *const asperity_params, model: *mut *mut asperity_model) -> i32;
     pub fn asperity_set_params(model: *mut asperity_model, params: *const asperity_params) -> i32;
+    pub fn asperity_get_params(model: Model, params: *mut asperity_params) -> i32;
     pub fn asperity_get_params_sized(model: Model, params: *mut asperity_params, struct_size: u64) -> i32;
     pub fn asperity_free(model: *mut asperity_model);
     pub fn asperity_friction_at_load(model: Model, load: f64) -> f64;
@@ -124,9 +144,22 @@ extern "C" {
         force: *mut f64,
         dforce_dload: *mut f64,
     ) -> i32;
+    pub fn asperity_friction_and_slope_at_load(model: Model, load: f64, slope: *mut f64) -> f64;
+    pub fn asperity_friction_force_and_slope_at_load(model: Model, load: f64, slope: *mut f64) -> f64;
+    pub fn asperity_friction_at_pressure(model: Model, pressure: f64, area: f64, slope: *mut f64) -> f64;
+    pub fn asperity_shear_stress_at_pressure(model: Model, pressure: f64, area: f64, slope: *mut f64) -> f64;
+    pub fn asperity_slip_force(
+        model: Model,
+        load: f64,
+        slip_rate: f64,
+        transition_rate: f64,
+        dforce_dload: *mut f64,
+        dforce_dslip_rate: *mut f64,
+    ) -> f64;
     pub fn asperity_state_at_load(model: Model, load: f64, state: *mut asperity_state) -> i32;
     pub fn asperity_state_at_separation(model: Model, separation: f64, state: *mut asperity_state) -> i32;
     pub fn asperity_summary_of(model: Model, summary: *mut asperity_summary) -> i32;
+    pub fn asperity_table_of(model: Model, table: *mut asperity_table) -> i32;
     pub fn asperity_last_error(buffer: *mut c_char, length: usize) -> usize;
 }
 

@@ -2,6 +2,7 @@
 
 use crate::second_evaluation::heights::Heights;
 use crate::second_evaluation::Surface;
+use asperity::Error;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::time::Duration;
@@ -34,11 +35,11 @@ impl Answer {
 
 pub enum Outcome {
     Answered(Answer),
-    /// `unfounded` says that the second evaluation does not bear the reason out.
+    /// `founded` says that the second evaluation bears the reason out.
     Refused {
-        reason: String,
+        error: Error,
         after: Duration,
-        unfounded: bool,
+        founded: bool,
     },
 }
 
@@ -74,8 +75,8 @@ impl Map {
     pub fn failures(&self, accuracy: f64, longest: Duration) -> Vec<String> {
         let mut failures = Vec::new();
         for (surface, outcome) in &self.sets {
-            if let Outcome::Refused { reason, unfounded: true, .. } = outcome {
-                failures.push(format!("refused for {reason} without need: {}", describe(surface)));
+            if let Outcome::Refused { error, founded: false, .. } = outcome {
+                failures.push(format!("refused without need, {error}: {}", describe(surface)));
             }
         }
         for (surface, answer) in self.answers() {
@@ -100,7 +101,12 @@ impl Map {
         let mut text = String::new();
         let mut refused = BTreeMap::<&str, (usize, Duration, &Surface)>::new();
         for (surface, outcome) in &self.sets {
-            if let Outcome::Refused { reason, after, .. } = outcome {
+            if let Outcome::Refused { error, after, .. } = outcome {
+                let reason = match error {
+                    Error::OutOfRange { name, .. } | Error::InvalidParameter { name, .. } => name,
+                    Error::NotConverged { what, .. } => what,
+                    _ => "another reason",
+                };
                 let entry = refused.entry(reason).or_insert((0, Duration::ZERO, surface));
                 *entry = (entry.0 + 1, entry.1.max(*after), surface);
             }

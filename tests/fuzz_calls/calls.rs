@@ -17,45 +17,19 @@ const HEAVIEST: f64 = 0.9e80;
 /// The accuracy of an exact load, relative to the loads that it is the difference of: next to pull-off, where friction
 /// changes much with load, that of the friction force is less.
 const LOAD_ERROR: f64 = 1e-11;
-/// How far a slope may be from the secant over 2e-4 of load - pull-off, relative to F/(load - pull-off): two errors of
-/// the law, and what the secant is off by where radii change steeply with height.
+/// How far a slope may be from the secant over twice this of load - pull-off, relative to F/(load - pull-off): two errors of
+/// the law, and what the secant is off by where radii change steeply with height. Beside that, what the forces are known to.
+const STEP: f64 = 1e-4;
 const SECANT: f64 = 1e-5;
+/// Up to this part of the pull-off load above it forces are known to fewer digits, and steps are longer.
+const NEAR_PULL_OFF: f64 = 1e-2;
+const STEP_NEAR_PULL_OFF: f64 = 1e-3;
 /// Lighter loads, in the same unit or the caller's, may have no friction that is a number.
 const LIGHTEST: f64 = 1e-250;
 /// What outputs hold before a call.
 const BEFORE: f64 = -7.25;
 
-#[repr(C)]
-struct asperity_table {
-    struct_size: u64,
-    rows: *const f64,
-    row_count: u64,
-    base: u64,
-    shift: u32,
-    layout_version: u32,
-    pull_off_load: f64,
-    max_friction_coefficient: f64,
-    inverse_cap: f64,
-}
-
 type Shared = *const asperity_model;
-
-extern "C" {
-    fn asperity_friction_and_slope_at_load(model: Shared, load: f64, slope: *mut f64) -> f64;
-    fn asperity_friction_force_and_slope_at_load(model: Shared, load: f64, slope: *mut f64) -> f64;
-    fn asperity_friction_at_pressure(model: Shared, pressure: f64, area: f64, slope: *mut f64) -> f64;
-    fn asperity_shear_stress_at_pressure(model: Shared, pressure: f64, area: f64, slope: *mut f64) -> f64;
-    fn asperity_slip_force(
-        model: Shared,
-        load: f64,
-        slip_rate: f64,
-        transition_rate: f64,
-        dforce_dload: *mut f64,
-        dforce_dslip_rate: *mut f64,
-    ) -> f64;
-    fn asperity_table_of(model: Shared, table: *mut asperity_table) -> i32;
-    fn asperity_status_string(status: i32) -> *const c_char;
-}
 
 /// What was called, and the worst that was seen.
 #[derive(Default)]
@@ -396,9 +370,9 @@ impl<'a> Calls<'a> {
         let (nearest, farthest) = (s.min_table_load - s.pull_off_load, s.max_table_load - s.pull_off_load);
         let near = nearest.max(-1e-6 * s.pull_off_load) * 1.01;
         let x = near * (0.99 * farthest / near).powf(part);
-        const STEP: f64 = 1e-4;
+        let step = if x < -NEAR_PULL_OFF * s.pull_off_load { STEP_NEAR_PULL_OFF } else { STEP };
         let load = s.pull_off_load + x;
-        let (below, above) = (s.pull_off_load + x * (1.0 - STEP), s.pull_off_load + x * (1.0 + STEP));
+        let (below, above) = (s.pull_off_load + x * (1.0 - step), s.pull_off_load + x * (1.0 + step));
         let (at, mut slope): (Shared, f64) = (model.handle.0, BEFORE);
         let slope_at: *mut f64 = &mut slope;
         let force = call!(self, model.params, asperity_friction_force_and_slope_at_load(at, load, slope_at));
@@ -406,7 +380,7 @@ impl<'a> Calls<'a> {
         let difference = (slope - secant).abs() * x / force;
         self.tally.secant_difference = self.tally.secant_difference.max(difference);
         assert!(
-            difference <= SECANT,
+            difference <= SECANT + model.resolution(load) / step,
             "load {load:e}: slope {slope:e}, secant {secant:e}, difference {difference:e} of F/x; {:?}",
             model.params
         );

@@ -9,8 +9,10 @@
 #   make faults          10^5 cycles, 1000 reloads, soak of 10^9 calls
 #   make memory          sanitizers, valgrind
 #   make races           ThreadSanitizer in the Rust code                 needs a nightly Rust with rust-src
+#   make miri            every C function in Miri, by two rules of aliasing     needs a nightly Rust with miri
 #   make processors      the same bits on emulated processors             needs qemu-user
 #   make supply-chain    licences, bans, sources                          needs cargo-deny
+#   make oldest-rust     the Rust tests with the oldest compiler          needs rustup
 #   make coverage        lines that the tests run                         needs llvm-22
 #   make mutants         changes to the source that no test notices       SHARD, MUTANTS (a pattern of names, which begin
 #                                                                         with the file), MUTANT_TEST_SECONDS; needs
@@ -28,13 +30,20 @@ LOW := nice -n 19
 FUZZ_CARGO ?= RUSTC_BOOTSTRAP=1 $(CARGO)
 
 NIGHTLY ?= cargo +nightly
+OLDEST_RUST = $(shell sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
 HOST = $(shell rustc -vV | sed -n 's/^host: //p')
+# Miri has the instructions of AVX2, and none that ask whether the processor has them. Its own arithmetic would otherwise
+# have other last bits each time.
+MIRI_PROCESSOR = $(if $(findstring x86_64,$(HOST)),-Ctarget-feature=+avx2$(COMMA)+bmi2)
+MIRI_OPTIONS := -Zmiri-strict-provenance -Zmiri-deterministic-floats
+COMMA := ,
 
-.PHONY: harden fuzz fuzz-coverage domain faults memory races processors supply-chain coverage mutants
+.PHONY: harden fuzz fuzz-coverage domain faults memory races miri processors supply-chain oldest-rust coverage mutants
 
 harden:
 	tests/setup.sh core hosts harden
-	$(MAKE) --no-print-directory fuzz fuzz-coverage domain faults memory races processors supply-chain coverage
+	$(MAKE) --no-print-directory fuzz fuzz-coverage domain faults memory races miri processors supply-chain \
+	    oldest-rust coverage
 
 fuzz:
 	ASPERITY_FUZZ_CALLS=$(FUZZ_CALLS) ASPERITY_FUZZ_SEED=$(FUZZ_SEED) \
@@ -61,12 +70,22 @@ races:
 	CARGO_TARGET_DIR=$(TARGET)/races RUSTFLAGS=-Zsanitizer=thread $(LOW) $(NIGHTLY) test -Zbuild-std --target $(HOST) \
 	    --profile mutants --locked --test batch threads_that_share
 
+miri:
+	for aliasing in "" -Zmiri-tree-borrows; do \
+	    CARGO_TARGET_DIR=$(TARGET)/miri RUSTFLAGS="$(MIRI_PROCESSOR)" MIRIFLAGS="$(MIRI_OPTIONS) $$aliasing" \
+	        $(LOW) $(NIGHTLY) miri test --locked --test pointers || exit 1; \
+	done
+
 processors:
 	$(LOW) tests/harden/processors.sh
 
 supply-chain:
 	$(CARGO) deny --locked check licenses bans sources
 	tests/harden/supply_chain.sh
+
+oldest-rust:
+	rustup toolchain install $(OLDEST_RUST) --profile minimal
+	CARGO_TARGET_DIR=$(TARGET)/oldest-rust $(LOW) cargo +$(OLDEST_RUST) test --release --locked
 
 coverage:
 	$(LOW) tests/harden/coverage.sh

@@ -43,7 +43,7 @@ clean() {
     passes "${memcheck[@]}" --show-leak-kinds=all --errors-for-leak-kinds=all "$@"
     checked=$((checked + 1))
 }
-for program in $c_programs eval; do
+for program in $c_programs eval old_caller tables; do
     gcc -std=c11 -g -O1 -ffp-contract=off -Iinclude "tests/c/$program.c" -o "$build/$program" "${link[@]}"
     clean "$build/$program"
 done
@@ -51,14 +51,17 @@ gcc -std=c11 -g -O1 -Iinclude tests/harden/soak.c -o "$build/soak" "${link[@]}"
 clean "$build/soak" 200000 200000
 gcc -std=c11 -g -O1 -Iinclude c_examples/friction_curve.c -o "$build/curve-c" "${link[@]}"
 clean "$build/curve-c" "$build/curve.svg"
+gcc -std=c11 -g -O1 -Iinclude tests/consumers/greenwood_williamson.c -o "$build/consumer" "${link[@]}"
+clean "$build/consumer"
 g++ -std=c++17 -g -O1 -Iinclude c_examples/friction_curve.cpp -o "$build/curve-cpp" "${link[@]}"
 clean "$build/curve-cpp"
 g++ -std=c++17 -g -O1 -Iinclude tests/cpp/wrapper.cpp -o "$build/wrapper" "${link[@]}"
 clean "$build/wrapper"
 # The Fortran runtime keeps memory of its own until the end: what is reachable there is no leak.
 fortran=(gfortran -std=f2008 -g -O1 -J"$build" -I"$build" fortran/asperity.f90 fortran/tests/checking.f90)
-for program in c_interface friction_law; do
-    "${fortran[@]}" "fortran/tests/$program.f90" -o "$build/fortran-$program" "${link[@]}"
+for source in fortran/tests/{c_interface,friction_law}.f90 fortran/examples/*.f90; do
+    program=$(basename "$source" .f90)
+    "${fortran[@]}" "$source" -o "$build/fortran-$program" "${link[@]}"
     passes "${memcheck[@]}" --errors-for-leak-kinds=definite,indirect,possible "$build/fortran-$program"
     checked=$((checked + 1))
 done
@@ -77,7 +80,8 @@ hosts=0
 # host PROGRAM ARGUMENT...: run by hosts/run.sh before, so it is built.
 host() {
     [ -x "$1" ] || { echo "tests/harden/memory.sh: $1 is missing: run hosts/run.sh first" >&2; exit 1; }
-    valgrind --leak-check=full --num-callers=30 --log-file="$build/host.log" "$@" >"$build/log" 2>&1 || true
+    LD_LIBRARY_PATH="$target/release${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}" \
+        valgrind --leak-check=full --num-callers=30 --log-file="$build/host.log" "$@" >"$build/log" 2>&1 || true
     grep -q 'ERROR SUMMARY' "$build/host.log" || { cat "$build/host.log" >&2; exit 1; }
     # A finding is a block of lines; those with a frame of the library are ours.
     sed 's/^==[0-9]*== \{0,1\}//' "$build/host.log" |
@@ -85,11 +89,16 @@ host() {
         { echo "tests/harden/memory.sh: $1: a finding passes through asperity" >&2; exit 1; }
     hosts=$((hosts + 1))
 }
-for name in ode siconos simbody; do
+for name in ode mujoco lammps siconos simbody abaqus; do
     passes "hosts/$name/run.sh"
 done
 host "$target/hosts/ode/sled"
 host "$target/hosts/ode/arm" "$build/lag.svg"
 host "$target/hosts/siconos/brush"
 host "$target/hosts/simbody/slider"
+host "$target/hosts/mujoco/slider" hosts/mujoco/slider.xml
+host "$target/hosts/lammps/column" "$build/column.txt"
+for name in slip_rate slip_data explicit_single explicit_double; do
+    host "$target/abaqus/$name/host"
+done
 echo "valgrind memcheck: $hosts host programs, nothing found with a frame of this library"

@@ -47,19 +47,37 @@ impl Johnson {
             });
             sum / weights
         };
-        let mean = expectation(&|u| curve.height(u));
-        let central = |power: i32| expectation(&|u| (curve.height(u) - mean).powi(power));
+        let above_median = expectation(&|u| curve.above_median(u));
+        let central = |power: i32| expectation(&|u| (curve.above_median(u) - above_median).powi(power));
         let deviation = central(2).sqrt();
         let (skew, kurtosis) = (central(3) / deviation.powi(3), central(4) / deviation.powi(4));
+        let mean = curve.y(0.0) + above_median;
         (curve.mean, curve.deviation, curve.skew, curve.kurtosis) = (mean, deviation, skew, kurtosis);
         curve
     }
 
+    /// y of a u less that of 0, to all digits: far tails magnify the last ones of the moments.
+    fn above_median(&self, u: f64) -> f64 {
+        let (median, half) = (-self.gamma / self.delta, 0.5 * u / self.delta);
+        if self.bounded {
+            half.sinh() / (2.0 * (0.5 * median).cosh() * (0.5 * median + half).cosh())
+        } else {
+            2.0 * half.sinh() * (median + half).cosh()
+        }
+    }
+
+    fn y(&self, u: f64) -> f64 {
+        let t = (u - self.gamma) / self.delta;
+        if self.bounded {
+            1.0 / (1.0 + (-t).exp())
+        } else {
+            t.sinh()
+        }
+    }
+
     /// The height of a u.
     fn height(&self, u: f64) -> f64 {
-        let t = (u - self.gamma) / self.delta;
-        let y = if self.bounded { 1.0 / (1.0 + (-t).exp()) } else { t.sinh() };
-        (y - self.mean) / self.deviation
+        (self.y(u) - self.mean) / self.deviation
     }
 
     /// u at a height and du/dz; infinite beyond the ends.

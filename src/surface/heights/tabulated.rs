@@ -20,6 +20,8 @@ const FARTHEST_ORIGIN: f64 = 16.0;
 const LARGEST_HEIGHT: f64 = 1e300;
 /// Cells of at least so many pieces, as powers of two.
 const SMALLEST_CELL: u32 = 3;
+/// Neighbouring heights are at least this part of the range of the support apart: a step may be that steep.
+const NEAREST: f64 = 1e-12;
 /// What is nearer to a knot than this, relative to 1 or to its height, counts as at the knot.
 const AT_KNOT: f64 = 4e-15;
 
@@ -287,6 +289,17 @@ fn checked<'a>(height: &'a [f64], density: &'a [f64]) -> Result<(&'a [f64], &'a 
     };
     let last = density.iter().rposition(|&d| d > 0.0).unwrap_or(first);
     let support = first.saturating_sub(1)..(last + 2).min(height.len());
+    let range = height[support.end - 1] - height[support.start];
+    for index in support.clone().skip(1) {
+        if height[index] - height[index - 1] < NEAREST * range {
+            return Err(Error::InvalidEntry {
+                name: "table_height",
+                index,
+                value: height[index],
+                allowed: "must be greater than the height before it by 1e-12 of their range at least",
+            });
+        }
+    }
     Ok((&height[support.clone()], &density[support]))
 }
 
