@@ -318,7 +318,7 @@ const fn series_1() -> [f64; SERIES_TERMS] {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use std::cell::Cell;
 

@@ -291,4 +291,50 @@ mod tests {
             assert!(left_out.is_empty() && (error / (0.3 * VALUE_TOLERANCE) - 1.0).abs() < 0.1, "{error:e}");
         }
     }
+
+    /// Of the contact law, in four states: what starting values, cuts and lengths of panels save. The sums themselves are
+    /// compared with reference rows. The second number is of contacts told apart by their radius.
+    #[test]
+    fn sums_take_few_evaluations() {
+        use crate::asperity::maugis::tests::EVALUATIONS;
+        use crate::params::HeightFamily;
+        let height: Vec<f64> = (0..40).map(f64::from).collect();
+        let density: Vec<f64> = height.iter().map(|h| (-0.01 * (h - 18.0) * (h - 18.0)).exp()).collect();
+        let table = HeightFamily::Tabulated { height: height.into(), density: density.into() };
+        let johnson = |skew: f64, kurtosis: f64| HeightFamily::Johnson { skew, kurtosis };
+        for (heights, amplitude, most) in [
+            (HeightFamily::Gaussian, 0.0, [0, 1156]),
+            (HeightFamily::Gaussian, 0.6, [2083, 2105]),
+            (HeightFamily::Gaussian, -0.9, [2334, 2354]),
+            (HeightFamily::Weibull { shape: 1.5 }, 0.6, [2573, 2593]),
+            (table.clone(), 0.0, [1457, 1478]),
+            (table, 0.6, [3253, 3275]),
+            (johnson(0.8, 6.0), -0.5, [3344, 3364]),
+            (johnson(0.3, 1.3), 0.0, [1318, 1341]),
+            (johnson(0.3, 1.3), -0.5, [1780, 1865]),
+        ] {
+            let mut params =
+                Params { heights: heights.clone(), radius_amplitude: amplitude, radius_rate: 1.5, ..Params::default() };
+            params.slip.radius_2 = 400.0;
+            let (groups, heights, radius) = params.surface().expect("a surface");
+            let origin = heights.origin();
+            let population = Population::new(&groups, params.slip, heights, radius, true);
+            let count = |sum: &dyn Fn(f64)| {
+                EVALUATIONS.set(0);
+                [-2.0, -0.5, 0.3, 1.4].into_iter().for_each(|separation| sum(separation - origin));
+                EVALUATIONS.get()
+            };
+            let counts = [
+                count(&|separation| {
+                    population.at_separation(separation);
+                }),
+                count(&|separation| {
+                    population.contacts(separation, 100.0);
+                }),
+            ];
+            for (count, most) in counts.into_iter().zip(most) {
+                assert!(count <= most + most / 200, "{count}, not {most}: {amplitude} and {:?}", params.heights);
+            }
+        }
+    }
 }

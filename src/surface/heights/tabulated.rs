@@ -422,8 +422,8 @@ mod tests {
         for (count, taken) in [(2, false), (3, true), (4096, true), (4097, false)] {
             assert_eq!(table(count).is_ok(), taken, "{count}");
         }
-        let high = |highest: f64| Tabulated::new(&[-1.0, 0.0, highest], &[1.0; 3]).is_ok();
-        let low = |lowest: f64| Tabulated::new(&[lowest, 0.0, 1.0], &[1.0; 3]).is_ok();
+        let high = |highest: f64| Tabulated::new(&[-LARGEST_HEIGHT, 0.0, highest], &[1.0; 3]).is_ok();
+        let low = |lowest: f64| Tabulated::new(&[lowest, 0.0, LARGEST_HEIGHT], &[1.0; 3]).is_ok();
         assert!(high(LARGEST_HEIGHT) && !high(LARGEST_HEIGHT.next_up()));
         assert!(low(-LARGEST_HEIGHT) && !low((-LARGEST_HEIGHT).next_down()));
         // All but all of the summits within a small part of the range.
