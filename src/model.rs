@@ -563,13 +563,13 @@ mod tests {
             ..Params::default()
         };
         params.composite_modulus *= 5.0;
-        params.work_of_adhesion *= 5.0 * 0.1;
+        params.work_of_adhesion *= 5.0 * 0.3;
         params.effective_shear_modulus *= 7.0;
         params.asperity_count = 11.0;
         for length in
             [&mut params.burgers_vector, &mut params.height_std, &mut params.summit_radius, &mut params.adhesion_range]
         {
-            *length *= 0.1;
+            *length *= 0.3;
         }
         let model = Model::new(&params).expect("a model");
         let near = |a: f64, b: f64, tolerance: f64| (a - b).abs() <= tolerance * b.abs();
@@ -588,10 +588,10 @@ mod tests {
         }
         let (summary, point) = (model.summary(), model.equilibrium.pull_off().expect("a pull-off point"));
         let pull_off = model.state_at_load(summary.pull_off_load).expect("a state");
-        assert!(near(summary.pull_off_load, point.load * params.composite_modulus * 0.01 * 11.0, 1e-14));
+        assert!(near(summary.pull_off_load, point.load * params.composite_modulus * 0.09 * 11.0, 1e-14));
         assert!(near(
             summary.pull_off_friction_force,
-            point.friction * params.effective_shear_modulus * 0.01 * 11.0,
+            point.friction * params.effective_shear_modulus * 0.09 * 11.0,
             1e-14
         ));
         assert!(near(pull_off.friction_force, summary.pull_off_friction_force, 1e-14));
@@ -606,7 +606,7 @@ mod tests {
         let none = Model::new(&Params { work_of_adhesion: 0.0, ..params }).expect("a model");
         assert_eq!(none.exact_force(0.0), (0.0, f64::INFINITY));
         // Nothing is left, and nothing is divided by it.
-        let apart = none.state_at_separation(9.0).expect("a state");
+        let apart = none.state_at_separation(27.0).expect("a state");
         assert_eq!((apart.load, apart.friction_force, apart.dforce_dload), (0.0, 0.0, 0.0));
         assert_eq!((apart.mean_contact_radius, apart.mean_asperity_pressure), (0.0, 0.0));
     }
