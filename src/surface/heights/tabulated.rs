@@ -415,7 +415,8 @@ mod tests {
         let refused = checked(&[0.0, 2.0, 1.0, 3.0, 4.0, 5.0], &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0]);
         assert!(matches!(refused, Err(Error::InvalidEntry { index: 2, .. })), "{refused:?}");
         for unit in [1e-9, 1e9] {
-            let near = |apart: f64| checked(&[0.0, unit, unit * (1.0 + apart), 2.0 * unit], &[1.0; 4]).is_ok();
+            let at = |x: f64| unit * (7.0 + x);
+            let near = |apart: f64| checked(&[at(0.0), at(1.0), at(1.0 + apart), at(2.0)], &[1.0; 4]).is_ok();
             assert_eq!([near(0.9 * 2.0 * NEAREST), near(1.1 * 2.0 * NEAREST)], [false, true], "{unit:e}");
         }
     }
