@@ -197,6 +197,79 @@ fn the_branch_ends_at_the_first_minimum_of_the_load() {
     assert!(loads.windows(2).all(|pair| pair[1] < pair[0]), "pull-off {pull_off:e}, loads {loads:?}");
 }
 
+/// Next to a fold the radius of contacts is so steep that the height where it passes one of the slip law's is that of its
+/// neighbours, too: panels were cut there without end, for tens of seconds.
+#[test]
+fn sums_do_not_stop_where_contact_radii_are_steep() {
+    let surfaces = [
+        (
+            surface(
+                8.381849222214722e-4,
+                5152715.137756967,
+                2.1029807018159652e-4,
+                0.12704386771093445,
+                13.725755182418508,
+            ),
+            -4.882807843387127e-4,
+            1.8110672237718294e-2,
+        ),
+        (
+            surface(8.381849222214722e-4, 5152715.137756967, 2.1029807018159652e-4, 0.12704386771093445, 1.0),
+            -4.882807843387127e-4,
+            1.8110672237718294e-2,
+        ),
+        (
+            surface(1.6125735486823817e-4, 4489745.052009353, 3.579252348691782e-5, 0.23586978144945048, 0.0),
+            0.8989257817156613,
+            2.8797221476349354e-2,
+        ),
+    ];
+    for (i, (mut params, amplitude, rate)) in surfaces.into_iter().enumerate() {
+        match i {
+            1 => params.heights = HeightFamily::Johnson { skew: 0.30102992992860056, kurtosis: 3.152413671326139 },
+            2 => params.heights = HeightFamily::Gaussian,
+            _ => {}
+        }
+        (params.attraction, params.radius_amplitude, params.radius_rate) = (true, amplitude, rate);
+        let start = processor_time();
+        let model = Model::new(&params).expect("a model");
+        let took = processor_time() - start;
+        assert!(took < Duration::from_millis(700) || cfg!(debug_assertions), "{took:?}");
+        assert!(
+            model.summary().pull_off_load > -1e-100 && model.summary().pull_off_load <= 0.0,
+            "{:?}",
+            model.summary()
+        );
+    }
+}
+
+/// A starting value of theta that is no angle met a panic, where radii rise steeply between the ends of heights.
+#[test]
+fn loads_of_steep_radii_between_the_ends_of_heights_are_found() {
+    let params = Params {
+        composite_modulus: 3.6648460423276797e-4,
+        effective_shear_modulus: 2.565392229629376e-4,
+        work_of_adhesion: 3.171062361030383e-7,
+        adhesion_range: 0.27450836969420084,
+        burgers_vector: 2.2719540110742673,
+        height_std: 3684.734918695213,
+        summit_radius: 677536376.5292375,
+        asperity_count: 10689593286.14405,
+        heights: HeightFamily::Johnson { skew: -1.114013671875, kurtosis: 2.6120136071720252 },
+        radius_amplitude: 1.0,
+        radius_rate: 53.30787636868494,
+        ..Params::default()
+    };
+    let model = Model::new(&params).expect("a model");
+    let mut last = 0.0;
+    for i in 0..400 {
+        let load = 8.9e17 * (1.0 + 7e-4 * f64::from(i));
+        let force = model.state_at_load(load).expect("a state").friction_force;
+        assert!(force > last && (last == 0.0 || force < 1.001 * last), "{force:e} after {last:e} at {load:e}");
+        last = force;
+    }
+}
+
 /// Panels that were cut next to where the contact radius passes one of the slip law's were cut there again, and again.
 #[test]
 fn sums_do_not_stop_where_contact_radii_pass_the_slip_law() {

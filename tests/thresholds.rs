@@ -108,6 +108,23 @@ fn sums_over_heights_that_gather_at_two_ends_are_those_of_a_second_evaluation() 
     }
 }
 
+/// Where radii vary much within adhesion's range, break-away is nearer in height than in overlap.
+#[test]
+fn contacts_of_small_summits_next_to_break_away_are_summed_well() {
+    let surface = Surface {
+        alpha: 5.301090698879846e-4,
+        beta: 39.65771044724285,
+        gamma: 4.490305961462481e-2,
+        b_over_h: 5.188126247013423e-2,
+        heights: Heights::Gaussian,
+        epsilon: 0.9938964848406613,
+        rho: 1.537979986789622,
+        attraction: true,
+        slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+    };
+    agree(&surface, &[100.0, 122.0, 209.0, 230.0, 253.9]);
+}
+
 #[test]
 fn a_first_minimum_that_the_search_steps_over_is_found_by_following_the_branch() {
     let surface = Surface {

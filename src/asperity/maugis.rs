@@ -187,10 +187,10 @@ impl Maugis {
 
     /// The contact on the unloading branch at an overlap of at least that of break-away.
     ///
-    /// `guess` is a starting theta; [`Maugis::guess`] makes one from nothing.
+    /// `guess` is a starting theta; [`Maugis::guess`] makes one from nothing, and in place of one that is no angle.
     pub fn at_overlap(&self, overlap: f64, g: f64, guess: f64) -> Contact {
         let (mut lower, mut upper) = (0.0, FRAC_PI_2);
-        let start = guess.min(FRAC_PI_2);
+        let start = if guess > 0.0 { guess.min(FRAC_PI_2) } else { self.guess(overlap, g) };
         let mut angle = start.sin_cos();
         let mut contact = self.at_angle(start, angle, g);
         let mut before = contact;
@@ -208,7 +208,7 @@ impl Maugis {
             // A tiny step may leave the bracket by rounding.
             let trusted = (newton - theta).abs() <= 1e-9 * theta
                 || newton > lower.max(0.5 * theta) && newton < upper.min(2.0 * theta);
-            let next = if trusted { newton } else { (0.5 * (lower + upper)).clamp(0.5 * theta, 2.0 * theta) };
+            let next = if trusted { newton } else { (0.5 * (lower + upper)).max(0.5 * theta).min(2.0 * theta) };
             let step = (next - theta).abs();
             let way = last_step.unwrap_or(theta);
             // Next to pi/2 the radius is proportional to the distance from there.
@@ -404,7 +404,9 @@ pub(crate) mod tests {
                     let expected = law.at(part * last, g);
                     let theta = expected.theta;
                     let cold = law.guess(expected.overlap, g);
-                    for guess in [cold, 1e-3 * theta, 0.4 * theta, theta * (1.0 + 1e-4), theta * (1.0 + 1e-9), 9.0] {
+                    let no_angles = [9.0, 0.0, -0.3 * theta, f64::NAN];
+                    let guesses = [cold, 1e-3 * theta, 0.4 * theta, theta * (1.0 + 1e-4), theta * (1.0 + 1e-9)];
+                    for guess in guesses.into_iter().chain(no_angles) {
                         let found = law.at_overlap(expected.overlap, g, guess);
                         // Next to break-away the overlap hardly depends on theta.
                         let known = 1e-15 * expected.overlap.abs().max(law.break_away(g).overlap.abs());

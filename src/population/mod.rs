@@ -198,7 +198,7 @@ impl Guess {
             }
         };
         let value = self.cubic(part) + error * bubble(part);
-        1.0 / value.clamp(self.range.0, self.range.1).sqrt()
+        1.0 / value.max(self.range.0).min(self.range.1).sqrt()
     }
 
     /// Takes in the value found at a part.
@@ -816,9 +816,11 @@ impl Population {
         by_curve.max(theta - (2.0 * (FRAC_PI_2 - theta)).max(1e-4))
     }
 
-    /// How far the overlap is above that of break-away.
+    /// How far in height break-away is at least: where radii vary, its overlap changes with height too.
     fn clearance(&self, point: &Point) -> f64 {
-        point.contact.overlap - self.edges.break_away(&self.maugis, point.g).overlap
+        let edge = self.edges.break_away(&self.maugis, point.g);
+        let rate = 1.0 - edge.overlap_by_g * point.g_rate;
+        (point.contact.overlap - edge.overlap) / rate.abs().max(1.0)
     }
 
     /// The first summit between two where the integrand has a kink: its contact radius is one of the slip law's
@@ -849,8 +851,12 @@ impl Population {
                 (point.contact.radius - kink).abs() < (AT_KINK * kink).max(1e-14 * outer_radius)
             };
             if (here.contact.radius < kink) != (there.contact.radius < kink) && !is_at(here) && !is_at(&there) {
-                there = self.point_of_radius(here, &there, kink);
-                cut = Some(there);
+                let at_kink = self.point_of_radius(here, &there, kink);
+                // Next to a fold the radius is so steep that no height tells the two apart.
+                if at_kink.is_apart(here) {
+                    there = at_kink;
+                    cut = Some(there);
+                }
             }
         }
         cut
@@ -1029,6 +1035,12 @@ impl Point {
         } else {
             self.z - other.z
         }
+    }
+
+    /// Whether it is higher or lower than another beyond rounding.
+    fn is_apart(&self, other: &Self) -> bool {
+        let known = self.contact.overlap.abs().min(self.z.abs());
+        self.rise_above(other).abs() > 4.0 * f64::EPSILON * known
     }
 
     /// dtheta/dz at fixed separation.
