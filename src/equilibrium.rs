@@ -243,7 +243,8 @@ impl Equilibrium {
             } else {
                 upper = separation;
             }
-            let newton = if slope < 0.0 { separation - residual / slope } else { lower };
+            // Beyond a pull-off load that is no number the slope of its logarithm is none either.
+            let newton = if slope < 0.0 && slope.is_finite() { separation - residual / slope } else { lower };
             let resolution = 4.0 * f64::EPSILON * separation.abs().max(f64::MIN_POSITIVE);
             let next = if (newton - separation).abs() <= resolution || (newton > lower && newton < upper) {
                 newton

@@ -243,6 +243,25 @@ fn sums_do_not_stop_where_contact_radii_are_steep() {
     }
 }
 
+/// The search for a light load stepped beyond a pull-off load that is no number, and took that for its end.
+#[test]
+fn light_loads_are_found_above_a_pull_off_load_that_is_none() {
+    let params = Params {
+        heights: HeightFamily::Gaussian,
+        attraction: true,
+        ..surface(0.05752103079734467, 38213.283425671885, 0.07542541357579806, 0.3962289, 1.0)
+    };
+    let model = Model::new(&params).expect("a model");
+    assert_eq!(model.summary().pull_off_load, 0.0);
+    let mut last = 0.0;
+    for power in -60..-10 {
+        let load = 10f64.powi(power) * model.summary().max_table_load;
+        let force = model.state_at_load(load).expect("a state").friction_force;
+        assert!(force > last && (last == 0.0 || force < 11.0 * last), "{force:e} after {last:e} at {load:e}");
+        last = force;
+    }
+}
+
 /// A starting value of theta that is no angle met a panic, where radii rise steeply between the ends of heights.
 #[test]
 fn loads_of_steep_radii_between_the_ends_of_heights_are_found() {

@@ -13,7 +13,7 @@ use asperity::surface::heights::weibull::Weibull;
 use asperity::surface::heights::Heights as Family;
 use asperity::surface::radius::RadiusProfile;
 use asperity::{Error, HeightFamily, Model, Params};
-use second_evaluation::heights::{Heights, Johnson};
+use second_evaluation::heights::{Heights, Johnson, Table};
 use second_evaluation::Surface;
 use surface_params::params;
 
@@ -123,6 +123,51 @@ fn contacts_of_small_summits_next_to_break_away_are_summed_well() {
         slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
     };
     agree(&surface, &[100.0, 122.0, 209.0, 230.0, 253.9]);
+}
+
+/// Within one panel the contact radius passes one of the slip law's, turns back below it and passes it again.
+#[test]
+fn friction_of_contacts_whose_radius_turns_twice_is_summed_well() {
+    let surface = Surface {
+        alpha: 2.879722146863008e-4,
+        beta: 127.6761034470962,
+        gamma: 6.260717080148791e-7,
+        b_over_h: 5.710840547041712e-2,
+        heights: Heights::weibull(2.3229816161803893),
+        epsilon: -0.6434326167218387,
+        rho: 20.844920576974864,
+        attraction: true,
+        slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+    };
+    let separations: Vec<f64> = (-20..=20).map(|i| -0.0391 + 0.004 * f64::from(i)).collect();
+    agree(&surface, &separations);
+}
+
+/// Between two separations contact parts in the middle of the heights, where radii fall steeply: at the one between, summits
+/// there are next to break-away.
+#[test]
+fn contact_that_is_about_to_part_in_the_middle_is_summed_well() {
+    let height = [-5.70889, -5.48528, -3.92065, -3.60677, -3.12969, -2.528, -2.07314, -1.6976, -1.35966, -0.946668];
+    let density = [0.0, 0.0322383, 0.443135, 0.0802576, 0.303263, 0.220843, 0.168308, 0.0316203, 0.12996, 0.279431];
+    let table = Table::new(
+        [&height[..], &[-0.05313, 0.718513, 1.34679]].concat(),
+        [&density[..], &[0.0555068, 1.91315, 0.0]].concat(),
+    );
+    let surface = Surface {
+        alpha: 1.0135831344208548e-3,
+        beta: 24280.29209569567,
+        gamma: 4.458584988914299e-3,
+        b_over_h: 4.132477487047875,
+        heights: Heights::Table(table),
+        epsilon: -0.6230468745343387,
+        rho: 90.88581255470717,
+        attraction: true,
+        slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+    };
+    let params = params(&surface);
+    let model = Model::new(&params).expect("a model");
+    let parting = model.state_at_load(model.summary().pull_off_load).expect("a state").separation / params.height_std;
+    agree(&surface, &[-1e-3, -1e-4, -1e-6, 0.0, 1e-6, 1e-4, 1e-3].map(|offset| parting + offset));
 }
 
 #[test]

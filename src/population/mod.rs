@@ -39,6 +39,10 @@ const THETA_RATIO: f64 = 0.4;
 const THETA_SPAN: f64 = 0.15;
 /// A panel in height is no longer than this many times the distance to break-away, where theta(u) is singular.
 const HEIGHT_RATIO: f64 = 2.5;
+/// Where contacts above are ever nearer to break-away, which they may touch, a panel takes no more than this part of the way
+/// there, or this part of where all else is smooth: what is nearer is nothing.
+const APPROACH: f64 = 0.5;
+const NEAREST: f64 = 1e-4;
 /// One panel of attraction with varying radius spans no more than this ratio of sqrt(gap terms).
 const CIRCLE_RATIO: f64 = 4.0;
 /// Over a panel across which theta changes less than by this factor, it serves as well as the height, and with equal
@@ -708,8 +712,15 @@ impl Population {
                 return self.walk_tip(&here, remaining, sink);
             }
             let theta_far = self.theta_limit(&here);
-            let curve = self.maugis.at(theta_far, here.g).overlap - here.contact.overlap;
-            let clearance = self.clearance(&here);
+            let (above, rate) = self.above_break_away(&here);
+            let approaches = direction * rate < 0.0;
+            let rate = rate.abs().max(1.0);
+            let clearance = above / rate;
+            let smooth = match approaches {
+                true => smooth.min((APPROACH * clearance).max(NEAREST * smooth.min(1.0))),
+                false => smooth,
+            };
+            let curve = (self.maugis.at(theta_far, here.g).overlap - here.contact.overlap) / rate;
             let in_theta = curve.min(THETA_SPAN * smooth.min(1.0));
             let in_height = smooth.min(HEIGHT_RATIO * clearance);
             let by_height = in_height > in_theta;
@@ -740,7 +751,7 @@ impl Population {
             } else {
                 let theta_end = if constant_radius {
                     there.contact.theta
-                } else if length == curve {
+                } else if length == curve && rate == 1.0 {
                     theta_far
                 } else {
                     let overlap = here.contact.overlap + length;
@@ -816,11 +827,18 @@ impl Population {
         by_curve.max(theta - (2.0 * (FRAC_PI_2 - theta)).max(1e-4))
     }
 
-    /// How far in height break-away is at least: where radii vary, its overlap changes with height too.
+    /// How far in height break-away is at least.
     fn clearance(&self, point: &Point) -> f64 {
+        let (above, rate) = self.above_break_away(point);
+        above / rate.abs().max(1.0)
+    }
+
+    /// How far the overlap is above that of break-away, and how fast that changes with height: where radii vary, that of
+    /// break-away changes too.
+    fn above_break_away(&self, point: &Point) -> (f64, f64) {
         let edge = self.edges.break_away(&self.maugis, point.g);
         let rate = 1.0 - edge.overlap_by_g * point.g_rate;
-        (point.contact.overlap - edge.overlap) / rate.abs().max(1.0)
+        (point.contact.overlap - edge.overlap, rate)
     }
 
     /// The first summit between two where the integrand has a kink: its contact radius is one of the slip law's
@@ -828,6 +846,13 @@ impl Population {
     fn first_cut<S: Sink>(&self, here: &Point, there: &Point) -> Option<Point> {
         let mut cut = None;
         let mut there = *there;
+        if !self.radius.is_constant() && (S::EXTREMA || self.may_pass_kink(here, &there)) {
+            // Between two extrema, so that each is seen.
+            if let Some(part) = between_extrema(here, &there) {
+                there = self.point(here, part * (there.z - here.z), here.guess_towards(there.contact.theta, part));
+                cut = Some(there);
+            }
+        }
         if !self.radius.is_constant()
             && (here.radius_rise() > 0.0) != (there.radius_rise() > 0.0)
             && (S::EXTREMA || self.may_pass_kink(here, &there))
@@ -1078,6 +1103,19 @@ fn part_of_radius(here: &Point, there: &Point, radius: f64) -> f64 {
     } else {
         line.clamp(1e-6, 1.0 - 1e-6)
     }
+}
+
+/// Where between two summits, as a part of the way, the contact radius turns back from an extremum to another, by the cubic
+/// that has its values and slopes at both.
+fn between_extrema(here: &Point, there: &Point) -> Option<f64> {
+    let whole = there.z - here.z;
+    let change = there.contact.radius - here.contact.radius;
+    let [start, end] = [here, there].map(|point| point.radius_slope() * whole);
+    // Its slope is start + 2 b t + 3 c t^2.
+    let (b, c) = (3.0 * change - 2.0 * start - end, start + end - 2.0 * change);
+    let part = -b / (3.0 * c);
+    let turns = start + b * part;
+    (start * end > 0.0 && start * turns < 0.0 && part > 0.1 && part < 0.9).then_some(part)
 }
 
 /// Whether a rise ends well inside a range.

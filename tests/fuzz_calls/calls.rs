@@ -17,8 +17,9 @@ const HEAVIEST: f64 = 0.9e80;
 /// The accuracy of an exact load, relative to the loads that it is the difference of: next to pull-off, where friction
 /// changes much with load, that of the friction force is less.
 const LOAD_ERROR: f64 = 1e-11;
-/// How far a slope may be from the secant over twice this of load - pull-off, relative to F/(load - pull-off): two errors of
-/// the law, and what the secant is off by where radii change steeply with height. Beside that, what the forces are known to.
+/// How far a slope may be from the secant over twice this of load - pull-off, extrapolated to none, relative to F/(load -
+/// pull-off): errors of the law, and what the secant is off by still where radii change steeply with height. Beside that, what
+/// the forces are known to.
 const STEP: f64 = 1e-4;
 const SECANT: f64 = 1e-5;
 /// Up to this part of the pull-off load above it forces are known to fewer digits, and steps are longer.
@@ -372,15 +373,20 @@ impl<'a> Calls<'a> {
         let x = near * (0.99 * farthest / near).powf(part);
         let step = if x < -NEAR_PULL_OFF * s.pull_off_load { STEP_NEAR_PULL_OFF } else { STEP };
         let load = s.pull_off_load + x;
-        let (below, above) = (s.pull_off_load + x * (1.0 - step), s.pull_off_load + x * (1.0 + step));
         let (at, mut slope): (Shared, f64) = (model.handle.0, BEFORE);
         let slope_at: *mut f64 = &mut slope;
         let force = call!(self, model.params, asperity_friction_force_and_slope_at_load(at, load, slope_at));
-        let secant = (self.force(model, above) - self.force(model, below)) / (above - below);
+        let mut secant = |step: f64| {
+            let (below, above) = (s.pull_off_load + x * (1.0 - step), s.pull_off_load + x * (1.0 + step));
+            (self.force(model, above) - self.force(model, below)) / (above - below)
+        };
+        // What a secant is off by goes with the square of its length.
+        let (whole, half) = (secant(step), secant(0.5 * step));
+        let secant = half + (half - whole) / 3.0;
         let difference = (slope - secant).abs() * x / force;
         self.tally.secant_difference = self.tally.secant_difference.max(difference);
         assert!(
-            difference <= SECANT + model.resolution(load) / step,
+            difference <= SECANT + 4.0 * model.resolution(load) / step,
             "load {load:e}: slope {slope:e}, secant {secant:e}, difference {difference:e} of F/x; {:?}",
             model.params
         );
