@@ -108,6 +108,23 @@ fn sums_over_heights_that_gather_at_two_ends_are_those_of_a_second_evaluation() 
     }
 }
 
+/// Adhesion reaches over the heights, and the tall half of the summits, which is small, has broken away: contact ends twice.
+#[test]
+fn contact_that_ends_below_the_tall_summits_is_summed_between_its_ends() {
+    let surface = Surface {
+        alpha: 0.01,
+        beta: 100.0,
+        gamma: 0.0934,
+        b_over_h: 0.1,
+        heights: Heights::Johnson(Johnson::new(true, 0.1, 0.45)),
+        epsilon: -0.95,
+        rho: 8.0,
+        attraction: true,
+        slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+    };
+    agree(&surface, &[1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0]);
+}
+
 /// Where radii vary much within adhesion's range, break-away is nearer in height than in overlap.
 #[test]
 fn contacts_of_small_summits_next_to_break_away_are_summed_well() {
