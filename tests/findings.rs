@@ -262,6 +262,24 @@ fn light_loads_are_found_above_a_pull_off_load_that_is_none() {
     }
 }
 
+/// What is left of the heights may be the last bit of one: there is nothing to cut there.
+#[test]
+fn the_last_bit_of_the_heights_is_no_panel_to_cut() {
+    let params = Params {
+        heights: HeightFamily::Johnson { skew: 2.07757989367654, kurtosis: 7.987927220128025 },
+        attraction: true,
+        radius_amplitude: 0.3710937504656613,
+        radius_rate: 6.222219292529092,
+        ..surface(9.222395660932716e-4, 48152.316878953374, 6.0884284861439574e-5, 1.550888465802803, 1.0)
+    };
+    let model = Model::new(&params).expect("a model");
+    let end = model.state_at_load(model.summary().pull_off_load).expect("a state").separation;
+    for i in 0..=80 {
+        let separation = end - 0.1 * f64::from(i) * params.height_std;
+        model.state_at_separation(separation).expect("a state");
+    }
+}
+
 /// A starting value of theta that is no angle met a panic, where radii rise steeply between the ends of heights.
 #[test]
 fn loads_of_steep_radii_between_the_ends_of_heights_are_found() {

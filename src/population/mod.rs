@@ -849,8 +849,11 @@ impl Population {
         if !self.radius.is_constant() && (S::EXTREMA || self.may_pass_kink(here, &there)) {
             // Between two extrema, so that each is seen.
             if let Some(part) = between_extrema(here, &there) {
-                there = self.point(here, part * (there.z - here.z), here.guess_towards(there.contact.theta, part));
-                cut = Some(there);
+                let turn = self.point(here, part * (there.z - here.z), here.guess_towards(there.contact.theta, part));
+                if turn.is_apart(here) {
+                    there = turn;
+                    cut = Some(there);
+                }
             }
         }
         if !self.radius.is_constant()
