@@ -85,7 +85,7 @@ supply-chain:
 
 oldest-rust:
 	rustup toolchain install $(OLDEST_RUST) --profile minimal
-	CARGO_TARGET_DIR=$(TARGET)/oldest-rust $(LOW) cargo +$(OLDEST_RUST) test --release --locked
+	CARGO_TARGET_DIR=$(TARGET)/oldest-rust $(LOW) cargo +$(OLDEST_RUST) test --profile mutants --locked
 
 coverage:
 	$(LOW) tests/harden/coverage.sh
