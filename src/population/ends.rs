@@ -131,9 +131,7 @@ impl Population {
             if walk.is_over() {
                 return;
             }
-            let (above, rate) = self.above_break_away(&here);
-            let rate = rate.abs().max(1.0);
-            let clearance = above / rate;
+            let (clearance, rate) = self.clearance_and_rate(&here);
             if let Some(next) = walk.beside_end(clearance) {
                 sink.summits(here.z, walk.mass_to(next, log_scale), &here.contact);
                 let place = ends.place(next);
@@ -150,7 +148,7 @@ impl Population {
             }
             let in_logit = direction * walk.place.rise_to(&there_place);
             let theta_far = self.theta_limit(&here);
-            let curve = (self.maugis.at(theta_far, here.g).overlap - here.contact.overlap) / rate;
+            let curve = (self.maugis.at(theta_far, here.g).overlap - here.contact.overlap) / rate.abs().max(1.0);
             let in_theta = curve.min(THETA_SPAN * walk.place.from_end().min(1.0));
             let by_logit = in_logit > in_theta || direction * there_place.logit >= direction * walk.last;
             if !by_logit {

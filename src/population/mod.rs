@@ -712,10 +712,9 @@ impl Population {
                 return self.walk_tip(&here, remaining, sink);
             }
             let theta_far = self.theta_limit(&here);
-            let (above, rate) = self.above_break_away(&here);
+            let (clearance, rate) = self.clearance_and_rate(&here);
             let approaches = direction * rate < 0.0;
             let rate = rate.abs().max(1.0);
-            let clearance = above / rate;
             let smooth = match approaches {
                 true => smooth.min((APPROACH * clearance).max(NEAREST * smooth.min(1.0))),
                 false => smooth,
@@ -829,16 +828,15 @@ impl Population {
 
     /// How far in height break-away is at least.
     fn clearance(&self, point: &Point) -> f64 {
-        let (above, rate) = self.above_break_away(point);
-        above / rate.abs().max(1.0)
+        self.clearance_and_rate(point).0
     }
 
-    /// How far the overlap is above that of break-away, and how fast that changes with height: where radii vary, that of
-    /// break-away changes too.
-    fn above_break_away(&self, point: &Point) -> (f64, f64) {
+    /// The same, and how fast the overlap above that of break-away changes with height: where radii vary, that of break-away
+    /// changes too.
+    fn clearance_and_rate(&self, point: &Point) -> (f64, f64) {
         let edge = self.edges.break_away(&self.maugis, point.g);
         let rate = 1.0 - edge.overlap_by_g * point.g_rate;
-        (point.contact.overlap - edge.overlap, rate)
+        ((point.contact.overlap - edge.overlap) / rate.abs().max(1.0), rate)
     }
 
     /// The first summit between two where the integrand has a kink: its contact radius is one of the slip law's
