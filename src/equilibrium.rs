@@ -66,12 +66,13 @@ impl Equilibrium {
         }
         // Where heights gather, minima are shallow.
         let scanned = if population.has_single_minimum() || !population.heights().is_log_concave() {
-            bracket_first_minimum(population).map(|bracket| ends(population, bracket))
+            bracket_first_minimum(population)?.map(|bracket| ends(population, bracket))
         } else {
             // Many states are looked at for a sign.
-            bracket_first_minimum(&population.roughly()).map(|bracket| about(population, bracket))
+            bracket_first_minimum(&population.roughly())?.map(|bracket| about(population, bracket))
         };
-        let at_foot = bracket_at_foot(population).map(|bracket| ends(population, bracket));
+        let at_foot = bracket_at_foot(population)?.map(|bracket| ends(population, bracket));
+        let (scanned, at_foot) = (scanned.transpose()?, at_foot.transpose()?);
         let bracket = match (scanned, at_foot) {
             (Some(scanned), Some(at_foot)) => Some(if at_foot[0].0 < scanned[0].0 { at_foot } else { scanned }),
             (scanned, at_foot) => scanned.or(at_foot),
@@ -89,7 +90,7 @@ impl Equilibrium {
     /// [`Error::NotConverged`] if no minimum can be found there, [`Error::OutOfRange`] if the load there is not negative.
     pub fn ending_near(population: &Population, off_branch: f64) -> Result<Self, Error> {
         let mut rising = off_branch;
-        while falls(population, rising) {
+        while falls(population, rising)? {
             rising += FINEST_SCAN;
             if rising > population.farthest() {
                 return Err(Error::NotConverged { what: "separation at pull-off", value: off_branch });
@@ -97,8 +98,8 @@ impl Equilibrium {
         }
         let mut step = 1e-3;
         while step < 100.0 {
-            if falls(population, rising - step) {
-                return Self::within(population, ends(population, (rising - step, rising)));
+            if falls(population, rising - step)? {
+                return Self::within(population, ends(population, (rising - step, rising))?);
             }
             step *= 2.0;
         }
@@ -137,6 +138,7 @@ impl Equilibrium {
         if jumped && !population.partings().is_empty() {
             (separation, sums) = lowest;
         }
+        let sums = sums.known(separation)?;
         if sums.load() >= 0.0 {
             return Err(Error::OutOfRange {
                 name: "pull-off load",
@@ -270,17 +272,17 @@ impl Equilibrium {
 
 /// Two separations between which the load has its first minimum, coming from heavy load; `None` where the load
 /// falls as long as it can be represented.
-fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
+fn bracket_first_minimum(population: &Population) -> Result<Option<(f64, f64)>, Error> {
     let farthest = population.farthest();
     // A first look at the middle of the heights; where there may be several minima, from heavy load.
     let single = population.has_single_minimum();
     let mut here = if single { 0.0 } else { SCAN_START } - population.heights().origin();
     let mut step = SCAN_STEP;
-    while !falls(population, here) {
+    while !falls(population, here)? {
         here -= step;
         step *= 1.5;
         if here < CLOSEST {
-            return None;
+            return Ok(None);
         }
     }
     let scan_step = if single {
@@ -300,96 +302,318 @@ fn bracket_first_minimum(population: &Population) -> Option<(f64, f64)> {
         if ends && next > here + 0.5 * (farthest - here) {
             next = here + 0.5 * (farthest - here);
             if farthest - next < NEAREST_TO_END * (1.0 + farthest.abs()) {
-                return None;
+                return Ok(None);
             }
         }
-        let sums = population.at_separation(next);
+        let sums = sums_at(population, next)?;
         if sums.load_slope >= 0.0 {
             // The slope vanishes also where nothing is left; past a minimum the load is negative.
-            let past = if sums.load() < 0.0 { next } else { before_nothing_is_left(population, &mut here, next)? };
-            return Some(if single { (here, past) } else { first_bracket(population, here, past) });
+            let past = match sums.load() < 0.0 {
+                true => Some(next),
+                false => before_nothing_is_left(population, &mut here, next)?,
+            };
+            let first = |past| if single { Ok((here, past)) } else { first_bracket(population, here, past) };
+            return past.map(first).transpose();
         }
         // What is positive and as small as that has no minimum that counts behind it.
         if sums.load().ln() + sums.log_scale < SMALLEST_LOG_LOAD {
-            return None;
+            return Ok(None);
         }
         here = next;
         // Far out the heights change on the scale of their distance.
         step = if single { 1.5 * step } else { scan_step.max(0.1 * here) };
     }
-    None
+    Ok(None)
 }
 
 /// Two separations between which the load has a minimum because many summits that gather at the foot part at once: next to
 /// where they lose contact or attraction, nearer than a scan looks.
-fn bracket_at_foot(population: &Population) -> Option<(f64, f64)> {
+fn bracket_at_foot(population: &Population) -> Result<Option<(f64, f64)>, Error> {
     const NEAREST: i32 = 15;
     let scale = population.heights().head() - population.heights().foot();
     let offsets = (1..=NEAREST).map(|k| -0.1_f64.powi(k)).chain((1..=NEAREST).rev().map(|k| 0.1_f64.powi(k)));
     let first_minimum = |parting: f64| {
         let mut before: Option<(f64, f64)> = None;
         for separation in offsets.clone().map(|offset| parting + scale * offset) {
-            let sums = population.at_separation(separation).unscaled();
+            let sums = sums_at(population, separation)?.unscaled();
             let rises = sums.load_slope >= 0.0;
             match before {
-                None if rises => return None,
-                Some((nearer, load)) if rises || sums.load() >= load => return Some((nearer, separation)),
+                None if rises => return Ok(None),
+                Some((nearer, load)) if rises || sums.load() >= load => return Ok(Some((nearer, separation))),
                 _ => before = Some((separation, sums.load())),
             }
         }
-        None
+        Ok(None)
     };
-    population.partings().into_iter().find_map(first_minimum)
+    population.partings().into_iter().find_map(|parting| first_minimum(parting).transpose()).transpose()
 }
 
 /// A separation past the minimum at which something is left, where a step led from a falling load to nothing; `None` if
 /// the load falls until nothing is left. Moves `here` on where the load falls still.
-fn before_nothing_is_left(population: &Population, here: &mut f64, nothing: f64) -> Option<f64> {
+fn before_nothing_is_left(population: &Population, here: &mut f64, nothing: f64) -> Result<Option<f64>, Error> {
     let mut nothing = nothing;
     while nothing - *here > 1e-9 * (1.0 + here.abs()) {
         let middle = 0.5 * (*here + nothing);
-        let sums = population.at_separation(middle);
+        let sums = sums_at(population, middle)?;
         if sums.load_slope < 0.0 {
             *here = middle;
         } else if sums.load() < 0.0 {
-            return Some(middle);
+            return Ok(Some(middle));
         } else {
             nothing = middle;
         }
     }
-    None
+    Ok(None)
 }
 
 /// The first part of a bracket across which the slope changes sign: where radii vary, the load may have a shallow
 /// minimum before the deepest one.
-fn first_bracket(population: &Population, lower: f64, upper: f64) -> (f64, f64) {
+fn first_bracket(population: &Population, lower: f64, upper: f64) -> Result<(f64, f64), Error> {
     const PARTS: u32 = 16;
     let at = |part: u32| lower + (upper - lower) * f64::from(part) / f64::from(PARTS);
-    let first = (1..PARTS).find(|&part| !falls(population, at(part))).unwrap_or(PARTS);
-    (at(first - 1), at(first))
+    let mut first = 1;
+    while first < PARTS && falls(population, at(first))? {
+        first += 1;
+    }
+    Ok((at(first - 1), at(first)))
 }
 
 /// A bracket with the sums at its ends.
-fn ends(population: &Population, (lower, upper): (f64, f64)) -> [(f64, Sums); 2] {
-    [lower, upper].map(|separation| (separation, population.at_separation(separation)))
+fn ends(population: &Population, (lower, upper): (f64, f64)) -> Result<[(f64, Sums); 2], Error> {
+    Ok([(lower, sums_at(population, lower)?), (upper, sums_at(population, upper)?)])
 }
 
 /// The same about a bracket that was found by rough sums, which may mistake a sign next to where it changes.
-fn about(population: &Population, bracket: (f64, f64)) -> [(f64, Sums); 2] {
-    let [mut lower, mut upper] = ends(population, bracket);
+fn about(population: &Population, bracket: (f64, f64)) -> Result<[(f64, Sums); 2], Error> {
+    let [mut lower, mut upper] = ends(population, bracket)?;
     let mut step = (upper.0 - lower.0).max(f64::EPSILON * upper.0.abs());
     while lower.1.load_slope >= 0.0 && lower.0 > CLOSEST {
-        lower = (lower.0 - step, population.at_separation(lower.0 - step));
+        lower = (lower.0 - step, sums_at(population, lower.0 - step)?);
         step *= 2.0;
     }
     while upper.1.load_slope < 0.0 && upper.0 < population.farthest() {
-        upper = (upper.0 + step, population.at_separation(upper.0 + step));
+        upper = (upper.0 + step, sums_at(population, upper.0 + step)?);
         step *= 2.0;
     }
-    [lower, upper]
+    Ok([lower, upper])
 }
 
 /// Whether the load falls as separation grows.
-fn falls(population: &Population, separation: f64) -> bool {
-    population.at_separation(separation).load_slope < 0.0
+fn falls(population: &Population, separation: f64) -> Result<bool, Error> {
+    Ok(sums_at(population, separation)?.load_slope < 0.0)
+}
+
+/// The sums at a separation, or why there are none.
+fn sums_at(population: &Population, separation: f64) -> Result<Sums, Error> {
+    population.at_separation(separation).known(separation)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::asperity::maugis::tests::EVALUATIONS;
+    use crate::params::{HeightFamily, Params};
+
+    /// Heights, alpha, beta, gamma and b/h, epsilon and rho.
+    type Surface = (HeightFamily, [f64; 4], [f64; 2]);
+
+    const ALIKE: [f64; 2] = [0.0, 1.0];
+    const WEAK: [f64; 4] = [0.01, 1000.0, 1e-3, 1.0];
+    const STRONG: [f64; 4] = [0.01, 1000.0, 0.02, 1.0];
+
+    fn population((heights, [alpha, beta, gamma, b_over_h], [amplitude, rate]): &Surface) -> Population {
+        let mut params =
+            Params { heights: heights.clone(), radius_amplitude: *amplitude, radius_rate: *rate, ..Params::default() };
+        params.set_dimensionless(*alpha, *beta, *gamma, *b_over_h, 0.3).expect("a surface");
+        let (groups, heights, radius) = params.surface().expect("a surface");
+        Population::new(&groups, params.slip, heights, radius, params.attraction)
+    }
+
+    fn table() -> HeightFamily {
+        let (height, density) = ([-3.0, -1.0, 0.0, 1.0, 1.5], [0.0, 1.0, 0.1, 1.0, 0.0]);
+        HeightFamily::Tabulated { height: height.to_vec().into(), density: density.to_vec().into() }
+    }
+
+    fn johnson(skew: f64, kurtosis: f64) -> HeightFamily {
+        HeightFamily::Johnson { skew, kurtosis }
+    }
+
+    /// Surfaces with a pull-off load, and how many contacts are evaluated to find the bracket among the heights, that at the
+    /// foot, and all.
+    fn surfaces() -> [(Surface, [u32; 3]); 17] {
+        let first_of_two = [4.1046984e-4, 6.7468579e6, 0.24253, 0.224919];
+        [
+            // With equal radii contacts are not evaluated anew.
+            ((HeightFamily::Gaussian, WEAK, ALIKE), [0, 0, 0]),
+            ((HeightFamily::Gaussian, STRONG, ALIKE), [0, 0, 0]),
+            ((HeightFamily::Gaussian, [0.01, 1000.0, 1.0, 1.0], ALIKE), [0, 0, 0]),
+            ((HeightFamily::Weibull { shape: 1.5 }, WEAK, ALIKE), [338, 0, 1570]),
+            ((HeightFamily::Gaussian, WEAK, [0.6, 1.5]), [23380, 0, 11044]),
+            ((HeightFamily::Gaussian, STRONG, [-0.9, 1.5]), [24500, 0, 28661]),
+            ((HeightFamily::Gaussian, STRONG, [0.9, 0.1]), [13633, 0, 17795]),
+            ((HeightFamily::Gaussian, first_of_two, [-0.60546875, 9.119288]), [33433, 0, 43932]),
+            ((HeightFamily::Weibull { shape: 2.4 }, WEAK, [-0.6, 4.0]), [27086, 0, 15612]),
+            ((johnson(-0.8, 6.0), STRONG, [-0.5, 2.0]), [28876, 0, 42451]),
+            ((johnson(0.5, 1.27), [0.01, 1000.0, 0.05, 0.2], ALIKE), [7796, 8313, 18421]),
+            ((johnson(0.5, 1.27), [0.01, 1000.0, 0.05, 1.0], ALIKE), [11000, 687, 15128]),
+            ((johnson(1.0, 2.02), [0.01, 1000.0, 0.02, 0.2], ALIKE), [12011, 668, 16131]),
+            ((table(), WEAK, ALIKE), [19902, 0, 21005]),
+            ((table(), STRONG, ALIKE), [2896, 0, 3448]),
+            ((table(), WEAK, [0.7, 2.0]), [46134, 0, 48412]),
+            ((table(), [0.01, 1000.0, 1.0, 1.0], [0.7, 2.0]), [46134, 0, 48412]),
+        ]
+    }
+
+    /// The value, and how many contacts were evaluated for it.
+    fn counted<T>(value: impl FnOnce() -> T) -> (T, u32) {
+        EVALUATIONS.set(0);
+        (value(), EVALUATIONS.get())
+    }
+
+    #[track_caller]
+    fn assert_few(what: &str, surface: &Surface, count: u32, most: u32) {
+        assert!(count <= most + most / 200, "{what} of {surface:?}: {count} contacts, not {most}");
+    }
+
+    fn load_at(population: &Population, separation: f64) -> f64 {
+        population.at_separation(separation).unscaled().load()
+    }
+
+    /// How near to pull-off the slope is asked for.
+    fn near(separation: f64) -> f64 {
+        1e-6 * separation.abs().max(1.0)
+    }
+
+    fn load_falls(population: &Population, separation: f64) -> bool {
+        falls(population, separation).expect("sums")
+    }
+
+    #[test]
+    fn the_branch_ends_at_the_first_minimum_of_the_load() {
+        for (surface, [.., most]) in surfaces() {
+            let population = population(&surface);
+            let (branch, count) = counted(|| Equilibrium::new(&population).expect("a branch"));
+            assert_few("the branch", &surface, count, most);
+            let point = branch.pull_off().expect("a pull-off point");
+            let end = point.separation;
+            assert_eq!((branch.farthest(), branch.pull_off_load()), (end, point.load));
+            assert_eq!(load_at(&population, end), point.load);
+            assert!((1..=400).all(|i| load_falls(&population, end - near(end) - 0.01 * f64::from(i))), "{surface:?}");
+            assert!(
+                load_falls(&population, end - near(end)) && !load_falls(&population, end + near(end)),
+                "{surface:?}"
+            );
+        }
+    }
+
+    /// Where radii and heights are alike, steps that grow by half from the mean; elsewhere a sixteenth of a step.
+    #[test]
+    fn the_load_is_looked_at_in_steps_of_the_right_size() {
+        for (surface, [most, ..]) in surfaces() {
+            let population = population(&surface);
+            let (bracket, count) = counted(|| bracket_first_minimum(&population).expect("sums"));
+            assert_few("the bracket", &surface, count, most);
+            let (lower, upper) = bracket.expect("a bracket");
+            assert!(load_falls(&population, lower) && !load_falls(&population, upper), "{surface:?}: {lower}, {upper}");
+            let step = if population.has_single_minimum() {
+                let steps = (lower + population.heights().origin()) / 2.0 + 1.0;
+                assert!((steps.log(1.5) - steps.log(1.5).round()).abs() < 1e-9, "{surface:?}: {lower}");
+                steps
+            } else if population.heights().is_log_concave() {
+                (0.5 / surface.2[1]).clamp(0.25, 0.5).max(0.1 * lower) / 16.0
+            } else {
+                0.25_f64.min(0.5 * population.range_of_adhesion()) / 16.0
+            };
+            let off = (upper - lower) / step - 1.0;
+            assert!(off < 1e-9 && (off > -0.2), "{surface:?}: {lower}, {upper}, not {step}");
+        }
+    }
+
+    /// Both sides of it, wherever the bracket that is to be mended was, and no more of them than must be.
+    #[test]
+    fn a_bracket_is_mended_by_going_on_from_its_ends() {
+        for (surface, _) in surfaces() {
+            let population = population(&surface);
+            let branch = Equilibrium::new(&population).expect("a branch");
+            let end = branch.farthest();
+            for (lower, upper) in [(-0.02, 0.02), (-0.05, -0.03), (0.01, 0.03), (-1e-9, -1e-9), (-0.01, -0.01)] {
+                let [(a, at_a), (b, at_b)] = about(&population, (end + lower, end + upper)).expect("sums");
+                assert!(at_a.load_slope < 0.0 && at_b.load_slope >= 0.0, "{surface:?}: {a}, {b} about {end}");
+                assert_eq!(at_a.load_slope, population.at_separation(a).load_slope);
+                assert_eq!(at_b.load_slope, population.at_separation(b).load_slope);
+                // Steps double, so that none is longer than all before it.
+                let widest: f64 = 2.0 * (upper - lower) + 2.0 * lower.abs().max(upper.abs()) + 1e-12;
+                assert!(
+                    a <= end && b >= end && b - a <= widest,
+                    "{surface:?}: {a}, {b} about {end} from {lower}, {upper}"
+                );
+                let found = Equilibrium::within(&population, [(a, at_a), (b, at_b)]).expect("a branch");
+                assert!(
+                    (found.farthest() - end).abs() < 1e-8 * end.abs().max(1.0),
+                    "{surface:?}: {found:?}, not {branch:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn the_branch_that_ends_near_a_separation_is_found() {
+        for (surface, _) in surfaces() {
+            let population = population(&surface);
+            let branch = Equilibrium::new(&population).expect("a branch");
+            for offset in [-0.3, -0.03, 1e-6, 4e-4, 0.02] {
+                let found = Equilibrium::ending_near(&population, branch.farthest() + offset).expect("a branch");
+                let off = (found.farthest() - branch.farthest()).abs();
+                assert!(
+                    off < 1e-8 * branch.farthest().abs().max(1.0),
+                    "{surface:?}: {found:?}, not {branch:?} {offset}"
+                );
+            }
+        }
+        let repulsive = population(&(HeightFamily::Gaussian, [0.01, 1000.0, 0.0, 1.0], ALIKE));
+        let error = Equilibrium::ending_near(&repulsive, 3.0).expect_err("the load falls everywhere");
+        assert!(matches!(error, Error::OutOfRange { name: "pull-off load", .. }), "{error}");
+    }
+
+    /// The load of a population without adhesion falls until nothing is left.
+    #[test]
+    fn where_nothing_is_left_no_minimum_is_found() {
+        let population = population(&(table(), [0.01, 1000.0, 0.0, 1.0], ALIKE));
+        let last = population.heights().head();
+        let mut here = last - 0.5;
+        assert_eq!(before_nothing_is_left(&population, &mut here, last + 0.25), Ok(None));
+        assert!(here < last && last - here < 2e-9, "{here}, not {last}");
+    }
+
+    #[test]
+    fn a_bracket_is_cut_where_the_load_rises_first() {
+        let (surface, _) = &surfaces()[0];
+        let population = population(surface);
+        let end = Equilibrium::new(&population).expect("a branch").farthest();
+        for part in 0..16 {
+            let (lower, width) = (end - 0.1 * (f64::from(part) + 0.5), 1.6);
+            let (a, b) = first_bracket(&population, lower, lower + width).expect("sums");
+            let off = (a - lower - 0.1 * f64::from(part)).abs() + (b - a - 0.1).abs();
+            assert!(off < 1e-12, "{a}, {b} about {end}, part {part}");
+        }
+    }
+
+    #[test]
+    fn summits_that_part_at_the_foot_leave_a_minimum_beside_that() {
+        let mut some = 0;
+        for (surface, [_, most, _]) in surfaces() {
+            let population = population(&surface);
+            let (bracket, count) = counted(|| bracket_at_foot(&population).expect("sums"));
+            assert_few("the bracket", &surface, count, most);
+            if let Some((lower, upper)) = bracket {
+                some += 1;
+                let (before, at) = (load_at(&population, lower), load_at(&population, upper));
+                assert!(load_falls(&population, lower) && (at >= before || !load_falls(&population, upper)));
+                let parting = population.partings()[0];
+                let (nearer, farther) = ((parting - lower).abs(), (parting - upper).abs());
+                assert!(nearer.max(farther) < 12.0 * nearer.min(farther), "{surface:?}: {lower}, {upper}, {parting}");
+            }
+        }
+        assert_eq!(some, 2);
+    }
 }

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::groups::Groups;
 use crate::law::{self, Law, Row, Scales, Table};
 use crate::params::{finite, Params};
-use crate::population::{Contacts, Population, Sums};
+use crate::population::{out_of_panels, Contacts, Population, Sums};
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
@@ -372,11 +372,7 @@ impl Model {
     }
 
     fn state(&self, load: f64, separation: f64, sums: &Sums) -> Result<State, Error> {
-        let failure =
-            Error::NotConverged { what: "sums over the summits at separation / height_std", value: separation };
-        if !sums.are_known() {
-            return Err(failure);
-        }
+        let sums = &sums.known(separation)?;
         let units = &self.units;
         let friction_force = units.of(units.force, sums, sums.friction);
         let dforce_dload = self.force_slope(sums);
@@ -389,7 +385,7 @@ impl Model {
         };
         let contacting = units.of(units.count, sums, sums.contacting);
         let contacts = match contacting > 0.0 {
-            true => self.population.contacts(separation, contacting).ok_or(failure)?,
+            true => self.population.contacts(separation, contacting).ok_or_else(|| out_of_panels(separation))?,
             false => Contacts::default(),
         };
         let [below, between, above] = contacts.by_regime;
@@ -467,7 +463,9 @@ impl Units {
         if sums.log_scale > -600.0 {
             sums.log_scale.exp() * unit * value
         } else {
-            (sums.log_scale + unit.ln()).exp() * value
+            // In two steps: at the end of all numbers the factor has few digits.
+            let root = (0.5 * (sums.log_scale + unit.ln())).exp();
+            root * (root * value)
         }
     }
 

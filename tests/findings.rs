@@ -349,3 +349,89 @@ fn sums_do_not_stop_where_contact_radii_pass_the_slip_law() {
         }
     }
 }
+
+/// Without adhesion summits next to the highest one, where they gather, carry every load: down to the smallest number.
+#[test]
+fn the_lightest_loads_of_heights_that_gather_have_friction() {
+    let params = Params {
+        heights: HeightFamily::Johnson { skew: -1.904296875, kurtosis: 4.729033805509746 },
+        ..surface(1.0274951608061554e-4, 39377.24804262361, 0.0, 3.743949, 1.0)
+    };
+    let model = Model::new(&params).expect("a model");
+    let mut last = 0.0;
+    for power in -300..=18 {
+        let force = model.friction_force_at_load(10f64.powi(power));
+        assert!(force > last && (last == 0.0 || force < 10.0 * last), "{force:e} after {last:e} at 1e{power}");
+        last = force;
+    }
+    assert!(model.friction_force_at_load(f64::from_bits(1)) >= 0.0);
+}
+
+/// Sums were unscaled by a factor of three digits.
+#[test]
+fn friction_at_the_end_of_all_numbers_does_not_fall() {
+    let params = Params {
+        composite_modulus: 2430756892940.45,
+        effective_shear_modulus: 1701529825058.315,
+        work_of_adhesion: 31.253805342421167,
+        adhesion_range: 1.2697523183565441e-5,
+        burgers_vector: 4.971325136588763e-6,
+        height_std: 0.0008173334855205138,
+        summit_radius: 0.007384683883457926,
+        asperity_count: 6039992188543.237,
+        heights: HeightFamily::Johnson { skew: 0.445556640625, kurtosis: 10.133930086050366 },
+        ..Params::default()
+    };
+    let model = Model::new(&params).expect("a model");
+    let force = |load: f64| model.friction_force_at_load(load);
+    for i in 0..200 {
+        let load = 3.3277767761854135e-289 * (1.0 + 0.01 * f64::from(i));
+        let (lighter, heavier) = (force(load), force(load * 1.000_001));
+        assert!(heavier >= lighter * (1.0 - 1e-11), "{load:e}: {lighter:e}, then {heavier:e}");
+    }
+}
+
+/// Sums that ran out of panels, over a range of heights of a last bit where attraction sets in, were taken for a load that
+/// does not fall: the search passed them by, and a model was made of loads beyond pull-off.
+#[test]
+fn attraction_that_sets_in_far_above_the_heights_is_summed() {
+    let params = Params {
+        heights: HeightFamily::Weibull { shape: 7.006017639500466 },
+        attraction: true,
+        radius_amplitude: -1.0,
+        radius_rate: 0.6939674669990871,
+        ..surface(1.3003932315269595e-4, 9.120569827181823, 2.138647262403726e-3, 18.04364846, 1.0)
+    };
+    let model = Model::new(&params).expect("a model");
+    let summary = model.summary();
+    assert!(summary.pull_off_load < 0.0 && summary.max_table_load > 0.0, "{summary:?}");
+    let params = Params {
+        heights: HeightFamily::Weibull { shape: 19.15337642090632 },
+        radius_rate: 4.464644396063141,
+        ..surface(2.62947229244635e-4, 19.48730646731156, 1.4752028426404892e-3, 20.0, 1.0)
+    };
+    let params = Params { attraction: true, radius_amplitude: -1.0, ..params };
+    let model = Model::new(&params).expect("a model");
+    for i in 0..200 {
+        let separation = 0.5 * f64::from(i) * params.height_std;
+        let state = model.state_at_separation(separation).expect("a state");
+        assert!(state.load.is_finite(), "{state:?}");
+    }
+}
+
+/// Radii vary much within a panel between the two ends of heights.
+#[test]
+fn the_slope_of_heights_that_gather_and_differ_is_that_of_a_secant() {
+    let params = Params {
+        heights: HeightFamily::Johnson { skew: 0.80487060546875, kurtosis: 2.0595175210339947 },
+        radius_amplitude: -1.0,
+        radius_rate: 26.868597351829912,
+        ..surface(3.21606056457777e-4, 1.2456117330783945, 1.0924620819686303e-2, 0.445873, 1.0)
+    };
+    let model = Model::new(&params).expect("a model");
+    let load = 0.93 * model.summary().max_table_load;
+    let state = |part: f64| model.state_at_load(load * part).expect("a state");
+    let (below, here, above) = (state(1.0 - 1e-5), state(1.0), state(1.0 + 1e-5));
+    let secant = (above.friction_force - below.friction_force) / (above.load - below.load);
+    assert!((secant / here.dforce_dload - 1.0).abs() < 1e-8, "{secant:e}, not {:e}", here.dforce_dload);
+}

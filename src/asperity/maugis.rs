@@ -15,7 +15,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 pub const FOLD_LAMBDA_CUBED: f64 = 0.825_154_991_394_896_2;
 
 /// Within this of pi/2 the distance from there is known to few digits by theta.
-pub const TIP: f64 = 1e-3;
+const TIP: f64 = 1e-3;
 /// A Newton step in theta, over the distance to 0 or pi/2, so small that the derivatives at its beginning carry the
 /// contact along: by itself for the contact, and times the step before for the derivatives.
 const FIRST_ORDER_STEP: f64 = 1e-8;
@@ -108,18 +108,31 @@ impl Maugis {
         self.at_angle(theta, theta.sin_cos(), g)
     }
 
-    /// The contact without adhesion of an overlap up to that at pi/2 - [`TIP`]. Its theta has few digits of the distance
-    /// from pi/2, which is here found itself: a = c sin(pi/2 - theta), where c hardly changes, and a is Hertz'.
-    pub fn at_tip(&self, overlap: f64, g: f64) -> Contact {
+    /// Whether a contact without adhesion is so small that theta has few digits of the distance from pi/2.
+    pub fn is_tip(&self, overlap: f64) -> bool {
+        self.overlap_adhesion == 0.0 && overlap <= self.overlap_at_complement(TIP)
+    }
+
+    /// Without adhesion, the overlap at pi/2 - `complement`, which is small. It is the same for all radii.
+    fn overlap_at_complement(&self, complement: f64) -> f64 {
+        let annulus_squared = 2.0 / (PI * self.bracket_2);
+        complement * complement * annulus_squared * self.overlap_hertz
+    }
+
+    /// The contact where [`Maugis::is_tip`], by its distance from pi/2: a = c sin(pi/2 - theta), where c hardly changes, and
+    /// a is Hertz'.
+    fn at_tip(&self, overlap: f64, g: f64) -> Contact {
+        if overlap <= 0.0 {
+            return self.break_away(g);
+        }
         let radius = (overlap * g / self.overlap_hertz).sqrt();
         let at = |complement: f64| {
             let (cos, sin) = complement.sin_cos();
             self.at_angle(FRAC_PI_2 - complement, (sin, cos), g)
         };
-        let edge = self.at(FRAC_PI_2, g);
-        let mut complement = radius * (FRAC_PI_2.cos() / edge.radius);
+        let mut complement = (overlap / self.overlap_at_complement(1.0)).sqrt();
         let mut contact = at(complement);
-        for _ in 0..3 {
+        for _ in 0..2 {
             complement *= radius / contact.radius;
             contact = at(complement);
         }
@@ -189,6 +202,9 @@ impl Maugis {
     ///
     /// `guess` is a starting theta; [`Maugis::guess`] makes one from nothing, and in place of one that is no angle.
     pub fn at_overlap(&self, overlap: f64, g: f64, guess: f64) -> Contact {
+        if self.is_tip(overlap) {
+            return self.at_tip(overlap, g);
+        }
         let (mut lower, mut upper) = (0.0, FRAC_PI_2);
         let start = if guess > 0.0 { guess.min(FRAC_PI_2) } else { self.guess(overlap, g) };
         let mut angle = start.sin_cos();
@@ -238,9 +254,7 @@ impl Maugis {
 
     /// Without adhesion, smaller overlaps have lost digits: so near to pi/2 theta has no more.
     pub fn least_overlap(&self) -> f64 {
-        const LEAST_COS: f64 = 1e-5;
-        let annulus_squared = 2.0 / (PI * self.bracket_2);
-        LEAST_COS * LEAST_COS * annulus_squared * self.overlap_hertz
+        self.overlap_at_complement(1e-5)
     }
 
     /// A starting theta for [`Maugis::at_overlap`]: eq (4) for heavy load, with Hertz' radius.
@@ -455,6 +469,31 @@ pub(crate) mod tests {
                     }
                 }
                 assert!(count <= most + 2, "{count} evaluations at {parts:?} from {offs:?}, not {most}");
+            }
+        }
+    }
+
+    /// Hertz' contact, and the same on both sides of where theta gets enough digits.
+    #[test]
+    fn the_smallest_contacts_without_adhesion_keep_their_digits() {
+        let [law, adhesive, _] = laws();
+        assert!(!adhesive.is_tip(1e-100) && !adhesive.is_tip(-1.0));
+        let last = law.at(FRAC_PI_2 - TIP, 1.0).overlap;
+        assert!(law.is_tip(0.999 * last) && !law.is_tip(1.001 * last), "{last}");
+        for g in FACTORS {
+            for overlap in [1e-290, 1e-200, 1e-100, 1e-40, 1e-12 * last, last * (1.0 - 1e-5)] {
+                let contact = law.at_overlap(overlap, g, 0.3);
+                let radius = (g * overlap).sqrt() * 1e3;
+                assert!(near(contact.radius, radius, 2e-15), "{} not {radius} at {overlap:e}", contact.radius);
+                assert!(near(contact.overlap, overlap, 4e-15), "{} not {overlap}", contact.overlap);
+                assert!(near(contact.load, 4.0 / 3.0 * 1e-5 / g * radius.powi(3), 1e-14) || overlap < 1e-190);
+            }
+            let (below, above) =
+                (law.at_overlap(last * (1.0 - 1e-9), g, 0.3), law.at_overlap(last * (1.0 + 1e-9), g, 0.3));
+            assert!(near(above.radius / below.radius, 1.0 + 1e-9, 1e-12), "{} {}", below.radius, above.radius);
+            for overlap in [0.0, -0.0, -1e-300, -1e-9] {
+                let edge = law.at_overlap(overlap, g, 0.3);
+                assert_eq!((edge.theta, edge.radius, edge.load), (FRAC_PI_2, 0.0, 0.0));
             }
         }
     }

@@ -267,7 +267,10 @@ impl Curve {
     fn sample(&self, population: &Population, equilibrium: &Equilibrium, separation: f64) -> Result<Sample, Error> {
         let (log_excess, rate, sums) = equilibrium.log_excess(population, separation);
         // A load below that of the end is as far above it as can be told.
-        let below_end = self.coordinate.log_pull_off.is_some() && log_excess <= f64::MIN_POSITIVE.ln();
+        let below_end = match self.coordinate.log_pull_off {
+            Some(_) => log_excess <= f64::MIN_POSITIVE.ln(),
+            None => sums.load() <= 0.0,
+        };
         if !(rate < 0.0 && sums.friction > 0.0) || below_end {
             return Err(Error::NotConverged { what: BRANCH, value: separation });
         }

@@ -148,3 +148,74 @@ impl Population {
         fraction
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::{HeightFamily, Params};
+
+    /// Surfaces from all over their parameters, by multiples of irrational numbers, which fill a space evenly.
+    fn surface(number: u32) -> Option<Population> {
+        let part = |k: i32| (f64::from(number) * 1.05_f64.powi(-k)).fract();
+        let log = |k: i32, from: f64, to: f64| from * (to / from).powf(part(k));
+        let skew = 6.0 * (part(1) - 0.5) * part(2);
+        let johnson = |more: f64| HeightFamily::Johnson { skew, kurtosis: (1.0 + skew * skew) * (1.0 + more) };
+        let (height, density) = ([-3.0, -1.0, 0.0, 1.0, 1.5], [0.0, 1.0, 0.1, 1.0, 0.0]);
+        let heights = match number % 6 {
+            0 => HeightFamily::Gaussian,
+            1 => HeightFamily::Weibull { shape: log(3, 1.01, 200.0) },
+            2 => HeightFamily::Tabulated { height: height.to_vec().into(), density: density.to_vec().into() },
+            3 => johnson(log(3, 0.01, 100.0)),
+            _ => johnson(log(3, 1e-3, 1.0)),
+        };
+        let radius_amplitude = [0.0, 1.0, -1.0, 2.0 * part(4) - 1.0, 2.0 * part(4) - 1.0][number as usize % 5];
+        let gamma = if part(5) < 0.3 { 0.0 } else { log(6, 1e-7, 1.0) };
+        let mut params = Params { heights, radius_amplitude, radius_rate: log(7, 1e-3, 100.0), ..Params::default() };
+        params.set_dimensionless(log(8, 1e-4, 1.0), log(9, 1.0, 1e7), gamma, log(10, 0.05, 20.0), 0.3).ok()?;
+        let (groups, heights, radius) = params.surface().ok()?;
+        Some(Population::new(&groups, params.slip, heights, radius, true))
+    }
+
+    /// However panels are laid for the contacts, they count as many as there are summits between the edges.
+    #[test]
+    fn contacts_are_counted_as_there_are_heights() {
+        let mut counted = 0;
+        for (number, population) in (0..250).filter_map(|number| Some((number, surface(number)?))) {
+            let origin = population.heights.origin();
+            let far = population.farthest();
+            let part = |k: i32| (f64::from(number) * 1.03_f64.powi(-k)).fract();
+            for separation in [-10f64.powf(7.0 * part(1)), 4.0 * (part(2) - 0.5), 4.0 * (part(3) - 0.5), far * part(4)]
+            {
+                let separation = separation - origin;
+                let sums = population.at_separation(separation);
+                assert!(sums.are_known(), "surface {number} at {separation}");
+                let ranges = population.contact_ranges(separation);
+                let Some(&Range { lower: (lowest, edge), .. }) = ranges.first() else { continue };
+                let overlap =
+                    edge.filter(|edge| edge.z == lowest).map_or(lowest - separation, |edge| edge.contact.overlap);
+                let density = &Density::above(&population.heights, lowest, overlap, separation);
+                let scale = (density.log_scale - sums.log_scale).exp();
+                let above = |z: f64| {
+                    if z < f64::INFINITY {
+                        scale * population.exceedance(z, separation, density)
+                    } else {
+                        0.0
+                    }
+                };
+                let expected: f64 = ranges.iter().map(|range| above(range.lower.0) - above(range.upper.0)).sum();
+                let of = above(lowest).max(sums.contacting);
+                if density.log_scale < UNDERFLOW || of < 1e-250 {
+                    continue;
+                }
+                counted += 1;
+                let error = (sums.contacting - expected).abs() / of;
+                assert!(
+                    error < 5e-11,
+                    "surface {number} at {separation}: {}, not {expected}: {error:e}",
+                    sums.contacting
+                );
+            }
+        }
+        assert!(counted > 500, "{counted}");
+    }
+}

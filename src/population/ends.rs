@@ -140,16 +140,17 @@ impl Population {
                 continue;
             }
             let mut there_place = walk.towards(walk.longest_panel(clearance));
-            if !self.radius.is_constant() {
-                let longest = self.smooth_length(here.z, direction > 0.0, log_scale);
-                if (direction * walk.place.rise_to(&there_place)) > longest {
-                    there_place = walk.place.raised(direction * longest);
-                }
+            let longest = match self.radius.is_constant() {
+                true => f64::MAX,
+                false => self.smooth_length(here.z, direction > 0.0, log_scale),
+            };
+            if direction * walk.place.rise_to(&there_place) > longest {
+                there_place = walk.place.raised(direction * longest);
             }
             let in_logit = direction * walk.place.rise_to(&there_place);
             let theta_far = self.theta_limit(&here);
             let curve = (self.maugis.at(theta_far, here.g).overlap - here.contact.overlap) / rate.abs().max(1.0);
-            let in_theta = curve.min(THETA_SPAN * walk.place.from_end().min(1.0));
+            let in_theta = curve.min(THETA_SPAN * walk.place.from_end().min(longest).min(1.0));
             let by_logit = in_logit > in_theta || direction * there_place.logit >= direction * walk.last;
             if !by_logit {
                 there_place = walk.raised(in_theta);
@@ -170,6 +171,15 @@ impl Population {
                     let above = walk.place.rise_to(&place);
                     let point = self.point(&here, above, guess.at(above / rise));
                     sink.summits(ends.height(&place), weight * ends.mass(logit, log_scale), &point.contact);
+                }
+            } else if self.maugis.is_tip(there.contact.overlap) {
+                let [from, to] = [here, there].map(|point| point.contact.overlap.sqrt());
+                for (root, weight) in gauss_legendre::nodes(from, to) {
+                    let above = root * root - here.contact.overlap;
+                    let place = walk.place.raised(above);
+                    let point = self.point(&here, above, 0.0);
+                    let mass = 2.0 * root * weight * ends.density(&place, log_scale);
+                    sink.summits(ends.height(&place), mass, &point.contact);
                 }
             } else {
                 let overlap = here.contact.overlap + rise.abs();
@@ -225,15 +235,17 @@ impl Population {
                 continue;
             }
             let mut there = walk.towards(walk.longest_panel(clearance));
-            if !self.radius.is_constant() && walk.place.rise_to(&there) > self.radius.smooth_length(z) {
-                there = walk.place.raised(self.radius.smooth_length(z));
+            let longest = self.radius.smooth_length(z);
+            if walk.place.rise_to(&there) > longest {
+                there = walk.place.raised(longest);
             }
             let g = self.radius.factor(z);
             let here = law.at(law.circle(overlap, g), g);
-            let mut length = CIRCLE_SPAN * walk.place.from_end().min(1.0);
+            let mut length = CIRCLE_SPAN * walk.place.from_end().min(longest).min(1.0);
             if !self.radius.is_constant() {
                 let farthest = law.at_rate(super::CIRCLE_RATIO * here.overlap_rate, g);
-                length = length.min((farthest.overlap - here.overlap).max(SAME.sqrt() * length));
+                let shortest = (SAME.sqrt() * length).max(4.0 * f64::EPSILON * overlap.abs());
+                length = length.min((farthest.overlap - here.overlap).max(shortest));
             }
             if walk.place.rise_to(&there) > length || there.logit >= walk.last {
                 for (logit, weight) in gauss_legendre::nodes(walk.place.logit, there.logit) {

@@ -21,8 +21,9 @@ pub use contacts::Contacts;
 pub use gauss_legendre::{integrate_short, nodes, POINTS};
 
 use crate::asperity::attraction::{self, Attraction, ATTRACTION_LAMBDA_CUBED};
-use crate::asperity::maugis::{Contact, Maugis, TIP};
+use crate::asperity::maugis::{Contact, Maugis};
 use crate::asperity::slip::{Slip, SlipConstants};
+use crate::error::Error;
 use crate::groups::Groups;
 use crate::root;
 use crate::surface::heights::{Heights, Steepness, SHORTEST_PANEL, UNDERFLOW};
@@ -101,17 +102,19 @@ impl Sums {
 
     /// The sums themselves: `log_scale` 0.
     pub fn unscaled(&self) -> Self {
-        let scale = self.log_scale.exp();
+        // In two steps, since what is at the end of all numbers has few digits.
+        let root = (0.5 * self.log_scale).exp();
+        let unscaled = |sum: f64| root * (root * sum);
         Self {
             log_scale: 0.0,
-            load_contacting: scale * self.load_contacting,
-            load_attracted: scale * self.load_attracted,
-            friction: scale * self.friction,
-            area: scale * self.area,
-            contacting: scale * self.contacting,
-            attracted: scale * self.attracted,
-            load_slope: scale * self.load_slope,
-            friction_slope: scale * self.friction_slope,
+            load_contacting: unscaled(self.load_contacting),
+            load_attracted: unscaled(self.load_attracted),
+            friction: unscaled(self.friction),
+            area: unscaled(self.area),
+            contacting: unscaled(self.contacting),
+            attracted: unscaled(self.attracted),
+            load_slope: unscaled(self.load_slope),
+            friction_slope: unscaled(self.friction_slope),
         }
     }
 
@@ -132,6 +135,18 @@ impl Sums {
         !self.load().is_nan()
     }
 
+    /// The sums at this separation if they are to be had.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`].
+    pub fn known(self, separation: f64) -> Result<Self, Error> {
+        if self.are_known() {
+            Ok(self)
+        } else {
+            Err(out_of_panels(separation))
+        }
+    }
+
     /// Adds one contacting summit, `weight` times.
     #[inline]
     fn add_contact(&mut self, weight: f64, summit: &Summit) {
@@ -150,6 +165,11 @@ impl Sums {
         self.load_attracted += weight * summit.load;
         self.load_slope -= weight * summit.load_by_overlap;
     }
+}
+
+/// Why there are no sums at a separation.
+pub fn out_of_panels(separation: f64) -> Error {
+    Error::NotConverged { what: "sums over the summits at separation / height_std", value: separation }
 }
 
 /// What one summit contributes.
@@ -457,7 +477,7 @@ impl Population {
     #[inline]
     fn summit(&self, contact: &Contact) -> Summit {
         let (friction, friction_by_radius) = self.slip.force(contact.radius);
-        let inv_rate = if contact.overlap_rate < -1e-100 { 1.0 / contact.overlap_rate } else { 0.0 };
+        let inv_rate = if contact.overlap_rate < -f64::MIN_POSITIVE { 1.0 / contact.overlap_rate } else { 0.0 };
         Summit {
             load: contact.load,
             friction,
@@ -708,7 +728,7 @@ impl Population {
                 continue;
             }
             let smooth = smooth_length(here.z);
-            if remaining <= smooth && self.is_tip(&here, remaining) {
+            if remaining <= smooth && self.maugis.is_tip(here.contact.overlap + remaining) {
                 return self.walk_tip(&here, remaining, sink);
             }
             let theta_far = self.theta_limit(&here);
@@ -782,35 +802,24 @@ impl Population {
         sink.out_of_panels();
     }
 
-    /// Whether all that is left is so small that theta tells it from break-away by few digits: the very tip of a highest
-    /// summit. With adhesion the surfaces part before.
-    fn is_tip(&self, here: &Point, remaining: f64) -> bool {
-        here.contact.theta == FRAC_PI_2
-            && !self.is_adhesive()
-            && !self.heights.knots().is_empty()
-            && remaining <= self.maugis.at(FRAC_PI_2 - TIP, here.g).overlap
-    }
-
-    /// Walks from break-away in the square root of the rise, with a cut where contact radii pass one of the slip law's.
+    /// Walks summits whose contacts are as small as [`Maugis::is_tip`] says: in the square root of the overlap, with a cut
+    /// where contact radii pass one of the slip law's.
     fn walk_tip(&self, here: &Point, length: f64, sink: &mut impl Sink) {
-        let at = |rise: f64| {
-            let z = here.z + rise;
-            let (g, g_rate) = self.radius.at(z);
-            Point { z, g, g_rate, contact: self.maugis.at_tip(rise, g) }
-        };
-        let (mut from, mut begin) = (*here, 0.0_f64);
+        let mut from = *here;
+        let at = |overlap: f64| self.point(here, overlap - here.contact.overlap, 0.0);
+        let last = here.contact.overlap + length;
         for kink in self.slip.kinks().into_iter().chain([f64::INFINITY]) {
-            let rise = self.maugis.hertz_overlap(kink, here.g).min(length);
-            let to = at(rise);
+            let overlap = self.maugis.hertz_overlap(kink, here.g).min(last);
+            if overlap <= from.contact.overlap {
+                continue;
+            }
+            let to = at(overlap);
             sink.panel(&from, &to, false);
-            for (root, weight) in gauss_legendre::nodes(begin.sqrt(), rise.sqrt()) {
+            for (root, weight) in gauss_legendre::nodes(from.contact.overlap.sqrt(), overlap.sqrt()) {
                 let point = at(root * root);
                 sink.node(point.z, 2.0 * root * weight, &point.contact);
             }
-            if rise == length {
-                return;
-            }
-            (from, begin) = (to, rise);
+            from = to;
         }
     }
 
@@ -980,7 +989,7 @@ impl Population {
             _ => upper - separation,
         };
         // The smallest summits are attracted within a layer that is thinner than a rounding.
-        let shortest = SHORTEST_PANEL * (end - overlap);
+        let shortest = (SHORTEST_PANEL * (end - overlap)).max(4.0 * f64::EPSILON * overlap.abs());
         for _ in 0..MOST_PANELS {
             if overlap >= end {
                 return;
@@ -1072,7 +1081,7 @@ impl Point {
     /// dtheta/dz at fixed separation.
     fn theta_slope(&self) -> f64 {
         let rate = self.contact.overlap_rate;
-        if rate < -1e-100 {
+        if rate < -f64::MIN_POSITIVE {
             (1.0 - self.contact.overlap_by_g * self.g_rate) / rate
         } else {
             0.0 // at break-away it is infinite

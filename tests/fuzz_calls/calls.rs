@@ -25,6 +25,9 @@ const SECANT: f64 = 1e-5;
 /// Up to this part of the pull-off load above it forces are known to fewer digits, and steps are longer.
 const NEAR_PULL_OFF: f64 = 1e-2;
 const STEP_NEAR_PULL_OFF: f64 = 1e-3;
+/// Separations nearer to each other than this many of their roundings say little of the slope between. Only where so many
+/// summits gather at one height that they part within that do loads lie as near.
+const UNRESOLVED: f64 = 1e5;
 /// Lighter loads, in the same unit or the caller's, may have no friction that is a number.
 const LIGHTEST: f64 = 1e-250;
 /// What outputs hold before a call.
@@ -51,6 +54,8 @@ pub struct Tally {
     pub table_ratio: f64,
     /// The largest difference of a slope from the secant, relative to F/(load - pull-off).
     pub secant_difference: f64,
+    /// Secants between states whose separations are one but for roundings, which are not compared.
+    pub unresolved: u64,
     /// The largest fall of the friction force between two loads, relative to it.
     pub largest_fall: f64,
 }
@@ -76,6 +81,7 @@ impl Tally {
         self.table_difference = self.table_difference.max(other.table_difference);
         self.table_ratio = self.table_ratio.max(other.table_ratio);
         self.secant_difference = self.secant_difference.max(other.secant_difference);
+        self.unresolved += other.unresolved;
         self.largest_fall = self.largest_fall.max(other.largest_fall);
     }
 }
@@ -384,12 +390,30 @@ impl<'a> Calls<'a> {
         let (whole, half) = (secant(step), secant(0.5 * step));
         let secant = half + (half - whole) / 3.0;
         let difference = (slope - secant).abs() * x / force;
+        let is_near = difference <= SECANT + 4.0 * model.resolution(load) / step;
+        if !is_near && !self.are_resolved(model, s.pull_off_load + x * (1.0 - step), s.pull_off_load + x * (1.0 + step))
+        {
+            self.tally.unresolved += 1;
+            return;
+        }
         self.tally.secant_difference = self.tally.secant_difference.max(difference);
         assert!(
-            difference <= SECANT + 4.0 * model.resolution(load) / step,
+            is_near,
             "load {load:e}: slope {slope:e}, secant {secant:e}, difference {difference:e} of F/x; {:?}",
             model.params
         );
+    }
+
+    /// Whether the separations of two loads are told apart by more than roundings.
+    fn are_resolved(&mut self, model: &Model, lighter: f64, heavier: f64) -> bool {
+        let [lighter, heavier] = [lighter, heavier].map(|load| {
+            let (at, mut state): (Shared, _) = (model.handle.0, asperity_state::empty());
+            let state_at: *mut asperity_state = &mut state;
+            assert_eq!(call!(self, model.params, asperity_state_at_load(at, load, state_at)), OK, "load {load:e}");
+            state.separation
+        });
+        let height_std = model.params.quantities[5];
+        (lighter - heavier).abs() > UNRESOLVED * f64::EPSILON * lighter.abs().max(height_std)
     }
 
     /// Two loads on the branch: the heavier one has no less friction.
