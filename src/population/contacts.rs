@@ -176,46 +176,68 @@ mod tests {
         Some(Population::new(&groups, params.slip, heights, radius, true))
     }
 
-    /// However panels are laid for the contacts, they count as many as there are summits between the edges.
-    #[test]
-    fn contacts_are_counted_as_there_are_heights() {
-        let mut counted = 0;
-        for (number, population) in (0..250).filter_map(|number| Some((number, surface(number)?))) {
-            let origin = population.heights.origin();
-            let far = population.farthest();
-            let part = |k: i32| (f64::from(number) * 1.03_f64.powi(-k)).fract();
-            for separation in [-10f64.powf(7.0 * part(1)), 4.0 * (part(2) - 0.5), 4.0 * (part(3) - 0.5), far * part(4)]
+    impl Population {
+        /// Where summits that are not in contact attract, from low to high.
+        fn attraction_ranges(&self, separation: f64, contacts: &[Range]) -> Vec<(f64, f64)> {
+            let Some(law) = &self.attraction else { return Vec::new() };
+            let mut gaps = Vec::new();
+            let mut lower = self.heights.foot().max(separation - law.reach);
+            for (from, to) in contacts.iter().map(|range| (range.lower.0, range.upper.0)).chain([(f64::INFINITY, 0.0)])
             {
-                let separation = separation - origin;
+                let gap = self.heights.worth_summing(lower, from);
+                gaps.extend(self.where_attraction_exists(gap.0, gap.1));
+                lower = lower.max(to);
+            }
+            gaps
+        }
+    }
+
+    /// However panels are laid, they count as many summits in contact, and as many that attract, as there are between the
+    /// ends of contact and attraction.
+    #[test]
+    fn summits_are_counted_as_there_are_heights() {
+        let (mut in_contact, mut attracted) = (0, 0);
+        for (number, population) in (0..250).filter_map(|number| Some((number, surface(number)?))) {
+            let part = |k: i32| (f64::from(number) * 1.03_f64.powi(-k)).fract();
+            let far = population.farthest() * part(4);
+            for separation in [-10f64.powf(7.0 * part(1)), 4.0 * (part(2) - 0.5), 4.0 * (part(3) - 0.5), far] {
+                let separation = separation - population.heights.origin();
                 let sums = population.at_separation(separation);
                 assert!(sums.are_known(), "surface {number} at {separation}");
-                let ranges = population.contact_ranges(separation);
-                let Some(&Range { lower: (lowest, edge), .. }) = ranges.first() else { continue };
-                let overlap =
-                    edge.filter(|edge| edge.z == lowest).map_or(lowest - separation, |edge| edge.contact.overlap);
-                let density = &Density::above(&population.heights, lowest, overlap, separation);
-                let scale = (density.log_scale - sums.log_scale).exp();
-                let above = |z: f64| {
-                    if z < f64::INFINITY {
-                        scale * population.exceedance(z, separation, density)
-                    } else {
-                        0.0
-                    }
+                let contacts = population.contact_ranges(separation);
+                let gaps = population.attraction_ranges(separation, &contacts);
+                let (first, edge) = contacts.first().map_or((f64::INFINITY, None), |range| range.lower);
+                let (lowest, overlap) = match (gaps.first(), edge) {
+                    (Some(&(gap, _)), _) if gap < first => (gap, gap - separation),
+                    (_, Some(edge)) if edge.z == first => (first, edge.contact.overlap),
+                    _ => (first, first - separation),
                 };
-                let expected: f64 = ranges.iter().map(|range| above(range.lower.0) - above(range.upper.0)).sum();
-                let of = above(lowest).max(sums.contacting);
-                if density.log_scale < UNDERFLOW || of < 1e-250 {
+                if lowest == f64::INFINITY {
                     continue;
                 }
-                counted += 1;
-                let error = (sums.contacting - expected).abs() / of;
-                assert!(
-                    error < 5e-11,
-                    "surface {number} at {separation}: {}, not {expected}: {error:e}",
-                    sums.contacting
-                );
+                let density = &Density::above(&population.heights, lowest, overlap, separation);
+                if density.log_scale < UNDERFLOW {
+                    continue;
+                }
+                let scale = (density.log_scale - sums.log_scale).exp();
+                let above = |z: f64| match z < f64::INFINITY {
+                    true => scale * population.exceedance(z, separation, density),
+                    false => 0.0,
+                };
+                let contacts = contacts.iter().map(|range| (range.lower.0, range.upper.0)).collect();
+                for (name, found, ranges) in
+                    [("contacts", sums.contacting, contacts), ("attracted", sums.attracted, gaps)]
+                {
+                    let expected: f64 = ranges.iter().map(|&(lower, upper)| above(lower) - above(upper)).sum();
+                    let error = (found - expected).abs() / above(lowest).max(1e-250);
+                    assert!(
+                        error < 5e-11,
+                        "{name} of surface {number} at {separation}: {found}, not {expected}: {error:e}"
+                    );
+                    *(if name == "contacts" { &mut in_contact } else { &mut attracted }) += usize::from(found > 0.0);
+                }
             }
         }
-        assert!(counted > 500, "{counted}");
+        assert!(in_contact > 500 && attracted > 200, "{in_contact}, {attracted}");
     }
 }
