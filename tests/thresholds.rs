@@ -314,38 +314,55 @@ fn separation_nears_that_of_pull_off_as_the_root_of_the_load() {
     }
 }
 
-/// Where a knot of the density passes the end of attraction, of contact, or of a regime of slip: by bisection.
-#[test]
-fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
-    let groups = Groups { alpha: 0.02, beta: 2000.0, gamma: 0.002, b_over_h: 0.5 };
-    let radius = RadiusProfile { amplitude: 0.4, rate: 0.7, origin: 0.0 };
-    let table = Tabulated::new(&[-2.0, -1.0, 0.5, 1.0, 3.0], &[0.0, 1.0, 2.0, 1.0, 0.0]).expect("a density");
-    let slip = Params::default().slip;
-    let maugis = Maugis::new(&groups);
-    let mut expected = Vec::new();
-    for &z in table.knots() {
+/// The separations at which summits of a height lose contact or attraction, and where they pass a regime of slip, by
+/// bisection; in ascending order.
+fn passings(groups: &Groups, radius: &RadiusProfile, attract: bool, heights: &[f64]) -> Vec<f64> {
+    let (slip, maugis) = (Params::default().slip, Maugis::new(groups));
+    let mut passings = Vec::new();
+    for &z in heights {
         let g = radius.factor(z);
         let edge = maugis.break_away(g);
-        expected.push(z - edge.overlap);
-        expected.push(z + groups.reach());
+        passings.push(z - edge.overlap);
+        passings.extend(attract.then(|| z + groups.reach()));
         for kink in [slip.radius_1, slip.radius_2].into_iter().filter(|&kink| kink > edge.radius) {
-            let (mut lower, mut upper) = (edge.overlap, 1e4);
+            let (mut lower, mut upper) = (edge.overlap, 1e6);
             for _ in 0..200 {
                 let middle = 0.5 * (lower + upper);
                 let contact = maugis.at_overlap(middle, g, maugis.guess(middle, g));
                 *(if contact.radius < kink { &mut lower } else { &mut upper }) = middle;
             }
-            expected.push(z - lower);
+            passings.push(z - lower);
         }
     }
-    expected.sort_by(f64::total_cmp);
-    for (attract, count) in [(true, expected.len()), (false, expected.len() - table.knots().len())] {
-        let population = Population::new(&groups, slip, Family::Tabulated(Box::new(table.clone())), radius, attract);
-        let kinks = population.kinks();
-        assert_eq!(kinks.len(), count);
-        for kink in &kinks {
-            let nearest = expected.iter().map(|d| (d - kink).abs()).fold(f64::INFINITY, f64::min);
-            assert!(nearest <= 1e-10 * (1.0 + kink.abs()), "{kink} is none of {expected:?}");
+    passings.sort_by(f64::total_cmp);
+    passings
+}
+
+#[track_caller]
+fn assert_same(found: &[f64], expected: &[f64]) {
+    assert_eq!(found.len(), expected.len(), "{found:?}, not {expected:?}");
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found - expected).abs() <= 1e-10 * (1.0 + expected.abs()), "{found}, not {expected}");
+    }
+}
+
+/// Where a knot of the density, or the foot of a power law, passes the end of attraction, of contact, or of a regime of slip.
+#[test]
+fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
+    let radius = RadiusProfile { amplitude: 0.4, rate: 0.7, origin: 0.0 };
+    let table = Tabulated::new(&[-2.0, -1.0, 0.5, 1.0, 3.0], &[0.0, 1.0, 2.0, 1.0, 0.0]).expect("a density");
+    let slip = Params::default().slip;
+    // The second with a fold beyond the first regime.
+    for (gamma, beta) in [(0.002, 2000.0), (0.02, 1e5)] {
+        let groups = Groups { alpha: 0.02, beta, gamma, b_over_h: 0.5 };
+        for attract in [true, false] {
+            let of = |heights: Family| Population::new(&groups, slip, heights, radius, attract);
+            let ending = of(Family::Tabulated(Box::new(table.clone())));
+            assert_same(&ending.kinks(), &passings(&groups, &radius, attract, table.knots()));
+            assert!(ending.passings_of_foot().is_empty() && of(Family::Gaussian).passings_of_foot().is_empty());
+            let power = of(Family::Weibull(Box::new(Weibull::new(1.7))));
+            assert_same(&power.passings_of_foot(), &passings(&groups, &radius, attract, &[power.heights().foot()]));
+            assert!(power.kinks().is_empty());
         }
     }
 }
