@@ -1137,6 +1137,7 @@ fn is_inside(rise: f64, whole: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::asperity::maugis::tests::EVALUATIONS;
     use crate::params::{HeightFamily, Params};
 
     /// Takes three panels.
@@ -1182,5 +1183,85 @@ mod tests {
             Summing { population: &population, density: &density, sums: &mut sums }.out_of_panels();
             assert!(!sums.are_known() && !sums.unscaled().are_known());
         }
+    }
+
+    /// Of unequal radii, which turn the contact radius about.
+    fn unequal(amplitude: f64, rate: f64) -> Population {
+        let params = Params { radius_amplitude: amplitude, radius_rate: rate, ..Params::default() };
+        let (groups, heights, radius) = params.surface().expect("a surface");
+        Population::new(&groups, params.slip, heights, radius, params.attraction)
+    }
+
+    #[test]
+    fn the_summit_of_a_contact_radius_is_found_in_few_steps() {
+        let mut count = 0;
+        for (amplitude, rate) in [(0.6, 1.5), (-0.3, 0.8), (0.9, 0.3)] {
+            let population = unequal(amplitude, rate);
+            for (from, rise) in [(-1.0, 0.7), (0.2, 0.4), (0.6, -0.5), (-0.3, 0.01)] {
+                let here = population.point_cold(-2.0, from);
+                let there = population.point(&here, rise, here.contact.theta);
+                let radii = (here.contact.radius, there.contact.radius);
+                for part in [1e-6, 0.1, 0.5, 0.83, 1.0 - 1e-6] {
+                    let radius = radii.0 + part * (radii.1 - radii.0);
+                    let start = part_of_radius(&here, &there, radius);
+                    let guess = here.guess_towards(there.contact.theta, start);
+                    let near = population.point(&here, start * rise, guess).contact.radius;
+                    assert!((near - radius).abs() < 0.02 * (radii.1 - radii.0).abs(), "{near}, not {radius}");
+                    EVALUATIONS.set(0);
+                    let found = population.point_of_radius(&here, &there, radius);
+                    count += EVALUATIONS.get();
+                    assert!((found.contact.radius / radius - 1.0).abs() < 1e-11, "{found:?}, not {radius}");
+                    let done = (found.z - from) / rise;
+                    assert!(done > 0.0 && done < 1.0, "{done}");
+                }
+            }
+        }
+        assert!(count <= 303, "{count} evaluations");
+    }
+
+    /// A summit at a height, whose contact has a radius with a slope.
+    fn summit(z: f64, radius: f64, slope: f64) -> Point {
+        let mut point = population(HeightFamily::Gaussian).point_cold(-2.0, 0.0);
+        (point.z, point.g_rate) = (z, 1.0);
+        (point.contact.radius, point.contact.radius_rate, point.contact.radius_by_g) = (radius, 0.0, slope);
+        point
+    }
+
+    #[test]
+    fn a_contact_radius_turns_between_two_extrema() {
+        // The cubic a t + b t^2 + c t^3 over another length, upwards and downwards.
+        for (a, b, c, turn) in [
+            (1.0, -4.5, 3.0, Some(0.5)),
+            (1.0, -5.5, 4.0, Some(5.5 / 12.0)),
+            (-1.0, 5.5, -4.0, Some(5.5 / 12.0)),
+            (1.0, -12.0, 30.0, Some(2.0 / 15.0)),
+            (1.0, -1.132, 0.424, Some(1.132 / 1.272)),
+            // Next to an end; no extremum; one; two before the start.
+            (1.0, -12.0, 45.0, None),
+            (1.0, -1.0545, 0.37, None),
+            (1.0, -2.0, 2.0, None),
+            (1.0, -2.0, 0.5, None),
+            (1.0, 4.5, 3.0, None),
+        ] {
+            for length in [1.0, 0.2, -3.0] {
+                let at = |t: f64| (t * (a + t * (b + t * c)), (a + t * (2.0 * b + t * 3.0 * c)) / length);
+                let [(start, start_slope), (end, end_slope)] = [at(0.0), at(1.0)];
+                let (here, there) = (summit(0.3, 5.0 + start, start_slope), summit(0.3 + length, 5.0 + end, end_slope));
+                match (between_extrema(&here, &there), turn) {
+                    (Some(found), Some(turn)) => assert!((found - turn).abs() < 1e-12, "{found}, not {turn}"),
+                    (found, turn) => assert_eq!(found, turn, "of {a} t + {b} t^2 + {c} t^3 over {length}"),
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_rise_ends_inside_a_range_beyond_rounding() {
+        for (part, inside) in [(1e-10, false), (2e-9, true), (0.5, true), (1.0 - 2e-9, true), (1.0 - 1e-10, false)] {
+            for whole in [1.0, -1.0, 20.0, 0.03] {
+                assert_eq!(is_inside(part * whole, whole), inside, "{part} of {whole}");
+            }
+        }
+        assert!(!is_inside(-0.5, 1.0) && !is_inside(1.5, 1.0));
     }
 }
