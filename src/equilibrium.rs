@@ -333,14 +333,16 @@ fn bracket_at_foot(population: &Population) -> Result<Option<(f64, f64)>, Error>
     let scale = population.heights().head() - population.heights().foot();
     let offsets = (1..=NEAREST).map(|k| -0.1_f64.powi(k)).chain((1..=NEAREST).rev().map(|k| 0.1_f64.powi(k)));
     let first_minimum = |parting: f64| {
-        let mut before: Option<(f64, f64)> = None;
+        let mut lowest: Option<(f64, f64)> = None;
         for separation in offsets.clone().map(|offset| parting + scale * offset) {
             let sums = sums_at(population, separation)?.unscaled();
             let rises = sums.load_slope >= 0.0;
-            match before {
+            let known = LOAD_ROUNDING * (sums.load_contacting.abs() + sums.load_attracted.abs());
+            match lowest {
                 None if rises => return Ok(None),
-                Some((nearer, load)) if rises || sums.load() >= load => return Ok(Some((nearer, separation))),
-                _ => before = Some((separation, sums.load())),
+                Some((before, load)) if rises || sums.load() > load + known => return Ok(Some((before, separation))),
+                Some((_, load)) if sums.load() >= load => {}
+                _ => lowest = Some((separation, sums.load())),
             }
         }
         Ok(None)

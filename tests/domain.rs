@@ -74,7 +74,7 @@ fn johnson_or_table(x: &[f64]) -> Surface {
         Heights::Table(table(&mut SplitMix((within * 2f64.powi(32)) as u64 ^ (x[9] * 2f64.powi(62)) as u64)))
     } else {
         let bounded = third == 1;
-        let delta = log_part(within, if bounded { 0.6 } else { 0.85 }, 10.0);
+        let delta = log_part(within, if bounded { 0.2 } else { 0.85 }, 10.0);
         Heights::Johnson(Johnson::new(bounded, delta * (6.0 * x[9] - 3.0), delta))
     };
     surface(x, heights)

@@ -435,3 +435,15 @@ fn the_slope_of_heights_that_gather_and_differ_is_that_of_a_secant() {
     let secant = (above.friction_force - below.friction_force) / (above.load - below.load);
     assert!((secant / here.dforce_dload - 1.0).abs() < 1e-8, "{secant:e}, not {:e}", here.dforce_dload);
 }
+
+/// A load next to where the lowest summits part was told from that beside it by its last bits, and taken for the first minimum.
+#[test]
+fn a_load_that_falls_but_for_rounding_has_no_minimum() {
+    let params = Params {
+        heights: HeightFamily::Johnson { skew: 0.8269443872769188, kurtosis: 1.9859937304822834 },
+        attraction: true,
+        ..surface(2.206734071450705e-3, 2.246790096028506e2, 1.485508020269883e-4, 2.5731836516958145e-1, 1.0)
+    };
+    let pull_off = Model::new(&params).expect("a model").summary().pull_off_load;
+    assert!(pull_off < 0.0, "{pull_off}");
+}
