@@ -538,7 +538,9 @@ mod tests {
             let population = population(&surface);
             let branch = Equilibrium::new(&population).expect("a branch");
             let end = branch.farthest();
-            for (lower, upper) in [(-0.02, 0.02), (-0.05, -0.03), (0.01, 0.03), (-1e-9, -1e-9), (-0.01, -0.01)] {
+            for (lower, upper) in
+                [(-0.02, 0.02), (-0.05, -0.03), (0.01, 0.03), (0.05, 0.06), (-1e-9, -1e-9), (-0.01, -0.01)]
+            {
                 let [(a, at_a), (b, at_b)] = about(&population, (end + lower, end + upper)).expect("sums");
                 assert!(at_a.load_slope < 0.0 && at_b.load_slope >= 0.0, "{surface:?}: {a}, {b} about {end}");
                 assert_eq!(at_a.load_slope, population.at_separation(a).load_slope);
@@ -585,6 +587,14 @@ mod tests {
         let mut here = last - 0.5;
         assert_eq!(before_nothing_is_left(&population, &mut here, last + 0.25), Ok(None));
         assert!(here < last && last - here < 2e-9, "{here}, not {last}");
+        // With adhesion there is one before.
+        let population = self::population(&(table(), STRONG, ALIKE));
+        let end = Equilibrium::new(&population).expect("a branch").farthest();
+        let mut here = end - 0.01;
+        let past = before_nothing_is_left(&population, &mut here, population.farthest() + 1.0).expect("sums");
+        let past = past.expect("a load that pulls");
+        assert!(load_at(&population, past) < 0.0 && !load_falls(&population, past) && past > end);
+        assert!(load_falls(&population, here) && here < end);
     }
 
     #[test]
@@ -617,5 +627,42 @@ mod tests {
             }
         }
         assert_eq!(some, 2);
+    }
+
+    /// Adhesion so strong that the load rises at the mean height already.
+    #[test]
+    fn the_search_for_the_minimum_begins_where_the_load_falls() {
+        let population = population(&(HeightFamily::Weibull { shape: 1.2 }, [0.01, 1000.0, 0.05, 1.0], ALIKE));
+        let origin = population.heights().origin();
+        assert_eq!(bracket_first_minimum(&population), Ok(Some((-1.0 - origin, -origin))));
+        assert!(!load_falls(&population, -origin));
+    }
+
+    /// On both sides of the smallest load that counts.
+    #[test]
+    fn a_pull_off_load_that_can_not_be_told_from_none_is_none() {
+        let surface = |b_over_h: f64| (HeightFamily::Gaussian, [0.3, 1000.0, 0.1, b_over_h], ALIKE);
+        let branch = |b_over_h: f64| Equilibrium::new(&population(&surface(b_over_h))).expect("a branch");
+        let (least, none) = (branch(1.0), branch(10.0));
+        assert!((-1e-270..-1e-278).contains(&least.pull_off_load()), "{least:?}");
+        assert_eq!((none.pull_off(), none.pull_off_load()), (None, 0.0));
+        assert!((none.farthest() - 35.848).abs() < 0.01, "{none:?}");
+    }
+
+    /// Above pull-off the load rises with the square of what separation is less: to more digits than the difference has.
+    #[test]
+    fn loads_next_to_pull_off_are_known_beyond_their_digits() {
+        let population = population(&(HeightFamily::Gaussian, STRONG, ALIKE));
+        let branch = Equilibrium::new(&population).expect("a branch");
+        let curvature = |distance: f64| {
+            let (log_excess, rate, _) = branch.log_excess(&population, branch.farthest() - distance);
+            assert!((rate * distance / -2.0 - 1.0).abs() < 2.0 * distance, "{rate:e} at {distance:e}");
+            log_excess.exp() / distance.powi(2)
+        };
+        let limit = curvature(1e-5);
+        for distance in [1e-8, 1e-7, 1e-6] {
+            let off = curvature(distance) / limit - 1.0;
+            assert!(off.abs() < 2e-5, "{off:e} at {distance:e}");
+        }
     }
 }
