@@ -207,6 +207,7 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
 /// which is said to be its first one, also if it does so within little.
 fn parts_in_steps(surface: &Surface, minimum: f64) -> bool {
     const RISE: f64 = 1e-9;
+    const SMALLEST_RISE: f64 = 1e-10;
     let load = |d: f64| {
         let sums = surface.at_separation(d);
         sums.log_scale.exp() * (sums.load_contacting + sums.load_attracted)
@@ -237,12 +238,11 @@ fn parts_in_steps(surface: &Surface, minimum: f64) -> bool {
             upper = middle;
         }
     }
-    let mut last = minimum;
+    let mut highest = minimum;
     (0..80).map(|i| 1e-8 * 1.3_f64.powi(i)).take_while(|distance| *distance < 4.0 * step).any(|distance| {
         let here = load(lower - distance);
-        let falls_again = here < last * (1.0 - RISE);
-        last = here;
-        falls_again
+        highest = highest.max(here);
+        here < highest * (1.0 - SMALLEST_RISE)
     })
 }
 
