@@ -206,8 +206,8 @@ impl Model {
     /// Friction force and slope without the compiled law.
     pub(crate) fn exact_force(&self, load: f64) -> (f64, f64) {
         match self.equilibrium_at(load) {
-            Ok((_, sums)) => {
-                let slope = if self.is_pull_off(load) { f64::INFINITY } else { self.force_slope(&sums) };
+            Ok((separation, sums)) => {
+                let slope = if self.is_pull_off(load) { f64::INFINITY } else { self.force_slope(separation, &sums) };
                 (self.units.of(self.units.force, &sums, sums.friction), slope)
             }
             Err(Error::Separated { .. }) => (0.0, 0.0),
@@ -363,21 +363,29 @@ impl Model {
     }
 
     /// d(friction force)/d(load).
-    fn force_slope(&self, sums: &Sums) -> f64 {
+    fn force_slope(&self, separation: f64, sums: &Sums) -> f64 {
         if sums.load_slope == 0.0 {
             0.0
+        } else if sums.load_slope > 0.0 && self.is_on_branch(separation) {
+            // So near to pull-off that the sign is rounding.
+            f64::MAX
         } else {
             self.units.force / self.units.load * (sums.friction_slope / sums.load_slope)
         }
+    }
+
+    fn is_on_branch(&self, separation: f64) -> bool {
+        separation <= self.equilibrium.farthest()
     }
 
     fn state(&self, load: f64, separation: f64, sums: &Sums) -> Result<State, Error> {
         let sums = &sums.known(separation)?;
         let units = &self.units;
         let friction_force = units.of(units.force, sums, sums.friction);
-        let dforce_dload = self.force_slope(sums);
+        let dforce_dload = self.force_slope(separation, sums);
         // Beyond pull-off no load is in equilibrium: a pulling one has no coefficient.
-        let on_branch = separation <= self.equilibrium.farthest();
+        let on_branch = self.is_on_branch(separation);
+        let load_slope = if on_branch { sums.load_slope.min(0.0) } else { sums.load_slope };
         let (coefficient, dmu_dload) = if on_branch || load > 0.0 {
             self.coefficient_and_slope(load, friction_force, dforce_dload)
         } else {
@@ -399,7 +407,7 @@ impl Model {
             friction_coefficient: coefficient,
             dforce_dload,
             dmu_dload,
-            dload_dseparation: units.of(units.load / units.length, sums, sums.load_slope),
+            dload_dseparation: units.of(units.load / units.length, sums, load_slope),
             real_area: units.of(units.area, sums, sums.area),
             contacting,
             attracted: units.of(units.count, sums, sums.attracted),

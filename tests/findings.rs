@@ -447,3 +447,31 @@ fn a_load_that_falls_but_for_rounding_has_no_minimum() {
     let pull_off = Model::new(&params).expect("a model").summary().pull_off_load;
     assert!(pull_off < 0.0, "{pull_off}");
 }
+
+/// Within some last bits of the pull-off load the sign of dP/d(separation) is rounding.
+#[test]
+fn friction_rises_with_load_in_the_last_bits_of_the_pull_off_load() {
+    let params = Params {
+        composite_modulus: 1162841650019272.3,
+        effective_shear_modulus: 813989155013490.5,
+        work_of_adhesion: 15869970.544740817,
+        adhesion_range: 1.0179551593663152e-6,
+        burgers_vector: 1.3772818589253834e-5,
+        height_std: 0.0014381573212396688,
+        summit_radius: 0.0020458913603796734,
+        asperity_count: 208815716.928012,
+        heights: HeightFamily::Weibull { shape: 78.11981937629545 },
+        ..Params::default()
+    };
+    for params in [params, Params::default()] {
+        let model = Model::new(&params).expect("a model");
+        let mut load = model.summary().pull_off_load;
+        for _ in 0..40 {
+            load = load.next_up();
+            let (state, (_, slope)) =
+                (model.state_at_load(load).expect("a state"), model.friction_force_and_slope(load));
+            assert!(slope > 0.0 && slope.is_finite() && slope == state.dforce_dload, "{slope:e}, {state:?}");
+            assert!(state.dload_dseparation <= 0.0, "{state:?}");
+        }
+    }
+}
