@@ -475,3 +475,30 @@ fn friction_rises_with_load_in_the_last_bits_of_the_pull_off_load() {
         }
     }
 }
+
+/// A contact radius has an extremum in the last bit of the heights next to the foot: the panel cut there went backwards.
+#[test]
+fn contacts_of_the_last_bit_of_the_heights_are_counted() {
+    let params = Params {
+        composite_modulus: 78665047487.00916,
+        effective_shear_modulus: 55065533240.9064,
+        work_of_adhesion: 0.1304738959032358,
+        adhesion_range: 6.2176329773045304e-6,
+        burgers_vector: 3.148862424738358e-7,
+        height_std: 3.5134242201158365e-9,
+        summit_radius: 0.0029815460974072835,
+        asperity_count: 7007.789607633399,
+        heights: HeightFamily::Johnson { skew: 1.09710693359375, kurtosis: 2.530117533325126 },
+        radius_amplitude: -0.1905517578125,
+        radius_rate: 2.821434488226288,
+        ..Params::default()
+    };
+    let model = Model::new(&params).expect("a model");
+    let mut last = f64::INFINITY;
+    for i in -20..=20 {
+        let separation = -2.636783704256856e-9 * (1.0 + 1e-3 * f64::from(i));
+        let radius = model.state_at_separation(separation).expect("a state").mean_contact_radius;
+        last = last.min(radius);
+        assert!(radius > 0.9 * last, "{radius:e} after {last:e}");
+    }
+}

@@ -850,14 +850,14 @@ impl Population {
 
     /// The first summit between two where the integrand has a kink: its contact radius is one of the slip law's
     /// radii. Where the contact radius has an extremum between the two that matters, the summit of that.
-    fn first_cut<S: Sink>(&self, here: &Point, there: &Point) -> Option<Point> {
+    fn first_cut<S: Sink>(&self, here: &Point, end: &Point) -> Option<Point> {
         let mut cut = None;
-        let mut there = *there;
+        let mut there = *end;
         if !self.radius.is_constant() && (S::EXTREMA || self.may_pass_kink(here, &there)) {
             // Between two extrema, so that each is seen.
             if let Some(part) = between_extrema(here, &there) {
                 let turn = self.point(here, part * (there.z - here.z), here.guess_towards(there.contact.theta, part));
-                if turn.is_apart(here) {
+                if turn.is_on_the_way(here, end) {
                     there = turn;
                     cut = Some(there);
                 }
@@ -874,8 +874,9 @@ impl Population {
                 point.radius_rise()
             };
             let rise = root::bracketed(rate, 0.0, there.z - here.z);
-            if is_inside(rise, there.z - here.z) {
-                there = self.point(here, rise, theta);
+            let turn = self.point(here, rise, theta);
+            if is_inside(rise, there.z - here.z) && turn.is_on_the_way(here, end) {
+                there = turn;
                 cut = Some(there);
             }
         }
@@ -888,7 +889,7 @@ impl Population {
             if (here.contact.radius < kink) != (there.contact.radius < kink) && !is_at(here) && !is_at(&there) {
                 let at_kink = self.point_of_radius(here, &there, kink);
                 // Next to a fold the radius is so steep that no height tells the two apart.
-                if at_kink.is_apart(here) {
+                if at_kink.is_on_the_way(here, end) {
                     there = at_kink;
                     cut = Some(there);
                 }
@@ -1072,10 +1073,10 @@ impl Point {
         }
     }
 
-    /// Whether it is higher or lower than another beyond rounding.
-    fn is_apart(&self, other: &Self) -> bool {
+    /// Whether it is on the way from one to another, beyond rounding.
+    fn is_on_the_way(&self, here: &Self, end: &Self) -> bool {
         let known = self.contact.overlap.abs().min(self.z.abs());
-        self.rise_above(other).abs() > 4.0 * f64::EPSILON * known
+        self.rise_above(here) * (end.z - here.z).signum() > 4.0 * f64::EPSILON * known
     }
 
     /// dtheta/dz at fixed separation.
