@@ -427,8 +427,7 @@ mod tests {
         let mut params =
             Params { heights: heights.clone(), radius_amplitude: *amplitude, radius_rate: *rate, ..Params::default() };
         params.set_dimensionless(*alpha, *beta, *gamma, *b_over_h, 0.3).expect("a surface");
-        let (groups, heights, radius) = params.surface().expect("a surface");
-        Population::new(&groups, params.slip, heights, radius, params.attraction)
+        crate::population::tests::of(&params)
     }
 
     fn table() -> HeightFamily {

@@ -223,8 +223,7 @@ mod tests {
     pub(super) fn branch(gamma: f64) -> (Population, Equilibrium) {
         let mut params = Params::default();
         params.set_dimensionless(0.01, 1000.0, gamma, 1.0, 0.3).expect("a surface");
-        let (groups, heights, radius) = params.surface().expect("a surface");
-        let population = Population::new(&groups, params.slip, heights, radius, true);
+        let population = crate::population::tests::of(&params);
         let equilibrium = Equilibrium::new(&population).expect("a branch");
         (population, equilibrium)
     }
@@ -316,9 +315,8 @@ mod tests {
             let mut params =
                 Params { heights: heights.clone(), radius_amplitude: amplitude, radius_rate: 1.5, ..Params::default() };
             params.slip.radius_2 = 400.0;
-            let (groups, heights, radius) = params.surface().expect("a surface");
-            let origin = heights.origin();
-            let population = Population::new(&groups, params.slip, heights, radius, true);
+            let population = crate::population::tests::of(&params);
+            let origin = population.heights().origin();
             let count = |sum: &dyn Fn(f64)| {
                 EVALUATIONS.set(0);
                 [-2.0, -0.5, 0.3, 1.4].into_iter().for_each(|separation| sum(separation - origin));

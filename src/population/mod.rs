@@ -874,10 +874,12 @@ impl Population {
                 point.radius_rise()
             };
             let rise = root::bracketed(rate, 0.0, there.z - here.z);
-            let turn = self.point(here, rise, theta);
-            if is_inside(rise, there.z - here.z) && turn.is_on_the_way(here, end) {
-                there = turn;
-                cut = Some(there);
+            if is_inside(rise, there.z - here.z) {
+                let turn = self.point(here, rise, theta);
+                if turn.is_on_the_way(here, end) {
+                    there = turn;
+                    cut = Some(there);
+                }
             }
         }
         for kink in self.slip.kinks() {
@@ -1136,7 +1138,7 @@ fn is_inside(rise: f64, whole: f64) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::asperity::maugis::tests::EVALUATIONS;
     use crate::params::{HeightFamily, Params};
@@ -1162,10 +1164,14 @@ mod tests {
         }
     }
 
-    fn population(heights: HeightFamily) -> Population {
-        let params = Params { heights, ..Params::default() };
+    /// The population of a surface that is valid.
+    pub fn of(params: &Params) -> Population {
         let (groups, heights, radius) = params.surface().expect("a surface");
         Population::new(&groups, params.slip, heights, radius, params.attraction)
+    }
+
+    fn population(heights: HeightFamily) -> Population {
+        of(&Params { heights, ..Params::default() })
     }
 
     #[test]
@@ -1188,9 +1194,7 @@ mod tests {
 
     /// Of unequal radii, which turn the contact radius about.
     fn unequal(amplitude: f64, rate: f64) -> Population {
-        let params = Params { radius_amplitude: amplitude, radius_rate: rate, ..Params::default() };
-        let (groups, heights, radius) = params.surface().expect("a surface");
-        Population::new(&groups, params.slip, heights, radius, params.attraction)
+        of(&Params { radius_amplitude: amplitude, radius_rate: rate, ..Params::default() })
     }
 
     #[test]

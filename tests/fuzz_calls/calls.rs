@@ -382,8 +382,9 @@ impl<'a> Calls<'a> {
         let (at, mut slope): (Shared, f64) = (model.handle.0, BEFORE);
         let slope_at: *mut f64 = &mut slope;
         let force = call!(self, model.params, asperity_friction_force_and_slope_at_load(at, load, slope_at));
+        let ends = |step: f64| (s.pull_off_load + x * (1.0 - step), s.pull_off_load + x * (1.0 + step));
         let mut secant = |step: f64| {
-            let (below, above) = (s.pull_off_load + x * (1.0 - step), s.pull_off_load + x * (1.0 + step));
+            let (below, above) = ends(step);
             (self.force(model, above) - self.force(model, below)) / (above - below)
         };
         // What a secant is off by goes with the square of its length.
@@ -391,8 +392,7 @@ impl<'a> Calls<'a> {
         let secant = half + (half - whole) / 3.0;
         let difference = (slope - secant).abs() * x / force;
         let is_near = difference <= SECANT + 4.0 * model.resolution(load) / step;
-        if !is_near && !self.are_resolved(model, s.pull_off_load + x * (1.0 - step), s.pull_off_load + x * (1.0 + step))
-        {
+        if !is_near && !self.are_resolved(model, ends(step)) {
             self.tally.unresolved += 1;
             return;
         }
@@ -405,7 +405,7 @@ impl<'a> Calls<'a> {
     }
 
     /// Whether the separations of two loads are told apart by more than roundings.
-    fn are_resolved(&mut self, model: &Model, lighter: f64, heavier: f64) -> bool {
+    fn are_resolved(&mut self, model: &Model, (lighter, heavier): (f64, f64)) -> bool {
         let [lighter, heavier] = [lighter, heavier].map(|load| {
             let (at, mut state): (Shared, _) = (model.handle.0, asperity_state::empty());
             let state_at: *mut asperity_state = &mut state;
