@@ -15,6 +15,7 @@
 
 pub mod asperity;
 mod capi;
+mod elementary;
 mod equilibrium;
 mod error;
 pub mod groups;

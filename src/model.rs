@@ -1,5 +1,6 @@
 //! A surface pair ready for use: all that a caller asks, in the caller's units.
 
+use crate::elementary::{cbrt, exp, log};
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::groups::Groups;
@@ -282,7 +283,7 @@ impl Model {
             });
         }
         // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
-        let log_excess = (load - pull_off).ln() - self.units.load.ln();
+        let log_excess = log(load - pull_off) - log(self.units.load);
         let guess = self.law.separation(log_excess);
         self.equilibrium.at_log_excess(&self.population, log_excess, guess)
     }
@@ -319,7 +320,7 @@ impl Model {
             alpha: self.groups.alpha,
             beta: self.groups.beta,
             gamma: self.groups.gamma,
-            lambda: self.groups.lambda_cubed().cbrt(),
+            lambda: cbrt(self.groups.lambda_cubed()),
             skew: self.population.heights().skew(),
             kurtosis: self.population.heights().kurtosis(),
             pull_off_load: self.pull_off_load(),
@@ -469,10 +470,10 @@ impl Units {
     /// A sum in a unit; the scale of the sums and the unit together, since one may be tiny and the other large.
     fn of(&self, unit: f64, sums: &Sums, value: f64) -> f64 {
         if sums.log_scale > -600.0 {
-            sums.log_scale.exp() * unit * value
+            exp(sums.log_scale) * unit * value
         } else {
             // In two steps: at the end of all numbers the factor has few digits.
-            let root = (0.5 * (sums.log_scale + unit.ln())).exp();
+            let root = exp(0.5 * (sums.log_scale + log(unit)));
             root * (root * value)
         }
     }

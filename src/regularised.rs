@@ -1,5 +1,7 @@
 //! Friction of a sliding contact for solvers that integrate through zero slip rate: the law times a smooth sign.
 
+use crate::elementary::tanh;
+
 /// tanh(v/v0) and its derivative by v: a sign that is smooth on the scale v0 > 0.
 ///
 /// At v = v0 it is 0.76, at 3 v0 0.995. Sticking becomes a creep of about v0 times tangential load over friction force.
@@ -8,7 +10,7 @@ pub fn smooth_sign(slip_rate: f64, transition_rate: f64) -> (f64, f64) {
     if slip_rate.abs() >= 20.0 * transition_rate {
         return (1f64.copysign(slip_rate), 0.0);
     }
-    let sign = (slip_rate / transition_rate).tanh();
+    let sign = tanh(slip_rate / transition_rate);
     (sign, (1.0 - sign) * (1.0 + sign) / transition_rate)
 }
 

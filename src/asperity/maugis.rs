@@ -6,6 +6,7 @@
 //! theta = pi/2, so neither the square-root edge at break-away nor the fold needs special care.
 //! Attraction without contact belongs to [`super::attraction`], friction to [`super::slip`].
 
+use crate::elementary::{cbrt, cos, sincos};
 use crate::groups::Groups;
 use crate::root;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -105,7 +106,7 @@ impl Maugis {
     /// The contact at `theta` for a summit of radius g R: eqs (4)-(6).
     #[inline]
     pub fn at(&self, theta: f64, g: f64) -> Contact {
-        self.at_angle(theta, theta.sin_cos(), g)
+        self.at_angle(theta, sincos(theta), g)
     }
 
     /// Whether a contact without adhesion is so small that theta has few digits of the distance from pi/2.
@@ -127,7 +128,7 @@ impl Maugis {
         }
         let radius = (overlap * g / self.overlap_hertz).sqrt();
         let at = |complement: f64| {
-            let (cos, sin) = complement.sin_cos();
+            let (cos, sin) = sincos(complement);
             self.at_angle(FRAC_PI_2 - complement, (sin, cos), g)
         };
         let mut complement = (overlap / self.overlap_at_complement(1.0)).sqrt();
@@ -188,7 +189,7 @@ impl Maugis {
             return self.at_angle(FRAC_PI_2, (1.0, 0.0), g);
         }
         // du/dtheta < 0 for heavy load; the first zero going up in theta is the fold.
-        let rate = |theta: f64| self.at(theta, g).overlap_rate / theta.cos();
+        let rate = |theta: f64| self.at(theta, g).overlap_rate / cos(theta);
         let mut upper = FRAC_PI_2;
         let mut lower = 0.5 * upper;
         while rate(lower) >= 0.0 && lower > 1e-12 {
@@ -207,7 +208,7 @@ impl Maugis {
         }
         let (mut lower, mut upper) = (0.0, FRAC_PI_2);
         let start = if guess > 0.0 { guess.min(FRAC_PI_2) } else { self.guess(overlap, g) };
-        let mut angle = start.sin_cos();
+        let mut angle = sincos(start);
         let mut contact = self.at_angle(start, angle, g);
         let mut before = contact;
         let mut last_step = None;
@@ -260,7 +261,7 @@ impl Maugis {
     /// A starting theta for [`Maugis::at_overlap`]: eq (4) for heavy load, with Hertz' radius.
     pub fn guess(&self, overlap: f64, g: f64) -> f64 {
         let hertz_radius_squared = overlap.max(1e-100) / self.overlap_hertz; // over g
-        let by_bracket_2 = (0.75 / (self.bracket_2 * hertz_radius_squared)).cbrt();
+        let by_bracket_2 = cbrt(0.75 / (self.bracket_2 * hertz_radius_squared));
         let radius = (hertz_radius_squared * g).sqrt();
         let by_bracket_1 = (2.0 / (self.bracket_1 * radius).max(1e-100)).sqrt();
         by_bracket_2.min(by_bracket_1).min(1.0)
@@ -272,7 +273,7 @@ impl Maugis {
 fn turned((sin, cos): (f64, f64), from: f64, to: f64) -> (f64, f64) {
     let step = to - from;
     if step.abs() > 0.01_f64.min(0.25 * sin.min(cos)) {
-        return to.sin_cos();
+        return sincos(to);
     }
     let square = step * step;
     let sin_step = step * (1.0 - square / 6.0 * (1.0 - square / 20.0));

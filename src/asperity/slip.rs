@@ -3,6 +3,7 @@
 //! Below the first radius an asperity slips as a whole at a constant stress, above the second by
 //! gliding dislocations at a lower one; between them the stress is a power of the radius.
 
+use crate::elementary::{exp, log};
 use std::f64::consts::PI;
 
 /// The constants of eq (13): contact radii over b, shear stresses over G*.
@@ -37,7 +38,7 @@ impl Slip {
     /// The law with these constants.
     pub fn new(constants: SlipConstants) -> Self {
         let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = constants;
-        Self { constants, exponent: -(stress_1 / stress_2).ln() / (radius_2 / radius_1).ln() }
+        Self { constants, exponent: -log(stress_1 / stress_2) / log(radius_2 / radius_1) }
     }
 
     /// The two radii at which the stress has a kink.
@@ -54,7 +55,7 @@ impl Slip {
         } else if a >= radius_2 {
             (stress_2, 2.0)
         } else {
-            (stress_1 * (a / radius_1).powf(self.exponent), 2.0 + self.exponent)
+            (stress_1 * exp(self.exponent * log(a / radius_1)), 2.0 + self.exponent)
         };
         let force_over_a = PI * a * stress;
         (force_over_a * a, power * force_over_a)

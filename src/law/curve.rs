@@ -5,6 +5,7 @@
 //! ln(x)/2. In it ln F is smooth on the whole branch. Panels of exact states at Chebyshev points, each with its slope,
 //! are joined by Hermite interpolation; a panel that misses the exact states between its nodes is tried again shorter.
 
+use crate::elementary::{cos, exp, exp_each, log, log1p, pow, sinh};
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::population::Population;
@@ -114,15 +115,25 @@ pub struct Curve {
 impl Coordinate {
     /// s and ds/d(ln x) at ln x.
     fn at(self, log_excess: f64) -> (f64, f64) {
+        self.at_each([log_excess])[0]
+    }
+
+    /// The same at each of several.
+    fn at_each<const N: usize>(self, log_excess: [f64; N]) -> [(f64, f64); N] {
         let Some(log_pull_off) = self.log_pull_off else {
-            return (0.5 * log_excess, 0.5);
+            return log_excess.map(|log_excess| (0.5 * log_excess, 0.5));
         };
-        let sinh = (0.5 * (log_excess - log_pull_off)).exp();
-        if sinh > 1e9 {
-            return (LN_2 + 0.5 * (log_excess - log_pull_off), 0.5);
-        }
-        let cosh = (1.0 + sinh * sinh).sqrt();
-        ((sinh + sinh * sinh / (1.0 + cosh)).ln_1p(), 0.5 * sinh / cosh)
+        let log_sinh = log_excess.map(|log_excess| 0.5 * (log_excess - log_pull_off));
+        let sinh = exp_each(log_sinh);
+        std::array::from_fn(|i| {
+            let sinh = sinh[i];
+            if sinh > 1e9 {
+                return (LN_2 + log_sinh[i], 0.5);
+            }
+            let cosh = (1.0 + sinh * sinh).sqrt();
+            let s = if sinh > 1.0 { log(sinh + cosh) } else { log1p(sinh + sinh * sinh / (1.0 + cosh)) };
+            (s, 0.5 * sinh / cosh)
+        })
     }
 }
 
@@ -138,7 +149,7 @@ impl Curve {
         log_range: impl Fn(f64) -> f64,
         check: &mut Vec<Sample>,
     ) -> Result<Self, Error> {
-        let log_pull_off = equilibrium.pull_off().map(|point| (-point.load).ln());
+        let log_pull_off = equilibrium.pull_off().map(|point| log(-point.load));
         let force = equilibrium.pull_off().map_or(1.0, |point| point.friction);
         let mut curve =
             Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0, resolved: true };
@@ -203,7 +214,7 @@ impl Curve {
                 width = growth * length;
             } else if length > narrowest && resolvable {
                 // As the error of so many conditions grows with length.
-                let shorter = 0.9 * excess.powf(-1.0 / CONDITIONS as f64);
+                let shorter = 0.9 * pow(excess, -1.0 / CONDITIONS as f64);
                 width = (shorter.clamp(0.25, 0.8) * length).max(narrowest);
                 // What is smooth needs no second try.
                 let at_foot = foot.iter().copied().find(|&passing| passing > from.separation && passing < to);
@@ -239,7 +250,7 @@ impl Curve {
         let mut nodes = [from; NODES];
         for (j, node) in nodes.iter_mut().enumerate() {
             let angle = std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64;
-            *node = self.sample(population, equilibrium, middle - half * angle.cos())?;
+            *node = self.sample(population, equilibrium, middle - half * cos(angle))?;
         }
         let end = match equilibrium.pull_off() {
             Some(point) if point.separation == to => Sample {
@@ -268,7 +279,7 @@ impl Curve {
         let (log_excess, rate, sums) = equilibrium.log_excess(population, separation);
         // A load below that of the end is as far above it as can be told.
         let below_end = match self.coordinate.log_pull_off {
-            Some(_) => log_excess <= f64::MIN_POSITIVE.ln(),
+            Some(_) => log_excess <= log(f64::MIN_POSITIVE),
             None => sums.load() <= 0.0,
         };
         if !(rate < 0.0 && sums.friction > 0.0) || below_end {
@@ -280,7 +291,7 @@ impl Curve {
             separation,
             log_excess,
             s,
-            log_force: (sums.friction / self.coordinate.force).ln() + sums.log_scale,
+            log_force: log(sums.friction / self.coordinate.force) + sums.log_scale,
             slope: log_slope / s_rate,
             log_slope,
         })
@@ -292,7 +303,7 @@ impl Curve {
             return (0.0, 0.0);
         };
         let log = |s: f64| match self.coordinate.log_pull_off {
-            Some(log_pull_off) => 2.0 * s.sinh().ln() + log_pull_off,
+            Some(log_pull_off) => 2.0 * log(sinh(s)) + log_pull_off,
             None => 2.0 * s,
         };
         let lower = if last.lowest > 0.0 || self.coordinate.log_pull_off.is_none() {
@@ -305,7 +316,7 @@ impl Curve {
 
     /// F and d(ln F)/d(ln x) at neighbouring ln x; NaN where the curve is not known to be good.
     pub fn at<const N: usize>(&self, log_excess: [f64; N]) -> [(f64, f64); N] {
-        let coordinates = log_excess.map(|log_excess| self.coordinate.at(log_excess));
+        let coordinates = self.coordinate.at_each(log_excess);
         let s = coordinates.map(|(s, _)| s);
         // Mostly one panel holds all: then they are evaluated side by side.
         let panel = self.panel(s[0]);
@@ -314,7 +325,8 @@ impl Curve {
         } else {
             s.map(|s| self.panel(s).log_force_at([s])[0])
         };
-        std::array::from_fn(|i| (self.coordinate.force * log_force[i].0.exp(), log_force[i].1 * coordinates[i].1))
+        let force = exp_each(log_force.map(|(log_force, _)| log_force));
+        std::array::from_fn(|i| (self.coordinate.force * force[i], log_force[i].1 * coordinates[i].1))
     }
 
     /// Whether panels end at all kinks; if not, there are too many, and the curve serves to find separations.
@@ -324,7 +336,7 @@ impl Curve {
 
     /// F of an exact state.
     pub fn force_of(&self, sample: &Sample) -> f64 {
-        self.coordinate.force * sample.log_force.exp()
+        self.coordinate.force * exp(sample.log_force)
     }
 
     /// The separation at ln x, to a few digits, where the curve covers it.

@@ -5,6 +5,7 @@
 
 use super::row::{polynomial, Filling, Row, COEFFICIENTS, SLOPE_TOLERANCE, VALUE_TOLERANCE};
 use super::MANTISSA_BITS;
+use crate::elementary::{exp, log, log1p};
 use crate::equilibrium::Equilibrium;
 use crate::population::Population;
 use std::f64::consts::LN_2;
@@ -40,7 +41,7 @@ impl Follower<'_> {
             log_excess,
             separation,
             rate,
-            force: sums.friction * sums.log_scale.exp(),
+            force: sums.friction * exp(sums.log_scale),
             slope: sums.friction_slope / sums.friction / rate,
         })
     }
@@ -60,7 +61,7 @@ impl Follower<'_> {
                 let carried = State {
                     log_excess,
                     separation: state.separation + missing / state.rate,
-                    force: state.force * (state.slope * missing).exp(),
+                    force: state.force * exp(state.slope * missing),
                     ..state
                 };
                 self.last = Some([self.last.map_or(carried, |[_, last]| last), carried]);
@@ -82,7 +83,7 @@ pub fn fill(
 ) -> f64 {
     let width = (2.0_f64).powi(filling.shift as i32 - MANTISSA_BITS as i32);
     let per_binade = 1_u64 << (MANTISSA_BITS - filling.shift);
-    let log_load = filling.scales.load.ln();
+    let log_load = log(filling.scales.load);
     let mut follower = Follower { population, equilibrium, last: None };
     // Where the row before ends.
     let mut joint: Option<State> = None;
@@ -96,7 +97,7 @@ pub fn fill(
         let binade = (index / per_binade) as f64 - 1023.0;
         let mut states = [None; PARTS.len()];
         for (state, part) in states.iter_mut().zip(PARTS) {
-            let log_excess = ((within + part) * width).ln_1p() + (binade * LN_2 - log_load);
+            let log_excess = log1p((within + part) * width) + (binade * LN_2 - log_load);
             *state = match joint.filter(|_| part == 0.0) {
                 Some(joint) => Some(joint),
                 None => match (follower.last, filling.curve.separation(log_excess)) {

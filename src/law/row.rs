@@ -2,6 +2,7 @@
 
 use super::curve::Curve;
 use super::{Scales, MANTISSA_BITS};
+use crate::elementary::{log, log1p};
 use std::f64::consts::LN_2;
 use std::ops::RangeInclusive;
 
@@ -58,11 +59,11 @@ impl Filling<'_> {
     pub fn rows(&self, range: RangeInclusive<u64>) -> (Vec<Row>, f64) {
         let basis = RowBasis::new();
         let width = (2.0_f64).powi(self.shift as i32 - MANTISSA_BITS as i32);
-        let log_load = self.scales.load.ln();
+        let log_load = log(self.scales.load);
         let per_binade = 1_u64 << (MANTISSA_BITS - self.shift);
         // ln(mantissa), the same in every binade.
         let mantissas: Vec<[f64; PARTS.len()]> =
-            (0..per_binade).map(|row| PARTS.map(|part| ((row as f64 + part) * width).ln_1p())).collect();
+            (0..per_binade).map(|row| PARTS.map(|part| log1p((row as f64 + part) * width))).collect();
         // Force, and its slope by the part of the row, at the parts of a row.
         let at = |row: u64| {
             let within = (row % per_binade) as usize;

@@ -4,6 +4,7 @@
 //! Walked anew with every panel, for exact states only: the sums that a law is compiled from need none of this.
 
 use super::{ends, gauss_legendre, Contact, Density, Edge, Heights, Point, Population, Sink, MOST_PANELS};
+use crate::elementary::log;
 use crate::root;
 use crate::surface::heights::UNDERFLOW;
 
@@ -100,7 +101,7 @@ impl Population {
         if number > 1.0 {
             let exceeding = count / (number + 1.0);
             let (lower, upper) = self.heights.worth_summing(lowest, f64::INFINITY);
-            let excess = |z: f64| (self.exceedance(z, separation, density) / exceeding).max(1e-100).ln();
+            let excess = |z: f64| log((self.exceedance(z, separation, density) / exceeding).max(1e-100));
             let tallest = root::bracketed(excess, lower, upper);
             let is_within = |range: &Range| range.lower.0 <= tallest && tallest <= range.upper.0;
             let there = ranges.iter().any(is_within).then(|| self.point_cold(separation, tallest).contact.radius);

@@ -36,4 +36,14 @@ impl<'a> Density<'a> {
         let rise = if self.by_overlap { overlap - self.overlap } else { z - self.height };
         self.heights.relative_density(self.height, rise, self.log_scale)
     }
+
+    /// The same at the heights of several overlaps, side by side.
+    #[inline]
+    pub fn at_each<const N: usize>(&self, separation: f64, overlaps: [f64; N]) -> [f64; N] {
+        let rises = match self.by_overlap {
+            true => overlaps.map(|overlap| overlap - self.overlap),
+            false => overlaps.map(|overlap| separation + overlap - self.height),
+        };
+        self.heights.relative_density_each(self.height, rises, self.log_scale)
+    }
 }

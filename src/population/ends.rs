@@ -5,6 +5,7 @@
 
 use super::{gauss_legendre, Guess, Point, Population, Sink, Summit, MOST_PANELS, THETA_SPAN};
 use crate::asperity::attraction::Attraction;
+use crate::elementary::{log, log1p};
 use crate::surface::heights::johnson::ends::{Ends, Place};
 
 /// Nearer to an end than this part of the distance to where the law of one summit is singular, it does not change.
@@ -71,7 +72,7 @@ impl<'a> Walk<'a> {
         let near = SAME * clearance.clamp(SHORTEST, self.ends.width());
         let (behind, ahead) = self.distances();
         if behind <= 0.5 * near {
-            let next = Ends::clamped((near / self.ends.width()).ln());
+            let next = Ends::clamped(log(near / self.ends.width()));
             let counted = if self.direction > 0.0 { self.counted.0 } else { -self.counted.1 };
             return Some(self.direction * next.max(counted).min(self.direction * self.last));
         }
@@ -84,10 +85,10 @@ impl<'a> Walk<'a> {
         let by_score = self.ends.longest_panel(self.place.logit, self.direction);
         let smooth = |beyond| self.ends.longest_smooth(self.place.logit, self.direction, beyond);
         let longest = if clearance < behind {
-            let logits = (clearance / ahead).ln_1p() - (-clearance / behind).ln_1p();
+            let logits = log1p(clearance / ahead) - log1p(-clearance / behind);
             smooth(None).min(LOGIT_RATIO * logits)
         } else {
-            let beyond = ((clearance - behind) / self.ends.width()).max(f64::MIN_POSITIVE).ln();
+            let beyond = log(((clearance - behind) / self.ends.width()).max(f64::MIN_POSITIVE));
             // The law is singular at complex heights around that edge as well.
             let farthest = self.place.raised(self.direction * super::HEIGHT_RATIO * clearance).logit;
             let in_height =

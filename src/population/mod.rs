@@ -23,6 +23,7 @@ pub use gauss_legendre::{integrate_short, nodes, POINTS};
 use crate::asperity::attraction::{self, Attraction, ATTRACTION_LAMBDA_CUBED};
 use crate::asperity::maugis::{Contact, Maugis};
 use crate::asperity::slip::{Slip, SlipConstants};
+use crate::elementary::{cos, exp, pow};
 use crate::error::Error;
 use crate::groups::Groups;
 use crate::root;
@@ -103,7 +104,7 @@ impl Sums {
     /// The sums themselves: `log_scale` 0.
     pub fn unscaled(&self) -> Self {
         // In two steps, since what is at the end of all numbers has few digits.
-        let root = (0.5 * self.log_scale).exp();
+        let root = exp(0.5 * self.log_scale);
         let unscaled = |sum: f64| root * (root * sum);
         Self {
             log_scale: 0.0,
@@ -604,8 +605,8 @@ impl Population {
                 self.heights.roughness(&from, &to, sums.log_scale) <= roughest
             };
             if is_smooth {
-                for node in panel.nodes() {
-                    let density = density.at(separation + node.overlap, node.overlap);
+                let densities = density.at_each(separation, panel.nodes().map(|node| node.overlap));
+                for (node, density) in panel.nodes().iter().zip(densities) {
                     sums.add_contact(node.weight * density, &node.summit);
                 }
                 continue;
@@ -885,7 +886,7 @@ impl Population {
         for kink in self.slip.kinks() {
             // Next to theta = pi/2 radii are known to so many digits of that of the annulus.
             let is_at = |point: &Point| {
-                let outer_radius = point.contact.radius / point.contact.theta.cos();
+                let outer_radius = point.contact.radius / cos(point.contact.theta);
                 (point.contact.radius - kink).abs() < (AT_KINK * kink).max(1e-14 * outer_radius)
             };
             if (here.contact.radius < kink) != (there.contact.radius < kink) && !is_at(here) && !is_at(&there) {
@@ -1049,7 +1050,7 @@ struct FootPanel {
 impl FootPanel {
     /// The height above the foot and its derivative by v.
     fn at(&self, v: f64) -> (f64, f64) {
-        let rise = self.length * v.powf(self.power);
+        let rise = self.length * pow(v, self.power);
         (rise, self.power * rise / v)
     }
 }

@@ -24,11 +24,11 @@ pub struct Panel<'a> {
     pub to: &'a Point,
     /// Whether it is short beside the distance to break-away, and may be as long as the density is smooth.
     pub by_height: bool,
-    nodes: &'a [Node],
+    nodes: &'a [Node; POINTS],
 }
 
 impl<'a> Panel<'a> {
-    pub fn nodes(&self) -> &'a [Node] {
+    pub fn nodes(&self) -> &'a [Node; POINTS] {
         self.nodes
     }
 }
@@ -55,7 +55,7 @@ impl Nodes {
 
     pub fn panels(&self) -> impl Iterator<Item = Panel<'_>> {
         let starts = std::iter::once(&self.start).chain(self.ends.iter().map(|(end, _)| end));
-        starts.zip(&self.ends).zip(self.nodes.chunks(POINTS)).map(|((from, (to, by_height)), nodes)| Panel {
+        starts.zip(&self.ends).zip(self.nodes.as_chunks().0).map(|((from, (to, by_height)), nodes)| Panel {
             from,
             to,
             by_height: *by_height,

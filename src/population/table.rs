@@ -1,6 +1,7 @@
 //! Cells of a table of heights: many pieces of its density at once, where the law of one summit is smooth across them.
 
 use super::{gauss_legendre, Guess, Point, Population, Sink};
+use crate::elementary::exp;
 use crate::surface::heights::Heights;
 
 /// The length of a cell over its distance to break-away: values at 16 points then fix the law between them.
@@ -26,7 +27,7 @@ impl Population {
                 continue;
             }
             sink.panel(here, &there, true);
-            let scale = (-sink.log_scale()).exp();
+            let scale = exp(-sink.log_scale());
             let mut guess = Guess::new(here, &there, length);
             for ((part, _), weight) in gauss_legendre::nodes(0.0, 1.0).zip(weights) {
                 let point = self.point(here, part * length, guess.at(part));

@@ -1,5 +1,7 @@
 //! Radius of curvature of a summit as a function of its height, eq (3).
 
+use crate::elementary::{exp, hypot};
+
 /// g(z) = 1 + epsilon tanh(rho z), the local radius over the mean one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RadiusProfile {
@@ -28,7 +30,7 @@ impl RadiusProfile {
         }
         let size = self.amplitude.abs();
         let y = self.rate * (z + self.origin) * self.amplitude.signum();
-        let decay = (-2.0 * y.abs()).exp();
+        let decay = exp(-2.0 * y.abs());
         let g = if y >= 0.0 {
             1.0 + size * (1.0 - decay) / (1.0 + decay)
         } else {
@@ -58,7 +60,7 @@ impl RadiusProfile {
         if z < 0.0 {
             (0.65 * -z).max(1.1 * pole)
         } else {
-            1.1 * z.hypot(pole)
+            1.1 * hypot(z, pole)
         }
     }
 }

@@ -58,6 +58,11 @@ grep -oE '\basperity_[a-z_]+\(' "$prefix/include/asperity.h" | tr -d '(' | sort 
 nm -D --defined-only "$library" | awk '{ print $3 }' | sort >"$work/exported"
 diff "$work/declared" "$work/exported" || fail "the library exports other names than its header declares"
 echo "soname $soname; exactly the $(wc -l <"$work/exported") functions of the header are exported"
+# Those of the system have other last bits on another processor or system.
+nm -D --undefined-only "$library" | awk '{ sub(/@.*/, "", $2); print $2 }' | sort >"$work/imported"
+grep -xE 'a?(sin|cos|tan)h?|atan2|sincos|exp(2|10|m1)?|log(2|10|1p)?|pow|cbrt|hypot|fma|[lt]gamma(_r)?|erfc?' "$work/imported" &&
+    fail "the library takes these functions from the system; take them from src/elementary.rs"
+echo "its elementary functions are its own"
 
 # ---- Projects ----
 needs_library() {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The same answers on other processors, emulated: with AVX2 but not AVX-512, with neither.
+# The same bits on other processors, emulated: with AVX2 but not AVX-512, with neither and without FMA.
 #
 # usage: tests/harden/processors.sh      needs qemu-x86_64 (Debian: qemu-user)
 set -euo pipefail

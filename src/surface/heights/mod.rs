@@ -8,6 +8,7 @@ pub mod johnson;
 pub mod tabulated;
 pub mod weibull;
 
+use crate::elementary::{exp, exp_each, hypot, log};
 use johnson::{ends::Ends, Johnson};
 use tabulated::Tabulated;
 use weibull::Weibull;
@@ -86,7 +87,7 @@ impl Heights {
             }
             Heights::Johnson(johnson) => johnson.log_density(z),
             Heights::Ends(ends) => ends.log_density(z),
-            Heights::Tabulated(table) => table.density(z).ln(),
+            Heights::Tabulated(table) => log(table.density(z)),
         }
     }
 
@@ -95,10 +96,20 @@ impl Heights {
     /// It has as many digits as `rise`, which may be a number of more digits than z.
     #[inline]
     pub fn relative_density(&self, from: f64, rise: f64, log_scale: f64) -> f64 {
-        match self {
-            Heights::Gaussian => (-rise * (from + 0.5 * rise)).exp(),
-            _ => (self.log_density(from + rise) - log_scale).exp(),
-        }
+        self.relative_density_each(from, [rise], log_scale)[0]
+    }
+
+    /// The same for each rise, side by side.
+    #[inline]
+    pub fn relative_density_each<const N: usize>(&self, from: f64, rises: [f64; N], log_scale: f64) -> [f64; N] {
+        exp_each(match self {
+            Heights::Gaussian => rises.map(|rise| -rise * (from + 0.5 * rise)),
+            Heights::Weibull(weibull) if rises.iter().all(|rise| from + rise > -weibull.mean()) => {
+                let (log_density, _) = weibull.log_density_and_hazard(rises.map(|rise| from + rise));
+                log_density.map(|log_density| log_density - log_scale)
+            }
+            _ => rises.map(|rise| self.log_density(from + rise) - log_scale),
+        })
     }
 
     /// Where the support begins; minus infinity if it is endless.
@@ -144,15 +155,15 @@ impl Heights {
             Heights::Gaussian => {
                 let (near_lower, near_upper) = (lower.max(0.0), upper.min(0.0));
                 (
-                    lower.max(-near_upper.hypot((2.0 * NEGLIGIBLE).sqrt())),
-                    upper.min(near_lower.hypot((2.0 * NEGLIGIBLE).sqrt())),
+                    lower.max(-hypot(near_upper, (2.0 * NEGLIGIBLE).sqrt())),
+                    upper.min(hypot(near_lower, (2.0 * NEGLIGIBLE).sqrt())),
                 )
             }
             Heights::Weibull(weibull) => {
                 // Load grows as height^(3/2), which for a heavy tail competes with the density.
-                let growth = 2.0 / weibull.shape() * NEGLIGIBLE.ln();
+                let growth = 2.0 / weibull.shape() * log(NEGLIGIBLE);
                 let highest = weibull.height_of_hazard(weibull.hazard(lower) + NEGLIGIBLE + growth);
-                let hazard = weibull.hazard(upper).min(1.0) * (-NEGLIGIBLE).exp();
+                let hazard = weibull.hazard(upper).min(1.0) * exp(-NEGLIGIBLE);
                 let lowest = weibull.height_of_hazard(hazard.max(f64::MIN_POSITIVE));
                 // Where a power-law foot holds a part that is not negligible, the range begins there.
                 let is_foot = lowest + weibull.mean() < 0.01;

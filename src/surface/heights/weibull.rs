@@ -1,8 +1,8 @@
 //! Weibull heights, eqs (18)-(21): standardised to mean 0 and standard deviation 1, so that the shape
 //! omega alone remains, and with it skew and kurtosis together.
 
+use crate::elementary::{exp, exp_each, expm1, lgamma, log, log1p, pow};
 use crate::root;
-use statrs::function::gamma::ln_gamma;
 
 /// The smallest and largest shape the library evaluates: below 1 the density has a pole at its foot.
 pub const SHAPE_RANGE: (f64, f64) = (1.0, 1e6);
@@ -29,7 +29,7 @@ impl Weibull {
     pub fn new(shape: f64) -> Self {
         let x = 1.0 / shape;
         // Central moments over B_1^n, from e_n = B_n / B_1^n - 1.
-        let e = |n: i32| ln_moment_ratio(n, x).exp_m1();
+        let e = |n: i32| expm1(ln_moment_ratio(n, x));
         let variance = e(2);
         let (third, fourth) = if x <= 0.125 {
             // The leading terms of e_n cancel for small x: cancel them in the series.
@@ -47,8 +47,8 @@ impl Weibull {
             shape,
             ln_b1: ln_gamma_1p(x),
             mean,
-            ln_shape_over_mean: (shape / mean).ln(),
-            skew: third / variance.powf(1.5),
+            ln_shape_over_mean: log(shape / mean),
+            skew: third / pow(variance, 1.5),
             kurtosis: fourth / (variance * variance),
         }
     }
@@ -56,12 +56,12 @@ impl Weibull {
     /// The shape whose skew this is; `None` outside what [`SHAPE_RANGE`] covers.
     pub fn shape_of_skew(skew: f64) -> Option<f64> {
         let (smallest, largest) = SHAPE_RANGE;
-        let residual = |ln_shape: f64| Self::new(ln_shape.exp()).skew - skew;
-        let (lower, upper) = (smallest.ln(), largest.ln());
+        let residual = |ln_shape: f64| Self::new(exp(ln_shape)).skew - skew;
+        let (lower, upper) = (log(smallest), log(largest));
         if residual(lower) < -1e-12 || residual(upper) > 1e-12 {
             return None;
         }
-        Some(root::bracketed(residual, lower, upper).exp().clamp(smallest, largest))
+        Some(exp(root::bracketed(residual, lower, upper)).clamp(smallest, largest))
     }
 
     /// omega.
@@ -87,12 +87,18 @@ impl Weibull {
     /// ln phi and d(ln phi)/dz at z; z must lie above the foot.
     #[inline]
     pub fn log_density(&self, z: f64) -> (f64, f64) {
-        let relative = (z / self.mean).ln_1p();
+        let ([log_density], [hazard]) = self.log_density_and_hazard([z]);
+        (log_density, (self.shape - 1.0 - self.shape * hazard) / (z + self.mean))
+    }
+
+    /// ln phi and the cumulative hazard at each of several heights above the foot.
+    #[inline]
+    pub fn log_density_and_hazard<const N: usize>(&self, heights: [f64; N]) -> ([f64; N], [f64; N]) {
+        let relative = heights.map(|z| log1p(z / self.mean));
         // t = ln (C y)^omega with y = z + z_M
-        let t = self.shape * (self.ln_b1 + relative);
-        let hazard = t.min(600.0).exp();
-        let y = z + self.mean;
-        (self.ln_shape_over_mean + t - relative - hazard, (self.shape - 1.0 - self.shape * hazard) / y)
+        let t = relative.map(|relative| self.shape * (self.ln_b1 + relative));
+        let hazard = exp_each(t.map(|t| t.min(600.0)));
+        (std::array::from_fn(|i| self.ln_shape_over_mean + t[i] - relative[i] - hazard[i]), hazard)
     }
 
     /// The cumulative hazard (C y)^omega at z.
@@ -101,12 +107,12 @@ impl Weibull {
         if relative <= -1.0 {
             return 0.0;
         }
-        (self.shape * (self.ln_b1 + relative.ln_1p())).min(600.0).exp()
+        exp((self.shape * (self.ln_b1 + log1p(relative))).min(600.0))
     }
 
     /// The height of a given cumulative hazard.
     pub fn height_of_hazard(&self, hazard: f64) -> f64 {
-        self.mean * (hazard.ln() / self.shape - self.ln_b1).exp_m1()
+        self.mean * expm1(log(hazard) / self.shape - self.ln_b1)
     }
 }
 
@@ -205,7 +211,7 @@ fn ln_moment_ratio(n: i32, x: f64) -> f64 {
 /// ln Gamma(1 + x), x >= 0.
 fn ln_gamma_1p(x: f64) -> f64 {
     if x > 1.0 {
-        return ln_gamma(1.0 + x);
+        return lgamma(1.0 + x);
     }
     // zeta(j) = 1 + (zeta(j) - 1): the ones sum to x - ln(1 + x), the rest converges for |x| < 2.
     const ONE_MINUS_EULER: f64 = 0.422_784_335_098_467_13;
@@ -214,7 +220,7 @@ fn ln_gamma_1p(x: f64) -> f64 {
         let j = (i + 2) as f64;
         sum = -x * sum + zeta_minus_1 / j;
     }
-    x * ONE_MINUS_EULER - x.ln_1p() + x * x * sum
+    x * ONE_MINUS_EULER - log1p(x) + x * x * sum
 }
 
 #[cfg(test)]
@@ -267,7 +273,7 @@ mod tests {
             assert!(near(a.skew(), b.skew(), 1e-10) && near(a.kurtosis(), b.kurtosis(), 1e-10), "{a:?}, {b:?}");
         }
         for x in [0.0, 1e-9, 0.1, 0.5, 0.99, 1.0, 1.01, 3.0] {
-            assert!((ln_gamma_1p(x) - ln_gamma(1.0 + x)).abs() < 1e-13, "{x}");
+            assert!((ln_gamma_1p(x) - lgamma(1.0 + x)).abs() < 1e-13, "{x}");
         }
     }
 

@@ -5,6 +5,7 @@
 //! is known by its distances from both ends, so that nothing is lost next to either. Heights are measured from the head.
 
 use super::fit::EndsFit;
+use crate::elementary::{exp, hypot, log};
 
 /// Summits beyond this u, and as much beyond where a sum begins, contribute nothing.
 const FARTHEST_SCORE: f64 = 12.0;
@@ -45,7 +46,7 @@ pub struct Place {
 
 impl Place {
     fn of_distances(above_foot: f64, below_head: f64) -> Self {
-        let logit = above_foot.max(0.0).ln() - below_head.max(0.0).ln();
+        let logit = log(above_foot.max(0.0)) - log(below_head.max(0.0));
         Self { logit, above_foot, below_head }
     }
 
@@ -116,7 +117,7 @@ impl Ends {
     /// The place of a logit, which may be infinite.
     #[inline]
     pub fn place(&self, logit: f64) -> Place {
-        let smaller = (-logit.abs()).exp();
+        let smaller = exp(-logit.abs());
         let (near, far) = (self.width * smaller / (1.0 + smaller), self.width / (1.0 + smaller));
         let (above_foot, below_head) = if logit < 0.0 { (near, far) } else { (far, near) };
         Place { logit, above_foot, below_head }
@@ -160,7 +161,7 @@ impl Ends {
     #[inline]
     pub fn mass(&self, logit: f64, log_scale: f64) -> f64 {
         let u = self.score(logit);
-        (-0.5 * u * u - LN_SQRT_2_PI - log_scale).exp() / self.epsilon
+        exp(-0.5 * u * u - LN_SQRT_2_PI - log_scale) / self.epsilon
     }
 
     /// The density over exp(log_scale) at a place.
@@ -177,7 +178,7 @@ impl Ends {
     /// ln phi.
     pub fn log_density(&self, z: f64) -> f64 {
         // At the ends, and so beyond them, no summits are left.
-        self.density(&self.place_of(z), 0.0).ln()
+        log(self.density(&self.place_of(z), 0.0))
     }
 
     /// The height at or above another where most summits are per logit.
@@ -187,7 +188,7 @@ impl Ends {
 
     /// The u between which summits count, of those from u on.
     pub fn worth_summing(&self, from: f64) -> (f64, f64) {
-        (-FARTHEST_SCORE, from.max(0.0).hypot(FARTHEST_SCORE))
+        (-FARTHEST_SCORE, hypot(from.max(0.0), FARTHEST_SCORE))
     }
 
     /// How far from a logit a panel may reach in the direction +-1, as far as the normal density goes.

@@ -10,6 +10,7 @@
 //! tau = +-1, share = 0 or 1 are lognormal and epsilon = 0 is Gaussian, so that nothing is singular there. S_B of large
 //! epsilon, whose median nears one end, is written about its ends: y = 1/(1 + exp(-epsilon (u - step))), from 0 to 1.
 
+use crate::elementary::{cbrt, exp, expm1, log, log1p, pow};
 use crate::population::integrate_short;
 use crate::root;
 use std::f64::consts::PI;
@@ -122,7 +123,7 @@ pub fn excess_of_lognormal(skew: f64) -> f64 {
 fn lognormal_growth(skew: f64) -> f64 {
     let squared = skew * skew;
     // p (p + 3)^2 lies above both 9 p and p^3.
-    let upper = (squared / 9.0).min(squared.cbrt());
+    let upper = (squared / 9.0).min(cbrt(squared));
     root::bracketed(|p| p * (p + 3.0) * (p + 3.0) - squared, 0.0, upper)
 }
 
@@ -135,7 +136,7 @@ fn unbounded(skew: f64, excess: f64) -> Fit {
     let tau = root::bracketed(|tau| unbounded_skew(growth(tau * tau), tau) - skew, 0.0, 1.0);
     let q = tau * tau;
     let p = growth(q);
-    let epsilon = p.ln_1p().sqrt();
+    let epsilon = log1p(p).sqrt();
     let kind = if tau < 1.0 {
         Kind::Unbounded { below: 1.0 - tau, above: 1.0 + tau }
     } else {
@@ -144,7 +145,7 @@ fn unbounded(skew: f64, excess: f64) -> Fit {
     if epsilon == 0.0 {
         return Fit { epsilon, kind, mean: 0.0, deviation: 1.0 };
     }
-    let mean = tau * (0.5 * epsilon * epsilon).exp_m1() / epsilon;
+    let mean = tau * expm1(0.5 * epsilon * epsilon) / epsilon;
     Fit { epsilon, kind, mean, deviation: (p * unbounded_variance(p, q)).sqrt() / epsilon }
 }
 
@@ -156,7 +157,7 @@ fn unbounded_variance(p: f64, q: f64) -> f64 {
 fn unbounded_skew(p: f64, tau: f64) -> f64 {
     let q = tau * tau;
     let third = 3.0 + 0.25 * p * (p + 4.0) * (3.0 + q);
-    ((1.0 + p) * p).sqrt() * tau * third / unbounded_variance(p, q).powf(1.5)
+    ((1.0 + p) * p).sqrt() * tau * third / pow(unbounded_variance(p, q), 1.5)
 }
 
 fn unbounded_excess(p: f64, q: f64) -> f64 {
@@ -175,7 +176,7 @@ fn unbounded_excess(p: f64, q: f64) -> f64 {
 
 /// S_B: epsilon from the kurtosis, and for each epsilon the share from the skew.
 fn bounded(skew: f64, kurtosis: f64) -> Curve {
-    let smallest = lognormal_growth(skew).ln_1p().sqrt();
+    let smallest = log1p(lognormal_growth(skew)).sqrt();
     // ln(share/rest), from where it cannot be told from lognormal to where there is no skew.
     let share = |epsilon: f64| {
         let lowest = -40.0 - epsilon * (11.0 + 4.0 * epsilon);
@@ -218,11 +219,11 @@ fn about_ends(skew: f64, above_least: f64, smallest_epsilon: f64) -> EndsFit {
         root::bracketed(residual, 0.0, upper)
     };
     let residual = |log_epsilon: f64| {
-        let epsilon = log_epsilon.exp();
-        (layer.moments(epsilon, step(epsilon)).above_least / above_least).ln()
+        let epsilon = exp(log_epsilon);
+        log(layer.moments(epsilon, step(epsilon)).above_least / above_least)
     };
-    let (lower, upper) = (smallest_epsilon.ln(), LARGEST_EPSILON_OF_ENDS.ln());
-    let epsilon = root::bracketed(residual, lower, upper).exp();
+    let (lower, upper) = (log(smallest_epsilon), log(LARGEST_EPSILON_OF_ENDS));
+    let epsilon = exp(root::bracketed(residual, lower, upper));
     let step = step(epsilon);
     let EndMoments { mean, below_head, deviation, .. } = layer.moments(epsilon, step);
     EndsFit { epsilon, step, above_foot: mean, below_head, deviation }
@@ -247,8 +248,8 @@ impl Layer {
     fn new() -> Self {
         let node = |j: i32| {
             let x = Self::STEP * f64::from(j);
-            let y = 1.0 / (1.0 + (-x).exp());
-            (x, y, y / (1.0 + x.exp()))
+            let y = 1.0 / (1.0 + exp(-x));
+            (x, y, y / (1.0 + exp(x)))
         };
         Self((-430..=120).rev().map(node).collect())
     }
@@ -258,7 +259,7 @@ impl Layer {
     fn moments(&self, epsilon: f64, step: f64) -> EndMoments {
         const SHORT: f64 = 0.0625;
         const BEYOND: f64 = 12.0;
-        let normal = |u: f64| (-0.5 * u * u).exp() / (2.0 * PI).sqrt();
+        let normal = |u: f64| exp(-0.5 * u * u) / (2.0 * PI).sqrt();
         let normal_mass = |from: f64, to: f64| -> f64 {
             let count = ((to - from) / SHORT).ceil().max(1.0);
             let at = |i: i32| from + (to - from) * f64::from(i) / count;
@@ -291,14 +292,14 @@ impl Layer {
             mean,
             below_head,
             deviation: variance.sqrt(),
-            skew: third / variance.powf(1.5),
+            skew: third / pow(variance, 1.5),
             above_least: above_least.max(f64::MIN_POSITIVE),
         }
     }
 }
 
 fn shares(log_odds: f64) -> (f64, f64) {
-    (1.0 / (1.0 + (-log_odds).exp()), 1.0 / (1.0 + log_odds.exp()))
+    (1.0 / (1.0 + exp(-log_odds)), 1.0 / (1.0 + exp(log_odds)))
 }
 
 /// Moments of v on an S_B curve.
@@ -321,8 +322,8 @@ impl Moments {
         let (lowest, highest) = (-10.0, 10.0 + (4.0 * epsilon).min(6.0));
         let nodes = ((lowest / step) as i32..=(highest / step) as i32).map(|j| {
             let u = step * f64::from(j);
-            let rise = (epsilon * u).exp_m1();
-            ((-0.5 * u * u).exp(), rise / (epsilon * (1.0 + share * rise)))
+            let rise = expm1(epsilon * u);
+            (exp(-0.5 * u * u), rise / (epsilon * (1.0 + share * rise)))
         });
         let (weight, sum) = nodes.clone().fold((0.0, 0.0), |(weight, sum), (w, v)| (weight + w, sum + w * v));
         let mean = sum / weight;

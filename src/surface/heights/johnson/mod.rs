@@ -8,6 +8,7 @@ pub mod ends;
 mod fit;
 
 use super::Heights;
+use crate::elementary::{exp, expm1, hypot, log, log1p};
 use ends::Ends;
 use fit::{Curve, Fit, Kind};
 
@@ -114,7 +115,7 @@ impl Johnson {
     #[inline]
     pub fn log_density(&self, z: f64) -> f64 {
         match self.at(z) {
-            Some(at) => -0.5 * at.u * at.u - LN_SQRT_2_PI + at.rate.ln(),
+            Some(at) => -0.5 * at.u * at.u - LN_SQRT_2_PI + log(at.rate),
             None => f64::NEG_INFINITY,
         }
     }
@@ -132,14 +133,14 @@ impl Johnson {
         let t = (self.epsilon * u).clamp(-LARGEST_EXPONENT, LARGEST_EXPONENT);
         match self.kind {
             Kind::Unbounded { below, above } if self.origin == 0.0 => {
-                self.median + 0.5 * (above * t.exp_m1() - below * (-t).exp_m1()) / self.rate
+                self.median + 0.5 * (above * expm1(t) - below * expm1(-t)) / self.rate
             }
-            Kind::Unbounded { below, above } => 0.5 * (above * t.exp() - below * (-t).exp()) / self.rate,
+            Kind::Unbounded { below, above } => 0.5 * (above * exp(t) - below * exp(-t)) / self.rate,
             Kind::Bounded { share, .. } if self.origin == 0.0 => {
-                let rise = t.exp_m1();
+                let rise = expm1(t);
                 self.median + rise / (1.0 + share * rise) / self.rate
             }
-            Kind::Bounded { share, .. } => -1.0 / (1.0 + share * t.exp_m1()) / (share * self.rate),
+            Kind::Bounded { share, .. } => -1.0 / (1.0 + share * expm1(t)) / (share * self.rate),
         }
     }
 
@@ -160,10 +161,10 @@ impl Johnson {
                 let height = if self.origin == 0.0 { y + tau } else { self.rate * z };
                 let distance = (height * height + below * above).sqrt();
                 let t = match (self.origin == 0.0, height >= 0.0) {
-                    (true, true) => (y * (above + distance + height) / ((1.0 + distance) * above)).ln_1p(),
-                    (true, false) => -(-y * (below + distance - height) / ((1.0 + distance) * below)).ln_1p(),
-                    (false, true) => ((height + distance) / above).ln(),
-                    (false, false) => -((distance - height) / below).ln(),
+                    (true, true) => log1p(y * (above + distance + height) / ((1.0 + distance) * above)),
+                    (true, false) => -log1p(-y * (below + distance - height) / ((1.0 + distance) * below)),
+                    (false, true) => log((height + distance) / above),
+                    (false, false) => -log((distance - height) / below),
                 };
                 (t, 1.0 / distance, -height / (distance * distance))
             }
@@ -175,14 +176,14 @@ impl Johnson {
                     if above_foot <= 0.0 || below_head <= 0.0 {
                         return None;
                     }
-                    let t = (rest * y).ln_1p() - (-share * y).ln_1p();
+                    let t = log1p(rest * y) - log1p(-share * y);
                     (t, 1.0 / (above_foot * below_head), share / below_head - rest / above_foot)
                 } else {
                     let below_head = -share * self.rate * z;
                     if above_foot <= 0.0 || below_head <= 0.0 {
                         return None;
                     }
-                    let t = above_foot.ln() - below_head.ln();
+                    let t = log(above_foot) - log(below_head);
                     (t, 1.0 / (above_foot * below_head), share / below_head - rest / above_foot)
                 }
             }
@@ -209,14 +210,14 @@ impl Johnson {
 
     /// The part of a range of heights whose contribution is above exp(-negligible) of the whole.
     pub fn worth_summing(&self, lower: f64, upper: f64, negligible: f64) -> (f64, f64) {
-        let lowest = -self.normal_score(upper).min(0.0).hypot((2.0 * negligible).sqrt());
+        let lowest = -hypot(self.normal_score(upper).min(0.0), (2.0 * negligible).sqrt());
         // Load grows as height^(3/2): as exp(1.5 epsilon u), or as far as the head.
         let growth = 2.0 * self.epsilon;
         let from = self.normal_score(lower).max(0.0);
-        let mut highest = growth + (from - growth).max(0.0).hypot((2.0 * negligible).sqrt());
+        let mut highest = growth + hypot((from - growth).max(0.0), (2.0 * negligible).sqrt());
         if let Kind::Bounded { share, .. } = self.kind {
-            let whole = 2.0 * (1.0 / (self.epsilon * share)).ln_1p();
-            highest = highest.min(from.hypot((2.0 * (negligible + whole)).sqrt()));
+            let whole = 2.0 * log1p(1.0 / (self.epsilon * share));
+            highest = highest.min(hypot(from, (2.0 * (negligible + whole)).sqrt()));
         }
         (lower.max(self.height(lowest)), upper.min(self.height(highest)))
     }
@@ -249,7 +250,7 @@ impl Johnson {
                 let centre = if self.origin == 0.0 { self.median - 0.5 * (above - below) / self.rate } else { 0.0 };
                 // The distance from the nearest point of the panel.
                 let nearest = if from > centre { from - centre } else { (centre - to).max(0.0) };
-                length <= FARTHEST_OF_POLE * nearest.hypot((below * above).sqrt() / self.rate)
+                length <= FARTHEST_OF_POLE * hypot(nearest, (below * above).sqrt() / self.rate)
             }
             Kind::Bounded { .. } => {
                 let (foot, head) = self.support();

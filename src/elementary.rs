@@ -1,0 +1,94 @@
+//! Elementary functions whose results have the same bits on every processor and system.
+//!
+//! Those of a system's own library have other last bits where the processor has no fused multiply-add, or another version
+//! of the library is installed; a law compiled from them would too.
+
+pub use libm::{cbrt, cos, expm1, hypot, lgamma, log, log1p, pow, sincos, sinh, tanh};
+use std::f64::consts::LOG2_E;
+
+/// 1/k! from k = 2.
+const TAYLOR: [f64; 12] = {
+    let mut coefficients = [0.5; 12];
+    let mut k = 1;
+    while k < 12 {
+        coefficients[k] = coefficients[k - 1] / (k + 2) as f64;
+        k += 1;
+    }
+    coefficients
+};
+
+/// exp(x), within a unit in the last place of `libm`'s.
+///
+/// Models are made of so many of them that it has to be fast: without a table and, but for the ends of the range, without
+/// a branch, so that a compiler works out several side by side.
+#[inline]
+pub fn exp(x: f64) -> f64 {
+    exp_each([x])[0]
+}
+
+/// The same of each number, side by side.
+#[inline]
+pub fn exp_each<const N: usize>(numbers: [f64; N]) -> [f64; N] {
+    if numbers.iter().all(|&x| is_ordinary(x)) {
+        numbers.map(ordinary_exp)
+    } else {
+        numbers.map(|x| if is_ordinary(x) { ordinary_exp(x) } else { libm::exp(x) })
+    }
+}
+
+/// Whether exp(x) is neither 0 nor infinite nor has fewer digits than other numbers.
+#[inline]
+fn is_ordinary(x: f64) -> bool {
+    x.abs() < 708.0
+}
+
+#[inline]
+fn ordinary_exp(x: f64) -> f64 {
+    /// Adding it rounds to a whole number, which is then in the last bits.
+    const ROUNDING: f64 = 1.5 * (1u64 << 52) as f64;
+    /// ln 2 in two parts, of which the first has so many zeros at its end that a whole number times it is exact.
+    const LN_2: [f64; 2] = [f64::from_bits(0x3FE6_2E42_FEE0_0000), f64::from_bits(0x3DEA_39EF_3579_3C76)];
+    // x = n ln 2 + r
+    let shifted = x * LOG2_E + ROUNDING;
+    let n = shifted - ROUNDING;
+    let r = (x - n * LN_2[0]) - n * LN_2[1];
+    let (r2, c) = (r * r, &TAYLOR);
+    let r4 = r2 * r2;
+    let quartet = |i: usize| (c[i] + r * c[i + 1]) + r2 * (c[i + 2] + r * c[i + 3]);
+    let tail = quartet(0) + r4 * (quartet(4) + r4 * quartet(8));
+    let power = 1.0 + (r + r2 * tail);
+    f64::from_bits(power.to_bits().wrapping_add(shifted.to_bits() << 52))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exp_is_within_a_unit_in_the_last_place_of_that_of_libm() {
+        let mut worst = 0;
+        let count = 400_000;
+        for i in 0..=count {
+            let x = 1420.0 * (f64::from(i) / f64::from(count) - 0.5);
+            for x in [x, x / 1000.0, x / 1e6] {
+                worst = worst.max(exp(x).to_bits().abs_diff(libm::exp(x).to_bits()));
+            }
+        }
+        assert_eq!(worst, 1);
+        for x in [f64::NEG_INFINITY, -1e300, -745.2, -740.0, -0.0, 0.0, 1e-300, 709.7, 709.8, f64::INFINITY, f64::NAN] {
+            assert_eq!(exp(x).to_bits(), libm::exp(x).to_bits(), "{x:e}");
+        }
+    }
+
+    #[test]
+    fn many_at_once_have_the_same_bits() {
+        let ordinary: [f64; 16] = std::array::from_fn(|i| 90.0 * (i as f64 - 7.3));
+        for last in [1.0, -1e4, f64::NAN] {
+            let mut numbers = ordinary;
+            numbers[15] = last;
+            for (x, power) in numbers.into_iter().zip(exp_each(numbers)) {
+                assert_eq!(power.to_bits(), exp(x).to_bits(), "{x:e}");
+            }
+        }
+    }
+}
