@@ -396,7 +396,8 @@ typedef struct asperity_summary {
    */
   double max_table_load;
   /**
-   * Largest relative error of the compiled friction force found when it was built.
+   * Largest relative error of the compiled friction force found when it was built, at samples; between them it may be
+   * four times as large.
    */
   double table_error;
 } asperity_summary;

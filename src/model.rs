@@ -123,7 +123,8 @@ pub struct Summary {
     pub min_table_load: f64,
     /// The heaviest load the compiled law covers [force].
     pub max_table_load: f64,
-    /// Largest relative error of the compiled friction force found when it was built.
+    /// Largest relative error of the compiled friction force found when it was built, at samples; between them it may be
+    /// four times as large.
     pub table_error: f64,
 }
 

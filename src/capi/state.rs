@@ -92,7 +92,8 @@ pub struct asperity_summary {
     pub min_table_load: f64,
     /// The heaviest load that the compiled law covers [force]; heavier ones are evaluated exactly.
     pub max_table_load: f64,
-    /// Largest relative error of the compiled friction force found when it was built.
+    /// Largest relative error of the compiled friction force found when it was built, at samples; between them it may be
+    /// four times as large.
     pub table_error: f64,
 }
 

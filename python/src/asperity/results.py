@@ -84,7 +84,8 @@ class Summary:
         zero_load_friction_force: friction force at zero load [force].
         min_table_load: the lightest load that the compiled law covers [force]; lighter ones are evaluated exactly.
         max_table_load: the heaviest load that the compiled law covers [force]; heavier ones are evaluated exactly.
-        table_error: largest relative error of the compiled friction force found when it was built.
+        table_error: largest relative error of the compiled friction force found when it was built, at samples; between
+            them it may be four times as large.
     """
 
     alpha: float
