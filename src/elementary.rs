@@ -3,8 +3,18 @@
 //! Those of a system's own library have other last bits where the processor has no fused multiply-add, or another version
 //! of the library is installed; a law compiled from them would too.
 
-pub use libm::{cbrt, cos, expm1, hypot, lgamma, log, log1p, pow, sincos, sinh, tanh};
+pub use libm::{cbrt, cos, expm1, lgamma, log, log1p, pow, sincos, sinh, tanh};
 use std::f64::consts::LOG2_E;
+
+/// (x^2 + y^2)^(1/2), where that is a number.
+pub fn hypot(x: f64, y: f64) -> f64 {
+    let (larger, smaller) = (x.abs().max(y.abs()), x.abs().min(y.abs()));
+    if larger == 0.0 {
+        return 0.0;
+    }
+    let ratio = smaller / larger;
+    larger * (1.0 + ratio * ratio).sqrt()
+}
 
 /// 1/k! from k = 2.
 const TAYLOR: [f64; 12] = {
@@ -77,6 +87,15 @@ mod tests {
         assert_eq!(worst, 1);
         for x in [f64::NEG_INFINITY, -1e300, -745.2, -740.0, -0.0, 0.0, 1e-300, 709.7, 709.8, f64::INFINITY, f64::NAN] {
             assert_eq!(exp(x).to_bits(), libm::exp(x).to_bits(), "{x:e}");
+        }
+    }
+
+    #[test]
+    fn a_hypotenuse_neither_overflows_nor_vanishes() {
+        for (x, y) in [(3.0, 4.0), (-4e200, 3e200), (0.0, -2.0), (1e-200, 1e-201), (1e-9, 1.0), (0.0, 0.0)] {
+            let found = hypot(x, y);
+            assert!((found - f64::hypot(x, y)).abs() <= 2.0 * f64::EPSILON * found, "{x:e}, {y:e}: {found:e}");
+            assert_eq!(found, hypot(y, x));
         }
     }
 
