@@ -5,7 +5,8 @@
 //! ln(x)/2. In it ln F is smooth on the whole branch. Panels of exact states at Chebyshev points, each with its slope,
 //! are joined by Hermite interpolation; a panel that misses the exact states between its nodes is tried again shorter.
 
-use crate::elementary::{cos, exp, exp_each, log, log1p, pow, sinh};
+use super::reach::{Next, Reach};
+use crate::elementary::{cos, exp, exp_each, log, log1p, sinh};
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::population::Population;
@@ -14,7 +15,7 @@ use std::f64::consts::LN_2;
 /// Exact states per panel.
 const NODES: usize = 10;
 /// Interpolation conditions per panel: value and slope at every node.
-const CONDITIONS: usize = 2 * NODES;
+pub const CONDITIONS: usize = 2 * NODES;
 /// The branch is followed from this separation of the means, in sigma; heavier loads are evaluated exactly.
 const CLOSEST: f64 = -12.0;
 /// The branch is followed from at least this much above the pull-off load, in ln(load).
@@ -22,34 +23,8 @@ const LOG_ABOVE_PULL_OFF: f64 = 9.0;
 /// Largest error of ln F, and of its slope relative to the slope, at which a panel is good.
 const VALUE_TOLERANCE: f64 = 1e-11;
 const SLOPE_TOLERANCE: f64 = 1e-9;
-/// No panel is wider than this, in sigma, or than this part of the separation where that is larger.
-const WIDEST: f64 = 2.2;
-const WIDEST_PART: f64 = 0.6;
-/// The panel that ends at pull-off spans no more of s than this; each one before takes this part of the way there.
-const LONGEST_LAST: f64 = 2.2;
-const PART_OF_THE_WAY: f64 = 0.65;
-/// Without a pull-off load no panel covers more than this part of what is left of the branch, at whose end load vanishes.
-const MOST_OF_THE_REST: f64 = 0.7;
-/// A panel that takes more than this part of what is left takes all.
-const WHOLE: f64 = 0.99;
-/// A kink nearer to the end than this part of what is left is at the end: contact with the foot that breaks at once.
-const AT_END: f64 = 1e-9;
-/// How much wider the next panel is tried after an error of less than this part of the tolerance.
-const GROWTH: [(f64, f64); 3] = [(0.01, 3.0), (0.03, 2.0), (0.5, 1.5)];
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
 const MOST_SAMPLES: usize = 800;
-/// Panels end where a table of heights gives the curve a kink. Between more kinks than these hardly a row of the law would
-/// be smooth: the curve then serves to find separations, and loads are evaluated exactly.
-const MOST_KINKS: usize = 240;
-/// What lies between kinks nearer to each other than this, in sigma, or than this part of what is left of the branch, is left
-/// out: no row would fit in.
-const NEAREST_KINKS: f64 = 0.01;
-const NEAREST_PART: f64 = 0.02;
-/// The narrowest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved (a
-/// height density whose foot passes the edge of contact, say) is evaluated exactly.
-const NARROWEST: f64 = 0.05;
-const NARROWEST_AT_END: f64 = 5e-4;
-
 /// What is not found where the load rises with separation already: the branch ends before.
 pub const BRANCH: &str = "load on the branch at separation";
 
@@ -165,75 +140,30 @@ impl Curve {
         }
         let lightest = from.log_excess - log_range(from.log_excess);
         check.push(from);
-        let mut kinks = population.kinks();
-        let resolvable = kinks.len() <= MOST_KINKS;
-        curve.resolved = resolvable;
-        // Where heights end, all that is left of the branch may be as short as adhesion reaches.
-        let narrowest_at_end = match population.heights().head().is_finite() {
-            true => NARROWEST_AT_END.min(0.01 * population.range_of_adhesion()),
-            false => NARROWEST_AT_END,
-        };
-        if !resolvable {
-            kinks.clear();
-        }
-        let foot = population.passings_of_foot();
-        let most_samples = MOST_SAMPLES + 2 * NODES * kinks.len();
-        let mut width = f64::MAX;
-        // A separation before which the curve is not smooth, if there is one, and whether the last attempt failed.
-        let (mut obstacle, mut failed) = (f64::INFINITY, false);
+        let mut reach = Reach::new(population, equilibrium, end);
+        curve.resolved = reach.is_resolved();
+        let most_samples = MOST_SAMPLES + 2 * NODES * reach.kinks().len();
         while from.separation < end && from.log_excess > lightest && curve.samples < most_samples {
-            let remaining = end - from.separation;
-            let (part, shortest) = match log_pull_off {
-                None => (MOST_OF_THE_REST, 0.0),
-                Some(_) if from.s <= LONGEST_LAST => (1.0, narrowest_at_end),
-                Some(_) => (PART_OF_THE_WAY, narrowest_at_end),
-            };
-            let narrowest = (0.2 * remaining).clamp(shortest, NARROWEST);
-            let mut length = (part * remaining)
-                .min(width)
-                .min((0.5 * (obstacle - from.separation)).max(narrowest))
-                .min(WIDEST.max(WIDEST_PART * from.separation.abs()));
-            // What little would be left is part of this panel.
-            let mut to = if length < WHOLE * remaining { from.separation + length } else { end };
-            if let Some(&kink) = kinks.get(kinks.partition_point(|&kink| kink <= from.separation)) {
-                if kink - from.separation < NEAREST_KINKS.min(NEAREST_PART * remaining) && kink < end {
-                    let next = curve.sample(population, equilibrium, kink)?;
+            match reach.next(from.separation, from.s) {
+                Next::Gap(to) => {
+                    let next = curve.sample(population, equilibrium, to)?;
                     curve.panels.push(Panel::gap(&from, &next));
                     curve.samples += 1;
                     from = next;
-                    continue;
                 }
-                if kink < to && end - kink > AT_END * remaining {
-                    (to, length) = (kink, kink - from.separation);
+                Next::Panel(stretch) => {
+                    let attempt = curve.attempt(population, equilibrium, from, stretch.to)?;
+                    if !reach.keeps(&stretch, attempt.excess) {
+                        continue;
+                    }
+                    curve.panels.push(attempt.panel);
+                    check.extend(attempt.between);
+                    if attempt.end.slope.is_finite() {
+                        check.push(attempt.end);
+                    }
+                    from = attempt.end;
                 }
             }
-            let attempt = curve.attempt(population, equilibrium, from, to)?;
-            let excess = attempt.excess;
-            if excess <= 1.0 {
-                let growth = GROWTH.iter().find(|&&(part, _)| excess < part).map_or(1.0, |&(_, growth)| growth);
-                width = growth * length;
-            } else if length > narrowest && resolvable {
-                // As the error of so many conditions grows with length.
-                let shorter = 0.9 * pow(excess, -1.0 / CONDITIONS as f64);
-                width = (shorter.clamp(0.25, 0.8) * length).max(narrowest);
-                // What is smooth needs no second try.
-                let at_foot = foot.iter().copied().find(|&passing| passing > from.separation && passing < to);
-                if failed || at_foot.is_some() {
-                    obstacle = at_foot.unwrap_or(to);
-                }
-                failed = true;
-                continue;
-            }
-            failed = false;
-            if to >= obstacle {
-                obstacle = f64::INFINITY;
-            }
-            curve.panels.push(attempt.panel);
-            check.extend(attempt.between);
-            if attempt.end.slope.is_finite() {
-                check.push(attempt.end);
-            }
-            from = attempt.end;
         }
         Ok(curve)
     }

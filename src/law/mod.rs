@@ -7,6 +7,7 @@
 
 mod curve;
 mod direct;
+mod reach;
 mod row;
 
 use crate::elementary::{exp, log};
