@@ -1,7 +1,9 @@
-/* CHECK: says which claim does not hold, and where; the program fails at its end. */
+/* CHECK: says which claim does not hold, and where; the program fails at its end. Floating-point traps are on. */
 
 #ifndef CHECK_H
 #define CHECK_H
+
+#include "traps_on.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -21,6 +23,7 @@ static int checks_done, checks_failed;
 
 static int checks_report(const char *program)
 {
+    CHECK(fegetexcept() == traps_at_start, "other exceptions are trapped than at the start");
     printf("%s: %d checks, %d failed\n", program, checks_done, checks_failed);
     return checks_failed == 0 && checks_done > 0 ? 0 : 1;
 }

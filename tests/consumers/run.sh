@@ -81,7 +81,13 @@ with_cmake() {
     quietly cmake --build "$work/$project"
 }
 
-# check PROJECT shared|static [PROGRAM [ARGUMENT]]: the program runs, and needs the shared library or does not.
+# A host may trap floating-point exceptions. The programs are written as users write them, and know nothing of that.
+cc -shared -fPIC -x c tests/c/traps_on.h -o "$work/traps_on.so" -lm
+echo 'int main(int n, char **v) { volatile double zero = n - 1; return 1 / zero > 0 && v; }' |
+    cc -x c - -o "$work/traps"
+if { LD_PRELOAD=$work/traps_on.so "$work/traps"; } 2>/dev/null; then fail "the traps are not on"; fi
+
+# check PROJECT shared|static [PROGRAM [ARGUMENT]]: the program runs, traps on, and needs the shared library or does not.
 check() {
     local name=${3:-consumer}
     local program=$work/$1/$name
@@ -90,7 +96,7 @@ check() {
     else
         [ "$2" = static ] || fail "$1/$name does not need the shared library"
     fi
-    "$program" ${4:+"$4"} || fail "$1/$name failed"
+    LD_PRELOAD=$work/traps_on.so "$program" ${4:+"$4"} || fail "$1/$name failed"
     echo "$1/$name: passed"
 }
 

@@ -22,6 +22,9 @@ g++ -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iinclude c_example
 gfortran -std=f2018 -Wall -Wextra -J "$build/modules" fortran/asperity.f90 fortran/examples/friction_curve.f90 \
     -o "$build/fortran" "${link[@]}"
 
+# A host may trap floating-point exceptions; examples are written as users write programs, and know nothing of that.
+cc -shared -fPIC -x c tests/c/traps_on.h -o "$build/traps_on.so" -lm
+
 # The Python package as it is in the source tree, with the library just built.
 python=$build/venv/bin/python
 [ -x "$python" ] || python3 -m venv "$build/venv"
@@ -30,9 +33,9 @@ export PYTHONPATH=python/src PYTHONDONTWRITEBYTECODE=1 ASPERITY_LIBRARY=$CARGO_T
 
 # compare LOADS LOWEST HIGHEST
 compare() {
-    "$build/c" - "$@" >"$build/c.txt"
-    "$build/cpp" "$@" >"$build/cpp.txt"
-    "$build/fortran" "$@" >"$build/fortran.txt"
+    LD_PRELOAD=$build/traps_on.so "$build/c" - "$@" >"$build/c.txt"
+    LD_PRELOAD=$build/traps_on.so "$build/cpp" "$@" >"$build/cpp.txt"
+    LD_PRELOAD=$build/traps_on.so "$build/fortran" "$@" >"$build/fortran.txt"
     "$python" python/examples/friction_curve.py - "$@" >"$build/python.txt"
     [ "$(grep -vc '^#' "$build/c.txt")" = "$1" ] ||
         { echo "tests/examples/run.sh: friction_curve.c does not print $1 loads" >&2; exit 1; }

@@ -48,20 +48,22 @@ static inline void answer(const asperity_model *model, answers *out)
     answer_at(model, out);
 }
 
+static inline double relative_difference(double a, double b)
+{
+    if (a == b)
+        return 0;
+    return isnan(a) || isnan(b) || b == 0 ? INFINITY : fabs(a / b - 1);
+}
+
 /* The largest relative difference of the answers that a solver uses; NaN counts as infinite. */
 static inline double difference(const answers *a, const answers *b)
 {
-    double worst = fabs(a->summary.pull_off_load / b->summary.pull_off_load - 1);
+    double worst = relative_difference(a->summary.pull_off_load, b->summary.pull_off_load);
 
-    if (a->summary.pull_off_load == 0 && b->summary.pull_off_load == 0)
-        worst = 0;
     for (int i = 0; i < LOADS; i++) {
-        const double pairs[][2] = { { a->mu[i], b->mu[i] }, { a->force[i], b->force[i] }, { a->batch[i], b->batch[i] } };
-        for (int j = 0; j < 3; j++) {
-            const double off = fabs(pairs[j][0] / pairs[j][1] - 1);
-            if (!(off <= worst))
-                worst = off == off ? off : INFINITY;
-        }
+        worst = fmax(worst, relative_difference(a->mu[i], b->mu[i]));
+        worst = fmax(worst, relative_difference(a->force[i], b->force[i]));
+        worst = fmax(worst, relative_difference(a->batch[i], b->batch[i]));
     }
     return worst;
 }

@@ -146,12 +146,19 @@ static unsigned mxcsr(void)
     return bits;
 }
 
+static unsigned short x87(void)
+{
+    unsigned short bits;
+    __asm__ volatile("fnstcw %0" : "=m"(bits));
+    return bits;
+}
+
 static void set_x87(unsigned short bits)
 {
     __asm__ volatile("fldcw %0" : : "m"(bits));
 }
 
-enum { DENORMALS_ARE_ZERO = 0x0040, FLUSH_TO_ZERO = 0x8000, X87_DEFAULT = 0x37f, X87_SINGLE = 0x07f };
+enum { DENORMALS_ARE_ZERO = 0x0040, FLUSH_TO_ZERO = 0x8000, X87_PRECISION = 0x300 };
 #endif
 
 /* Makes a model and asks it, in whatever mode the processor is. */
@@ -187,9 +194,11 @@ static void other_modes(void)
         CHECK((mxcsr() & 0xffc0) == (flushing & 0xffc0), "MXCSR is changed");
         set_mxcsr(before);
         worst[3] = fmax(worst[3], difference(&unusual, &usual));
-        set_x87(X87_SINGLE);
+        const unsigned short precise = x87();
+        set_x87(precise & ~X87_PRECISION); /* single */
         in_this_mode(which, &unusual);
-        set_x87(X87_DEFAULT);
+        CHECK(x87() == (precise & ~X87_PRECISION), "the x87 control word is changed");
+        set_x87(precise);
         worst[4] = fmax(worst[4], difference(&unusual, &usual));
 #endif
     }

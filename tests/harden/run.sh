@@ -28,7 +28,7 @@ compile() {
 library=(-L"$target/release" -Wl,-rpath,"$target/release" -lasperity -lm -lpthread)
 compile faults -frounding-math "${library[@]}"
 compile out_of_memory "${library[@]}" -ldl
-compile reload -ldl -lpthread
+compile reload -ldl -lm -lpthread
 compile soak "${library[@]}"
 "$cc" -std=c11 -O1 -Wall -Wextra -Werror -shared -fPIC tests/harden/failing_malloc.c -o "$build/failing_malloc.so"
 
