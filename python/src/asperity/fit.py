@@ -274,7 +274,7 @@ def _remarks(fit: Fit, estimate: _Estimate) -> list[str]:
 
 def _with_error(value: float, error: float) -> str:
     """A value to the digits that its error leaves it."""
-    digits = 2 if math.isinf(error) else 6
+    digits = 1 if math.isinf(error) else 6
     if value != 0 and 0 < error < math.inf:
         digits = max(math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 2, 1)
     return f"{value:.{digits}g} +- {error:.2g}"
