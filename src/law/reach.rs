@@ -221,10 +221,27 @@ mod tests {
         let across = panel(&reach_of_foot, 0.0);
         assert!(!reach_of_foot.keeps(&across, 1.5));
         assert_eq!(panel(&reach_of_foot, 0.0).to, 0.45);
+        // One that is not across the foot does not make it an obstacle.
+        for from in [1.0, -3.0] {
+            let mut elsewhere = reach(&[], &[0.9]);
+            let stretch = panel(&elsewhere, from);
+            assert!(!elsewhere.keeps(&stretch, 1.5) && elsewhere.obstacle == f64::INFINITY);
+        }
         // Too many kinks: what misses the curve is kept, and not used.
         let mut unresolved = Reach { resolved: false, ..reach(&[], &[]) };
         let stretch = panel(&unresolved, 0.0);
-        assert!(unresolved.keeps(&stretch, 1e9));
+        assert!(unresolved.keeps(&stretch, 1e9) && !unresolved.is_resolved());
+    }
+
+    #[test]
+    fn panels_keep_to_the_scale_of_what_is_left() {
+        let reach = reach(&[10.0 - 1e-6], &[]);
+        assert_eq!(reach.kinks(), [10.0 - 1e-6]);
+        // Far from the heights, a part of the separation; near the end, to the last kink before it.
+        assert_eq!(panel(&reach, -100.0).to, -100.0 + WIDEST_PART * 100.0);
+        assert!((panel(&reach, 9.9).narrowest - 0.02).abs() < 1e-12);
+        let Next::Panel(last) = reach.next(10.0 - 1e-4, 1.0) else { panic!("a gap") };
+        assert_eq!((last.to, last.length), (10.0 - 1e-6, 10.0 - 1e-6 - (10.0 - 1e-4)));
     }
 
     fn panel_at_end(from: f64) -> Stretch {
