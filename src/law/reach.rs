@@ -35,7 +35,7 @@ const NARROWEST_AT_END: f64 = 5e-4;
 /// From one separation to another, in sigma.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
-    pub from: f64,
+    from: f64,
     pub to: f64,
     length: f64,
     /// No shorter one is tried.

@@ -24,10 +24,13 @@ static inline double load_of(const asperity_summary *summary, int i)
     return summary->pull_off_load + nearest * ldexp(1 + (binades - floor(binades)), (int)floor(binades));
 }
 
-/* The answers at the loads that `out` holds. */
-static inline void answer_at(const asperity_model *model, answers *out)
+static inline void answer(const asperity_model *model, answers *out)
 {
+    memset(out, 0, sizeof *out);
+    out->summary.struct_size = sizeof out->summary;
+    asperity_summary_of(model, &out->summary);
     for (int i = 0; i < LOADS; i++) {
+        out->load[i] = load_of(&out->summary, i);
         out->mu[i] = asperity_friction_at_load(model, out->load[i]);
         out->force[i] = asperity_friction_force_at_load(model, out->load[i]);
     }
@@ -36,16 +39,6 @@ static inline void answer_at(const asperity_model *model, answers *out)
         out->exact[i].struct_size = sizeof out->exact[i];
         asperity_state_at_load(model, out->load[20 + 12 * i], &out->exact[i]);
     }
-}
-
-static inline void answer(const asperity_model *model, answers *out)
-{
-    memset(out, 0, sizeof *out);
-    out->summary.struct_size = sizeof out->summary;
-    asperity_summary_of(model, &out->summary);
-    for (int i = 0; i < LOADS; i++)
-        out->load[i] = load_of(&out->summary, i);
-    answer_at(model, out);
 }
 
 static inline double relative_difference(double a, double b)
