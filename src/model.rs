@@ -560,6 +560,39 @@ mod tests {
         assert!((heavy.dmu_dload / slope - 1.0).abs() < 1e-14);
     }
 
+    /// There the slope of the load is rounding, of either sign.
+    #[test]
+    fn force_rises_without_limit_towards_pull_off_and_never_falls() {
+        let model = default_case();
+        let pull_off = model.equilibrium.farthest();
+        for step in 0..300 {
+            let separation = pull_off - f64::from(step * step) * f64::EPSILON;
+            let state = model.state_at_separation(separation * model.units.length).expect("a state");
+            assert!(state.dforce_dload > 1e5 && state.dload_dseparation <= 0.0, "{step}: {}", state.dforce_dload);
+        }
+    }
+
+    /// Many low summits, whose adhesion sets the pull-off load, and a few tall ones that stay compressed when they part.
+    #[test]
+    fn beyond_pull_off_a_load_that_presses_has_a_coefficient() {
+        let params = Params {
+            heights: crate::params::HeightFamily::Tabulated {
+                height: [0.0, 0.1, 0.2, 0.7, 0.8, 0.9].into(),
+                density: [0.0, 4000.0, 0.0, 0.0, 1.0, 0.0].into(),
+            },
+            work_of_adhesion: 0.01 * Params::default().composite_modulus,
+            ..Params::default()
+        };
+        let model = Model::new(&params).expect("a model");
+        let summary = model.summary();
+        let pull_off = model.state_at_load(summary.pull_off_load).expect("a state").separation;
+        let pulled = model.state_at_separation(pull_off + 0.5 * model.units.length).expect("a state");
+        assert!(pulled.load < 0.0 && pulled.friction_force > 0.0 && pulled.friction_coefficient == 0.0, "{pulled:?}");
+        let pressed = model.state_at_separation(pull_off + model.units.length).expect("a state");
+        assert!(pressed.load > 300.0 && summary.pull_off_load < 0.0, "{pressed:?}");
+        assert_eq!(pressed.friction_coefficient, pressed.friction_force / pressed.load);
+    }
+
     /// In units of which none is 1, with heights that are not measured from their mean.
     #[test]
     fn states_are_in_the_callers_units_and_their_slopes_those_of_secants() {

@@ -593,6 +593,36 @@ mod tests {
     }
 
     #[test]
+    fn moduli_are_those_of_two_bodies_in_series() {
+        let moduli = |young_1: f64, nu_1: f64, young_2: f64, nu_2: f64| {
+            let mut params = Params::default();
+            params.set_materials(young_1, nu_1, young_2, nu_2).expect("materials");
+            (params.composite_modulus, params.effective_shear_modulus)
+        };
+        let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-14;
+        // 1/E* = 0.91/200 + 0.96/70, 1/G* = 1.3/200 + 1.2/70.
+        let (composite, shear) = moduli(200.0, 0.3, 70.0, 0.2);
+        assert!(near(composite, 1.0 / (0.00455 + 0.96 / 70.0)) && near(shear, 1.0 / (0.0065 + 1.2 / 70.0)));
+        assert_eq!(moduli(70.0, 0.2, 200.0, 0.3), (composite, shear));
+        // On a rigid body that of the other alone.
+        let (composite, shear) = moduli(200.0, 0.3, f64::INFINITY, 0.1);
+        assert!(near(composite, 200.0 / 0.91) && near(shear, 200.0 / 1.3));
+        assert_eq!(moduli(f64::INFINITY, 0.1, 200.0, 0.3), (composite, shear));
+        let both = Params::default().set_materials(f64::INFINITY, 0.3, f64::INFINITY, 0.3).err().map(offence);
+        assert_eq!(both, Some((false, "E2")));
+    }
+
+    #[test]
+    fn summits_of_an_area_are_their_density_times_it() {
+        let moments = SpectralMoments { m0: 2.0, m2: 0.01, m4: 3e-4 };
+        let mut params = Params::default();
+        params.set_spectral_moments(moments, 250.0).expect("summits");
+        assert_eq!(params.height_std, moments.summit_height_std());
+        assert_eq!(params.summit_radius, moments.summit_radius());
+        assert!((params.asperity_count / (250.0 * moments.summit_density()) - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
     fn numbers_are_told_apart_by_their_bits() {
         let signalling = f64::from_bits(0x7ff0_0000_0000_0001);
         for x in [f64::NAN, -f64::NAN, signalling, -signalling] {

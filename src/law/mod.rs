@@ -114,7 +114,7 @@ impl Law {
             error: 0.0,
             curve,
         };
-        let mut best = 0.0;
+        let mut best = -1.0;
         let fractions = if curve_is_resolved { &FRACTIONS[..] } else { &[FRACTION_OF_KINKS] };
         for &fraction in fractions {
             let shift = MANTISSA_BITS - fraction;
@@ -128,7 +128,7 @@ impl Law {
             }
             let missing = rows.iter().filter(|row| row.is_left_out()).count();
             let binades = (rows.len() - missing) as f64 / f64::from(1 << fraction);
-            if law.rows.is_empty() || binades > best {
+            if binades > best {
                 best = binades;
                 (law.rows, law.shift, law.base, law.error) = (rows, shift, first, error);
             }
@@ -264,6 +264,35 @@ mod tests {
                 assert_eq!(law.at_load(load).is_some(), answers, "{load:e}");
             }
         }
+    }
+
+    #[test]
+    fn of_the_sizes_of_rows_the_longest_is_taken_with_which_most_loads_are_answered() {
+        let binades = |rows: &[Row], shift: u32| {
+            rows.iter().filter(|row| !row.is_left_out()).count() as f64 / f64::from(1 << (MANTISSA_BITS - shift))
+        };
+        let mut taken = Vec::new();
+        // Of the third surface, shorter rows would be more than there may be.
+        for skew in [-1.0, 0.3, 1.0] {
+            let mut params = Params::default();
+            params.set_skew(skew).expect("a skew");
+            let population = crate::population::tests::of(&params);
+            let equilibrium = Equilibrium::new(&population).expect("a branch");
+            let law = Law::new(&population, &equilibrium, SCALES).expect("a law");
+            let answered = binades(&law.rows, law.shift);
+            let (first, last) = (law.base << law.shift, (law.base + law.rows.len() as u64) << law.shift);
+            for fraction in FRACTIONS {
+                let shift = MANTISSA_BITS - fraction;
+                let last = (last >> shift) - 1;
+                let range = (first >> shift).max(last + 1 - MOST_ROWS as u64)..=last;
+                let (rows, _) = Filling { curve: &law.curve, shift, scales: SCALES }.rows(range);
+                let other = binades(&rows, shift);
+                assert!(if shift > law.shift { other < answered } else { other <= answered }, "{skew}, 2^{fraction}");
+            }
+            assert!(law.rows.len() <= MOST_ROWS);
+            taken.push(MANTISSA_BITS - law.shift);
+        }
+        assert_eq!(taken, [FRACTIONS[0], FRACTIONS[1], FRACTIONS[0]], "the surfaces no longer differ");
     }
 
     #[test]
