@@ -519,6 +519,10 @@ mod tests {
             let found = units.of_load(&Sums { log_scale, ..Sums::default() }, 2.0);
             assert!((found / (2.0 * expected.exp()) - 1.0).abs() < 1e-12, "{log_scale}: {found:e}");
         }
+        // No digit is lost where nothing is scaled.
+        for unit in [0.3, 2.8, 7e30] {
+            assert_eq!(units.of(unit, &Sums::default(), 1.7), unit * 1.7);
+        }
         // Next to where one way takes over from the other they give the same.
         let at = |log_scale: f64| units.of(1e-20, &Sums { log_scale, ..Sums::default() }, 3.0);
         assert!((at(-600.0) / at((-600.0_f64).next_up()) - 1.0).abs() < 1e-12);

@@ -111,4 +111,24 @@ mod tests {
             }
         }
     }
+
+    /// The lightest load that is not capped and the heaviest that is, for caps of many last bits.
+    #[test]
+    fn the_cap_ends_at_the_same_load_for_every_call() {
+        for k in 0..40 {
+            let max_friction_coefficient = 0.3 + 0.017 * f64::from(k);
+            let model = Model::new(&Params { max_friction_coefficient, ..Params::default() }).expect("a model");
+            let is_capped = |load: f64| load <= model.friction_force_at_load(load) * model.inverse_cap();
+            let (mut capped, mut other) = (1e-3, 1e6);
+            while other > f64::next_up(capped) {
+                let middle = 0.5 * (capped + other);
+                *if is_capped(middle) { &mut capped } else { &mut other } = middle;
+            }
+            for load in [capped, other] {
+                // SAFETY: the function of any processor.
+                let found = unsafe { value_at::<true>(&model, load) };
+                assert_eq!(found, model.friction_at_load(load), "{load:e} {max_friction_coefficient}");
+            }
+        }
+    }
 }

@@ -236,12 +236,7 @@ impl Curve {
             Some(log_pull_off) => 2.0 * log(sinh(s)) + log_pull_off,
             None => 2.0 * s,
         };
-        let lower = if last.lowest > 0.0 || self.coordinate.log_pull_off.is_none() {
-            log(last.lowest)
-        } else {
-            f64::NEG_INFINITY
-        };
-        (lower, log(first.highest))
+        (log(last.lowest), log(first.highest))
     }
 
     /// F and d(ln F)/d(ln x) at neighbouring ln x; NaN where the curve is not known to be good.
@@ -384,6 +379,7 @@ fn largest(a: f64, b: f64) -> f64 {
 mod tests {
     use super::super::tests::branch;
     use super::*;
+    use crate::params::{HeightFamily, Params};
 
     fn near(a: f64, b: f64, tolerance: f64) -> bool {
         (a - b).abs() <= tolerance * b.abs()
@@ -392,12 +388,15 @@ mod tests {
     #[test]
     fn the_coordinate_is_arsinh_of_the_root_of_load_over_pull_off() {
         let pull_off = Coordinate { log_pull_off: Some(-7.0), force: 1.0 };
-        for log_excess in [-40.0, -20.0, -7.0, -3.0, 10.0, 30.0, 34.4, 34.5, 60.0] {
+        for log_excess in [-40.0, -20.0, -7.0, -3.0, 10.0, 30.0, 34.4, 34.5, 60.0, 700.0] {
             let (s, rate) = pull_off.at(log_excess);
             let root = (0.5 * (log_excess + 7.0)).exp();
             assert!(near(s, root.asinh(), 1e-14), "{log_excess}: {s}");
             assert!(near(rate, 0.5 * root / root.hypot(1.0), 1e-14), "{log_excess}: {rate}");
         }
+        // Of a pull-off load next to the smallest number and a load next to the largest.
+        let (s, rate) = Coordinate { log_pull_off: Some(-640.0), force: 1.0 }.at(700.0);
+        assert!(near(s, 670.0 + LN_2, 1e-15) && rate == 0.5, "{s}, {rate}");
         assert_eq!(Coordinate { log_pull_off: None, force: 1.0 }.at(-8.0), (-4.0, 0.5));
     }
 
@@ -424,6 +423,91 @@ mod tests {
             let several: [f64; 8] = std::array::from_fn(|i| lower.max(upper - 40.0) + 2.5 * i as f64 + 0.1);
             assert_eq!(curve.at(several), several.map(|log_excess| curve.at([log_excess])[0]));
         }
+    }
+
+    fn of(params: &Params) -> (Population, Equilibrium) {
+        let population = crate::population::tests::of(params);
+        let equilibrium = Equilibrium::new(&population).expect("a branch");
+        (population, equilibrium)
+    }
+
+    fn table(height: &[f64], density: &[f64]) -> HeightFamily {
+        HeightFamily::Tabulated { height: height.into(), density: density.into() }
+    }
+
+    /// Heavy loads are those at a separation far below the mean height and below pull-off, and far above the pull-off load.
+    #[test]
+    fn the_curve_begins_where_loads_are_heavy() {
+        let heaviest = |params: &Params| {
+            let (population, equilibrium) = of(params);
+            let mut states = Vec::new();
+            Curve::new(&population, &equilibrium, |_| 5.0, &mut states).expect("a curve");
+            let pull_off = equilibrium.pull_off().expect("a pull-off point");
+            (states[0], pull_off, population.heights().origin())
+        };
+        // Measured from elsewhere than their mean.
+        let (state, _, origin) =
+            heaviest(&Params { heights: table(&[7.0, 8.0, 9.0], &[0.0, 1.0, 0.0]), ..Params::default() });
+        assert!(near(state.separation, CLOSEST - origin, 1e-14) && origin > 1.0, "{state:?}, {origin}");
+        // A few low and blunt summits among sharp ones set the pull-off load.
+        let (state, pull_off, _) = heaviest(&Params {
+            heights: table(&[0.0, 0.1, 0.2, 9.9, 10.0, 10.1], &[0.0, 1.0, 0.0, 0.0, 19.0, 0.0]),
+            radius_amplitude: -1.0,
+            radius_rate: 100.0,
+            work_of_adhesion: 0.05 * Params::default().work_of_adhesion,
+            ..Params::default()
+        });
+        assert!(near(state.separation, pull_off.separation - 10.0, 1e-14), "{state:?}, {pull_off:?}");
+        // Strong adhesion beside little roughness.
+        let mut strong = Params::default();
+        strong.set_dimensionless(1e-3, 10.0, 1.0, 1.0, 0.3).expect("a surface");
+        let (state, pull_off, _) = heaviest(&strong);
+        let above = state.log_excess - (-pull_off.load).ln();
+        assert!(
+            state.separation < CLOSEST && (LOG_ABOVE_PULL_OFF..LOG_ABOVE_PULL_OFF + 1.0).contains(&above),
+            "{above}"
+        );
+    }
+
+    /// Without a pull-off load, of heights that end: down to where contacts have lost their digits.
+    #[test]
+    fn the_curve_of_heights_that_end_ends_next_to_them() {
+        let (population, equilibrium) = of(&Params {
+            heights: table(&[0.0, 1.0, 2.0, 4.0], &[0.0, 2.0, 3.0, 0.0]),
+            work_of_adhesion: 0.0,
+            ..Params::default()
+        });
+        let curve = Curve::new(&population, &equilibrium, |_| 1e3, &mut Vec::new()).expect("a curve");
+        let end = curve.separation(curve.log_range().0).expect("a separation");
+        let contact = population.heights().far_tail();
+        assert!(near(contact - end, population.least_overlap(), 1e-3), "{}", contact - end);
+    }
+
+    #[test]
+    fn a_panel_is_compared_between_its_nodes_and_its_states_are_counted() {
+        let (population, equilibrium) = branch(0.001);
+        let mut curve = Curve::new(&population, &equilibrium, |_| 1e3, &mut Vec::new()).expect("a curve");
+        let spent = NODES + 3;
+        let fewest = spent * curve.panels.len();
+        assert!((fewest..=fewest + 4 * spent).contains(&curve.samples), "{} states", curve.samples);
+        let from = curve.sample(&population, &equilibrium, -1.0).expect("a state");
+        let Attempt { panel, between, end, .. } = curve.attempt(&population, &equilibrium, from, 0.5).expect("a panel");
+        assert_eq!((panel.highest, panel.lowest, end.separation), (from.s, end.s, 0.5));
+        let gap = panel.nodes.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
+        let nearest =
+            between.map(|state| panel.nodes.map(|node| (node - state.s).abs()).into_iter().fold(9.0, f64::min));
+        assert!(near(nearest[1], 0.5 * gap, 1e-2) && nearest[0] > 0.05 * gap, "{nearest:?} in gaps of {gap}");
+    }
+
+    /// As many kinks as are resolved take more states than a smooth curve may.
+    #[test]
+    fn the_curve_of_a_table_with_many_kinks_is_followed_to_its_end() {
+        let height: Vec<f64> = (0..55).map(f64::from).collect();
+        let density: Vec<f64> = height.iter().map(|h| h * (54.0 - h)).collect();
+        let (population, equilibrium) = of(&Params { heights: table(&height, &density), ..Params::default() });
+        let curve = Curve::new(&population, &equilibrium, |_| 60.0, &mut Vec::new()).expect("a curve");
+        assert!(curve.is_resolved() && curve.samples > MOST_SAMPLES + 500, "{} states", curve.samples);
+        assert_eq!(curve.log_range().0, f64::NEG_INFINITY);
     }
 
     /// ln F = 2 + 3 s + s^2/2 at separations 1 - s.

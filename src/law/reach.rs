@@ -163,6 +163,7 @@ impl Reach {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::params::{HeightFamily, Params};
 
     fn reach(kinks: &[f64], foot: &[f64]) -> Reach {
         Reach {
@@ -183,6 +184,29 @@ mod tests {
         match reach.next(from, 10.0) {
             Next::Panel(stretch) => stretch,
             gap => panic!("{gap:?}"),
+        }
+    }
+
+    /// Of a table of so many heights within a few sigma, with adhesion that reaches a small part of it.
+    #[test]
+    fn kinks_are_kept_unless_they_are_too_many_and_panels_at_the_end_are_as_short_as_adhesion_reaches() {
+        for count in [5, 300] {
+            let height: Vec<f64> = (0..count).map(f64::from).collect();
+            let density: Vec<f64> = height.iter().map(|h| h * (f64::from(count - 1) - h)).collect();
+            let params = Params {
+                heights: HeightFamily::Tabulated { height: height.into(), density: density.into() },
+                height_std: 1e3,
+                summit_radius: 1e6,
+                ..Params::default()
+            };
+            let population = crate::population::tests::of(&params);
+            let equilibrium = Equilibrium::new(&population).expect("a branch");
+            let reach = Reach::new(&population, &equilibrium, 1.0);
+            let kinks = population.kinks();
+            assert_eq!(reach.is_resolved(), count == 5, "{} kinks", kinks.len());
+            assert_eq!(reach.kinks(), if count == 5 { &kinks[..] } else { &[] });
+            let shortest = 0.01 * population.range_of_adhesion();
+            assert!(reach.narrowest_at_end == shortest && shortest < NARROWEST_AT_END, "{shortest}");
         }
     }
 

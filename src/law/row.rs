@@ -9,9 +9,9 @@ use std::ops::RangeInclusive;
 /// Coefficients per row: a polynomial of degree 7, one cache line.
 pub const COEFFICIENTS: usize = 8;
 /// The largest relative error of the force of a row that is kept.
-pub const VALUE_TOLERANCE: f64 = 5e-11;
+const VALUE_TOLERANCE: f64 = 5e-11;
 /// Of its slope.
-pub const SLOPE_TOLERANCE: f64 = 5e-9;
+const SLOPE_TOLERANCE: f64 = 5e-9;
 /// Where within a row the curve determines it, beside its ends; where the two are compared.
 const INTERIOR: [f64; 4] = [0.125, 0.359_375, 0.640_625, 0.875];
 const BETWEEN: [f64; 3] = [0.05, 0.5, 0.95];
@@ -45,6 +45,12 @@ pub fn polynomial(c: &[f64; COEFFICIENTS], t: f64) -> (f64, f64) {
     let slope = ((c[1] + 2.0 * c[2] * t) + (3.0 * c[3] + 4.0 * c[4] * t) * t2)
         + ((5.0 * c[5] + 6.0 * c[6] * t) + 7.0 * c[7] * t2) * t4;
     (value, slope)
+}
+
+/// The relative error of a value, if it and its slope are good enough to be kept.
+pub fn error_within_tolerance((value, rate): (f64, f64), (exact, slope): (f64, f64)) -> Option<f64> {
+    let error = (value / exact - 1.0).abs();
+    (error <= VALUE_TOLERANCE && (rate / slope - 1.0).abs() <= SLOPE_TOLERANCE).then_some(error)
 }
 
 /// What fills rows: a curve, the size of rows, and the units.
@@ -92,9 +98,10 @@ impl Filling<'_> {
             let mut good = !coefficients.iter().any(|coefficient| coefficient.is_nan());
             for (part, (force, slope)) in BETWEEN.into_iter().zip(&points[4..]) {
                 let (value, rate) = polynomial(&coefficients, part);
-                let value_error = (value / force - 1.0).abs();
-                row_error = row_error.max(value_error);
-                good &= value_error <= VALUE_TOLERANCE && (rate / slope - 1.0).abs() <= SLOPE_TOLERANCE;
+                match error_within_tolerance((value, rate), (*force, *slope)) {
+                    Some(error) => row_error = row_error.max(error),
+                    None => good = false,
+                }
             }
             let mut scale = 1.0;
             for coefficient in &mut coefficients {
@@ -190,6 +197,21 @@ mod tests {
             let ((value, slope), expected) = (polynomial(&C, t), horner(t));
             assert!(near(value, expected.0, 1e-14) && near(slope, expected.1, 1e-14), "{t}: {value}, {slope}");
         }
+    }
+
+    #[test]
+    fn what_is_kept_is_good_in_value_and_in_slope() {
+        let with = |error: f64, slope_error: f64| {
+            error_within_tolerance((2.0 * (1.0 + error), -3.0 * (1.0 + slope_error)), (2.0, -3.0))
+        };
+        for sign in [1.0, -1.0] {
+            let error = with(0.9 * sign * VALUE_TOLERANCE, 0.9 * sign * SLOPE_TOLERANCE).expect("it is good");
+            assert!(near(error, 0.9 * VALUE_TOLERANCE, 1e-4), "{error:e}");
+            assert_eq!(with(1.1 * sign * VALUE_TOLERANCE, 0.0), None);
+            assert_eq!(with(0.0, 1.1 * sign * SLOPE_TOLERANCE), None);
+        }
+        assert_eq!(with(f64::NAN, 0.0), None);
+        assert_eq!(with(0.0, f64::NAN), None);
     }
 
     #[test]
