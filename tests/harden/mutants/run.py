@@ -5,7 +5,8 @@ one copy of the sources, which is built once. Each test runs alone once, to lear
 and how long it takes; then each mutant meets the tests that reach it until one fails. What cannot be planted (constants) is
 for cargo-mutants itself.
 
-What is found is kept for as long as the function of a mutant stays as it is.
+What is found is kept for as long as the function of a mutant stays as it is. Fails if a mutant is left that explained.txt
+does not give a reason for, or if this gives one for what is no longer there.
 
 usage: run.py FOLDER [--jobs N] [--shard K/N] [--seconds S] [--again | --resume] [--only PATTERN]
               [--tests PATTERN]
@@ -31,6 +32,7 @@ import subprocess
 import sys
 import time
 
+import explained
 import plant
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -305,23 +307,40 @@ def main():
 
 
 def report(folder, mutants, alive, unviable, ends):
-    """What is known of all mutants, by file; and a list of those that are left."""
-    by_file, still = collections.defaultdict(collections.Counter), []
+    """What is known of all mutants, by file; whether all that are left have a reason."""
+    reasons, lines = explained.read(), {}
+    by_file, by_kind, left = collections.defaultdict(collections.Counter), collections.Counter(), []
+    gone = set(reasons)
     for mutant in mutants:
+        if mutant["file"] not in lines:
+            lines[mutant["file"]] = (ROOT / mutant["file"]).read_text().splitlines()
+        place = explained.place(mutant, lines[mutant["file"]])
+        gone.discard(place)
         if mutant["number"] in alive:
             end = ends.get(mutant["key"], ["not run"])[0]
         else:
             end = "no build" if mutant["number"] in unviable else "constant"
+        if end in ("missed", "not reached"):
+            end = "explained" if place in reasons else "left"
+            if end == "explained":
+                by_kind[reasons[place]] += 1
+            else:
+                left.append(place)
         by_file[mutant["file"]][end] += 1
-        if end in OPEN:
-            still.append(f"{end}: {mutant['name']}")
     by_file["all"] = sum(by_file.values(), collections.Counter())
-    columns = ["caught", "timeout", "missed", "not reached", "not run", "constant", "no build"]
+    columns = ["caught", "timeout", "explained", "left", "not run", "constant", "no build"]
     print("".join(f"{column:>12}" for column in columns))
     for name, counts in sorted(by_file.items(), key=lambda file: (file[0] == "all", file[0])):
         print("".join(f"{counts[column]:>12}" for column in columns), "", name)
-    (folder / "left.txt").write_text("\n".join(sorted(still)) + "\n")
-    print(f"those that are left: {folder / 'left.txt'}")
+    print("reasons:", ", ".join(f"{kind} {count}" for kind, count in by_kind.most_common()))
+    (folder / "left.txt").write_text(explained.written(left))
+    if left:
+        print(f"no test catches these, and explained.txt does not say why: {folder / 'left.txt'}")
+    if gone:
+        print("explained.txt has these, which are no longer in the sources:")
+        print(explained.written(sorted(gone)))
+    if left or gone:
+        sys.exit(1)
 
 
 if __name__ == "__main__":
