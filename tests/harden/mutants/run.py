@@ -12,7 +12,7 @@ usage: run.py FOLDER [--jobs N] [--shard K/N] [--seconds S] [--again | --resume]
               [--tests PATTERN]
     FOLDER     for the copy, what is built and the outcome; kept from run to run
     --seconds  tests that take longer are left out
-    --again    only mutants that the last run did not catch
+    --again    only mutants that the last run did not catch and explained.txt gives no reason for
     --resume   only mutants of which nothing is known
     --only     only mutants in whose names, which begin with the file, this pattern is found
     --tests    only tests in whose names this pattern is found
@@ -65,6 +65,11 @@ def listed(folder):
         mutant["number"] = number
         mutant["key"] = key(mutant)
     return found
+
+
+def place(mutant):
+    """What it is called in explained.txt."""
+    return explained.place(mutant, (ROOT / mutant["file"]).read_text().splitlines())
 
 
 def key(mutant):
@@ -292,7 +297,8 @@ def main():
     outcome = folder / "outcome.json"
     ends = json.loads(outcome.read_text()) if outcome.exists() else {}
     if asked.again:
-        chosen = [mutant for mutant in chosen if ends.get(mutant["key"], [""])[0] in OPEN]
+        reasons = explained.read()
+        chosen = [mutant for mutant in chosen if ends.get(mutant["key"], [""])[0] in OPEN and place(mutant) not in reasons]
     elif asked.resume:
         chosen = [mutant for mutant in chosen if mutant["key"] not in ends]
     started, killers = time.time(), {}
@@ -308,24 +314,22 @@ def main():
 
 def report(folder, mutants, alive, unviable, ends):
     """What is known of all mutants, by file; whether all that are left have a reason."""
-    reasons, lines = explained.read(), {}
+    reasons = explained.read()
     by_file, by_kind, left = collections.defaultdict(collections.Counter), collections.Counter(), []
     gone = set(reasons)
     for mutant in mutants:
-        if mutant["file"] not in lines:
-            lines[mutant["file"]] = (ROOT / mutant["file"]).read_text().splitlines()
-        place = explained.place(mutant, lines[mutant["file"]])
-        gone.discard(place)
+        here = place(mutant)
+        gone.discard(here)
         if mutant["number"] in alive:
             end = ends.get(mutant["key"], ["not run"])[0]
         else:
             end = "no build" if mutant["number"] in unviable else "constant"
         if end in ("missed", "not reached"):
-            end = "explained" if place in reasons else "left"
+            end = "explained" if here in reasons else "left"
             if end == "explained":
-                by_kind[reasons[place]] += 1
+                by_kind[reasons[here]] += 1
             else:
-                left.append(place)
+                left.append(here)
         by_file[mutant["file"]][end] += 1
     by_file["all"] = sum(by_file.values(), collections.Counter())
     columns = ["caught", "timeout", "explained", "left", "not run", "constant", "no build"]
