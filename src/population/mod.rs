@@ -255,8 +255,6 @@ fn bubble(part: f64) -> f64 {
 
 /// What walks the panels hands its nodes to.
 trait Sink {
-    /// Whether every panel must have all 16 nodes.
-    const WHOLE_PANELS: bool = false;
     /// No more panels than these.
     const MOST_PANELS: usize = MOST_PANELS;
     /// Whether a panel must end where the contact radius has an extremum, though it passes none of the slip law's.
@@ -415,7 +413,7 @@ impl Population {
         }
         for radius in self.slip.kinks().into_iter().filter(|&radius| radius > edge.radius) {
             let excess = |theta: f64| self.maugis.at(theta, g).radius - radius;
-            let mut lower = 0.5 * edge.theta;
+            let mut lower = edge.theta;
             while excess(lower) < 0.0 {
                 lower *= 0.5;
             }
@@ -554,25 +552,20 @@ impl Population {
             Some(edge) if edge.z == lower => self.edge_point(edge),
             _ => self.point_cold(separation, lower),
         };
+        // A second edge above, where a falling radius lets tall summits break first: from both ends.
+        let (end, from_above) = match upper_edge {
+            Some(edge) if edge.z == upper => (0.5 * (lower + upper), Some(self.edge_point(edge))),
+            _ => (upper, None),
+        };
         if let Heights::Ends(ends) = &self.heights {
-            match upper_edge {
-                Some(edge) if edge.z == upper => {
-                    let middle = 0.5 * (lower + upper);
-                    self.walk_between_ends(ends, start, middle, sink);
-                    self.walk_between_ends(ends, self.edge_point(edge), middle, sink);
-                }
-                _ => self.walk_between_ends(ends, start, upper, sink),
+            for start in [start].into_iter().chain(from_above) {
+                self.walk_between_ends(ends, start, end, sink);
             }
             return;
         }
-        match upper_edge {
-            // A second edge above, where a falling radius lets tall summits break first: from both ends.
-            Some(edge) if edge.z == upper => {
-                let middle = 0.5 * (lower + upper);
-                self.march(self.above_foot(start, middle, sink), middle, sink);
-                self.march(self.edge_point(edge), middle, sink);
-            }
-            _ => self.march(self.above_foot(start, upper, sink), upper, sink),
+        self.march(self.above_foot(start, end, sink), end, sink);
+        if let Some(start) = from_above {
+            self.march(start, end, sink);
         }
     }
 
@@ -756,13 +749,10 @@ impl Population {
             }
             sink.panel(&here, &there, by_height);
             let short = there.contact.theta > SHORT_RATIO * here.contact.theta;
-            let part_of_smooth = match S::WHOLE_PANELS || !by_height {
-                true => 1.0,
-                false => self.fineness * self.part_of_smooth(here.z, length, clearance),
-            };
             if by_height && !(constant_radius && short && here.contact.overlap < nodes::LARGEST_OVERLAP) {
                 let rise = direction * length;
                 let mut guess = Guess::new(&here, &there, rise);
+                let part_of_smooth = self.fineness * self.part_of_smooth(here.z, length, clearance);
                 for (part, weight) in gauss_legendre::nodes_of_part(part_of_smooth, 0.0, 1.0) {
                     let point = self.point(&here, part * rise, guess.at(part));
                     guess.learn(part, point.contact.theta);
@@ -779,14 +769,10 @@ impl Population {
                 };
                 // How the true theta departs, by the end of the panel, from that at the radius of its beginning.
                 let drift = (there.contact.theta / theta_end - 1.0) / length;
-                let part = if S::WHOLE_PANELS {
-                    1.0
-                } else {
-                    let theta = here.contact.theta;
-                    let part_of_theta = (theta - theta_end) / (theta - theta_far);
-                    self.fineness * self.part_of_smooth(here.z, length, f64::MAX).max(part_of_theta)
-                };
-                for (theta, weight) in gauss_legendre::nodes_of_part(part, theta_end, here.contact.theta) {
+                let theta = here.contact.theta;
+                let part_of_theta = (theta - theta_end) / (theta - theta_far);
+                let part = self.fineness * self.part_of_smooth(here.z, length, f64::MAX).max(part_of_theta);
+                for (theta, weight) in gauss_legendre::nodes_of_part(part, theta_end, theta) {
                     let reference = self.maugis.at(theta, here.g);
                     let rise = direction * (reference.overlap - here.contact.overlap);
                     let weight = weight * reference.overlap_rate.abs();
@@ -929,7 +915,7 @@ impl Population {
                 lower = part;
             }
             let slope = point.radius_slope() * whole;
-            let newton = if excess.abs() < slope.abs() { part - excess / slope } else { lower };
+            let newton = part - excess / slope;
             let next = if newton > lower && newton < upper { newton } else { 0.5 * (lower + upper) };
             let change = next - part;
             // theta to first order in the step.
@@ -957,13 +943,14 @@ impl Population {
     ) {
         let Some(law) = &self.attraction else { return };
         let Some((lower, upper)) = self.where_attraction_exists(lower, upper) else { return };
+        let mut z = lower;
+        let mut overlap = lower - separation;
         // Heights at the far end of attraction: there it sets in with a jump.
         if lower == separation - law.reach {
+            overlap = -law.reach;
             let g = self.radius.factor(lower);
-            sums.load_slope -= density.at(lower, -law.reach) * law.at(law.circle(-law.reach, g), g).load;
+            sums.load_slope -= density.at(lower, overlap) * law.at(law.circle(overlap, g), g).load;
         }
-        let mut z = lower;
-        let mut overlap = if lower == separation - law.reach { -law.reach } else { lower - separation };
         if let Heights::Ends(ends) = &self.heights {
             let log_scale = sums.log_scale;
             let add = |mass, summit: Summit| sums.add_attraction(mass, &summit);
@@ -1269,5 +1256,137 @@ pub(crate) mod tests {
             }
         }
         assert!(!is_inside(-0.5, 1.0) && !is_inside(1.5, 1.0));
+    }
+
+    /// The integral of several functions of height, and of their absolute values, by panels that are halved until halves
+    /// agree.
+    fn halved<const N: usize>(f: &impl Fn(f64) -> [f64; N], from: f64, to: f64) -> [[f64; N]; 2] {
+        let panel = |from: f64, to: f64| {
+            let mut sums = [[0.0; N]; 2];
+            for (z, weight) in nodes(from, to) {
+                for (i, value) in f(z).into_iter().enumerate() {
+                    sums[0][i] += weight * value;
+                    sums[1][i] += weight * value.abs();
+                }
+            }
+            sums
+        };
+        let (mut sums, mut left) = ([[0.0; N]; 2], vec![(from, to, panel(from, to))]);
+        let whole: f64 = left[0].2[1].iter().sum();
+        let mut scale = left[0].2[1];
+        assert!(whole >= 0.0);
+        while let Some((from, to, whole)) = left.pop() {
+            let middle = 0.5 * (from + to);
+            let halves = [panel(from, middle), panel(middle, to)];
+            let of_both = |kind: usize, i: usize| halves[0][kind][i] + halves[1][kind][i];
+            (0..N).for_each(|i| scale[i] = scale[i].max(of_both(1, i)));
+            let agree = (0..N).all(|i| (of_both(0, i) - whole[0][i]).abs() <= 1e-14 * scale[i]);
+            if agree || middle <= from || middle >= to || (to - from) < 1e-13 * middle.abs() {
+                for (kind, sums) in sums.iter_mut().enumerate() {
+                    (0..N).for_each(|i| sums[i] += of_both(kind, i));
+                }
+            } else {
+                left.extend([(from, middle, halves[0]), (middle, to, halves[1])]);
+            }
+        }
+        sums
+    }
+
+    impl Population {
+        /// What the sums of contacts and attraction are, and those of their absolute values: the integrals over heights
+        /// between edges. Load, friction, area and number of contacts, load and number of what attracts.
+        fn by_halves(&self, separation: f64, log_scale: f64) -> [[f64; 6]; 2] {
+            let edges = self.edges.at_separation(&self.maugis, &self.radius, separation);
+            let density = |z: f64| (self.heights.log_density(z) - log_scale).exp();
+            let in_contact = |z: f64| {
+                let summit = self.summit(&self.point_cold(separation, z).contact);
+                [summit.load, summit.friction, summit.area, 1.0, 0.0, 0.0].map(|value| value * density(z))
+            };
+            let attracted = |z: f64| match self.attraction_at(separation, z) {
+                Some(summit) => [0.0, 0.0, 0.0, 0.0, summit.load, 1.0].map(|value| value * density(z)),
+                None => [0.0; 6],
+            };
+            let mut contact = self.lowest_are_in_contact(&edges, separation);
+            let mut sums = [[0.0; 6]; 2];
+            let start = self.attraction.as_ref().map_or(f64::INFINITY, |law| separation - law.reach);
+            let mut lower = self.heights.foot();
+            for upper in edges.iter().map(|edge| edge.z).chain([f64::INFINITY]) {
+                let (from, to) = self.heights.worth_summing(if contact { lower } else { lower.max(start) }, upper);
+                let mut cuts: Vec<f64> = self.heights.knots().iter().copied().filter(|z| from < *z && *z < to).collect();
+                cuts.push(to);
+                let mut from = from;
+                for to in cuts.into_iter().filter(|to| from < *to).collect::<Vec<f64>>() {
+                    let part = if contact { halved(&in_contact, from, to) } else { halved(&attracted, from, to) };
+                    (0..12).for_each(|i| sums[i / 6][i % 6] += part[i / 6][i % 6]);
+                    from = to;
+                }
+                contact = !contact;
+                lower = lower.max(upper);
+            }
+            sums
+        }
+    }
+
+    #[test]
+    fn try_halves() {
+        let of_table = || {
+            let (height, density) = ([-3.0, -1.0, 0.0, 1.0, 1.5], [0.0, 1.0, 0.1, 1.0, 0.0]);
+            HeightFamily::Tabulated { height: height.to_vec().into(), density: density.to_vec().into() }
+        };
+        let weibull = |shape: f64| HeightFamily::Weibull { shape };
+        let surface = |heights: HeightFamily, radius: [f64; 2], groups: [f64; 4], radii: [f64; 2]| {
+            let mut params = Params { heights, radius_amplitude: radius[0], radius_rate: radius[1], ..Params::default() };
+            (params.slip.radius_1, params.slip.radius_2) = (radii[0], radii[1]);
+            let [alpha, beta, gamma, b_over_h] = groups;
+            params.set_dimensionless(alpha, beta, gamma, b_over_h, 0.3).expect("groups");
+            of(&params)
+        };
+        let gaussian = || HeightFamily::Gaussian;
+        let list = [
+            surface(gaussian(), [-1.0, 11.2], [2.35e-3, 4.16, 3.18e-4, 0.0622], [0.0773, 5.3]),
+            surface(gaussian(), [-1.0, 7.18], [1.08e-3, 5.275, 4.156e-3, 0.282], [98.6, 1.62e4]),
+            surface(weibull(104.4), [-1.0, 1.2], [2.47e-3, 21.0, 0.944, 0.11], [0.0737, 0.085]),
+            surface(weibull(1.837), [-1.0, 2.624], [1.345e-4, 3.53e4, 2.117e-3, 1.151], [16.1, 4.54e4]),
+            surface(HeightFamily::Johnson { skew: 2.0, kurtosis: 8.5 }, [0.0, 1.0], [0.86, 7.78e4, 3.84e-4, 3.585], [0.01154, 1.458]),
+            surface(weibull(1.02), [0.0, 1.0], [1.69e-4, 2408.0, 0.0, 0.25], [1.0, 1006.0]),
+            surface(of_table(), [1.0, 0.1], [5.2e-3, 3.358e5, 0.011, 0.816], [1.66, 543.0]),
+            surface(of_table(), [0.0, 1.0], [1.78e-4, 1.2e4, 0.0, 0.446], [28.0, 8e4]),
+            surface(weibull(71.5), [-0.8, 16.0], [2e-3, 3.15, 2.7e-3, 0.075], [28.0, 8e4]),
+            surface(gaussian(), [0.6, 1.0], [1e-4, 1.0, 0.0, 1e-3], [0.3, 2.0]),
+            surface(of_table(), [-0.6, 1.0], [1e-4, 1.0, 0.0, 1e-3], [0.3, 2.0]),
+        ];
+        for (number, population) in list.iter().enumerate() {
+            let rough = population.roughly();
+            let edges = |separation: f64| population.edges.at_separation(&population.maugis, &population.radius, separation).iter().count();
+            let mut separations = vec![-9.0, -2.0, 0.1, 1.2, 3.0];
+            let mut last = edges(-20.0);
+            let far = population.range_of_adhesion();
+            for i in 0..400 {
+                let [a, b] = [i, i + 1].map(|i| -20.0 + f64::from(i) / 400.0 * (30.0 + far));
+                if edges(b) != last {
+                    let (mut a, mut b) = (a, b);
+                    for _ in 0..50 { let m = 0.5 * (a + b); if edges(m) == last { a = m } else { b = m } }
+                    separations.extend([a - 1e-3, a - 1e-6, a, b, b + 1e-6, b + 1e-3]);
+                    last = edges(b + 1e-5);
+                }
+            }
+            for separation in separations {
+                EVALUATIONS.set(0);
+                attraction::tests::EVALUATIONS.set(0);
+                let sums = population.at_separation(separation);
+                let (a, b) = (EVALUATIONS.get(), attraction::tests::EVALUATIONS.get());
+                EVALUATIONS.set(0);
+                attraction::tests::EVALUATIONS.set(0);
+                let rough = rough.at_separation(separation);
+                let (c, d) = (EVALUATIONS.get(), attraction::tests::EVALUATIONS.get());
+                EVALUATIONS.set(0);
+                let (of, from) = (|s: &Sums| [s.load_contacting, s.friction, s.area, s.contacting, s.load_attracted, s.attracted], std::time::Instant::now());
+                let [exact, size] = population.by_halves(separation, sums.log_scale);
+                let e = EVALUATIONS.get();
+                let errors: Vec<String> = (0..6).map(|i| format!("{:.0e}", (of(&sums)[i] - exact[i]).abs() / size[i].max(1e-300))).collect();
+                let errors_rough: Vec<String> = (0..6).map(|i| format!("{:.0e}", (of(&rough)[i] - exact[i]).abs() / size[i].max(1e-300))).collect();
+                println!("{number} at {separation:.10}: {} edges, {a} {b} / {c} {d} / {e} {:?}  {errors:?} {errors_rough:?}", edges(separation), from.elapsed());
+            }
+        }
     }
 }

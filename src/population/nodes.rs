@@ -75,7 +75,6 @@ struct Collecting<'a> {
 }
 
 impl Sink for Collecting<'_> {
-    const WHOLE_PANELS: bool = true;
     const MOST_PANELS: usize = MOST_PANELS;
 
     fn panel(&mut self, _from: &Point, to: &Point, by_height: bool) {
