@@ -69,6 +69,7 @@ impl Nodes {
     }
 }
 
+/// Fills the table. Panels have all points where heights have no knots.
 struct Collecting<'a> {
     population: &'a Population,
     table: Nodes,
