@@ -1479,6 +1479,23 @@ pub(crate) mod tests {
         assert!(count <= 667, "{count} evaluations");
     }
 
+    /// Next to theta = pi/2, where rounding keeps radii from those of the slip law.
+    #[test]
+    fn where_a_panel_was_cut_it_is_not_cut_again() {
+        for part in 0..20 {
+            let mut params = Params::default();
+            params.slip.radius_1 = 1e-5 * (1.0 + 0.1 * f64::from(part));
+            let population = of(&params);
+            let edges = population.edges.at_separation(&population.maugis, &population.radius, 0.3);
+            let here = population.edge_point(edges.iter().next().expect("an edge"));
+            let there = population.point(&here, 0.2, 0.3);
+            let cut = population.first_cut::<Few>(&here, &there).expect("a cut");
+            EVALUATIONS.set(0);
+            assert!(population.first_cut::<Few>(&cut, &there).is_none());
+            assert_eq!(EVALUATIONS.get(), 0, "{}", params.slip.radius_1);
+        }
+    }
+
     #[test]
     fn nothing_is_on_the_way_to_itself() {
         let mut here = summit(0.3, 5.0, 1.0);
