@@ -924,7 +924,7 @@ impl Population {
             part = next;
             point = self.point(here, part * whole, guess);
             let is_there = (point.contact.radius - radius).abs() <= 1e-2 * AT_KINK * radius;
-            if is_there || change.abs() <= 1e-14 * part || upper - lower <= 1e-14 * part {
+            if is_there || change.abs() <= 1e-14 * part {
                 break;
             }
         }
