@@ -255,8 +255,6 @@ fn bubble(part: f64) -> f64 {
 
 /// What walks the panels hands its nodes to.
 trait Sink {
-    /// Whether every panel must have all 16 nodes.
-    const WHOLE_PANELS: bool = false;
     /// No more panels than these.
     const MOST_PANELS: usize = MOST_PANELS;
     /// Whether a panel must end where the contact radius has an extremum, though it passes none of the slip law's.
@@ -334,7 +332,7 @@ impl Population {
         population
     }
 
-    /// The same population, whose sums are good to six digits or more in half the time where radii vary with height.
+    /// The same population, whose loads are good to four digits or more in half the time where radii vary with height.
     pub fn roughly(&self) -> Self {
         Self { fineness: ROUGH, ..self.clone() }
     }
@@ -415,7 +413,7 @@ impl Population {
         }
         for radius in self.slip.kinks().into_iter().filter(|&radius| radius > edge.radius) {
             let excess = |theta: f64| self.maugis.at(theta, g).radius - radius;
-            let mut lower = 0.5 * edge.theta;
+            let mut lower = edge.theta;
             while excess(lower) < 0.0 {
                 lower *= 0.5;
             }
@@ -554,25 +552,20 @@ impl Population {
             Some(edge) if edge.z == lower => self.edge_point(edge),
             _ => self.point_cold(separation, lower),
         };
+        // A second edge above, where a falling radius lets tall summits break first: from both ends.
+        let (end, from_above) = match upper_edge {
+            Some(edge) if edge.z == upper => (0.5 * (lower + upper), Some(self.edge_point(edge))),
+            _ => (upper, None),
+        };
         if let Heights::Ends(ends) = &self.heights {
-            match upper_edge {
-                Some(edge) if edge.z == upper => {
-                    let middle = 0.5 * (lower + upper);
-                    self.walk_between_ends(ends, start, middle, sink);
-                    self.walk_between_ends(ends, self.edge_point(edge), middle, sink);
-                }
-                _ => self.walk_between_ends(ends, start, upper, sink),
+            for start in [start].into_iter().chain(from_above) {
+                self.walk_between_ends(ends, start, end, sink);
             }
             return;
         }
-        match upper_edge {
-            // A second edge above, where a falling radius lets tall summits break first: from both ends.
-            Some(edge) if edge.z == upper => {
-                let middle = 0.5 * (lower + upper);
-                self.march(self.above_foot(start, middle, sink), middle, sink);
-                self.march(self.edge_point(edge), middle, sink);
-            }
-            _ => self.march(self.above_foot(start, upper, sink), upper, sink),
+        self.march(self.above_foot(start, end, sink), end, sink);
+        if let Some(start) = from_above {
+            self.march(start, end, sink);
         }
     }
 
@@ -756,13 +749,10 @@ impl Population {
             }
             sink.panel(&here, &there, by_height);
             let short = there.contact.theta > SHORT_RATIO * here.contact.theta;
-            let part_of_smooth = match S::WHOLE_PANELS || !by_height {
-                true => 1.0,
-                false => self.fineness * self.part_of_smooth(here.z, length, clearance),
-            };
             if by_height && !(constant_radius && short && here.contact.overlap < nodes::LARGEST_OVERLAP) {
                 let rise = direction * length;
                 let mut guess = Guess::new(&here, &there, rise);
+                let part_of_smooth = self.fineness * self.part_of_smooth(here.z, length, clearance);
                 for (part, weight) in gauss_legendre::nodes_of_part(part_of_smooth, 0.0, 1.0) {
                     let point = self.point(&here, part * rise, guess.at(part));
                     guess.learn(part, point.contact.theta);
@@ -779,14 +769,10 @@ impl Population {
                 };
                 // How the true theta departs, by the end of the panel, from that at the radius of its beginning.
                 let drift = (there.contact.theta / theta_end - 1.0) / length;
-                let part = if S::WHOLE_PANELS {
-                    1.0
-                } else {
-                    let theta = here.contact.theta;
-                    let part_of_theta = (theta - theta_end) / (theta - theta_far);
-                    self.fineness * self.part_of_smooth(here.z, length, f64::MAX).max(part_of_theta)
-                };
-                for (theta, weight) in gauss_legendre::nodes_of_part(part, theta_end, here.contact.theta) {
+                let theta = here.contact.theta;
+                let part_of_theta = (theta - theta_end) / (theta - theta_far);
+                let part = self.fineness * self.part_of_smooth(here.z, length, f64::MAX).max(part_of_theta);
+                for (theta, weight) in gauss_legendre::nodes_of_part(part, theta_end, theta) {
                     let reference = self.maugis.at(theta, here.g);
                     let rise = direction * (reference.overlap - here.contact.overlap);
                     let weight = weight * reference.overlap_rate.abs();
@@ -929,7 +915,7 @@ impl Population {
                 lower = part;
             }
             let slope = point.radius_slope() * whole;
-            let newton = if excess.abs() < slope.abs() { part - excess / slope } else { lower };
+            let newton = part - excess / slope;
             let next = if newton > lower && newton < upper { newton } else { 0.5 * (lower + upper) };
             let change = next - part;
             // theta to first order in the step.
@@ -938,7 +924,7 @@ impl Population {
             part = next;
             point = self.point(here, part * whole, guess);
             let is_there = (point.contact.radius - radius).abs() <= 1e-2 * AT_KINK * radius;
-            if is_there || change.abs() <= 1e-14 * part || upper - lower <= 1e-14 * part {
+            if is_there || change.abs() <= 1e-14 * part {
                 break;
             }
         }
@@ -957,13 +943,14 @@ impl Population {
     ) {
         let Some(law) = &self.attraction else { return };
         let Some((lower, upper)) = self.where_attraction_exists(lower, upper) else { return };
+        let mut z = lower;
+        let mut overlap = lower - separation;
         // Heights at the far end of attraction: there it sets in with a jump.
         if lower == separation - law.reach {
+            overlap = -law.reach;
             let g = self.radius.factor(lower);
-            sums.load_slope -= density.at(lower, -law.reach) * law.at(law.circle(-law.reach, g), g).load;
+            sums.load_slope -= density.at(lower, overlap) * law.at(law.circle(overlap, g), g).load;
         }
-        let mut z = lower;
-        let mut overlap = if lower == separation - law.reach { -law.reach } else { lower - separation };
         if let Heights::Ends(ends) = &self.heights {
             let log_scale = sums.log_scale;
             let add = |mass, summit: Summit| sums.add_attraction(mass, &summit);
@@ -1269,5 +1256,256 @@ pub(crate) mod tests {
             }
         }
         assert!(!is_inside(-0.5, 1.0) && !is_inside(1.5, 1.0));
+    }
+
+    fn sum<const N: usize>(a: [[f64; N]; 2], b: [[f64; N]; 2]) -> [[f64; N]; 2] {
+        [0, 1].map(|kind| std::array::from_fn(|i| a[kind][i] + b[kind][i]))
+    }
+
+    /// The integrals of several functions, and of their absolute values, over a range in panels that are halved until the
+    /// halves agree with the whole.
+    fn halved<const N: usize>(f: &impl Fn(f64) -> [f64; N], from: f64, to: f64) -> [[f64; N]; 2] {
+        let panel = |from: f64, to: f64| {
+            let mut sums = [[0.0; N]; 2];
+            for (z, weight) in nodes(from, to) {
+                let values = f(z).map(|value| weight * value);
+                sums = sum(sums, [values, values.map(f64::abs)]);
+            }
+            sums
+        };
+        let ends: Vec<f64> = (0..=32).map(|i| from + (to - from) * f64::from(i) / 32.0).collect();
+        let mut left: Vec<_> = ends.windows(2).map(|ends| (ends[0], ends[1], panel(ends[0], ends[1]))).collect();
+        let size = left.iter().fold([[0.0; N]; 2], |all, &(_, _, part)| sum(all, part))[1];
+        let mut done = [[0.0; N]; 2];
+        while let Some((from, to, whole)) = left.pop() {
+            let middle = 0.5 * (from + to);
+            let halves = [panel(from, middle), panel(middle, to)];
+            let both = sum(halves[0], halves[1]);
+            if (0..N).all(|i| (both[0][i] - whole[0][i]).abs() <= 1e-13 * size[i]) || to - from < 1e-12 {
+                done = sum(done, both);
+            } else {
+                left.extend([(from, middle, halves[0]), (middle, to, halves[1])]);
+            }
+        }
+        done
+    }
+
+    impl Population {
+        /// By no panels of its own, and with the sums of their absolute values: load, friction, area and number of contacts,
+        /// load and number of what attracts; slope of the load, but for what moving edges add.
+        fn by_halves(&self, separation: f64, log_scale: f64) -> [[f64; 7]; 2] {
+            let density = |z: f64| (self.heights.log_density(z) - log_scale).exp();
+            let in_contact = |z: f64| {
+                let summit = self.summit(&self.point_cold(separation, z).contact);
+                let Summit { load, friction, area, load_by_overlap, .. } = summit;
+                [load, friction, area, 1.0, 0.0, 0.0, -load_by_overlap].map(|value| value * density(z))
+            };
+            let attracted = |z: f64| match self.attraction_at(separation, z) {
+                Some(attracted) => {
+                    let (load, slope) = (attracted.load, -attracted.load_by_overlap);
+                    [0.0, 0.0, 0.0, 0.0, load, 1.0, slope].map(|value| value * density(z))
+                }
+                None => [0.0; 7],
+            };
+            let edges = self.edges.at_separation(&self.maugis, &self.radius, separation);
+            let mut contact = self.lowest_are_in_contact(&edges, separation);
+            let farthest = self.attraction.as_ref().map_or(f64::INFINITY, |law| separation - law.reach);
+            let (mut sums, mut lower) = ([[0.0; 7]; 2], self.heights.foot());
+            for upper in edges.iter().map(|edge| edge.z).chain([f64::INFINITY]) {
+                let start = if contact { lower } else { lower.max(farthest) };
+                let (mut from, last) = self.heights.worth_summing(start, upper);
+                for to in self.heights.knots().iter().copied().chain([last]).map(|to| to.min(last)) {
+                    if from < to {
+                        let part = if contact { halved(&in_contact, from, to) } else { halved(&attracted, from, to) };
+                        sums = sum(sums, part);
+                        from = to;
+                    }
+                }
+                contact = !contact;
+                lower = lower.max(upper);
+            }
+            sums
+        }
+    }
+
+    /// Where contact ends among the heights or is about to, once or twice; where radii fall or rise steeply, some to nothing;
+    /// at the foot of the heights; and where all contacts are as small as a tip.
+    #[test]
+    fn sums_are_integrals_over_heights_in_few_evaluations() {
+        let table = |height: &[f64], density: &[f64]| HeightFamily::Tabulated {
+            height: height.to_vec().into(),
+            density: density.to_vec().into(),
+        };
+        let peaks = || table(&[-3.0, -1.0, 0.0, 1.0, 1.5], &[0.0, 1.0, 0.1, 1.0, 0.0]);
+        let slope = || table(&[0.0, 1.0, 2.0, 4.0], &[3.0, 1.0, 1.0, 0.5]);
+        let weibull = |shape: f64| HeightFamily::Weibull { shape };
+        let johnson = |skew: f64, kurtosis: f64| HeightFamily::Johnson { skew, kurtosis };
+        let gaussian = || HeightFamily::Gaussian;
+        let paper = [28.0, 8e4];
+        // Heights; epsilon and rho; alpha, beta, gamma and b/h; the slip law's radii; separations.
+        type Case<'a> = (HeightFamily, [f64; 2], [f64; 4], [f64; 2], &'a [f64]);
+        let cases: [Case; 24] = [
+            (gaussian(), [-1.0, 11.2], [2.35e-3, 4.16, 3.18e-4, 0.0622], [0.0773, 5.3], &[0.3316, 0.3336, 1.2, 4.37]),
+            (
+                gaussian(),
+                [-1.0, 7.18],
+                [1.08e-3, 5.275, 4.156e-3, 0.282],
+                [98.6, 1.62e4],
+                &[1.066312, 1.0673, 3.0, 41.68],
+            ),
+            (weibull(104.4), [-1.0, 1.2], [2.47e-3, 21.0, 0.944, 0.11], [0.0737, 1.15], &[7.40793, 7.409, 697.1642]),
+            (
+                weibull(1.837),
+                [-1.0, 2.6],
+                [1.3e-4, 3.5e4, 2.1e-3, 1.151],
+                [16.1, 4.5e4],
+                &[-9.0, 1.7, 1.76, 1.8, 2.7, 3.9],
+            ),
+            (weibull(71.5), [-0.8, 16.0], [2e-3, 3.15, 2.7e-3, 0.075], paper, &[-2.0, 6.126, 6.128]),
+            (gaussian(), [0.994, 1.538], [5.3e-4, 39.66, 4.49e-2, 5.19e-2], paper, &[100.0, 209.0, 253.9]),
+            (gaussian(), [1.0, 20.0], [5.3e-4, 39.66, 4.49e-2, 5.19e-2], paper, &[100.0, 1.0, -3.0]),
+            (gaussian(), [0.79, 3.754], [1.14e-4, 2.679e4, 0.0, 1.389], paper, &[-2.0, 1.0]),
+            (johnson(1.12, 3.653), [0.0, 1.0], [0.86, 7.78e4, 3.84e-4, 3.585], [0.0115, 1.458], &[-0.593, -2.0]),
+            (johnson(-0.134, 4.431), [1.0, 17.17], [1.5e-4, 9220.0, 0.84, 0.538], [4.0, 6761.0], &[-0.153, -1.8]),
+            (johnson(0.875, 63.51), [1.0, 26.8], [3.3e-4, 7263.0, 0.0645, 0.119], [314.0, 2.2e5], &[1.519, 0.2]),
+            (johnson(0.5, 1.6), [0.0, 1.0], [0.01, 100.0, 1e-3, 0.2], paper, &[5.5, 4.5]),
+            (weibull(1.02), [0.0, 1.0], [1.69e-4, 2408.0, 0.0, 0.25], [1.0, 1006.0], &[-12.2, -2.0, 0.1]),
+            (weibull(3.92), [0.0, 1.0], [3.69e-4, 1897.0, 2.56e-6, 0.0555], [78.0, 3.3e4], &[0.78, 5.39, 28.18]),
+            (weibull(8.967), [0.263, 0.327], [0.275, 54.07, 1.77e-6, 2.677], [0.035, 4.314], &[9.707, 0.5]),
+            (weibull(1.245), [-1.0, 0.042], [0.037, 192.1, 5.4e-5, 0.4279], [40.8, 1301.0], &[0.5, 408.3]),
+            (peaks(), [1.0, 0.1], [5.2e-3, 3.358e5, 0.011, 0.816], [1.66, 543.0], &[-3.0, -3.801, -2.0]),
+            (peaks(), [0.0, 1.0], [1.78e-4, 1.2e4, 0.0, 0.446], paper, &[-0.469, -2.0]),
+            (peaks(), [-1.0, 5.117], [0.0432, 2.468e4, 0.0, 2.387], [35.37, 2.677e4], &[-2.684]),
+            (peaks(), [1.0, 0.0025], [3.125e-4, 1439.0, 2.175e-5, 0.067], paper, &[-0.234, 0.5]),
+            (slope(), [0.0, 1.0], [0.01, 100.0, 1e-3, 0.2], paper, &[-2.0, 0.5]),
+            (slope(), [0.4, 1.0], [0.01, 100.0, 1e-3, 2.0], paper, &[-4.2, -3.6]),
+            (gaussian(), [0.6, 1.0], [1e-4, 1.0, 0.0, 1e-3], [0.3, 3.0], &[-2.0, 1.2]),
+            (peaks(), [-0.6, 1.0], [1e-4, 1.0, 0.0, 1e-3], [0.3, 3.0], &[-9.0, -2.0, -1e-3]),
+        ];
+        // Of contacts and of attraction, in sums and in rough ones.
+        let mut counts = [0; 4];
+        for (heights, [amplitude, rate], [alpha, beta, gamma, b_over_h], [radius_1, radius_2], separations) in cases {
+            let mut params = Params { heights, radius_amplitude: amplitude, radius_rate: rate, ..Params::default() };
+            (params.slip.radius_1, params.slip.radius_2) = (radius_1, radius_2);
+            params.set_dimensionless(alpha, beta, gamma, b_over_h, 0.3).expect("a surface");
+            let population = of(&params);
+            let rough = population.roughly();
+            for &separation in separations {
+                let mut counted = |population: &Population, count: usize| {
+                    EVALUATIONS.set(0);
+                    attraction::tests::EVALUATIONS.set(0);
+                    let sums = population.at_separation(separation);
+                    counts[count] += EVALUATIONS.get();
+                    counts[count + 1] += attraction::tests::EVALUATIONS.get();
+                    sums
+                };
+                let (sums, rough) = (counted(&population, 0), counted(&rough, 2));
+                let [expected, mut sizes] = population.by_halves(separation, sums.log_scale);
+                let (loads, number) = (sizes[0] + sizes[4], sizes[3] + sizes[5]);
+                (sizes[0], sizes[4], sizes[3], sizes[5]) = (loads, loads, number, number);
+                let Sums { load_contacting, load_attracted, friction, area, contacting, attracted, .. } = sums;
+                let found = [load_contacting, friction, area, contacting, load_attracted, attracted];
+                let at = format!("at {separation} of {:?}", params.heights);
+                for i in 0..found.len() {
+                    let error = (found[i] - expected[i]).abs() / sizes[i].max(f64::MIN_POSITIVE);
+                    assert!(error <= 1e-12, "sum {i} {at}: {}, not {}: {error:e}", found[i], expected[i]);
+                }
+                let edges = population.edges.at_separation(&population.maugis, &population.radius, separation);
+                if edges.iter().count() == 0 && load_attracted == 0.0 {
+                    let error = (sums.load_slope - expected[6]).abs() / sizes[6];
+                    assert!(error <= 2e-12, "slope {at}: {}, not {}: {error:e}", sums.load_slope, expected[6]);
+                }
+                let error = (rough.load() - expected[0] - expected[4]).abs() / loads.max(f64::MIN_POSITIVE);
+                assert!(error <= 1e-4, "rough load {at}: {error:e}");
+            }
+        }
+        let most = [59846, 7666, 30325, 3406];
+        assert!((0..4).all(|i| counts[i] <= most[i] + most[i] / 100), "{counts:?} evaluations, not {most:?}");
+    }
+
+    /// Nor much shorter than it need be.
+    #[test]
+    fn a_panel_downwards_is_as_long_as_one_upwards_from_its_end() {
+        for population in [unequal(0.6, 1.5), unequal(-0.9, 4.0), unequal(0.5, 30.0), unequal(0.0, 1.0)] {
+            for z in [-5.0, -0.7, 0.0, 0.3, 2.0, 8.0] {
+                let above = |z: f64| population.smooth_length(z, true, f64::NEG_INFINITY);
+                let length = population.smooth_length(z, false, f64::NEG_INFINITY);
+                assert!(length > 0.0 && length <= above(z - length), "{length} at {z}");
+                let longest = population.heights.longest_below(z);
+                assert!(length == longest || 2.0 * length > above(z - 2.0 * length), "{length} at {z}");
+            }
+        }
+    }
+
+    /// The slopes of theta and of the contact radius with height.
+    #[test]
+    fn slopes_at_a_separation_are_those_of_secants() {
+        for population in [unequal(0.6, 1.5), unequal(-0.9, 4.0)] {
+            for z in [-1.5, -0.2, 0.1, 0.9] {
+                let here = population.point_cold(-2.0, z);
+                let step = 1e-5;
+                let [before, after] = [-step, step].map(|rise| population.point(&here, rise, here.contact.theta));
+                let secant = |of: fn(&Point) -> f64| (of(&after) - of(&before)) / (2.0 * step);
+                let (theta, radius) = (secant(|point| point.contact.theta), secant(|point| point.contact.radius));
+                assert!((here.theta_slope() / theta - 1.0).abs() < 1e-7, "{} not {theta} at {z}", here.theta_slope());
+                assert!(
+                    (here.radius_slope() / radius - 1.0).abs() < 1e-7,
+                    "{} not {radius} at {z}",
+                    here.radius_slope()
+                );
+                let rise = -radius * here.contact.overlap_rate;
+                assert!((here.radius_rise() / rise - 1.0).abs() < 1e-7, "{} not {rise} at {z}", here.radius_rise());
+            }
+        }
+    }
+
+    /// There the radius rises as the square root of the height.
+    #[test]
+    fn the_summit_of_a_contact_radius_next_to_break_away_is_found_to_all_digits() {
+        let mut count = 0;
+        for population in [unequal(0.6, 1.5), unequal(-0.3, 0.8)] {
+            let edges = population.edges.at_separation(&population.maugis, &population.radius, 0.3);
+            let here = population.edge_point(edges.iter().next().expect("an edge"));
+            assert!(here.contact.radius < 1e-9, "{}", here.contact.radius);
+            let there = population.point(&here, 0.2, 0.3);
+            for part in [1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5] {
+                let radius = part * there.contact.radius;
+                EVALUATIONS.set(0);
+                let found = population.point_of_radius(&here, &there, radius).contact.radius;
+                count += EVALUATIONS.get();
+                assert!((found / radius - 1.0).abs() < 1e-10, "{found}, not {radius}");
+            }
+        }
+        assert!(count <= 667, "{count} evaluations");
+    }
+
+    /// Next to theta = pi/2, where rounding keeps radii from those of the slip law.
+    #[test]
+    fn where_a_panel_was_cut_it_is_not_cut_again() {
+        for part in 0..20 {
+            let mut params = Params::default();
+            params.slip.radius_1 = 1e-5 * (1.0 + 0.1 * f64::from(part));
+            let population = of(&params);
+            let edges = population.edges.at_separation(&population.maugis, &population.radius, 0.3);
+            let here = population.edge_point(edges.iter().next().expect("an edge"));
+            let there = population.point(&here, 0.2, 0.3);
+            let cut = population.first_cut::<Few>(&here, &there).expect("a cut");
+            EVALUATIONS.set(0);
+            assert!(population.first_cut::<Few>(&cut, &there).is_none());
+            assert_eq!(EVALUATIONS.get(), 0, "{}", params.slip.radius_1);
+        }
+    }
+
+    #[test]
+    fn nothing_is_on_the_way_to_itself() {
+        let mut here = summit(0.3, 5.0, 1.0);
+        let there = summit(0.8, 5.0, 1.0);
+        for overlap in [0.0, 0.7] {
+            here.contact.overlap = overlap;
+            let higher = Point { z: 0.5, contact: Contact { overlap: overlap + 0.2, ..here.contact }, ..here };
+            assert!(!here.is_on_the_way(&here, &there) && higher.is_on_the_way(&here, &there));
+            let lower = Point { z: -0.2, ..there };
+            assert!(!here.is_on_the_way(&here, &lower) && !higher.is_on_the_way(&here, &lower));
+        }
     }
 }

@@ -69,13 +69,13 @@ impl Nodes {
     }
 }
 
+/// Fills the table. Panels have all points where heights have no knots.
 struct Collecting<'a> {
     population: &'a Population,
     table: Nodes,
 }
 
 impl Sink for Collecting<'_> {
-    const WHOLE_PANELS: bool = true;
     const MOST_PANELS: usize = MOST_PANELS;
 
     fn panel(&mut self, _from: &Point, to: &Point, by_height: bool) {
