@@ -443,28 +443,28 @@ mod tests {
     }
 
     /// Surfaces with a pull-off load, and how many contacts are evaluated to find the bracket among the heights, that at the
-    /// foot, the branch, and a dozen states on it.
+    /// foot, the branch, and six states on it.
     fn surfaces() -> [(Surface, [u32; 4]); 17] {
         let first_of_two = [4.1046984e-4, 6.7468579e6, 0.24253, 0.224919];
         [
             // With equal radii contacts are not evaluated anew.
-            ((HeightFamily::Gaussian, WEAK, ALIKE), [0, 0, 0, 3810]),
-            ((HeightFamily::Gaussian, STRONG, ALIKE), [0, 0, 0, 8289]),
-            ((HeightFamily::Gaussian, [0.01, 1000.0, 1.0, 1.0], ALIKE), [0, 0, 0, 12331]),
-            ((HeightFamily::Weibull { shape: 1.5 }, WEAK, ALIKE), [338, 0, 1614, 30172]),
-            ((HeightFamily::Gaussian, WEAK, [0.6, 1.5]), [23380, 0, 11044, 146421]),
-            ((HeightFamily::Gaussian, STRONG, [-0.9, 1.5]), [24628, 0, 30183, 369816]),
-            ((HeightFamily::Gaussian, STRONG, [0.9, 0.1]), [13656, 0, 19275, 196716]),
-            ((HeightFamily::Gaussian, first_of_two, [-0.60546875, 9.119288]), [33429, 0, 41978, 402049]),
-            ((HeightFamily::Weibull { shape: 2.4 }, WEAK, [-0.6, 4.0]), [26933, 0, 14589, 121486]),
-            ((johnson(-0.8, 6.0), STRONG, [-0.5, 2.0]), [28989, 0, 41560, 465564]),
-            ((johnson(0.5, 1.27), [0.01, 1000.0, 0.05, 0.2], ALIKE), [7796, 8313, 18421, 97798]),
-            ((johnson(0.5, 1.27), [0.01, 1000.0, 0.05, 1.0], ALIKE), [11000, 687, 15128, 102358]),
-            ((johnson(1.0, 2.02), [0.01, 1000.0, 0.02, 0.2], ALIKE), [12011, 668, 16755, 107914]),
-            ((table(), WEAK, ALIKE), [19902, 0, 21005, 47186]),
-            ((table(), STRONG, ALIKE), [2896, 0, 3448, 24624]),
-            ((table(), WEAK, [0.7, 2.0]), [46134, 0, 48125, 105289]),
-            ((table(), [0.01, 1000.0, 1.0, 1.0], [0.7, 2.0]), [19589, 0, 30402, 259648]),
+            ((HeightFamily::Gaussian, WEAK, ALIKE), [0, 0, 0, 2511]),
+            ((HeightFamily::Gaussian, STRONG, ALIKE), [0, 0, 0, 5847]),
+            ((HeightFamily::Gaussian, [0.01, 1000.0, 1.0, 1.0], ALIKE), [0, 0, 0, 6504]),
+            ((HeightFamily::Weibull { shape: 1.5 }, WEAK, ALIKE), [338, 0, 1614, 19263]),
+            ((HeightFamily::Gaussian, WEAK, [0.6, 1.5]), [23380, 0, 11044, 93503]),
+            ((HeightFamily::Gaussian, STRONG, [-0.9, 1.5]), [24628, 0, 30183, 238611]),
+            ((HeightFamily::Gaussian, STRONG, [0.9, 0.1]), [13656, 0, 19275, 132057]),
+            ((HeightFamily::Gaussian, first_of_two, [-0.60546875, 9.119288]), [33429, 0, 41978, 264218]),
+            ((HeightFamily::Weibull { shape: 2.4 }, WEAK, [-0.6, 4.0]), [26933, 0, 14589, 77571]),
+            ((johnson(-0.8, 6.0), STRONG, [-0.5, 2.0]), [28989, 0, 41560, 304937]),
+            ((johnson(0.5, 1.27), [0.01, 1000.0, 0.05, 0.2], ALIKE), [7796, 8313, 18421, 63319]),
+            ((johnson(0.5, 1.27), [0.01, 1000.0, 0.05, 1.0], ALIKE), [11000, 687, 15128, 65345]),
+            ((johnson(1.0, 2.02), [0.01, 1000.0, 0.02, 0.2], ALIKE), [12011, 668, 16755, 70247]),
+            ((table(), WEAK, ALIKE), [19902, 0, 21005, 29237]),
+            ((table(), STRONG, ALIKE), [2896, 0, 3448, 15701]),
+            ((table(), WEAK, [0.7, 2.0]), [46134, 0, 48125, 66546]),
+            ((table(), [0.01, 1000.0, 1.0, 1.0], [0.7, 2.0]), [19589, 0, 30402, 174141]),
         ]
     }
 
@@ -738,9 +738,9 @@ mod tests {
             let branch = Equilibrium::new(&population).expect("a branch");
             let end = branch.farthest();
             let mut all = 0;
-            for above in [-22.0, -2.0, 3.0, 40.0] {
+            for above in [-22.0, -2.0, 40.0] {
                 let target = log(-branch.pull_off_load()) + above;
-                for guess in [None, Some(end + 1.0), Some(end - 0.2)] {
+                for guess in [None, Some(end + 1.0)] {
                     let (found, count) = counted(|| branch.at_log_excess(&population, target, guess));
                     let (separation, sums) = found.expect("a state");
                     all += count;
