@@ -177,8 +177,8 @@ impl Equilibrium {
     pub fn log_excess(&self, population: &Population, separation: f64) -> (f64, f64, Sums) {
         let sums = population.at_separation(separation);
         let Some(pull_off) = self.pull_off else {
-            let load = sums.load().max(f64::MIN_POSITIVE);
-            return (log(load) + sums.log_scale, sums.load_slope / load, sums);
+            let load = sums.load();
+            return (log(load.max(f64::MIN_POSITIVE)) + sums.log_scale, sums.load_slope / load, sums);
         };
         let sums = sums.unscaled();
         let mut excess = sums.load() - pull_off.load;
@@ -191,8 +191,8 @@ impl Equilibrium {
                 excess = integral;
             }
         }
-        let excess = excess.max(f64::MIN_POSITIVE);
-        (log(excess), sums.load_slope / excess, sums)
+        // A logarithm as small as can be stands for that of nothing, but not in its slope.
+        (log(excess.max(f64::MIN_POSITIVE)), sums.load_slope / excess, sums)
     }
 
     /// The separation at which ln(load - pull-off load) is this, and the sums there, from a guess if there is one.
@@ -246,7 +246,7 @@ impl Equilibrium {
             } else {
                 upper = separation;
             }
-            // Beyond a pull-off load that is no number the slope of its logarithm is none either.
+            // Where no load is above that of pull-off, the slope of the logarithm leads nowhere.
             let newton = if slope < 0.0 && slope.is_finite() { separation - residual / slope } else { lower };
             let resolution = 4.0 * f64::EPSILON * separation.abs().max(f64::MIN_POSITIVE);
             let next = if (newton - separation).abs() <= resolution || (newton > lower && newton < upper) {
@@ -282,9 +282,6 @@ fn bracket_first_minimum(population: &Population) -> Result<Option<(f64, f64)>, 
     while !falls(population, here)? {
         here -= step;
         step *= 1.5;
-        if here < CLOSEST {
-            return Ok(None);
-        }
     }
     let scan_step = if single {
         SCAN_STEP
@@ -436,33 +433,38 @@ mod tests {
         HeightFamily::Tabulated { height: height.to_vec().into(), density: density.to_vec().into() }
     }
 
+    /// Most summits about the second of these heights, a few about the last but one.
+    fn tailed(height: [f64; 6]) -> HeightFamily {
+        HeightFamily::Tabulated { height: height.to_vec().into(), density: vec![0.0, 1.0, 0.0, 0.0, 1e-6, 0.0].into() }
+    }
+
     fn johnson(skew: f64, kurtosis: f64) -> HeightFamily {
         HeightFamily::Johnson { skew, kurtosis }
     }
 
     /// Surfaces with a pull-off load, and how many contacts are evaluated to find the bracket among the heights, that at the
-    /// foot, and all.
-    fn surfaces() -> [(Surface, [u32; 3]); 17] {
+    /// foot, the branch, and six states on it.
+    fn surfaces() -> [(Surface, [u32; 4]); 17] {
         let first_of_two = [4.1046984e-4, 6.7468579e6, 0.24253, 0.224919];
         [
             // With equal radii contacts are not evaluated anew.
-            ((HeightFamily::Gaussian, WEAK, ALIKE), [0, 0, 0]),
-            ((HeightFamily::Gaussian, STRONG, ALIKE), [0, 0, 0]),
-            ((HeightFamily::Gaussian, [0.01, 1000.0, 1.0, 1.0], ALIKE), [0, 0, 0]),
-            ((HeightFamily::Weibull { shape: 1.5 }, WEAK, ALIKE), [338, 0, 1614]),
-            ((HeightFamily::Gaussian, WEAK, [0.6, 1.5]), [23380, 0, 11044]),
-            ((HeightFamily::Gaussian, STRONG, [-0.9, 1.5]), [24628, 0, 30183]),
-            ((HeightFamily::Gaussian, STRONG, [0.9, 0.1]), [13656, 0, 19275]),
-            ((HeightFamily::Gaussian, first_of_two, [-0.60546875, 9.119288]), [33429, 0, 41978]),
-            ((HeightFamily::Weibull { shape: 2.4 }, WEAK, [-0.6, 4.0]), [26933, 0, 14589]),
-            ((johnson(-0.8, 6.0), STRONG, [-0.5, 2.0]), [28989, 0, 41560]),
-            ((johnson(0.5, 1.27), [0.01, 1000.0, 0.05, 0.2], ALIKE), [7796, 8313, 18421]),
-            ((johnson(0.5, 1.27), [0.01, 1000.0, 0.05, 1.0], ALIKE), [11000, 687, 15128]),
-            ((johnson(1.0, 2.02), [0.01, 1000.0, 0.02, 0.2], ALIKE), [12011, 668, 16755]),
-            ((table(), WEAK, ALIKE), [19902, 0, 21005]),
-            ((table(), STRONG, ALIKE), [2896, 0, 3448]),
-            ((table(), WEAK, [0.7, 2.0]), [46134, 0, 48125]),
-            ((table(), [0.01, 1000.0, 1.0, 1.0], [0.7, 2.0]), [19589, 0, 30402]),
+            ((HeightFamily::Gaussian, WEAK, ALIKE), [0, 0, 0, 2511]),
+            ((HeightFamily::Gaussian, STRONG, ALIKE), [0, 0, 0, 5847]),
+            ((HeightFamily::Gaussian, [0.01, 1000.0, 1.0, 1.0], ALIKE), [0, 0, 0, 6504]),
+            ((HeightFamily::Weibull { shape: 1.5 }, WEAK, ALIKE), [338, 0, 1614, 19263]),
+            ((HeightFamily::Gaussian, WEAK, [0.6, 1.5]), [23380, 0, 11044, 93503]),
+            ((HeightFamily::Gaussian, STRONG, [-0.9, 1.5]), [24628, 0, 30183, 238611]),
+            ((HeightFamily::Gaussian, STRONG, [0.9, 0.1]), [13656, 0, 19275, 132057]),
+            ((HeightFamily::Gaussian, first_of_two, [-0.60546875, 9.119288]), [33429, 0, 41978, 264218]),
+            ((HeightFamily::Weibull { shape: 2.4 }, WEAK, [-0.6, 4.0]), [26933, 0, 14589, 77571]),
+            ((johnson(-0.8, 6.0), STRONG, [-0.5, 2.0]), [28989, 0, 41560, 304937]),
+            ((johnson(0.5, 1.27), [0.01, 1000.0, 0.05, 0.2], ALIKE), [7796, 8313, 18421, 63319]),
+            ((johnson(0.5, 1.27), [0.01, 1000.0, 0.05, 1.0], ALIKE), [11000, 687, 15128, 65345]),
+            ((johnson(1.0, 2.02), [0.01, 1000.0, 0.02, 0.2], ALIKE), [12011, 668, 16755, 70247]),
+            ((table(), WEAK, ALIKE), [19902, 0, 21005, 29237]),
+            ((table(), STRONG, ALIKE), [2896, 0, 3448, 15701]),
+            ((table(), WEAK, [0.7, 2.0]), [46134, 0, 48125, 66546]),
+            ((table(), [0.01, 1000.0, 1.0, 1.0], [0.7, 2.0]), [19589, 0, 30402, 174141]),
         ]
     }
 
@@ -492,7 +494,7 @@ mod tests {
 
     #[test]
     fn the_branch_ends_at_the_first_minimum_of_the_load() {
-        for (surface, [.., most]) in surfaces() {
+        for (surface, [_, _, most, _]) in surfaces() {
             let population = population(&surface);
             let (branch, count) = counted(|| Equilibrium::new(&population).expect("a branch"));
             // The last steps to a minimum are of rounding, which may take one more or one less.
@@ -575,6 +577,16 @@ mod tests {
                 );
             }
         }
+        // A later minimum is one too.
+        for (index, end) in [(5, 1.9154), (7, 1.1442), (10, 0.4733), (12, 0.2810)] {
+            let (surface, _) = &surfaces()[index];
+            let found = Equilibrium::ending_near(&population(surface), end + 0.02).expect("a branch");
+            assert!((found.farthest() - end).abs() < 1e-4, "{surface:?}: {found:?}, not {end}");
+        }
+        let repulsive = population(&(table(), [0.01, 1000.0, 0.0, 1.0], ALIKE));
+        let error =
+            Equilibrium::ending_near(&repulsive, repulsive.farthest() - 0.5).expect_err("the load falls to the end");
+        assert!(matches!(error, Error::NotConverged { .. }), "{error}");
         let repulsive = population(&(HeightFamily::Gaussian, [0.01, 1000.0, 0.0, 1.0], ALIKE));
         let error = Equilibrium::ending_near(&repulsive, 3.0).expect_err("the load falls everywhere");
         assert!(matches!(error, Error::OutOfRange { name: "pull-off load", .. }), "{error}");
@@ -586,8 +598,10 @@ mod tests {
         let population = population(&(table(), [0.01, 1000.0, 0.0, 1.0], ALIKE));
         let last = population.heights().head();
         let mut here = last - 0.5;
-        assert_eq!(before_nothing_is_left(&population, &mut here, last + 0.25), Ok(None));
+        let (past, count) = counted(|| before_nothing_is_left(&population, &mut here, last + 0.25));
+        assert_eq!(past, Ok(None));
         assert!(here < last && last - here < 2e-9, "{here}, not {last}");
+        assert!(count <= 921 + 4, "{count} contacts");
         // With adhesion there is one before.
         let population = self::population(&(table(), STRONG, ALIKE));
         let end = Equilibrium::new(&population).expect("a branch").farthest();
@@ -614,7 +628,7 @@ mod tests {
     #[test]
     fn summits_that_part_at_the_foot_leave_a_minimum_beside_that() {
         let mut some = 0;
-        for (surface, [_, most, _]) in surfaces() {
+        for (surface, [_, most, ..]) in surfaces() {
             let population = population(&surface);
             let (bracket, count) = counted(|| bracket_at_foot(&population).expect("sums"));
             assert_few("the bracket", &surface, count, most);
@@ -637,6 +651,146 @@ mod tests {
         let origin = population.heights().origin();
         assert_eq!(bracket_first_minimum(&population), Ok(Some((-1.0 - origin, -origin))));
         assert!(!load_falls(&population, -origin));
+    }
+
+    /// Far below the highest summits, of which there are so few that the load has a minimum without them.
+    #[test]
+    fn the_search_for_the_minimum_begins_among_most_heights() {
+        let population = population(&(tailed([0.0, 1.0, 2.0, 6.0, 6.5, 7.0]), STRONG, ALIKE));
+        let (lower, upper) = bracket_first_minimum(&population).expect("sums").expect("a bracket");
+        let origin = population.heights().origin();
+        assert!(origin > 12.0 && lower > -3.0 - origin && upper < 6.0 - origin, "{lower}, {upper} below {origin}");
+        // So far to the left a guess beyond the end of the branch leads back.
+        let branch = Equilibrium::new(&population).expect("a branch");
+        let target = log(-branch.pull_off_load()) - 3.0;
+        let (separation, _) = branch.at_log_excess(&population, target, Some(-5.0)).expect("a state");
+        assert!(separation < branch.farthest() && branch.farthest() < -9.0, "{separation} of {branch:?}");
+    }
+
+    /// Summits at the foot part at once, and the load, which falls before and after, rises.
+    #[test]
+    fn the_branch_ends_before_a_jump_of_the_load() {
+        let surface = (johnson(-0.6989, 1.5227), [5.916e-4, 1.3194, 2.011e-6, 8.1656], ALIKE);
+        let population = population(&surface);
+        let end = Equilibrium::new(&population).expect("a branch").farthest();
+        assert!((1..=400).all(|i| load_falls(&population, end - 0.01 * f64::from(i))));
+        let [before, at, after] = [-1e-3, 0.0, 1e-3].map(|offset| load_at(&population, end + offset));
+        assert!(
+            at < before && at < after && load_falls(&population, end + 1e-3),
+            "{before:e}, {at:e}, {after:e} at {end}"
+        );
+        // One that pushes there is refused.
+        let surface = (johnson(0.458, 1.279), [0.0756, 68354.2, 1.7283e-3, 0.1578], [0.5283, 2.7162]);
+        let population = self::population(&surface);
+        let (lower, upper) = bracket_at_foot(&population).expect("sums").expect("a bracket");
+        let lightest = load_at(&population, lower).min(load_at(&population, upper));
+        match Equilibrium::new(&population) {
+            Err(Error::OutOfRange { name: "pull-off load", value, .. }) => {
+                let value: f64 = value.to_string().parse().expect("a number");
+                assert!(value <= lightest && value > 0.999 * lightest, "{value}, not {lightest}");
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// Though the separations about it that were looked at have the same load.
+    #[test]
+    fn a_minimum_at_the_foot_is_known_to_its_digits() {
+        for surface in [
+            (johnson(0.26567455, 1.07598647), [0.0542331947, 34421.458, 1.00591939e-6, 2.12213267], ALIKE),
+            (
+                johnson(-0.4683377, 1.2244759),
+                [1.24636438e-4, 9926.96283, 6.7428364e-3, 3.0301507],
+                [-0.9158376, 8.4493253],
+            ),
+        ] {
+            let population = population(&surface);
+            let end = Equilibrium::new(&population).expect("a branch").farthest();
+            let near = 2e-9 * end.abs();
+            assert!(load_falls(&population, end - near) && !load_falls(&population, end + near), "{surface:?}: {end}");
+        }
+    }
+
+    /// Loads are no numbers before they rise, or separations do not resolve the range of adhesion.
+    #[test]
+    fn few_states_are_looked_at_where_the_load_falls_to_nothing() {
+        for (surface, ends, most) in [
+            ((HeightFamily::Gaussian, [0.0183, 114_785.0, 9.798e-5, 0.6895], ALIKE), false, 380),
+            ((HeightFamily::Weibull { shape: 4.885 }, [0.0691, 77_762.7, 3.5604e-4, 0.1398], ALIKE), false, 2835),
+            ((table(), [10.0, 1e8, 1e-9, 100.0], ALIKE), false, 88_627),
+            ((johnson(0.0, 1e8), [0.01, 1000.0, 1e-9, 100.0], ALIKE), false, 887_287),
+            ((tailed([0.0, 1.0, 2.0, 10.0, 11.0, 12.0]), [10.0, 1e8, 1e-9, 100.0], ALIKE), false, 116_912),
+            // Shorter than a step.
+            ((table(), [0.01, 1000.0, 1e-5, 20.0], ALIKE), true, 52_996),
+        ] {
+            let population = population(&surface);
+            let (branch, count) = counted(|| Equilibrium::new(&population).expect("a branch"));
+            assert_eq!(branch.pull_off().is_some(), ends, "{surface:?}");
+            assert_few("the branch", &surface, count, most);
+        }
+    }
+
+    /// From next to pull-off to heavy load, wherever the search begins.
+    #[test]
+    fn a_load_has_its_separation_from_any_guess_and_from_none() {
+        for (surface, [.., most]) in surfaces() {
+            let population = population(&surface);
+            let branch = Equilibrium::new(&population).expect("a branch");
+            let end = branch.farthest();
+            let mut all = 0;
+            for above in [-22.0, -2.0, 40.0] {
+                let target = log(-branch.pull_off_load()) + above;
+                for guess in [None, Some(end + 1.0)] {
+                    let (found, count) = counted(|| branch.at_log_excess(&population, target, guess));
+                    let (separation, sums) = found.expect("a state");
+                    all += count;
+                    assert_eq!(sums.unscaled().load(), load_at(&population, separation));
+                    // To the digits that loads have.
+                    let off = (branch.log_excess(&population, separation).0 - target) * above.min(0.0).exp();
+                    assert!(
+                        separation <= end && off.abs() < 1e-9,
+                        "{surface:?}: {off:e} at {separation}, {above} {guess:?}"
+                    );
+                }
+            }
+            assert_few("the states", &surface, all, most + most / 10);
+            let too_heavy = branch.at_log_excess(&population, 400.0, None).expect_err("no such load");
+            assert!(matches!(too_heavy, Error::NotConverged { .. }), "{too_heavy}");
+        }
+    }
+
+    /// The pull-off load is no number, and next to where the branch ends the load is negative.
+    #[test]
+    fn a_light_load_has_its_separation_from_a_guess_where_loads_pull() {
+        let population = population(&(HeightFamily::Gaussian, [0.3, 1000.0, 0.1, 10.0], ALIKE));
+        let branch = Equilibrium::new(&population).expect("a branch");
+        for target in [-600.0, -100.0, 1.0] {
+            for part in [1.0, 0.9999, 0.999, 0.9] {
+                let guess = part * branch.farthest();
+                let (found, sums) = branch.at_log_excess(&population, target, Some(guess)).expect("a state");
+                let off = log(sums.load()) + sums.log_scale - target;
+                assert!(off.abs() < 1e-10, "{off:e} at {found} from {guess}");
+            }
+        }
+    }
+
+    /// Sums over the heights are taken once, but next to pull-off, where a difference of loads has too few digits.
+    #[test]
+    fn loads_are_integrated_next_to_pull_off_alone() {
+        for (surface, _) in surfaces().into_iter().filter(|(_, [_, _, count, _])| *count > 0) {
+            let population = population(&surface);
+            let branch = Equilibrium::new(&population).expect("a branch");
+            for (part, most) in [(1e-2, 1), (1e-3, 1), (1e-5, 7)] {
+                let target = log(-branch.pull_off_load() * part);
+                let (separation, _) = branch.at_log_excess(&population, target, None).expect("a state");
+                let (_, once) = counted(|| population.at_separation(separation));
+                let (_, count) = counted(|| branch.log_excess(&population, separation));
+                assert!(
+                    count <= most * once && count > most / 2 * once,
+                    "{surface:?}: {count} contacts, not {most} x {once}"
+                );
+            }
+        }
     }
 
     /// On both sides of the smallest load that counts.

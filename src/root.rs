@@ -64,7 +64,7 @@ mod tests {
     #[test]
     fn a_root_takes_few_evaluations() {
         type Case<'a> = (&'a dyn Fn(f64) -> f64, [f64; 2], f64, u32);
-        let cases: [Case; 7] = [
+        let cases: [Case; 8] = [
             (&|x| x * x * x - 2.0, [0.0, 2.0], 2f64.cbrt(), 9),
             (&|x| x.exp() - 1e100, [0.0, 700.0], 100.0 * 10f64.ln(), 18),
             (&|x| (50.0 * (x - 0.3)).tanh(), [-1.0, 1.0], 0.3, 14),
@@ -72,6 +72,8 @@ mod tests {
             (&|x| (x - 0.7).powi(3), [0.0, 1.0], 0.7, 53),
             (&|x| if x < 0.123 { -1.0 } else { 1.0 }, [0.0, 1.0], 0.123, 55),
             (&|x| x.cbrt(), [-1.0, 2.0], 0.0, 61),
+            // Nearer to an end than the next number.
+            (&|x| (x - 1.0) - 1e-16, [1.0, 2.0], 1.0, 4),
         ];
         for (f, [lower, upper], exact, most) in cases {
             for sign in [1.0, -1.0] {
