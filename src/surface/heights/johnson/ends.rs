@@ -197,8 +197,8 @@ impl Ends {
         self.epsilon * LONGEST_PANEL.min(STEEPEST_PANEL / (u + LONGEST_PANEL))
     }
 
-    /// The same in the direction +-1 as far as its place goes: to the head and the foot z is singular at the logit 0 +- i pi, and what depends on
-    /// the distance from a height beyond an end at its logit +- i pi.
+    /// The same in the direction +-1 as far as its place goes: to the head and the foot z is singular at the logit 0 +- i pi,
+    /// and what depends on the distance from a height beyond an end at its logit +- i pi.
     pub fn longest_smooth(&self, logit: f64, direction: f64, beyond: Option<f64>) -> f64 {
         // A panel as long as the distance to a pole is good; e^x converges on one of 16.
         let length = |pole: f64| {
