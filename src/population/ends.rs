@@ -49,7 +49,7 @@ impl<'a> Walk<'a> {
         let mut mass = 0.0;
         let mut from = lower;
         while from < upper {
-            let to = upper.min(from + self.ends.longest_panel(from, 1.0));
+            let to = upper.min(from + self.ends.longest_panel(from));
             mass +=
                 gauss_legendre::nodes(from, to).map(|(x, weight)| weight * self.ends.mass(x, log_scale)).sum::<f64>();
             from = to;
@@ -82,7 +82,7 @@ impl<'a> Walk<'a> {
     /// How far from here a panel in logit may reach, if the law of one summit is singular at this distance behind.
     fn longest_panel(&self, clearance: f64) -> f64 {
         let (behind, ahead) = self.distances();
-        let by_score = self.ends.longest_panel(self.place.logit, self.direction);
+        let by_score = self.ends.longest_panel(self.place.logit);
         let smooth = |beyond| self.ends.longest_smooth(self.place.logit, self.direction, beyond);
         let longest = if clearance < behind {
             let logits = log1p(clearance / ahead) - log1p(-clearance / behind);

@@ -27,7 +27,7 @@ const MOST_ALLOWANCE: f64 = 10.0;
 /// Beside this many e-folds of density, what load gains on the way to smaller densities is nothing.
 const GROWTH_OF_LOAD: f64 = 5.0;
 
-/// A height, with ln phi and its slope there where the family's roughness depends on them.
+/// A height, with ln phi and the size of its slope there where the family's roughness depends on them.
 #[derive(Debug, Clone, Copy)]
 pub struct Steepness {
     z: f64,
@@ -201,8 +201,8 @@ impl Heights {
         match self {
             Heights::Gaussian => start.max(0.0),
             Heights::Weibull(weibull) => {
-                let shape = weibull.shape();
-                start.max(if shape > 1.0 { weibull.height_of_hazard(1.0 - 1.0 / shape) } else { -weibull.mean() })
+                // The mode; the foot where the shape is 1.
+                start.max(weibull.height_of_hazard(1.0 - 1.0 / weibull.shape()))
             }
             Heights::Johnson(johnson) => johnson.peak_above(start),
             Heights::Ends(ends) => ends.peak_above(start),
@@ -237,7 +237,7 @@ impl Heights {
         let from = self.steepness(z);
         if let Heights::Weibull(_) = self {
             // Longer ones are too steep at their beginning.
-            let longest = SHORTEST_PANEL.max((STEEPEST_PANEL + MOST_ALLOWANCE) / from.slope.abs());
+            let longest = SHORTEST_PANEL.max((STEEPEST_PANEL + MOST_ALLOWANCE) / from.slope);
             while length > longest {
                 length *= 0.75;
             }
@@ -259,19 +259,21 @@ impl Heights {
 
     /// What [`Heights::roughness`] needs to know of a height.
     pub fn steepness(&self, z: f64) -> Steepness {
+        #[cfg(test)]
+        tests::EVALUATIONS.set(tests::EVALUATIONS.get() + 1);
         let (log_density, slope) = match self {
-            Heights::Gaussian => (self.log_density(z), -z),
+            Heights::Gaussian => (self.log_density(z), z),
             Heights::Weibull(weibull) => weibull.log_density(z),
             _ => (f64::NAN, f64::NAN),
         };
-        Steepness { z, log_density, slope }
+        Steepness { z, log_density, slope: slope.abs() }
     }
 
     /// How much the density changes from one height to another, in such a sum; up to 1 one quadrature panel may reach
     /// from the one to the other.
     pub fn roughness(&self, from: &Steepness, to: &Steepness, log_scale: f64) -> f64 {
         let length = to.z - from.z;
-        let change = length * from.slope.abs().max(to.slope.abs());
+        let change = length * from.slope.max(to.slope);
         // What is small beside the sum needs fewer digits; but load grows with height where the density falls.
         let drop = (log_scale - from.log_density.max(to.log_density) - GROWTH_OF_LOAD).max(0.0);
         match self {
@@ -334,6 +336,12 @@ pub const SHORTEST_PANEL: f64 = 1e-8;
 mod tests {
     use super::*;
     use crate::population::nodes;
+    use std::cell::Cell;
+
+    thread_local! {
+        /// Of steepness, by this thread.
+        pub static EVALUATIONS: Cell<usize> = const { Cell::new(0) };
+    }
 
     fn weibull(shape: f64) -> Heights {
         Heights::Weibull(Box::new(Weibull::new(shape)))
@@ -382,6 +390,75 @@ mod tests {
                 let error = (mass - 1.0).abs().max(mean.abs()).max((square - 1.0).abs());
                 assert!(error < 2e-14, "{error:e} of {heights:?}");
             }
+        }
+    }
+
+    /// Of a load that grows as height^(3/2): 1e-18, and no panels are wasted on much less.
+    #[test]
+    fn what_is_left_out_is_negligible_and_little_else_is_summed() {
+        for heights in [
+            Heights::Gaussian,
+            weibull(1.0),
+            weibull(1.2),
+            weibull(3.0),
+            weibull(40.0),
+            johnson::heights(0.8, 6.0),
+            johnson::heights(0.0, 2.75),
+            johnson::heights(0.5, 3.3),
+            johnson::heights(1.0, 3.9),
+            johnson::heights(20.0, 900.0),
+            johnson::heights(100.0, 1.5e5),
+        ] {
+            for z in [-1.2, -0.5, 0.0, 1.0, 3.0] {
+                let lower = (z - heights.origin()).max(heights.foot());
+                let (_, upper) = heights.worth_summing(lower, f64::MAX);
+                let (mut whole, mut beyond) = (0.0, 0.0);
+                for i in 1..20_000 {
+                    // By the cumulative hazard or by the normal score.
+                    let (height, logarithm) = match &heights {
+                        Heights::Weibull(weibull) => {
+                            let rise = 0.01 * f64::from(i);
+                            (weibull.height_of_hazard(weibull.hazard(lower) + rise), -rise)
+                        }
+                        _ => {
+                            let u = 0.002 * f64::from(i) - 5.0;
+                            let height = if let Heights::Johnson(johnson) = &heights { johnson.height(u) } else { u };
+                            (height, -0.5 * u * u)
+                        }
+                    };
+                    let load = (height - lower).max(0.0).powf(1.5) * logarithm.exp();
+                    whole += load;
+                    beyond += if height > upper { load } else { 0.0 };
+                }
+                let left = beyond / whole;
+                assert!(left < 1e-18 && left > 1e-27, "{left:e} above {z} of {heights:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_length_of_a_panel_takes_few_evaluations() {
+        for heights in [Heights::Gaussian, weibull(1.2), weibull(3.0), weibull(40.0), weibull(1e4)] {
+            for z in [4.0, 5.0, 6.0, 8.0] {
+                EVALUATIONS.set(0);
+                heights.smooth_length(z, f64::NEG_INFINITY);
+                assert!(EVALUATIONS.get() <= 6, "{} at {z} of {heights:?}", EVALUATIONS.get());
+            }
+        }
+    }
+
+    /// Far out it spans about as many e-folds as a panel may, if that is not longer than any.
+    #[test]
+    fn a_panel_of_the_tail_is_no_shorter_than_it_need_be() {
+        for heights in [Heights::Gaussian, weibull(1.2), weibull(3.0), weibull(40.0)] {
+            let z = match &heights {
+                Heights::Weibull(weibull) => weibull.height_of_hazard(TAIL_HAZARD),
+                _ => (2.0 * TAIL_HAZARD).sqrt(),
+            };
+            let length = heights.tail_panel();
+            let change = length * heights.steepness(z).slope;
+            assert!(change < 1.1 * STEEPEST_PANEL, "{change} of {heights:?}");
+            assert!(length == heights.longest_panel() || change > 0.9 * STEEPEST_PANEL, "{change} of {heights:?}");
         }
     }
 
@@ -445,9 +522,16 @@ mod tests {
         let reference = gathered.log_scale(-1e-9);
         assert!(reference < -1.0 && reference > -600.0 && gathered.log_scale(gathered.foot()) == 0.0, "{reference}");
         assert_eq!(Heights::Gaussian.log_scale(1.0), Heights::Gaussian.log_density(1.0));
+        assert_eq!(weibull(1.0).peak_above(-9.0), weibull(1.0).foot());
+        assert_eq!(johnson::heights(0.0, 3.0), Heights::Gaussian);
         assert!(Heights::Gaussian.knots().is_empty() && table().knots().len() == 4);
         for heights in [Heights::Gaussian, weibull(1.2), weibull(3.0), table(), johnson::heights(0.8, 6.0), gathered] {
             let at = |z: f64| heights.log_density(z);
+            let gathers = matches!(heights, Heights::Ends(_));
+            // The largest density above, but of spikes.
+            let peak = heights.peak_above(-0.5 - heights.origin());
+            let highest = (1..=100).map(|i| at(-0.5 - heights.origin() + 0.05 * f64::from(i))).fold(at(peak), f64::max);
+            assert!(gathers || at(peak) > highest - 1e-2, "{} and {highest} of {heights:?}", at(peak));
             // Nowhere convex.
             let width = heights.head().min(8.0) - heights.foot().max(-8.0);
             let bends = |i: i32| {

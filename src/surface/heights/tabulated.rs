@@ -59,10 +59,6 @@ impl Piece {
         let rest = below / (above + below);
         rest * self.lower + t * self.upper + t * rest * self.bulge
     }
-
-    fn is_empty(&self) -> bool {
-        self.lower == 0.0 && self.upper == 0.0
-    }
 }
 
 impl Tabulated {
@@ -80,9 +76,10 @@ impl Tabulated {
         let pieces = pieces(&part, &relative);
 
         let moment = |of: &dyn Fn(f64) -> f64| -> f64 {
-            let integrals = pieces.iter().zip(part.windows(2)).filter(|(piece, _)| !piece.is_empty());
             // Of degree 6 at most.
-            integrals
+            pieces
+                .iter()
+                .zip(part.windows(2))
                 .map(|(p, ends)| integrate_short(ends[0], ends[1], |x| p.at(ends[1] - x, x - ends[0]) * of(x)))
                 .sum()
         };
@@ -222,9 +219,6 @@ fn cells(knots: &[f64], pieces: &[Piece]) -> Vec<Vec<Cell>> {
         let (start, length) = (knots[from], knots[to] - knots[from]);
         let mut weights = [0.0; POINTS];
         for (piece, ends) in pieces[from..to].iter().zip(knots[from..=to].windows(2)) {
-            if piece.is_empty() {
-                continue;
-            }
             for (z, weight) in nodes(ends[0], ends[1]) {
                 let mass = weight * piece.at(ends[1] - z, z - ends[0]);
                 let x = (z - start) / length;
@@ -312,9 +306,10 @@ fn pieces(height: &[f64], density: &[f64]) -> Vec<Piece> {
             return secants[i.saturating_sub(1)];
         }
         let (before, after) = (secants[i - 1], secants[i]);
-        if (before > 0.0) != (after > 0.0) || before == 0.0 || after == 0.0 {
+        if before.signum() != after.signum() {
             return 0.0;
         }
+        // A harmonic mean: also 0 where one of the two is.
         let (left, right) = (height[i] - height[i - 1], height[i + 1] - height[i]);
         let (w1, w2) = (2.0 * right + left, right + 2.0 * left);
         (w1 + w2) / (w1 / before + w2 / after)
@@ -332,6 +327,7 @@ fn pieces(height: &[f64], density: &[f64]) -> Vec<Piece> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Value;
 
     fn near(a: f64, b: f64, tolerance: f64) -> bool {
         (a - b).abs() <= tolerance * b.abs()
@@ -392,6 +388,12 @@ mod tests {
         // A maximum is flat, and the bulge no more than the rise.
         let peak = pieces(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0]);
         assert_eq!([peak[0].bulge, peak[1].bulge], [0.5, 0.5]);
+        // So is where it begins to be constant.
+        for density in [[0.0, 1.0, 1.0], [1.0, 1.0, 2.0], [2.0, 1.0, 1.0], [1.0, 1.0, 0.0]] {
+            let level = pieces(&[0.0, 1.0, 2.0], &density);
+            let bulges = [0.5 * (density[1] - density[0]), -0.5 * (density[2] - density[1])];
+            assert_eq!([level[0].bulge, level[1].bulge], bulges, "{density:?}");
+        }
         let steep = pieces(&[0.0, 1.0, 11.0, 11.1], &[1.0, 0.5, 1.5, 100.0]);
         assert_eq!(steep[1].bulge, -1.0);
         // A parabola through three points.
@@ -419,6 +421,7 @@ mod tests {
             let near = |apart: f64| checked(&[at(0.0), at(1.0), at(1.0 + apart), at(2.0)], &[1.0; 4]).is_ok();
             assert_eq!([near(0.9 * 2.0 * NEAREST), near(1.1 * 2.0 * NEAREST)], [false, true], "{unit:e}");
         }
+        assert!(checked(&[0.0, NEAREST, 1.0], &[1.0; 3]).is_ok());
     }
 
     #[test]
@@ -434,10 +437,19 @@ mod tests {
         let low = |lowest: f64| Tabulated::new(&[lowest, 0.0, LARGEST_HEIGHT], &[1.0; 3]).is_ok();
         assert!(high(LARGEST_HEIGHT) && !high(LARGEST_HEIGHT.next_up()));
         assert!(low(-LARGEST_HEIGHT) && !low((-LARGEST_HEIGHT).next_down()));
+        // The message names the one that is too large.
+        let far = Tabulated::new(&[-2.0 * LARGEST_HEIGHT, 0.0, LARGEST_HEIGHT], &[1.0; 3]);
+        assert!(
+            matches!(far, Err(Error::OutOfRange { value, .. }) if value == (-2.0 * LARGEST_HEIGHT).into()),
+            "{far:?}"
+        );
         // All but all of the summits within a small part of the range.
         let narrow = |far: f64| Tabulated::new(&[0.0, 1.0, 2.0, far], &[1.0, 1.0, 0.0, 1e-300]);
         let deviation = 1.0 / narrow(100.0).map(|table| table.knots()[1] - table.knots()[0]).expect("a table");
-        assert!(narrow(0.999 * FARTHEST * deviation).is_ok() && narrow(1.001 * FARTHEST * deviation).is_err());
+        assert!(narrow(0.999 * FARTHEST * deviation).is_ok());
+        let refused = narrow(2.0 * FARTHEST * deviation);
+        let Err(Error::OutOfRange { value: Value::Real(range), .. }) = refused else { panic!("{refused:?}") };
+        assert!(near(range, 2.0 * FARTHEST, 1e-9), "{range}");
         // The highest height is the origin where it is near.
         let origin = |far: f64| narrow(far).expect("a table").origin();
         assert!(origin(15.0 * deviation) > 10.0 && origin(18.0 * deviation) == 0.0);
@@ -470,6 +482,48 @@ mod tests {
             let above = knots.iter().filter(|&&knot| knot >= start);
             let largest = above.fold(table.density(start), |largest, &knot| largest.max(table.density(knot)));
             assert!(peak >= start && table.density(peak) == largest, "{start}: {peak}");
+        }
+    }
+
+    /// What rounds to a knot is at it, next to the origin and far from it; what is farther away is not.
+    #[test]
+    fn what_is_nearly_at_a_knot_is_at_it() {
+        // Both ends of the support far from the mean in standard deviations, or the head the origin.
+        let far: Vec<f64> = [0.0].into_iter().chain((0..16).map(|i| 1e4 + f64::from(i))).collect();
+        let mut density = vec![1.0; 17];
+        (density[0], density[1]) = (1e-9, 0.0);
+        let mirrored: Vec<f64> = far.iter().rev().map(|h| 2e4 - h).collect();
+        let reversed: Vec<f64> = density.iter().rev().copied().collect();
+        for (height, density) in [(far, density), (mirrored, reversed)] {
+            let table = Tabulated::new(&height, &density).expect("a table");
+            let knots = table.knots().to_vec();
+            let farthest = knots[0].abs().max(knots[16]);
+            assert!(farthest > 1e3, "{farthest}");
+            for i in 1..16 {
+                let (below, knot, above) = (knots[i - 1], knots[i], knots[i + 1]);
+                let apart = |part: f64| part * AT_KNOT * (1.0 + knot.abs());
+                for z in [-0.5, 0.0, 0.5].map(|part| knot + apart(part)) {
+                    assert!(near(table.smooth_length(z), above - knot, 1e-9), "{z}");
+                    assert!(near(table.smooth_length_below(z), knot - below, 1e-9), "{z}");
+                    assert!(table.is_smooth(below, z) && table.is_smooth(z, above), "{z}");
+                    assert_eq!(table.cell(z, f64::MAX).is_some(), i == 8, "{z}, {i}");
+                }
+                let (lower, upper) = (knot - apart(8.0), knot + apart(8.0));
+                assert!(table.smooth_length(lower) < 1e-9 && table.smooth_length_below(upper) < 1e-9, "{knot}");
+                assert!(!table.is_smooth(knot - 0.1, upper), "{knot}");
+                assert!(table.cell(lower, f64::MAX).is_none() && table.cell(upper, f64::MAX).is_none(), "{knot}");
+            }
+            let head = knots[16];
+            let apart = |part: f64| part * AT_KNOT * (1.0 + head.abs());
+            assert!(table.is_smooth(knots[15], head + apart(0.5)) && !table.is_smooth(knots[15], head + apart(8.0)));
+            assert!(near(table.smooth_length_below(head + apart(0.5)), head - knots[15], 1e-9));
+            // From the top down in about as many panels as there are pieces.
+            let (mut z, mut panels) = (head, 0);
+            while z > knots[0] + 1e-9 && panels < 100 {
+                z -= table.smooth_length_below(z);
+                panels += 1;
+            }
+            assert!(panels <= 32, "{panels} of {head}");
         }
     }
 

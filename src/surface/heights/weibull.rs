@@ -272,6 +272,14 @@ mod tests {
             let (a, b) = (Weibull::new(shape * (1.0 - 1e-14)), Weibull::new(shape * (1.0 + 1e-14)));
             assert!(near(a.skew(), b.skew(), 1e-10) && near(a.kurtosis(), b.kurtosis(), 1e-10), "{a:?}, {b:?}");
         }
+        // Their first terms, where x is small.
+        for n in [2_i32, 3, 4] {
+            let x = 1e-6_f64;
+            let c = |j: i32| f64::from(n.pow(j as u32) - n);
+            let [second, third, fourth] = [1.644_934_066_848_226_4, 1.202_056_903_159_594, 1.082_323_233_711_138];
+            let expected = x * x * (second / 2.0 * c(2) - x * (third / 3.0 * c(3) - x * fourth / 4.0 * c(4)));
+            assert!(near(ln_moment_ratio(n, x), expected, 1e-15), "{n}");
+        }
         for x in [0.0, 1e-9, 0.1, 0.5, 0.99, 1.0, 1.01, 3.0] {
             assert!((ln_gamma_1p(x) - lgamma(1.0 + x)).abs() < 1e-13, "{x}");
         }

@@ -191,14 +191,14 @@ impl Ends {
         (-FARTHEST_SCORE, hypot(from.max(0.0), FARTHEST_SCORE))
     }
 
-    /// How far from a logit a panel may reach in the direction +-1, as far as the normal density goes.
-    pub fn longest_panel(&self, logit: f64, direction: f64) -> f64 {
-        let u = self.score(logit) * direction;
-        self.epsilon * LONGEST_PANEL.min(STEEPEST_PANEL / (u.abs() + LONGEST_PANEL))
+    /// How far from a logit a panel may reach either way, as far as the normal density goes.
+    pub fn longest_panel(&self, logit: f64) -> f64 {
+        let u = self.score(logit).abs();
+        self.epsilon * LONGEST_PANEL.min(STEEPEST_PANEL / (u + LONGEST_PANEL))
     }
 
-    /// The same as far as its place goes: to the head and the foot z is singular at the logit 0 +- i pi, and what depends on
-    /// the distance from a height beyond an end at its logit +- i pi.
+    /// The same in the direction +-1 as far as its place goes: to the head and the foot z is singular at the logit 0 +- i pi,
+    /// and what depends on the distance from a height beyond an end at its logit +- i pi.
     pub fn longest_smooth(&self, logit: f64, direction: f64, beyond: Option<f64>) -> f64 {
         // A panel as long as the distance to a pole is good; e^x converges on one of 16.
         let length = |pole: f64| {
@@ -315,10 +315,8 @@ mod tests {
         let ends = curve(0.0, 0.2);
         for u in [-8.0, -1.0, 0.0, 3.0] {
             let logit = ends.logit_of_score(u);
-            for direction in [1.0, -1.0] {
-                let scores = ends.longest_panel(logit, direction) / ends.epsilon();
-                assert!(near(scores, LONGEST_PANEL.min(STEEPEST_PANEL / (u.abs() + LONGEST_PANEL)), 1e-12), "{u}");
-            }
+            let scores = ends.longest_panel(logit) / ends.epsilon();
+            assert!(near(scores, LONGEST_PANEL.min(STEEPEST_PANEL / (u.abs() + LONGEST_PANEL)), 1e-12), "{u}");
         }
         for (logit, direction, beyond, expected) in [
             (0.0, 1.0, None, 3.0),

@@ -129,9 +129,8 @@ fn lognormal_growth(skew: f64) -> f64 {
 
 /// S_U from its moments (Johnson 1949) in p = exp(epsilon^2) - 1 and q = tau^2, in which every term is positive.
 fn unbounded(skew: f64, excess: f64) -> Fit {
-    // Kurtosis grows with p and q: p is largest where q = 0.
-    let largest = (2.0 * (excess + 2.0)).sqrt() - 1.0;
-    let largest = ((largest.max(1.0)).sqrt() - 1.0).max(0.25 * excess);
+    // Kurtosis grows with q, and with p at no less than 4 as where both are 0.
+    let largest = 0.25 * excess;
     let growth = |q: f64| root::bracketed(|p| unbounded_excess(p, q) - excess, 0.0, largest);
     let tau = root::bracketed(|tau| unbounded_skew(growth(tau * tau), tau) - skew, 0.0, 1.0);
     let q = tau * tau;
@@ -428,9 +427,61 @@ mod tests {
                 assert!(near(found.kurtosis, fourth / (variance * variance), 1e-9), "{epsilon} {log_odds}");
             }
         }
+        // Lognormal but for a share that is nothing, of which the last moment lies far out.
+        for epsilon in [0.3_f64, 1.0, 2.2] {
+            let growth = (epsilon * epsilon).exp_m1();
+            let found = Moments::of(epsilon, -90.0);
+            assert!(near(found.skew, (growth + 3.0) * growth.sqrt(), 1e-12), "{epsilon}: {}", found.skew);
+            let excess = growth * (16.0 + growth * (15.0 + growth * (6.0 + growth)));
+            assert!(near(found.kurtosis, 3.0 + excess, 1e-12), "{epsilon}: {}", found.kurtosis);
+        }
         let gaussian = Moments::of(0.0, -3.0);
         let moments = [gaussian.mean, gaussian.deviation, gaussian.skew, gaussian.kurtosis];
         assert_eq!(moments, [0.0, 1.0, 0.0, 3.0]);
+    }
+
+    /// Also next to the lognormal curve, from which large skews tell a share that small ones do not.
+    #[test]
+    fn bounded_curves_have_the_moments_they_were_made_from() {
+        for (skew, part) in [(0.3, 1e-3), (0.3, 0.1), (3.0, 1e-9), (3.0, 0.1), (3000.0, 1e-11), (3000.0, 1e-6)] {
+            let kurtosis = (3.0 + excess_of_lognormal(skew)) * (1.0 - part);
+            let Curve::Median(fit) = fit(skew, kurtosis) else { panic!("about its ends") };
+            let Kind::Bounded { share, rest } = fit.kind else { panic!("{fit:?}") };
+            let found = Moments::of(fit.epsilon, (share / rest).ln());
+            assert!(near(found.skew, skew, 1e-13), "{skew}, {part:e}: {}", found.skew);
+            assert!(near(found.kurtosis, kurtosis, 1e-11), "{skew}, {part:e}: {}", found.kurtosis / kurtosis - 1.0);
+        }
+        // S_U ends at the lognormal curve, where 1 - tau rounds to 0.
+        for i in 1..40 {
+            let skew = 0.01 * f64::from(i);
+            let fit = unbounded(skew, excess_of_lognormal(skew));
+            assert!(!matches!(fit.kind, Kind::Unbounded { below: 0.0, .. }), "{skew}: {fit:?}");
+        }
+        // With less kurtosis, about its ends.
+        assert!(matches!(fit(4.1, 23.2), Curve::Ends(_)));
+        for skew in [0.5_f64, 4.1, 12.0] {
+            let lognormal = log1p(lognormal_growth(skew)).sqrt();
+            let largest = LARGEST_EPSILON.max(FARTHEST_FROM_LOGNORMAL * lognormal);
+            let (least, most) = (skew * skew + 1.0, 3.0 + excess_of_lognormal(skew));
+            for part in [0.1, 0.3, 0.5, 0.7, 0.9] {
+                match fit(skew, least + (most - least) * part) {
+                    Curve::Median(fit) => assert!(fit.epsilon <= largest, "{skew}, {part}: {fit:?}"),
+                    Curve::Ends(fit) => assert!(fit.epsilon >= largest, "{skew}, {part}: {fit:?}"),
+                }
+            }
+        }
+    }
+
+    /// The step may be large.
+    #[test]
+    fn curves_about_their_ends_have_the_skew_they_were_made_from() {
+        let layer = Layer::new();
+        for (skew, above_least) in [(0.5_f64, 0.3), (12.0, 20.0), (1e4, 1.0)] {
+            let Curve::Ends(fit) = fit(skew, skew * skew + 1.0 + above_least) else { panic!("about its median") };
+            let found = layer.moments(fit.epsilon, fit.step);
+            assert!(near(found.skew, skew, 1e-11), "{skew}: {}", found.skew);
+            assert!(near(found.above_least, above_least, 1e-7), "{skew}: {:e}", found.above_least);
+        }
     }
 
     /// The mirror image of a curve has the opposite skew.

@@ -328,6 +328,89 @@ mod tests {
             }
         }
         assert_eq!(kinds, [true; 4]);
+        // And to all digits where the curve is nearly Gaussian.
+        for kurtosis in [3.0 + 1e-12, 3.0 - 1e-12] {
+            let curve = curve(0.0, kurtosis);
+            for u in [-3.0, -0.1, 0.1, 2.0] {
+                let score = curve.normal_score(curve.height(u));
+                assert!((score - u).abs() < 1e-14, "{score}, not {u}, of {curve:?}");
+            }
+        }
+    }
+
+    /// Only where little is left of it far up, and not where it is so far away that it would blur the bulk.
+    #[test]
+    fn the_end_is_the_origin_where_the_tail_depends_on_it() {
+        let nearly_lognormal = |skew: f64, part: f64| (skew, (3.0 + fit::excess_of_lognormal(skew)) * (1.0 + part));
+        for ((skew, kurtosis), is_end) in [
+            ((0.8, 6.0), false),
+            ((0.98, 4.63), false),
+            ((11.62, 360.4), false),
+            ((-0.5, 17.46), false),
+            ((0.5, 3.3), true),
+            ((-0.8, 3.2), true),
+            ((9.77, 145.0), true),
+            (nearly_lognormal(-1.0, 1e-3), true),
+            (nearly_lognormal(-1.0, 1e-2), false),
+            (nearly_lognormal(-3.0, 1e-10), true),
+            (nearly_lognormal(-20.0, 1e-3), true),
+            (nearly_lognormal(-20.0, 1e-2), false),
+        ] {
+            let curve = curve(skew, kurtosis);
+            assert_eq!(curve.origin != 0.0, is_end, "{curve:?}");
+            if is_end && matches!(curve.kind, Kind::Bounded { .. }) {
+                assert_eq!(curve.support().1, 0.0, "{curve:?}");
+            }
+            if skew > -3.0 {
+                let [total, mean, ..] = moments(&curve);
+                assert!((total - 1.0).abs() < 5e-14 && mean.abs() < 5e-14, "{total}, {mean:e} of {curve:?}");
+            }
+            // Heights of u, and u of heights, also next to where S_U nearly ends.
+            for u in [3.0, 6.0, 9.0, 12.0, 16.0].into_iter().filter(|_| curve.origin != 0.0) {
+                let score = curve.normal_score(curve.height(u));
+                assert!((score - u).abs() < 1e-13 * u, "{score}, not {u}, of {curve:?}");
+            }
+        }
+    }
+
+    /// Panels reach as far as they give the integral, are as steep and as near to where the curve is singular as they may,
+    /// and no farther.
+    #[test]
+    fn panels_end_where_the_density_is_not_smooth() {
+        for curve in curves() {
+            let (foot, head) = curve.support();
+            // Of S_U, how far from a height it is singular, which is where 1/rate vanishes.
+            let distance = |z: f64| match curve.kind {
+                Kind::Unbounded { .. } => {
+                    FARTHEST_OF_POLE * curve.deviation / (curve.rate * curve.at(z).expect("a height").rate)
+                }
+                Kind::Bounded { .. } => FARTHEST_OF_END * (z - foot).min(head - z),
+            };
+            let is_smooth = |from: f64, to: f64| {
+                let [start, end] = [from, to].map(|z| curve.at(z).expect("a height"));
+                let nearest =
+                    (0..=100).map(|i| distance(from + (to - from) * 0.01 * f64::from(i))).fold(f64::MAX, f64::min);
+                end.u - start.u <= LONGEST_PANEL * (1.0 + 1e-6)
+                    && (to - from) * start.slope.abs().max(end.slope.abs()) <= STEEPEST_PANEL
+                    && to - from <= nearest
+            };
+            for i in -30..30 {
+                let z = curve.height(0.25 * f64::from(i));
+                let length = curve.smooth_length(z);
+                assert!(is_smooth(z, z + 0.999 * length), "{z} of {curve:?}");
+                for part in [0.1, 0.3, 0.5, 0.7, 1.0, 1.4, 1.9] {
+                    let to = curve.height(0.25 * f64::from(i) + 0.8 * part * LONGEST_PANEL);
+                    let found = curve.is_smooth(z, to);
+                    let tells = is_smooth(z, to - 1e-3 * (to - z)) == is_smooth(z, to + 1e-3 * (to - z));
+                    assert!(!tells || found == is_smooth(z, to), "{z} to {to}: {found} of {curve:?}");
+                }
+                let density = |x: f64| (curve.log_density(x) - curve.log_density(z)).exp();
+                let sum = |from: f64, to: f64| nodes(from, to).map(|(x, weight)| weight * density(x)).sum::<f64>();
+                let middle = z + 0.5 * length;
+                let error = sum(z, z + length) / (sum(z, middle) + sum(middle, z + length)) - 1.0;
+                assert!(error.abs() < 1e-10, "{error:e} from {z} of {curve:?}");
+            }
+        }
     }
 
     #[test]
