@@ -153,6 +153,7 @@ impl Population {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::asperity::maugis::tests::EVALUATIONS;
     use crate::params::{HeightFamily, Params};
 
     /// Surfaces from all over their parameters, by multiples of irrational numbers, which fill a space evenly.
@@ -240,5 +241,45 @@ mod tests {
             }
         }
         assert!(in_contact > 500 && attracted > 200, "{in_contact}, {attracted}");
+    }
+
+    /// The population of a Johnson curve.
+    fn johnson(
+        (skew, kurtosis): (f64, f64),
+        [alpha, beta, gamma, b_over_h]: [f64; 4],
+        (radius_amplitude, radius_rate): (f64, f64),
+    ) -> Population {
+        let heights = HeightFamily::Johnson { skew, kurtosis };
+        let mut params = Params { heights, radius_amplitude, radius_rate, ..Params::default() };
+        params.set_dimensionless(alpha, beta, gamma, b_over_h, 0.3).expect("groups");
+        super::super::tests::of(&params)
+    }
+
+    /// Where the summits that gather at an end just lose contact or attraction, rounding does not tell how many have: but
+    /// there are no more than there are.
+    #[test]
+    fn summits_that_gather_at_an_end_part_there() {
+        for (moments, groups, radius) in [
+            ((0.272, 1.0958), [0.0048, 3.36, 0.283, 0.332], (-0.42, 4.1)),
+            ((0.7375, 1.57), [0.0048, 355.0, 0.0267, 0.41], (0.0, 1.0)),
+            ((-0.603, 1.3641), [1e-4, 191.0, 0.00234, 4.77], (-1.0, 3.57)),
+            ((0.3, 1.0901), [0.01, 20.0, 0.02, 0.5], (0.6, 0.5)),
+            ((0.3, 1.3), [0.01, 1e3, 1e-3, 1.0], (0.0, 1.0)),
+        ] {
+            let population = johnson(moments, groups, radius);
+            for parting in population.partings() {
+                for step in [-1e-6, -1e-13, -1e-15, 0.0, 1e-15, 1e-13, 1e-6] {
+                    let separation = parting + step * parting.abs().max(1.0);
+                    EVALUATIONS.set(0);
+                    let sums = population.at_separation(separation);
+                    let count = EVALUATIONS.get();
+                    for part in [sums.contacting, sums.attracted] {
+                        assert!((0.0..1.0 + 1e-9).contains(&part), "{moments:?}, {step:e}: {sums:?}");
+                    }
+                    assert!(count < 10_000, "{moments:?}, {step:e}: {count} evaluations");
+                    assert!(population.contacts(separation, 1e3).is_some(), "{moments:?}, {step:e}");
+                }
+            }
+        }
     }
 }

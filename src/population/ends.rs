@@ -16,6 +16,8 @@ const LOGIT_RATIO: f64 = 2.0;
 const CIRCLE_SPAN: f64 = 0.3;
 /// The shortest distance from an edge that counts.
 const SHORTEST: f64 = 1e-290;
+/// The part of an overlap to which it is known.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// A walk from a place to a logit.
 struct Walk<'a> {
@@ -116,6 +118,12 @@ impl<'a> Walk<'a> {
     }
 }
 
+/// A distance from where the law of one summit is singular, or the least that its overlap tells from none: summits that
+/// gather nearer to an end than that are one.
+fn told_apart(clearance: f64, overlap: f64) -> f64 {
+    clearance.max(ROUNDING * overlap.abs())
+}
+
 /// The mass of the summits above a height, over exp(log_scale).
 pub(super) fn mass_above(ends: &Ends, z: f64, log_scale: f64) -> f64 {
     Walk::new(ends, z, 0.0).mass_to(f64::INFINITY, log_scale)
@@ -133,6 +141,7 @@ impl Population {
                 return;
             }
             let (clearance, rate) = self.clearance_and_rate(&here);
+            let clearance = told_apart(clearance, here.contact.overlap);
             if let Some(next) = walk.beside_end(clearance) {
                 sink.summits(here.z, walk.mass_to(next, log_scale), &here.contact);
                 let place = ends.place(next);
@@ -227,7 +236,7 @@ impl Population {
             if walk.is_over() {
                 return true;
             }
-            let clearance = (overlap + law.reach).max(0.0);
+            let clearance = told_apart(overlap + law.reach, overlap);
             if let Some(next) = walk.beside_end(clearance) {
                 add(&walk.place, overlap, walk.mass_to(next, log_scale));
                 let place = ends.place(next);
@@ -245,7 +254,7 @@ impl Population {
             let mut length = CIRCLE_SPAN * walk.place.from_end().min(longest).min(1.0);
             if !self.radius.is_constant() {
                 let farthest = law.at_rate(super::CIRCLE_RATIO * here.overlap_rate, g);
-                let shortest = (SAME.sqrt() * length).max(4.0 * f64::EPSILON * overlap.abs());
+                let shortest = (SAME.sqrt() * length).max(ROUNDING * overlap.abs());
                 length = length.min((farthest.overlap - here.overlap).max(shortest));
             }
             if walk.place.rise_to(&there) > length || there.logit >= walk.last {
