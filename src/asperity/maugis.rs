@@ -382,6 +382,14 @@ pub(crate) mod tests {
                 }
             }
         }
+        // Next to 0 and pi/2 each keeps its own digits.
+        for (from, to) in [(1e-2_f64, 1e-5_f64), (1e-3, 1e-6), (2e-9, 5e-3)] {
+            for (from, to) in [(from, to), (FRAC_PI_2 - from, FRAC_PI_2 - to)] {
+                let (found, expected) = (turned(from.sin_cos(), from, to), to.sin_cos());
+                let is_near = near(found.0, expected.0, 4e-16) && near(found.1, expected.1, 4e-16);
+                assert!(is_near, "from {from} to {to}: {found:?}, not {expected:?}");
+            }
+        }
     }
 
     #[test]
@@ -416,7 +424,7 @@ pub(crate) mod tests {
         for law in laws() {
             for g in FACTORS {
                 let last = law.break_away(g).theta;
-                for part in [1e-6, 1e-3, 0.1, 0.5, 0.9, 0.999] {
+                for part in [1e-9, 1e-6, 1e-3, 0.1, 0.5, 0.9, 0.999] {
                     let expected = law.at(part * last, g);
                     let theta = expected.theta;
                     let cold = law.guess(expected.overlap, g);
@@ -473,6 +481,33 @@ pub(crate) mod tests {
                 assert!(count <= most + 2, "{count} evaluations at {parts:?} from {offs:?}, not {most}");
             }
         }
+    }
+
+    /// Where the overlap hardly depends on theta any more.
+    #[test]
+    fn a_contact_that_is_about_to_break_is_found_as_far_as_rounding_tells() {
+        let mut count = 0;
+        for gamma in [0.003, 0.01, 0.02, 0.3] {
+            let law = Maugis::new(&Groups { alpha: 0.01, beta: 1e3, gamma, b_over_h: 0.7 });
+            for g in FACTORS {
+                let last = law.break_away(g);
+                for part in (3..=12).map(|digits| 1.0 - 0.1_f64.powi(digits)) {
+                    let expected = law.at(part * last.theta, g);
+                    let known = 2e-16 * last.overlap.abs() / (expected.overlap_rate * expected.theta).abs();
+                    for off in [0.1, 0.64, 0.99, 1.0 + 1e-6, 1.4, 9.0] {
+                        EVALUATIONS.set(0);
+                        let found = law.at_overlap(expected.overlap, g, off * expected.theta).theta;
+                        count += EVALUATIONS.get();
+                        let error = (found / expected.theta - 1.0).abs();
+                        assert!(
+                            error < 1e-14 + 60.0 * known.min(1e-8),
+                            "{error:e} at {part} from {off}, {gamma}, {g}: {known:e}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(count < 20_600, "{count} evaluations");
     }
 
     /// Hertz' contact, and the same on both sides of where theta gets enough digits.

@@ -46,8 +46,8 @@ impl Edges {
     }
 
     fn push(&mut self, edge: Edge) {
-        if self.length < MOST_EDGES {
-            self.items[self.length] = Some(edge);
+        if let Some(item) = self.items.get_mut(self.length) {
+            *item = Some(edge);
             self.length += 1;
         }
     }
@@ -120,4 +120,79 @@ fn edge(maugis: &Maugis, radius: &RadiusProfile, z: f64) -> Edge {
     let contact = maugis.break_away(g);
     // At break-away du/dtheta = 0, so that du_break/dg is the partial derivative.
     Edge { z, contact, rate: 1.0 - contact.overlap_by_g * g_rate }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::groups::Groups;
+
+    fn maugis(gamma: f64) -> Maugis {
+        Maugis::new(&Groups { alpha: 0.01, beta: 100.0, gamma, b_over_h: 1.0 })
+    }
+
+    fn radius(amplitude: f64, rate: f64) -> RadiusProfile {
+        RadiusProfile { amplitude, rate, origin: 0.0 }
+    }
+
+    #[test]
+    fn without_adhesion_contact_ends_at_the_separation() {
+        let (maugis, radius) = (maugis(0.0), radius(0.5, 1.0));
+        let edges = BreakEdges::new(&maugis, &radius, -1e4, 1e4);
+        for separation in [0.0, 0.3, -4.0, 5e3, -9e3] {
+            let found = edges.at_separation(&maugis, &radius, separation);
+            assert_eq!(found.iter().map(|edge| edge.z).collect::<Vec<_>>(), [separation]);
+        }
+    }
+
+    /// Summits of strong adhesion whose radii fall so fast with height that the lower ones hold on longer.
+    #[test]
+    fn pieces_end_where_the_order_of_breaking_turns() {
+        let maugis = maugis(0.02);
+        for (rate, count) in [(0.2, 2), (5.0, 4), (20.0, 4), (80.0, 4)] {
+            let radius = radius(-0.9, rate);
+            let edges = BreakEdges::new(&maugis, &radius, -5.0, 5.0);
+            assert_eq!(edges.knots.len(), count, "{rate}: {:?}", edges.knots);
+            for &z in &edges.knots[1..count - 1] {
+                assert!(edge(&maugis, &radius, z).rate.abs() < 1e-9 * rate, "{rate}: {z}");
+            }
+            for separation in (-20..60).map(|step| 0.1 * f64::from(step)) {
+                for edge in edges.at_separation(&maugis, &radius, separation).iter() {
+                    let overlap = maugis.break_away(radius.factor(edge.z)).overlap;
+                    assert!((edge.z - separation - overlap).abs() < 1e-12, "{rate}, {separation}: {}", edge.z);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn no_summit_breaks_away_deeper_than_the_deepest() {
+        let maugis = maugis(0.1);
+        for (amplitude, lowest) in [(-1.0, -0.1), (-1.0, 0.3), (-0.9, -4.0), (1.0, -4.0), (0.5, 1.0)] {
+            let radius = radius(amplitude, 2.0);
+            let edges = BreakEdges::new(&maugis, &radius, lowest, 4.0);
+            for part in 0..=1000 {
+                let z = lowest + 0.001 * f64::from(part) * (4.0 - lowest);
+                let overlap = maugis.break_away(radius.factor(z)).overlap;
+                assert!(overlap < -1.1 || part > 0 || amplitude > 0.0, "{overlap}");
+                assert!(overlap >= edges.deepest(), "{amplitude}, {z}: {overlap}, not {}", edges.deepest());
+            }
+        }
+    }
+
+    /// Whether it is the lowest or the highest, and whether those next to it hold on longer or not.
+    #[test]
+    fn a_summit_that_just_breaks_is_not_in_contact() {
+        let maugis = maugis(0.02);
+        for (amplitude, [lowest, highest], count) in
+            [(0.5, [0.0, 1.0], 1), (0.5, [-1.0, 0.0], 0), (-0.9, [0.0, 0.01], 0), (-0.9, [-0.01, 0.0], 1)]
+        {
+            let radius = radius(amplitude, 20.0);
+            let edges = BreakEdges::new(&maugis, &radius, lowest, highest);
+            let separation = -maugis.break_away(1.0).overlap;
+            let found = edges.at_separation(&maugis, &radius, separation);
+            assert_eq!(found.iter().map(|edge| edge.z).collect::<Vec<_>>(), vec![0.0; count], "{amplitude}, {lowest}");
+            assert!(count > 0 || !edges.all_in_contact(&maugis, &radius, separation), "{amplitude}, {lowest}");
+        }
+    }
 }

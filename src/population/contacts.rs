@@ -6,7 +6,6 @@
 use super::{ends, gauss_legendre, Contact, Density, Edge, Heights, Point, Population, Sink, MOST_PANELS};
 use crate::elementary::log;
 use crate::root;
-use crate::surface::heights::UNDERFLOW;
 
 /// Contact radii, in b, and their share of the regimes of slip.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -73,9 +72,6 @@ impl Population {
         let Some(&Range { lower: (lowest, edge), .. }) = ranges.first() else { return Some(Contacts::default()) };
         let overlap = edge.filter(|edge| edge.z == lowest).map_or(lowest - separation, |edge| edge.contact.overlap);
         let density = &Density::above(&self.heights, lowest, overlap, separation);
-        if density.log_scale < UNDERFLOW {
-            return Some(Contacts::default());
-        }
         let mut counting =
             Counting { population: self, density, count: 0.0, radius: 0.0, by_regime: [0.0; 3], seen: Vec::new() };
         for Range { lower: (lower, lower_edge), upper: (upper, upper_edge) } in &ranges {
@@ -153,7 +149,9 @@ impl Population {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::asperity::maugis::tests::EVALUATIONS;
     use crate::params::{HeightFamily, Params};
+    use crate::surface::heights::UNDERFLOW;
 
     /// Surfaces from all over their parameters, by multiples of irrational numbers, which fill a space evenly.
     fn surface(number: u32) -> Option<Population> {
@@ -240,5 +238,246 @@ mod tests {
             }
         }
         assert!(in_contact > 500 && attracted > 200, "{in_contact}, {attracted}");
+    }
+
+    /// The population of a Johnson curve of a skew and of so much more kurtosis than the least.
+    fn johnson(
+        (skew, more): (f64, f64),
+        [alpha, beta, gamma, b_over_h]: [f64; 4],
+        (radius_amplitude, radius_rate): (f64, f64),
+    ) -> Population {
+        let heights = HeightFamily::Johnson { skew, kurtosis: skew * skew + 1.0 + more };
+        let mut params = Params { heights, radius_amplitude, radius_rate, ..Params::default() };
+        params.set_dimensionless(alpha, beta, gamma, b_over_h, 0.3).expect("groups");
+        super::super::tests::of(&params)
+    }
+
+    /// Where the summits that gather at an end just lose contact or attraction, rounding does not tell how many have: but
+    /// there are no more than there are.
+    #[test]
+    fn summits_that_gather_at_an_end_part_there() {
+        for (moments, groups, radius) in [
+            ((0.272, 0.0217), [0.0048, 3.36, 0.283, 0.332], (-0.42, 4.1)),
+            ((0.7375, 0.0261), [0.0048, 355.0, 0.0267, 0.41], (0.0, 1.0)),
+            ((-0.603, 1e-9), [1e-4, 191.0, 0.00234, 4.77], (-1.0, 3.57)),
+            ((0.3, 1e-4), [0.01, 20.0, 0.02, 0.5], (0.6, 0.5)),
+            ((0.3, 0.21), [0.01, 1e3, 1e-3, 1.0], (0.0, 1.0)),
+        ] {
+            let population = johnson(moments, groups, radius);
+            for parting in population.partings() {
+                for step in [-1e-6, -1e-13, -1e-15, 0.0, 1e-15, 1e-13, 1e-6] {
+                    let separation = parting + step * parting.abs().max(1.0);
+                    EVALUATIONS.set(0);
+                    let sums = population.at_separation(separation);
+                    let count = EVALUATIONS.get();
+                    for part in [sums.contacting, sums.attracted] {
+                        assert!((0.0..1.0 + 1e-9).contains(&part), "{moments:?}, {step:e}: {sums:?}");
+                    }
+                    assert!(count < 10_000, "{moments:?}, {step:e}: {count} evaluations");
+                    assert!(population.contacts(separation, 1e3).is_some(), "{moments:?}, {step:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn contacts_that_run_out_of_panels_are_not_known() {
+        let population = johnson((0.3, 2.1), [0.01, 1e3, 1e-3, 1.0], (0.0, 1.0));
+        let density = &Density::above(&population.heights, -1.0, 1.0, -2.0);
+        let mut counting = Counting {
+            population: &population,
+            density,
+            count: 0.5,
+            radius: 3.0,
+            by_regime: [0.0; 3],
+            seen: Vec::new(),
+        };
+        counting.out_of_panels();
+        assert!(counting.count.is_nan());
+    }
+
+    /// A density that falls linearly, with and without heights on the line.
+    #[test]
+    fn a_density_does_not_depend_on_how_many_heights_tell_it() {
+        let table = |pieces: u32, (amplitude, rate): (f64, f64), gamma: f64, kinks: [f64; 2]| {
+            let height: Vec<f64> = (0..=pieces).map(|i| f64::from(i) / f64::from(pieces)).collect();
+            let density: Vec<f64> = height.iter().map(|h| 1.0 - h).collect();
+            let heights = HeightFamily::Tabulated { height: height.into(), density: density.into() };
+            let mut params = Params { heights, radius_amplitude: amplitude, radius_rate: rate, ..Params::default() };
+            params.set_dimensionless(0.01, 1e3, gamma, 1.0, 0.3).expect("groups");
+            [params.slip.radius_1, params.slip.radius_2] = kinks;
+            params.slip.stress_2 = 0.5 * params.slip.stress_1;
+            super::super::tests::of(&params)
+        };
+        for (radius, gamma, kinks) in [
+            ((0.0, 1.0), 1e-3, [300.0, 900.0]),
+            ((0.8, 1.0), 1e-3, [300.0, 900.0]),
+            ((-0.8, 4.0), 1e-3, [300.0, 900.0]),
+            ((0.5, 30.0), 1e-4, [300.0, 900.0]),
+            ((-0.9, 0.3), 0.0, [300.0, 900.0]),
+            ((0.0, 1.0), 1e-3, [3.0, 10.0]),
+            ((0.0, 1.0), 1e-4, [3.0, 10.0]),
+        ] {
+            let (coarse, fine) = (table(2, radius, gamma, kinks), table(128, radius, gamma, kinks));
+            let foot = coarse.heights.foot();
+            for separation in
+                [-3.0, -0.3, -0.1, -0.03, -0.01, 0.0, 0.02, 0.3, 1.0, 2.0, 3.5, 4.1].map(|above| foot + above)
+            {
+                let what = format!("{radius:?}, {gamma} at {}", separation - foot);
+                let [a, b] = [&coarse, &fine].map(|population| population.at_separation(separation).unscaled());
+                for (a, b) in [
+                    (a.load_contacting, b.load_contacting),
+                    (a.load_attracted, b.load_attracted),
+                    (a.friction, b.friction),
+                    (a.area, b.area),
+                    (a.contacting, b.contacting),
+                    (a.load_slope, b.load_slope),
+                    (a.friction_slope, b.friction_slope),
+                ] {
+                    assert!((a - b).abs() <= 1e-9 * a.abs(), "{what}: {a:e} {b:e}");
+                }
+                let [a, b] = [&coarse, &fine].map(|population| population.contacts(separation, 300.0).expect("few"));
+                for (a, b) in [(a.mean_radius, b.mean_radius), (a.largest_radius, b.largest_radius)] {
+                    assert!((a - b).abs() <= 1e-9 * a, "{what}: {a:e} {b:e}");
+                }
+                for (a, b) in a.by_regime.into_iter().zip(b.by_regime) {
+                    assert!((a - b).abs() <= 1e-9, "{what}: {a:e} {b:e}");
+                }
+            }
+        }
+    }
+
+    /// Where radii fall with height, the largest contact is not that of the highest summit.
+    #[test]
+    fn the_largest_contact_is_that_of_no_node() {
+        let population = of_radii(-0.99, 2.0);
+        let radius = |z: f64| population.point_cold(-0.5, z).contact.radius;
+        let (mut lower, mut upper) = (-0.5, 4.0);
+        while upper - lower > 1e-6 {
+            let (left, right) = (lower + (upper - lower) / 3.0, upper - (upper - lower) / 3.0);
+            (lower, upper) = if radius(left) < radius(right) { (left, upper) } else { (lower, right) };
+        }
+        assert!(lower > -0.4 && upper < 3.0, "{lower}");
+        let found = population.contacts(-0.5, 1e6).expect("few panels").largest_radius;
+        assert!((found / radius(lower) - 1.0).abs() < 1e-11, "{found}, not {}", radius(lower));
+    }
+
+    fn of_radii(radius_amplitude: f64, radius_rate: f64) -> Population {
+        super::super::tests::of(&Params { radius_amplitude, radius_rate, ..Params::default() })
+    }
+
+    /// What summits that gather at two ends sum to between two heights, in many panels that end where the law of one is
+    /// singular: the largest load, then mass times load, area, one.
+    fn in_small_steps(
+        population: &Population,
+        (lower, upper): (f64, f64),
+        log_scale: f64,
+        law: impl Fn(f64) -> [f64; 3],
+    ) -> [f64; 3] {
+        let Heights::Ends(ends) = &population.heights else { panic!("{:?}", population.heights) };
+        let scores = [lower, upper].map(|z| ends.score(ends.place_of(z).logit).clamp(-13.0, 13.0));
+        let [from, to] = scores.map(|score| ends.logit_of_score(score));
+        let mut sums = [0.0; 3];
+        let middle = 0.5 * (from + to);
+        for (edge, towards) in [(from, 1.0), (to, -1.0)] {
+            let mut done = 0.0;
+            while done < middle - from {
+                // Shorter than what changes with height; beyond where places differ, than the normal density.
+                let x = edge + towards * done;
+                let place = ends.place(x);
+                let steepness = place.above_foot * place.below_head / ends.width() * population.radius.rate;
+                let step = match -towards * x - 80.0 {
+                    beyond if beyond > 0.0 => beyond,
+                    _ if x.abs() > 80.0 => f64::MAX,
+                    _ => (0.5 * done).clamp(1e-12, 0.5 / (1.0 + steepness)),
+                };
+                let step = step.min(0.5 * ends.epsilon());
+                let next = (done + step).min(middle - from);
+                for (x, weight) in gauss_legendre::nodes(x, edge + towards * next) {
+                    let mass = weight * ends.mass(x, log_scale);
+                    for (sum, part) in sums.iter_mut().zip(law(ends.height(&ends.place(x)))) {
+                        *sum += mass * part;
+                    }
+                }
+                done = next;
+            }
+        }
+        sums
+    }
+
+    #[test]
+    fn sums_of_summits_that_gather_at_two_ends_are_those_of_small_steps() {
+        let mut count = 0;
+        for (moments, groups, radius, separations) in [
+            ((2.137, 1e-10), [0.0188, 19.17, 0.008454, 7.551], (-1.0, 51.42), [-2.9, -2.8, -2.6]),
+            ((-1.7566, 1e-7), [0.00175, 1964.0, 0.00058, 0.1256], (0.8765, 14.99), [-0.8, -0.34, 0.5]),
+            ((-0.0394, 0.07439), [0.00502, 40.43, 0.000556, 2.32], (-1.0, 0.0885), [-1.9, -0.947, 0.3]),
+            ((0.4964, 0.001), [0.00178, 15.66, 2.22e-6, 1.03], (0.9866, 0.0028), [-1.3, 0.0215, 1.7]),
+            ((0.3, 0.05), [0.01, 100.0, 1e-3, 1.0], (0.0, 1.0), [-1.7, -0.7, 0.4]),
+            ((0.3, 0.11), [0.02, 100.0, 1e-2, 1.0], (0.5, 2.0), [-1.7, -0.7, -0.3]),
+            ((0.09, 1e-6), [0.0014, 7.6e6, 0.0, 0.09], (1.0, 45.0), [-1.0, -1e-3, -3e-8]),
+            ((-0.11, 0.001), [0.002, 1.6, 0.185, 0.08], (1.0, 64.0), [-1.0, 3904.3, 3904.9]),
+        ] {
+            let population = johnson(moments, groups, radius);
+            for separation in separations {
+                let sums = population.at_separation(separation);
+                let contacts = population.contact_ranges(separation);
+                let gaps = population.attraction_ranges(separation, &contacts);
+                let mut exact = [[0.0; 3]; 2];
+                for range in &contacts {
+                    let part = (range.lower.0, range.upper.0);
+                    let part = in_small_steps(&population, part, sums.log_scale, |z| {
+                        let contact = population.point_cold(separation, z).contact;
+                        [contact.load, std::f64::consts::PI * contact.radius * contact.radius, 1.0]
+                    });
+                    exact[0] = std::array::from_fn(|i| exact[0][i] + part[i]);
+                }
+                for &range in &gaps {
+                    let law = population.attraction.as_ref().expect("adhesion");
+                    let part = in_small_steps(&population, range, sums.log_scale, |z| {
+                        let g = population.radius.factor(z);
+                        let summit = law.at(law.circle(z - separation, g), g);
+                        [summit.load, 0.0, 1.0]
+                    });
+                    exact[1] = std::array::from_fn(|i| exact[1][i] + part[i]);
+                    count += 1;
+                }
+                let [[load, area, contacting], [load_attracted, _, attracted]] = exact;
+                let (loads, all) = (load.abs() + load_attracted.abs(), contacting + attracted);
+                for (name, found, exact, scale) in [
+                    ("load", sums.load_contacting, load, loads),
+                    ("area", sums.area, area, area),
+                    ("contacting", sums.contacting, contacting, all),
+                    ("attraction", sums.load_attracted, load_attracted, loads),
+                    ("attracted", sums.attracted, attracted, all),
+                ] {
+                    let error = (found - exact).abs() / exact.abs().max(1e-4 * scale).max(1e-250);
+                    assert!(error < 1e-9, "{name} of {moments:?} at {separation}: {found:e}, not {exact:e}: {error:e}");
+                }
+            }
+        }
+        assert!(count > 12, "{count}");
+    }
+
+    #[test]
+    fn attraction_of_summits_that_gather_at_two_ends_takes_few_places() {
+        let mut count = 0;
+        for (moments, groups, radius, separations) in [
+            ((-1.7566, 1e-7), [0.00175, 1964.0, 0.00058, 0.1256], (0.8765, 14.99), [-0.8, -0.34, 0.5]),
+            ((-0.0394, 0.07439), [0.00502, 40.43, 0.000556, 2.32], (-1.0, 0.0885), [-1.9, -0.947, 0.3]),
+            ((0.3, 0.11), [0.02, 100.0, 1e-3, 1.0], (0.5, 2.0), [-1.7, -0.7, -0.3]),
+            ((-0.11, 0.001), [0.002, 1.6, 0.185, 0.08], (1.0, 64.0), [-1.0, 3904.3, 3904.9]),
+        ] {
+            let population = johnson(moments, groups, radius);
+            let (Heights::Ends(ends), Some(law)) = (&population.heights, &population.attraction) else { panic!() };
+            for separation in separations {
+                let contacts = population.contact_ranges(separation);
+                for (lower, upper) in population.attraction_ranges(separation, &contacts) {
+                    let lower = (lower, (lower - separation).max(-law.reach));
+                    assert!(population.attracted_between_ends(ends, law, lower, upper, 0.0, |_, _| count += 1));
+                }
+            }
+        }
+        assert!(count <= 1530, "{count} places, not 1511");
     }
 }

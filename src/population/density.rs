@@ -47,3 +47,27 @@ impl<'a> Density<'a> {
         self.heights.relative_density_each(self.height, rises, self.log_scale)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn far_out_densities_have_the_digits_of_overlaps() {
+        let heights = Heights::Gaussian;
+        for separation in [30.3, 50.7, 57.1] {
+            for lowest in [-0.0123, 0.0, 0.001] {
+                let height = separation + lowest;
+                let density = Density::above(&heights, height, lowest, separation);
+                let overlaps = [lowest, 0.002, 0.0137, 0.1, 0.3];
+                for (overlap, each) in overlaps.into_iter().zip(density.at_each(separation, overlaps)) {
+                    let rise = overlap - lowest;
+                    let expected = f64::exp(-rise * (height + 0.5 * rise));
+                    for found in [each, density.at(separation + overlap, overlap)] {
+                        assert!((found / expected - 1.0).abs() < 1e-14, "{found:e}, not {expected:e} at {separation}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -16,6 +16,8 @@ const LOGIT_RATIO: f64 = 2.0;
 const CIRCLE_SPAN: f64 = 0.3;
 /// The shortest distance from an edge that counts.
 const SHORTEST: f64 = 1e-290;
+/// The part of an overlap to which it is known.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// A walk from a place to a logit.
 struct Walk<'a> {
@@ -116,6 +118,12 @@ impl<'a> Walk<'a> {
     }
 }
 
+/// A distance from where the law of one summit is singular, or the least that its overlap tells from none: summits that
+/// gather nearer to an end than that are one.
+fn told_apart(clearance: f64, overlap: f64) -> f64 {
+    clearance.max(ROUNDING * overlap.abs())
+}
+
 /// The mass of the summits above a height, over exp(log_scale).
 pub(super) fn mass_above(ends: &Ends, z: f64, log_scale: f64) -> f64 {
     Walk::new(ends, z, 0.0).mass_to(f64::INFINITY, log_scale)
@@ -133,6 +141,7 @@ impl Population {
                 return;
             }
             let (clearance, rate) = self.clearance_and_rate(&here);
+            let clearance = told_apart(clearance, here.contact.overlap);
             if let Some(next) = walk.beside_end(clearance) {
                 sink.summits(here.z, walk.mass_to(next, log_scale), &here.contact);
                 let place = ends.place(next);
@@ -227,7 +236,7 @@ impl Population {
             if walk.is_over() {
                 return true;
             }
-            let clearance = (overlap + law.reach).max(0.0);
+            let clearance = told_apart(overlap + law.reach, overlap);
             if let Some(next) = walk.beside_end(clearance) {
                 add(&walk.place, overlap, walk.mass_to(next, log_scale));
                 let place = ends.place(next);
@@ -245,7 +254,7 @@ impl Population {
             let mut length = CIRCLE_SPAN * walk.place.from_end().min(longest).min(1.0);
             if !self.radius.is_constant() {
                 let farthest = law.at_rate(super::CIRCLE_RATIO * here.overlap_rate, g);
-                let shortest = (SAME.sqrt() * length).max(4.0 * f64::EPSILON * overlap.abs());
+                let shortest = (SAME.sqrt() * length).max(ROUNDING * overlap.abs());
                 length = length.min((farthest.overlap - here.overlap).max(shortest));
             }
             if walk.place.rise_to(&there) > length || there.logit >= walk.last {
@@ -268,5 +277,118 @@ impl Population {
             z = ends.height(&there);
         }
         false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::heights::{johnson, Heights};
+
+    fn curve(skew: f64, above_least: f64) -> Ends {
+        match johnson::heights(skew, skew * skew + 1.0 + above_least) {
+            Heights::Ends(ends) => *ends,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    fn near(a: f64, b: f64) -> bool {
+        a == b || (a - b).abs() <= 1e-12 * b.abs().max(1e-3)
+    }
+
+    fn reflected(place: &Place) -> Place {
+        Place { logit: -place.logit, above_foot: place.below_head, below_head: place.above_foot }
+    }
+
+    fn is_reflected(place: &Place, other: &Place) -> bool {
+        near(place.logit, -other.logit)
+            && near(place.above_foot, other.below_head)
+            && near(place.below_head, other.above_foot)
+    }
+
+    /// From places at the foot, next to it and farther up to others, with what clearance behind.
+    fn walks(ends: &Ends) -> Vec<(Walk<'_>, f64)> {
+        let mut walks = Vec::new();
+        let starts = [f64::NEG_INFINITY, -600.0, -38.0, -3.0, -0.5, 2.0, 30.0];
+        for place in starts.map(|logit| ends.place(logit)) {
+            for last in [-650.0, -37.5, -2.6, 0.3, 3.0, 31.0, f64::INFINITY] {
+                for counted in [(-690.0, 40.0), (-1.0, 2.5)] {
+                    for clearance in [0.0, 1e-20, 1e-3, 0.3, 1.3, 20.0] {
+                        if last > place.logit {
+                            walks.push((Walk { ends, place, last, direction: 1.0, counted }, clearance));
+                        }
+                    }
+                }
+            }
+        }
+        walks
+    }
+
+    #[test]
+    fn a_walk_down_is_the_image_of_a_walk_up() {
+        for (skew, above_least) in [(0.7, 0.05), (-1.5, 0.3), (3.0, 0.6)] {
+            let (ends, image) = (curve(skew, above_least), curve(-skew, above_least));
+            for (up, clearance) in walks(&ends) {
+                let counted = (-up.counted.1, -up.counted.0);
+                let place = reflected(&up.place);
+                let down = Walk { ends: &image, place, last: -up.last, direction: -1.0, counted };
+                let what = format!("from {} to {}, {clearance:e}", up.place.logit, up.last);
+                assert_eq!(up.is_over(), down.is_over(), "{what}");
+                assert_eq!(up.distances(), down.distances(), "{what}");
+                match (up.beside_end(clearance), down.beside_end(clearance)) {
+                    (Some(up), Some(down)) => assert!(near(up, -down), "{what}: {up} {down}"),
+                    (up, down) => assert_eq!(up, down, "{what}"),
+                }
+                if up.place.above_foot == 0.0 {
+                    continue;
+                }
+                let (longest, other) = (up.longest_panel(clearance), down.longest_panel(clearance));
+                assert!(near(longest, other) && longest >= 0.0, "{what}: {longest} {other}");
+                for length in [1e-3, 0.9, 1.1, 3.0] {
+                    let (there, other) = (up.raised(length), down.raised(length));
+                    assert!(is_reflected(&there, &other), "{what}: {there:?} {other:?}");
+                    let (there, other) = (up.towards(length), down.towards(length));
+                    assert!(is_reflected(&there, &other), "{what}: {there:?} {other:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_walk_does_not_pass_its_end() {
+        let ends = curve(0.7, 0.05);
+        for (walk, clearance) in walks(&ends) {
+            let what = format!("from {} to {}, {clearance:e}", walk.place.logit, walk.last);
+            if let Some(next) = walk.beside_end(clearance) {
+                assert!(next <= walk.last && next >= walk.counted.0.min(walk.last), "{what}: {next}");
+            }
+            if walk.place.above_foot == 0.0 {
+                continue;
+            }
+            let rise = walk.place.rise_to(&ends.place(walk.last));
+            for length in [1e-3, 0.9, 1.1, 3.0] {
+                let expected = if length < rise { length } else { rise };
+                let found = walk.place.rise_to(&walk.raised(length));
+                assert!((found - expected).abs() < 1e-14, "{what}: {found}, not {expected}");
+                let remaining = walk.last - walk.place.logit;
+                let expected = if length > 0.8 * remaining { walk.last } else { walk.place.logit + length };
+                assert_eq!(walk.towards(length).logit, expected, "{what}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_distance_is_told_from_none_by_the_digits_of_an_overlap() {
+        for (clearance, overlap, expected) in [
+            (0.1, 0.0, 0.1),
+            (0.0, 0.0, 0.0),
+            (0.1, -450.0, 0.1),
+            (0.0, -450.0, 450.0 * ROUNDING),
+            (1e-17, 0.25, 0.25 * ROUNDING),
+            (1e-17, 1e-3, 1e-3 * ROUNDING),
+            (-1e-13, 3.0, 3.0 * ROUNDING),
+        ] {
+            assert_eq!(told_apart(clearance, overlap), f64::max(clearance, expected), "{clearance:e}, {overlap:e}");
+        }
     }
 }
