@@ -197,6 +197,8 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
     }
     if pull_off < 0.0 {
         answer.note("minimum", pull_off, rise_before_pull_off(&model, params.height_std));
+        let end = model.state_at_load(pull_off).map_or(f64::NAN, |state| state.separation / params.height_std);
+        answer.note("minimum", pull_off, fall_beyond(surface, end));
     } else if let Some(load) = pulling(&model, params.height_std) {
         answer.complaint = Some(format!("no pull-off point, yet a load of {load:e}"));
     }
@@ -269,6 +271,24 @@ fn rise_before_pull_off(model: &Model, sigma: f64) -> f64 {
         last = state.load;
     }
     rise.max(0.0)
+}
+
+/// Beyond pull-off the load must not fall on: how far it does by the second evaluation where it first changes, relative to
+/// what presses and pulls.
+fn fall_beyond(surface: &Surface, end: f64) -> f64 {
+    const CHANGE: f64 = 1e-9;
+    let load = |separation: f64| {
+        let sums = surface.at_separation(separation);
+        let scale = sums.log_scale.exp();
+        (scale * (sums.load_contacting + sums.load_attracted), scale * sums.load_absolute)
+    };
+    let (at_end, absolute) = load(end);
+    let mut changes = (-6..0).map(|k| (load(end + 10_f64.powi(k)).0 - at_end) / absolute);
+    match changes.find(|change| change.is_nan() || change.abs() > CHANGE) {
+        Some(change) if change.is_nan() => f64::INFINITY,
+        Some(change) => (-change).max(0.0),
+        None => 0.0,
+    }
 }
 
 fn number(name: &str, otherwise: usize) -> usize {

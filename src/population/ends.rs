@@ -59,6 +59,16 @@ impl<'a> Walk<'a> {
         mass
     }
 
+    /// What the masses of a panel from here to a place are to be multiplied by to be all of its mass, if they are so much.
+    /// Overlaps next to that of an edge differ by few digits, with which summits would be lost or counted twice.
+    fn part_counted(&self, there: &Place, log_scale: f64, mass: f64) -> f64 {
+        if mass > 0.0 {
+            self.mass_to(there.logit, log_scale) / mass
+        } else {
+            1.0
+        }
+    }
+
     /// How far behind one end of the heights is, and how far ahead the other.
     fn distances(&self) -> (f64, f64) {
         if self.direction > 0.0 {
@@ -195,17 +205,22 @@ impl Population {
                 let overlap = here.contact.overlap + rise.abs();
                 let theta_end = self.maugis.at_overlap(overlap, here.g, there.contact.theta).theta;
                 let drift = (there.contact.theta / theta_end - 1.0) / rise.abs();
-                for (theta, weight) in gauss_legendre::nodes(theta_end, here.contact.theta) {
+                let mut panel = [(0.0, 0.0, here.contact); gauss_legendre::POINTS];
+                for ((theta, weight), node) in gauss_legendre::nodes(theta_end, here.contact.theta).zip(&mut panel) {
                     let reference = self.maugis.at(theta, here.g);
-                    let above = reference.overlap - here.contact.overlap;
-                    let place = walk.place.raised(direction * above);
+                    let place = walk.place.raised(direction * (reference.overlap - here.contact.overlap));
                     let mass = weight * reference.overlap_rate.abs() * ends.density(&place, log_scale);
+                    *node = (ends.height(&place), mass, reference);
+                }
+                let part = walk.part_counted(&there_place, log_scale, panel.iter().map(|node| node.1).sum());
+                for (z, mass, reference) in panel {
                     let contact = if self.radius.is_constant() {
                         reference
                     } else {
-                        self.point(&here, direction * above, theta * (1.0 + drift * above.abs())).contact
+                        let above = reference.overlap - here.contact.overlap;
+                        self.point(&here, direction * above, reference.theta * (1.0 + drift * above.abs())).contact
                     };
-                    sink.summits(ends.height(&place), mass, &contact);
+                    sink.summits(z, part * mass, &contact);
                 }
             }
             here = there;
@@ -265,11 +280,16 @@ impl Population {
             } else {
                 there = walk.raised(length);
                 let circle_end = law.circle(overlap + walk.place.rise_to(&there), g);
-                for (circle, weight) in gauss_legendre::nodes(here.circle, circle_end) {
+                let mut panel = [(0.0, 0.0, walk.place); gauss_legendre::POINTS];
+                for ((circle, weight), node) in gauss_legendre::nodes(here.circle, circle_end).zip(&mut panel) {
                     let reference = law.at(circle, g);
                     let rise = reference.overlap - here.overlap;
                     let place = walk.place.raised(rise);
-                    add(&place, overlap + rise, weight * reference.overlap_rate * ends.density(&place, log_scale));
+                    *node = (rise, weight * reference.overlap_rate * ends.density(&place, log_scale), place);
+                }
+                let part = walk.part_counted(&there, log_scale, panel.iter().map(|node| node.1).sum());
+                for (rise, mass, place) in panel {
+                    add(&place, overlap + rise, part * mass);
                 }
             }
             overlap += walk.place.rise_to(&there);

@@ -368,15 +368,13 @@ impl Population {
         self.heights.far_tail() + self.attraction.as_ref().map_or(0.0, |a| a.reach) - self.edges.deepest()
     }
 
-    /// The separations at which summits that gather at the foot of the heights lose contact and attraction.
+    /// The separations at which summits that gather at the foot of the heights lose contact and, later, attraction.
     pub fn partings(&self) -> Vec<f64> {
         let Heights::Ends(ends) = &self.heights else { return Vec::new() };
         let foot = ends.ends()[0];
-        let attraction = self.attraction.as_ref().map(|law| foot + law.reach);
-        [Some(foot - self.maugis.break_away(self.radius.factor(foot)).overlap), attraction]
-            .into_iter()
-            .flatten()
-            .collect()
+        let g = self.radius.factor(foot);
+        let attraction = self.attraction_of(g).map(|law| foot + law.reach);
+        [Some(foot - self.maugis.break_away(g).overlap), attraction].into_iter().flatten().collect()
     }
 
     /// The least overlap of which contacts without adhesion are known to enough digits.
@@ -498,13 +496,17 @@ impl Population {
         sums.friction_slope -= passing * self.slip.force(edge.contact.radius).0;
     }
 
+    /// The attraction of summits of a radius factor when they are out of contact, where there is one.
+    fn attraction_of(&self, g: f64) -> Option<&Attraction> {
+        self.attraction.as_ref().filter(|_| self.lambda_cubed * g < ATTRACTION_LAMBDA_CUBED)
+    }
+
     /// The attraction of a summit out of contact, where there is one.
     fn attraction_at(&self, separation: f64, z: f64) -> Option<attraction::Attracted> {
-        let law = self.attraction.as_ref()?;
         let g = self.radius.factor(z);
+        let law = self.attraction_of(g)?;
         let overlap = z - separation;
-        (self.lambda_cubed * g < ATTRACTION_LAMBDA_CUBED && overlap >= -law.reach)
-            .then(|| law.at(law.circle(overlap, g), g))
+        (overlap >= -law.reach).then(|| law.at(law.circle(overlap, g), g))
     }
 
     /// The contact of a summit `rise` above another, from a starting theta.

@@ -17,6 +17,10 @@ const HEAVIEST: f64 = 0.9e80;
 /// The accuracy of an exact load, relative to the loads that it is the difference of: next to pull-off, where friction
 /// changes much with load, that of the friction force is less.
 const LOAD_ERROR: f64 = 1e-11;
+/// How far the load must rise beyond pull-off before it falls again, and by how much it may fall before, relative to the
+/// loads that it is the difference of: it is known to a few 1e-11 of them.
+const LEAST_RISE: f64 = 1.5e-11;
+const LARGEST_FALL: f64 = 1e-9;
 /// How far a slope may be from the secant over twice this of load - pull-off, extrapolated to none, relative to F/(load -
 /// pull-off): errors of the law, and what the secant is off by still where radii change steeply with height. Beside that, what
 /// the forces are known to.
@@ -198,6 +202,9 @@ impl<'a> Calls<'a> {
             assert!(!model.is_null() && model != untouched, "{params:?}: no model");
             let model = Model::new(Handle(model), *params);
             self.check_summary(&model);
+            if model.summary.pull_off_load < 0.0 {
+                self.beyond_pull_off(&model);
+            }
             return Some(model);
         }
         *self.tally.refused.entry(status).or_default() += 1;
@@ -217,6 +224,30 @@ impl<'a> Calls<'a> {
             && s.table_error <= 1.0000001e-10;
         let finite = bytes(s)[8..].chunks(8).all(|word| is_finite(f64::from_ne_bytes(word.try_into().expect("8"))));
         assert!(sound && finite, "{:?}: {s:?}", model.params);
+    }
+
+    /// Beyond pull-off the load rises, if only within a last bit of the separation, before it may fall again.
+    fn beyond_pull_off(&mut self, model: &Model) {
+        let (at, mut state): (Shared, _) = (model.handle.0, asperity_state::empty());
+        let state_at: *mut asperity_state = &mut state;
+        let pull_off = model.summary.pull_off_load;
+        assert_eq!(call!(self, model.params, asperity_state_at_load(at, pull_off, state_at)), OK, "{:?}", model.params);
+        let (end, height_std) = (state.separation, model.params.quantities[5]);
+        for offset in (-15..0).map(|k| height_std * 10_f64.powi(k)) {
+            let status = call!(self, model.params, asperity_state_at_separation(at, end + offset, state_at));
+            assert_eq!(status, OK, "{end:e} + {offset:e}: {}; {:?}", message(), model.params);
+            let loads = (state.load - state.attraction_load).abs() + state.attraction_load.abs();
+            let change = (state.load - pull_off) / loads;
+            if change > LEAST_RISE {
+                break;
+            }
+            assert!(
+                change > -LARGEST_FALL,
+                "load {:e} at {end:e} + {offset:e} below {pull_off:e}; {:?}",
+                state.load,
+                model.params
+            );
+        }
     }
 
     fn force(&mut self, model: &Model, load: f64) -> f64 {

@@ -126,7 +126,7 @@ impl Bytes<'_> {
             12..=13 => {
                 let skew = 4.0 * self.part() - 2.0;
                 params.height_distribution = 2;
-                [params.appended[0], params.appended[1]] = [skew, skew * skew + 1.0 + self.log_between(0.1, 20.0)];
+                [params.appended[0], params.appended[1]] = [skew, skew * skew + 1.0 + self.log_between(0.01, 20.0)];
                 params
             }
             _ => self.tabulated(params),
