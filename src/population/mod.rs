@@ -386,6 +386,10 @@ impl Population {
     /// one, in ascending order: there the sums are not smooth.
     pub fn kinks(&self) -> Vec<f64> {
         let mut kinks: Vec<f64> = self.heights.knots().iter().flat_map(|&z| self.passings(z)).collect();
+        if let Heights::Ends(ends) = &self.heights {
+            // Just before those that gather part: while they do, within last bits, slopes are any numbers.
+            kinks.iter_mut().for_each(|kink| *kink -= 8.0 * f64::EPSILON * kink.abs().max(ends.width()));
+        }
         kinks.sort_by(f64::total_cmp);
         kinks.dedup();
         kinks

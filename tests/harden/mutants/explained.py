@@ -14,6 +14,7 @@ import pathlib
 import re
 
 LIST = pathlib.Path(__file__).with_name("explained.txt")
+KINDS = "equal", "start", "panels", "digits", "same", "processor", "elsewhere", "unknown"
 
 
 def read():
@@ -27,7 +28,8 @@ def read():
             function, kind = text, ""
         elif depth == 2:
             # A reason may go on in further lines.
-            kind = kind if line_goes_on(text) else text.split(":")[0]
+            word = text.split(":")[0]
+            kind = word if word in KINDS else kind
         elif depth == 4 and kind and "  ->  " in text:
             source, replacements = text.split("  ->  ")
             for replacement in re.split(r"  +", replacements):
@@ -35,10 +37,6 @@ def read():
         else:
             raise SystemExit(f"{LIST}:{number}: not understood: {line}")
     return kinds
-
-
-def line_goes_on(text):
-    return not re.match(r"[a-z ]+: ", text)
 
 
 def place(mutant, lines):
