@@ -18,8 +18,8 @@ const HEAVIEST: f64 = 0.9e80;
 /// changes much with load, that of the friction force is less.
 const LOAD_ERROR: f64 = 1e-11;
 /// How far the load must rise beyond pull-off before it falls again, and by how much it may fall before, relative to the
-/// loads that it is the difference of: it is known to a few 1e-11 of them.
-const LEAST_RISE: f64 = 1.5e-11;
+/// loads that it is the difference of. There are first minima as shallow as that.
+const LEAST_RISE: f64 = 1e-12;
 const LARGEST_FALL: f64 = 1e-9;
 /// How far a slope may be from the secant over twice this of load - pull-off, extrapolated to none, relative to F/(load -
 /// pull-off): errors of the law, and what the secant is off by still where radii change steeply with height. Beside that, what
