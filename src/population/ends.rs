@@ -101,13 +101,12 @@ impl<'a> Walk<'a> {
             smooth(None).min(LOGIT_RATIO * logits)
         } else {
             let beyond = log(((clearance - behind) / self.ends.width()).max(f64::MIN_POSITIVE));
-            // The law is singular at complex heights around that edge as well.
-            let farthest = self.place.raised(self.direction * super::HEIGHT_RATIO * clearance).logit;
-            let in_height =
-                if farthest.is_finite() { self.direction * (farthest - self.place.logit) } else { f64::MAX };
-            smooth(Some(self.direction * beyond)).min(in_height)
+            smooth(Some(self.direction * beyond))
         };
-        longest.min(by_score)
+        // The law is singular at complex heights around that edge as well.
+        let farthest = self.place.raised(self.direction * super::HEIGHT_RATIO * clearance).logit;
+        let in_height = if farthest.is_finite() { self.direction * (farthest - self.place.logit) } else { f64::MAX };
+        longest.min(in_height).min(by_score).max(0.0)
     }
 
     /// The place a length further on, or the last where that is nearer.
