@@ -332,13 +332,12 @@ fn bracket_at_foot(population: &Population) -> Result<Option<(f64, f64)>, Error>
     let offsets = (1..=NEAREST).map(|k| -0.1_f64.powi(k)).chain((1..=NEAREST).rev().map(|k| 0.1_f64.powi(k)));
     let partings = population.partings();
     for (index, &parting) in partings.iter().enumerate() {
-        let from = index.checked_sub(1).map_or(f64::NEG_INFINITY, |before| 0.5 * (partings[before] + parting));
         let until = partings.get(index + 1).map_or(f64::INFINITY, |after| 0.5 * (parting + after));
         let separations = offsets.clone().map(|offset| parting + scale * offset);
         let mut lowest = f64::INFINITY;
-        // The last separation before the lowest load where the load falls, and the first after that where it does not.
+        // The last separation at which the load falls, and the first after that at which it does not.
         let (mut lower, mut upper) = (None, None);
-        for separation in separations.filter(|&separation| separation > from && separation < until) {
+        for separation in separations.take_while(|&separation| separation < until) {
             let sums = sums_at(population, separation)?.unscaled();
             let (load, falls) = (sums.load(), sums.load_slope < 0.0);
             if lower.is_none() && !falls {
@@ -349,10 +348,10 @@ fn bracket_at_foot(population: &Population) -> Result<Option<(f64, f64)>, Error>
             if load > lowest + known {
                 return Ok(lower.map(|lower| (lower, upper.unwrap_or(separation))));
             }
-            if load < lowest && falls {
+            if falls {
                 (lower, upper) = (Some(separation), None);
-            } else if !falls && upper.is_none() {
-                upper = Some(separation);
+            } else {
+                upper = upper.or(Some(separation));
             }
             lowest = lowest.min(load);
         }
@@ -656,6 +655,31 @@ mod tests {
         assert_eq!(some, 2);
     }
 
+    /// Contact first and attraction soon after: the minimum is beside one of the two.
+    #[test]
+    fn a_minimum_beside_one_parting_is_not_looked_for_beside_another() {
+        for (moments, groups, beside) in [
+            ((0.2121494, 1.1200138), [0.19461009, 19.136892, 0.6606602, 0.1514688], 0),
+            ((-0.489457, 1.2877357), [0.00914899, 330.1119, 0.017672985, 0.24989143], 0),
+            ((-1.0669039, 2.1550202), [1.6579479e-4, 5689.5963, 9.2311e-5, 0.82552873], 1),
+            ((-1.3680833, 3.0642251), [9.24114e-4, 13819.52, 0.0073409785, 0.052169169], 1),
+            ((-0.8602528, 1.742354), [0.3040613, 19604.971, 3.817995e-5, 7.7090694], 1),
+        ] {
+            let population = population(&(johnson(moments.0, moments.1), groups, ALIKE));
+            let partings = population.partings();
+            let (lower, upper) = bracket_at_foot(&population).expect("sums").expect("a bracket");
+            let [before, after] = [lower, upper].map(|separation| separation - partings[beside]);
+            let (nearer, farther) = (before.abs().min(after.abs()), before.abs().max(after.abs()));
+            let middle = 0.5 * (partings[0] + partings[1]);
+            let is_beside = if beside == 0 { upper < middle } else { lower > middle };
+            assert!(farther < 12.0 * nearer && is_beside, "{moments:?}: {before:e}, {after:e} of {partings:?}");
+            if let Ok(branch) = Equilibrium::new(&population) {
+                let end = branch.farthest();
+                assert!(end >= lower && end <= upper, "{moments:?}: {end} not from {lower} to {upper}");
+            }
+        }
+    }
+
     /// Adhesion so strong that the load rises at the mean height already.
     #[test]
     fn the_search_for_the_minimum_begins_where_the_load_falls() {
@@ -679,18 +703,25 @@ mod tests {
         assert!(separation < branch.farthest() && branch.farthest() < -9.0, "{separation} of {branch:?}");
     }
 
-    /// Summits at the foot part at once, and the load, which falls before and after, rises.
+    /// Summits at the foot part at once, and the load, which falls before, rises.
     #[test]
     fn the_branch_ends_before_a_jump_of_the_load() {
-        let groups = [7.7212e-4, 91.4535, 4.32703e-6, 7.7011];
-        let population = population(&(johnson(-0.937307, 1.881893), groups, [-0.632445, 0.769541]));
-        let end = Equilibrium::new(&population).expect("a branch").farthest();
-        assert!((1..=400).all(|i| load_falls(&population, end - 0.01 * f64::from(i))));
-        let [before, at, after] = [-1e-3, 0.0, 1e-3].map(|offset| load_at(&population, end + offset));
-        assert!(
-            at < before && at < after && load_falls(&population, end + 1e-3),
-            "{before:e}, {at:e}, {after:e} at {end}"
-        );
+        for (heights, groups, radii) in [
+            (johnson(-0.937307, 1.881893), [7.7212e-4, 91.4535, 4.32703e-6, 7.7011], [-0.632445, 0.769541]),
+            (johnson(0.8329426, 1.6997249), [0.0016562242, 61.948891, 6.0524703e-6, 4.8762614], ALIKE),
+            (johnson(-0.8641318, 1.8453223), [6.2100242e-4, 1290.354312, 6.4854982e-6, 0.5358852], ALIKE),
+            (johnson(-1.0126823, 2.0316476), [0.0373222, 2.4815523, 5.578989e-5, 4.7864413], ALIKE),
+            (johnson(-1.2384868, 2.6452719), [0.0043036815, 316.793726, 0.001981027, 0.4866693], ALIKE),
+            (johnson(0.5114498, 1.262764), [0.0138588516, 4.4010831, 3.9135642e-4, 17.4768316], [0.9368157, 6.5963524]),
+        ] {
+            let population = population(&(heights, groups, radii));
+            let end = Equilibrium::new(&population).expect("a branch").farthest();
+            assert!((1..=400).all(|i| load_falls(&population, end - 0.01 * f64::from(i))), "{groups:?}");
+            // Last bits after which all have parted that part at once.
+            let step = 1e-13 * end.abs().max(1.0);
+            let [before, at, after] = [-step, 0.0, step].map(|offset| load_at(&population, end + offset));
+            assert!(at <= before && after > at + 1e-9 * at.abs(), "{before:e}, {at:e}, {after:e} at {end}, {groups:?}");
+        }
         // One that pushes there is refused.
         let surface = (johnson(0.458, 1.279), [0.0756, 68354.2, 1.7283e-3, 0.1578], [0.5283, 2.7162]);
         let population = self::population(&surface);

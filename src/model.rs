@@ -487,6 +487,7 @@ impl Units {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::params::HeightFamily;
 
     fn default_case() -> Model {
         Model::new(&Params::default()).expect("a model")
@@ -510,6 +511,35 @@ mod tests {
             Model::new(&Params { work_of_adhesion: 0.0, max_friction_coefficient: f64::INFINITY, ..Params::default() });
         let (mu, slope) = light.expect("a model").friction_and_slope(1e-305);
         assert!(mu > 0.0 && mu.is_finite() && slope == -1e300, "{mu}, {slope:e}");
+    }
+
+    /// Where a few of the lowest summits part, within a last bit of the separation, the load rises by less than a rounding.
+    #[test]
+    fn friction_rises_with_load_wherever_the_branch_goes() {
+        let heights = HeightFamily::Johnson { skew: -0.0546875, kurtosis: 1.005699834951593 };
+        let params = Params {
+            composite_modulus: 7.602926355323426e-6,
+            effective_shear_modulus: 5.322048448726398e-6,
+            work_of_adhesion: 1.2144095762120117e-6,
+            adhesion_range: 49.03695077502044,
+            burgers_vector: 3.028103075464726,
+            height_std: 0.10534860379122947,
+            summit_radius: 543.2892701961454,
+            heights,
+            ..Params::default()
+        };
+        let model = Model::new(&params).expect("a model");
+        let mut separation = model.population.partings()[0];
+        let mut rising = 0;
+        for _ in 0..40 {
+            separation = separation.next_up();
+            assert!(model.is_on_branch(separation));
+            let sums = model.population.at_separation(separation).unscaled();
+            rising += u32::from(sums.load_slope > 0.0);
+            let slope = model.force_slope(separation, &sums);
+            assert!(slope > 0.0 && slope.is_finite(), "{slope:e} at {separation}");
+        }
+        assert!(rising > 0);
     }
 
     #[test]

@@ -498,6 +498,11 @@ fn contact_and_attraction_end_where_it_is_said() {
             assert_eq!(partings.len(), if attracts && !strong { 2 } else { 1 });
             assert!(ending.partings().is_empty());
             for (parting, kind) in partings.into_iter().zip([0, 1]) {
+                // Panels of the law end by some last bits before.
+                let kinks = gathered.kinks();
+                let before = kinks.iter().map(|kink| parting - kink).filter(|&before| before >= 0.0);
+                let nearest = before.fold(f64::INFINITY, f64::min) / (f64::EPSILON * parting.abs().max(2.0));
+                assert!((2.0..17.0).contains(&nearest), "{kind} {gamma}: {kinks:?}, {parting}");
                 let [before, after] = [-1e-9, 1e-9].map(|off| {
                     let sums = gathered.at_separation(parting + off).unscaled();
                     if kind == 0 {

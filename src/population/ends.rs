@@ -396,6 +396,19 @@ mod tests {
         }
     }
 
+    /// What a panel lacks of its summits, or has too many of, is mended; nothing is made of none.
+    #[test]
+    fn a_panel_counts_as_all_of_its_summits() {
+        let ends = curve(0.7, 0.05);
+        let (walk, there) = (Walk::new(&ends, -1.0, 0.0), ends.place_of(-0.9));
+        let all = mass_above(&ends, -1.0, 0.0) - mass_above(&ends, -0.9, 0.0);
+        for part in [0.5, 1.0, 3.0] {
+            let found = walk.part_counted(&there, 0.0, part * all);
+            assert!((found * part - 1.0).abs() < 1e-12, "{found} of {part}");
+        }
+        assert_eq!(walk.part_counted(&there, 0.0, 0.0), 1.0);
+    }
+
     #[test]
     fn a_distance_is_told_from_none_by_the_digits_of_an_overlap() {
         for (clearance, overlap, expected) in [
