@@ -114,7 +114,7 @@ impl Law {
             error: 0.0,
             curve,
         };
-        let mut best = -1.0;
+        let mut best = None;
         let fractions = if curve_is_resolved { &FRACTIONS[..] } else { &[FRACTION_OF_KINKS] };
         for &fraction in fractions {
             let shift = MANTISSA_BITS - fraction;
@@ -128,8 +128,8 @@ impl Law {
             }
             let missing = rows.iter().filter(|row| row.is_left_out()).count();
             let binades = (rows.len() - missing) as f64 / f64::from(1 << fraction);
-            if binades > best {
-                best = binades;
+            if best.is_none_or(|best| binades > best) {
+                best = Some(binades);
                 (law.rows, law.shift, law.base, law.error) = (rows, shift, first, error);
             }
             if missing == 0 {
