@@ -493,6 +493,7 @@ fn contact_and_attraction_end_where_it_is_said() {
             assert!(farthest <= table.support().1 + reach + holds + 1e-9);
             // A part of all summits parts at once at each.
             let gathered = of(johnson::heights(0.2, 1.05));
+            let asperity::surface::heights::Heights::Ends(ends) = gathered.heights() else { panic!("{gathered:?}") };
             let partings = gathered.partings();
             let strong = groups.lambda_cubed() >= 9.0 / 32.0;
             assert_eq!(partings.len(), if attracts && !strong { 2 } else { 1 });
@@ -500,9 +501,11 @@ fn contact_and_attraction_end_where_it_is_said() {
             for (parting, kind) in partings.into_iter().zip([0, 1]) {
                 // Panels of the law end by some last bits before.
                 let kinks = gathered.kinks();
-                let before = kinks.iter().map(|kink| parting - kink).filter(|&before| before >= 0.0);
-                let nearest = before.fold(f64::INFINITY, f64::min) / (f64::EPSILON * parting.abs().max(2.0));
-                assert!((2.0..17.0).contains(&nearest), "{kind} {gamma}: {kinks:?}, {parting}");
+                for parting in [parting, parting + ends.width()] {
+                    let before = kinks.iter().map(|kink| parting - kink).filter(|&before| before >= 0.0);
+                    let nearest = before.fold(f64::INFINITY, f64::min) / (f64::EPSILON * parting.abs().max(2.0));
+                    assert!((2.0..17.0).contains(&nearest), "{kind} {gamma}: {kinks:?}, {parting}");
+                }
                 let [before, after] = [-1e-9, 1e-9].map(|off| {
                     let sums = gathered.at_separation(parting + off).unscaled();
                     if kind == 0 {

@@ -396,6 +396,21 @@ mod tests {
         }
     }
 
+    /// In logit and in height, where the law of one summit is singular at a place behind.
+    #[test]
+    fn a_panel_is_not_much_longer_than_its_distance_from_an_edge_of_contact() {
+        let ends = curve(0.7, 0.05);
+        for (walk, clearance) in walks(&ends) {
+            if clearance > 0.0 && clearance < 0.9 * walk.place.above_foot {
+                let edge = walk.place.raised(-clearance).logit;
+                let longest = walk.longest_panel(clearance);
+                let (by_logit, far) = (2.0 * (walk.place.logit - edge), walk.place.raised(2.5 * clearance).logit);
+                let most = by_logit.min(far - walk.place.logit) * (1.0 + 1e-6) + 1e-12;
+                assert!(longest <= most, "{} {clearance:e}: {longest}, {most}", walk.place.logit);
+            }
+        }
+    }
+
     /// What a panel lacks of its summits, or has too many of, is mended; nothing is made of none.
     #[test]
     fn a_panel_counts_as_all_of_its_summits() {

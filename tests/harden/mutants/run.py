@@ -40,8 +40,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 PROGRAMS = ["contract", "old_caller", "tables", "traps"]
 EMULATED = ["batch"]
 EMULATOR = ["qemu-x86_64", "-cpu", "Haswell"]
-TARGETS = ["batch", "contacts", "domain", "figures", "findings", "fuzz", "heights", "law", "pressure_and_slip", "published",
-    "reference", "robustness", "thresholds"]
+TARGETS = ["batch", "contacts", "domain", "figures", "findings", "fuzz", "heights", "law", "pointers", "pressure_and_slip",
+    "published", "reference", "robustness", "thresholds"]
 MEMORY = 8 << 30
 OPEN = ("missed", "not reached", "timeout")
 # Short forms of the tests that have a length.
