@@ -1218,6 +1218,20 @@ pub(crate) mod tests {
         assert!(count <= 303, "{count} evaluations");
     }
 
+    /// Where a contact breaks its slopes by overlap are infinite; what they add is the moving edge's share.
+    #[test]
+    fn a_summit_that_breaks_away_has_no_slope_of_its_own() {
+        let population = population(HeightFamily::Gaussian);
+        let contact = population.point_cold(0.5, 0.0).contact;
+        let at_rate = |overlap_rate| population.summit(&Contact { overlap_rate, ..contact });
+        for rate in [0.0, -0.0, -5e-324, 5e-324, 1e-9] {
+            let summit = at_rate(rate);
+            assert_eq!((summit.load_by_overlap, summit.friction_by_overlap), (0.0, 0.0), "{rate:e}");
+            assert_eq!(summit.load, contact.load);
+        }
+        assert_eq!(at_rate(-0.5).load_by_overlap, contact.load_rate / -0.5);
+    }
+
     /// A summit at a height, whose contact has a radius with a slope.
     fn summit(z: f64, radius: f64, slope: f64) -> Point {
         let mut point = population(HeightFamily::Gaussian).point_cold(-2.0, 0.0);
