@@ -26,6 +26,32 @@ fn number(name: &str, otherwise: u64) -> u64 {
     std::env::var(name).map_or(otherwise, |text| text.parse().unwrap_or_else(|_| panic!("{name} = {text}: a number")))
 }
 
+impl Tally {
+    /// All calls.
+    fn total(&self) -> u64 {
+        self.calls.values().sum()
+    }
+
+    /// Takes over what another saw.
+    fn merge(&mut self, other: Self) {
+        for (name, count) in other.calls {
+            *self.calls.entry(name).or_default() += count;
+        }
+        for (status, count) in other.refused {
+            *self.refused.entry(status).or_default() += count;
+        }
+        if other.slowest > self.slowest {
+            (self.slowest, self.slowest_call) = (other.slowest, other.slowest_call);
+        }
+        self.too_slow.extend(other.too_slow);
+        self.table_difference = self.table_difference.max(other.table_difference);
+        self.table_ratio = self.table_ratio.max(other.table_ratio);
+        self.secant_difference = self.secant_difference.max(other.secant_difference);
+        self.unresolved += other.unresolved;
+        self.largest_fall = self.largest_fall.max(other.largest_fall);
+    }
+}
+
 /// One input, from its own seed.
 fn input(seed: u64) -> Vec<u8> {
     let mut random = SplitMix(seed);

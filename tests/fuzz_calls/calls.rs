@@ -52,9 +52,9 @@ pub struct Tally {
     pub slowest_call: String,
     /// Calls that took longer than they may.
     pub too_slow: Vec<String>,
-    /// The largest relative difference of the table from exact evaluation, and the largest over `table_error`.
+    /// The largest relative difference of the table from exact evaluation.
     pub table_difference: f64,
-    /// That, over `table_error`.
+    /// The largest such difference over `table_error`.
     pub table_ratio: f64,
     /// The largest difference of a slope from the secant, relative to F/(load - pull-off).
     pub secant_difference: f64,
@@ -62,32 +62,6 @@ pub struct Tally {
     pub unresolved: u64,
     /// The largest fall of the friction force between two loads, relative to it.
     pub largest_fall: f64,
-}
-
-impl Tally {
-    /// All calls.
-    pub fn total(&self) -> u64 {
-        self.calls.values().sum()
-    }
-
-    /// Takes over what another saw.
-    pub fn merge(&mut self, other: Self) {
-        for (name, count) in other.calls {
-            *self.calls.entry(name).or_default() += count;
-        }
-        for (status, count) in other.refused {
-            *self.refused.entry(status).or_default() += count;
-        }
-        if other.slowest > self.slowest {
-            (self.slowest, self.slowest_call) = (other.slowest, other.slowest_call);
-        }
-        self.too_slow.extend(other.too_slow);
-        self.table_difference = self.table_difference.max(other.table_difference);
-        self.table_ratio = self.table_ratio.max(other.table_ratio);
-        self.secant_difference = self.secant_difference.max(other.secant_difference);
-        self.unresolved += other.unresolved;
-        self.largest_fall = self.largest_fall.max(other.largest_fall);
-    }
 }
 
 /// A model with what it was made from.
