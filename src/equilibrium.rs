@@ -6,7 +6,8 @@
 
 use crate::elementary::{exp, log};
 use crate::error::Error;
-use crate::population::{integrate_short, Population, Sums};
+use crate::gauss_legendre::integrate_short;
+use crate::population::{Population, Sums};
 use crate::root;
 
 /// Separations are searched between these, in sigma.

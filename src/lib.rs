@@ -18,6 +18,8 @@ mod capi;
 mod elementary;
 mod equilibrium;
 mod error;
+mod float_bits;
+pub mod gauss_legendre;
 pub mod groups;
 mod law;
 mod model;

@@ -3,9 +3,10 @@
 use crate::elementary::{cbrt, exp, log};
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
+use crate::float_bits::finite;
 use crate::groups::Groups;
 use crate::law::{self, Law, Row, Scales, Table};
-use crate::params::{finite, Params};
+use crate::params::Params;
 use crate::population::{out_of_panels, Contacts, Population, Sums};
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.

@@ -2,6 +2,7 @@
 
 use crate::asperity::slip::SlipConstants;
 use crate::error::Error;
+use crate::float_bits::{finite, infinite, nan};
 use crate::groups::Groups;
 use crate::surface::heights::johnson;
 use crate::surface::heights::tabulated::Tabulated;
@@ -384,20 +385,6 @@ fn checked_johnson(skew: f64, kurtosis: f64) -> Result<Heights, Error> {
     Ok(johnson::heights(skew, kurtosis))
 }
 
-/// Tested by bits: a comparison with a signalling NaN would raise a floating-point exception.
-pub(crate) fn finite(x: f64) -> bool {
-    x.to_bits() >> 52 & 0x7ff != 0x7ff
-}
-
-/// Plus infinity.
-fn infinite(x: f64) -> bool {
-    x.to_bits() == f64::INFINITY.to_bits()
-}
-
-pub(crate) fn nan(x: f64) -> bool {
-    x.to_bits() << 1 > 0x7ff << 53
-}
-
 fn positive(name: &'static str, value: f64) -> Result<(), Error> {
     magnitude(name, value, POSITIVE)
 }
@@ -620,19 +607,5 @@ mod tests {
         assert_eq!(params.height_std, moments.summit_height_std());
         assert_eq!(params.summit_radius, moments.summit_radius());
         assert!((params.asperity_count / (250.0 * moments.summit_density()) - 1.0).abs() < 1e-14);
-    }
-
-    #[test]
-    fn numbers_are_told_apart_by_their_bits() {
-        let signalling = f64::from_bits(0x7ff0_0000_0000_0001);
-        for x in [f64::NAN, -f64::NAN, signalling, -signalling] {
-            assert!(nan(x) && !finite(x) && !infinite(x), "{:x}", x.to_bits());
-        }
-        for x in [f64::INFINITY, f64::NEG_INFINITY] {
-            assert!(!nan(x) && !finite(x) && infinite(x) == (x > 0.0), "{x}");
-        }
-        for x in [0.0, -0.0, 5e-324, -1.0, 1.5, f64::MAX, f64::MIN] {
-            assert!(!nan(x) && finite(x) && !infinite(x), "{x}");
-        }
     }
 }

@@ -5,8 +5,9 @@ mod second_evaluation;
 mod surface_params;
 
 use asperity::asperity::maugis::Maugis;
+use asperity::gauss_legendre::nodes;
 use asperity::groups::Groups;
-use asperity::population::{nodes, Population};
+use asperity::population::Population;
 use asperity::surface::heights::johnson;
 use asperity::surface::heights::tabulated::Tabulated;
 use asperity::surface::heights::weibull::Weibull;

@@ -4,7 +4,7 @@ use super::batch::Quantity;
 use super::boundary;
 use super::fp_environment;
 use super::model::asperity_model;
-use crate::params::finite;
+use crate::float_bits::finite;
 use crate::regularised::smooth_sign;
 
 /// Areas and rates must lie between these, pressures below the square of the larger.

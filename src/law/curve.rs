@@ -6,6 +6,7 @@
 //! are joined by Hermite interpolation; a panel that misses the exact states between its nodes is tried again shorter.
 
 use super::reach::{Next, Reach};
+use super::CONDITIONS;
 use crate::elementary::{cos, exp, exp_each, log, log1p, sinh};
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
@@ -13,9 +14,7 @@ use crate::population::Population;
 use std::f64::consts::LN_2;
 
 /// Exact states per panel.
-const NODES: usize = 10;
-/// Interpolation conditions per panel: value and slope at every node.
-pub const CONDITIONS: usize = 2 * NODES;
+const NODES: usize = CONDITIONS / 2;
 /// The branch is followed from this separation of the means, in sigma; heavier loads are evaluated exactly.
 const CLOSEST: f64 = -12.0;
 /// The branch is followed from at least this much above the pull-off load, in ln(load).

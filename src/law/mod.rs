@@ -20,6 +20,8 @@ use row::Filling;
 pub use curve::BRANCH;
 pub use row::{polynomial, Row, COEFFICIENTS};
 
+/// Interpolation conditions per panel of the curve: value and slope at each of its exact states.
+const CONDITIONS: usize = 20;
 /// Rows of one table at most: 64 KiB.
 const MOST_ROWS: usize = 1024;
 /// Rows per binade, as powers of two: tried in turn.

@@ -1,7 +1,7 @@
 //! How far the panels of the curve reach: as far as those before them were good, and not beyond a separation about which the
 //! curve is not smooth.
 
-use super::curve::CONDITIONS;
+use super::CONDITIONS;
 use crate::elementary::pow;
 use crate::equilibrium::Equilibrium;
 use crate::population::Population;

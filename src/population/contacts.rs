@@ -3,8 +3,9 @@
 //!
 //! Walked anew with every panel, for exact states only: the sums that a law is compiled from need none of this.
 
-use super::{ends, gauss_legendre, Contact, Density, Edge, Heights, Point, Population, Sink, MOST_PANELS};
+use super::{ends, Contact, Density, Edge, Heights, Point, Population, Sink, MOST_PANELS};
 use crate::elementary::log;
+use crate::gauss_legendre;
 use crate::root;
 
 /// Contact radii, in b, and their share of the regimes of slip.

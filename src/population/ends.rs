@@ -3,9 +3,10 @@
 //! Next to an end nothing but the density changes, and so its whole spike has one contact. Next to an edge of contact the
 //! variable is theta as elsewhere. What panels hand on is the mass of summits, the density itself has no bound.
 
-use super::{gauss_legendre, Guess, Point, Population, Sink, Summit, MOST_PANELS, THETA_SPAN};
+use super::{Guess, Point, Population, Sink, Summit, MOST_PANELS, THETA_SPAN};
 use crate::asperity::attraction::Attraction;
 use crate::elementary::{log, log1p};
+use crate::gauss_legendre;
 use crate::surface::heights::johnson::ends::{Ends, Place};
 
 /// Nearer to an end than this part of the distance to where the law of one summit is singular, it does not change.

@@ -13,18 +13,17 @@ mod break_edges;
 mod contacts;
 mod density;
 mod ends;
-mod gauss_legendre;
 mod nodes;
 mod table;
 
 pub use contacts::Contacts;
-pub use gauss_legendre::{integrate_short, nodes, POINTS};
 
 use crate::asperity::attraction::{self, Attraction, ATTRACTION_LAMBDA_CUBED};
 use crate::asperity::maugis::{Contact, Maugis};
 use crate::asperity::slip::{Slip, SlipConstants};
 use crate::elementary::{cos, exp, pow};
 use crate::error::Error;
+use crate::gauss_legendre;
 use crate::groups::Groups;
 use crate::root;
 use crate::surface::heights::{Heights, Steepness, SHORTEST_PANEL, UNDERFLOW};
@@ -1287,7 +1286,7 @@ pub(crate) mod tests {
     fn halved<const N: usize>(f: &impl Fn(f64) -> [f64; N], from: f64, to: f64) -> [[f64; N]; 2] {
         let panel = |from: f64, to: f64| {
             let mut sums = [[0.0; N]; 2];
-            for (z, weight) in nodes(from, to) {
+            for (z, weight) in gauss_legendre::nodes(from, to) {
                 let values = f(z).map(|value| weight * value);
                 sums = sum(sums, [values, values.map(f64::abs)]);
             }

@@ -1,8 +1,8 @@
 //! Quadrature nodes that serve every separation: with equal radii the contacts depend on overlap alone.
 
-use super::gauss_legendre::POINTS;
 use super::{Point, Population, Sink, Summit};
 use crate::asperity::maugis::Contact;
+use crate::gauss_legendre::POINTS;
 
 /// Panels are tabulated up to this overlap, in sigma: enough for all summits at separations above -8.
 pub const LARGEST_OVERLAP: f64 = 18.0;

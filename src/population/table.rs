@@ -1,7 +1,8 @@
 //! Cells of a table of heights: many pieces of its density at once, where the law of one summit is smooth across them.
 
-use super::{gauss_legendre, Guess, Point, Population, Sink};
+use super::{Guess, Point, Population, Sink};
 use crate::elementary::exp;
+use crate::gauss_legendre;
 use crate::surface::heights::Heights;
 
 /// The length of a cell over its distance to break-away: values at 16 points then fix the law between them.

@@ -335,7 +335,7 @@ pub const SHORTEST_PANEL: f64 = 1e-8;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::population::nodes;
+    use crate::gauss_legendre::nodes;
     use std::cell::Cell;
 
     thread_local! {

@@ -7,8 +7,8 @@
 //! negative, and none is larger than all of the table. Zero densities at the ends are left out up to the last one.
 
 use crate::error::Error;
-use crate::params::finite;
-use crate::population::{integrate_short, nodes, POINTS};
+use crate::float_bits::finite;
+use crate::gauss_legendre::{integrate_short, nodes, POINTS};
 
 /// How many heights a table may have.
 pub const LENGTHS: (usize, usize) = (3, 4096);

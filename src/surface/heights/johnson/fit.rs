@@ -11,7 +11,7 @@
 //! epsilon, whose median nears one end, is written about its ends: y = 1/(1 + exp(-epsilon (u - step))), from 0 to 1.
 
 use crate::elementary::{cbrt, exp, expm1, log, log1p, pow};
-use crate::population::integrate_short;
+use crate::gauss_legendre::integrate_short;
 use crate::root;
 use std::f64::consts::PI;
 

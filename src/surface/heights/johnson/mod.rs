@@ -272,7 +272,7 @@ struct At {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::population::nodes;
+    use crate::gauss_legendre::nodes;
 
     fn curve(skew: f64, kurtosis: f64) -> Johnson {
         match heights(skew, kurtosis) {

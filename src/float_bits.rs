@@ -1,0 +1,34 @@
+//! What kind of number a float is, told by its bits: a comparison with a signalling NaN would raise a floating-point
+//! exception.
+
+pub fn finite(x: f64) -> bool {
+    x.to_bits() >> 52 & 0x7ff != 0x7ff
+}
+
+/// Plus infinity.
+pub fn infinite(x: f64) -> bool {
+    x.to_bits() == f64::INFINITY.to_bits()
+}
+
+pub fn nan(x: f64) -> bool {
+    x.to_bits() << 1 > 0x7ff << 53
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_told_apart_by_their_bits() {
+        let signalling = f64::from_bits(0x7ff0_0000_0000_0001);
+        for x in [f64::NAN, -f64::NAN, signalling, -signalling] {
+            assert!(nan(x) && !finite(x) && !infinite(x), "{:x}", x.to_bits());
+        }
+        for x in [f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(!nan(x) && !finite(x) && infinite(x) == (x > 0.0), "{x}");
+        }
+        for x in [0.0, -0.0, 5e-324, -1.0, 1.5, f64::MAX, f64::MIN] {
+            assert!(!nan(x) && finite(x) && !infinite(x), "{x}");
+        }
+    }
+}
