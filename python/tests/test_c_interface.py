@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from asperity import Model, Params, Status, _header, _library
+from asperity import Model, Params, Status, _header, _library, errors
 
 
 class Recorder:
@@ -141,7 +141,7 @@ def test_parameters_reach_the_library_unchanged() -> None:
 def parameters_of(model: Model) -> Any:
     back = _header.asperity_params()
     pointer, size = model._open().pointer, ctypes.sizeof(back)
-    _library.check(_library.LIBRARY.asperity_get_params_sized(pointer, back, size))
+    errors.check(_library.LIBRARY.asperity_get_params_sized(pointer, back, size))
     return back
 
 

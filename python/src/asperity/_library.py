@@ -1,4 +1,4 @@
-"""Finds and loads the shared library, and turns its statuses into exceptions.
+"""Finds and loads the shared library.
 
 The library is the one inside the package, or the file that the environment variable ASPERITY_LIBRARY names. One of
 another binary interface is refused: its structs could not be trusted.
@@ -12,7 +12,6 @@ import sys
 from pathlib import Path
 
 from . import _header
-from .errors import Error, Status
 
 _NAMES = {"win32": "asperity.dll", "darwin": "libasperity.dylib"}
 
@@ -71,9 +70,3 @@ def last_error() -> str:
     buffer = ctypes.create_string_buffer(length + 1)
     LIBRARY.asperity_last_error(buffer, len(buffer))
     return buffer.value.decode("utf-8", "replace")
-
-
-def check(status: int) -> None:
-    """Raises the library's message unless it reports success."""
-    if status != _header.ASPERITY_OK:
-        raise Error(last_error(), Status(status))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from enum import IntEnum
 
 from . import _header
+from ._library import LIBRARY, last_error
 
 
 class Status(IntEnum):
@@ -22,8 +23,6 @@ class Status(IntEnum):
     @property
     def description(self) -> str:
         """What the status means, in the library's words."""
-        from ._library import LIBRARY  # it needs this module
-
         text: bytes = LIBRARY.asperity_status_string(self)
         return text.decode()
 
@@ -43,3 +42,9 @@ class Error(ValueError):
 
     def __reduce__(self) -> tuple[type[Error], tuple[str, Status]]:
         return type(self), (str(self), self.status)
+
+
+def check(status: int) -> None:
+    """Raises the library's message unless it reports success."""
+    if status != _header.ASPERITY_OK:
+        raise Error(last_error(), Status(status))

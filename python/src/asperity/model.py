@@ -18,8 +18,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _header
-from ._library import LIBRARY, check
-from .errors import Error, Status
+from ._library import LIBRARY
+from .errors import Error, Status, check
 from .params import Params
 from .results import State, Summary
 

@@ -9,8 +9,8 @@ from dataclasses import MISSING, dataclass, fields
 from typing import TYPE_CHECKING, Any, Literal, Sequence
 
 from . import _header
-from ._library import LIBRARY, check
-from .errors import Error, Status
+from ._library import LIBRARY
+from .errors import Error, Status, check
 
 if TYPE_CHECKING:
     from typing_extensions import TypedDict, Unpack
