@@ -3,10 +3,16 @@
 //!
 //! Walked anew with every panel, for exact states only: the sums that a law is compiled from need none of this.
 
-use super::{ends, Contact, Density, Edge, Heights, Point, Population, Sink, MOST_PANELS};
+use super::break_edges::Edge;
+use super::density::Density;
+use super::panels::{Sink, MOST_PANELS};
+use super::point::Point;
+use super::{ends, Population};
+use crate::asperity::maugis::Contact;
 use crate::elementary::log;
 use crate::gauss_legendre;
 use crate::root;
+use crate::surface::heights::Heights;
 
 /// Contact radii, in b, and their share of the regimes of slip.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -3,7 +3,11 @@
 //! Next to an end nothing but the density changes, and so its whole spike has one contact. Next to an edge of contact the
 //! variable is theta as elsewhere. What panels hand on is the mass of summits, the density itself has no bound.
 
-use super::{Guess, Point, Population, Sink, Summit, MOST_PANELS, THETA_SPAN};
+use super::attracted::CIRCLE_RATIO;
+use super::panels::{Sink, HEIGHT_RATIO, MOST_PANELS, THETA_SPAN};
+use super::point::{Guess, Point};
+use super::sums::Summit;
+use super::Population;
 use crate::asperity::attraction::Attraction;
 use crate::elementary::{log, log1p};
 use crate::gauss_legendre;
@@ -105,7 +109,7 @@ impl<'a> Walk<'a> {
             smooth(Some(self.direction * beyond))
         };
         // The law is singular at complex heights around that edge as well.
-        let farthest = self.place.raised(self.direction * super::HEIGHT_RATIO * clearance).logit;
+        let farthest = self.place.raised(self.direction * HEIGHT_RATIO * clearance).logit;
         let in_height = if farthest.is_finite() { self.direction * (farthest - self.place.logit) } else { f64::MAX };
         longest.min(in_height).min(by_score).max(0.0)
     }
@@ -268,7 +272,7 @@ impl Population {
             let here = law.at(law.circle(overlap, g), g);
             let mut length = CIRCLE_SPAN * walk.place.from_end().min(longest).min(1.0);
             if !self.radius.is_constant() {
-                let farthest = law.at_rate(super::CIRCLE_RATIO * here.overlap_rate, g);
+                let farthest = law.at_rate(CIRCLE_RATIO * here.overlap_rate, g);
                 let shortest = (SAME.sqrt() * length).max(ROUNDING * overlap.abs());
                 length = length.min((farthest.overlap - here.overlap).max(shortest));
             }

@@ -9,50 +9,35 @@
 //! Heights, overlaps and separations are in sigma; sums are per summit, loads in E* b^2, friction in
 //! G* b^2, areas in b^2.
 
+mod attracted;
 mod break_edges;
 mod contacts;
+mod cuts;
 mod density;
 mod ends;
 mod nodes;
+mod panels;
+mod point;
+mod sums;
 mod table;
 
 pub use contacts::Contacts;
+pub use sums::{out_of_panels, Sums};
 
-use crate::asperity::attraction::{self, Attraction, ATTRACTION_LAMBDA_CUBED};
+use crate::asperity::attraction::Attraction;
 use crate::asperity::maugis::{Contact, Maugis};
 use crate::asperity::slip::{Slip, SlipConstants};
-use crate::elementary::{cos, exp, pow};
-use crate::error::Error;
-use crate::gauss_legendre;
 use crate::groups::Groups;
 use crate::root;
-use crate::surface::heights::{Heights, Steepness, SHORTEST_PANEL, UNDERFLOW};
+use crate::surface::heights::{Heights, Steepness, UNDERFLOW};
 use crate::surface::radius::RadiusProfile;
 use break_edges::{BreakEdges, Edge, Edges};
 use density::Density;
 use nodes::Nodes;
-use std::f64::consts::{FRAC_PI_2, PI};
+use panels::{Sink, THETA_SPAN};
+use std::f64::consts::PI;
+use sums::Summit;
 
-/// A panel in theta reaches from theta to no less than this fraction of it: u(theta) has its singularity at 0...
-const THETA_RATIO: f64 = 0.4;
-/// ...and spans no more of the heights than this, in sigma, or this part of where their density is smooth: in theta the
-/// density is a steep function of theta^-3.
-const THETA_SPAN: f64 = 0.15;
-/// A panel in height is no longer than this many times the distance to break-away, where theta(u) is singular.
-const HEIGHT_RATIO: f64 = 2.5;
-/// Where contacts above are ever nearer to break-away, which they may touch, a panel takes no more than this part of the way
-/// there, or this part of where all else is smooth: what is nearer is nothing.
-const APPROACH: f64 = 0.5;
-const NEAREST: f64 = 1e-4;
-/// One panel of attraction with varying radius spans no more than this ratio of sqrt(gap terms).
-const CIRCLE_RATIO: f64 = 4.0;
-/// Over a panel across which theta changes less than by this factor, it serves as well as the height, and with equal
-/// radii its nodes need no solution of their contact's overlap.
-const SHORT_RATIO: f64 = 0.8;
-/// What part of a radius of the slip law is nothing beside it.
-const AT_KINK: f64 = 1e-9;
-/// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
-const MOST_PANELS: usize = 6000;
 /// The fineness of sums of which the sign is asked: every panel has as few points as there are.
 const ROUGH: f64 = 0.05;
 
@@ -69,207 +54,6 @@ pub struct Population {
     nodes: Option<Nodes>,
     /// What part a whole panel counts as when its points are chosen.
     fineness: f64,
-}
-
-/// The sums at one separation, all to be multiplied by exp(`log_scale`).
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Sums {
-    /// Keeps sums of a nearly empty tail from underflowing.
-    pub log_scale: f64,
-    /// Load of the summits in contact.
-    pub load_contacting: f64,
-    /// Load of the summits that attract without contact, <= 0.
-    pub load_attracted: f64,
-    /// Friction force.
-    pub friction: f64,
-    /// Real area of contact.
-    pub area: f64,
-    /// Fraction of summits in contact.
-    pub contacting: f64,
-    /// Fraction of summits that attract without contact.
-    pub attracted: f64,
-    /// d(load)/d(separation).
-    pub load_slope: f64,
-    /// d(friction)/d(separation).
-    pub friction_slope: f64,
-}
-
-impl Sums {
-    /// The load of all summits.
-    pub fn load(&self) -> f64 {
-        self.load_contacting + self.load_attracted
-    }
-
-    /// The sums themselves: `log_scale` 0.
-    pub fn unscaled(&self) -> Self {
-        // In two steps, since what is at the end of all numbers has few digits.
-        let root = exp(0.5 * self.log_scale);
-        let unscaled = |sum: f64| root * (root * sum);
-        Self {
-            log_scale: 0.0,
-            load_contacting: unscaled(self.load_contacting),
-            load_attracted: unscaled(self.load_attracted),
-            friction: unscaled(self.friction),
-            area: unscaled(self.area),
-            contacting: unscaled(self.contacting),
-            attracted: unscaled(self.attracted),
-            load_slope: unscaled(self.load_slope),
-            friction_slope: unscaled(self.friction_slope),
-        }
-    }
-
-    /// What sums are that ran out of panels.
-    fn unknown() -> Self {
-        let unknown = f64::NAN;
-        Self {
-            load_contacting: unknown,
-            load_attracted: unknown,
-            load_slope: unknown,
-            friction: unknown,
-            ..Self::default()
-        }
-    }
-
-    /// Whether the sums are to be had: not where they took more panels than there may be.
-    pub fn are_known(&self) -> bool {
-        !self.load().is_nan()
-    }
-
-    /// The sums at this separation if they are to be had.
-    ///
-    /// # Errors
-    /// [`Error::NotConverged`].
-    pub fn known(self, separation: f64) -> Result<Self, Error> {
-        if self.are_known() {
-            Ok(self)
-        } else {
-            Err(out_of_panels(separation))
-        }
-    }
-
-    /// Adds one contacting summit, `weight` times.
-    #[inline]
-    fn add_contact(&mut self, weight: f64, summit: &Summit) {
-        self.contacting += weight;
-        self.load_contacting += weight * summit.load;
-        self.friction += weight * summit.friction;
-        self.area += weight * summit.area;
-        self.load_slope -= weight * summit.load_by_overlap;
-        self.friction_slope -= weight * summit.friction_by_overlap;
-    }
-
-    /// Adds one attracted summit, `weight` times.
-    #[inline]
-    fn add_attraction(&mut self, weight: f64, summit: &Summit) {
-        self.attracted += weight;
-        self.load_attracted += weight * summit.load;
-        self.load_slope -= weight * summit.load_by_overlap;
-    }
-}
-
-/// Why there are no sums at a separation.
-pub fn out_of_panels(separation: f64) -> Error {
-    Error::NotConverged { what: "sums over the summits at separation / height_std", value: separation }
-}
-
-/// What one summit contributes.
-#[derive(Debug, Clone, Copy, Default)]
-struct Summit {
-    load: f64,
-    friction: f64,
-    area: f64,
-    load_by_overlap: f64,
-    friction_by_overlap: f64,
-}
-
-/// Starting values of theta from one point to another, by theta^-2, which is smooth in overlap under load.
-///
-/// A cubic from values and slopes at both points, corrected by what is known of its error from the values solved for
-/// on the way: over part^2 (1 - part)^2 that is smooth.
-struct Guess {
-    cubic: [f64; 4],
-    /// Where the cubic may not leave.
-    range: (f64, f64),
-    /// The last errors over part^2 (1 - part)^2, at which parts.
-    errors: [(f64, f64); 3],
-    known: usize,
-}
-
-impl Guess {
-    /// From values and slopes at two points `rise` apart.
-    fn new(from: &Point, to: &Point, rise: f64) -> Self {
-        let slope = |point: &Point| {
-            -2.0 * rise * point.theta_slope() * inverse_square(point.contact.theta) / point.contact.theta
-        };
-        let (start, start_slope, end_slope) = (inverse_square(from.contact.theta), slope(from), slope(to));
-        let end = inverse_square(to.contact.theta);
-        let change = end - start;
-        let cubic =
-            [start, start_slope, 3.0 * change - 2.0 * start_slope - end_slope, start_slope + end_slope - 2.0 * change];
-        Self { cubic, range: (0.5 * start.min(end), 2.0 * start.max(end)), errors: [(0.0, 0.0); 3], known: 0 }
-    }
-
-    /// theta where `part` of the rise is done.
-    fn at(&self, part: f64) -> f64 {
-        let [(a, at_a), (b, at_b), (c, at_c)] = self.errors;
-        let error = match self.known {
-            0 => 0.0,
-            1 => at_a,
-            2 => at_a + (at_b - at_a) * (part - a) / (b - a),
-            _ => {
-                let (ab, bc) = ((at_b - at_a) / (b - a), (at_c - at_b) / (c - b));
-                at_a + (part - a) * (ab + (part - b) * (bc - ab) / (c - a))
-            }
-        };
-        let value = self.cubic(part) + error * bubble(part);
-        1.0 / value.max(self.range.0).min(self.range.1).sqrt()
-    }
-
-    /// Takes in the value found at a part.
-    fn learn(&mut self, part: f64, theta: f64) {
-        let error = (part, (inverse_square(theta) - self.cubic(part)) / bubble(part));
-        if self.known < 3 {
-            self.errors[self.known] = error;
-            self.known += 1;
-        } else {
-            self.errors = [self.errors[1], self.errors[2], error];
-        }
-    }
-
-    fn cubic(&self, part: f64) -> f64 {
-        let [a, b, c, d] = self.cubic;
-        a + part * (b + part * (c + part * d))
-    }
-}
-
-fn inverse_square(theta: f64) -> f64 {
-    1.0 / (theta * theta)
-}
-
-/// part^2 (1 - part)^2.
-fn bubble(part: f64) -> f64 {
-    let x = part * (1.0 - part);
-    x * x
-}
-
-/// What walks the panels hands its nodes to.
-trait Sink {
-    /// No more panels than these.
-    const MOST_PANELS: usize = MOST_PANELS;
-    /// Whether a panel must end where the contact radius has an extremum, though it passes none of the slip law's.
-    const EXTREMA: bool = false;
-    /// ln phi that is taken as 1.
-    fn log_scale(&self) -> f64 {
-        f64::NEG_INFINITY
-    }
-    /// A panel begins, from a point to another, short beside the distance to break-away or not; all its nodes follow.
-    fn panel(&mut self, _from: &Point, _to: &Point, _by_height: bool) {}
-    /// A node: its height, its weight without the density, and the contact there.
-    fn node(&mut self, z: f64, weight: f64, contact: &Contact);
-    /// So many summits at a height, and the contact there.
-    fn summits(&mut self, _z: f64, _mass: f64, _contact: &Contact) {}
-    /// The panels did not suffice.
-    fn out_of_panels(&mut self) {}
 }
 
 /// Sums the nodes, weighted with the density of heights.
@@ -296,15 +80,6 @@ impl Sink for Summing<'_> {
     fn out_of_panels(&mut self) {
         *self.sums = Sums::unknown();
     }
-}
-
-/// A summit in contact, at its height.
-#[derive(Debug, Clone, Copy)]
-struct Point {
-    z: f64,
-    g: f64,
-    g_rate: f64,
-    contact: Contact,
 }
 
 impl Population {
@@ -499,33 +274,6 @@ impl Population {
         sums.friction_slope -= passing * self.slip.force(edge.contact.radius).0;
     }
 
-    /// The attraction of summits of a radius factor when they are out of contact, where there is one.
-    fn attraction_of(&self, g: f64) -> Option<&Attraction> {
-        self.attraction.as_ref().filter(|_| self.lambda_cubed * g < ATTRACTION_LAMBDA_CUBED)
-    }
-
-    /// The attraction of a summit out of contact, where there is one.
-    fn attraction_at(&self, separation: f64, z: f64) -> Option<attraction::Attracted> {
-        let g = self.radius.factor(z);
-        let law = self.attraction_of(g)?;
-        let overlap = z - separation;
-        (overlap >= -law.reach).then(|| law.at(law.circle(overlap, g), g))
-    }
-
-    /// The contact of a summit `rise` above another, from a starting theta.
-    fn point(&self, from: &Point, rise: f64, guess: f64) -> Point {
-        let z = from.z + rise;
-        let (g, g_rate) = self.radius.at(z);
-        Point { z, g, g_rate, contact: self.maugis.at_overlap(from.contact.overlap + rise, g, guess) }
-    }
-
-    /// The contact of a summit of height z, from nothing.
-    fn point_cold(&self, separation: f64, z: f64) -> Point {
-        let (g, g_rate) = self.radius.at(z);
-        let overlap = z - separation;
-        Point { z, g, g_rate, contact: self.maugis.at_overlap(overlap, g, self.maugis.guess(overlap, g)) }
-    }
-
     /// Adds the summits in contact between two heights, either of which may be an edge.
     fn add_contacts(
         &self,
@@ -631,514 +379,18 @@ impl Population {
             self.march(self.above_foot(start, upper, &mut sink), upper, &mut sink);
         }
     }
-
-    fn edge_point(&self, edge: &Edge) -> Point {
-        let (g, g_rate) = self.radius.at(edge.z);
-        Point { z: edge.z, g, g_rate, contact: edge.contact }
-    }
-
-    /// Where the range begins at the foot of the distribution, sums a first panel in which the power law of the
-    /// density is smooth; returns where it ends.
-    fn above_foot(&self, start: Point, upper: f64, sink: &mut impl Sink) -> Point {
-        let Some(panel) = self.foot_panel(start.z, upper, || self.clearance(&start)) else {
-            return start;
-        };
-        let mut guess = start.contact.theta;
-        for (v, w) in gauss_legendre::nodes(0.0, 1.0) {
-            let (rise, rate) = panel.at(v);
-            let point = self.point(&start, rise, guess);
-            guess = point.contact.theta;
-            sink.node(point.z, w * rate, &point.contact);
-        }
-        self.point(&start, panel.length, guess)
-    }
-
-    /// The first panel above the foot, if the range begins there; `clearance` is the distance from the foot to
-    /// where the law of one asperity is singular.
-    fn foot_panel(&self, start: f64, upper: f64, clearance: impl FnOnce() -> f64) -> Option<FootPanel> {
-        let (foot, exponent) = (self.heights.foot(), self.heights.power_at_foot()?);
-        if start > foot {
-            return None;
-        }
-        // z = foot + length v^p turns phi dz ~ v^(p (exponent + 1) - 1) into at least v^8, and leaves a law
-        // that is a power series in z - foot.
-        let power = (9.0 / (exponent + 1.0)).max(1.0);
-        let length =
-            (0.02 * clearance().min(1.0).min(self.radius.smooth_length(foot))).max(SHORTEST_PANEL).min(upper - foot);
-        Some(FootPanel { length, power })
-    }
-
-    /// How far from z upwards or downwards a panel may reach, as far as heights and radii go, in a sum of this scale.
-    fn smooth_length(&self, z: f64, upwards: bool, log_scale: f64) -> f64 {
-        let above = |z: f64| self.heights.smooth_length(z, log_scale).min(self.radius.smooth_length(z));
-        if upwards {
-            return above(z);
-        }
-        // Going down, what lies below is nearer: the distance that z would allow going up, less itself.
-        let mut length = self.heights.longest_below(z);
-        for _ in 0..60 {
-            if above(z - length) >= length {
-                break;
-            }
-            length *= 0.5;
-        }
-        length
-    }
-
-    /// The length of a panel that may have another; what little would be left of the range goes into it, where no knot of
-    /// the density lies between.
-    fn without_remnant(&self, length: f64, remaining: f64) -> f64 {
-        let most = if self.heights.knots().is_empty() { 0.8 * remaining } else { remaining };
-        if length > most {
-            remaining
-        } else {
-            length
-        }
-    }
-
-    /// What part a panel is of the longest on which all but the density is smooth; 1 if the density is what limits panels.
-    fn part_of_smooth(&self, z: f64, length: f64, longest: f64) -> f64 {
-        if self.heights.knots().is_empty() {
-            1.0
-        } else {
-            length / longest.min(self.radius.smooth_length(z))
-        }
-    }
-
-    /// Walks panels from a point to a height, and hands every node to `sink`: height, weight, contact.
-    fn march(&self, start: Point, end: f64, sink: &mut impl Sink) {
-        let upwards = end >= start.z;
-        let log_scale = sink.log_scale();
-        self.march_by(start, end, |z| self.smooth_length(z, upwards, log_scale), sink);
-    }
-
-    /// Walks panels no longer than `smooth_length` of where each begins.
-    fn march_by<S: Sink>(&self, start: Point, end: f64, smooth_length: impl Fn(f64) -> f64, sink: &mut S) {
-        let direction = if end >= start.z { 1.0 } else { -1.0 };
-        let constant_radius = self.radius.is_constant();
-        let mut here = start;
-        for _ in 0..S::MOST_PANELS {
-            let remaining = direction * (end - here.z);
-            if remaining <= 0.0 {
-                return;
-            }
-            if let Some(there) = self.cell(&here, end, sink) {
-                here = there;
-                continue;
-            }
-            let smooth = smooth_length(here.z);
-            if remaining <= smooth && self.maugis.is_tip(here.contact.overlap + remaining) {
-                return self.walk_tip(&here, remaining, sink);
-            }
-            let theta_far = self.theta_limit(&here);
-            let (clearance, rate) = self.clearance_and_rate(&here);
-            let approaches = direction * rate < 0.0;
-            let rate = rate.abs().max(1.0);
-            let smooth = match approaches {
-                true => smooth.min((APPROACH * clearance).max(NEAREST * smooth.min(1.0))),
-                false => smooth,
-            };
-            let curve = (self.maugis.at(theta_far, here.g).overlap - here.contact.overlap) / rate;
-            let in_theta = curve.min(THETA_SPAN * smooth.min(1.0));
-            let in_height = smooth.min(HEIGHT_RATIO * clearance);
-            let by_height = in_height > in_theta;
-            let mut length =
-                if by_height { self.without_remnant(in_height, remaining) } else { in_theta.min(remaining) };
-            let guess = here.guess_towards(theta_far, length / curve);
-            let mut there = self.point(&here, direction * length, guess);
-            // Load is smooth where only friction has a kink.
-            let cut = if self.fineness < 1.0 { None } else { self.first_cut::<S>(&here, &there) };
-            if let Some(cut) = cut {
-                length = cut.rise_above(&here).abs();
-                there = cut;
-            }
-            sink.panel(&here, &there, by_height);
-            let short = there.contact.theta > SHORT_RATIO * here.contact.theta;
-            if by_height && !(constant_radius && short && here.contact.overlap < nodes::LARGEST_OVERLAP) {
-                let rise = direction * length;
-                let mut guess = Guess::new(&here, &there, rise);
-                let part_of_smooth = self.fineness * self.part_of_smooth(here.z, length, clearance);
-                for (part, weight) in gauss_legendre::nodes_of_part(part_of_smooth, 0.0, 1.0) {
-                    let point = self.point(&here, part * rise, guess.at(part));
-                    guess.learn(part, point.contact.theta);
-                    sink.node(point.z, length * weight, &point.contact);
-                }
-            } else {
-                let theta_end = if constant_radius {
-                    there.contact.theta
-                } else if length == curve && rate == 1.0 {
-                    theta_far
-                } else {
-                    let overlap = here.contact.overlap + length;
-                    self.maugis.at_overlap(overlap, here.g, there.contact.theta).theta
-                };
-                // How the true theta departs, by the end of the panel, from that at the radius of its beginning.
-                let drift = (there.contact.theta / theta_end - 1.0) / length;
-                let theta = here.contact.theta;
-                let part_of_theta = (theta - theta_end) / (theta - theta_far);
-                let part = self.fineness * self.part_of_smooth(here.z, length, f64::MAX).max(part_of_theta);
-                for (theta, weight) in gauss_legendre::nodes_of_part(part, theta_end, theta) {
-                    let reference = self.maugis.at(theta, here.g);
-                    let rise = direction * (reference.overlap - here.contact.overlap);
-                    let weight = weight * reference.overlap_rate.abs();
-                    if constant_radius {
-                        sink.node(here.z + rise, weight, &reference);
-                    } else {
-                        let point = self.point(&here, rise, theta * (1.0 + drift * rise.abs()));
-                        sink.node(point.z, weight, &point.contact);
-                    }
-                }
-            }
-            here = there;
-        }
-        sink.out_of_panels();
-    }
-
-    /// Walks summits whose contacts are as small as [`Maugis::is_tip`] says: in the square root of the overlap, with a cut
-    /// where contact radii pass one of the slip law's.
-    fn walk_tip(&self, here: &Point, length: f64, sink: &mut impl Sink) {
-        let mut from = *here;
-        let at = |overlap: f64| self.point(here, overlap - here.contact.overlap, 0.0);
-        let last = here.contact.overlap + length;
-        for kink in self.slip.kinks().into_iter().chain([f64::INFINITY]) {
-            let overlap = self.maugis.hertz_overlap(kink, here.g).min(last);
-            if overlap <= from.contact.overlap {
-                continue;
-            }
-            let to = at(overlap);
-            sink.panel(&from, &to, false);
-            for (root, weight) in gauss_legendre::nodes(from.contact.overlap.sqrt(), overlap.sqrt()) {
-                let point = at(root * root);
-                sink.node(point.z, 2.0 * root * weight, &point.contact);
-            }
-            from = to;
-        }
-    }
-
-    /// How far down in theta one panel may reach: u(theta) is singular at 0, and between the slip law's radii the
-    /// friction force is a fractional power of the radius, singular at theta = pi/2.
-    fn theta_limit(&self, here: &Point) -> f64 {
-        let theta = here.contact.theta;
-        let by_curve = THETA_RATIO * theta;
-        if here.contact.radius < 0.999_999 * self.slip.kinks()[0] {
-            return by_curve;
-        }
-        // What lies nearer to theta = pi/2 than 1e-4 is negligible.
-        by_curve.max(theta - (2.0 * (FRAC_PI_2 - theta)).max(1e-4))
-    }
-
-    /// How far in height break-away is at least.
-    fn clearance(&self, point: &Point) -> f64 {
-        self.clearance_and_rate(point).0
-    }
-
-    /// The same, and how fast the overlap above that of break-away changes with height: where radii vary, that of break-away
-    /// changes too.
-    fn clearance_and_rate(&self, point: &Point) -> (f64, f64) {
-        let edge = self.edges.break_away(&self.maugis, point.g);
-        let rate = 1.0 - edge.overlap_by_g * point.g_rate;
-        ((point.contact.overlap - edge.overlap) / rate.abs().max(1.0), rate)
-    }
-
-    /// The first summit between two where the integrand has a kink: its contact radius is one of the slip law's
-    /// radii. Where the contact radius has an extremum between the two that matters, the summit of that.
-    fn first_cut<S: Sink>(&self, here: &Point, end: &Point) -> Option<Point> {
-        let mut cut = None;
-        let mut there = *end;
-        if !self.radius.is_constant() && (S::EXTREMA || self.may_pass_kink(here, &there)) {
-            // Between two extrema, so that each is seen.
-            if let Some(part) = between_extrema(here, &there) {
-                let turn = self.point(here, part * (there.z - here.z), here.guess_towards(there.contact.theta, part));
-                if turn.is_on_the_way(here, end) {
-                    there = turn;
-                    cut = Some(there);
-                }
-            }
-        }
-        if !self.radius.is_constant()
-            && (here.radius_rise() > 0.0) != (there.radius_rise() > 0.0)
-            && (S::EXTREMA || self.may_pass_kink(here, &there))
-        {
-            let mut theta = there.contact.theta;
-            let rate = |rise: f64| {
-                let point = self.point(here, rise, theta);
-                theta = point.contact.theta;
-                point.radius_rise()
-            };
-            let rise = root::bracketed(rate, 0.0, there.z - here.z);
-            if is_inside(rise, there.z - here.z) {
-                let turn = self.point(here, rise, theta);
-                if turn.is_on_the_way(here, end) {
-                    there = turn;
-                    cut = Some(there);
-                }
-            }
-        }
-        for kink in self.slip.kinks() {
-            // Next to theta = pi/2 radii are known to so many digits of that of the annulus.
-            let is_at = |point: &Point| {
-                let outer_radius = point.contact.radius / cos(point.contact.theta);
-                (point.contact.radius - kink).abs() < (AT_KINK * kink).max(1e-14 * outer_radius)
-            };
-            if (here.contact.radius < kink) != (there.contact.radius < kink) && !is_at(here) && !is_at(&there) {
-                let at_kink = self.point_of_radius(here, &there, kink);
-                // Next to a fold the radius is so steep that no height tells the two apart.
-                if at_kink.is_on_the_way(here, end) {
-                    there = at_kink;
-                    cut = Some(there);
-                }
-            }
-        }
-        cut
-    }
-
-    /// Whether contact radii between two summits, where they have an extremum, may pass one of the slip law's. They change by
-    /// no more than a few times what their slopes at the two give; in theta these are finite at break-away too.
-    fn may_pass_kink(&self, here: &Point, there: &Point) -> bool {
-        let change_at = |point: &Point| {
-            let by_theta = point.contact.radius_rate * (there.contact.theta - here.contact.theta);
-            let by_g = point.contact.radius_by_g * point.g_rate * (there.z - here.z);
-            by_theta.abs() + by_g.abs()
-        };
-        let change = 4.0 * change_at(here).max(change_at(there));
-        let (a, b) = (here.contact.radius, there.contact.radius);
-        self.slip.kinks().iter().any(|&kink| kink > a.min(b) - change && kink < a.max(b) + change)
-    }
-
-    /// The summit between two whose contact radius is `radius`, by Newton's method within the bracket.
-    fn point_of_radius(&self, here: &Point, there: &Point, radius: f64) -> Point {
-        let rising = there.contact.radius > here.contact.radius;
-        let (mut lower, mut upper) = (0.0, 1.0);
-        let whole = there.z - here.z;
-        let mut part = part_of_radius(here, there, radius);
-        let mut point = self.point(here, part * whole, here.guess_towards(there.contact.theta, part));
-        for _ in 0..100 {
-            let excess = point.contact.radius - radius;
-            if (excess > 0.0) == rising {
-                upper = part;
-            } else {
-                lower = part;
-            }
-            let slope = point.radius_slope() * whole;
-            let newton = part - excess / slope;
-            let next = if newton > lower && newton < upper { newton } else { 0.5 * (lower + upper) };
-            let change = next - part;
-            // theta to first order in the step.
-            let theta = point.contact.theta;
-            let guess = theta + (change * whole * point.theta_slope()).clamp(-0.5 * theta, 0.5 * theta);
-            part = next;
-            point = self.point(here, part * whole, guess);
-            let is_there = (point.contact.radius - radius).abs() <= 1e-2 * AT_KINK * radius;
-            if is_there || change.abs() <= 1e-14 * part {
-                break;
-            }
-        }
-        point
-    }
-
-    /// Adds the summits that attract without contact between two heights.
-    fn add_attractions(
-        &self,
-        sums: &mut Sums,
-        density: &Density,
-        separation: f64,
-        lower: f64,
-        upper: f64,
-        upper_edge: Option<&Edge>,
-    ) {
-        let Some(law) = &self.attraction else { return };
-        let Some((lower, upper)) = self.where_attraction_exists(lower, upper) else { return };
-        let mut z = lower;
-        let mut overlap = lower - separation;
-        // Heights at the far end of attraction: there it sets in with a jump.
-        if lower == separation - law.reach {
-            overlap = -law.reach;
-            let g = self.radius.factor(lower);
-            sums.load_slope -= density.at(lower, overlap) * law.at(law.circle(overlap, g), g).load;
-        }
-        if let Heights::Ends(ends) = &self.heights {
-            let log_scale = sums.log_scale;
-            let add = |mass, summit: Summit| sums.add_attraction(mass, &summit);
-            if !self.attracted_between_ends(ends, law, (lower, overlap), upper, log_scale, add) {
-                *sums = Sums::unknown();
-            }
-            return;
-        }
-        let mut sink = |z: f64, overlap: f64, weight: f64| {
-            let g = self.radius.factor(z);
-            let attracted = law.at(law.circle(overlap, g), g);
-            let summit =
-                Summit { load: attracted.load, load_by_overlap: attracted.load_by_overlap, ..Summit::default() };
-            sums.add_attraction(weight * density.at(z, overlap), &summit);
-        };
-        if let Some(panel) = self.foot_panel(z, upper, || overlap + law.reach) {
-            for (v, w) in gauss_legendre::nodes(0.0, 1.0) {
-                let (rise, rate) = panel.at(v);
-                sink(z + rise, overlap + rise, w * rate);
-            }
-            z += panel.length;
-            overlap += panel.length;
-        }
-        // Overlaps are small differences of heights: keep the ends that are known as overlaps.
-        let end = match upper_edge {
-            Some(edge) if edge.z == upper => edge.contact.overlap,
-            _ => upper - separation,
-        };
-        // The smallest summits are attracted within a layer that is thinner than a rounding.
-        let shortest = (SHORTEST_PANEL * (end - overlap)).max(4.0 * f64::EPSILON * overlap.abs());
-        for _ in 0..MOST_PANELS {
-            if overlap >= end {
-                return;
-            }
-            let mut length = self.without_remnant(self.smooth_length(z, true, f64::NEG_INFINITY), end - overlap);
-            let g = self.radius.factor(z);
-            let here = law.at(law.circle(overlap, g), g);
-            let mut circle_end = law.circle(overlap + length, g);
-            if !self.radius.is_constant() {
-                let farthest = law.at_rate(CIRCLE_RATIO * here.overlap_rate, g);
-                let rise = farthest.overlap - here.overlap;
-                if rise < shortest {
-                    length = shortest.min(length);
-                    circle_end = law.circle(overlap + length, g);
-                } else if rise < length {
-                    length = rise;
-                    circle_end = farthest.circle;
-                }
-            }
-            let part = self.fineness * self.part_of_smooth(z, length, f64::MAX);
-            for (circle, weight) in gauss_legendre::nodes_of_part(part, here.circle, circle_end) {
-                let reference = law.at(circle, g);
-                let rise = reference.overlap - here.overlap;
-                sink(z + rise, overlap + rise, weight * reference.overlap_rate);
-            }
-            z += length;
-            overlap += length;
-        }
-        *sums = Sums::unknown();
-    }
-
-    /// The part of a range of heights in which summits out of contact attract: lambda_g^3 < 9/32.
-    fn where_attraction_exists(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
-        let exists = |z: f64| self.lambda_cubed * self.radius.factor(z) - ATTRACTION_LAMBDA_CUBED;
-        if lower >= upper {
-            return None;
-        }
-        // g is monotonic in z, so that there is at most one threshold.
-        match (exists(lower) < 0.0, exists(upper) < 0.0) {
-            (true, true) => Some((lower, upper)),
-            (false, false) => None,
-            (true, false) => Some((lower, root::bracketed(exists, lower, upper))),
-            (false, true) => Some((root::bracketed(exists, lower, upper), upper)),
-        }
-    }
-}
-
-/// The first panel above the foot of a distribution, in the variable v of z = foot + length v^power.
-struct FootPanel {
-    length: f64,
-    power: f64,
-}
-
-impl FootPanel {
-    /// The height above the foot and its derivative by v.
-    fn at(&self, v: f64) -> (f64, f64) {
-        let rise = self.length * pow(v, self.power);
-        (rise, self.power * rise / v)
-    }
-}
-
-impl Point {
-    /// The same contact of a higher summit at a larger separation.
-    fn raised(&self, separation: f64) -> Self {
-        Point { z: self.z + separation, ..*self }
-    }
-
-    /// A starting theta on the way to a contact of smaller theta, when `part` of the overlap between is gone.
-    fn guess_towards(&self, theta_far: f64, part: f64) -> f64 {
-        let (from, to) = (inverse_square(self.contact.theta), inverse_square(theta_far));
-        1.0 / (from + part * (to - from)).sqrt()
-    }
-
-    /// How much higher it is than another: from overlaps where these are known to more digits.
-    fn rise_above(&self, other: &Self) -> f64 {
-        if self.contact.overlap.abs() < self.z.abs() {
-            self.contact.overlap - other.contact.overlap
-        } else {
-            self.z - other.z
-        }
-    }
-
-    /// Whether it is on the way from one to another, beyond rounding.
-    fn is_on_the_way(&self, here: &Self, end: &Self) -> bool {
-        let known = self.contact.overlap.abs().min(self.z.abs());
-        self.rise_above(here) * (end.z - here.z).signum() > 4.0 * f64::EPSILON * known
-    }
-
-    /// dtheta/dz at fixed separation.
-    fn theta_slope(&self) -> f64 {
-        let rate = self.contact.overlap_rate;
-        if rate < -f64::MIN_POSITIVE {
-            (1.0 - self.contact.overlap_by_g * self.g_rate) / rate
-        } else {
-            0.0 // at break-away it is infinite
-        }
-    }
-
-    /// da/dz at fixed separation.
-    fn radius_slope(&self) -> f64 {
-        self.contact.radius_rate * self.theta_slope() + self.contact.radius_by_g * self.g_rate
-    }
-
-    /// da/dz times a positive factor that makes it smooth also at break-away.
-    fn radius_rise(&self) -> f64 {
-        let c = &self.contact;
-        -(c.radius_rate * (1.0 - c.overlap_by_g * self.g_rate) + c.radius_by_g * self.g_rate * c.overlap_rate)
-    }
-}
-
-/// About which part of the way from one summit to another the contact radius is `radius`: by the cubic that has the height's
-/// values and slopes against radius at both, or the straight line where that leaves the way.
-fn part_of_radius(here: &Point, there: &Point, radius: f64) -> f64 {
-    let change = there.contact.radius - here.contact.radius;
-    let line = (radius - here.contact.radius) / change;
-    let slope = |point: &Point| change / (point.radius_slope() * (there.z - here.z));
-    let (start, end) = (slope(here), slope(there));
-    let cubic = line * (start + line * ((3.0 - 2.0 * start - end) + line * (start + end - 2.0)));
-    if cubic > 0.0 && cubic < 1.0 {
-        cubic
-    } else {
-        line.clamp(1e-6, 1.0 - 1e-6)
-    }
-}
-
-/// Where between two summits, as a part of the way, the contact radius turns back from an extremum to another, by the cubic
-/// that has its values and slopes at both.
-fn between_extrema(here: &Point, there: &Point) -> Option<f64> {
-    let whole = there.z - here.z;
-    let change = there.contact.radius - here.contact.radius;
-    let [start, end] = [here, there].map(|point| point.radius_slope() * whole);
-    // Its slope is start + 2 b t + 3 c t^2.
-    let (b, c) = (3.0 * change - 2.0 * start - end, start + end - 2.0 * change);
-    let part = -b / (3.0 * c);
-    let turns = start + b * part;
-    (start * end > 0.0 && start * turns < 0.0 && part > 0.1 && part < 0.9).then_some(part)
-}
-
-/// Whether a rise ends well inside a range.
-fn is_inside(rise: f64, whole: f64) -> bool {
-    let part = rise / whole;
-    part > 1e-9 && part < 1.0 - 1e-9
 }
 
 #[cfg(test)]
 pub(crate) mod tests {
+    use super::point::Point;
     use super::*;
     use crate::asperity::maugis::tests::EVALUATIONS;
     use crate::params::{HeightFamily, Params};
 
     /// Takes three panels.
     #[derive(Default)]
-    struct Few {
+    pub struct Few {
         panels: usize,
         out: bool,
     }
@@ -1163,7 +415,7 @@ pub(crate) mod tests {
         Population::new(&groups, params.slip, heights, radius, params.attraction)
     }
 
-    fn population(heights: HeightFamily) -> Population {
+    pub fn population(heights: HeightFamily) -> Population {
         of(&Params { heights, ..Params::default() })
     }
 
@@ -1186,35 +438,8 @@ pub(crate) mod tests {
     }
 
     /// Of unequal radii, which turn the contact radius about.
-    fn unequal(amplitude: f64, rate: f64) -> Population {
+    pub fn unequal(amplitude: f64, rate: f64) -> Population {
         of(&Params { radius_amplitude: amplitude, radius_rate: rate, ..Params::default() })
-    }
-
-    #[test]
-    fn the_summit_of_a_contact_radius_is_found_in_few_steps() {
-        let mut count = 0;
-        for (amplitude, rate) in [(0.6, 1.5), (-0.3, 0.8), (0.9, 0.3)] {
-            let population = unequal(amplitude, rate);
-            for (from, rise) in [(-1.0, 0.7), (0.2, 0.4), (0.6, -0.5), (-0.3, 0.01)] {
-                let here = population.point_cold(-2.0, from);
-                let there = population.point(&here, rise, here.contact.theta);
-                let radii = (here.contact.radius, there.contact.radius);
-                for part in [1e-6, 0.1, 0.5, 0.83, 1.0 - 1e-6] {
-                    let radius = radii.0 + part * (radii.1 - radii.0);
-                    let start = part_of_radius(&here, &there, radius);
-                    let guess = here.guess_towards(there.contact.theta, start);
-                    let near = population.point(&here, start * rise, guess).contact.radius;
-                    assert!((near - radius).abs() < 0.02 * (radii.1 - radii.0).abs(), "{near}, not {radius}");
-                    EVALUATIONS.set(0);
-                    let found = population.point_of_radius(&here, &there, radius);
-                    count += EVALUATIONS.get();
-                    assert!((found.contact.radius / radius - 1.0).abs() < 1e-11, "{found:?}, not {radius}");
-                    let done = (found.z - from) / rise;
-                    assert!(done > 0.0 && done < 1.0, "{done}");
-                }
-            }
-        }
-        assert!(count <= 303, "{count} evaluations");
     }
 
     /// Where a contact breaks its slopes by overlap are infinite; what they add is the moving edge's share.
@@ -1231,52 +456,6 @@ pub(crate) mod tests {
         assert_eq!(at_rate(-0.5).load_by_overlap, contact.load_rate / -0.5);
     }
 
-    /// A summit at a height, whose contact has a radius with a slope.
-    fn summit(z: f64, radius: f64, slope: f64) -> Point {
-        let mut point = population(HeightFamily::Gaussian).point_cold(-2.0, 0.0);
-        (point.z, point.g_rate) = (z, 1.0);
-        (point.contact.radius, point.contact.radius_rate, point.contact.radius_by_g) = (radius, 0.0, slope);
-        point
-    }
-
-    #[test]
-    fn a_contact_radius_turns_between_two_extrema() {
-        // The cubic a t + b t^2 + c t^3 over another length, upwards and downwards.
-        for (a, b, c, turn) in [
-            (1.0, -4.5, 3.0, Some(0.5)),
-            (1.0, -5.5, 4.0, Some(5.5 / 12.0)),
-            (-1.0, 5.5, -4.0, Some(5.5 / 12.0)),
-            (1.0, -12.0, 30.0, Some(2.0 / 15.0)),
-            (1.0, -1.132, 0.424, Some(1.132 / 1.272)),
-            // Next to an end; no extremum; one; two before the start.
-            (1.0, -12.0, 45.0, None),
-            (1.0, -1.0545, 0.37, None),
-            (1.0, -2.0, 2.0, None),
-            (1.0, -2.0, 0.5, None),
-            (1.0, 4.5, 3.0, None),
-        ] {
-            for length in [1.0, 0.2, -3.0] {
-                let at = |t: f64| (t * (a + t * (b + t * c)), (a + t * (2.0 * b + t * 3.0 * c)) / length);
-                let [(start, start_slope), (end, end_slope)] = [at(0.0), at(1.0)];
-                let (here, there) = (summit(0.3, 5.0 + start, start_slope), summit(0.3 + length, 5.0 + end, end_slope));
-                match (between_extrema(&here, &there), turn) {
-                    (Some(found), Some(turn)) => assert!((found - turn).abs() < 1e-12, "{found}, not {turn}"),
-                    (found, turn) => assert_eq!(found, turn, "of {a} t + {b} t^2 + {c} t^3 over {length}"),
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_rise_ends_inside_a_range_beyond_rounding() {
-        for (part, inside) in [(1e-10, false), (2e-9, true), (0.5, true), (1.0 - 2e-9, true), (1.0 - 1e-10, false)] {
-            for whole in [1.0, -1.0, 20.0, 0.03] {
-                assert_eq!(is_inside(part * whole, whole), inside, "{part} of {whole}");
-            }
-        }
-        assert!(!is_inside(-0.5, 1.0) && !is_inside(1.5, 1.0));
-    }
-
     fn sum<const N: usize>(a: [[f64; N]; 2], b: [[f64; N]; 2]) -> [[f64; N]; 2] {
         [0, 1].map(|kind| std::array::from_fn(|i| a[kind][i] + b[kind][i]))
     }
@@ -1286,7 +465,7 @@ pub(crate) mod tests {
     fn halved<const N: usize>(f: &impl Fn(f64) -> [f64; N], from: f64, to: f64) -> [[f64; N]; 2] {
         let panel = |from: f64, to: f64| {
             let mut sums = [[0.0; N]; 2];
-            for (z, weight) in gauss_legendre::nodes(from, to) {
+            for (z, weight) in crate::gauss_legendre::nodes(from, to) {
                 let values = f(z).map(|value| weight * value);
                 sums = sum(sums, [values, values.map(f64::abs)]);
             }
@@ -1412,10 +591,10 @@ pub(crate) mod tests {
             for &separation in separations {
                 let mut counted = |population: &Population, count: usize| {
                     EVALUATIONS.set(0);
-                    attraction::tests::EVALUATIONS.set(0);
+                    crate::asperity::attraction::tests::EVALUATIONS.set(0);
                     let sums = population.at_separation(separation);
                     counts[count] += EVALUATIONS.get();
-                    counts[count + 1] += attraction::tests::EVALUATIONS.get();
+                    counts[count + 1] += crate::asperity::attraction::tests::EVALUATIONS.get();
                     sums
                 };
                 let (sums, rough) = (counted(&population, 0), counted(&rough, 2));
@@ -1440,91 +619,5 @@ pub(crate) mod tests {
         }
         let most = [59846, 7666, 30325, 3406];
         assert!((0..4).all(|i| counts[i] <= most[i] + most[i] / 100), "{counts:?} evaluations, not {most:?}");
-    }
-
-    /// Nor much shorter than it need be.
-    #[test]
-    fn a_panel_downwards_is_as_long_as_one_upwards_from_its_end() {
-        for population in [unequal(0.6, 1.5), unequal(-0.9, 4.0), unequal(0.5, 30.0), unequal(0.0, 1.0)] {
-            for z in [-5.0, -0.7, 0.0, 0.3, 2.0, 8.0] {
-                let above = |z: f64| population.smooth_length(z, true, f64::NEG_INFINITY);
-                let length = population.smooth_length(z, false, f64::NEG_INFINITY);
-                assert!(length > 0.0 && length <= above(z - length), "{length} at {z}");
-                let longest = population.heights.longest_below(z);
-                assert!(length == longest || 2.0 * length > above(z - 2.0 * length), "{length} at {z}");
-            }
-        }
-    }
-
-    /// The slopes of theta and of the contact radius with height.
-    #[test]
-    fn slopes_at_a_separation_are_those_of_secants() {
-        for population in [unequal(0.6, 1.5), unequal(-0.9, 4.0)] {
-            for z in [-1.5, -0.2, 0.1, 0.9] {
-                let here = population.point_cold(-2.0, z);
-                let step = 1e-5;
-                let [before, after] = [-step, step].map(|rise| population.point(&here, rise, here.contact.theta));
-                let secant = |of: fn(&Point) -> f64| (of(&after) - of(&before)) / (2.0 * step);
-                let (theta, radius) = (secant(|point| point.contact.theta), secant(|point| point.contact.radius));
-                assert!((here.theta_slope() / theta - 1.0).abs() < 1e-7, "{} not {theta} at {z}", here.theta_slope());
-                assert!(
-                    (here.radius_slope() / radius - 1.0).abs() < 1e-7,
-                    "{} not {radius} at {z}",
-                    here.radius_slope()
-                );
-                let rise = -radius * here.contact.overlap_rate;
-                assert!((here.radius_rise() / rise - 1.0).abs() < 1e-7, "{} not {rise} at {z}", here.radius_rise());
-            }
-        }
-    }
-
-    /// There the radius rises as the square root of the height.
-    #[test]
-    fn the_summit_of_a_contact_radius_next_to_break_away_is_found_to_all_digits() {
-        let mut count = 0;
-        for population in [unequal(0.6, 1.5), unequal(-0.3, 0.8)] {
-            let edges = population.edges.at_separation(&population.maugis, &population.radius, 0.3);
-            let here = population.edge_point(edges.iter().next().expect("an edge"));
-            assert!(here.contact.radius < 1e-9, "{}", here.contact.radius);
-            let there = population.point(&here, 0.2, 0.3);
-            for part in [1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5] {
-                let radius = part * there.contact.radius;
-                EVALUATIONS.set(0);
-                let found = population.point_of_radius(&here, &there, radius).contact.radius;
-                count += EVALUATIONS.get();
-                assert!((found / radius - 1.0).abs() < 1e-10, "{found}, not {radius}");
-            }
-        }
-        assert!(count <= 667, "{count} evaluations");
-    }
-
-    /// Next to theta = pi/2, where rounding keeps radii from those of the slip law.
-    #[test]
-    fn where_a_panel_was_cut_it_is_not_cut_again() {
-        for part in 0..20 {
-            let mut params = Params::default();
-            params.slip.radius_1 = 1e-5 * (1.0 + 0.1 * f64::from(part));
-            let population = of(&params);
-            let edges = population.edges.at_separation(&population.maugis, &population.radius, 0.3);
-            let here = population.edge_point(edges.iter().next().expect("an edge"));
-            let there = population.point(&here, 0.2, 0.3);
-            let cut = population.first_cut::<Few>(&here, &there).expect("a cut");
-            EVALUATIONS.set(0);
-            assert!(population.first_cut::<Few>(&cut, &there).is_none());
-            assert_eq!(EVALUATIONS.get(), 0, "{}", params.slip.radius_1);
-        }
-    }
-
-    #[test]
-    fn nothing_is_on_the_way_to_itself() {
-        let mut here = summit(0.3, 5.0, 1.0);
-        let there = summit(0.8, 5.0, 1.0);
-        for overlap in [0.0, 0.7] {
-            here.contact.overlap = overlap;
-            let higher = Point { z: 0.5, contact: Contact { overlap: overlap + 0.2, ..here.contact }, ..here };
-            assert!(!here.is_on_the_way(&here, &there) && higher.is_on_the_way(&here, &there));
-            let lower = Point { z: -0.2, ..there };
-            assert!(!here.is_on_the_way(&here, &lower) && !higher.is_on_the_way(&here, &lower));
-        }
     }
 }

@@ -1,6 +1,9 @@
 //! Quadrature nodes that serve every separation: with equal radii the contacts depend on overlap alone.
 
-use super::{Point, Population, Sink, Summit};
+use super::panels::Sink;
+use super::point::Point;
+use super::sums::Summit;
+use super::Population;
 use crate::asperity::maugis::Contact;
 use crate::gauss_legendre::POINTS;
 

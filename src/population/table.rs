@@ -1,6 +1,8 @@
 //! Cells of a table of heights: many pieces of its density at once, where the law of one summit is smooth across them.
 
-use super::{Guess, Point, Population, Sink};
+use super::panels::Sink;
+use super::point::{Guess, Point};
+use super::Population;
 use crate::elementary::exp;
 use crate::gauss_legendre;
 use crate::surface::heights::Heights;
