@@ -1,14 +1,12 @@
 //! Quadrature nodes that serve every separation: with equal radii the contacts depend on overlap alone.
 
-use super::panels::Sink;
+use super::panels::{Sink, LARGEST_OVERLAP};
 use super::point::Point;
 use super::sums::Summit;
 use super::Population;
 use crate::asperity::maugis::Contact;
 use crate::gauss_legendre::POINTS;
 
-/// Panels are tabulated up to this overlap, in sigma: enough for all summits at separations above -8.
-pub const LARGEST_OVERLAP: f64 = 18.0;
 /// A tabulated panel takes 0.9 kB; deeper ones are walked when needed.
 const MOST_PANELS: usize = 48;
 

@@ -1,7 +1,6 @@
 //! Panels over the summits in contact, from one to a height: as long as the nearest singularity allows, in height or,
 //! near break-away, in theta, in which the edge is smooth.
 
-use super::nodes::LARGEST_OVERLAP;
 use super::point::{Guess, Point};
 use super::Population;
 use crate::asperity::maugis::Contact;
@@ -24,6 +23,8 @@ const NEAREST: f64 = 1e-4;
 /// Over a panel across which theta changes less than by this factor, it serves as well as the height, and with equal
 /// radii its nodes need no solution of their contact's overlap.
 const SHORT_RATIO: f64 = 0.8;
+/// Panels are tabulated up to this overlap, in sigma: enough for all summits at separations above -8.
+pub const LARGEST_OVERLAP: f64 = 18.0;
 /// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
 pub const MOST_PANELS: usize = 6000;
 
