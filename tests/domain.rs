@@ -107,11 +107,10 @@ fn timed<T>(answer: &mut Answer, call: impl FnOnce() -> T) -> T {
 /// and what pulls: it is known relative to their sum.
 fn quantities(sums: &Sums) -> [(&'static str, f64, f64); 5] {
     let scale = sums.log_scale.exp();
-    let load = scale * (sums.load_contacting + sums.load_attracted);
     let load_absolute = scale * sums.load_absolute;
     let (friction, area, contacting) = (scale * sums.friction, scale * sums.area, scale * sums.contacting);
     [
-        ("load", load, load_absolute),
+        ("load", sums.load(), load_absolute),
         ("friction", friction, friction),
         ("contacting", contacting, contacting.max(scale * sums.attracted)),
         ("area", area, area),
@@ -196,9 +195,9 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
         }
     }
     if pull_off < 0.0 {
-        answer.note("minimum", pull_off, rise_before_pull_off(&model, params.height_std));
-        let end = model.state_at_load(pull_off).map_or(f64::NAN, |state| state.separation / params.height_std);
-        answer.note("minimum", pull_off, fall_beyond(surface, end));
+        let end = model.state_at_load(pull_off).map_or(f64::NAN, |state| state.separation);
+        answer.note("minimum", pull_off, rise_before_pull_off(&model, end, params.height_std));
+        answer.note("minimum", pull_off, fall_beyond(surface, end / params.height_std));
     } else if let Some(load) = pulling(&model, params.height_std) {
         answer.complaint = Some(format!("no pull-off point, yet a load of {load:e}"));
     }
@@ -210,10 +209,7 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
 fn parts_in_steps(surface: &Surface, minimum: f64) -> bool {
     const RISE: f64 = 1e-9;
     const SMALLEST_RISE: f64 = 1e-10;
-    let load = |d: f64| {
-        let sums = surface.at_separation(d);
-        sums.log_scale.exp() * (sums.load_contacting + sums.load_attracted)
-    };
+    let load = |d: f64| surface.at_separation(d).load();
     let step = (0.2 / surface.rho).clamp(0.004, 0.1);
     let mut last = f64::INFINITY;
     let mut passing = None;
@@ -258,14 +254,13 @@ fn pulling(model: &Model, sigma: f64) -> Option<f64> {
 
 /// Down from heavy load the load must fall until pull-off: how far it rises from one separation to the next, relative to
 /// the pull-off load.
-fn rise_before_pull_off(model: &Model, sigma: f64) -> f64 {
+fn rise_before_pull_off(model: &Model, end: f64, sigma: f64) -> f64 {
     let pull_off = model.summary().pull_off_load;
-    let Ok(end) = model.state_at_load(pull_off) else { return f64::INFINITY };
-    let from = end.separation - 8.0 * sigma;
+    let from = end - 8.0 * sigma;
     let mut last = f64::INFINITY;
     let mut rise = 0.0_f64;
     for i in 0..=40 {
-        let d = from + (end.separation - from) * f64::from(i) / 40.0;
+        let d = from + (end - from) * f64::from(i) / 40.0;
         let Ok(state) = model.state_at_separation(d) else { return f64::INFINITY };
         rise = rise.max((state.load - last) / -pull_off);
         last = state.load;
@@ -277,13 +272,10 @@ fn rise_before_pull_off(model: &Model, sigma: f64) -> f64 {
 /// what presses and pulls.
 fn fall_beyond(surface: &Surface, end: f64) -> f64 {
     const CHANGE: f64 = 1e-9;
-    let load = |separation: f64| {
-        let sums = surface.at_separation(separation);
-        let scale = sums.log_scale.exp();
-        (scale * (sums.load_contacting + sums.load_attracted), scale * sums.load_absolute)
-    };
-    let (at_end, absolute) = load(end);
-    let mut changes = (-6..0).map(|k| (load(end + 10_f64.powi(k)).0 - at_end) / absolute);
+    let at_end = surface.at_separation(end);
+    let absolute = at_end.log_scale.exp() * at_end.load_absolute;
+    let load = |separation: f64| surface.at_separation(separation).load();
+    let mut changes = (-6..0).map(|k| (load(end + 10_f64.powi(k)) - at_end.load()) / absolute);
     match changes.find(|change| change.is_nan() || change.abs() > CHANGE) {
         Some(change) if change.is_nan() => f64::INFINITY,
         Some(change) => (-change).max(0.0),
@@ -363,7 +355,7 @@ fn the_second_evaluation_agrees_with_the_80_bit_rows() {
             let scale = found.log_scale.exp();
             let load_scale = row.load_absolute.unwrap_or(row.load.abs());
             let errors = [
-                (scale * (found.load_contacting + found.load_attracted) - row.load).abs() / load_scale,
+                (found.load() - row.load).abs() / load_scale,
                 (scale * found.load_attracted - row.load_attracted).abs() / load_scale,
                 (scale * found.friction / row.friction - 1.0).abs(),
                 (scale * found.contacting / row.contacting - 1.0).abs(),

@@ -32,7 +32,7 @@ fn agree(surface: &Surface, separations: &[f64]) -> Vec<f64> {
             let error = (value - expected).abs() / of;
             assert!(error <= 1e-9, "{what} of {surface:?} at {separation}: {value}, not {expected}: {error:e}");
         };
-        near("load", state.load, scale * (exact.load_contacting + exact.load_attracted), loads);
+        near("load", state.load, exact.load(), loads);
         near("attraction", state.attraction_load, scale * exact.load_attracted, loads);
         near("attracted", state.attracted, scale * exact.attracted, scale * exact.attracted.max(exact.contacting));
         near("contacting", state.contacting, scale * exact.contacting, scale * exact.contacting);
@@ -272,10 +272,7 @@ fn a_first_minimum_that_the_search_steps_over_is_found_by_following_the_branch()
         attraction: true,
         slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
     };
-    let load = |separation: f64| {
-        let sums = surface.at_separation(separation);
-        sums.log_scale.exp() * (sums.load_contacting + sums.load_attracted)
-    };
+    let load = |separation: f64| surface.at_separation(separation).load();
     // Through three loads about the minimum: its height to some 1e-6.
     let [left, middle, right] = [-0.108, -0.105, -0.102].map(load);
     assert!(left > middle && right > middle, "{left:e}, {middle:e}, {right:e}");

@@ -385,7 +385,9 @@ impl Population {
 pub(crate) mod tests {
     use super::point::Point;
     use super::*;
+    use crate::asperity::attraction;
     use crate::asperity::maugis::tests::EVALUATIONS;
+    use crate::gauss_legendre;
     use crate::params::{HeightFamily, Params};
 
     /// Takes three panels.
@@ -465,7 +467,7 @@ pub(crate) mod tests {
     fn halved<const N: usize>(f: &impl Fn(f64) -> [f64; N], from: f64, to: f64) -> [[f64; N]; 2] {
         let panel = |from: f64, to: f64| {
             let mut sums = [[0.0; N]; 2];
-            for (z, weight) in crate::gauss_legendre::nodes(from, to) {
+            for (z, weight) in gauss_legendre::nodes(from, to) {
                 let values = f(z).map(|value| weight * value);
                 sums = sum(sums, [values, values.map(f64::abs)]);
             }
@@ -591,10 +593,10 @@ pub(crate) mod tests {
             for &separation in separations {
                 let mut counted = |population: &Population, count: usize| {
                     EVALUATIONS.set(0);
-                    crate::asperity::attraction::tests::EVALUATIONS.set(0);
+                    attraction::tests::EVALUATIONS.set(0);
                     let sums = population.at_separation(separation);
                     counts[count] += EVALUATIONS.get();
-                    counts[count + 1] += crate::asperity::attraction::tests::EVALUATIONS.get();
+                    counts[count + 1] += attraction::tests::EVALUATIONS.get();
                     sums
                 };
                 let (sums, rough) = (counted(&population, 0), counted(&rough, 2));

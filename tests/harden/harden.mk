@@ -94,5 +94,5 @@ coverage:
 mutants: CHOSEN = --shard $(SHARD) --only '$(MUTANTS)'
 # Those that are left meet longer tests.
 mutants:
-	$(LOW) tests/harden/mutants/run.sh $(CHOSEN) --seconds $(word 1,$(MUTANT_TEST_SECONDS)) || \
-	    $(LOW) tests/harden/mutants/run.sh $(CHOSEN) --again --seconds $(word 2,$(MUTANT_TEST_SECONDS))
+	$(LOW) tests/harden/mutants/run.sh $(CHOSEN) --seconds $(firstword $(MUTANT_TEST_SECONDS)) || \
+	    $(LOW) tests/harden/mutants/run.sh $(CHOSEN) --again --seconds $(lastword $(MUTANT_TEST_SECONDS))

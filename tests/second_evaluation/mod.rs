@@ -45,6 +45,13 @@ pub struct Sums {
     pub converged: bool,
 }
 
+impl Sums {
+    /// The load of all summits, not scaled.
+    pub fn load(&self) -> f64 {
+        self.log_scale.exp() * (self.load_contacting + self.load_attracted)
+    }
+}
+
 /// x sin x + cos x - 1 and sin x - x cos x, by series where they cancel.
 fn first_bracket(x: f64) -> f64 {
     if x > 1.0 {
