@@ -1,8 +1,7 @@
-//! One asperity: its contact (Maugis), its attraction out of contact, its friction force.
-//!
-//! Everything here is dimensionless: contact radii in the Burgers vector b, overlap in sigma, load in
-//! E* b^2, friction force in G* b^2. `g` is the local radius of curvature over the mean one, eq (3).
+//! The laws of one asperity against a flat: contact, attraction out of contact, slip.
 
 pub mod attraction;
+pub mod contact;
+pub mod hertz;
 pub mod maugis;
 pub mod slip;

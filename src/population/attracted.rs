@@ -1,115 +1,128 @@
 //! The sums over summits that attract out of contact.
+//!
+//! Panels are laid in the radius of the circle of interaction, of which the overlap is a quadratic polynomial.
 
-use super::break_edges::Edge;
-use super::density::Density;
-use super::panels::MOST_PANELS;
-use super::sums::{Summit, Sums};
-use super::Population;
+use super::sums::Sums;
+use super::{Edge, Population};
 use crate::asperity::attraction::{Attracted, Attraction, ATTRACTION_LAMBDA_CUBED};
-use crate::gauss_legendre;
-use crate::root;
-use crate::surface::heights::{Heights, SHORTEST_PANEL};
+use crate::distribution::panel::{self, FootPanel};
+use crate::elementary::exp;
+use crate::numerics::quadrature;
+use crate::numerics::root;
 
-/// One panel of attraction with varying radius spans no more than this ratio of sqrt(gap terms).
-pub const CIRCLE_RATIO: f64 = 4.0;
+/// One panel of attraction with varying radius spans no more than this ratio of du/dc.
+const CIRCLE_RATIO: f64 = 4.0;
+/// The panel at a foot of the heights takes this part of where attraction is smooth.
+const PART_AT_FOOT: f64 = 0.02;
+/// The shortest panel over the whole range: what lies within it of a singular point is negligible.
+const SHORTEST_PART: f64 = 1e-8;
+/// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
+const MOST_PANELS: usize = 6000;
 
 impl Population {
-    /// The attraction of summits of a radius factor when they are out of contact, where there is one.
-    pub(super) fn attraction_of(&self, g: f64) -> Option<&Attraction> {
-        self.attraction.as_ref().filter(|_| self.lambda_cubed * g < ATTRACTION_LAMBDA_CUBED)
-    }
-
     /// The attraction of a summit out of contact, where there is one.
     pub(super) fn attraction_at(&self, separation: f64, z: f64) -> Option<Attracted> {
         let g = self.radius.factor(z);
-        let law = self.attraction_of(g)?;
+        let law = self.attraction.as_ref().filter(|_| self.lambda_cubed * g < ATTRACTION_LAMBDA_CUBED)?;
         let overlap = z - separation;
         (overlap >= -law.reach).then(|| law.at(law.circle(overlap, g), g))
     }
 
-    /// Adds the summits that attract without contact between two heights.
-    pub(super) fn add_attractions(
-        &self,
-        sums: &mut Sums,
-        density: &Density,
-        separation: f64,
-        lower: f64,
-        upper: f64,
-        upper_edge: Option<&Edge>,
-    ) {
+    /// Adds the summits below the edge of contact that attract.
+    pub(super) fn add_attractions(&self, sums: &mut Sums, separation: f64, edge: &Edge) {
         let Some(law) = &self.attraction else { return };
+        let lower = (separation - law.reach).max(self.lower_cut);
+        let upper = edge.point.z.min(self.heights.support().1);
         let Some((lower, upper)) = self.where_attraction_exists(lower, upper) else { return };
-        let mut z = lower;
-        let mut overlap = lower - separation;
-        // Heights at the far end of attraction: there it sets in with a jump.
-        if lower == separation - law.reach {
-            overlap = -law.reach;
-            let g = self.radius.factor(lower);
-            sums.load_slope -= density.at(lower, overlap) * law.at(law.circle(overlap, g), g).load;
-        }
-        if let Heights::Ends(ends) = &self.heights {
-            let log_scale = sums.log_scale;
-            let add = |mass, summit: Summit| sums.add_attraction(mass, &summit);
-            if !self.attracted_between_ends(ends, law, (lower, overlap), upper, log_scale, add) {
-                *sums = Sums::unknown();
-            }
-            return;
-        }
-        let mut sink = |z: f64, overlap: f64, weight: f64| {
-            let g = self.radius.factor(z);
-            let attracted = law.at(law.circle(overlap, g), g);
-            let summit =
-                Summit { load: attracted.load, load_by_overlap: attracted.load_by_overlap, ..Summit::default() };
-            sums.add_attraction(weight * density.at(z, overlap), &summit);
-        };
-        if let Some(panel) = self.foot_panel(z, upper, || overlap + law.reach) {
-            for (v, w) in gauss_legendre::nodes(0.0, 1.0) {
-                let (rise, rate) = panel.at(v);
-                sink(z + rise, overlap + rise, w * rate);
-            }
-            z += panel.length;
-            overlap += panel.length;
-        }
         // Overlaps are small differences of heights: keep the ends that are known as overlaps.
-        let end = match upper_edge {
-            Some(edge) if edge.z == upper => edge.contact.overlap,
-            _ => upper - separation,
+        let mut start = lower - separation;
+        if lower == separation - law.reach {
+            // At its far end attraction sets in with a jump.
+            start = -law.reach;
+            let g = self.radius.factor(lower);
+            sums.load_slope -= exp(self.heights.log_density(lower)) * law.at(law.circle(start, g), g).load;
+        }
+        let end = if upper == edge.point.z { edge.point.contact.overlap } else { upper - separation };
+        let (z, overlap) = self.attractions_at_foot(law, sums, lower, start, upper);
+        if !self.add_attraction_panels(law, sums, (z, overlap), end) {
+            *sums = Sums::unknown();
+        }
+    }
+
+    fn add_attraction(&self, law: &Attraction, sums: &mut Sums, z: f64, overlap: f64, fraction: f64) {
+        let g = self.radius.factor(z);
+        let attracted = law.at(law.circle(overlap, g), g);
+        sums.add_attraction(fraction, attracted.load, attracted.load_by_overlap);
+    }
+
+    /// The first panel where the range begins at a foot at which the density is a power; returns where it ends, as height
+    /// and overlap.
+    fn attractions_at_foot(&self, law: &Attraction, sums: &mut Sums, z: f64, overlap: f64, upper: f64) -> (f64, f64) {
+        let smooth = (overlap + law.reach).min(self.radius.smooth_length(z));
+        let Some(panel) = FootPanel::new(&*self.heights, (PART_AT_FOOT * smooth).min(upper - z))
+            .filter(|_| z <= self.heights.support().0)
+        else {
+            return (z, overlap);
         };
+        for (v, weight) in quadrature::nodes(0.0, 1.0) {
+            let (rise, rate) = panel.at(v);
+            let fraction = weight * rate * exp(self.heights.log_density(z + rise));
+            self.add_attraction(law, sums, z + rise, overlap + rise, fraction);
+        }
+        (z + panel.length, overlap + panel.length)
+    }
+
+    /// Panels from a height and overlap up to an overlap; `false` if they are more than there may be.
+    fn add_attraction_panels(&self, law: &Attraction, sums: &mut Sums, start: (f64, f64), end: f64) -> bool {
+        let (mut z, mut overlap) = start;
         // The smallest summits are attracted within a layer that is thinner than a rounding.
-        let shortest = (SHORTEST_PANEL * (end - overlap)).max(4.0 * f64::EPSILON * overlap.abs());
+        let shortest = (SHORTEST_PART * (end - overlap)).max(4.0 * f64::EPSILON * overlap.abs());
         for _ in 0..MOST_PANELS {
             if overlap >= end {
-                return;
+                return true;
             }
-            let mut length = self.without_remnant(self.smooth_length(z, true, f64::NEG_INFINITY), end - overlap);
+            let smooth = panel::panel_length(&*self.heights, z).min(self.radius.smooth_length(z)).min(end - overlap);
             let g = self.radius.factor(z);
             let here = law.at(law.circle(overlap, g), g);
-            let mut circle_end = law.circle(overlap + length, g);
-            if !self.radius.is_constant() {
-                let farthest = law.at_rate(CIRCLE_RATIO * here.overlap_rate, g);
-                let rise = farthest.overlap - here.overlap;
-                if rise < shortest {
-                    length = shortest.min(length);
-                    circle_end = law.circle(overlap + length, g);
-                } else if rise < length {
-                    length = rise;
-                    circle_end = farthest.circle;
-                }
-            }
-            let part = self.fineness * self.part_of_smooth(z, length, f64::MAX);
-            for (circle, weight) in gauss_legendre::nodes_of_part(part, here.circle, circle_end) {
-                let reference = law.at(circle, g);
-                let rise = reference.overlap - here.overlap;
-                sink(z + rise, overlap + rise, weight * reference.overlap_rate);
+            let (length, circle_end) = self.attraction_panel(law, &here, g, smooth, shortest);
+            let nodes: [_; quadrature::POINTS] = {
+                let mut nodes = quadrature::nodes(here.circle, circle_end);
+                std::array::from_fn(|_| {
+                    let (circle, weight) = nodes.next().unwrap_or_default();
+                    let reference = law.at(circle, g);
+                    (reference.overlap - here.overlap, weight * reference.overlap_rate)
+                })
+            };
+            let densities = self.heights.densities(nodes.map(|(rise, _)| z + rise));
+            for ((rise, weight), density) in nodes.into_iter().zip(densities) {
+                self.add_attraction(law, sums, z + rise, overlap + rise, weight * density);
             }
             z += length;
             overlap += length;
         }
-        *sums = Sums::unknown();
+        false
+    }
+
+    /// The length of a panel, and the circle at its end by the radius at its beginning.
+    fn attraction_panel(&self, law: &Attraction, here: &Attracted, g: f64, smooth: f64, shortest: f64) -> (f64, f64) {
+        let whole = (smooth, law.circle(here.overlap + smooth, g));
+        if self.radius.is_constant() {
+            return whole;
+        }
+        let farthest = law.at_rate(CIRCLE_RATIO * here.overlap_rate, g);
+        let rise = farthest.overlap - here.overlap;
+        if rise >= smooth {
+            whole
+        } else if rise >= shortest {
+            (rise, farthest.circle)
+        } else {
+            let length = shortest.min(smooth);
+            (length, law.circle(here.overlap + length, g))
+        }
     }
 
     /// The part of a range of heights in which summits out of contact attract: lambda_g^3 < 9/32.
-    pub(super) fn where_attraction_exists(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+    fn where_attraction_exists(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
         let exists = |z: f64| self.lambda_cubed * self.radius.factor(z) - ATTRACTION_LAMBDA_CUBED;
         if lower >= upper {
             return None;

@@ -1,287 +1,287 @@
-//! Panels over the summits in contact, from one to a height: as long as the nearest singularity allows, in height or,
-//! near break-away, in theta, in which the edge is smooth.
+//! Quadrature over the summits in contact at a separation, from the lowest up.
+//!
+//! Near break-away panels are laid in the parameter of the law of contact, in which the edge and the fold are smooth: the
+//! height follows. Far from it they are laid in height, and the contact follows. Panels end where the density of heights is
+//! not smooth, and where a contact radius is one at which the slip law has a kink.
 
-use super::point::{Guess, Point};
-use super::Population;
-use crate::asperity::maugis::Contact;
-use crate::elementary::pow;
-use crate::gauss_legendre;
-use crate::surface::heights::SHORTEST_PANEL;
-use std::f64::consts::FRAC_PI_2;
+use super::sums::Summit;
+use super::{Point, Population};
+use crate::distribution::panel::{self, FootPanel};
+use crate::elementary::exp;
+use crate::numerics::hermite::Cubic;
+use crate::numerics::quadrature::{self, POINTS};
+use crate::numerics::root;
 
-/// A panel in theta reaches from theta to no less than this fraction of it: u(theta) has its singularity at 0...
-const THETA_RATIO: f64 = 0.4;
-/// ...and spans no more of the heights than this, in sigma, or this part of where their density is smooth: in theta the
-/// density is a steep function of theta^-3.
-pub const THETA_SPAN: f64 = 0.15;
-/// A panel in height is no longer than this many times the distance to break-away, where theta(u) is singular.
-pub const HEIGHT_RATIO: f64 = 2.5;
-/// Where contacts above are ever nearer to break-away, which they may touch, a panel takes no more than this part of the way
-/// there, or this part of where all else is smooth: what is nearer is nothing.
-const APPROACH: f64 = 0.5;
-const NEAREST: f64 = 1e-4;
-/// Over a panel across which theta changes less than by this factor, it serves as well as the height, and with equal
-/// radii its nodes need no solution of their contact's overlap.
-const SHORT_RATIO: f64 = 0.8;
-/// Panels are tabulated up to this overlap, in sigma: enough for all summits at separations above -8.
-pub const LARGEST_OVERLAP: f64 = 18.0;
+/// A panel in height is no longer than this many times the distance to break-away, where the law of contact is singular.
+const HEIGHT_RATIO: f64 = 2.5;
+/// With equal radii the parameter serves up to this distance from break-away, in sigma: it needs no solution for the
+/// contact, and overlaps are known to enough digits.
+const FAR_FROM_BREAK_AWAY: f64 = 6.0;
+/// Where radii vary, dz/ds must not rise by more than this factor over a panel because they do: where the radius of contact
+/// falls with height, the parameter does at last.
+const MOST_BEND: f64 = 2.0;
+/// A panel in the parameter is no longer than this many times the distance to where the law is singular.
+const PARAMETER_RATIO: f64 = 3.0;
+/// As a function of the parameter the density is steeper than as one of height: of a panel in height this part is taken.
+const PART_OF_HEIGHT_PANEL: f64 = 0.7;
+/// A panel that is longer than it should be by no more than this factor is taken.
+const LENGTH_SLACK: f64 = 1.05;
+/// The panel at a foot of the heights takes this part of where the law of contact is smooth: there a power of its variable
+/// is the height.
+const PART_AT_FOOT: f64 = 0.02;
+/// What contributes less than this part of all above the last mode of the heights ends the sum.
+const NEGLIGIBLE: f64 = 1e-19;
 /// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
-pub const MOST_PANELS: usize = 6000;
+const MOST_PANELS: usize = 6000;
 
-/// What walks the panels hands its nodes to.
-pub trait Sink {
-    /// No more panels than these.
-    const MOST_PANELS: usize = MOST_PANELS;
-    /// Whether a panel must end where the contact radius has an extremum, though it passes none of the slip law's.
-    const EXTREMA: bool = false;
-    /// ln phi that is taken as 1.
-    fn log_scale(&self) -> f64 {
-        f64::NEG_INFINITY
+/// What the summits in contact are handed to.
+pub trait Visitor {
+    /// So many summits at a height, as a fraction of all.
+    fn summits(&mut self, z: f64, fraction: f64, summit: &Summit);
+    /// The last summit of a panel.
+    fn end_of_panel(&mut self, _end: &Point) {}
+}
+
+/// The variable in which a panel is laid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Axis {
+    Parameter,
+    Height,
+}
+
+/// A panel between two summits.
+#[derive(Debug, Clone, Copy)]
+pub struct Panel {
+    pub axis: Axis,
+    pub from: Point,
+    pub to: Point,
+    /// Which radius of the slip law it ends at.
+    pub kink: Option<usize>,
+}
+
+/// How much has been summed, to know when the rest is negligible.
+#[derive(Debug, Default)]
+pub struct Progress {
+    total: f64,
+    panel: f64,
+}
+
+impl Progress {
+    /// Takes in summits at an overlap. Load, area and friction grow no faster than the square of the overlap.
+    #[inline]
+    pub fn add(&mut self, fraction: f64, overlap: f64) {
+        let scale = 1.0 + overlap.max(0.0);
+        self.panel += fraction * scale * scale;
     }
-    /// A panel begins, from a point to another, short beside the distance to break-away or not; all its nodes follow.
-    fn panel(&mut self, _from: &Point, _to: &Point, _by_height: bool) {}
-    /// A node: its height, its weight without the density, and the contact there.
-    fn node(&mut self, z: f64, weight: f64, contact: &Contact);
-    /// So many summits at a height, and the contact there.
-    fn summits(&mut self, _z: f64, _mass: f64, _contact: &Contact) {}
-    /// The panels did not suffice.
-    fn out_of_panels(&mut self) {}
+
+    /// Whether the last panel was negligible.
+    pub fn was_negligible(&mut self) -> bool {
+        let panel = std::mem::take(&mut self.panel);
+        self.total += panel;
+        panel <= NEGLIGIBLE * self.total
+    }
 }
 
 impl Population {
-    /// Where the range begins at the foot of the distribution, sums a first panel in which the power law of the
-    /// density is smooth; returns where it ends.
-    pub(super) fn above_foot(&self, start: Point, upper: f64, sink: &mut impl Sink) -> Point {
-        let Some(panel) = self.foot_panel(start.z, upper, || self.clearance(&start)) else {
+    /// Walks the summits in contact from one of them up to a height, or to where the rest is negligible. `false` if that
+    /// takes more panels than there may be.
+    pub(super) fn walk(
+        &self,
+        separation: f64,
+        start: Point,
+        edge_height: f64,
+        end: f64,
+        progress: &mut Progress,
+        visitor: &mut impl Visitor,
+    ) -> bool {
+        let mut here = self.above_foot(separation, start, edge_height, end, progress, visitor);
+        let mut kink = None;
+        for _ in 0..MOST_PANELS {
+            if here.z >= end {
+                return true;
+            }
+            let reach = panel::panel_length(&*self.heights, here.z).min(self.radius.smooth_length(here.z));
+            let panel = self.panel(separation, here, kink, here.z - edge_height, reach, self.stop_above(here.z).min(end));
+            let nodes = self.nodes(separation, &panel);
+            let densities = self.heights.densities(nodes.map(|(_, point)| point.z));
+            for ((weight, point), density) in nodes.iter().zip(densities) {
+                let fraction = weight * density;
+                progress.add(fraction, point.contact.overlap);
+                visitor.summits(point.z, fraction, &Summit::new(&point.contact, &self.slip));
+            }
+            visitor.end_of_panel(&panel.to);
+            if progress.was_negligible() && here.z >= self.heights.last_mode() {
+                return true;
+            }
+            (here, kink) = (panel.to, panel.kink);
+        }
+        false
+    }
+
+    /// The next height at which a panel must end.
+    fn stop_above(&self, z: f64) -> f64 {
+        let breakpoints = self.heights.breakpoints();
+        let next = breakpoints.partition_point(|&breakpoint| breakpoint <= z);
+        breakpoints.get(next).copied().unwrap_or(f64::INFINITY).min(self.heights.support().1)
+    }
+
+    /// The first panel where the range begins at a foot of the distribution at which the density is a power; returns where
+    /// it ends.
+    fn above_foot(
+        &self,
+        separation: f64,
+        start: Point,
+        edge_height: f64,
+        end: f64,
+        progress: &mut Progress,
+        visitor: &mut impl Visitor,
+    ) -> Point {
+        let (foot, _) = self.heights.support();
+        let smooth = (start.z - edge_height).min(self.radius.smooth_length(foot));
+        let Some(panel) = FootPanel::new(&*self.heights, (PART_AT_FOOT * smooth).min(end - foot)).filter(|_| start.z <= foot)
+        else {
             return start;
         };
-        let mut guess = start.contact.theta;
-        for (v, w) in gauss_legendre::nodes(0.0, 1.0) {
-            let (rise, rate) = panel.at(v);
-            let point = self.point(&start, rise, guess);
-            guess = point.contact.theta;
-            sink.node(point.z, w * rate, &point.contact);
-        }
-        self.point(&start, panel.length, guess)
-    }
-
-    /// The first panel above the foot, if the range begins there; `clearance` is the distance from the foot to
-    /// where the law of one asperity is singular.
-    pub(super) fn foot_panel(&self, start: f64, upper: f64, clearance: impl FnOnce() -> f64) -> Option<FootPanel> {
-        let (foot, exponent) = (self.heights.foot(), self.heights.power_at_foot()?);
-        if start > foot {
-            return None;
-        }
-        // z = foot + length v^p turns phi dz ~ v^(p (exponent + 1) - 1) into at least v^8, and leaves a law
-        // that is a power series in z - foot.
-        let power = (9.0 / (exponent + 1.0)).max(1.0);
-        let length =
-            (0.02 * clearance().min(1.0).min(self.radius.smooth_length(foot))).max(SHORTEST_PANEL).min(upper - foot);
-        Some(FootPanel { length, power })
-    }
-
-    /// How far from z upwards or downwards a panel may reach, as far as heights and radii go, in a sum of this scale.
-    pub(super) fn smooth_length(&self, z: f64, upwards: bool, log_scale: f64) -> f64 {
-        let above = |z: f64| self.heights.smooth_length(z, log_scale).min(self.radius.smooth_length(z));
-        if upwards {
-            return above(z);
-        }
-        // Going down, what lies below is nearer: the distance that z would allow going up, less itself.
-        let mut length = self.heights.longest_below(z);
-        for _ in 0..60 {
-            if above(z - length) >= length {
-                break;
-            }
-            length *= 0.5;
-        }
-        length
-    }
-
-    /// The length of a panel that may have another; what little would be left of the range goes into it, where no knot of
-    /// the density lies between.
-    pub(super) fn without_remnant(&self, length: f64, remaining: f64) -> f64 {
-        let most = if self.heights.knots().is_empty() { 0.8 * remaining } else { remaining };
-        if length > most {
-            remaining
-        } else {
-            length
-        }
-    }
-
-    /// What part a panel is of the longest on which all but the density is smooth; 1 if the density is what limits panels.
-    pub(super) fn part_of_smooth(&self, z: f64, length: f64, longest: f64) -> f64 {
-        if self.heights.knots().is_empty() {
-            1.0
-        } else {
-            length / longest.min(self.radius.smooth_length(z))
-        }
-    }
-
-    /// Walks panels from a point to a height, and hands every node to `sink`: height, weight, contact.
-    pub(super) fn march(&self, start: Point, end: f64, sink: &mut impl Sink) {
-        let upwards = end >= start.z;
-        let log_scale = sink.log_scale();
-        self.march_by(start, end, |z| self.smooth_length(z, upwards, log_scale), sink);
-    }
-
-    /// Walks panels no longer than `smooth_length` of where each begins.
-    pub(super) fn march_by<S: Sink>(&self, start: Point, end: f64, smooth_length: impl Fn(f64) -> f64, sink: &mut S) {
-        let direction = if end >= start.z { 1.0 } else { -1.0 };
-        let constant_radius = self.radius.is_constant();
         let mut here = start;
-        for _ in 0..S::MOST_PANELS {
-            let remaining = direction * (end - here.z);
-            if remaining <= 0.0 {
-                return;
-            }
-            if let Some(there) = self.cell(&here, end, sink) {
-                here = there;
+        for (v, weight) in quadrature::nodes(0.0, 1.0) {
+            let (rise, rate) = panel.at(v);
+            here = self.at_height(separation, foot + rise, here.contact.parameter);
+            let fraction = weight * rate * exp(self.heights.log_density(here.z));
+            progress.add(fraction, here.contact.overlap);
+            visitor.summits(here.z, fraction, &Summit::new(&here.contact, &self.slip));
+        }
+        progress.was_negligible();
+        self.at_height(separation, foot + panel.length, here.contact.parameter)
+    }
+
+    /// The panel from a summit, `clearance` above break-away, no longer than `reach` and not beyond the height `stop`.
+    pub(super) fn panel(
+        &self,
+        separation: f64,
+        here: Point,
+        kink: Option<usize>,
+        clearance: f64,
+        reach: f64,
+        stop: f64,
+    ) -> Panel {
+        let far = if self.radius.is_constant() { FAR_FROM_BREAK_AWAY } else { PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO };
+        let whole = if clearance > far {
+            let z = (here.z + reach.min(HEIGHT_RATIO * clearance)).min(stop);
+            Panel { axis: Axis::Height, from: here, to: self.at_height(separation, z, here.contact.parameter), kink: None }
+        } else {
+            let to = self.parameter_panel_end(separation, &here, PART_OF_HEIGHT_PANEL * reach, stop);
+            Panel { axis: Axis::Parameter, from: here, to, kink: None }
+        };
+        self.cut_at_kink(separation, whole, kink)
+    }
+
+    /// Where a panel in the parameter ends: as far as the law of contact is smooth, and no more than `reach` higher.
+    fn parameter_panel_end(&self, separation: f64, here: &Point, reach: f64, stop: f64) -> Point {
+        let s = here.contact.parameter;
+        let mut step = PARAMETER_RATIO * self.law.distance_to_singularity(s);
+        // Between the slip law's radii friction is a fractional power of the radius, which is 0 at s = 0.
+        if here.contact.radius > 0.999_999 * self.slip.kinks()[0] {
+            step = step.min(PARAMETER_RATIO * s);
+        }
+        let start_rate = here.z_rate();
+        if step == f64::INFINITY {
+            // Hertz: the height is s^2.
+            step = reach / (0.5 * start_rate + (0.25 * start_rate * start_rate + reach).sqrt());
+        }
+        loop {
+            let there = self.on_branch(separation, s + step, here.z + step * (start_rate + step));
+            if there.height_share() * MOST_BEND < here.height_share() {
+                step *= 0.5;
                 continue;
             }
-            let smooth = smooth_length(here.z);
-            if remaining <= smooth && self.maugis.is_tip(here.contact.overlap + remaining) {
-                return self.walk_tip(&here, remaining, sink);
+            let rise = there.z - here.z;
+            let limit = reach.min(stop - here.z);
+            if rise <= reach * LENGTH_SLACK && there.z < stop {
+                return there;
             }
-            let theta_far = self.theta_limit(&here);
-            let (clearance, rate) = self.clearance_and_rate(&here);
-            let approaches = direction * rate < 0.0;
-            let rate = rate.abs().max(1.0);
-            let smooth = match approaches {
-                true => smooth.min((APPROACH * clearance).max(NEAREST * smooth.min(1.0))),
-                false => smooth,
+            // The rise is between linear and quadratic in the step.
+            let bend = ((rise - start_rate * step) / (step * step)).max(0.0);
+            let shorter = 2.0 * limit / (start_rate + (start_rate * start_rate + 4.0 * bend * limit).sqrt());
+            if limit < reach && rise >= limit {
+                return self.at_height(separation, stop, s + shorter);
+            }
+            step = shorter.min(0.9 * step);
+        }
+    }
+
+    /// The same panel, or its first part up to a kink of the slip law. Where radii vary with height it ends at an extremum of
+    /// the contact radius too, so that each kink within shows at its ends.
+    fn cut_at_kink(&self, separation: f64, mut panel: Panel, start_kink: Option<usize>) -> Panel {
+        let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
+        if !self.radius.is_constant() && (panel.from.radius_rate() > 0.0) != (panel.to.radius_rate() > 0.0) {
+            let rate = |x: f64| self.on_panel(separation, &panel, x).radius_rate();
+            let extremum = root::bracketed(rate, from, to);
+            if is_inside(extremum, from, to) {
+                panel.to = self.on_panel(separation, &panel, extremum);
+            }
+        }
+        for (index, kink) in self.slip.kinks().into_iter().enumerate() {
+            let excess = |point: &Point| point.contact.radius - kink;
+            if start_kink == Some(index) || (excess(&panel.from) < 0.0) == (excess(&panel.to) < 0.0) {
+                continue;
+            }
+            let end = panel.variable(&panel.to);
+            let at_kink = root::bracketed(|x| excess(&self.on_panel(separation, &panel, x)), from, end);
+            if is_inside(at_kink, from, end) {
+                panel.to = self.on_panel(separation, &panel, at_kink);
+                panel.kink = Some(index);
+            }
+        }
+        panel
+    }
+
+    /// The summits at the nodes of a panel, with their weights in height.
+    pub(super) fn nodes(&self, separation: f64, panel: &Panel) -> [(f64, Point); POINTS] {
+        let guess = panel.guess();
+        let mut nodes = [(0.0, panel.from); POINTS];
+        let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
+        for (node, (x, weight)) in nodes.iter_mut().zip(quadrature::nodes(from, to)) {
+            *node = match panel.axis {
+                Axis::Parameter => {
+                    let point = self.on_branch(separation, x, guess.at(x));
+                    (weight * point.z_rate(), point)
+                }
+                Axis::Height => (weight, self.at_height(separation, x, guess.at(x))),
             };
-            let curve = (self.maugis.at(theta_far, here.g).overlap - here.contact.overlap) / rate;
-            let in_theta = curve.min(THETA_SPAN * smooth.min(1.0));
-            let in_height = smooth.min(HEIGHT_RATIO * clearance);
-            let by_height = in_height > in_theta;
-            let mut length =
-                if by_height { self.without_remnant(in_height, remaining) } else { in_theta.min(remaining) };
-            let guess = here.guess_towards(theta_far, length / curve);
-            let mut there = self.point(&here, direction * length, guess);
-            // Load is smooth where only friction has a kink.
-            let cut = if self.fineness < 1.0 { None } else { self.first_cut::<S>(&here, &there) };
-            if let Some(cut) = cut {
-                length = cut.rise_above(&here).abs();
-                there = cut;
-            }
-            sink.panel(&here, &there, by_height);
-            let short = there.contact.theta > SHORT_RATIO * here.contact.theta;
-            if by_height && !(constant_radius && short && here.contact.overlap < LARGEST_OVERLAP) {
-                let rise = direction * length;
-                let mut guess = Guess::new(&here, &there, rise);
-                let part_of_smooth = self.fineness * self.part_of_smooth(here.z, length, clearance);
-                for (part, weight) in gauss_legendre::nodes_of_part(part_of_smooth, 0.0, 1.0) {
-                    let point = self.point(&here, part * rise, guess.at(part));
-                    guess.learn(part, point.contact.theta);
-                    sink.node(point.z, length * weight, &point.contact);
-                }
-            } else {
-                let theta_end = if constant_radius {
-                    there.contact.theta
-                } else if length == curve && rate == 1.0 {
-                    theta_far
-                } else {
-                    let overlap = here.contact.overlap + length;
-                    self.maugis.at_overlap(overlap, here.g, there.contact.theta).theta
-                };
-                // How the true theta departs, by the end of the panel, from that at the radius of its beginning.
-                let drift = (there.contact.theta / theta_end - 1.0) / length;
-                let theta = here.contact.theta;
-                let part_of_theta = (theta - theta_end) / (theta - theta_far);
-                let part = self.fineness * self.part_of_smooth(here.z, length, f64::MAX).max(part_of_theta);
-                for (theta, weight) in gauss_legendre::nodes_of_part(part, theta_end, theta) {
-                    let reference = self.maugis.at(theta, here.g);
-                    let rise = direction * (reference.overlap - here.contact.overlap);
-                    let weight = weight * reference.overlap_rate.abs();
-                    if constant_radius {
-                        sink.node(here.z + rise, weight, &reference);
-                    } else {
-                        let point = self.point(&here, rise, theta * (1.0 + drift * rise.abs()));
-                        sink.node(point.z, weight, &point.contact);
-                    }
-                }
-            }
-            here = there;
         }
-        sink.out_of_panels();
+        nodes
     }
 
-    /// Walks summits whose contacts are as small as [`Maugis::is_tip`] says: in the square root of the overlap, with a cut
-    /// where contact radii pass one of the slip law's.
-    fn walk_tip(&self, here: &Point, length: f64, sink: &mut impl Sink) {
-        let mut from = *here;
-        let at = |overlap: f64| self.point(here, overlap - here.contact.overlap, 0.0);
-        let last = here.contact.overlap + length;
-        for kink in self.slip.kinks().into_iter().chain([f64::INFINITY]) {
-            let overlap = self.maugis.hertz_overlap(kink, here.g).min(last);
-            if overlap <= from.contact.overlap {
-                continue;
-            }
-            let to = at(overlap);
-            sink.panel(&from, &to, false);
-            for (root, weight) in gauss_legendre::nodes(from.contact.overlap.sqrt(), overlap.sqrt()) {
-                let point = at(root * root);
-                sink.node(point.z, 2.0 * root * weight, &point.contact);
-            }
-            from = to;
+    /// The summit at a value of the variable of a panel.
+    fn on_panel(&self, separation: f64, panel: &Panel, x: f64) -> Point {
+        match panel.axis {
+            Axis::Parameter => self.on_branch(separation, x, panel.guess().at(x)),
+            Axis::Height => self.at_height(separation, x, panel.guess().at(x)),
         }
-    }
-
-    /// How far down in theta one panel may reach: u(theta) is singular at 0, and between the slip law's radii the
-    /// friction force is a fractional power of the radius, singular at theta = pi/2.
-    pub(super) fn theta_limit(&self, here: &Point) -> f64 {
-        let theta = here.contact.theta;
-        let by_curve = THETA_RATIO * theta;
-        if here.contact.radius < 0.999_999 * self.slip.kinks()[0] {
-            return by_curve;
-        }
-        // What lies nearer to theta = pi/2 than 1e-4 is negligible.
-        by_curve.max(theta - (2.0 * (FRAC_PI_2 - theta)).max(1e-4))
-    }
-
-    /// How far in height break-away is at least.
-    pub(super) fn clearance(&self, point: &Point) -> f64 {
-        self.clearance_and_rate(point).0
-    }
-
-    /// The same, and how fast the overlap above that of break-away changes with height: where radii vary, that of break-away
-    /// changes too.
-    pub(super) fn clearance_and_rate(&self, point: &Point) -> (f64, f64) {
-        let edge = self.edges.break_away(&self.maugis, point.g);
-        let rate = 1.0 - edge.overlap_by_g * point.g_rate;
-        ((point.contact.overlap - edge.overlap) / rate.abs().max(1.0), rate)
     }
 }
 
-/// The first panel above the foot of a distribution, in the variable v of z = foot + length v^power.
-pub struct FootPanel {
-    pub length: f64,
-    power: f64,
-}
-
-impl FootPanel {
-    /// The height above the foot and its derivative by v.
-    pub fn at(&self, v: f64) -> (f64, f64) {
-        let rise = self.length * pow(v, self.power);
-        (rise, self.power * rise / v)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::tests::unequal;
-
-    /// Nor much shorter than it need be.
-    #[test]
-    fn a_panel_downwards_is_as_long_as_one_upwards_from_its_end() {
-        for population in [unequal(0.6, 1.5), unequal(-0.9, 4.0), unequal(0.5, 30.0), unequal(0.0, 1.0)] {
-            for z in [-5.0, -0.7, 0.0, 0.3, 2.0, 8.0] {
-                let above = |z: f64| population.smooth_length(z, true, f64::NEG_INFINITY);
-                let length = population.smooth_length(z, false, f64::NEG_INFINITY);
-                assert!(length > 0.0 && length <= above(z - length), "{length} at {z}");
-                let longest = population.heights.longest_below(z);
-                assert!(length == longest || 2.0 * length > above(z - 2.0 * length), "{length} at {z}");
-            }
+impl Panel {
+    fn variable(&self, point: &Point) -> f64 {
+        match self.axis {
+            Axis::Parameter => point.contact.parameter,
+            Axis::Height => point.z,
         }
     }
+
+    /// Height by parameter, or parameter by height.
+    fn guess(&self) -> Cubic {
+        let ends = [self.from, self.to];
+        let [a, b] = match self.axis {
+            Axis::Parameter => ends.map(|end| (end.contact.parameter, end.z, end.z_rate())),
+            Axis::Height => ends.map(|end| (end.z, end.contact.parameter, 1.0 / end.z_rate())),
+        };
+        Cubic::new(a, b)
+    }
+}
+
+/// Whether a cut leaves a panel on both sides, rounding apart.
+fn is_inside(x: f64, from: f64, to: f64) -> bool {
+    let part = (x - from) / (to - from);
+    part > 1e-12 && part < 1.0 - 1e-12
 }

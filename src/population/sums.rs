@@ -1,20 +1,20 @@
 //! The sums at one separation, and what one summit adds to them.
 
-use crate::elementary::exp;
+use crate::asperity::contact::Contact;
+use crate::asperity::slip::Slip;
 use crate::error::Error;
+use std::f64::consts::PI;
 
-/// The sums at one separation, all to be multiplied by exp(`log_scale`).
+/// The sums at one separation, per summit of the surface.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Sums {
-    /// Keeps sums of a nearly empty tail from underflowing.
-    pub log_scale: f64,
-    /// Load of the summits in contact.
+    /// Load of the summits in contact, in E* b^2.
     pub load_contacting: f64,
     /// Load of the summits that attract without contact, <= 0.
     pub load_attracted: f64,
-    /// Friction force.
+    /// Friction force, in G* b^2.
     pub friction: f64,
-    /// Real area of contact.
+    /// Real area of contact, in b^2.
     pub area: f64,
     /// Fraction of summits in contact.
     pub contacting: f64,
@@ -32,51 +32,21 @@ impl Sums {
         self.load_contacting + self.load_attracted
     }
 
-    /// The sums themselves: `log_scale` 0.
-    pub fn unscaled(&self) -> Self {
-        // In two steps, since what is at the end of all numbers has few digits.
-        let root = exp(0.5 * self.log_scale);
-        let unscaled = |sum: f64| root * (root * sum);
-        Self {
-            log_scale: 0.0,
-            load_contacting: unscaled(self.load_contacting),
-            load_attracted: unscaled(self.load_attracted),
-            friction: unscaled(self.friction),
-            area: unscaled(self.area),
-            contacting: unscaled(self.contacting),
-            attracted: unscaled(self.attracted),
-            load_slope: unscaled(self.load_slope),
-            friction_slope: unscaled(self.friction_slope),
-        }
-    }
-
-    /// What sums are that ran out of panels.
-    pub(super) fn unknown() -> Self {
-        let unknown = f64::NAN;
-        Self {
-            load_contacting: unknown,
-            load_attracted: unknown,
-            load_slope: unknown,
-            friction: unknown,
-            ..Self::default()
-        }
-    }
-
-    /// Whether the sums are to be had: not where they took more panels than there may be.
-    pub fn are_known(&self) -> bool {
-        !self.load().is_nan()
-    }
-
     /// The sums at this separation if they are to be had.
     ///
     /// # Errors
     /// [`Error::NotConverged`].
     pub fn known(self, separation: f64) -> Result<Self, Error> {
-        if self.are_known() {
-            Ok(self)
+        if self.load().is_nan() {
+            Err(Error::NotConverged { what: "sums over the summits at separation / height_std", value: separation })
         } else {
-            Err(out_of_panels(separation))
+            Ok(self)
         }
+    }
+
+    /// What sums are that ran out of panels.
+    pub(super) fn unknown() -> Self {
+        Self { load_contacting: f64::NAN, ..Self::default() }
     }
 
     /// Adds one contacting summit, `weight` times.
@@ -92,24 +62,37 @@ impl Sums {
 
     /// Adds one attracted summit, `weight` times.
     #[inline]
-    pub(super) fn add_attraction(&mut self, weight: f64, summit: &Summit) {
+    pub(super) fn add_attraction(&mut self, weight: f64, load: f64, load_by_overlap: f64) {
         self.attracted += weight;
-        self.load_attracted += weight * summit.load;
-        self.load_slope -= weight * summit.load_by_overlap;
+        self.load_attracted += weight * load;
+        self.load_slope -= weight * load_by_overlap;
     }
 }
 
-/// Why there are no sums at a separation.
-pub fn out_of_panels(separation: f64) -> Error {
-    Error::NotConverged { what: "sums over the summits at separation / height_std", value: separation }
-}
-
-/// What one summit contributes.
+/// What one contact contributes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Summit {
+    pub radius: f64,
     pub load: f64,
     pub friction: f64,
     pub area: f64,
     pub load_by_overlap: f64,
     pub friction_by_overlap: f64,
+}
+
+impl Summit {
+    /// Of a contact that is not just breaking away, where the overlap does not depend on the parameter.
+    #[inline]
+    pub fn new(contact: &Contact, slip: &Slip) -> Self {
+        let (friction, friction_by_radius) = slip.force(contact.radius);
+        let by_overlap = if contact.overlap_rate > f64::MIN_POSITIVE { 1.0 / contact.overlap_rate } else { 0.0 };
+        Self {
+            radius: contact.radius,
+            load: contact.load,
+            friction,
+            area: PI * contact.radius * contact.radius,
+            load_by_overlap: contact.load_rate * by_overlap,
+            friction_by_overlap: friction_by_radius * contact.radius_rate * by_overlap,
+        }
+    }
 }

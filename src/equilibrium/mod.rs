@@ -1,0 +1,177 @@
+//! Load control: the separation at which the population carries a load, and the pull-off load below which there is none.
+//!
+//! Unloading from heavy load follows the load down to its first minimum over separation. Below that minimum nothing holds
+//! the surfaces together; above it each load has one state.
+
+mod pull_off;
+
+pub use pull_off::PullOff;
+
+use crate::elementary::log;
+use crate::error::Error;
+use crate::numerics::quadrature::integrate_short;
+use crate::population::{Population, Sums};
+use pull_off::End;
+
+/// No separation on the branch is smaller, in sigma: loads there are beyond all that is asked for.
+const CLOSEST: f64 = -1e60;
+/// Steps in separation by which a branch is followed back are no longer.
+const FARTHEST_STEP: f64 = 100.0;
+/// Below this part of the pull-off load, load minus pull-off load is integrated from the slope: the difference of the two
+/// loads would have lost too many digits.
+const NEAR_PULL_OFF: f64 = 1e-4;
+/// How well a load next to the pull-off load is known, relative to it.
+const LOAD_ROUNDING: f64 = 2e-11;
+/// ln(load - pull-off load) is met as far as rounding lets it, or to this where steps no longer shrink.
+const LOG_TOLERANCE: f64 = 1e-11;
+/// The lightest loads of a highest summit are found by halving the distance from it, hundreds of times.
+const MOST_STEPS: u32 = 1000;
+/// ln of the lightest load.
+const SMALLEST_LOG_LOAD: f64 = -690.0;
+
+/// The equilibrium states of a surface pair under load control, from heavy load to pull-off.
+#[derive(Debug, Clone)]
+pub struct Branch {
+    population: Population,
+    end: End,
+}
+
+/// A state on the branch.
+#[derive(Debug, Clone, Copy)]
+pub struct BranchPoint {
+    /// ln(load - pull-off load).
+    pub log_excess: f64,
+    /// Its derivative by separation.
+    pub rate: f64,
+    /// The sums over the summits.
+    pub sums: Sums,
+}
+
+impl Branch {
+    /// The branch of a population, which it owns.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] if there is a pull-off point that cannot be found, [`Error::OutOfRange`] if the load there is
+    /// not negative.
+    pub fn new(population: Population) -> Result<Self, Error> {
+        let end = End::of(&population)?;
+        Ok(Self { population, end })
+    }
+
+    /// The branch that ends before a separation at which the load was found to rise already.
+    ///
+    /// # Errors
+    /// As [`Branch::new`].
+    pub fn ending_near(self, separation: f64) -> Result<Self, Error> {
+        let end = End::before(&self.population, separation)?;
+        Ok(Self { end, ..self })
+    }
+
+    /// The summits.
+    pub fn population(&self) -> &Population {
+        &self.population
+    }
+
+    /// The pull-off point; `None` without adhesion, or where its load is too small for a number.
+    pub fn pull_off(&self) -> Option<PullOff> {
+        self.end.pull_off
+    }
+
+    /// The smallest load of the branch, where friction sets in: the pull-off load, or 0.
+    pub fn pull_off_load(&self) -> f64 {
+        self.end.pull_off.map_or(0.0, |point| point.load)
+    }
+
+    /// The largest separation on the branch.
+    pub fn farthest(&self) -> f64 {
+        self.end.farthest
+    }
+
+    /// The separations at which the sums are not smooth, in ascending order.
+    pub fn kinks(&self) -> Vec<f64> {
+        self.population.kinks()
+    }
+
+    /// The state at a separation on the branch.
+    pub fn log_excess(&self, separation: f64) -> BranchPoint {
+        let sums = self.population.at_separation(separation);
+        let Some(pull_off) = self.end.pull_off else {
+            let load = sums.load();
+            return BranchPoint { log_excess: log(load.max(f64::MIN_POSITIVE)), rate: sums.load_slope / load, sums };
+        };
+        let mut excess = sums.load() - pull_off.load;
+        if excess < NEAR_PULL_OFF * -pull_off.load {
+            let slope = |d: f64| -self.population.at_separation(d).load_slope;
+            let integral = integrate_short(separation, pull_off.separation, slope);
+            // The two differ by rounding, unless the slope has a kink between: the foot of the heights passes an edge of
+            // contact. The difference is then the better one.
+            if (integral - excess).abs() <= LOAD_ROUNDING * -pull_off.load {
+                excess = integral;
+            }
+        }
+        // A logarithm as small as can be stands for that of nothing, but not in its slope.
+        BranchPoint { log_excess: log(excess.max(f64::MIN_POSITIVE)), rate: sums.load_slope / excess, sums }
+    }
+
+    /// The separation at which ln(load - pull-off load) is this, and the sums there, from a guess if there is one: by
+    /// Newton's method within a bracket.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`].
+    pub fn at_log_excess(&self, target: f64, guess: Option<f64>) -> Result<(f64, Sums), Error> {
+        let failure = Error::NotConverged { what: "ln(load - pull-off load)", value: target };
+        let target = target.max(SMALLEST_LOG_LOAD);
+        let (mut separation, mut lower, mut upper) = match guess {
+            Some(guess) => (guess.min(self.farthest()), CLOSEST, self.farthest()),
+            None => self.bracket(target).ok_or(failure.clone())?,
+        };
+        let mut last_step = f64::MAX;
+        for _ in 0..MOST_STEPS {
+            let BranchPoint { log_excess, rate, sums } = self.log_excess(separation);
+            sums.known(separation)?;
+            let residual = log_excess - target;
+            if residual >= 0.0 {
+                lower = separation;
+            } else {
+                upper = separation;
+            }
+            // Where no load is above that of pull-off, the slope of the logarithm leads nowhere.
+            let newton = if rate < 0.0 && rate.is_finite() { separation - residual / rate } else { lower };
+            let resolution = 4.0 * f64::EPSILON * separation.abs().max(f64::MIN_POSITIVE);
+            let next = if (newton - separation).abs() <= resolution || (newton > lower && newton < upper) {
+                newton
+            } else {
+                // No step to the left is much longer than the separation itself.
+                0.5 * (lower.max(separation - separation.abs() - 4.0) + upper)
+            };
+            let step = (next - separation).abs();
+            if residual.abs() <= 4.0 * f64::EPSILON
+                || step <= resolution
+                || upper - lower <= resolution
+                || (residual.abs() < LOG_TOLERANCE && step >= 0.5 * last_step)
+            {
+                return Ok((separation, sums));
+            }
+            last_step = step;
+            separation = next;
+        }
+        Err(failure)
+    }
+
+    /// A separation on the heavier side of a load, and a bracket: leftwards from where the branch ends or the middle of the
+    /// heights.
+    fn bracket(&self, target: f64) -> Option<(f64, f64, f64)> {
+        let mut upper = self.farthest();
+        let mut lower = upper.min(1.0) - 1.0;
+        let mut step = 2.0;
+        while self.log_excess(lower).log_excess < target {
+            upper = lower;
+            lower -= step;
+            step *= 4.0;
+            if lower < CLOSEST {
+                return None;
+            }
+        }
+        Some((lower, lower, upper))
+    }
+}

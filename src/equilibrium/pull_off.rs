@@ -1,0 +1,189 @@
+//! The pull-off point: the first minimum of the load over separation, coming from heavy load.
+
+use super::FARTHEST_STEP;
+use crate::elementary::log;
+use crate::error::Error;
+use crate::numerics::root;
+use crate::population::{Population, Sums};
+
+/// The load is looked at for its first minimum from this separation of the means, in sigma.
+const SCAN_START: f64 = -6.0;
+/// Where there is one minimum, in steps that grow from this: the load changes on the scale of the heights, not faster.
+const FIRST_STEP: f64 = 1.0;
+/// Where radii vary or heights are not log-concave the load may rise within less: steps in sigma are at most this.
+const WIDEST_STEP: f64 = 0.25;
+/// A minimum narrower than this is not looked for.
+const NARROWEST_STEP: f64 = 0.02;
+/// A bracket is looked at in so many parts for an earlier and shallower minimum.
+const PARTS: u32 = 16;
+/// Where heights end, the load is looked at up to this far from where nothing is left, relative to it.
+const NEAREST_TO_END: f64 = 1e-9;
+/// Farther out than this many ranges of adhesion separations no longer resolve what adhesion does.
+const FARTHEST_SCAN: f64 = 1e12;
+/// A pull-off load smaller than exp of this cannot be told from none.
+const SMALLEST_LOG_LOAD: f64 = -640.0;
+
+/// Where the surfaces part under load control.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PullOff {
+    /// In sigma.
+    pub separation: f64,
+    /// Negative, in E* b^2 per summit.
+    pub load: f64,
+    /// In G* b^2 per summit.
+    pub friction: f64,
+}
+
+/// The end of the branch: where the load has its first minimum, or where nothing is left.
+#[derive(Debug, Clone, Copy)]
+pub struct End {
+    /// `None` without adhesion, or where its load is too small for a number.
+    pub pull_off: Option<PullOff>,
+    /// The largest separation on the branch.
+    pub farthest: f64,
+}
+
+impl End {
+    /// Of a population, looked for from heavy load.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] if it cannot be found; [`Error::OutOfRange`] if the load there is not negative.
+    pub fn of(population: &Population) -> Result<Self, Error> {
+        let bracket = if population.is_adhesive() { bracket_first_minimum(population)? } else { None };
+        match bracket {
+            Some(bracket) => Self::within(population, bracket),
+            None => Ok(Self { pull_off: None, farthest: population.farthest() }),
+        }
+    }
+
+    /// The end before a separation at which the load was found to rise already.
+    ///
+    /// # Errors
+    /// As [`End::of`].
+    pub fn before(population: &Population, off_branch: f64) -> Result<Self, Error> {
+        let failure = Error::NotConverged { what: "separation at pull-off", value: off_branch };
+        let mut rising = off_branch;
+        while falls(population, rising)? {
+            rising += NARROWEST_STEP;
+            if rising > population.farthest() {
+                return Err(failure);
+            }
+        }
+        let mut step = 0.05 * NARROWEST_STEP;
+        while step < FARTHEST_STEP {
+            if falls(population, rising - step)? {
+                return Self::within(population, (rising - step, rising));
+            }
+            step *= 2.0;
+        }
+        Err(failure)
+    }
+
+    /// Within a bracket of separations between which the load stops falling.
+    fn within(population: &Population, (lower, upper): (f64, f64)) -> Result<Self, Error> {
+        let slope = |separation: f64| population.at_separation(separation).load_slope;
+        let separation = root::bracketed(slope, lower, upper);
+        let sums = sums_at(population, separation)?;
+        if sums.load() >= 0.0 {
+            return Err(Error::OutOfRange {
+                name: "pull-off load",
+                value: sums.load().into(),
+                allowed: "(in composite_modulus burgers_vector^2 per summit) must be below 0: here most summits part while \
+                          a few tall ones still carry the load, and the surfaces would part in steps; use heights without \
+                          a second maximum",
+            });
+        }
+        let is_number = log(-sums.load()) >= SMALLEST_LOG_LOAD;
+        let pull_off = PullOff { separation, load: sums.load(), friction: sums.friction };
+        Ok(Self { pull_off: is_number.then_some(pull_off), farthest: separation })
+    }
+}
+
+/// Two separations between which the load has its first minimum; `None` where the load falls as long as it is a number.
+fn bracket_first_minimum(population: &Population) -> Result<Option<(f64, f64)>, Error> {
+    let single = population.has_single_minimum();
+    let mut here = if single { 0.0 } else { SCAN_START } - population.heights().origin();
+    let mut back = FIRST_STEP;
+    while !falls(population, here)? {
+        here -= back;
+        back *= 1.5;
+    }
+    let farthest = match single {
+        true => population.farthest(),
+        false => population.farthest().min(FARTHEST_SCAN * population.range_of_adhesion()),
+    };
+    let ends = population.heights().support().1.is_finite();
+    let mut step = if single { FIRST_STEP } else { scan_step(population) };
+    while here < farthest {
+        let mut next = here + step;
+        // Beyond where nothing touches or attracts any more there is no slope to be seen.
+        if ends && next > here + 0.5 * (farthest - here) {
+            next = here + 0.5 * (farthest - here);
+            if farthest - next < NEAREST_TO_END * (1.0 + farthest.abs()) {
+                return Ok(None);
+            }
+        }
+        let sums = sums_at(population, next)?;
+        if sums.load_slope >= 0.0 {
+            // The slope vanishes also where nothing is left; past a minimum the load is negative.
+            let past = if sums.load() < 0.0 { Some(next) } else { before_nothing_is_left(population, &mut here, next)? };
+            let first = |past| if single { Ok((here, past)) } else { first_bracket(population, here, past) };
+            return past.map(first).transpose();
+        }
+        // What is positive and as small as that has no minimum that counts behind it.
+        if sums.load() > 0.0 && log(sums.load()) < SMALLEST_LOG_LOAD {
+            return Ok(None);
+        }
+        here = next;
+        // Far out the heights change on the scale of their distance.
+        step = if single { 1.5 * step } else { step.max(0.1 * here) };
+    }
+    Ok(None)
+}
+
+/// The step in which a load that may have several minima is looked at.
+fn scan_step(population: &Population) -> f64 {
+    let widest = (0.5 * population.radius_scale()).clamp(WIDEST_STEP, 2.0 * WIDEST_STEP);
+    match population.heights().breakpoints() {
+        [] => widest,
+        _ => (0.5 * population.range_of_adhesion()).clamp(NARROWEST_STEP, WIDEST_STEP),
+    }
+}
+
+/// A separation past the minimum at which something is left, where a step led from a falling load to nothing; `None` if
+/// the load falls until nothing is left. Moves `here` on where the load falls still.
+fn before_nothing_is_left(population: &Population, here: &mut f64, nothing: f64) -> Result<Option<f64>, Error> {
+    let mut nothing = nothing;
+    while nothing - *here > NEAREST_TO_END * (1.0 + here.abs()) {
+        let middle = 0.5 * (*here + nothing);
+        let sums = sums_at(population, middle)?;
+        if sums.load_slope < 0.0 {
+            *here = middle;
+        } else if sums.load() < 0.0 {
+            return Ok(Some(middle));
+        } else {
+            nothing = middle;
+        }
+    }
+    Ok(None)
+}
+
+/// The first part of a bracket across which the slope changes sign.
+fn first_bracket(population: &Population, lower: f64, upper: f64) -> Result<(f64, f64), Error> {
+    let at = |part: u32| lower + (upper - lower) * f64::from(part) / f64::from(PARTS);
+    let mut first = 1;
+    while first < PARTS && falls(population, at(first))? {
+        first += 1;
+    }
+    Ok((at(first - 1), at(first)))
+}
+
+/// Whether the load falls as separation grows.
+fn falls(population: &Population, separation: f64) -> Result<bool, Error> {
+    Ok(sums_at(population, separation)?.load_slope < 0.0)
+}
+
+/// The sums at a separation, or why there are none.
+fn sums_at(population: &Population, separation: f64) -> Result<Sums, Error> {
+    population.at_separation(separation).known(separation)
+}

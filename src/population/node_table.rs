@@ -1,0 +1,105 @@
+//! Quadrature nodes that serve every separation: with equal radii the contacts depend on overlap alone.
+
+use super::panels::{Panel, Progress, Visitor};
+use super::sums::Summit;
+use super::{Edge, Point, Population};
+use crate::distribution::panel;
+use crate::numerics::quadrature::POINTS;
+
+/// Panels are tabulated up to this overlap, in sigma: enough for all summits at separations above -8.
+const LARGEST_OVERLAP: f64 = 18.0;
+/// A tabulated panel takes 1 kB; deeper ones are walked when needed.
+const MOST_PANELS: usize = 64;
+
+/// Panels from break-away upwards, at separation 0.
+#[derive(Debug, Clone)]
+pub struct NodeTable {
+    panels: Vec<TablePanel>,
+    end: Point,
+}
+
+#[derive(Debug, Clone)]
+struct TablePanel {
+    from: Point,
+    to: Point,
+    nodes: [Node; POINTS],
+}
+
+/// A node without the density of heights.
+#[derive(Debug, Clone, Copy)]
+struct Node {
+    overlap: f64,
+    weight: f64,
+    summit: Summit,
+}
+
+impl NodeTable {
+    /// Tabulates the panels of a population of equal radii.
+    pub fn new(population: &Population, edge: &Edge) -> Self {
+        let reach = panel::tail_panel_length(&*population.heights);
+        let mut table = NodeTable { panels: Vec::new(), end: edge.point };
+        let mut kink = None;
+        while table.end.z < LARGEST_OVERLAP && table.panels.len() < MOST_PANELS {
+            let panel = population.panel(0.0, table.end, kink, 0.0, reach, f64::INFINITY);
+            table.panels.push(TablePanel::new(population, &panel));
+            (table.end, kink) = (panel.to, panel.kink);
+        }
+        table
+    }
+}
+
+impl TablePanel {
+    fn new(population: &Population, panel: &Panel) -> Self {
+        let node = |(weight, point): (f64, Point)| Node {
+            overlap: point.contact.overlap,
+            weight,
+            summit: Summit::new(&point.contact, &population.slip),
+        };
+        Self { from: panel.from, to: panel.to, nodes: population.nodes(0.0, panel).map(node) }
+    }
+}
+
+impl Population {
+    /// Walks the summits in contact above a height from the table; panels across which the density is not smooth are walked
+    /// anew.
+    pub(super) fn walk_table(
+        &self,
+        table: &NodeTable,
+        separation: f64,
+        start: Point,
+        edge_height: f64,
+        visitor: &mut impl Visitor,
+    ) -> bool {
+        let mut progress = Progress::default();
+        let mut start = Some(start);
+        for panel in &table.panels {
+            let (from, to) = (separation + panel.from.z, separation + panel.to.z);
+            if start.is_some_and(|start| start.z >= to) {
+                continue;
+            }
+            let from_start = start.take().map_or(panel.from.raised(separation), |start| start);
+            if from_start.z > from || !panel::is_one_panel(&*self.heights, from, to) {
+                if !self.walk(separation, from_start, edge_height, to, &mut progress, visitor) {
+                    return false;
+                }
+            } else {
+                let heights = panel.nodes.map(|node| separation + node.overlap);
+                let densities = self.heights.densities(heights);
+                for ((node, density), z) in panel.nodes.iter().zip(densities).zip(heights) {
+                    let fraction = node.weight * density;
+                    progress.add(fraction, node.overlap);
+                    visitor.summits(z, fraction, &node.summit);
+                }
+                visitor.end_of_panel(&panel.to.raised(separation));
+                if progress.was_negligible() && from >= self.heights.last_mode() {
+                    return true;
+                }
+            }
+            if to >= self.heights.support().1 {
+                return true;
+            }
+        }
+        let rest = start.unwrap_or(table.end.raised(separation));
+        self.walk(separation, rest, edge_height, f64::INFINITY, &mut progress, visitor)
+    }
+}

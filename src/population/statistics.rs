@@ -1,0 +1,105 @@
+//! More of the summits in contact at a separation than their sums: the mean of their contact radii, the largest, and how many
+//! there are in each regime of slip.
+//!
+//! For exact states only: the sums that a law is compiled from need none of this.
+
+use super::panels::Visitor;
+use super::sums::Summit;
+use super::{Point, Population};
+use crate::distribution::panel;
+use crate::elementary::{exp, log};
+use crate::numerics::quadrature;
+use crate::numerics::root;
+
+/// What is less than this part of the number of contacts does not move their largest radius.
+const NEGLIGIBLE: f64 = 1e-19;
+
+/// Contact radii, in b, and their share of the regimes of slip.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Statistics {
+    /// Mean contact radius.
+    pub mean_radius: f64,
+    /// Contact radius of the tallest of so many summits as there are; not below the mean.
+    pub largest_radius: f64,
+    /// Fractions of the contacts up to the first kink of the slip law, between the two, and from the second on.
+    pub by_regime: [f64; 3],
+}
+
+/// Counts contacts, and keeps every contact radius that it sees with its height.
+struct Counting {
+    kinks: [f64; 2],
+    count: f64,
+    radius: f64,
+    by_regime: [f64; 3],
+    seen: Vec<(f64, f64)>,
+}
+
+impl Visitor for Counting {
+    fn summits(&mut self, z: f64, fraction: f64, summit: &Summit) {
+        let [first, second] = self.kinks;
+        let regime = usize::from(summit.radius > first) + usize::from(summit.radius >= second);
+        self.count += fraction;
+        self.radius += fraction * summit.radius;
+        self.by_regime[regime] += fraction;
+        self.seen.push((z, summit.radius));
+    }
+
+    fn end_of_panel(&mut self, end: &Point) {
+        self.seen.push((end.z, end.contact.radius));
+    }
+}
+
+impl Population {
+    /// The contacts at a separation, of which `number` are expected on the surface; all 0 if there are none. `None` if they
+    /// cannot be counted in as many panels as there may be.
+    pub fn statistics(&self, separation: f64, number: f64) -> Option<Statistics> {
+        let edge = self.edge(separation);
+        let mut counting =
+            Counting { kinks: self.slip.kinks(), count: 0.0, radius: 0.0, by_regime: [0.0; 3], seen: Vec::new() };
+        if !self.visit(separation, &edge, &mut counting) {
+            return None;
+        }
+        let Counting { count, radius, by_regime, seen, .. } = counting;
+        if count == 0.0 {
+            return Some(Statistics::default());
+        }
+        let mean_radius = radius / count;
+        let mut largest_radius = mean_radius;
+        if number > 1.0 {
+            let lowest = edge.point.z.max(self.lower_cut);
+            let tallest = self.height_exceeded_by(lowest, count / (number + 1.0));
+            let guess = self.law.guess(tallest - separation, self.radius.factor(tallest));
+            let there = self.at_height(separation, tallest, guess).contact.radius;
+            let below = seen.iter().filter(|(z, _)| *z <= tallest).map(|(_, radius)| *radius);
+            largest_radius = below.chain([there]).fold(mean_radius, f64::max);
+        }
+        Some(Statistics { mean_radius, largest_radius, by_regime: by_regime.map(|fraction| fraction / count) })
+    }
+
+    /// The height above another that this fraction of all summits exceeds.
+    fn height_exceeded_by(&self, lowest: f64, fraction: f64) -> f64 {
+        let mut upper = lowest + 1.0;
+        while upper < self.highest && self.exceedance(upper) > fraction {
+            upper += upper - lowest;
+        }
+        let upper = upper.min(self.highest);
+        let excess = |z: f64| log((self.exceedance(z) / fraction).max(1e-100));
+        root::bracketed(excess, lowest, upper)
+    }
+
+    /// The fraction of all summits that are higher.
+    fn exceedance(&self, z: f64) -> f64 {
+        let (mut z, mut fraction) = (z, 0.0);
+        while z < self.highest {
+            let end = (z + panel::panel_length(&*self.heights, z)).min(self.highest);
+            let part: f64 =
+                quadrature::nodes(z, end).map(|(x, weight)| weight * exp(self.heights.log_density(x))).sum();
+            fraction += part;
+            if z >= self.heights.last_mode() && part <= NEGLIGIBLE * fraction {
+                break;
+            }
+            z = end;
+        }
+        fraction
+    }
+}
