@@ -57,7 +57,7 @@ hosts:
 	@echo "== hosts/run.sh"; hosts/run.sh
 
 header:
-	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test header
+	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header
 
 clean:
 	$(CARGO) clean

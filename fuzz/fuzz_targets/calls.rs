@@ -1,16 +1,19 @@
-//! libFuzzer on the C interface: the calls and oracles are those of `tests/fuzz.rs`.
+//! libFuzzer on the C interface: the calls and oracles are those of `tests/c_api/fuzz.rs`.
 //!
 //! `make fuzz-coverage` runs it with AddressSanitizer.
 
 #![no_main]
 #![allow(unsafe_code)]
 
-#[path = "../../tests/c_abi/mod.rs"]
+#[path = "../../tests/common/c_abi.rs"]
 mod c_abi;
-#[path = "../../tests/fuzz_calls/mod.rs"]
+#[path = "../../tests/c_api/fuzz_calls/mod.rs"]
 mod fuzz_calls;
-#[path = "../../tests/processor_time/mod.rs"]
+#[path = "../../tests/common/processor_time.rs"]
 mod processor_time;
+mod common {
+    pub(crate) use crate::{c_abi, processor_time};
+}
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     let mut tally = fuzz_calls::Tally::default();

@@ -28,7 +28,7 @@ unset CARGO_ENCODED_RUSTFLAGS
 objects=(-object "$built/libasperity.so")
 while read -r program; do
     objects+=(-object "$program")
-    case "$program" in */batch-*) batch=$program ;; esac
+    case "$program" in */c_api-*) c_api=$program ;; esac
 done < <(cargo test --release --locked --target "$triple" --no-run --message-format=json 2>/dev/null |
     sed -n 's/.*"executable":"\([^"]*\)".*/\1/p')
 [ "${#objects[@]}" -gt 2 ] || { echo "tests/harden/coverage.sh: the tests do not build" >&2; exit 1; }
@@ -37,7 +37,7 @@ ASPERITY_DOMAIN_SETS=40 ASPERITY_FUZZ_CALLS=40000 \
     cargo test --release --locked --quiet --no-fail-fast --target "$triple" >"$CARGO_TARGET_DIR/tests.log" 2>&1 ||
     grep -E '^test .*FAILED|FAILED$' "$CARGO_TARGET_DIR/tests.log" || true
 for cpu in Haswell Nehalem; do
-    qemu-x86_64 -cpu "$cpu" "$batch" --quiet the_ >/dev/null 2>&1
+    qemu-x86_64 -cpu "$cpu" "$c_api" --quiet batch::the_ >/dev/null 2>&1
 done
 cargo build --release --locked --quiet --target "$triple"
 link=(-L"$built" -Wl,-rpath,"$built" -lasperity -lm -lpthread)

@@ -48,7 +48,7 @@ harden:
 
 fuzz:
 	ASPERITY_FUZZ_CALLS=$(FUZZ_CALLS) ASPERITY_FUZZ_SEED=$(FUZZ_SEED) \
-	    $(LOW) $(CARGO) test --release --locked --test fuzz -- --nocapture
+	    $(LOW) $(CARGO) test --release --locked --test c_api -- --nocapture fuzz::
 
 fuzz-coverage:
 	cd fuzz && CARGO_TARGET_DIR=$(TARGET)/fuzz $(FUZZ_CARGO) fuzz build calls
@@ -58,7 +58,7 @@ fuzz-coverage:
 domain:
 	mkdir -p $(TARGET)/domain
 	ASPERITY_DOMAIN_SETS=$(DOMAIN_SETS) ASPERITY_DOMAIN_MAP=$(TARGET)/domain \
-	    $(LOW) $(CARGO) test --release --locked --test domain -- --nocapture
+	    $(LOW) $(CARGO) test --release --locked --test numerics -- --nocapture domain::
 	cp $(TARGET)/domain/domain.svg docs/domain.svg
 
 faults:
@@ -69,12 +69,12 @@ memory:
 
 races:
 	CARGO_TARGET_DIR=$(TARGET)/races RUSTFLAGS=-Zsanitizer=thread $(LOW) $(NIGHTLY) test -Zbuild-std --target $(HOST) \
-	    --profile mutants --locked --test batch threads_that_share
+	    --profile mutants --locked --test c_api threads_that_share
 
 miri:
 	for aliasing in "" -Zmiri-tree-borrows; do \
 	    CARGO_TARGET_DIR=$(TARGET)/miri RUSTFLAGS="$(MIRI_PROCESSOR)" MIRIFLAGS="$(MIRI_OPTIONS) $$aliasing" \
-	        $(LOW) $(NIGHTLY) miri test --locked --test pointers || exit 1; \
+	        $(LOW) $(NIGHTLY) miri test --locked --test c_api pointers:: || exit 1; \
 	done
 
 processors:

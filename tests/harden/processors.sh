@@ -22,5 +22,5 @@ for cpu in Haswell Nehalem; do
 done
 
 # The flags of the vectors that this processor may not take.
-tests=$(cargo test --release --locked --test batch --no-run 2>&1 | sed -n 's/.*(\(.*\/batch-[0-9a-f]*\)).*/\1/p')
-qemu-x86_64 -cpu Haswell "$tests" no_load 2>/dev/null | tail -2
+tests=$(cargo test --release --locked --test c_api --no-run 2>&1 | sed -n 's/.*(\(.*\/c_api-[0-9a-f]*\)).*/\1/p')
+qemu-x86_64 -cpu Haswell "$tests" batch::no_load 2>/dev/null | tail -2

@@ -1,0 +1,668 @@
+//! Each function of the C interface, called with its oracles: a documented status with a message, outputs untouched
+//! where it is refused, no floating-point flag raised, no call longer than a second, answers that agree with each other.
+
+use super::TABLE_AT;
+use crate::common::c_abi::*;
+use crate::common::processor_time::processor_time;
+use std::collections::BTreeMap;
+use std::ffi::{c_char, CStr};
+use std::hint::black_box;
+use std::ptr::{null, null_mut};
+use std::time::Duration;
+
+/// No call may take longer, of this thread's processor time: the machine may be busy elsewhere.
+const LONGEST_CALL: Duration = Duration::from_secs(1);
+/// Heavier loads, in `composite_modulus burgers_vector^2 asperity_count`, may be out of range.
+const HEAVIEST: f64 = 0.9e80;
+/// The accuracy of an exact load, relative to the loads that it is the difference of: next to pull-off, where friction
+/// changes much with load, that of the friction force is less.
+const LOAD_ERROR: f64 = 1e-11;
+/// How far the load must rise beyond pull-off before it falls again, and by how much it may fall before, relative to the
+/// loads that it is the difference of. There are first minima as shallow as that.
+const LEAST_RISE: f64 = 1e-12;
+const LARGEST_FALL: f64 = 1e-9;
+/// How far a slope may be from the secant over twice this of load - pull-off, extrapolated to none, relative to F/(load -
+/// pull-off): errors of the law, and what the secant is off by still where radii change steeply with height. Beside that, what
+/// the forces are known to.
+const STEP: f64 = 1e-4;
+const SECANT: f64 = 1e-5;
+/// Up to this part of the pull-off load above it forces are known to fewer digits, and steps are longer.
+const NEAR_PULL_OFF: f64 = 1e-2;
+const STEP_NEAR_PULL_OFF: f64 = 1e-3;
+/// Separations nearer to each other than this many of their roundings say little of the slope between. Only where so many
+/// summits gather at one height that they part within that do loads lie as near.
+const UNRESOLVED: f64 = 1e5;
+/// Lighter loads, in the same unit or the caller's, may have no friction that is a number.
+const LIGHTEST: f64 = 1e-250;
+/// What outputs hold before a call.
+const BEFORE: f64 = -7.25;
+
+type Shared = *const asperity_model;
+
+/// What was called, and the worst that was seen.
+#[derive(Default)]
+pub struct Tally {
+    /// Calls of each function whose answers were checked.
+    pub calls: BTreeMap<&'static str, u64>,
+    /// Refusals of `asperity_create` by status.
+    pub refused: BTreeMap<i32, u64>,
+    /// The slowest call.
+    pub slowest: Duration,
+    /// What it was.
+    pub slowest_call: String,
+    /// Calls that took longer than they may.
+    pub too_slow: Vec<String>,
+    /// The largest relative difference of the table from exact evaluation.
+    pub table_difference: f64,
+    /// The largest such difference over `table_error`.
+    pub table_ratio: f64,
+    /// The largest difference of a slope from the secant, relative to F/(load - pull-off).
+    pub secant_difference: f64,
+    /// Secants between states whose separations are one but for roundings, which are not compared.
+    pub unresolved: u64,
+    /// The largest fall of the friction force between two loads, relative to it.
+    pub largest_fall: f64,
+}
+
+/// A model with what it was made from.
+pub struct Model {
+    pub handle: Handle,
+    pub params: asperity_params,
+    pub summary: asperity_summary,
+}
+
+impl Model {
+    fn new(handle: Handle, params: asperity_params) -> Self {
+        let summary = handle.summary();
+        Self { handle, params, summary }
+    }
+
+    /// What loads are measured in.
+    fn unit_load(&self) -> f64 {
+        let q = self.params.quantities;
+        q[0] * q[4] * q[4] * q[7]
+    }
+
+    /// How well the friction force at a load can be known, relative to it, given how well a load can.
+    fn resolution(&self, load: f64) -> f64 {
+        let mut slope = BEFORE;
+        // SAFETY: the model lives.
+        let force = unsafe { asperity_friction_force_and_slope_at_load(self.handle.0, load, &mut slope) };
+        slope.min(1e300) * LOAD_ERROR * load.abs().max(-self.summary.pull_off_load) / force
+    }
+
+    fn is_within_range(&self, load: f64) -> bool {
+        is_finite(load) && load <= HEAVIEST * self.unit_load()
+    }
+}
+
+/// Calls with their oracles; what is seen goes into the tally.
+pub struct Calls<'a> {
+    tally: &'a mut Tally,
+}
+
+/// By bits, since comparing a signalling NaN raises a flag.
+fn is_finite(x: f64) -> bool {
+    x.to_bits() >> 52 & 0x7ff != 0x7ff
+}
+
+fn is_quiet_nan(x: f64) -> bool {
+    x.is_nan() && x.to_bits() >> 51 & 1 == 1
+}
+
+/// Calls a function by pointer, so that it is not inlined into code that looks at the flags.
+macro_rules! call {
+    ($calls:expr, $model:expr, $function:ident ( $($argument:expr),* )) => {{
+        let what = || format!(concat!(stringify!($function), " {:?} of {:?}"), ($($argument,)*), $model);
+        // SAFETY: the arguments are valid, or such as the function must refuse.
+        $calls.watch(stringify!($function), what, || unsafe { black_box($function as unsafe extern "C" fn($(call!(@any $argument)),*) -> _)($($argument),*) })
+    }};
+    (@any $argument:expr) => { _ };
+}
+
+impl<'a> Calls<'a> {
+    pub fn new(tally: &'a mut Tally) -> Self {
+        Self { tally }
+    }
+
+    /// One call: counted, timed, its flags looked at.
+    fn watch<T>(&mut self, name: &'static str, what: impl Fn() -> String, call: impl FnOnce() -> T) -> T {
+        self.watch_many(name, 1, what, call)
+    }
+
+    /// One call that answers for so many elements.
+    fn watch_many<T>(
+        &mut self,
+        name: &'static str,
+        elements: usize,
+        what: impl Fn() -> String,
+        call: impl FnOnce() -> T,
+    ) -> T {
+        let start = processor_time();
+        let (answer, complaint) = flags::watch(call);
+        let took = processor_time() - start;
+        *self.tally.calls.entry(name).or_default() += 1;
+        if let Some(complaint) = complaint {
+            panic!("{}: {complaint}", what());
+        }
+        if took > self.tally.slowest {
+            (self.tally.slowest, self.tally.slowest_call) = (took, what());
+        }
+        if took > LONGEST_CALL * elements.max(1) as u32 {
+            self.tally.too_slow.push(format!("{took:?}: {}", what()));
+        }
+        answer
+    }
+
+    /// A status is one of those the header lists, and a refusal has a message of its own.
+    fn documented(&self, status: i32, allowed: &[i32], what: &dyn Fn() -> String) {
+        if status == OK {
+            return;
+        }
+        assert!(allowed.contains(&status), "{}: status {status}: {}", what(), message());
+        let message = message();
+        let own = !message.is_empty() && message != NULL_MESSAGE;
+        assert!(own, "{}: status {status} with the message '{message}'", what());
+    }
+
+    pub fn create(&mut self, params: &asperity_params) -> Option<Model> {
+        let untouched: *mut asperity_model = std::ptr::without_provenance_mut(0x5eed_0000);
+        let mut model = untouched;
+        let out: *mut *mut asperity_model = &mut model;
+        reset_message();
+        let params_at: *const asperity_params = params;
+        let status = call!(self, params, asperity_create(params_at, out));
+        if status == OK {
+            assert!(!model.is_null() && model != untouched, "{params:?}: no model");
+            let model = Model::new(Handle(model), *params);
+            self.check_summary(&model);
+            if model.summary.pull_off_load < 0.0 {
+                self.beyond_pull_off(&model);
+            }
+            return Some(model);
+        }
+        *self.tally.refused.entry(status).or_default() += 1;
+        self.documented(status, refusals(params), &|| format!("create {params:?}"));
+        assert_eq!(model, untouched, "{params:?}: refused, yet *model is written");
+        None
+    }
+
+    fn check_summary(&mut self, model: &Model) {
+        let s = &model.summary;
+        let sound = s.pull_off_load <= 0.0
+            && s.pull_off_friction_force >= 0.0
+            && s.zero_load_friction_force >= 0.0
+            && s.min_table_load >= s.pull_off_load
+            && s.max_table_load > s.min_table_load
+            && s.table_error >= 0.0
+            && s.table_error <= 1.0000001e-10;
+        let finite = bytes(s)[8..].chunks(8).all(|word| is_finite(f64::from_ne_bytes(word.try_into().expect("8"))));
+        assert!(sound && finite, "{:?}: {s:?}", model.params);
+    }
+
+    /// Beyond pull-off the load rises, if only within a last bit of the separation, before it may fall again.
+    fn beyond_pull_off(&mut self, model: &Model) {
+        let (at, mut state): (Shared, _) = (model.handle.0, asperity_state::empty());
+        let state_at: *mut asperity_state = &mut state;
+        let pull_off = model.summary.pull_off_load;
+        assert_eq!(call!(self, model.params, asperity_state_at_load(at, pull_off, state_at)), OK, "{:?}", model.params);
+        let (end, height_std) = (state.separation, model.params.quantities[5]);
+        for offset in (-15..0).map(|k| height_std * 10_f64.powi(k)) {
+            let status = call!(self, model.params, asperity_state_at_separation(at, end + offset, state_at));
+            assert_eq!(status, OK, "{end:e} + {offset:e}: {}; {:?}", message(), model.params);
+            let loads = (state.load - state.attraction_load).abs() + state.attraction_load.abs();
+            let change = (state.load - pull_off) / loads;
+            if change > LEAST_RISE {
+                break;
+            }
+            assert!(
+                change > -LARGEST_FALL,
+                "load {:e} at {end:e} + {offset:e} below {pull_off:e}; {:?}",
+                state.load,
+                model.params
+            );
+        }
+    }
+
+    fn force(&mut self, model: &Model, load: f64) -> f64 {
+        let at: Shared = model.handle.0;
+        call!(self, model.params, asperity_friction_force_at_load(at, load))
+    }
+
+    /// The scalar calls at a load, against each other and the rules of the header. Returns force and slope.
+    pub fn at_load(&mut self, model: &Model, load: f64) {
+        let at: Shared = model.handle.0;
+        let p = model.params;
+        let pull_off = model.summary.pull_off_load;
+        let cap = p.constants[7];
+        let (mut slope, mut mu_slope) = (BEFORE, BEFORE);
+        let (slope_at, mu_slope_at): (*mut f64, *mut f64) = (&mut slope, &mut mu_slope);
+        let force = self.force(model, load);
+        let mu: f64 = call!(self, p, asperity_friction_at_load(at, load));
+        let force_again: f64 = call!(self, p, asperity_friction_force_and_slope_at_load(at, load, slope_at));
+        let mu_again: f64 = call!(self, p, asperity_friction_and_slope_at_load(at, load, mu_slope_at));
+        let what =
+            || format!("load {load:e} ({:#x}): F {force:e} {slope:e}, mu {mu:e} {mu_slope:e}; {p:?}", load.to_bits());
+        assert_eq!(force.to_bits(), force_again.to_bits(), "{}", what());
+        assert_eq!(mu.to_bits(), mu_again.to_bits(), "{}", what());
+        if !is_finite(load) {
+            let all = [force, mu, slope, mu_slope];
+            assert!(all.iter().all(|&x| is_quiet_nan(x)), "{}", what());
+        } else if load < pull_off {
+            assert_eq!([force, mu, slope, mu_slope], [0.0; 4], "{}", what());
+        } else if model.is_within_range(load) {
+            assert!(is_finite(force) && force >= 0.0 && slope >= 0.0, "{}", what());
+            // Nothing is left at zero load without adhesion.
+            assert!(force > 0.0 || load <= LIGHTEST * model.unit_load().max(1.0), "{}", what());
+            assert!(slope.is_finite() || load == pull_off, "{}", what());
+            assert!(!mu_slope.is_nan() && mu >= 0.0 && mu <= cap, "{}", what());
+            let close = |a: f64, b: f64| (a - b).abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs());
+            let capped = mu == cap && (load <= 0.0 || force / load >= cap.min(1e139) * (1.0 - 1e-15));
+            assert!(capped || close(mu, force / load) || load < f64::MIN_POSITIVE, "{}", what());
+            assert!(mu != cap || mu_slope == 0.0 || close(mu, force / load), "{}", what());
+        } else {
+            assert!(is_quiet_nan(force) || force > 0.0, "{}", what());
+        }
+    }
+
+    /// Batches of loads: the bits of single calls, whatever outputs are asked for, also in place.
+    pub fn batches(&mut self, model: &Model, loads: &[f64], kind: usize) {
+        type Batch = unsafe extern "C" fn(Shared, usize, *const f64, *mut f64, *mut f64) -> i32;
+        type One = unsafe extern "C" fn(Shared, f64, *mut f64) -> f64;
+        let (batch, one, name): (Batch, One, _) = if kind & 1 == 0 {
+            (
+                asperity_friction_force_at_loads,
+                asperity_friction_force_and_slope_at_load,
+                "asperity_friction_force_at_loads",
+            )
+        } else {
+            (asperity_friction_at_loads, asperity_friction_and_slope_at_load, "asperity_friction_at_loads")
+        };
+        let (batch, n, at) = (black_box(batch), loads.len(), model.handle.0);
+        // A place that is not aligned to vectors; the last element is not the call's.
+        let mut value = [BEFORE; 64];
+        let mut slope = [BEFORE; 64];
+        value[1..=n].copy_from_slice(loads);
+        let first = kind & 1;
+        let what = || format!("{name} of {loads:?}, kind {kind}; {:?}", model.params);
+        reset_message();
+        let (in_place, no_slope) = (kind & 2 != 0, kind & 4 != 0);
+        let status = self.watch_many(name, n, what, || {
+            let value_at = value[1..].as_mut_ptr();
+            let from = if in_place { value_at.cast_const() } else { loads.as_ptr() };
+            let slope_at = if no_slope { null_mut() } else { slope[1 + first..].as_mut_ptr() };
+            // SAFETY: n elements each, or NULL; an output may be the input.
+            unsafe { batch(at, n, from, value_at, slope_at) }
+        });
+        let pull_off = model.summary.pull_off_load;
+        let offence = loads.iter().position(|&load| !is_finite(load) || load < pull_off);
+        let expected = match offence {
+            None => OK,
+            Some(i) if !is_finite(loads[i]) => INVALID_LOAD,
+            Some(_) => SEPARATED,
+        };
+        assert_eq!(status, expected, "{}: {}", what(), message());
+        if let Some(i) = offence {
+            assert!(message().starts_with(&format!("element {i}: load = ")), "{}: {}", what(), message());
+        }
+        for (i, &load) in loads.iter().enumerate() {
+            let mut alone_slope = BEFORE;
+            // SAFETY: the model lives.
+            let alone = unsafe { one(at, load, &mut alone_slope) };
+            assert_eq!(value[1 + i].to_bits(), alone.to_bits(), "{}: element {i}", what());
+            let expected = if no_slope { BEFORE } else { alone_slope };
+            assert_eq!(slope[1 + first + i].to_bits(), expected.to_bits(), "{}: slope of element {i}", what());
+        }
+        let outside = [value[0], value[n + 1], slope[first], slope[n + 1 + first]];
+        assert_eq!(outside, [BEFORE; 4], "{}: wrote outside", what());
+    }
+
+    /// The exact state at a load, against the compiled law.
+    pub fn exact(&mut self, model: &Model, load: f64) {
+        let at: Shared = model.handle.0;
+        let mut state = asperity_state { load: BEFORE, attraction_load: BEFORE, ..asperity_state::empty() };
+        let before = bytes(&state).to_vec();
+        let state_at: *mut asperity_state = &mut state;
+        reset_message();
+        let status = call!(self, model.params, asperity_state_at_load(at, load, state_at));
+        let s = &model.summary;
+        let what = || format!("state at load {load:e} ({:#x}): {state:?}; {s:?}; {:?}", load.to_bits(), model.params);
+        if status != OK {
+            self.documented(status, &[INVALID_LOAD, SEPARATED, OUT_OF_RANGE, NOT_CONVERGED], &what);
+            assert_eq!(bytes(&state), before, "{}: refused, yet the state is written", what());
+            let expected = if !is_finite(load) {
+                INVALID_LOAD
+            } else if load < s.pull_off_load {
+                SEPARATED
+            } else {
+                OUT_OF_RANGE
+            };
+            assert_eq!(status, expected, "{}: {}", what(), message());
+            let at_zero = load == 0.0 && s.pull_off_load == 0.0;
+            assert!(expected != OUT_OF_RANGE || at_zero || !model.is_within_range(load), "{}: {}", what(), message());
+            return;
+        }
+        check_state(&state, &what);
+        assert!(state.load == load && load >= s.pull_off_load, "{}", what());
+        let force = self.force(model, load);
+        let difference = (force / state.friction_force - 1.0).abs();
+        let is_in_table = load >= s.min_table_load && load < s.max_table_load;
+        if state.friction_force < f64::MIN_POSITIVE {
+            return;
+        }
+        self.tally.table_difference = self.tally.table_difference.max(difference);
+        // What table_error is made of are samples; between them the difference is a small multiple at most.
+        let allowed = if is_in_table { 4.0 * s.table_error } else { 0.0 } + 2e-13 + model.resolution(load);
+        assert!(difference <= allowed, "{}: table {force:e}, off by {difference:e}", what());
+        if s.table_error > 0.0 && difference > 2e-13 + model.resolution(load) {
+            self.tally.table_ratio = self.tally.table_ratio.max(difference / s.table_error);
+        }
+    }
+
+    pub fn separation(&mut self, model: &Model, separation: f64) {
+        let at: Shared = model.handle.0;
+        let mut state = asperity_state { load: BEFORE, attraction_load: BEFORE, ..asperity_state::empty() };
+        let before = bytes(&state).to_vec();
+        let state_at: *mut asperity_state = &mut state;
+        reset_message();
+        let status = call!(self, model.params, asperity_state_at_separation(at, separation, state_at));
+        let what = || format!("state at separation {separation:e}: {state:?}; {:?}", model.params);
+        if status == OK {
+            check_state(&state, &what);
+            return;
+        }
+        self.documented(status, &[INVALID_PARAMETER, OUT_OF_RANGE], &what);
+        assert_eq!(status == INVALID_PARAMETER, !is_finite(separation), "{}: {}", what(), message());
+        assert_eq!(bytes(&state), before, "{}: refused, yet the state is written", what());
+    }
+
+    /// The slope at a load of the table, against the central secant.
+    pub fn secant(&mut self, model: &Model, part: f64) {
+        let s = &model.summary;
+        let (nearest, farthest) = (s.min_table_load - s.pull_off_load, s.max_table_load - s.pull_off_load);
+        let near = nearest.max(-1e-6 * s.pull_off_load) * 1.01;
+        let x = near * (0.99 * farthest / near).powf(part);
+        let step = if x < -NEAR_PULL_OFF * s.pull_off_load { STEP_NEAR_PULL_OFF } else { STEP };
+        let load = s.pull_off_load + x;
+        let (at, mut slope): (Shared, f64) = (model.handle.0, BEFORE);
+        let slope_at: *mut f64 = &mut slope;
+        let force = call!(self, model.params, asperity_friction_force_and_slope_at_load(at, load, slope_at));
+        let ends = |step: f64| (s.pull_off_load + x * (1.0 - step), s.pull_off_load + x * (1.0 + step));
+        let mut secant = |step: f64| {
+            let (below, above) = ends(step);
+            (self.force(model, above) - self.force(model, below)) / (above - below)
+        };
+        // What a secant is off by goes with the square of its length.
+        let (whole, half) = (secant(step), secant(0.5 * step));
+        let secant = half + (half - whole) / 3.0;
+        let difference = (slope - secant).abs() * x / force;
+        let is_near = difference <= SECANT + 4.0 * model.resolution(load) / step;
+        if !is_near && !self.are_resolved(model, ends(step)) {
+            self.tally.unresolved += 1;
+            return;
+        }
+        self.tally.secant_difference = self.tally.secant_difference.max(difference);
+        assert!(
+            is_near,
+            "load {load:e}: slope {slope:e}, secant {secant:e}, difference {difference:e} of F/x; {:?}",
+            model.params
+        );
+    }
+
+    /// Whether the separations of two loads are told apart by more than roundings.
+    fn are_resolved(&mut self, model: &Model, (lighter, heavier): (f64, f64)) -> bool {
+        let [lighter, heavier] = [lighter, heavier].map(|load| {
+            let (at, mut state): (Shared, _) = (model.handle.0, asperity_state::empty());
+            let state_at: *mut asperity_state = &mut state;
+            assert_eq!(call!(self, model.params, asperity_state_at_load(at, load, state_at)), OK, "load {load:e}");
+            state.separation
+        });
+        let height_std = model.params.quantities[5];
+        (lighter - heavier).abs() > UNRESOLVED * f64::EPSILON * lighter.abs().max(height_std)
+    }
+
+    /// Two loads on the branch: the heavier one has no less friction.
+    pub fn order(&mut self, model: &Model, one: f64, other: f64) {
+        let pull_off = model.summary.pull_off_load;
+        // Loads that are hardly numbers have hardly an order.
+        let on_branch =
+            |load: f64| model.is_within_range(load) && load >= pull_off && (load == 0.0 || load.abs() > 1e-290);
+        if !on_branch(one) || !on_branch(other) {
+            return;
+        }
+        let (lighter, heavier) = if one <= other { (one, other) } else { (other, one) };
+        for (lighter, heavier) in [(lighter, heavier), (heavier, heavier.next_up()), (heavier, heavier * 1.000_001)] {
+            let (less, more) = (self.force(model, lighter), self.force(model, heavier));
+            if lighter > heavier || !model.is_within_range(heavier) || less <= more {
+                continue;
+            }
+            let fall = less / more - 1.0;
+            self.tally.largest_fall = self.tally.largest_fall.max(fall);
+            // A row and its exact neighbour agree to the accuracy of the law; exact states have that of their load,
+            // which is the difference of what presses and what pulls.
+            let allowed = 2.0 * model.summary.table_error + 1e-12 + model.resolution(lighter);
+            assert!(
+                fall <= allowed,
+                "F falls by {fall:e}, from {less:e} at {lighter:e} to {more:e} at {heavier:e}; {:?}",
+                model.params
+            );
+        }
+    }
+
+    pub fn by_pressure_and_slip(&mut self, model: &Model, load: f64, area: f64, rate: f64) {
+        let (at, p): (Shared, _) = (model.handle.0, model.params);
+        let pressure = load / area;
+        let again = pressure * area;
+        let (mut one, mut other) = (BEFORE, BEFORE);
+        let (one_at, other_at): (*mut f64, *mut f64) = (&mut one, &mut other);
+        let mu: f64 = call!(self, p, asperity_friction_at_pressure(at, pressure, area, one_at));
+        let stress: f64 = call!(self, p, asperity_shear_stress_at_pressure(at, pressure, area, other_at));
+        // SAFETY: the model lives.
+        let (alone, force) =
+            unsafe { (asperity_friction_at_load(at, again), asperity_friction_force_at_load(at, again)) };
+        let what = || format!("pressure {pressure:e} on {area:e}, slip rate {rate:e}: mu {mu:e} {stress:e}; {p:?}");
+        let refused = is_finite(pressure) && pressure.abs() > 1e119;
+        if refused {
+            assert!(mu.is_nan() || mu.to_bits() == alone.to_bits(), "{}", what());
+        } else {
+            assert_eq!(mu.to_bits(), alone.to_bits(), "{}", what());
+            assert!(stress.is_nan() && force.is_nan() || stress == force / area, "{}", what());
+        }
+        let slip: f64 = call!(self, p, asperity_slip_force(at, load, rate, area, one_at, other_at));
+        let force = self.force(model, load);
+        if force.is_nan() || !is_finite(rate) {
+            assert!(is_quiet_nan(slip), "{}: {slip:e}", what());
+        } else {
+            assert!(slip.abs() <= force && (slip == 0.0 || (slip < 0.0) == (rate < 0.0)), "{}: {slip:e}", what());
+            assert!(other >= 0.0 && !one.is_nan(), "{}: {one:e} {other:e}", what());
+        }
+    }
+
+    /// Structs of any size the caller says, and parameters copied out.
+    pub fn structs(&mut self, model: &Model, size: u64) {
+        let (at, p): (Shared, _) = (model.handle.0, model.params);
+        let words = 64;
+        let valid = size >= 16 && size.is_multiple_of(8) && size <= 8 * words as u64;
+        let filled = [0x5eed_5eed_u64; 64];
+        type Fill = unsafe extern "C" fn(Shared, *mut u64) -> i32;
+        // SAFETY: the functions read the size, and write no more than it says.
+        let fills: [(&'static str, Fill, usize); 2] = unsafe {
+            [
+                (
+                    "asperity_summary_of",
+                    std::mem::transmute::<unsafe extern "C" fn(Shared, *mut asperity_summary) -> i32, Fill>(
+                        asperity_summary_of,
+                    ),
+                    size_of::<asperity_summary>(),
+                ),
+                (
+                    "asperity_table_of",
+                    std::mem::transmute::<unsafe extern "C" fn(Shared, *mut asperity_table) -> i32, Fill>(
+                        asperity_table_of,
+                    ),
+                    size_of::<asperity_table>(),
+                ),
+            ]
+        };
+        for (name, fill, whole) in fills {
+            let mut out = filled;
+            // A size beyond the room given here must not be claimed, unless it is one that is refused.
+            out[0] = if size > 8 * words as u64 && size.is_multiple_of(8) { size | 1 } else { size };
+            let before = out;
+            reset_message();
+            let fill = black_box(fill);
+            let out_at = out.as_mut_ptr();
+            // SAFETY: room for the size that is claimed.
+            let status = self.watch(name, || format!("{name}, size {size}"), || unsafe { fill(at, out_at) });
+            let what = || format!("{name} into {} bytes; {p:?}", before[0]);
+            if status == OK {
+                let written = (size as usize).min(whole) / 8;
+                assert!(valid && out[written..] == filled[written..], "{}: wrote too much", what());
+                assert_ne!(out[1], filled[1], "{}: wrote nothing", what());
+            } else {
+                self.documented(status, &[INVALID_PARAMETER], &what);
+                assert!(!valid && out == before, "{}: {}", what(), message());
+            }
+        }
+        let mut out = [BEFORE.to_bits(); 64];
+        let claimed = if size > 8 * words as u64 { size | 1 } else { size };
+        let out_at: *mut asperity_params = out.as_mut_ptr().cast();
+        reset_message();
+        let status = call!(self, p, asperity_get_params_sized(at, out_at, claimed));
+        let what = || format!("asperity_get_params_sized into {claimed} bytes; {p:?}");
+        if status == OK {
+            let written = claimed as usize / 8;
+            let expected = echo(&p);
+            let same = (1..written.min(TABLE_AT)).all(|word| out[word] == words_of(&expected)[word]);
+            assert!(same && out[written..].iter().all(|&word| word == BEFORE.to_bits()), "{}: {out:x?}", what());
+        } else {
+            self.documented(status, &[INVALID_PARAMETER], &what);
+            assert!(out.iter().all(|&word| word == BEFORE.to_bits()), "{}: refused, yet written", what());
+        }
+    }
+
+    pub fn setters(&mut self, x: [f64; 5]) {
+        let before = asperity_params::initial();
+        for which in 0..4 {
+            let mut params = before;
+            let at: *mut asperity_params = &mut params;
+            reset_message();
+            let status = match which {
+                0 => call!(self, x, asperity_params_set_dimensionless(at, x[0], x[1], x[2], x[3], x[4])),
+                1 => call!(self, x, asperity_params_set_materials(at, x[0], x[1], x[2], x[3])),
+                2 => call!(self, x, asperity_params_set_spectral_moments(at, x[0], x[1], x[2], x[3])),
+                _ => call!(self, x, asperity_params_set_skew(at, x[0])),
+            };
+            if status == OK {
+                let numbers = params.quantities.iter().chain(&params.constants);
+                assert!(numbers.clone().all(|&x| is_finite(x)), "setter {which} of {x:?}: {params:?}");
+            } else {
+                let what = || format!("setter {which} of {x:?}");
+                self.documented(status, &[INVALID_PARAMETER, OUT_OF_RANGE], &what);
+                assert_eq!(bytes(&params), bytes(&before), "{}: refused, yet the parameters are changed", what());
+            }
+        }
+    }
+
+    pub fn messages(&mut self, length: usize) {
+        for code in [-1, 0, 1, 2, 3, 4, 5, 6, 7, 255, length as i32] {
+            // SAFETY: a constant string.
+            let text = unsafe { CStr::from_ptr(asperity_status_string(code)) };
+            assert!(!text.is_empty(), "status {code}");
+        }
+        let whole = message();
+        let mut buffer = [0x55_u8; 257];
+        let at: *mut c_char = buffer.as_mut_ptr().cast();
+        let needed: usize = call!(self, length, asperity_last_error(at, length));
+        assert_eq!(needed, whole.len());
+        if length > 0 {
+            let end = needed.min(length - 1);
+            assert_eq!((&buffer[..end], buffer[end]), (&whole.as_bytes()[..end], 0));
+        }
+        assert!(buffer[length..].iter().all(|&byte| byte == 0x55), "wrote past {length} bytes");
+        let (none, nowhere): (*mut c_char, *mut f64) = (null_mut(), null_mut());
+        assert_eq!(call!(self, length, asperity_last_error(none, length)), needed);
+        let no_model: Shared = null();
+        let answer: f64 = call!(self, length, asperity_friction_and_slope_at_load(no_model, 1.0, nowhere));
+        assert!(is_quiet_nan(answer), "{answer:e} without a model");
+    }
+
+    /// Other parameters for a model: where they are refused, it answers bit for bit as before; where they are taken, as
+    /// a new one does.
+    pub fn set_params(&mut self, model: &Model, params: &asperity_params) {
+        let before = answers(&model.handle);
+        let (at, params_at): (*mut asperity_model, *const asperity_params) = (model.handle.0, params);
+        reset_message();
+        let status = call!(self, params, asperity_set_params(at, params_at));
+        if status == OK {
+            let new = self.create(params).expect("a model of parameters that were just taken");
+            assert_eq!(answers(&model.handle), answers(&new.handle), "{params:?}");
+            let back: *const asperity_params = &model.params;
+            assert_eq!(call!(self, params, asperity_set_params(at, back)), OK, "{}", message());
+        } else {
+            self.documented(status, refusals(params), &|| format!("{params:?}"));
+        }
+        assert_eq!(answers(&model.handle), before, "after {params:?}, of {:?}", model.params);
+    }
+}
+
+/// How parameters may be refused.
+fn refusals(params: &asperity_params) -> &'static [i32] {
+    let lacks_table = params.height_distribution == 3 && params.table.iter().any(|pointer| pointer.is_null());
+    if lacks_table {
+        &[INVALID_PARAMETER, OUT_OF_RANGE, NULL_POINTER]
+    } else {
+        &[INVALID_PARAMETER, OUT_OF_RANGE, NOT_CONVERGED]
+    }
+}
+
+/// What `asperity_get_params_sized` gives for parameters that were taken: what is not read has its default.
+fn echo(params: &asperity_params) -> asperity_params {
+    let mut echo = asperity_params::initial();
+    let covered = (params.struct_size as usize).min(size_of::<asperity_params>());
+    // SAFETY: within both structs.
+    unsafe {
+        std::ptr::copy_nonoverlapping(bytes(params).as_ptr(), std::ptr::from_mut(&mut echo).cast(), covered);
+    }
+    let default = asperity_params::initial();
+    if params.height_distribution != 1 {
+        echo.constants[0] = default.constants[0];
+    }
+    if params.height_distribution != 2 {
+        (echo.appended[0], echo.appended[1]) = (default.appended[0], default.appended[1]);
+    }
+    echo
+}
+
+fn words_of(params: &asperity_params) -> Vec<u64> {
+    bytes(params).chunks(8).map(|word| u64::from_ne_bytes(word.try_into().expect("8 bytes"))).collect()
+}
+
+/// Every number of a state is one, finite where it must be, with its sign.
+fn check_state(state: &asperity_state, what: &dyn Fn() -> String) {
+    let finite = [state.load, state.separation, state.friction_force, state.real_area, state.contacting];
+    let rates = [state.friction_coefficient, state.dforce_dload, state.dmu_dload, state.dload_dseparation];
+    let positive = [state.friction_force, state.real_area, state.contacting, state.attracted];
+    let sound = finite.iter().all(|&x| is_finite(x))
+        && !rates.iter().any(|x| x.is_nan())
+        && positive.iter().all(|&x| x >= 0.0)
+        && state.attraction_load <= 0.0;
+    assert!(sound, "{}", what());
+}
+
+/// The bits of what a model answers at some loads.
+fn answers(handle: &Handle) -> Vec<u8> {
+    let summary = handle.summary();
+    let mut answers = bytes(&summary).to_vec();
+    for part in [-0.9, 0.0, 1e-8, 1e-3, 0.1, 2.0] {
+        let load = if part < 0.0 { part * -summary.pull_off_load } else { part * summary.max_table_load };
+        // SAFETY: the model lives.
+        answers.extend(unsafe { asperity_friction_force_at_load(handle.0, load) }.to_bits().to_ne_bytes());
+    }
+    // The model's own copy of a table may lie elsewhere.
+    answers.extend(&bytes(&asperity_params::of(handle))[..8 * TABLE_AT]);
+    answers
+}
+
+/// What `reset_message` leaves.
+const NULL_MESSAGE: &str = "model is NULL: pass a valid pointer";

@@ -1,0 +1,13 @@
+//! The C interface: any arguments, pointers and threads; the same bits from every call that answers one question.
+
+#![allow(unsafe_code)]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod batch;
+mod fuzz;
+mod fuzz_calls;
+mod pointers;
+mod pressure_and_slip;
+mod robustness;

@@ -1,0 +1,511 @@
+//! Every function of the C interface with every kind of pointer that its contract allows: valid, NULL, unaligned, to the
+//! input itself, to memory without values, to shorter and longer structs, from two threads.
+//!
+//! Places are as long as a call may use, and no longer: `make miri` runs this in Miri, which knows what each pointer may
+//! be used for. The surfaces are those whose models are soonest made, by instructions counted.
+
+use crate::common::c_abi::*;
+use std::alloc::{alloc, dealloc, Layout};
+use std::ffi::{c_char, CStr};
+use std::mem::{offset_of, size_of};
+use std::ptr::{null, null_mut};
+
+type BatchCall = unsafe extern "C" fn(*const asperity_model, usize, *const f64, *mut f64, *mut f64) -> i32;
+type SlopeCall = unsafe extern "C" fn(*const asperity_model, f64, *mut f64) -> f64;
+
+/// The two laws: batch, and one contact with its slope.
+const LAWS: [(BatchCall, SlopeCall); 2] = [
+    (asperity_friction_at_loads, asperity_friction_and_slope_at_load),
+    (asperity_friction_force_at_loads, asperity_friction_force_and_slope_at_load),
+];
+/// What memory holds that a call must leave as it is.
+const BEFORE: u64 = 0x5eed_5eed_5eed_5eed;
+/// The size of the first version of the parameters.
+const FIRST_SIZE: usize = offset_of!(asperity_params, appended);
+/// Two blocks of vectors of four lanes, one of eight, and a rest.
+const LONGEST: usize = 16 * 4 * 2 + 7;
+
+/// Memory of a caller, of so many bytes, at an address that is a multiple of 8 or odd. It holds nothing until it is filled.
+struct Place {
+    start: *mut u8,
+    layout: Layout,
+    odd: usize,
+}
+
+impl Place {
+    fn aligned(size: usize) -> Self {
+        Self::at(size, 0)
+    }
+
+    fn at(size: usize, odd: usize) -> Self {
+        let layout = Layout::from_size_align(size + odd, 8).expect("a size");
+        // SAFETY: the size is not zero.
+        Self { start: unsafe { alloc(layout) }, layout, odd }
+    }
+
+    /// With these words.
+    fn of(words: impl IntoIterator<Item = u64, IntoIter: ExactSizeIterator>, odd: usize) -> Self {
+        let words = words.into_iter();
+        let place = Self::at(8 * words.len(), odd);
+        for (i, word) in words.enumerate() {
+            // SAFETY: as many words.
+            unsafe { place.pointer::<u64>().add(i).write_unaligned(word) };
+        }
+        place
+    }
+
+    /// Numbers that a call only writes to: memory without values.
+    fn numbers(n: usize, odd: usize) -> Self {
+        Self::at(8 * n.max(1), odd)
+    }
+
+    /// A struct that is to be filled: its size, and memory.
+    fn sized(size: u64, words: usize) -> Self {
+        Self::of((0..words).map(|i| if i == 0 { size } else { BEFORE }), 0)
+    }
+
+    fn pointer<T>(&self) -> *mut T {
+        // SAFETY: within the memory.
+        unsafe { self.start.add(self.odd).cast() }
+    }
+
+    /// A word that has a value.
+    fn word(&self, i: usize) -> u64 {
+        // SAFETY: within the memory.
+        unsafe { self.pointer::<u64>().add(i).read_unaligned() }
+    }
+
+    fn words(&self, count: usize) -> Vec<u64> {
+        (0..count).map(|i| self.word(i)).collect()
+    }
+}
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        // SAFETY: allocated so.
+        unsafe { dealloc(self.start, self.layout) }
+    }
+}
+
+fn soonest_made() -> asperity_params {
+    asperity_params::dimensionless(0.1, 4.0, 1.5e-3, 40.0)
+}
+
+/// Loads in the table, and some for the exact evaluation or none.
+fn loads(model: &Handle, n: usize) -> Vec<f64> {
+    let s = model.summary();
+    let (nearest, farthest) = (s.min_table_load - s.pull_off_load, s.max_table_load - s.pull_off_load);
+    let at = |i: usize| s.pull_off_load + nearest * (farthest / nearest).powf((i % 37) as f64 / 37.0);
+    (0..n)
+        .map(|i| match i {
+            18 => 2.0 * s.max_table_load,
+            9 => 2.0 * s.pull_off_load,
+            11 => f64::from_bits(0x7ff0_0000_0000_0001),
+            13 => 0.0,
+            _ => at(i),
+        })
+        .collect()
+}
+
+fn bits(numbers: &[f64]) -> Vec<u64> {
+    numbers.iter().map(|x| x.to_bits()).collect()
+}
+
+#[test]
+#[cfg_attr(miri, ignore = "reads text, which takes half a minute there")]
+fn every_function_of_the_header_is_called_here() {
+    let (header, here) = (include_str!("../../include/asperity.h"), include_str!("pointers.rs"));
+    let mut functions = 0;
+    for line in header.lines().filter(|line| !line.starts_with([' ', '#', '/', '*', '}'])) {
+        let Some((before, _)) = line.split_once('(') else { continue };
+        let name = before.rsplit([' ', '*']).next().expect("a name");
+        functions += 1;
+        let is_whole = |(at, _): (usize, &str)| !here[at + name.len()..].starts_with(['_', ' ']);
+        assert!(here.match_indices(name).any(is_whole), "{name} is not called");
+    }
+    assert!(functions >= 27, "{functions} functions found in the header");
+}
+
+#[test]
+fn constants_are_strings_that_end() {
+    // SAFETY: constants.
+    unsafe {
+        assert_eq!(asperity_abi_version(), 1);
+        assert_eq!(CStr::from_ptr(asperity_version()).to_str(), Ok(env!("CARGO_PKG_VERSION")));
+        for status in [OK, NULL_POINTER, NOT_CONVERGED, 255, -1, i32::MIN, i32::MAX] {
+            assert!(!CStr::from_ptr(asperity_status_string(status)).to_bytes().is_empty());
+        }
+    }
+}
+
+#[test]
+fn a_message_fits_any_buffer() {
+    reset_message();
+    // SAFETY: NULL asks for the length.
+    let whole = unsafe { asperity_last_error(null_mut(), 0) };
+    assert_eq!(whole, "model is NULL: pass a valid pointer".len());
+    // SAFETY: NULL is not written to, whatever the length.
+    assert_eq!(unsafe { asperity_last_error(null_mut(), usize::MAX) }, whole);
+    for room in [0, 1, 2, whole, whole + 1, whole + 9] {
+        let buffer = Place::at(room.max(1), 1);
+        // SAFETY: so much room.
+        assert_eq!(unsafe { asperity_last_error(buffer.pointer::<c_char>(), room) }, whole);
+        if room > 0 {
+            // SAFETY: it ends within the buffer.
+            let text = unsafe { CStr::from_ptr(buffer.pointer()) };
+            assert_eq!(text.to_bytes(), &message().as_bytes()[..whole.min(room - 1)]);
+        }
+    }
+}
+
+#[test]
+fn parameters_of_every_size_are_set() {
+    let whole = size_of::<asperity_params>();
+    for size in (FIRST_SIZE..=whole).step_by(8) {
+        let place = Place::aligned(size);
+        let params = place.pointer::<asperity_params>();
+        // SAFETY: memory of the size that is told, or of the first version.
+        unsafe {
+            assert_eq!(asperity_params_init(params), OK);
+            assert_eq!(place.word(0), FIRST_SIZE as u64);
+            assert_eq!(asperity_params_init_sized(params, size as u64), OK);
+            assert_eq!(place.word(0), size as u64);
+            assert_eq!(asperity_params_set_dimensionless(params, 0.1, 4.0, 1e-3, 1.0, 0.3), OK);
+            assert_eq!(asperity_params_set_materials(params, 2e11, 0.3, f64::INFINITY, 0.2), OK);
+            assert_eq!(asperity_params_set_spectral_moments(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
+            assert_eq!(asperity_params_set_skew(params, 0.5), OK);
+            // Refused: the memory stays as it is.
+            let before = place.words(size / 8);
+            assert_eq!(asperity_params_set_dimensionless(params, -1.0, 4.0, 1e-3, 1.0, 0.3), INVALID_PARAMETER);
+            assert_eq!(asperity_params_set_materials(params, 2e11, 0.7, 1e11, 0.2), INVALID_PARAMETER);
+            assert_eq!(asperity_params_set_spectral_moments(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
+            assert_eq!(asperity_params_set_skew(params, -9.0), INVALID_PARAMETER);
+            assert_eq!(place.words(size / 8), before);
+        }
+    }
+    // A size that is none: no more than it is read, and nothing is written.
+    for size in [0, 8, FIRST_SIZE as u64 - 8, FIRST_SIZE as u64 + 4, whole as u64 + 8, u64::MAX] {
+        let place = Place::of([size], 0);
+        let params = place.pointer::<asperity_params>();
+        let mut model = null_mut();
+        // SAFETY: the size is refused.
+        unsafe {
+            assert_eq!(asperity_params_init_sized(params, size), INVALID_PARAMETER);
+            assert_eq!(asperity_params_set_skew(params, 0.0), INVALID_PARAMETER);
+            assert_eq!(asperity_create(params, &mut model), INVALID_PARAMETER);
+        }
+        assert!(model.is_null() && place.word(0) == size);
+    }
+}
+
+#[test]
+fn null_is_refused_or_skipped() {
+    let mut params = soonest_made();
+    let size = params.struct_size;
+    let (mut state, mut summary) = (asperity_state::empty(), asperity_summary::empty());
+    let mut slope = 7.0;
+    let untouched: *mut asperity_model = std::ptr::without_provenance_mut(8);
+    let mut model = untouched;
+    // SAFETY: NULL is allowed or refused.
+    unsafe {
+        asperity_free(null_mut());
+        for refused in [
+            asperity_params_init(null_mut()),
+            asperity_params_init_sized(null_mut(), size),
+            asperity_params_set_dimensionless(null_mut(), 0.1, 4.0, 1e-3, 1.0, 0.3),
+            asperity_params_set_materials(null_mut(), 1.0, 0.3, 1.0, 0.3),
+            asperity_params_set_spectral_moments(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
+            asperity_params_set_skew(null_mut(), 0.0),
+            asperity_create(null(), &mut model),
+            asperity_create(&params, null_mut()),
+            asperity_set_params(null_mut(), &params),
+            asperity_get_params(null(), &mut params),
+            asperity_get_params_sized(null(), &mut params, size),
+            asperity_state_at_load(null(), 1.0, &mut state),
+            asperity_state_at_separation(null(), 1.0, &mut state),
+            asperity_summary_of(null(), &mut summary),
+            asperity_table_of(null(), null_mut()),
+        ] {
+            assert_eq!(refused, NULL_POINTER);
+        }
+        assert!(asperity_friction_at_load(null(), 1.0).is_nan());
+        assert!(asperity_friction_force_at_load(null(), 1.0).is_nan());
+        for (batch, one) in LAWS {
+            assert_eq!(batch(null(), 1, &1.0, &mut slope, null_mut()), NULL_POINTER);
+            assert!(slope == 7.0 && one(null(), 1.0, null_mut()).is_nan());
+        }
+        assert!(asperity_friction_at_pressure(null(), 1.0, 1.0, null_mut()).is_nan());
+        assert!(asperity_shear_stress_at_pressure(null(), 1.0, 1.0, null_mut()).is_nan());
+        assert!(asperity_slip_force(null(), 1.0, 1.0, 1.0, &mut slope, null_mut()).is_nan() && slope.is_nan());
+    }
+    assert_eq!(model, untouched);
+
+    // A table of heights without one of its columns, or longer than any; of the columns nothing is read then.
+    let one = Place::of(bits(&[1.0]), 0);
+    for (table, length, status) in [
+        ([null(), one.pointer()], 3, NULL_POINTER),
+        ([one.pointer(), null()], 2, INVALID_PARAMETER),
+        ([one.pointer::<f64>().cast_const(); 2], u64::MAX, INVALID_PARAMETER),
+    ] {
+        let params = asperity_params { height_distribution: 3, table, table_length: length, ..params };
+        // SAFETY: refused before a column is read.
+        assert_eq!(unsafe { asperity_create(&params, &mut model) }, status);
+        assert_eq!(model, untouched);
+    }
+}
+
+/// One model, since making it takes the most time by far.
+#[test]
+fn a_model_answers_to_every_place_and_from_every_thread() {
+    let handle = Handle::new(&soonest_made());
+    one_contact(&handle);
+    batches(&handle);
+    structs(&handle);
+    the_table_is_the_law(&handle);
+    threads_share_it(&handle);
+}
+
+/// Slopes go to memory without values, at odd addresses, or nowhere.
+fn one_contact(handle: &Handle) {
+    for load in loads(handle, 14) {
+        for (i, (batch, one)) in LAWS.into_iter().enumerate() {
+            let (value, slope) = (Place::numbers(1, 1), Place::numbers(1, 1));
+            // SAFETY: the model lives, the places have room.
+            unsafe {
+                let plain = [asperity_friction_at_load, asperity_friction_force_at_load][i](handle.0, load);
+                batch(handle.0, 1, &load, value.pointer(), null_mut());
+                let both = [one(handle.0, load, slope.pointer()), one(handle.0, load, null_mut())];
+                assert_eq!(both.map(f64::to_bits), [plain.to_bits(); 2]);
+                assert_eq!(value.word(0), plain.to_bits());
+                batch(handle.0, 1, &load, null_mut(), value.pointer());
+                assert_eq!(value.word(0), slope.word(0));
+            }
+        }
+    }
+    let (load, area) = (1e-3, 2.0);
+    let (one, other) = (Place::numbers(1, 1), Place::numbers(1, 1));
+    // SAFETY: the model lives, the places have room, or NULL.
+    unsafe {
+        for call in [asperity_friction_at_pressure, asperity_shear_stress_at_pressure] {
+            assert_eq!(call(handle.0, load / area, area, one.pointer()), call(handle.0, load / area, area, null_mut()));
+            assert!(f64::from_bits(one.word(0)).is_finite());
+            assert!(call(handle.0, load, 0.0, one.pointer()).is_nan() && f64::from_bits(one.word(0)).is_nan());
+        }
+        let force = asperity_slip_force(handle.0, load, 0.5, 1.0, one.pointer(), other.pointer());
+        assert!(force > 0.0 && [&one, &other].iter().all(|place| f64::from_bits(place.word(0)) > 0.0));
+        assert_eq!(asperity_slip_force(handle.0, load, 0.5, 1.0, null_mut(), null_mut()), force);
+        assert!(asperity_slip_force(handle.0, load, 0.5, 0.0, one.pointer(), other.pointer()).is_nan());
+    }
+}
+
+/// Arrays of every length up to two vectors, and some longer; each output to a place of its own, in place, or nowhere.
+fn batches(handle: &Handle) {
+    let all = loads(handle, LONGEST);
+    for (batch, one) in LAWS {
+        let expected: Vec<(u64, u64)> = all
+            .iter()
+            .map(|&load| {
+                let mut slope = 0.0;
+                // SAFETY: the model lives.
+                let value = unsafe { one(handle.0, load, &mut slope) };
+                (value.to_bits(), slope.to_bits())
+            })
+            .collect();
+        // SAFETY: nothing is read or written.
+        assert_eq!(unsafe { batch(handle.0, 0, null(), null_mut(), null_mut()) }, OK);
+        // SAFETY: NULL is refused.
+        assert_eq!(unsafe { batch(handle.0, 1, null(), null_mut(), null_mut()) }, NULL_POINTER);
+        for n in (0..=4).chain([7, 8, 9, 17, LONGEST]) {
+            let status = if n > 9 { SEPARATED } else { OK };
+            for odd in [0, 1] {
+                let load = Place::of(bits(&all[..n.max(1)]), odd);
+                let (value, slope) = (Place::numbers(n, odd), Place::numbers(n, odd));
+                // SAFETY: n elements each.
+                let told = unsafe { batch(handle.0, n, load.pointer(), value.pointer(), slope.pointer()) };
+                assert_eq!(told, status, "{}", message());
+                for (i, expected) in expected[..n].iter().enumerate() {
+                    assert_eq!((value.word(i), slope.word(i)), *expected, "element {i} of {n}");
+                }
+                // SAFETY: n elements each; the input may be an output.
+                unsafe {
+                    assert_eq!(batch(handle.0, n, load.pointer(), null_mut(), slope.pointer()), status);
+                    assert_eq!(batch(handle.0, n, load.pointer(), null_mut(), null_mut()), status);
+                    assert_eq!(batch(handle.0, n, load.pointer(), load.pointer(), null_mut()), status);
+                }
+                assert_eq!(load.words(n), value.words(n));
+                let load = Place::of(bits(&all[..n.max(1)]), odd);
+                // SAFETY: as before.
+                unsafe { assert_eq!(batch(handle.0, n, load.pointer(), value.pointer(), load.pointer()), status) };
+                assert_eq!(load.words(n), slope.words(n));
+            }
+        }
+    }
+}
+
+/// Structs of sizes that a caller may have: no more than that is written, and none of what the library does not know.
+fn structs(handle: &Handle) {
+    let at_load = |place: &Place| {
+        // SAFETY: room for the size that is told.
+        unsafe { asperity_state_at_load(handle.0, 1e-3, place.pointer()) }
+    };
+    let at_separation = |place: &Place| {
+        // SAFETY: as before.
+        unsafe { asperity_state_at_separation(handle.0, 0.3, place.pointer()) }
+    };
+    // SAFETY: as before.
+    let summary_of = |place: &Place| unsafe { asperity_summary_of(handle.0, place.pointer()) };
+    // SAFETY: as before.
+    let table_of = |place: &Place| unsafe { asperity_table_of(handle.0, place.pointer()) };
+    type Fill<'a> = &'a dyn Fn(&Place) -> i32;
+    let fills: [(Fill, usize); 4] = [
+        (&at_load, size_of::<asperity_state>()),
+        (&at_separation, size_of::<asperity_state>()),
+        (&summary_of, size_of::<asperity_summary>()),
+        (&table_of, size_of::<asperity_table>()),
+    ];
+    for (fill, whole) in fills {
+        let answers: Vec<Place> = [16, whole, whole + 24]
+            .into_iter()
+            .map(|size| {
+                let place = Place::sized(size as u64, size / 8);
+                assert_eq!(fill(&place), OK, "{}", message());
+                assert_eq!(place.word(0), size as u64);
+                place
+            })
+            .collect();
+        assert_ne!(answers[0].word(1), BEFORE);
+        for i in 1..whole / 8 {
+            assert_eq!(answers[1].word(i), answers[2].word(i));
+        }
+        assert_eq!(answers[0].word(1), answers[1].word(1));
+        assert_eq!(answers[2].words(whole / 8 + 3)[whole / 8..], [BEFORE; 3]);
+        for size in [0, 8, 12, 17, u64::MAX] {
+            let place = Place::sized(size, 1);
+            assert_eq!(fill(&place), INVALID_PARAMETER);
+            assert_eq!(place.word(0), size);
+        }
+    }
+    for load in [f64::NAN, -1e9, 1e300] {
+        let place = Place::sized(16, 2);
+        // SAFETY: room for the size that is told.
+        assert_ne!(unsafe { asperity_state_at_load(handle.0, load, place.pointer()) }, OK);
+        assert_eq!(place.words(2), [16, BEFORE]);
+    }
+    // SAFETY: NULL is refused.
+    unsafe {
+        assert_eq!(asperity_state_at_load(handle.0, 1.0, null_mut()), NULL_POINTER);
+        assert_eq!(asperity_state_at_separation(handle.0, 1.0, null_mut()), NULL_POINTER);
+        assert_eq!(asperity_summary_of(handle.0, null_mut()), NULL_POINTER);
+        assert_eq!(asperity_table_of(handle.0, null_mut()), NULL_POINTER);
+        assert_eq!(asperity_get_params(handle.0, null_mut()), NULL_POINTER);
+    }
+    // Parameters into memory without values.
+    let (first, whole) = (Place::aligned(FIRST_SIZE), Place::aligned(size_of::<asperity_params>()));
+    // SAFETY: room for the sizes that are told.
+    unsafe {
+        assert_eq!(asperity_get_params(handle.0, first.pointer()), OK);
+        assert_eq!(asperity_get_params_sized(handle.0, whole.pointer(), size_of::<asperity_params>() as u64), OK);
+        assert_eq!(asperity_get_params_sized(handle.0, first.pointer(), FIRST_SIZE as u64), OK);
+    }
+    assert_eq!(first.words(FIRST_SIZE / 8)[1..], whole.words(FIRST_SIZE / 8)[1..]);
+}
+
+/// The rows are read through the pointer that the view has, while the model is called.
+fn the_table_is_the_law(handle: &Handle) {
+    let place = Place::sized(size_of::<asperity_table>() as u64, size_of::<asperity_table>() / 8);
+    // SAFETY: room for the view.
+    let view = unsafe {
+        assert_eq!(asperity_table_of(handle.0, place.pointer()), OK);
+        place.pointer::<asperity_table>().read()
+    };
+    for row in 0..view.row_count {
+        let load = view.pull_off_load + f64::from_bits((view.base + row) << view.shift);
+        // SAFETY: the model lives, and the view within it.
+        let (force, first) =
+            unsafe { (asperity_friction_force_at_load(handle.0, load), *view.rows.add(8 * row as usize)) };
+        let last = 8 * row as usize + 7;
+        // SAFETY: a row has eight numbers.
+        assert!(unsafe { *view.rows.add(last) }.is_finite());
+        assert!(first.is_nan() || (force / first - 1.0).abs() < 1e-3, "row {row}: {force:e}, {first:e}");
+    }
+}
+
+/// Calls on one model at once, each thread with its own places and its own last message.
+fn threads_share_it(handle: &Handle) {
+    let expected = {
+        let mut forces = loads(handle, 11);
+        let at = forces.as_mut_ptr();
+        // SAFETY: as many elements; in place.
+        unsafe { asperity_friction_force_at_loads(handle.0, forces.len(), at, at, null_mut()) };
+        bits(&forces)
+    };
+    std::thread::scope(|scope| {
+        for thread in 0..2_usize {
+            let expected = &expected;
+            scope.spawn(move || {
+                assert_eq!(message(), "");
+                let mut forces = loads(handle, 11);
+                let (n, at) = (forces.len(), forces.as_mut_ptr());
+                let mut state = asperity_state::empty();
+                // SAFETY: the model lives, the places are this thread's.
+                unsafe {
+                    assert_eq!(asperity_friction_force_at_loads(handle.0, n, at, at, null_mut()), SEPARATED);
+                    assert!(message().starts_with("element 9: load = "), "{}", message());
+                    let (load, status) = if thread == 0 { (1e-3, OK) } else { (f64::NAN, INVALID_LOAD) };
+                    assert_eq!(asperity_state_at_load(handle.0, load, &mut state), status);
+                }
+                assert_eq!(message().starts_with("element 9"), thread == 0);
+                assert_eq!(bits(&forces), *expected);
+                let table = asperity_params::of(handle);
+                assert_eq!(table.height_distribution, 0);
+            });
+        }
+    });
+}
+
+/// A table of heights goes in through the caller's pointers and comes out through the model's own, which may be given back.
+#[test]
+fn a_table_of_heights_is_copied_and_given_back() {
+    let mut params = asperity_params::dimensionless(0.6, 0.3, 2.0, 40.0);
+    let (height, density) = (Place::of(bits(&[0.0, 1.0, 2.0]), 0), Place::of(bits(&[0.0, 0.0, 1.0]), 0));
+    params.height_distribution = 3;
+    params.table = [height.pointer(), density.pointer()];
+    params.table_length = 3;
+    let handle = Handle::new(&params);
+    drop((height, density));
+
+    let size = size_of::<asperity_params>() as u64;
+    let mut own = asperity_params::of(&handle);
+    let first = Place::of([BEFORE; FIRST_SIZE / 8], 0);
+    // SAFETY: memory of the first version, which has no place for the table.
+    assert_eq!(unsafe { asperity_get_params(handle.0, first.pointer()) }, INVALID_PARAMETER);
+    assert_eq!(first.words(FIRST_SIZE / 8), [BEFORE; FIRST_SIZE / 8]);
+    // SAFETY: the model's own columns.
+    assert_eq!(unsafe { [own.table[0].add(2).read(), own.table[1].add(2).read()] }, [2.0, 1.0]);
+
+    // Refused: the model and its columns are as before.
+    let pull_off = handle.summary().pull_off_load;
+    let refused = asperity_params { attraction: 2, ..own };
+    // SAFETY: the parameters and their columns live.
+    assert_eq!(unsafe { asperity_set_params(handle.0, &refused) }, INVALID_PARAMETER);
+    assert_eq!(handle.summary().pull_off_load, pull_off);
+    // Taken, from its own columns, which then are gone.
+    own.appended[2] = 1.0;
+    // SAFETY: the parameters live, and their columns until the model is changed.
+    assert_eq!(unsafe { asperity_set_params(handle.0, &own) }, OK, "{}", message());
+    assert_eq!(handle.summary().pull_off_load, pull_off);
+    let again = asperity_params::of(&handle);
+    // SAFETY: the model's own columns.
+    assert_eq!(unsafe { std::slice::from_raw_parts(again.table[0], 3) }, [0.0, 1.0, 2.0]);
+    assert_eq!((again.struct_size, again.appended[2]), (size, 1.0));
+    // A handle kept in memory without a value before, and heights that need no table.
+    let place = Place::aligned(size_of::<*mut asperity_model>());
+    let old = Place::aligned(FIRST_SIZE);
+    // SAFETY: memory of the first version of the parameters, and for a handle.
+    unsafe {
+        assert_eq!(asperity_params_init(old.pointer()), OK);
+        assert_eq!(asperity_params_set_dimensionless(old.pointer(), 0.1, 4.0, 1.5e-3, 40.0, 0.3), OK);
+        assert_eq!(asperity_create(old.pointer(), place.pointer()), OK, "{}", message());
+        asperity_free(place.pointer::<*mut asperity_model>().read());
+    }
+}

@@ -1,0 +1,22 @@
+//! What several groups of tests share; each group takes what it needs.
+
+#![allow(dead_code)]
+
+pub mod c_abi;
+pub mod processor_time;
+pub mod reference_rows;
+pub mod second_evaluation;
+pub mod sobol;
+pub mod splitmix;
+pub mod surfaces;
+
+/// Fails unless a value is within a relative tolerance of what is expected.
+#[track_caller]
+pub fn assert_near(value: f64, expected: f64, tolerance: f64, what: &str) {
+    assert!((value - expected).abs() <= tolerance * expected.abs(), "{what}: {value}, not {expected}");
+}
+
+/// The number in an environment variable, which makes a test longer or shorter.
+pub fn number_from_environment<T: std::str::FromStr>(name: &str, otherwise: T) -> T {
+    std::env::var(name).map_or(otherwise, |text| text.parse().unwrap_or_else(|_| panic!("{name} = {text}: a number")))
+}

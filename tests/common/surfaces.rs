@@ -1,0 +1,52 @@
+//! Parameters of the surfaces that tests use, and their models.
+
+use super::second_evaluation::heights::Heights;
+use super::second_evaluation::Surface;
+use asperity::{HeightFamily, Model, Params};
+
+/// A surface with the groups of the model, and nu = 0.3.
+pub fn dimensionless(alpha: f64, beta: f64, gamma: f64, b_over_h: f64) -> Params {
+    let mut params = Params::default();
+    params.set_dimensionless(alpha, beta, gamma, b_over_h, 0.3).expect("groups within their range");
+    params
+}
+
+pub fn johnson(skew: f64, kurtosis: f64) -> HeightFamily {
+    HeightFamily::Johnson { skew, kurtosis }
+}
+
+pub fn table(height: &[f64], density: &[f64]) -> HeightFamily {
+    HeightFamily::Tabulated { height: height.into(), density: density.into() }
+}
+
+/// The model of parameters that have one.
+#[track_caller]
+pub fn model(params: &Params) -> Model {
+    Model::new(params).unwrap_or_else(|error| panic!("{params:?}: {error}"))
+}
+
+/// The library's parameters of a surface, in units E* = G* = b = N = 1 and sigma in b.
+pub fn params_of(surface: &Surface) -> Params {
+    Params {
+        composite_modulus: 1.0,
+        effective_shear_modulus: 1.0,
+        work_of_adhesion: surface.gamma,
+        adhesion_range: 1.0 / surface.b_over_h,
+        burgers_vector: 1.0,
+        height_std: surface.alpha * surface.beta,
+        summit_radius: surface.beta / surface.alpha,
+        asperity_count: 1.0,
+        heights: match &surface.heights {
+            Heights::Gaussian => HeightFamily::Gaussian,
+            Heights::Weibull { shape, .. } => HeightFamily::Weibull { shape: *shape },
+            Heights::Johnson(curve) => HeightFamily::Johnson { skew: curve.skew, kurtosis: curve.kurtosis },
+            Heights::Table(table) => {
+                HeightFamily::Tabulated { height: table.height.clone().into(), density: table.density.clone().into() }
+            }
+        },
+        attraction: surface.attraction,
+        radius_amplitude: surface.epsilon,
+        radius_rate: surface.rho,
+        ..Params::default()
+    }
+}

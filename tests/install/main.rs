@@ -1,0 +1,3 @@
+//! What a user gets: the header.
+
+mod header;

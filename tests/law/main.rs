@@ -1,0 +1,6 @@
+//! The compiled law: against exact states of the same model.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod compiled;

@@ -1,0 +1,488 @@
+//! Families of heights beyond the paper's: Johnson's system and measured densities.
+
+use crate::common::splitmix::SplitMix;
+use crate::common::surfaces::{self, dimensionless, johnson, table};
+use asperity::{Error, HeightFamily, Model, Params};
+
+/// Loads over decades, from where a few summits touch to where all do; per summit in the paper's units.
+const LOADS: [f64; 8] = [1e-6, 1e-3, 0.1, 1.0, 30.0, 1e3, 3e4, 1e6];
+
+fn surface(gamma: f64, heights: HeightFamily) -> Params {
+    Params { heights, ..dimensionless(0.01, 1000.0, gamma, 1.0) }
+}
+
+fn model(gamma: f64, heights: HeightFamily) -> Model {
+    surfaces::model(&surface(gamma, heights))
+}
+
+/// A function at equal distances.
+fn sampled(count: usize, from: f64, to: f64, density: impl Fn(f64) -> f64) -> HeightFamily {
+    let height: Vec<f64> = (0..count).map(|i| from + (to - from) * i as f64 / (count - 1) as f64).collect();
+    let density: Vec<f64> = height.iter().map(|&z| density(z)).collect();
+    table(&height, &density)
+}
+
+fn bell(z: f64) -> f64 {
+    (-0.5 * z * z).exp()
+}
+
+/// The largest relative difference of exact friction forces at loads.
+fn difference(a: &Model, b: &Model, loads: &[f64]) -> f64 {
+    let force = |model: &Model, load: f64| model.state_at_load(load).expect("a state").friction_force;
+    loads.iter().map(|&load| (force(a, load) / force(b, load) - 1.0).abs()).fold(0.0, f64::max)
+}
+
+/// The kurtosis of the lognormal curve of a skew, between Johnson's two kinds.
+fn lognormal_kurtosis(skew: f64) -> f64 {
+    let (mut lower, mut upper) = (1.0, 2.0 + skew.abs());
+    for _ in 0..100 {
+        let w: f64 = 0.5 * (lower + upper);
+        if (w + 2.0) * (w + 2.0) * (w - 1.0) < skew * skew {
+            lower = w;
+        } else {
+            upper = w;
+        }
+    }
+    let w: f64 = lower;
+    w.powi(4) + 2.0 * w.powi(3) + 3.0 * w * w - 3.0
+}
+
+#[test]
+fn the_gaussian_is_the_limit_of_johnsons_system() {
+    for gamma in [0.0, 0.001, 0.003] {
+        let gaussian = model(gamma, HeightFamily::Gaussian);
+        assert_eq!(difference(&model(gamma, johnson(0.0, 3.0)), &gaussian, &LOADS), 0.0);
+        for h in [1e-14, 1e-12] {
+            for (skew, kurtosis) in [(0.0, 3.0 + h), (0.0, 3.0 - h), (h, 3.0), (-h, 3.0), (h, 3.0 + h), (-h, 3.0 - h)] {
+                let error = difference(&model(gamma, johnson(skew, kurtosis)), &gaussian, &LOADS);
+                assert!(error < 1e-10, "gamma {gamma}, skew {skew}, kurtosis {kurtosis}: {error:e}");
+            }
+        }
+        // To first order the friction force moves by the same on both sides.
+        for load in LOADS {
+            let force = |heights| model(gamma, heights).state_at_load(load).expect("a state").friction_force;
+            let middle = force(HeightFamily::Gaussian);
+            for (name, a, b) in [
+                ("kurtosis", johnson(0.0, 3.0 + 1e-5), johnson(0.0, 3.0 - 1e-5)),
+                ("skew", johnson(1e-5, 3.0), johnson(-1e-5, 3.0)),
+            ] {
+                let (up, down) = (force(a) / middle - 1.0, force(b) / middle - 1.0);
+                assert!((up + down).abs() < 5e-3 * up.abs() + 1e-12, "{name}, load {load}: {up:e}, {down:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn friction_is_continuous_across_the_lognormal_line() {
+    // Not smooth: beside the line the two kinds move away from it in different directions.
+    for skew in [-3.0, -1.0, -0.1, 0.1, 1.0, 3.0] {
+        let kurtosis = lognormal_kurtosis(skew);
+        let at = |part: f64| model(0.001, johnson(skew, kurtosis * (1.0 + part)));
+        let on_it = at(0.0);
+        for part in [1e-13, 1e-10, 1e-7, 1e-4] {
+            for part in [part, -part] {
+                let error = difference(&at(part), &on_it, &LOADS);
+                assert!(error < 1e-11 + 300.0 * part.abs(), "skew {skew}, off the line by {part:e}: {error:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn johnsons_curve_of_weibulls_moments_nears_weibulls() {
+    // Two distributions that share four moments differ in the fifth and beyond: more, the farther up in the tail lies what
+    // carries the load. Here nearly all summits touch at a load of 1e5, a few in a hundred at 1e3.
+    const LOADS: [f64; 4] = [1e3, 1e4, 1e5, 1e6];
+    for shape in [1.5, 2.2, 3.602, 7.493] {
+        let weibull = model(0.001, HeightFamily::Weibull { shape });
+        let summary = weibull.summary();
+        let johnson = model(0.001, johnson(summary.skew, summary.kurtosis));
+        let gaussian = model(0.001, HeightFamily::Gaussian);
+        let same = johnson.summary();
+        assert_eq!((same.skew, same.kurtosis), (summary.skew, summary.kurtosis));
+        for (load, most) in LOADS.into_iter().zip([0.03, 0.015, 1e-3, 1e-6]) {
+            let share = weibull.state_at_load(load).expect("a state").contacting;
+            let error = difference(&johnson, &weibull, &[load]);
+            let of_gaussian = difference(&gaussian, &weibull, &[load]);
+            println!("shape {shape}, load {load}, {share:.4} in contact: {error:.1e}, Gaussian {of_gaussian:.1e}");
+            assert!(error < most && 2.0 * error < of_gaussian, "shape {shape}, load {load}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn kurtosis_alone_changes_friction() {
+    let mu = |kurtosis: f64| model(0.001, johnson(0.0, kurtosis)).friction_at_load(1.0);
+    assert!((mu(6.0) / mu(2.5) - 1.0).abs() > 0.02, "{} and {}", mu(6.0), mu(2.5));
+}
+
+#[test]
+fn impossible_and_extreme_moments_are_refused() {
+    let refused = |skew, kurtosis| Model::new(&surface(0.001, johnson(skew, kurtosis))).expect_err("a refusal");
+    for (skew, kurtosis) in
+        [(0.0, 1.0), (1.0, 2.0), (-2.0, 4.9), (0.0, f64::NAN), (0.0, -3.0), (1e200, 1e299), (0.0, f64::INFINITY)]
+    {
+        let error = refused(skew, kurtosis);
+        assert!(matches!(error, Error::InvalidParameter { name: "kurtosis", .. }), "{error}");
+        assert!(error.to_string().contains("> skew^2 + 1"), "{error}");
+    }
+    assert!(matches!(refused(f64::NAN, 3.0), Error::InvalidParameter { name: "skew", .. }));
+    for (skew, kurtosis) in [(0.0, 1.1e10), (40.0, 1e300), (1e6, 1.1e12)] {
+        let error = refused(skew, kurtosis);
+        assert!(matches!(error, Error::OutOfRange { name: "kurtosis", .. }), "{error}");
+        assert!(error.to_string().contains("at most 1e10"), "{error}");
+    }
+    // skew^2 + 1 is told from the next number above it by the exact product.
+    for skew in [0.0, 0.1, 1.0 / 3.0, 1.7, 123.456] {
+        let least: f64 = skew * skew + 1.0;
+        let feasible = |kurtosis: f64| f64::mul_add(-skew, skew, kurtosis - 1.0) > 0.0;
+        for kurtosis in [least.next_down(), least, least.next_up()] {
+            let made = Model::new(&surface(0.0, johnson(skew, kurtosis)));
+            assert_eq!(made.is_ok(), feasible(kurtosis), "skew {skew}, kurtosis {kurtosis:?}");
+        }
+    }
+}
+
+/// A skew and a kurtosis from all over the feasible region, and next to its edge.
+fn anywhere(random: &mut SplitMix) -> (f64, f64) {
+    let skew = match random.below(4) {
+        0 => 0.0,
+        1 => random.between(-2.0, 2.0),
+        2 => random.log_between(0.1, 1e3),
+        _ => -random.log_between(0.1, 1e3),
+    };
+    let least = skew * skew + 1.0;
+    let above = if random.chance(0.7) { random.log_between(1e-14, 1.0) } else { random.log_between(1.0, 1e4) };
+    (skew, least + least * above)
+}
+
+#[test]
+fn the_whole_feasible_region_makes_sound_models() {
+    let mut random = SplitMix(0x000e_d6e5);
+    let (mut made, mut answered, mut asked, mut worst) = (0, 0, 0, 0.0_f64);
+    for i in 0..80 {
+        let (skew, kurtosis) = anywhere(&mut random);
+        let gamma = [0.0, 0.0, 1e-4, 0.001, 0.003][random.below(5)];
+        let mut params = surface(gamma, johnson(skew, kurtosis));
+        params.attraction = random.chance(0.7);
+        if random.chance(0.4) {
+            (params.radius_amplitude, params.radius_rate) = (random.between(-0.95, 0.95), random.log_between(0.1, 2.0));
+        }
+        let name =
+            format!("{i}: skew {skew}, kurtosis {kurtosis:?}, gamma {gamma}, epsilon {}", params.radius_amplitude);
+        let start = std::time::Instant::now();
+        let model = match Model::new(&params) {
+            Ok(model) => model,
+            // Two heights part in steps.
+            Err(Error::OutOfRange { name: "pull-off load", .. }) if gamma > 0.0 => continue,
+            Err(error) => panic!("{name}: {error}"),
+        };
+        assert!(start.elapsed().as_secs_f64() < 5.0, "{name}: {:?}", start.elapsed());
+        made += 1;
+        let summary = model.summary();
+        assert_eq!((summary.skew, summary.kurtosis), (skew, kurtosis), "{name}");
+        let pull_off = summary.pull_off_load;
+        let nearest = (summary.min_table_load - pull_off).max(1e-9 * -pull_off);
+        let farthest = summary.max_table_load - pull_off;
+        let mut before: Option<asperity::State> = None;
+        const COUNT: usize = 16;
+        for j in 0..COUNT {
+            let load =
+                pull_off + nearest * (farthest / nearest).powf((j as f64 + random.between(0.0, 1.0)) / COUNT as f64);
+            let exact = model.state_at_load(load).unwrap_or_else(|error| panic!("{name}, load {load}: {error}"));
+            let (force, slope) = model.friction_force_and_slope(load);
+            let error = (force / exact.friction_force - 1.0).abs();
+            assert!(error < 1e-10, "{name}, load {load}: {error:e}");
+            let slope_error = (slope / exact.dforce_dload - 1.0).abs();
+            assert!(slope_error < 1e-6, "{name}, load {load}: slope {slope_error:e}");
+            worst = worst.max(error);
+            asked += 1;
+            answered += usize::from(force != exact.friction_force);
+            assert!(exact.contacting >= 0.0 && exact.contacting < 1.0 + 1e-12, "{name}: {exact:?}");
+            assert!(exact.dload_dseparation < 0.0, "{name}, load {load}: {exact:?}");
+            if let Some(before) = before {
+                assert!(exact.friction_force > before.friction_force, "{name}, load {load}: friction falls");
+                assert!(exact.separation <= before.separation, "{name}, load {load}: separation rises");
+            }
+            before = Some(exact);
+        }
+    }
+    println!("{made} models, {answered} of {asked} loads from the table, worst error {worst:.1e}");
+    assert!(made > 40 && answered * 10 > 9 * asked, "{made} models, {answered} of {asked}");
+}
+
+#[test]
+fn next_to_the_edge_of_what_is_feasible_there_are_two_heights() {
+    // Of mean 0 and variance 1, with this skew; the law of one is that of a surface whose heights do not differ.
+    for skew in [0.0, 1.0, -2.5, 40.0] {
+        let root = f64::hypot(skew, 2.0);
+        let heights = [0.5 * (skew - root), 0.5 * (skew + root)];
+        let shares = [heights[1] / root, -heights[0] / root];
+        let least: f64 = skew * skew + 1.0;
+        for (above, most) in [(1e-4, 3e-3), (1e-7, 3e-6), (1e-10, 3e-9), (1e-13, 1e-11)] {
+            let model = model(0.0, johnson(skew, least * (1.0 + above)));
+            for separation in [-3.0, -1.5, 0.2, 0.9] {
+                // Hertz: alpha = 0.01, beta = 1000, sigma = 10 and E* = 2/0.7 in units b = G = 1.
+                let rise = |height: f64| f64::max(height - separation, 0.0);
+                let load: f64 = (0..2)
+                    .map(|i| shares[i] * 4.0 / 3.0 * 0.01 * 1000.0_f64.powi(2) * rise(heights[i]).powf(1.5) * 2.0 / 0.7)
+                    .sum();
+                let state = model.state_at_separation(separation * 10.0).expect("a state");
+                let error = if load > 0.0 { (state.load / load - 1.0).abs() } else { state.load };
+                assert!(error < most, "skew {skew}, above {above}, d {separation}: {error:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_fine_table_of_a_family_nears_the_family_with_the_third_power_of_its_spacing() {
+    let loads = [1.0, 30.0, 1e3, 3e4, 1e6];
+    let rayleigh = |z: f64| z * bell(z);
+    for gamma in [0.0, 0.001] {
+        let gaussian = model(gamma, HeightFamily::Gaussian);
+        let weibull = model(gamma, HeightFamily::Weibull { shape: 2.0 });
+        let errors = |count: usize| {
+            [
+                difference(&model(gamma, sampled(count, -8.0, 8.0, bell)), &gaussian, &loads),
+                difference(&model(gamma, sampled(count, 0.0, 9.0, rayleigh)), &weibull, &loads),
+            ]
+        };
+        let (coarse, fine, finest) = (errors(81), errors(321), errors(1281));
+        for family in 0..2 {
+            println!("gamma {gamma}: {:.1e}, {:.1e}, {:.1e}", coarse[family], fine[family], finest[family]);
+            // Four times finer, twice.
+            let order = (coarse[family] / finest[family]).log2() / 4.0;
+            assert!(order > 2.7, "gamma {gamma}, family {family}: order {order}");
+            assert!(coarse[family] < 3e-3 && finest[family] < 1e-6, "{:?} {:?}", coarse, finest);
+        }
+    }
+}
+
+/// A measured histogram with an empty bin, a jump at each end and two maxima.
+const HEIGHT: [f64; 9] = [0.0, 0.5, 1.5, 2.0, 2.25, 3.0, 3.5, 4.0, 5.0];
+const DENSITY: [f64; 9] = [0.25, 1.0, 2.0, 0.5, 0.0, 0.0, 1.5, 1.0, 0.125];
+
+#[test]
+fn unit_and_origin_of_heights_and_unit_of_density_do_not_matter() {
+    let reference = model(0.001, table(&HEIGHT, &DENSITY));
+    for (unit, origin, amount) in
+        [(1.0, 1024.0, 1.0), (2.0_f64.powi(-30), 0.0, 1e300), (1e-9, -1e-3, 1e-320), (1e250, 1e251, 3.0)]
+    {
+        let height = HEIGHT.map(|h| h * unit + origin);
+        let density = DENSITY.map(|d| d * amount);
+        let moved = model(0.001, table(&height, &density));
+        // What rounding the heights loses; the smallest densities have few digits.
+        let rounding = 1e-13 + 4.0 * f64::EPSILON * (origin / unit).abs() + 1e-323 / amount;
+        let error = difference(&moved, &reference, &LOADS);
+        assert!(error <= rounding * 100.0, "unit {unit}, origin {origin}: {error:e}");
+        assert!((moved.summary().skew - reference.summary().skew).abs() < 100.0 * rounding);
+    }
+}
+
+#[test]
+fn the_law_of_a_table_is_exact_where_it_answers() {
+    let two_bumps = |z: f64| bell((z - 1.0) / 0.3) + 0.1 * bell((z - 3.0) / 0.2);
+    let jumps = table(&[0.0, 1.0, 1.0 + 1e-9, 2.0, 2.0 + 1e-9, 3.0], &[1.0, 1.0, 3.0, 3.0, 0.5, 0.5]);
+    let tables = [
+        ("histogram", table(&HEIGHT, &DENSITY), 0.8),
+        ("jumps", jumps, 0.8),
+        ("two bumps", sampled(30, 0.0, 4.0, two_bumps), 0.6),
+        ("fine", sampled(300, -5.0, 5.0, bell), 0.0),
+    ];
+    for (name, heights, least) in tables {
+        for gamma in [0.0, 0.001] {
+            let model = model(gamma, heights.clone());
+            let summary = model.summary();
+            let nearest = (summary.min_table_load - summary.pull_off_load).max(1e-9 * -summary.pull_off_load);
+            let farthest = summary.max_table_load - summary.pull_off_load;
+            let (mut worst, mut answered, mut last) = (0.0_f64, 0, 0.0);
+            const COUNT: usize = 100;
+            for i in 0..COUNT {
+                let load = summary.pull_off_load + nearest * (farthest / nearest).powf(i as f64 / COUNT as f64);
+                let exact = model.state_at_load(load).expect("a state");
+                let (force, slope) = model.friction_force_and_slope(load);
+                worst = worst.max((force / exact.friction_force - 1.0).abs());
+                assert!((slope / exact.dforce_dload - 1.0).abs() < 1e-7, "{name}, gamma {gamma}, load {load}");
+                assert!(force > last, "{name}, gamma {gamma}: not monotonic at load {load}");
+                last = force;
+                answered += usize::from(force != exact.friction_force);
+            }
+            println!("{name}, gamma {gamma}: {answered} of {COUNT} loads from the table, worst error {worst:.1e}");
+            assert!(worst < 1e-10 && worst <= 4.0 * summary.table_error.max(1e-12), "{name}: {worst:e}");
+            assert!(answered as f64 >= least * COUNT as f64, "{name}, gamma {gamma}: {answered} of {COUNT}");
+        }
+    }
+}
+
+/// A histogram of so many heights of a skewed surface in equal bins, with the scatter of counts.
+fn histogram(bins: usize, count: f64) -> HeightFamily {
+    let mut random = SplitMix(0x0041_5706);
+    let density = |z: f64| bell(z) * (1.0 + 0.08 * (z * z * z - 3.0 * z)).max(0.0);
+    let height: Vec<f64> = (0..bins).map(|i| -3.6 + 7.6 * (i as f64 + 0.5) / bins as f64).collect();
+    let counts = height.iter().map(|&z| {
+        let expected = count * density(z) / (2.0 * std::f64::consts::PI).sqrt() * 7.6 / bins as f64;
+        // The sum of 12 uniform numbers is nearly normal.
+        let deviation = (0..12).map(|_| random.between(0.0, 1.0)).sum::<f64>() - 6.0;
+        (expected + expected.sqrt() * deviation).round().max(0.0)
+    });
+    let density: Vec<f64> = counts.collect();
+    table(&height, &density)
+}
+
+#[test]
+fn measured_histograms_of_many_bins_are_compiled() {
+    let mut random = SplitMix(0xb15);
+    for (bins, count, gamma, least) in
+        [(100, 2e4, 0.0, 0.8), (100, 2e4, 0.003, 0.7), (200, 1e5, 0.0, 0.7), (500, 1e5, 0.0, 0.5), (500, 1e6, 0.0, 0.5)]
+    {
+        let model = model(gamma, histogram(bins, count));
+        let summary = model.summary();
+        // From where one summit in 10^4 touches to where all do.
+        let (lightest, heaviest) = (30.0, 1e6_f64);
+        let (mut worst, mut worst_slope, mut answered) = (0.0_f64, 0.0_f64, 0);
+        const COUNT: usize = 150;
+        for i in 0..COUNT {
+            let part = (i as f64 + random.between(0.0, 1.0)) / COUNT as f64;
+            let load = lightest * (heaviest / lightest).powf(part);
+            let exact = model.state_at_load(load).expect("a state");
+            let (force, slope) = model.friction_force_and_slope(load);
+            worst = worst.max((force / exact.friction_force - 1.0).abs());
+            worst_slope = worst_slope.max((slope / exact.dforce_dload - 1.0).abs());
+            answered += usize::from(force != exact.friction_force);
+        }
+        println!(
+            "{bins} bins of {count:e} heights, gamma {gamma}: {answered} of {COUNT} loads from the table, \
+             worst error {worst:.1e}, of slopes {worst_slope:.1e}, table_error {:.1e}",
+            summary.table_error
+        );
+        assert!(worst < 1e-10 && worst_slope < 5e-7, "{bins} bins, gamma {gamma}: {worst:e}, slope {worst_slope:e}");
+        assert!(answered as f64 >= least * COUNT as f64, "{bins} bins, gamma {gamma}: {answered} of {COUNT}");
+    }
+}
+
+#[test]
+fn slopes_are_those_of_secants() {
+    let families = [
+        johnson(1.0, 3.0),
+        johnson(-1.0, 6.0),
+        johnson(0.0, 20.0),
+        johnson(0.0, 1.3),
+        johnson(1.5, 3.4),
+        johnson(-1.0, 2.01),
+        table(&HEIGHT, &DENSITY),
+    ];
+    let mut made = 0;
+    for heights in families {
+        for gamma in [0.0, 0.001, 0.003] {
+            for amplitude in [0.0, 0.6] {
+                let params = Params { radius_amplitude: amplitude, ..surface(gamma, heights.clone()) };
+                let model = match Model::new(&params) {
+                    Err(Error::OutOfRange { name: "pull-off load", .. }) if gamma > 0.0 => continue, // two heights
+                    model => model.unwrap_or_else(|error| panic!("{heights:?}: {error}")),
+                };
+                made += 1;
+                for separation in [-2.0, 0.1, 0.7, 1.0] {
+                    let at = |part: f64| {
+                        model.state_at_separation((separation + part) * params.height_std).expect("a state")
+                    };
+                    let (here, step) = (at(0.0), 1e-5);
+                    if here.contacting + here.attracted == 0.0 {
+                        continue; // above the highest summit
+                    }
+                    let (above, below) = (at(step), at(-step));
+                    let secant = (above.load - below.load) / (above.separation - below.separation);
+                    assert!(
+                        (secant / here.dload_dseparation - 1.0).abs() < 1e-6,
+                        "{heights:?}, gamma {gamma}, epsilon {amplitude}, d {separation}: {secant:e}, not {:e}",
+                        here.dload_dseparation
+                    );
+                    let secant = (above.friction_force - below.friction_force) / (above.load - below.load);
+                    assert!(
+                        (secant / here.dforce_dload - 1.0).abs() < 1e-6,
+                        "{heights:?}, gamma {gamma}, epsilon {amplitude}, d {separation}: {secant:e}, not {:e}",
+                        here.dforce_dload
+                    );
+                }
+            }
+        }
+    }
+    assert!(made >= 28, "{made} models");
+}
+
+#[test]
+fn tables_without_a_meaning_are_refused_by_name_and_index() {
+    let refused = |height: &[f64], density: &[f64]| {
+        Model::new(&surface(0.001, table(height, density))).expect_err("a refusal").to_string()
+    };
+    let cases = [
+        (refused(&[0.0, 1.0], &[1.0, 1.0]), "table_length = 2: must be between 3 and 4096"),
+        (refused(&[0.0; 5000], &[1.0; 5000]), "table_length = 5000: must be between 3 and 4096"),
+        (refused(&[0.0, 1.0, 2.0], &[1.0, 1.0]), "length of table_density = 2: must be that of table_height"),
+        (refused(&[0.0, 2.0, 2.0], &[1.0; 3]), "table_height[2] = 2: must be greater than the height before it"),
+        (refused(&[0.0, 2.0, 1.0], &[1.0; 3]), "table_height[2] = 1: must be greater than the height before it"),
+        // Below the last bits of their range two heights are one.
+        (
+            refused(&[-1.0, 0.0, 1.0 - 1e-16, 1.0], &[1.0; 4]),
+            "table_height[3] = 1: must be greater than the height before it by 1e-12 of their range at least",
+        ),
+        (
+            refused(&[0.0, 1e-310, 1.0], &[1.0; 3]),
+            "table_height[1] = 1e-310: must be greater than the height before it by",
+        ),
+        (refused(&[0.0, f64::NAN, 1.0], &[1.0; 3]), "table_height[1] = NaN: must be finite"),
+        (refused(&[0.0, 1.0, 2.0], &[1.0, -0.5, 1.0]), "table_density[1] = -0.5: must be finite and >= 0"),
+        (refused(&[0.0, 1.0, 2.0], &[1.0, 1.0, f64::INFINITY]), "table_density[2] = inf: must be finite and >= 0"),
+        (refused(&[0.0, 1.0, 2.0], &[0.0; 3]), "table_density = 0: must be > 0 at one height at least"),
+        (refused(&[-1e308, 0.0, 1e308], &[1.0; 3]), "table_height = 1e308: must be between -1e300 and 1e300"),
+        (refused(&[0.0, 1.0, 2.0, 1e6], &[1e9, 1e9, 0.0, 1e-9]), "must be at most 1e4"),
+    ];
+    for (message, expected) in cases {
+        assert!(message.contains(expected), "{message}");
+    }
+}
+
+#[test]
+fn any_bits_are_refused_or_make_a_sound_model() {
+    let mut random = SplitMix(0x5eed_0e16);
+    let mut made = 0;
+    for i in 0..400 {
+        let heights = if i % 2 == 0 {
+            let plausible = random.chance(0.7);
+            let skew = if plausible { random.between(-6.0, 6.0) } else { random.any_float() };
+            let kurtosis =
+                if plausible { skew * skew + 1.0 + random.log_between(1e-6, 100.0) } else { random.any_float() };
+            johnson(skew, kurtosis)
+        } else {
+            let count = 2 + random.below(12);
+            let mut height: Vec<f64> = (0..count).map(|_| random.between(-1.0, 1.0)).collect();
+            height.sort_by(f64::total_cmp);
+            let mut density: Vec<f64> =
+                (0..count).map(|_| if random.chance(0.2) { 0.0 } else { random.log_between(1e-6, 1.0) }).collect();
+            if random.chance(0.3) {
+                height[random.below(count)] = random.any_float();
+            }
+            if random.chance(0.3) {
+                density[random.below(count)] = random.any_float();
+            }
+            table(&height, &density)
+        };
+        let params = surface(if random.chance(0.3) { 0.0 } else { 0.001 }, heights);
+        let model = match Model::new(&params) {
+            Ok(model) => model,
+            Err(Error::NotConverged { what, value }) => panic!("{:?}: {what} {value}", params.heights),
+            Err(_) => continue,
+        };
+        made += 1;
+        let summary = model.summary();
+        assert!(summary.kurtosis > summary.skew * summary.skew + 1.0 - 1e-9, "{:?}: {summary:?}", params.heights);
+        let mut last = 0.0;
+        for load in LOADS {
+            let force = model.friction_force_at_load(load);
+            assert!(force > last && force.is_finite(), "{:?}, load {load}: {force:e} after {last:e}", params.heights);
+            last = force;
+        }
+    }
+    assert!(made > 140, "only {made} surfaces are evaluated");
+}

@@ -1,0 +1,10 @@
+//! The model's answers: against reference values, published numbers, closed forms, and what the paper's figures show.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod contacts;
+mod figures;
+mod heights;
+mod published;
+mod reference;
