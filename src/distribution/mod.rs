@@ -1,14 +1,22 @@
 //! The distribution of summit heights, standardised: standard deviation 1, height z in sigma above an origin.
 //!
-//! One family is one file that implements [`HeightDistribution`]. `panel` turns what a family
+//! One family is one file that implements [`HeightDistribution`], and one arm of [`heights`]. `panel` turns what a family
 //! says of its density into panels for quadrature.
 
 pub mod gaussian;
+pub mod johnson;
 pub mod panel;
+pub mod tabulated;
 pub mod weibull;
 
 use crate::elementary::exp_each;
+use crate::error::Error;
 use crate::gauss_legendre::POINTS;
+use crate::params::HeightFamily;
+use gaussian::Gaussian;
+use std::sync::Arc;
+use tabulated::Tabulated;
+use weibull::Weibull;
 
 /// ln (2 pi)^(1/2).
 const LN_SQRT_2_PI: f64 = 0.918_938_533_204_672_8;
@@ -69,4 +77,18 @@ pub trait HeightDistribution: std::fmt::Debug + Send + Sync {
 
     /// Fourth standardised moment.
     fn kurtosis(&self) -> f64;
+}
+
+/// The distribution of a family, of which every number is checked.
+///
+/// # Errors
+/// [`Error::InvalidParameter`] or [`Error::InvalidEntry`] for what no distribution has, [`Error::OutOfRange`] for what is
+/// not evaluated.
+pub fn heights(family: &HeightFamily) -> Result<Arc<dyn HeightDistribution>, Error> {
+    Ok(match family {
+        HeightFamily::Gaussian => Arc::new(Gaussian),
+        &HeightFamily::Weibull { shape } => Arc::new(Weibull::new(shape)?),
+        &HeightFamily::Johnson { skew, kurtosis } => johnson::heights(skew, kurtosis)?,
+        HeightFamily::Tabulated { height, density } => Arc::new(Tabulated::new(height, density)?),
+    })
 }
