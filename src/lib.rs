@@ -15,6 +15,8 @@
 
 pub mod asperity;
 mod capi;
+#[allow(dead_code)]
+mod distribution;
 mod elementary;
 mod equilibrium;
 mod error;

@@ -1,0 +1,390 @@
+//! Heights of Johnson's system of curves (Biometrika 36, 1949, 149-176): skew and kurtosis chosen independently.
+//!
+//! A function u(z) of height is normal: u = gamma + delta arsinh((z - xi)/lambda) for S_U, which has no end, and
+//! u = gamma + delta ln((z - xi)/(xi + lambda - z)) for S_B, which has two; lognormal curves lie between them, and
+//! the Gaussian is the limit of all. `fit` finds the curve; here it is standardised to mean 0 and standard deviation 1.
+
+mod fit;
+
+use super::gaussian::Gaussian;
+use super::{HeightDistribution, LN_SQRT_2_PI};
+use crate::elementary::{exp, expm1, hypot, log, log1p};
+use crate::error::Error;
+use crate::float_bits::finite;
+use crate::root;
+use fit::{Fit, Kind};
+use std::sync::Arc;
+
+/// The largest skew, of either sign, and the largest kurtosis that are evaluated: in heavier tails loads are carried by
+/// summits that no surface is large enough to have.
+const LARGEST_SKEW: f64 = 3.0;
+const LARGEST_KURTOSIS: f64 = 100.0;
+
+/// The least kurtosis that is evaluated, for a skew. Above it densities have one maximum and vanish at their ends, with
+/// delta of at least 1/2; S_B curves of less kurtosis may have two maxima, at their ends.
+fn least_kurtosis(skew: f64) -> f64 {
+    1.87 + 1.25 * skew * skew
+}
+
+/// The upper end of the support is made the origin of heights where sums in the tail depend on the distance to it: where
+/// less than this part of the distance from the mean is left at u = FAR_UP. The same goes for S_U where it nearly ends: it
+/// is singular at y = -tau +- i (1 - tau^2)^(1/2). An origin farther than this many widths of the bulk would blur it.
+const LEFT_AT_END: f64 = 0.1;
+const FAR_UP: f64 = 12.0;
+const FARTHEST_ORIGIN: f64 = 300.0;
+
+/// A standardised curve of Johnson's system.
+#[derive(Debug)]
+struct Johnson {
+    skew: f64,
+    kurtosis: f64,
+    epsilon: f64,
+    /// dv/dz, with v of `fit`.
+    deviation: f64,
+    kind: Kind,
+    /// dy/dz, with y = epsilon v.
+    rate: f64,
+    /// Height of the median.
+    median: f64,
+    /// What is subtracted from heights above their mean.
+    origin: f64,
+    mode: f64,
+}
+
+/// The heights of a skew and a kurtosis.
+///
+/// # Errors
+/// [`Error::InvalidParameter`] for what no distribution has: not finite, or a kurtosis that is not above skew^2 + 1;
+/// [`Error::OutOfRange`] for skews and kurtoses that are not evaluated.
+pub fn heights(skew: f64, kurtosis: f64) -> Result<Arc<dyn HeightDistribution>, Error> {
+    check(skew, kurtosis)?;
+    let fit = fit::fit(skew, kurtosis);
+    if fit.epsilon == 0.0 {
+        return Ok(Arc::new(Gaussian));
+    }
+    Ok(Arc::new(Johnson::new(skew, kurtosis, fit)))
+}
+
+fn check(skew: f64, kurtosis: f64) -> Result<(), Error> {
+    if !finite(skew) {
+        return Err(Error::InvalidParameter { name: "skew", value: skew.into(), allowed: "must be finite" });
+    }
+    // Squares stay finite.
+    let bounded = skew.clamp(-1e150, 1e150);
+    if !finite(kurtosis) || kurtosis <= bounded * bounded + 1.0 {
+        let allowed = "must be finite and > skew^2 + 1, as that of every distribution";
+        return Err(Error::InvalidParameter { name: "kurtosis", value: kurtosis.into(), allowed });
+    }
+    if skew.abs() > LARGEST_SKEW {
+        let allowed = "must be between -3 and 3; take a table of heights, without the few that are far from the rest";
+        return Err(Error::OutOfRange { name: "skew", value: skew.into(), allowed });
+    }
+    let out_of_range = |allowed| Err(Error::OutOfRange { name: "kurtosis", value: kurtosis.into(), allowed });
+    if kurtosis > LARGEST_KURTOSIS {
+        return out_of_range(
+            "must be at most 100; take a table of heights, without the few that are far from the rest",
+        );
+    }
+    if kurtosis < least_kurtosis(skew) {
+        return out_of_range(
+            "must be at least 1.87 + 1.25 skew^2: with less, Johnson's heights may gather at two; take a table of heights",
+        );
+    }
+    Ok(())
+}
+
+impl Johnson {
+    fn new(skew: f64, kurtosis: f64, fit: Fit) -> Self {
+        let Fit { epsilon, kind, mean, deviation } = fit;
+        let rate = epsilon * deviation;
+        let median = -mean / deviation;
+        let mut curve = Self { skew, kurtosis, epsilon, deviation, kind, rate, median, origin: 0.0, mode: 0.0 };
+        let (end, away) = match kind {
+            Kind::Unbounded { below, above } => (median + (below - 1.0) / rate, (below * above).sqrt() / rate),
+            Kind::Bounded { .. } => (curve.support().1, 0.0),
+        };
+        if (end - curve.height(FAR_UP)).max(away) < LEFT_AT_END * end && end * deviation < FARTHEST_ORIGIN {
+            curve.origin = end;
+            curve.median -= end;
+        }
+        // The slope of ln(du/dz) by u is epsilon at most.
+        let score = root::bracketed(|u| curve.log_density_slope(curve.height(u)), -1.01 * epsilon, 1.01 * epsilon);
+        curve.mode = curve.height(score);
+        curve
+    }
+
+    /// The height of a u.
+    pub fn height(&self, u: f64) -> f64 {
+        let t = self.epsilon * u;
+        match self.kind {
+            Kind::Unbounded { below, above } if self.origin == 0.0 => {
+                self.median + 0.5 * (above * expm1(t) - below * expm1(-t)) / self.rate
+            }
+            Kind::Unbounded { below, above } => 0.5 * (above * exp(t) - below * exp(-t)) / self.rate,
+            Kind::Bounded { share, .. } if self.origin == 0.0 => {
+                let rise = expm1(t);
+                self.median + rise / (1.0 + share * rise) / self.rate
+            }
+            Kind::Bounded { share, .. } => -1.0 / (1.0 + share * expm1(t)) / (share * self.rate),
+        }
+    }
+
+    /// u and what else the density takes; `None` beyond the support.
+    #[inline]
+    fn at(&self, z: f64) -> Option<At> {
+        let (t, rate, slope) = match self.kind {
+            Kind::Unbounded { below, above } => {
+                // y + tau and its distance from where the curve is singular, as a complex number.
+                let tau = 0.5 * (above - below);
+                let y = self.rate * (z - self.median);
+                let height = if self.origin == 0.0 { y + tau } else { self.rate * z };
+                let distance = (height * height + below * above).sqrt();
+                let t = match (self.origin == 0.0, height >= 0.0) {
+                    (true, true) => log1p(y * (above + distance + height) / ((1.0 + distance) * above)),
+                    (true, false) => -log1p(-y * (below + distance - height) / ((1.0 + distance) * below)),
+                    (false, true) => log((height + distance) / above),
+                    (false, false) => -log((distance - height) / below),
+                };
+                (t, 1.0 / distance, -height / (distance * distance))
+            }
+            Kind::Bounded { share, rest } => {
+                let y = self.rate * (z - self.median);
+                // The distances to the two ends over those of the median.
+                let (above_foot, below_head) = (1.0 + rest * y, 1.0 - share * y);
+                if self.origin == 0.0 {
+                    if above_foot <= 0.0 || below_head <= 0.0 {
+                        return None;
+                    }
+                    let t = log1p(rest * y) - log1p(-share * y);
+                    (t, 1.0 / (above_foot * below_head), share / below_head - rest / above_foot)
+                } else {
+                    let below_head = -share * self.rate * z;
+                    if above_foot <= 0.0 || below_head <= 0.0 {
+                        return None;
+                    }
+                    let t = log(above_foot) - log(below_head);
+                    (t, 1.0 / (above_foot * below_head), share / below_head - rest / above_foot)
+                }
+            }
+        };
+        let u = t / self.epsilon;
+        let rate = self.deviation * rate;
+        Some(At { u, rate, slope: self.rate * slope - u * rate })
+    }
+}
+
+impl HeightDistribution for Johnson {
+    fn origin(&self) -> f64 {
+        self.origin
+    }
+
+    fn support(&self) -> (f64, f64) {
+        match self.kind {
+            Kind::Unbounded { .. } => (f64::NEG_INFINITY, f64::INFINITY),
+            Kind::Bounded { share, rest } => {
+                let upper = if self.origin == 0.0 { self.median + 1.0 / (share * self.rate) } else { 0.0 };
+                (self.median - 1.0 / (rest * self.rate), upper)
+            }
+        }
+    }
+
+    fn log_density(&self, z: f64) -> f64 {
+        match self.at(z) {
+            Some(at) => -0.5 * at.u * at.u - LN_SQRT_2_PI + log(at.rate),
+            None => f64::NEG_INFINITY,
+        }
+    }
+
+    fn log_density_slope(&self, z: f64) -> f64 {
+        self.at(z).map_or(0.0, |at| at.slope)
+    }
+
+    fn distance_to_singularity(&self, z: f64) -> f64 {
+        match self.kind {
+            Kind::Unbounded { below, above } => {
+                let centre = if self.origin == 0.0 { self.median - 0.5 * (above - below) / self.rate } else { 0.0 };
+                hypot(z - centre, (below * above).sqrt() / self.rate)
+            }
+            Kind::Bounded { .. } => {
+                let (lower, upper) = self.support();
+                (z - lower).min(upper - z)
+            }
+        }
+    }
+
+    fn last_mode(&self) -> f64 {
+        self.mode
+    }
+
+    fn skew(&self) -> f64 {
+        self.skew
+    }
+
+    fn kurtosis(&self) -> f64 {
+        self.kurtosis
+    }
+}
+
+/// A point of the curve.
+struct At {
+    u: f64,
+    /// du/dz.
+    rate: f64,
+    /// d(ln phi)/dz.
+    slope: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(skew: f64, kurtosis: f64) -> Johnson {
+        check(skew, kurtosis).expect("a curve of the domain");
+        Johnson::new(skew, kurtosis, fit::fit(skew, kurtosis))
+    }
+
+    /// S_U, S_B and the lognormal curve, with the mean and with their end as the origin.
+    fn curves() -> Vec<Johnson> {
+        let [lognormal, steep] = [0.4, 3.0].map(|skew| 3.0 + fit::excess_of_lognormal(skew));
+        let moments = [(0.8, 6.0), (-0.9, 30.0), (-1.2, 5.8), (3.0, 22.0), (0.5, 3.3), (-0.8, 3.2), (0.2, 2.0)];
+        moments
+            .into_iter()
+            .chain([(0.4, lognormal), (-0.4, lognormal), (-3.0, 1.0001 * steep)])
+            .map(|(skew, kurtosis)| curve(skew, kurtosis))
+            .collect()
+    }
+
+    #[test]
+    fn heights_and_scores_belong_together() {
+        for curve in curves() {
+            for u in [-4.0, -2.0, -0.3, 0.0, 0.3, 2.0, 4.0] {
+                let at = curve.at(curve.height(u)).expect("a height");
+                assert!((at.u - u).abs() < 1e-9, "{}, not {u}, of {curve:?}", at.u);
+            }
+        }
+    }
+
+    /// Also next to the end that is the origin.
+    #[test]
+    fn scores_far_up_have_all_digits() {
+        for curve in curves().iter().filter(|curve| curve.origin != 0.0) {
+            for u in [6.0, 12.0, 20.0] {
+                let at = curve.at(curve.height(u)).expect("a height");
+                assert!((at.u - u).abs() < 1e-12 * u, "{}, not {u}, of {curve:?}", at.u);
+            }
+        }
+    }
+
+    #[test]
+    fn scores_of_nearly_gaussian_heights_have_all_digits() {
+        for kurtosis in [3.0 + 1e-12, 3.0 - 1e-12] {
+            let curve = curve(0.0, kurtosis);
+            for u in [-3.0, -0.1, 0.1, 2.0] {
+                let at = curve.at(curve.height(u)).expect("a height");
+                assert!((at.u - u).abs() < 1e-14, "{}, not {u}, of {curve:?}", at.u);
+            }
+        }
+    }
+
+    #[test]
+    fn the_density_is_normal_in_the_score() {
+        for curve in curves() {
+            for u in [-4.0, -2.0, -0.3, 0.0, 0.3, 2.0, 4.0] {
+                let rate = 2e-5 / (curve.height(u + 1e-5) - curve.height(u - 1e-5));
+                let normal = -0.5 * u * u - 0.5 * (2.0 * std::f64::consts::PI).ln();
+                let found = curve.log_density(curve.height(u));
+                assert!((found - normal - rate.ln()).abs() < 1e-6, "{found} at {u} of {curve:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_slope_is_that_of_a_secant() {
+        for curve in curves() {
+            for u in [-4.0, -2.0, -0.3, 0.0, 0.3, 2.0, 4.0] {
+                let (lower, upper) = (curve.height(u - 1e-5), curve.height(u + 1e-5));
+                let secant = (curve.log_density(upper) - curve.log_density(lower)) / (upper - lower);
+                let at = curve.at(curve.height(u)).expect("a height");
+                assert!((at.slope - secant).abs() < 1e-4 * at.rate, "{} at {u} of {curve:?}", at.slope);
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_lies_outside_the_support() {
+        for curve in curves() {
+            let (lower, upper) = curve.support();
+            assert_eq!(matches!(curve.kind, Kind::Bounded { .. }), lower.is_finite() || upper.is_finite(), "{curve:?}");
+            for z in
+                [lower - 1e-9 * lower.abs(), upper + 1e-9 * (1.0 + upper.abs())].into_iter().filter(|z| z.is_finite())
+            {
+                assert_eq!(curve.log_density(z), f64::NEG_INFINITY, "{z} of {curve:?}");
+            }
+        }
+    }
+
+    /// Only where little is left of it far up, and not where it is so far away that it would blur the bulk.
+    #[test]
+    fn the_end_is_the_origin_where_the_tail_depends_on_it() {
+        let lognormal = |skew: f64, part: f64| (skew, (3.0 + fit::excess_of_lognormal(skew)) * (1.0 + part));
+        for ((skew, kurtosis), is_end) in [
+            ((0.8, 6.0), false),
+            ((0.98, 4.63), false),
+            ((-0.5, 17.46), false),
+            ((0.5, 3.3), true),
+            ((-0.8, 3.2), true),
+            (lognormal(-1.0, 1e-3), true),
+            (lognormal(-1.0, 1e-2), false),
+            (lognormal(-3.0, 1e-10), true),
+        ] {
+            let curve = curve(skew, kurtosis);
+            assert_eq!(curve.origin != 0.0, is_end, "{curve:?}");
+        }
+    }
+
+    /// All over the domain, by a fine grid in the score, and at its corners.
+    #[test]
+    fn densities_have_one_maximum_and_vanish_at_their_ends() {
+        for skew in [0.0, 0.1, 0.3, 0.6, 1.0, 1.5, 2.0, 2.5, 3.0] {
+            for part in [0.0, 0.01, 0.1, 0.5, 1.0] {
+                let curve = curve(skew, (1.0 - part) * least_kurtosis(skew) + part * LARGEST_KURTOSIS);
+                let slope = |i: i32| curve.log_density_slope(curve.height(0.02 * f64::from(i)));
+                let turns = (-300..300).filter(|&i| (slope(i) > 0.0) != (slope(i + 1) > 0.0)).count();
+                assert!(turns == 1 && curve.epsilon <= 2.0, "{turns} of {curve:?}");
+                let [below, above] = [-1e-6, 1e-6].map(|step| curve.log_density_slope(curve.mode + step));
+                assert!(below > 0.0 && above < 0.0, "{below} and {above} of {curve:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn moments_are_taken_up_to_the_limits_and_no_further() {
+        let name = |skew: f64, kurtosis: f64| match check(skew, kurtosis) {
+            Err(Error::OutOfRange { name, .. }) => Some(name),
+            Err(other) => panic!("{other:?}"),
+            Ok(()) => None,
+        };
+        for skew in [0.0, 1.0, -3.0] {
+            let least = least_kurtosis(skew);
+            assert_eq!([name(skew, least), name(skew, least.next_down())], [None, Some("kurtosis")]);
+            assert_eq!([name(skew, 100.0), name(skew, f64::next_up(100.0))], [None, Some("kurtosis")]);
+        }
+        assert_eq!(name(f64::next_up(3.0), 50.0), Some("skew"));
+    }
+
+    #[test]
+    fn what_no_distribution_has_is_no_parameter() {
+        for (skew, kurtosis) in [(0.0, 1.0), (1.0, 2.0), (-3.0, 10.0), (0.0, f64::NAN), (1e200, 1e299), (5.0, 26.0)] {
+            let refused = check(skew, kurtosis);
+            assert!(matches!(refused, Err(Error::InvalidParameter { name: "kurtosis", .. })), "{refused:?}");
+        }
+        for skew in [f64::NAN, f64::INFINITY] {
+            assert!(matches!(check(skew, 3.0), Err(Error::InvalidParameter { name: "skew", .. })));
+        }
+    }
+
+    #[test]
+    fn the_gaussian_is_one_of_them() {
+        assert_eq!(format!("{:?}", heights(0.0, 3.0)), "Ok(Gaussian)");
+    }
+}

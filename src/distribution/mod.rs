@@ -1,0 +1,94 @@
+//! The distribution of summit heights, standardised: standard deviation 1, height z in sigma above an origin.
+//!
+//! One family is one file that implements [`HeightDistribution`], and one arm of [`heights`]. `panel` turns what a family
+//! says of its density into panels for quadrature.
+
+pub mod gaussian;
+pub mod johnson;
+pub mod panel;
+pub mod tabulated;
+pub mod weibull;
+
+use crate::elementary::exp_each;
+use crate::error::Error;
+use crate::gauss_legendre::POINTS;
+use crate::params::HeightFamily;
+use gaussian::Gaussian;
+use std::sync::Arc;
+use tabulated::Tabulated;
+use weibull::Weibull;
+
+/// ln (2 pi)^(1/2).
+const LN_SQRT_2_PI: f64 = 0.918_938_533_204_672_8;
+
+/// A standardised distribution of summit heights. One family is one file; the sums over the population need nothing else.
+pub trait HeightDistribution: std::fmt::Debug + Send + Sync {
+    /// The height above the mean from which heights are measured: 0, or the upper end of the support where light loads
+    /// depend on the distance to it.
+    fn origin(&self) -> f64 {
+        0.0
+    }
+
+    /// The ends of the support, infinite where it has none.
+    fn support(&self) -> (f64, f64);
+
+    /// ln phi(z); minus infinity outside the support. At an end of the support it is the limit from within.
+    fn log_density(&self, z: f64) -> f64;
+
+    /// d(ln phi)/dz within the support.
+    fn log_density_slope(&self, z: f64) -> f64;
+
+    /// phi at the nodes of one panel, side by side.
+    fn densities(&self, z: [f64; POINTS]) -> [f64; POINTS] {
+        exp_each(z.map(|z| self.log_density(z)))
+    }
+
+    /// Distance from z to the nearest point, real or complex, where the density is not analytic, breakpoints apart; infinite
+    /// if there is none.
+    fn distance_to_singularity(&self, z: f64) -> f64;
+
+    /// Heights, ascending, at which the density or a derivative of it jumps; the ends of the support included where the
+    /// density does not vanish smoothly.
+    fn breakpoints(&self) -> &[f64] {
+        &[]
+    }
+
+    /// Whether the density is a polynomial of low degree between two breakpoints: then one panel reaches from one to the
+    /// next, however steep ln phi is where the density vanishes.
+    fn is_piecewise_polynomial(&self) -> bool {
+        false
+    }
+
+    /// The exponent p of phi ~ (z - lower end)^p, where the density is such a power at the lower end.
+    fn power_at_lower_end(&self) -> Option<f64> {
+        None
+    }
+
+    /// The height above which the density only falls.
+    fn last_mode(&self) -> f64;
+
+    /// Whether ln phi is concave: then the load of equal summits has one minimum.
+    fn is_log_concave(&self) -> bool {
+        false
+    }
+
+    /// Third standardised moment.
+    fn skew(&self) -> f64;
+
+    /// Fourth standardised moment.
+    fn kurtosis(&self) -> f64;
+}
+
+/// The distribution of a family, of which every number is checked.
+///
+/// # Errors
+/// [`Error::InvalidParameter`] or [`Error::InvalidEntry`] for what no distribution has, [`Error::OutOfRange`] for what is
+/// not evaluated.
+pub fn heights(family: &HeightFamily) -> Result<Arc<dyn HeightDistribution>, Error> {
+    Ok(match family {
+        HeightFamily::Gaussian => Arc::new(Gaussian),
+        &HeightFamily::Weibull { shape } => Arc::new(Weibull::new(shape)?),
+        &HeightFamily::Johnson { skew, kurtosis } => johnson::heights(skew, kurtosis)?,
+        HeightFamily::Tabulated { height, density } => Arc::new(Tabulated::new(height, density)?),
+    })
+}

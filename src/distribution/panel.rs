@@ -1,0 +1,290 @@
+//! How long a panel of 16 Gauss points may be for its sum to give the integral of a density to rounding.
+//!
+//! One rule for all families: a panel is short beside the distance to where the density is singular, ln phi changes little
+//! over it, and no breakpoint lies within.
+
+use super::HeightDistribution;
+use crate::elementary::pow;
+use crate::root;
+
+/// The largest length times the change of the slope of ln phi over either half, that of 3 sigma of a Gaussian density: over
+/// more, 16 points do not resolve its parabola.
+const MOST_BEND: f64 = 4.5;
+/// The largest length times the slope of ln phi at either end: over more, 16 points do not resolve an exponential function.
+const MOST_E_FOLDS: f64 = 10.0;
+/// The largest length over the distance to a singularity, for which the error of 16 points is about 1e-16.
+const OVER_DISTANCE: f64 = 1.2;
+/// No panel is shorter, in sigma: what lies within it of a singularity is negligible.
+const SHORTEST: f64 = 1e-8;
+/// What is nearer to a breakpoint than this, relative to 1 or to its height, counts as at it.
+const AT_BREAKPOINT: f64 = 4e-15;
+/// Densities below exp(-NEGLIGIBLE) of the largest are left out of sums.
+const NEGLIGIBLE: f64 = 46.0;
+/// The upper tail is summed by panels of one length as far as ln phi falls by this.
+const TAIL: f64 = 30.0;
+/// It begins so far above the mode, in sigma.
+const TAIL_BEGINS: f64 = 0.5;
+/// The first panel above a lower end where the density is a power, in sigma: a density that is not a power alone is a power
+/// series in the height above the end over so small a part of the distribution.
+const FOOT: f64 = 0.02;
+
+/// How far above z one panel of 16 Gauss points may reach, never past the next breakpoint.
+pub fn panel_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
+    let most = next_breakpoint(heights, z) - z;
+    if heights.is_piecewise_polynomial() {
+        return most;
+    }
+    most.min(smooth_length(heights, z))
+}
+
+/// Whether one panel may reach from one height to another.
+pub fn is_one_panel(heights: &dyn HeightDistribution, from: f64, to: f64) -> bool {
+    if to > next_breakpoint(heights, from) + slack(to) {
+        return false;
+    }
+    heights.is_piecewise_polynomial() || to - from <= SHORTEST || is_smooth(heights, from, to)
+}
+
+/// Below this height, what is left of the density is less than exp(-46) of its largest value: sums begin there. It is the
+/// lower end of the support where the density is a power or a polynomial that begins there.
+pub fn lower_cut(heights: &dyn HeightDistribution) -> f64 {
+    lower_cut_at(heights, NEGLIGIBLE)
+}
+
+fn lower_cut_at(heights: &dyn HeightDistribution, fall: f64) -> f64 {
+    let (lowest, _) = heights.support();
+    if heights.is_piecewise_polynomial() {
+        return lowest;
+    }
+    let mode = heights.last_mode();
+    let excess = excess_over(heights, fall);
+    let from = if lowest.is_finite() { lowest } else { outwards(mode, -1.0, |z| excess(z) < 0.0) };
+    let cut = if excess(from) < 0.0 { root::bracketed(excess, from, mode) } else { from };
+    match heights.power_at_lower_end() {
+        Some(_) if cut < lowest + FOOT => lowest,
+        _ => cut,
+    }
+}
+
+/// A panel length that serves the upper tail, from half a sigma above the mode to where ln phi is 30 below its largest
+/// value, wherever it lies. It is as short as the steepest part needs: next to the upper end of a support very short.
+pub fn tail_panel_length(heights: &dyn HeightDistribution) -> f64 {
+    let (lowest, highest) = heights.support();
+    if heights.is_piecewise_polynomial() {
+        return highest - lowest;
+    }
+    let mode = heights.last_mode();
+    let excess = excess_over(heights, TAIL);
+    let to = if highest.is_finite() { highest } else { outwards(mode, 1.0, |z| excess(z) < 0.0) };
+    let top = root::bracketed(excess, mode, to);
+    let (mut z, mut shortest) = (top.min(mode + TAIL_BEGINS), smooth_length(heights, top));
+    while z < top {
+        let length = smooth_length(heights, z);
+        shortest = shortest.min(length);
+        z += 0.5 * length;
+    }
+    shortest
+}
+
+/// ln phi over that so far below its largest value.
+fn excess_over(heights: &dyn HeightDistribution, fall: f64) -> impl Fn(f64) -> f64 + '_ {
+    let least = heights.log_density(heights.last_mode()) - fall;
+    // Finite where the density is 0.
+    move |z| (heights.log_density(z) - least).max(-1e3)
+}
+
+/// The first panel above a lower end where the density is a power, in the variable v of z = lower end + length v^power.
+///
+/// With it phi dz ~ v^(power (p + 1) - 1) is at least v^8, and what is a power series in z - lower end stays one.
+#[derive(Debug, Clone, Copy)]
+pub struct FootPanel {
+    /// Its length in z.
+    pub length: f64,
+    power: f64,
+}
+
+impl FootPanel {
+    /// The panel of these heights, no longer than `longest`; `None` where the density is no power at a lower end.
+    pub fn new(heights: &dyn HeightDistribution, longest: f64) -> Option<Self> {
+        let exponent = heights.power_at_lower_end()?;
+        Some(Self { length: longest.min(FOOT), power: (9.0 / (exponent + 1.0)).max(1.0) })
+    }
+
+    /// The height above the lower end and its derivative by v, for v from 0 to 1.
+    pub fn at(&self, v: f64) -> (f64, f64) {
+        let rise = self.length * pow(v, self.power);
+        (rise, self.power * rise / v)
+    }
+}
+
+/// The first of a row of ever larger steps away from a height at which something holds.
+fn outwards(z: f64, direction: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let mut step = 1.0;
+    while !holds(z + direction * step) && step < 1e100 {
+        step *= 2.0;
+    }
+    z + direction * step
+}
+
+/// How far above z one panel may reach, breakpoints apart.
+fn smooth_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
+    // Far from the mode densities change over lengths like the distance from there.
+    let mut length = (z - heights.last_mode())
+        .abs()
+        .max(4.0)
+        .min(OVER_DISTANCE * heights.distance_to_singularity(z))
+        .min(MOST_E_FOLDS / heights.log_density_slope(z).abs())
+        .max(SHORTEST);
+    while length > SHORTEST && !is_smooth(heights, z, z + length) {
+        length *= 0.75;
+    }
+    length
+}
+
+fn is_smooth(heights: &dyn HeightDistribution, from: f64, to: f64) -> bool {
+    let length = to - from;
+    let places = [from, 0.5 * (from + to), to];
+    if places.iter().any(|&z| length > OVER_DISTANCE * heights.distance_to_singularity(z)) {
+        return false;
+    }
+    let slopes = places.map(|z| heights.log_density_slope(z));
+    slopes.iter().all(|slope| length * slope.abs() <= MOST_E_FOLDS)
+        && slopes.windows(2).all(|half| length * (half[1] - half[0]).abs() <= MOST_BEND)
+}
+
+fn next_breakpoint(heights: &dyn HeightDistribution, z: f64) -> f64 {
+    let breakpoints = heights.breakpoints();
+    let z = z + slack(z);
+    breakpoints.get(breakpoints.partition_point(|&point| point <= z)).copied().unwrap_or(f64::INFINITY)
+}
+
+fn slack(z: f64) -> f64 {
+    AT_BREAKPOINT * (1.0 + z.abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::distribution::gaussian::Gaussian;
+    use crate::distribution::johnson;
+    use crate::distribution::tabulated::Tabulated;
+    use crate::distribution::weibull::Weibull;
+    use crate::elementary::exp;
+    use crate::gauss_legendre::nodes;
+    use std::sync::Arc;
+
+    /// Families and shapes from one end of the domain to the other.
+    fn families() -> Vec<Arc<dyn HeightDistribution>> {
+        let mut all: Vec<Arc<dyn HeightDistribution>> = vec![Arc::new(Gaussian)];
+        for shape in [1.0, 1.001, 1.1, 1.5, 2.0, 2.5, 3.602, 5.0, 7.3, 10.0, 20.0, 50.0, 100.0, 200.0] {
+            all.push(Arc::new(Weibull::new(shape).expect("a shape")));
+        }
+        for skew in [0.0_f64, 0.001, 0.1, 0.5, 1.0, 2.0, 3.0] {
+            let least = 1.87 + 1.25 * skew * skew;
+            for part in [0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0] {
+                for skew in [skew, -skew] {
+                    all.push(johnson::heights(skew, least + (100.0 - least) * part).expect("a curve"));
+                }
+            }
+        }
+        for density in [[1.0, 3.0, 1.0, 0.0, 0.0, 2.0], [0.0, 0.1, 4.0, 5.0, 1.0, 0.0]] {
+            all.push(Arc::new(Tabulated::new(&[0.0, 1.0, 2.0, 2.5, 3.0, 4.0], &density).expect("a table")));
+        }
+        all
+    }
+
+    /// The integrals of the density times powers of the height above the mean, by panels; and how many panels.
+    fn moments(heights: &dyn HeightDistribution) -> ([f64; 5], usize) {
+        let (mut moments, mut panels) = ([0.0; 5], 0);
+        let mut add = |z: f64, weight: f64| {
+            let mut term = weight * exp(heights.log_density(z));
+            for moment in &mut moments {
+                *moment += term;
+                term *= z + heights.origin();
+            }
+        };
+        let (lowest, highest) = heights.support();
+        // The fourth moment needs more of a heavy tail than other sums.
+        let is_left = excess_over(heights, 3.0 * NEGLIGIBLE);
+        let mut z = lower_cut_at(heights, 3.0 * NEGLIGIBLE);
+        if z == lowest {
+            if let Some(foot) = FootPanel::new(heights, f64::MAX) {
+                for (v, weight) in nodes(0.0, 1.0) {
+                    let (rise, rate) = foot.at(v);
+                    add(z + rise, weight * rate);
+                }
+                z += foot.length;
+                panels += 1;
+            }
+        }
+        while z < highest && (z < heights.last_mode() || is_left(z) > 0.0) {
+            let to = (z + panel_length(heights, z)).min(highest);
+            nodes(z, to).for_each(|(x, weight)| add(x, weight));
+            z = to;
+            panels += 1;
+        }
+        (moments, panels)
+    }
+
+    /// Down to exp(-138) of the largest density in 35 panels for Gaussian heights, 24 to 39 for Weibull heights and 24 to 60
+    /// for Johnson's.
+    #[test]
+    fn panels_give_the_moments_of_heights_to_rounding() {
+        for heights in families() {
+            let (found, panels) = moments(&*heights);
+            for (power, expected) in [1.0, 0.0, 1.0, heights.skew(), heights.kurtosis()].into_iter().enumerate() {
+                let error = (found[power] - expected) / expected.abs().max(1.0);
+                assert!(error.abs() < 3e-14, "moment {power}: {error:e} in {panels} panels of {heights:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_panel_that_is_as_long_as_it_may_be_is_one_panel() {
+        for heights in families() {
+            for i in 0..100 {
+                let z = heights.last_mode() + 0.05 * f64::from(i) + 1e-3;
+                let length = panel_length(&*heights, z);
+                if z + length >= heights.support().1 {
+                    break;
+                }
+                assert!(is_one_panel(&*heights, z, z + 0.999 * length), "{z} of {heights:?}");
+                assert!(!is_one_panel(&*heights, z, z + 1.5 * length), "{z} of {heights:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn little_is_left_below_the_lower_cut() {
+        for heights in families() {
+            let (lowest, _) = heights.support();
+            let cut = lower_cut(&*heights);
+            // Next to an end a unit in the last place of the height is many of the density.
+            let fall = heights.log_density(heights.last_mode()) - heights.log_density(cut);
+            assert!(cut == lowest || (fall - NEGLIGIBLE).abs() < 0.1, "{cut} of {heights:?}");
+        }
+    }
+
+    #[test]
+    fn a_panel_of_the_tail_is_short_enough_wherever_it_lies() {
+        for heights in families() {
+            let length = tail_panel_length(&*heights);
+            assert!(length > 0.0, "{length} of {heights:?}");
+            for i in 0..100 {
+                let from = heights.last_mode() + 0.1 * f64::from(i) + 0.5;
+                let middle = from + 0.5 * length;
+                let sum = |a: f64, b: f64| -> f64 {
+                    nodes(a, b)
+                        .map(|(z, weight)| weight * exp(heights.log_density(z) - heights.log_density(from)))
+                        .sum()
+                };
+                if heights.log_density(heights.last_mode()) - heights.log_density(from + length) > TAIL {
+                    break;
+                }
+                let error = sum(from, middle + 0.5 * length) / (sum(from, middle) + sum(middle, from + length)) - 1.0;
+                let rounding = f64::EPSILON * (1.0 + from.abs()) / length;
+                assert!(error.abs() < 1e-12 + 8.0 * rounding, "{error:e} from {from} of {heights:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,443 @@
+//! Heights of a measured density: a table, joined by a monotone cubic cumulative distribution and standardised.
+//!
+//! Between two heights of the table the density is a parabola through the two densities. Its mass is that of the monotone
+//! cubic through them (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980, 238-246; slopes of Fritsch and Butland, SIAM J.
+//! Sci. Stat. Comput. 5, 1984, 300-304), limited so that the parabola is monotonic. The cumulative distribution is then the
+//! cubic Hermite interpolant of its values at the heights with the densities as slopes, and monotonic; no density is
+//! negative, and none is larger than all of the table. Zero densities at the ends are left out up to the last one.
+
+use super::HeightDistribution;
+use crate::elementary::log;
+use crate::error::Error;
+use crate::float_bits::finite;
+use crate::gauss_legendre::{integrate_short, POINTS};
+
+/// How many heights a table may have: each is a kink of the friction law, and the table of the law resolves no more.
+pub const LENGTHS: (usize, usize) = (3, 256);
+/// No height of the support is farther from the mean, in standard deviations.
+const FARTHEST: f64 = 1e4;
+/// The highest height is made the origin unless it is farther from the mean than this, in standard deviations.
+const FARTHEST_ORIGIN: f64 = 16.0;
+/// Larger heights could overflow when combined.
+const LARGEST_HEIGHT: f64 = 1e300;
+/// Neighbouring heights are at least this part of the range of the support apart: a step may be that steep.
+const NEAREST: f64 = 1e-12;
+/// A standardised density of a table.
+#[derive(Debug)]
+pub struct Tabulated {
+    /// Heights of the support, from the origin.
+    knots: Vec<f64>,
+    /// The density between each and the next.
+    pieces: Vec<Piece>,
+    mode: f64,
+    origin: f64,
+    skew: f64,
+    kurtosis: f64,
+}
+
+/// The density on a piece of the support: (1 - t) lower + t upper + t (1 - t) bulge with t from 0 to 1.
+#[derive(Debug, Clone, Copy)]
+struct Piece {
+    lower: f64,
+    upper: f64,
+    bulge: f64,
+}
+
+impl Piece {
+    /// The density so far below the next height and so far above the last.
+    fn at(&self, below: f64, above: f64) -> f64 {
+        let t = above / (above + below);
+        let rest = below / (above + below);
+        rest * self.lower + t * self.upper + t * rest * self.bulge
+    }
+
+    /// Its derivative by height.
+    fn slope(&self, below: f64, above: f64) -> f64 {
+        let length = above + below;
+        (self.upper - self.lower + (below - above) / length * self.bulge) / length
+    }
+}
+
+impl Tabulated {
+    /// The density of a table of heights in any unit and from any origin, which need not be normalised.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] or [`Error::InvalidEntry`] naming the first offence; [`Error::OutOfRange`].
+    pub fn new(height: &[f64], density: &[f64]) -> Result<Self, Error> {
+        let (height, density) = checked(height, density)?;
+        // Heights as parts of the range of the support, densities as parts of the largest.
+        let range = height[height.len() - 1] - height[0];
+        let part: Vec<f64> = height.iter().map(|h| (h - height[0]) / range).collect();
+        let largest = density.iter().fold(0.0_f64, |largest, &d| largest.max(d));
+        let relative: Vec<f64> = density.iter().map(|d| d / largest).collect();
+        let pieces = pieces(&part, &relative);
+
+        let moment = |of: &dyn Fn(f64) -> f64| -> f64 {
+            // Of degree 6 at most.
+            pieces
+                .iter()
+                .zip(part.windows(2))
+                .map(|(p, ends)| integrate_short(ends[0], ends[1], |x| p.at(ends[1] - x, x - ends[0]) * of(x)))
+                .sum()
+        };
+        let mass = moment(&|_| 1.0);
+        let mean = moment(&|x| x) / mass;
+        let central = |power: i32| moment(&|x| (x - mean).powi(power)) / mass;
+        let deviation = central(2).sqrt();
+        if 1.0 > FARTHEST * deviation {
+            return Err(Error::OutOfRange {
+                name: "table_height range over standard deviation",
+                value: (1.0 / deviation).into(),
+                allowed: "must be at most 1e4: leave heights out that nearly no summit has",
+            });
+        }
+        let highest = (1.0 - mean) / deviation;
+        let origin = if highest <= FARTHEST_ORIGIN { highest } else { 0.0 };
+        let zero = if origin == 0.0 { mean } else { 1.0 };
+        let scale = deviation / mass;
+        let scaled = |p: &Piece| Piece { lower: p.lower * scale, upper: p.upper * scale, bulge: p.bulge * scale };
+        let last_rise = relative.windows(2).rposition(|ends| ends[1] > ends[0]);
+        let knots: Vec<f64> = part.iter().map(|x| (x - zero) / deviation).collect();
+        let pieces: Vec<Piece> = pieces.iter().map(scaled).collect();
+        Ok(Self {
+            mode: knots[last_rise.map_or(0, |i| i + 1)],
+            knots,
+            pieces,
+            origin,
+            skew: central(3) / deviation.powi(3),
+            kurtosis: central(4) / deviation.powi(4),
+        })
+    }
+
+    /// The piece that holds a height of the support; at a height of the table the one below it.
+    fn piece_of(&self, z: f64) -> usize {
+        self.knots.partition_point(|&knot| knot < z).clamp(1, self.pieces.len()) - 1
+    }
+
+    fn density_on(&self, piece: usize, z: f64) -> f64 {
+        self.pieces[piece].at(self.knots[piece + 1] - z, z - self.knots[piece])
+    }
+
+    fn density(&self, z: f64) -> f64 {
+        let (lower, upper) = self.support();
+        if z < lower || z > upper {
+            return 0.0;
+        }
+        self.density_on(self.piece_of(z), z)
+    }
+}
+
+impl HeightDistribution for Tabulated {
+    fn origin(&self) -> f64 {
+        self.origin
+    }
+
+    fn support(&self) -> (f64, f64) {
+        (self.knots[0], self.knots[self.knots.len() - 1])
+    }
+
+    fn log_density(&self, z: f64) -> f64 {
+        log(self.density(z))
+    }
+
+    fn log_density_slope(&self, z: f64) -> f64 {
+        let piece = self.piece_of(z);
+        let density = self.density_on(piece, z);
+        if density == 0.0 {
+            return 0.0;
+        }
+        self.pieces[piece].slope(self.knots[piece + 1] - z, z - self.knots[piece]) / density
+    }
+
+    fn densities(&self, z: [f64; POINTS]) -> [f64; POINTS] {
+        // As a rule all nodes of a panel lie on one piece.
+        let piece = self.piece_of(z[POINTS / 2]);
+        let within = self.knots[piece]..=self.knots[piece + 1];
+        z.map(|z| if within.contains(&z) { self.density_on(piece, z) } else { self.density(z) })
+    }
+
+    /// Its singularities are its breakpoints.
+    fn distance_to_singularity(&self, _z: f64) -> f64 {
+        f64::INFINITY
+    }
+
+    fn breakpoints(&self) -> &[f64] {
+        &self.knots
+    }
+
+    fn is_piecewise_polynomial(&self) -> bool {
+        true
+    }
+
+    fn last_mode(&self) -> f64 {
+        self.mode
+    }
+
+    fn skew(&self) -> f64 {
+        self.skew
+    }
+
+    fn kurtosis(&self) -> f64 {
+        self.kurtosis
+    }
+}
+
+/// Whether a table may have so many heights.
+///
+/// # Errors
+/// [`Error::InvalidParameter`] for too few, [`Error::OutOfRange`] for too many.
+pub fn check_length(length: usize) -> Result<(), Error> {
+    let (name, value, (fewest, most)) = ("table_length", (length as f64).into(), LENGTHS);
+    if length < fewest {
+        return Err(Error::InvalidParameter { name, value, allowed: "must be at least 3" });
+    }
+    if length > most {
+        let allowed = "must be at most 256, as many as the law can resolve: take wider bins, or smooth and resample";
+        return Err(Error::OutOfRange { name, value, allowed });
+    }
+    Ok(())
+}
+
+/// A table that has a meaning, without what lies beyond its support.
+fn checked<'a>(height: &'a [f64], density: &'a [f64]) -> Result<(&'a [f64], &'a [f64]), Error> {
+    check_length(height.len())?;
+    if density.len() != height.len() {
+        return Err(Error::InvalidParameter {
+            name: "length of table_density",
+            value: (density.len() as f64).into(),
+            allowed: "must be that of table_height",
+        });
+    }
+    for (index, (&h, &d)) in height.iter().zip(density).enumerate() {
+        let entry = |name, value: f64, allowed| Error::InvalidEntry { name, index, value, allowed };
+        if !finite(h) {
+            return Err(entry("table_height", h, "must be finite"));
+        }
+        if index > 0 && h <= height[index - 1] {
+            return Err(entry("table_height", h, "must be greater than the height before it"));
+        }
+        if !finite(d) || d < 0.0 {
+            return Err(entry("table_density", d, "must be finite and >= 0"));
+        }
+    }
+    let (lowest, highest) = (height[0], height[height.len() - 1]);
+    if lowest < -LARGEST_HEIGHT || highest > LARGEST_HEIGHT {
+        let value = if highest > LARGEST_HEIGHT { highest } else { lowest };
+        return Err(Error::OutOfRange {
+            name: "table_height",
+            value: value.into(),
+            allowed: "must be between -1e300 and 1e300; choose another unit",
+        });
+    }
+    let Some(first) = density.iter().position(|&d| d > 0.0) else {
+        return Err(Error::InvalidParameter {
+            name: "table_density",
+            value: 0.0.into(),
+            allowed: "must be > 0 at one height at least",
+        });
+    };
+    let last = density.iter().rposition(|&d| d > 0.0).unwrap_or(first);
+    let support = first.saturating_sub(1)..(last + 2).min(height.len());
+    let range = height[support.end - 1] - height[support.start];
+    for index in support.clone().skip(1) {
+        if height[index] - height[index - 1] < NEAREST * range {
+            return Err(Error::InvalidEntry {
+                name: "table_height",
+                index,
+                value: height[index],
+                allowed: "must be greater than the height before it by 1e-12 of their range at least",
+            });
+        }
+    }
+    Ok((&height[support.clone()], &density[support]))
+}
+
+/// The density between each height and the next.
+fn pieces(height: &[f64], density: &[f64]) -> Vec<Piece> {
+    let secants: Vec<f64> =
+        height.windows(2).zip(density.windows(2)).map(|(h, d)| (d[1] - d[0]) / (h[1] - h[0])).collect();
+    let slope = |i: usize| {
+        if i == 0 || i == secants.len() {
+            return secants[i.saturating_sub(1)];
+        }
+        let (before, after) = (secants[i - 1], secants[i]);
+        if before.signum() != after.signum() {
+            return 0.0;
+        }
+        // A harmonic mean: also 0 where one of the two is.
+        let (left, right) = (height[i] - height[i - 1], height[i + 1] - height[i]);
+        let (w1, w2) = (2.0 * right + left, right + 2.0 * left);
+        (w1 + w2) / (w1 / before + w2 / after)
+    };
+    (0..secants.len())
+        .map(|i| {
+            let rise = (density[i + 1] - density[i]).abs();
+            // Six times what the mass over the length is above the mean of the two densities.
+            let bulge = -0.5 * (height[i + 1] - height[i]) * (slope(i + 1) - slope(i));
+            Piece { lower: density[i], upper: density[i + 1], bulge: bulge.clamp(-rise, rise) }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Value;
+
+    fn near(a: f64, b: f64, tolerance: f64) -> bool {
+        (a - b).abs() <= tolerance * b.abs()
+    }
+
+    /// Uneven heights with uneven densities, zero in the middle and at one end.
+    fn uneven(count: usize) -> (Vec<f64>, Vec<f64>) {
+        let height = (0..count).map(|i| i as f64 + 0.3 * (i as f64).sin()).collect();
+        let density = (0..count).map(|i| if i == 5 || i == 6 { 0.0 } else { 2.0 + (1.7 * i as f64).cos() });
+        (height, density.collect())
+    }
+
+    /// The mean of a function of the height above the mean.
+    fn mean(table: &Tabulated, f: impl Fn(f64) -> f64) -> f64 {
+        let pieces = table.knots.windows(2);
+        pieces.map(|ends| integrate_short(ends[0], ends[1], |z| table.density(z) * f(z + table.origin()))).sum()
+    }
+
+    #[test]
+    fn the_density_is_that_of_the_table_at_its_heights_and_standardised() {
+        let (height, density) = uneven(20);
+        let table = Tabulated::new(&height, &density).expect("a table");
+        let knots = &table.knots;
+        let scale = (knots[19] - knots[0]) / (height[19] - height[0]);
+        let unit = table.density(knots[3]) / density[3];
+        for i in 0..20 {
+            assert!((knots[i] - knots[0] - scale * (height[i] - height[0])).abs() < 1e-14, "{i}");
+            assert!((table.density(knots[i]) - unit * density[i]).abs() < 1e-14, "{i}");
+        }
+        assert_eq!(table.support(), (knots[0], 0.0));
+        assert_eq!([table.density(knots[0] - 1e-9), table.density(1e-9)], [0.0; 2]);
+        let expected = [1.0, 0.0, 1.0, table.skew(), table.kurtosis()];
+        for (power, expected) in expected.into_iter().enumerate() {
+            let found = mean(&table, |z| z.powi(power as i32));
+            assert!((found - expected).abs() < 1e-13, "moment {power}: {found}, not {expected}");
+        }
+        // Between two heights the density stays between theirs.
+        for (i, ends) in knots.windows(2).enumerate() {
+            for part in [0.1, 0.5, 0.9] {
+                let found = table.density(ends[0] + part * (ends[1] - ends[0])) / unit;
+                let (low, high) = (density[i].min(density[i + 1]), density[i].max(density[i + 1]));
+                assert!(found > low - 1e-13 && found < high + 1e-13, "{found} between {low} and {high}");
+            }
+        }
+    }
+
+    /// A straight line has the mass of its trapezium, a parabola through three points nearly that of Simpson's rule.
+    #[test]
+    fn masses_of_pieces_are_those_of_the_monotone_cubic() {
+        let line = Tabulated::new(&[0.0, 1.0, 2.0, 4.0], &[0.0, 1.0, 2.0, 4.0]).expect("a table");
+        assert!(near(line.skew(), -0.4 * 2.0_f64.sqrt(), 1e-13), "{}", line.skew());
+        assert!(near(line.kurtosis(), 2.4, 1e-13), "{}", line.kurtosis());
+        // Slopes of Fritsch and Butland: secants at the ends; of 2 and 1.5 over lengths 2 and 1, (4 + 5)/(4/2 + 5/1.5).
+        let bent = pieces(&[1.0, 3.0, 4.0], &[0.5, 4.5, 6.0]);
+        let middle = 9.0 / (4.0 / 2.0 + 5.0 / 1.5);
+        let expected = [-0.5 * 2.0 * (middle - 2.0), -0.5 * (1.5 - middle)];
+        assert!(near(bent[0].bulge, expected[0], 1e-14) && near(bent[1].bulge, expected[1], 1e-14), "{bent:?}");
+        // A maximum is flat, and the bulge no more than the rise.
+        let peak = pieces(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0]);
+        assert_eq!([peak[0].bulge, peak[1].bulge], [0.5, 0.5]);
+        // So is where it begins to be constant.
+        for density in [[0.0, 1.0, 1.0], [1.0, 1.0, 2.0], [2.0, 1.0, 1.0], [1.0, 1.0, 0.0]] {
+            let level = pieces(&[0.0, 1.0, 2.0], &density);
+            let bulges = [0.5 * (density[1] - density[0]), -0.5 * (density[2] - density[1])];
+            assert_eq!([level[0].bulge, level[1].bulge], bulges, "{density:?}");
+        }
+        let steep = pieces(&[0.0, 1.0, 11.0, 11.1], &[1.0, 0.5, 1.5, 100.0]);
+        assert_eq!(steep[1].bulge, -1.0);
+        // A parabola through three points.
+        assert_eq!(Piece { lower: 1.0, upper: 3.0, bulge: 2.0 }.at(1.0, 3.0), 2.875);
+    }
+
+    #[test]
+    fn zeros_at_the_ends_are_left_out_up_to_the_last() {
+        let height = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+        let support = |density: &[f64; 7]| {
+            let (height, of_support) = checked(&height, density).expect("a table");
+            assert_eq!(height.len(), of_support.len());
+            (height[0], height[height.len() - 1])
+        };
+        assert_eq!(support(&[0.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0]), (1.0, 4.0));
+        assert_eq!(support(&[0.0, 1.0, 1.0, 2.0, 0.0, 1.0, 0.0]), (0.0, 6.0));
+        assert_eq!(support(&[1.0; 7]), (0.0, 6.0));
+        assert_eq!(support(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]), (5.0, 6.0));
+        assert_eq!(support(&[1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]), (0.0, 1.0));
+        // They must be in order all the same.
+        let refused = checked(&[0.0, 2.0, 1.0, 3.0, 4.0, 5.0], &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0]);
+        assert!(matches!(refused, Err(Error::InvalidEntry { index: 2, .. })), "{refused:?}");
+        for unit in [1e-9, 1e9] {
+            let at = |x: f64| unit * (7.0 + x);
+            let near = |apart: f64| checked(&[at(0.0), at(1.0), at(1.0 + apart), at(2.0)], &[1.0; 4]).is_ok();
+            assert_eq!([near(0.9 * 2.0 * NEAREST), near(1.1 * 2.0 * NEAREST)], [false, true], "{unit:e}");
+        }
+        assert!(checked(&[0.0, NEAREST, 1.0], &[1.0; 3]).is_ok());
+    }
+
+    #[test]
+    fn tables_are_taken_up_to_the_limits_and_no_further() {
+        let table = |count: usize| {
+            let height: Vec<f64> = (0..count).map(|i| i as f64).collect();
+            Tabulated::new(&height, &vec![1.0; count]).map(|table| table.knots.len())
+        };
+        for (count, taken) in [(2, false), (3, true), (256, true), (257, false)] {
+            assert_eq!(table(count).is_ok(), taken, "{count}");
+        }
+        let high = |highest: f64| Tabulated::new(&[-LARGEST_HEIGHT, 0.0, highest], &[1.0; 3]).is_ok();
+        let low = |lowest: f64| Tabulated::new(&[lowest, 0.0, LARGEST_HEIGHT], &[1.0; 3]).is_ok();
+        assert!(high(LARGEST_HEIGHT) && !high(LARGEST_HEIGHT.next_up()));
+        assert!(low(-LARGEST_HEIGHT) && !low((-LARGEST_HEIGHT).next_down()));
+        // The message names the one that is too large.
+        let far = Tabulated::new(&[-2.0 * LARGEST_HEIGHT, 0.0, LARGEST_HEIGHT], &[1.0; 3]);
+        assert!(
+            matches!(far, Err(Error::OutOfRange { value, .. }) if value == (-2.0 * LARGEST_HEIGHT).into()),
+            "{far:?}"
+        );
+        // All but all of the summits within a small part of the range.
+        let narrow = |far: f64| Tabulated::new(&[0.0, 1.0, 2.0, far], &[1.0, 1.0, 0.0, 1e-300]);
+        let deviation = 1.0 / narrow(100.0).map(|table| table.knots[1] - table.knots[0]).expect("a table");
+        assert!(narrow(0.999 * FARTHEST * deviation).is_ok());
+        let refused = narrow(2.0 * FARTHEST * deviation);
+        let Err(Error::OutOfRange { value: Value::Real(range), .. }) = refused else { panic!("{refused:?}") };
+        assert!(near(range, 2.0 * FARTHEST, 1e-9), "{range}");
+        // The highest height is the origin where it is near.
+        let origin = |far: f64| narrow(far).expect("a table").origin();
+        assert!(origin(15.0 * deviation) > 10.0 && origin(18.0 * deviation) == 0.0);
+    }
+
+    #[test]
+    fn densities_side_by_side_are_those_of_each_height() {
+        let (height, density) = uneven(20);
+        let table = Tabulated::new(&height, &density).expect("a table");
+        for length in [0.1, 9.0] {
+            let z: [f64; POINTS] = std::array::from_fn(|i| length * (i as f64 / 15.0 - 0.9));
+            assert_eq!(table.densities(z), z.map(|z| table.density(z)));
+        }
+    }
+
+    #[test]
+    fn the_slope_is_that_of_a_secant() {
+        let (height, density) = uneven(20);
+        let table = Tabulated::new(&height, &density).expect("a table");
+        for ends in table.knots.windows(2).filter(|ends| table.density(ends[0]).min(table.density(ends[1])) > 0.0) {
+            let z = 0.3 * ends[0] + 0.7 * ends[1];
+            let secant = (table.log_density(z + 1e-6) - table.log_density(z - 1e-6)) / 2e-6;
+            assert!((table.log_density_slope(z) - secant).abs() < 1e-6 * (1.0 + secant.abs()), "{secant} at {z}");
+        }
+    }
+
+    #[test]
+    fn above_the_last_mode_the_density_only_falls() {
+        for (density, last) in
+            [([1.0, 3.0, 2.0, 2.5, 1.0], 3), ([5.0, 4.0, 4.0, 1.0, 0.0], 0), ([0.0, 1.0, 2.0, 3.0, 4.0], 4)]
+        {
+            let table = Tabulated::new(&[0.0, 1.0, 2.0, 3.0, 4.0], &density).expect("a table");
+            assert_eq!(table.last_mode(), table.knots[last]);
+        }
+    }
+}

@@ -1,0 +1,328 @@
+//! Weibull heights, eqs (18)-(21): standardised to mean 0 and standard deviation 1, so that the shape
+//! omega alone remains, and with it skew and kurtosis together.
+
+use super::HeightDistribution;
+use crate::elementary::{exp, exp_each, expm1, log, log1p, pow};
+use crate::error::Error;
+use crate::float_bits::finite;
+use crate::gauss_legendre::POINTS;
+use crate::root;
+
+/// The smallest and largest shape that is evaluated: below 1 the density has a pole at its lower end, and above 200 the
+/// distribution cannot be told from its limit by any surface.
+pub const SHAPE_RANGE: (f64, f64) = (1.0, 200.0);
+
+/// The skew of a Weibull distribution as omega -> infinity: -12 sqrt(6) zeta(3) / pi^3.
+pub const SKEW_LIMIT: f64 = -1.139_547_099_404_648_7;
+
+/// A standardised Weibull distribution.
+#[derive(Debug)]
+pub struct Weibull {
+    shape: f64,
+    /// ln B_1 = ln Gamma(1 + 1/omega).
+    ln_b1: f64,
+    /// z_M = B_1 / C of eq (20): the support begins at -z_M.
+    mean: f64,
+    /// ln(omega / z_M).
+    ln_shape_over_mean: f64,
+    skew: f64,
+    kurtosis: f64,
+}
+
+impl Weibull {
+    /// The distribution of shape omega.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] unless finite and positive, [`Error::OutOfRange`] outside [`SHAPE_RANGE`].
+    pub fn new(shape: f64) -> Result<Self, Error> {
+        let name = "weibull_shape";
+        if !finite(shape) || shape <= 0.0 {
+            return Err(Error::InvalidParameter { name, value: shape.into(), allowed: "must be finite and > 0" });
+        }
+        let (smallest, largest) = SHAPE_RANGE;
+        if shape < smallest || shape > largest {
+            let allowed = if shape < smallest {
+                "must be at least 1: below, the density is infinite at the lowest summit; take a table of heights"
+            } else {
+                "must be at most 200, where the skew is within 0.03 of its limit; take 200"
+            };
+            return Err(Error::OutOfRange { name, value: shape.into(), allowed });
+        }
+        Ok(Self::of_shape(shape))
+    }
+
+    fn of_shape(shape: f64) -> Self {
+        let Moments { ln_b1, variance, skew, kurtosis } = Moments::of(shape);
+        let mean = 1.0 / variance.sqrt();
+        Self { shape, ln_b1, mean, ln_shape_over_mean: log(shape / mean), skew, kurtosis }
+    }
+
+    /// The shape whose skew this is.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] at or below [`SKEW_LIMIT`], [`Error::OutOfRange`] outside what [`SHAPE_RANGE`] covers.
+    pub fn shape_of_skew(skew: f64) -> Result<f64, Error> {
+        if !finite(skew) || skew <= SKEW_LIMIT {
+            return Err(Error::InvalidParameter {
+                name: "skew",
+                value: skew.into(),
+                allowed: "must be finite and > -1.13955, the limit of the Weibull family",
+            });
+        }
+        let (smallest, largest) = SHAPE_RANGE;
+        let residual = |ln_shape: f64| Moments::of(exp(ln_shape)).skew - skew;
+        let (lower, upper) = (log(smallest), log(largest));
+        if residual(lower) < -1e-12 || residual(upper) > 1e-12 {
+            return Err(Error::OutOfRange {
+                name: "skew",
+                value: skew.into(),
+                allowed:
+                    "must be that of a Weibull shape between 1 and 200, -1.11002 to 2; Johnson heights have any skew \
+                          from -3 to 3",
+            });
+        }
+        Ok(exp(root::bracketed(residual, lower, upper)).clamp(smallest, largest))
+    }
+
+    /// ln(1 + z/z_M), ln of the height above the lower end over the mean height; finite at the end itself.
+    fn log_relative(&self, z: f64) -> f64 {
+        /// exp of less is 0.
+        const LOWEST: f64 = -745.0;
+        log1p((z / self.mean).max(-1.0)).max(LOWEST)
+    }
+
+    /// ln phi at each height of the support.
+    #[inline]
+    fn log_densities<const N: usize>(&self, z: [f64; N]) -> [f64; N] {
+        let relative = z.map(|z| self.log_relative(z));
+        // The logarithm of the cumulative hazard (C y)^omega at y = z + z_M.
+        let log_hazard = relative.map(|relative| self.shape * (self.ln_b1 + relative));
+        // Beyond these bounds a hazard is nothing, or the density is.
+        let hazard = exp_each(log_hazard.map(|log_hazard| log_hazard.clamp(-700.0, 600.0)));
+        std::array::from_fn(|i| {
+            // (omega - 1) ln y, which must be 0 at the lower end if omega is 1.
+            let power = self.shape * self.ln_b1 + (self.shape - 1.0) * relative[i];
+            self.ln_shape_over_mean + power - hazard[i]
+        })
+    }
+
+    /// The height of a given cumulative hazard.
+    fn height_of_hazard(&self, hazard: f64) -> f64 {
+        self.mean * expm1(log(hazard) / self.shape - self.ln_b1)
+    }
+}
+
+impl HeightDistribution for Weibull {
+    fn support(&self) -> (f64, f64) {
+        (-self.mean, f64::INFINITY)
+    }
+
+    fn log_density(&self, z: f64) -> f64 {
+        if z < -self.mean {
+            return f64::NEG_INFINITY;
+        }
+        let [log_density] = self.log_densities([z]);
+        log_density
+    }
+
+    fn log_density_slope(&self, z: f64) -> f64 {
+        let hazard = exp((self.shape * (self.ln_b1 + self.log_relative(z))).min(600.0));
+        (self.shape - 1.0 - self.shape * hazard) / (z + self.mean).max(f64::MIN_POSITIVE)
+    }
+
+    fn densities(&self, z: [f64; POINTS]) -> [f64; POINTS] {
+        let densities = exp_each(self.log_densities(z));
+        std::array::from_fn(|i| if z[i] < -self.mean { 0.0 } else { densities[i] })
+    }
+
+    fn distance_to_singularity(&self, z: f64) -> f64 {
+        z + self.mean
+    }
+
+    fn power_at_lower_end(&self) -> Option<f64> {
+        Some(self.shape - 1.0)
+    }
+
+    fn last_mode(&self) -> f64 {
+        self.height_of_hazard(1.0 - 1.0 / self.shape)
+    }
+
+    fn is_log_concave(&self) -> bool {
+        true
+    }
+
+    fn skew(&self) -> f64 {
+        self.skew
+    }
+
+    fn kurtosis(&self) -> f64 {
+        self.kurtosis
+    }
+}
+
+/// Eq (21), and what standardises the distribution.
+struct Moments {
+    ln_b1: f64,
+    /// Of heights over their mean.
+    variance: f64,
+    skew: f64,
+    kurtosis: f64,
+}
+
+impl Moments {
+    /// The cumulative hazard t is exponentially distributed, and heights are t^(1/omega): moments by the trapezoidal rule in
+    /// s = ln t. Its integrand exp(s - e^s) is analytic to a distance of pi/2, so that a step of 3/16 leaves nothing.
+    fn of(shape: f64) -> Self {
+        const STEP: f64 = 0.1875;
+        let nodes = || {
+            (-230..=24).map(|i| {
+                let s = STEP * f64::from(i);
+                (s / shape, STEP * exp(s - exp(s)))
+            })
+        };
+        // As differences from 1 and from B_1: heights of large shapes are nearly equal.
+        let ln_b1 = log1p(nodes().map(|(log_height, weight)| weight * expm1(log_height)).sum());
+        let mut central = [0.0; 3];
+        for (log_height, weight) in nodes() {
+            let distance = expm1(log_height - ln_b1);
+            let mut term = weight * distance;
+            for moment in &mut central {
+                term *= distance;
+                *moment += term;
+            }
+        }
+        let [variance, third, fourth] = central;
+        Self { ln_b1, variance, skew: third / pow(variance, 1.5), kurtosis: fourth / (variance * variance) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn near(a: f64, b: f64, tolerance: f64) -> bool {
+        (a - b).abs() <= tolerance * b.abs()
+    }
+
+    fn weibull(shape: f64) -> Weibull {
+        Weibull::new(shape).expect("a shape")
+    }
+
+    /// Table 1 of Adams and Muftu (2005); the last digits of 6.340 and 2.716 are the paper's rounding.
+    #[test]
+    fn moments_reproduce_table_1() {
+        let table = [
+            (40.74, 32.32, -1.0, 4.773),
+            (7.493, 6.340, -0.5, 3.258),
+            (3.602, 3.243, 0.0, 2.716),
+            (2.216, 2.098, 0.5, 3.028),
+            (1.564, 1.530, 1.0, 4.159),
+        ];
+        for (shape, mean, skew, kurtosis) in table {
+            let w = weibull(shape);
+            assert!(near(w.mean, mean, 5e-4), "mean {} at {shape}", w.mean);
+            assert!((w.skew - skew).abs() < 6e-4, "skew {} at {shape}", w.skew);
+            assert!((w.kurtosis - kurtosis).abs() < 1e-3, "kurtosis {} at {shape}", w.kurtosis);
+        }
+    }
+
+    /// Gamma(1 + n/omega) is (n/omega)!.
+    #[test]
+    fn moments_are_those_of_factorials() {
+        let root_pi = std::f64::consts::PI.sqrt();
+        for (shape, factorials) in [(1.0, [1.0, 2.0, 6.0, 24.0]), (2.0, [0.5 * root_pi, 1.0, 0.75 * root_pi, 2.0])] {
+            let [b1, b2, b3, b4]: [f64; 4] = factorials;
+            let variance = b2 - b1 * b1;
+            let third = b3 - 3.0 * b1 * b2 + 2.0 * b1 * b1 * b1;
+            let fourth = b4 - 4.0 * b1 * b3 + 6.0 * b1 * b1 * b2 - 3.0 * b1.powi(4);
+            let w = weibull(shape);
+            assert!(near(w.mean, b1 / variance.sqrt(), 1e-13), "{shape}: {}", w.mean);
+            assert!(near(w.skew, third / variance.powf(1.5), 1e-13), "{shape}: {}", w.skew);
+            assert!(near(w.kurtosis, fourth / (variance * variance), 1e-13), "{shape}: {}", w.kurtosis);
+        }
+    }
+
+    /// A mean of sqrt(6)/pi omega and Gumbel's moments.
+    #[test]
+    fn moments_of_large_shapes_are_those_of_the_limit() {
+        let limit = Weibull::of_shape(1e6);
+        assert!(near(limit.skew, SKEW_LIMIT, 1e-5) && near(limit.kurtosis, 5.4, 1e-5));
+        assert!(near(limit.mean, 1e6 * 6.0_f64.sqrt() / std::f64::consts::PI, 1e-5), "{}", limit.mean);
+    }
+
+    #[test]
+    fn the_density_is_what_the_hazard_loses() {
+        for shape in [1.0, 1.5, 3.602, 40.0, 200.0] {
+            let w = weibull(shape);
+            for hazard in [0.1, 1.0, 5.0, 30.0, 500.0] {
+                let [lower, upper] = [-1e-5, 1e-5].map(|step| w.height_of_hazard(hazard * (1.0 + step)));
+                let rate = 2e-5 * hazard / (upper - lower);
+                let found = w.log_density(w.height_of_hazard(hazard));
+                assert!((found - (rate.ln() - hazard)).abs() < 1e-8, "{shape}: {found} at {hazard}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_slope_is_that_of_a_secant() {
+        for shape in [1.0, 1.5, 3.602, 40.0, 200.0] {
+            let w = weibull(shape);
+            for hazard in [0.1, 1.0, 5.0, 30.0] {
+                let z = w.height_of_hazard(hazard);
+                let secant = (w.log_density(z + 1e-5) - w.log_density(z - 1e-5)) / 2e-5;
+                assert!((w.log_density_slope(z) - secant).abs() < 1e-5 * (1.0 + secant.abs()), "{shape}: {secant}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_density_begins_at_the_lower_end() {
+        for shape in [1.0, 1.001, 3.602, 200.0] {
+            let w = weibull(shape);
+            let (end, _) = w.support();
+            assert_eq!(w.log_density(end - 1e-9), f64::NEG_INFINITY, "{shape}");
+            assert_eq!(w.densities([end - 1e-9; POINTS]), [0.0; POINTS], "{shape}");
+            let (near, far) = (w.log_density(end + 1e-7), w.log_density(end + 1e-5));
+            assert!(((far - near) / 100.0_f64.ln() - (shape - 1.0)).abs() < 1e-3 * shape, "{shape}");
+        }
+        // Of shape 1 with a jump.
+        assert!(weibull(1.0).log_density(-1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn densities_side_by_side_have_the_same_bits() {
+        let w = weibull(2.5);
+        let z: [f64; POINTS] = std::array::from_fn(|i| 0.6 * i as f64 - 3.0);
+        assert_eq!(w.densities(z), z.map(|z| exp(w.log_density(z))));
+    }
+
+    #[test]
+    fn a_shape_is_that_of_its_skew() {
+        for shape in [1.0, 1.3, 3.602, 40.0, 200.0] {
+            let found = Weibull::shape_of_skew(weibull(shape).skew).expect("a shape");
+            assert!(near(found, shape, 1e-12 * shape), "{found}, not {shape}");
+        }
+        // What rounds to the end of the range is there.
+        assert_eq!(Weibull::shape_of_skew(2.0 + 1e-13), Ok(1.0));
+    }
+
+    #[test]
+    fn skews_are_taken_up_to_the_limits_and_no_further() {
+        for skew in [2.0 + 1e-9, weibull(200.0).skew - 1e-9, SKEW_LIMIT.next_up()] {
+            assert!(matches!(Weibull::shape_of_skew(skew), Err(Error::OutOfRange { name: "skew", .. })), "{skew}");
+        }
+        for skew in [SKEW_LIMIT, f64::NAN, f64::INFINITY] {
+            assert!(matches!(Weibull::shape_of_skew(skew), Err(Error::InvalidParameter { .. })), "{skew}");
+        }
+    }
+
+    #[test]
+    fn shapes_are_taken_up_to_the_limits_and_no_further() {
+        for shape in [1.0_f64.next_down(), 200.0_f64.next_up()] {
+            assert!(matches!(Weibull::new(shape), Err(Error::OutOfRange { .. })), "{shape}");
+        }
+        for shape in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(Weibull::new(shape), Err(Error::InvalidParameter { .. })), "{shape}");
+        }
+    }
+}
