@@ -49,9 +49,93 @@ pub struct PullOff {
     pub friction: f64,
 }
 
-/// The branch of equilibrium states under load control.
+/// The equilibrium states of a surface pair under load control, from heavy load to pull-off.
 #[derive(Debug, Clone)]
-pub struct Equilibrium {
+pub struct Branch {
+    population: Population,
+    equilibrium: Equilibrium,
+}
+
+/// A state on the branch.
+#[derive(Debug, Clone, Copy)]
+pub struct BranchPoint {
+    /// ln(load - pull-off load).
+    pub log_excess: f64,
+    /// Its derivative by separation.
+    pub rate: f64,
+    /// The sums over the summits.
+    pub sums: Sums,
+}
+
+impl Branch {
+    /// The branch of a population, which it owns.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] if there is a pull-off point that cannot be found, [`Error::OutOfRange`] if the load
+    /// there is not negative.
+    pub fn new(population: Population) -> Result<Self, Error> {
+        let equilibrium = Equilibrium::new(&population)?;
+        Ok(Self { population, equilibrium })
+    }
+
+    /// The branch that ends before a separation at which the load was found to rise already.
+    ///
+    /// # Errors
+    /// As [`Branch::new`].
+    pub fn ending_near(self, separation: f64) -> Result<Self, Error> {
+        let equilibrium = Equilibrium::ending_near(&self.population, separation)?;
+        Ok(Self { equilibrium, ..self })
+    }
+
+    /// The summits.
+    pub fn population(&self) -> &Population {
+        &self.population
+    }
+
+    /// The pull-off point; `None` without adhesion, or where its load is too small for a number.
+    pub fn pull_off(&self) -> Option<PullOff> {
+        self.equilibrium.pull_off()
+    }
+
+    /// The smallest load of the branch, where friction sets in: the pull-off load, or 0.
+    pub fn pull_off_load(&self) -> f64 {
+        self.equilibrium.pull_off_load()
+    }
+
+    /// The largest separation on the branch.
+    pub fn farthest(&self) -> f64 {
+        self.equilibrium.farthest()
+    }
+
+    /// The state at a separation on the branch.
+    pub fn log_excess(&self, separation: f64) -> BranchPoint {
+        let (log_excess, rate, sums) = self.equilibrium.log_excess(&self.population, separation);
+        BranchPoint { log_excess, rate, sums }
+    }
+
+    /// The separation at which ln(load - pull-off load) is this, and the sums there, from a guess if there is one.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`].
+    pub fn at_log_excess(&self, target: f64, guess: Option<f64>) -> Result<(f64, Sums), Error> {
+        self.equilibrium.at_log_excess(&self.population, target, guess)
+    }
+
+    /// The separations at which the sums are not smooth, in ascending order: where a height at which the density has a
+    /// kink, or begins, passes an overlap at which the law of one summit has one. Of heights that are smooth, where
+    /// nearly all pass such an overlap within a small part of it: there the sums are smooth on their own scale alone.
+    pub fn kinks(&self) -> Vec<f64> {
+        let population = &self.population;
+        let mut kinks = [population.kinks(), population.passings_of_foot(), population.deep_passings()].concat();
+        kinks.sort_by(f64::total_cmp);
+        kinks.dedup();
+        kinks
+    }
+}
+
+/// Where the branch of a population ends.
+#[derive(Debug, Clone)]
+struct Equilibrium {
     pull_off: Option<PullOff>,
     /// The largest separation on the branch.
     farthest: f64,

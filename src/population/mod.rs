@@ -38,6 +38,11 @@ use panels::{Sink, THETA_SPAN};
 use std::f64::consts::PI;
 use sums::Summit;
 
+/// Nearly all heights are within this of their mean, in sigma...
+const HALF_WIDTH: f64 = 8.0;
+/// ...and pass within a small part of an overlap as large as this.
+const DEEP: f64 = 40.0;
+
 /// The fineness of sums of which the sign is asked: every panel has as few points as there are.
 const ROUGH: f64 = 0.05;
 
@@ -177,6 +182,17 @@ impl Population {
         };
         passings.sort_by(f64::total_cmp);
         passings
+    }
+
+    /// The same for where nearly all of heights without kinks begin and end, of overlaps that all pass within a small part
+    /// of them: there the sums are smooth on the scale of the heights alone.
+    pub fn deep_passings(&self) -> Vec<f64> {
+        if !self.heights.knots().is_empty() {
+            return Vec::new();
+        }
+        let middle = -self.heights.origin();
+        let ends = [(middle - HALF_WIDTH).max(self.heights.foot()), middle + HALF_WIDTH];
+        ends.into_iter().flat_map(|z| self.passings(z)).filter(|&passing| passing < middle - DEEP).collect()
     }
 
     /// The separations at which a height passes the overlaps where the law of one summit has a kink.
