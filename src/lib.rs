@@ -15,21 +15,19 @@
 
 pub mod asperity;
 mod capi;
-#[allow(dead_code)]
-mod distribution;
+pub mod distribution;
 mod elementary;
 mod equilibrium;
 mod error;
 mod float_bits;
-pub mod gauss_legendre;
 pub mod groups;
 mod law;
 mod model;
+pub mod numerics;
 mod params;
 pub mod population;
 pub mod regularised;
-mod root;
-pub mod surface;
+pub mod spectrum;
 
 pub use error::{Error, Value};
 pub use model::{Model, State, Summary, WARNING_PLASTIC};

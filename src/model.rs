@@ -1,13 +1,13 @@
 //! A surface pair ready for use: all that a caller asks, in the caller's units.
 
-use crate::elementary::{cbrt, exp, log};
-use crate::equilibrium::Equilibrium;
+use crate::elementary::{cbrt, log};
+use crate::equilibrium::Branch;
 use crate::error::Error;
 use crate::float_bits::finite;
 use crate::groups::Groups;
-use crate::law::{self, Law, Row, Scales, Table};
+use crate::law::{Law, Row, Scales, Table, Unfollowed};
 use crate::params::Params;
-use crate::population::{out_of_panels, Contacts, Population, Sums};
+use crate::population::{Population, Statistics, Sums};
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
@@ -30,8 +30,7 @@ const FARTHEST_SEPARATION: f64 = 1e50;
 pub struct Model {
     params: Params,
     groups: Groups,
-    population: Population,
-    equilibrium: Equilibrium,
+    branch: Branch,
     law: Law,
     units: Units,
     /// 1 / max_friction_coefficient, of a finite one.
@@ -137,23 +136,22 @@ impl Model {
     pub fn new(params: &Params) -> Result<Self, Error> {
         let (groups, heights, radius) = params.surface()?;
         let units = Units::new(params);
-        let population = Population::new(&groups, params.slip, heights, radius, params.attraction);
+        let population = Population::new(&groups, params.slip, heights, radius, params.attraction)?;
         let scales = Scales { load: units.load, force: units.force };
-        let mut equilibrium = Equilibrium::new(&population)?;
-        let mut law = Law::new(&population, &equilibrium, scales);
+        let mut branch = Branch::new(population)?;
+        let mut law = Law::new(&branch, scales);
         for _ in 0..MOST_MINIMA {
-            match law {
-                // Following the branch found an earlier minimum than the search did.
-                Err(Error::NotConverged { what: law::BRANCH, value }) => {
-                    equilibrium = Equilibrium::ending_near(&population, value)?;
-                    law = Law::new(&population, &equilibrium, scales);
-                }
-                _ => break,
-            }
+            let Err(Unfollowed { separation }) = law else { break };
+            // Following the branch found an earlier minimum than the search did.
+            branch = branch.ending_near(separation)?;
+            law = Law::new(&branch, scales);
         }
-        let law = law?;
+        let law = law.map_err(|Unfollowed { separation }| Error::NotConverged {
+            what: "load on the branch at separation",
+            value: separation,
+        })?;
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(LARGEST_COEFFICIENT);
-        Ok(Self { params: params.clone(), groups, population, equilibrium, law, units, inverse_cap })
+        Ok(Self { params: params.clone(), groups, branch, law, units, inverse_cap })
     }
 
     /// The parameters it was made from.
@@ -211,7 +209,7 @@ impl Model {
         match self.equilibrium_at(load) {
             Ok((separation, sums)) => {
                 let slope = if self.is_pull_off(load) { f64::INFINITY } else { self.force_slope(separation, &sums) };
-                (self.units.of(self.units.force, &sums, sums.friction), slope)
+                (sums.friction * self.units.force, slope)
             }
             Err(Error::Separated { .. }) => (0.0, 0.0),
             // Without adhesion nothing is left at zero load.
@@ -257,7 +255,7 @@ impl Model {
 
     /// Whether a load is that of the pull-off point.
     fn is_pull_off(&self, load: f64) -> bool {
-        self.equilibrium.pull_off().is_some() && load == self.pull_off_load()
+        self.branch.pull_off().is_some() && load == self.pull_off_load()
     }
 
     /// The separation at a load, in sigma, and the sums there.
@@ -273,9 +271,9 @@ impl Model {
                 allowed: "must be below 1e80 composite_modulus burgers_vector^2 asperity_count",
             });
         }
-        if let Some(point) = self.equilibrium.pull_off() {
+        if let Some(point) = self.branch.pull_off() {
             if load == pull_off {
-                return Ok((point.separation, self.population.at_separation(point.separation)));
+                return Ok((point.separation, self.branch.population().at_separation(point.separation)));
             }
         } else if load == 0.0 {
             return Err(Error::OutOfRange {
@@ -287,7 +285,7 @@ impl Model {
         // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
         let log_excess = log(load - pull_off) - log(self.units.load);
         let guess = self.law.separation(log_excess);
-        self.equilibrium.at_log_excess(&self.population, log_excess, guess)
+        self.branch.at_log_excess(log_excess, guess)
     }
 
     /// The exact state at a separation, in contact or not, on the branch of load control or beyond it.
@@ -309,22 +307,22 @@ impl Model {
                 allowed: "must be within 1e50 height_std of zero",
             });
         }
-        let dimensionless = separation / self.units.length - self.population.heights().origin();
-        let sums = self.population.at_separation(dimensionless);
-        let load = self.units.of_load(&sums, sums.load());
+        let dimensionless = separation / self.units.length - self.branch.population().heights().origin();
+        let sums = self.branch.population().at_separation(dimensionless);
+        let load = sums.load() * self.units.load;
         self.state(load, dimensionless, &sums)
     }
 
     /// The constants of the model.
     pub fn summary(&self) -> Summary {
-        let pull_off = self.equilibrium.pull_off();
+        let pull_off = self.branch.pull_off();
         Summary {
             alpha: self.groups.alpha,
             beta: self.groups.beta,
             gamma: self.groups.gamma,
             lambda: cbrt(self.groups.lambda_cubed()),
-            skew: self.population.heights().skew(),
-            kurtosis: self.population.heights().kurtosis(),
+            skew: self.branch.population().heights().skew(),
+            kurtosis: self.branch.population().heights().kurtosis(),
             pull_off_load: self.pull_off_load(),
             pull_off_friction_force: pull_off.map_or(0.0, |point| point.friction * self.units.force),
             zero_load_friction_force: self.friction_force_at_load(0.0),
@@ -335,7 +333,7 @@ impl Model {
     }
 
     fn pull_off_load(&self) -> f64 {
-        self.equilibrium.pull_off_load() * self.units.load
+        self.branch.pull_off_load() * self.units.load
     }
 
     /// The inverse of the cap on friction coefficients: loads up to this times the force are capped.
@@ -378,13 +376,13 @@ impl Model {
     }
 
     fn is_on_branch(&self, separation: f64) -> bool {
-        separation <= self.equilibrium.farthest()
+        separation <= self.branch.farthest()
     }
 
     fn state(&self, load: f64, separation: f64, sums: &Sums) -> Result<State, Error> {
         let sums = &sums.known(separation)?;
         let units = &self.units;
-        let friction_force = units.of(units.force, sums, sums.friction);
+        let friction_force = sums.friction * units.force;
         let dforce_dload = self.force_slope(separation, sums);
         // Beyond pull-off no load is in equilibrium: a pulling one has no coefficient.
         let on_branch = self.is_on_branch(separation);
@@ -394,10 +392,12 @@ impl Model {
         } else {
             (0.0, 0.0)
         };
-        let contacting = units.of(units.count, sums, sums.contacting);
+        let contacting = sums.contacting * units.count;
         let contacts = match contacting > 0.0 {
-            true => self.population.contacts(separation, contacting).ok_or_else(|| out_of_panels(separation))?,
-            false => Contacts::default(),
+            true => {
+                self.branch.population().statistics(separation, contacting)?
+            }
+            false => Statistics::default(),
         };
         let [below, between, above] = contacts.by_regime;
         let mean_asperity_pressure =
@@ -405,22 +405,22 @@ impl Model {
         let plasticity_index = self.plasticity_index();
         Ok(State {
             load,
-            separation: (separation + self.population.heights().origin()) * units.length,
+            separation: (separation + self.branch.population().heights().origin()) * units.length,
             friction_force,
             friction_coefficient: coefficient,
             dforce_dload,
             dmu_dload,
-            dload_dseparation: units.of(units.load / units.length, sums, load_slope),
-            real_area: units.of(units.area, sums, sums.area),
+            dload_dseparation: load_slope * units.load / units.length,
+            real_area: sums.area * units.area,
             contacting,
-            attracted: units.of(units.count, sums, sums.attracted),
-            attraction_load: units.of_load(sums, sums.load_attracted),
+            attracted: sums.attracted * units.count,
+            attraction_load: sums.load_attracted * units.load,
             mean_contact_radius: contacts.mean_radius * self.params.burgers_vector,
             max_contact_radius: contacts.largest_radius * self.params.burgers_vector,
             fraction_below_slip_radius_1: below,
             fraction_between_slip_radii: between,
             fraction_above_slip_radius_2: above,
-            fraction_in_contact: units.of(1.0, sums, sums.contacting),
+            fraction_in_contact: sums.contacting,
             mean_asperity_pressure,
             plasticity_index,
             warnings: self.warnings(mean_asperity_pressure, plasticity_index),
@@ -467,21 +467,6 @@ impl Units {
             length: params.height_std,
             count: params.asperity_count,
         }
-    }
-
-    /// A sum in a unit; the scale of the sums and the unit together, since one may be tiny and the other large.
-    fn of(&self, unit: f64, sums: &Sums, value: f64) -> f64 {
-        if sums.log_scale > -600.0 {
-            exp(sums.log_scale) * unit * value
-        } else {
-            // In two steps: at the end of all numbers the factor has few digits.
-            let root = exp(0.5 * (sums.log_scale + log(unit)));
-            root * (root * value)
-        }
-    }
-
-    fn of_load(&self, sums: &Sums, value: f64) -> f64 {
-        self.of(self.load, sums, value)
     }
 }
 
@@ -530,12 +515,12 @@ mod tests {
             ..Params::default()
         };
         let model = Model::new(&params).expect("a model");
-        let mut separation = model.population.partings()[0];
+        let mut separation = model.branch.population().partings()[0];
         let mut rising = 0;
         for _ in 0..40 {
             separation = separation.next_up();
             assert!(model.is_on_branch(separation));
-            let sums = model.population.at_separation(separation).unscaled();
+            let sums = model.branch.population().at_separation(separation).unscaled();
             rising += u32::from(sums.load_slope > 0.0);
             let slope = model.force_slope(separation, &sums);
             assert!(slope > 0.0 && slope.is_finite(), "{slope:e} at {separation}");
@@ -581,7 +566,7 @@ mod tests {
     #[test]
     fn coefficients_end_with_the_branch() {
         let model = default_case();
-        let pull_off = model.equilibrium.farthest() * model.units.length;
+        let pull_off = model.branch.farthest() * model.units.length;
         let cap = model.params.max_friction_coefficient;
         for (off, coefficient) in [(-1e-6, cap), (0.0, cap), (1e-6, 0.0), (0.5, 0.0)] {
             let state = model.state_at_separation(pull_off + off * model.units.length).expect("a state");
@@ -599,7 +584,7 @@ mod tests {
     #[test]
     fn force_rises_without_limit_towards_pull_off_and_never_falls() {
         let model = default_case();
-        let pull_off = model.equilibrium.farthest();
+        let pull_off = model.branch.farthest();
         for step in 0..300 {
             let separation = pull_off - f64::from(step * step) * f64::EPSILON;
             let state = model.state_at_separation(separation * model.units.length).expect("a state");
@@ -662,7 +647,7 @@ mod tests {
             let (force, slope) = model.exact_force(state.load);
             assert!(near(force, state.friction_force, 1e-10) && near(slope, state.dforce_dload, 1e-8), "{force}");
         }
-        let (summary, point) = (model.summary(), model.equilibrium.pull_off().expect("a pull-off point"));
+        let (summary, point) = (model.summary(), model.branch.pull_off().expect("a pull-off point"));
         let pull_off = model.state_at_load(summary.pull_off_load).expect("a state");
         assert!(near(summary.pull_off_load, point.load * params.composite_modulus * 0.09 * 11.0, 1e-14));
         assert!(near(

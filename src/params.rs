@@ -4,12 +4,10 @@ use crate::asperity::slip::SlipConstants;
 use crate::error::Error;
 use crate::float_bits::{finite, infinite, nan};
 use crate::groups::Groups;
-use crate::surface::heights::johnson;
-use crate::surface::heights::tabulated::Tabulated;
-use crate::surface::heights::weibull::{self, Weibull};
-use crate::surface::heights::Heights;
-use crate::surface::radius::RadiusProfile;
-use crate::surface::spectrum::SpectralMoments;
+use crate::distribution::weibull::Weibull;
+use crate::distribution::{self, HeightDistribution};
+use crate::population::radius::RadiusProfile;
+use crate::spectrum::SpectralMoments;
 use std::sync::Arc;
 
 /// The family of the distribution of summit heights.
@@ -202,18 +200,7 @@ impl Params {
     /// [`Error::InvalidParameter`] at or below -1.13955, the limit of the family; [`Error::OutOfRange`] where the
     /// shape would lie outside what the library evaluates. The parameters are then as before.
     pub fn set_skew(&mut self, skew: f64) -> Result<(), Error> {
-        if !finite(skew) || skew <= weibull::SKEW_LIMIT {
-            return Err(Error::InvalidParameter {
-                name: "skew",
-                value: skew.into(),
-                allowed: "must be finite and > -1.13955, the limit of the Weibull family",
-            });
-        }
-        let shape = Weibull::shape_of_skew(skew).ok_or(Error::OutOfRange {
-            name: "skew",
-            value: skew.into(),
-            allowed: "must be that of a Weibull shape between 1 and 1e6: -1.13954 to 2",
-        })?;
+        let shape = Weibull::shape_of_skew(skew)?;
         self.heights = HeightFamily::Weibull { shape };
         Ok(())
     }
@@ -222,7 +209,7 @@ impl Params {
     ///
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`], naming the first offence.
-    pub(crate) fn surface(&self) -> Result<(Groups, Heights, RadiusProfile), Error> {
+    pub(crate) fn surface(&self) -> Result<(Groups, Arc<dyn HeightDistribution>, RadiusProfile), Error> {
         positive("composite_modulus", self.composite_modulus)?;
         positive("effective_shear_modulus", self.effective_shear_modulus)?;
         if self.work_of_adhesion.to_bits() << 1 != 0 {
@@ -233,7 +220,7 @@ impl Params {
         positive("height_std", self.height_std)?;
         positive("summit_radius", self.summit_radius)?;
         positive("asperity_count", self.asperity_count)?;
-        let heights = self.checked_heights()?;
+        let heights = distribution::heights(&self.heights)?;
         let radius = self.checked_radius(heights.origin())?;
         self.check_slip()?;
         if !infinite(self.max_friction_coefficient) {
@@ -285,34 +272,6 @@ impl Params {
         Ok((groups, heights, radius))
     }
 
-    fn checked_heights(&self) -> Result<Heights, Error> {
-        match &self.heights {
-            HeightFamily::Gaussian => Ok(Heights::Gaussian),
-            &HeightFamily::Weibull { shape } => {
-                if !finite(shape) || shape <= 0.0 {
-                    return Err(Error::InvalidParameter {
-                        name: "weibull_shape",
-                        value: shape.into(),
-                        allowed: POSITIVE,
-                    });
-                }
-                let (smallest, largest) = weibull::SHAPE_RANGE;
-                if shape < smallest || shape > largest {
-                    return Err(Error::OutOfRange {
-                        name: "weibull_shape",
-                        value: shape.into(),
-                        allowed: "must be between 1 and 1e6",
-                    });
-                }
-                Ok(Heights::Weibull(Box::new(Weibull::new(shape))))
-            }
-            &HeightFamily::Johnson { skew, kurtosis } => checked_johnson(skew, kurtosis),
-            HeightFamily::Tabulated { height, density } => {
-                Ok(Heights::Tabulated(Box::new(Tabulated::new(height, density)?)))
-            }
-        }
-    }
-
     fn checked_radius(&self, origin: f64) -> Result<RadiusProfile, Error> {
         let (amplitude, rate) = (self.radius_amplitude, self.radius_rate);
         if nan(amplitude) || !(-1.0..=1.0).contains(&amplitude) {
@@ -359,30 +318,6 @@ impl Params {
         }
         Ok(())
     }
-}
-
-/// Any skew, and any kurtosis above skew^2 + 1, have a meaning; not all are evaluated.
-fn checked_johnson(skew: f64, kurtosis: f64) -> Result<Heights, Error> {
-    if !finite(skew) {
-        return Err(Error::InvalidParameter { name: "skew", value: skew.into(), allowed: "must be finite" });
-    }
-    // Squares stay finite.
-    let bounded = skew.clamp(-1e150, 1e150);
-    if !finite(kurtosis) || johnson::above_least(bounded, kurtosis) <= 0.0 {
-        return Err(Error::InvalidParameter {
-            name: "kurtosis",
-            value: kurtosis.into(),
-            allowed: "must be finite and > skew^2 + 1, as that of every distribution",
-        });
-    }
-    if kurtosis > johnson::LARGEST_KURTOSIS {
-        return Err(Error::OutOfRange {
-            name: "kurtosis",
-            value: kurtosis.into(),
-            allowed: "must be at most 1e10: in heavier tails numbers overflow; so |skew| is below 1e5",
-        });
-    }
-    Ok(johnson::heights(skew, kurtosis))
 }
 
 fn positive(name: &'static str, value: f64) -> Result<(), Error> {

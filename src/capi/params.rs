@@ -4,7 +4,7 @@ use super::boundary::{wrong_struct_size, Failure};
 use crate::asperity::slip::SlipConstants;
 use crate::error::{Error, Value};
 use crate::params::{HeightFamily, Params};
-use crate::surface::heights::tabulated;
+use crate::distribution::tabulated;
 use std::mem::{offset_of, size_of};
 use std::sync::Arc;
 
@@ -235,13 +235,8 @@ impl asperity_params {
 
     /// A copy of the caller's table.
     unsafe fn table(&self) -> Result<HeightFamily, Failure> {
-        const _: () = assert!(tabulated::LENGTHS.0 == 3 && tabulated::LENGTHS.1 == 4096);
-        let (fewest, most) = tabulated::LENGTHS;
         let length = usize::try_from(self.table_length).unwrap_or(usize::MAX);
-        if length < fewest || length > most {
-            let value = Value::Integer(i64::try_from(self.table_length).unwrap_or(i64::MAX));
-            return Err(invalid("table_length", value, "must be between 3 and 4096"));
-        }
+        tabulated::check_length(length)?;
         let column = |name: &'static str, first: *const f64| {
             if first.is_null() {
                 return Err(Failure::Null(name));

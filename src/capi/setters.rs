@@ -5,7 +5,7 @@ use super::params::{asperity_params, checked_size, FIRST_SIZE};
 use super::status::asperity_status;
 use crate::error::Error;
 use crate::params::Params;
-use crate::surface::spectrum::SpectralMoments;
+use crate::spectrum::SpectralMoments;
 
 /// Lets a setter of the library's parameters change the caller's; what it does not change stays bit for bit.
 unsafe fn change(

@@ -11,7 +11,7 @@ pub mod weibull;
 
 use crate::elementary::exp_each;
 use crate::error::Error;
-use crate::gauss_legendre::POINTS;
+use crate::numerics::quadrature::POINTS;
 use crate::params::HeightFamily;
 use gaussian::Gaussian;
 use std::sync::Arc;

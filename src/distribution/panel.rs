@@ -5,7 +5,7 @@
 
 use super::HeightDistribution;
 use crate::elementary::pow;
-use crate::root;
+use crate::numerics::root;
 
 /// The largest length times the change of the slope of ln phi over either half, that of 3 sigma of a Gaussian density: over
 /// more, 16 points do not resolve its parabola.
@@ -170,7 +170,7 @@ mod tests {
     use crate::distribution::tabulated::Tabulated;
     use crate::distribution::weibull::Weibull;
     use crate::elementary::exp;
-    use crate::gauss_legendre::nodes;
+    use crate::numerics::quadrature::nodes;
     use std::sync::Arc;
 
     /// Families and shapes from one end of the domain to the other.

@@ -10,7 +10,7 @@ use super::HeightDistribution;
 use crate::elementary::log;
 use crate::error::Error;
 use crate::float_bits::finite;
-use crate::gauss_legendre::{integrate_short, POINTS};
+use crate::numerics::quadrature::{integrate_short, POINTS};
 
 /// How many heights a table may have: each is a kink of the friction law, and the table of the law resolves no more.
 pub const LENGTHS: (usize, usize) = (3, 256);

@@ -5,8 +5,8 @@ use super::HeightDistribution;
 use crate::elementary::{exp, exp_each, expm1, log, log1p, pow};
 use crate::error::Error;
 use crate::float_bits::finite;
-use crate::gauss_legendre::POINTS;
-use crate::root;
+use crate::numerics::quadrature::POINTS;
+use crate::numerics::root;
 
 /// The smallest and largest shape that is evaluated: below 1 the density has a pole at its lower end, and above 200 the
 /// distribution cannot be told from its limit by any surface.

@@ -8,13 +8,13 @@
 use super::reach::{Next, Reach};
 use super::CONDITIONS;
 use crate::elementary::{cos, exp, exp_each, log, log1p, sinh};
-use crate::equilibrium::Equilibrium;
-use crate::error::Error;
-use crate::population::Population;
+use crate::equilibrium::{Branch, BranchPoint};
 use std::f64::consts::LN_2;
 
 /// Exact states per panel.
 const NODES: usize = CONDITIONS / 2;
+/// Without adhesion, how near to the highest summit the branch is followed: loads there are no numbers.
+const LEAST_OVERLAP: f64 = 1e-100;
 /// The branch is followed from this separation of the means, in sigma; heavier loads are evaluated exactly.
 const CLOSEST: f64 = -12.0;
 /// The branch is followed from at least this much above the pull-off load, in ln(load).
@@ -24,8 +24,12 @@ const VALUE_TOLERANCE: f64 = 1e-11;
 const SLOPE_TOLERANCE: f64 = 1e-9;
 /// No more than about this many exact states are spent; lighter loads than they reach are evaluated exactly.
 const MOST_SAMPLES: usize = 800;
-/// What is not found where the load rises with separation already: the branch ends before.
-pub const BRANCH: &str = "load on the branch at separation";
+
+/// At this separation the load rises already, or cannot be had: the branch ends before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unfollowed {
+    pub separation: f64,
+}
 
 /// What s measures.
 #[derive(Debug, Clone, Copy)]
@@ -116,42 +120,37 @@ impl Curve {
     /// pull-off). Hands every exact state that is not a node to `check`.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] where the branch cannot be followed.
-    pub fn new(
-        population: &Population,
-        equilibrium: &Equilibrium,
-        log_range: impl Fn(f64) -> f64,
-        check: &mut Vec<Sample>,
-    ) -> Result<Self, Error> {
-        let log_pull_off = equilibrium.pull_off().map(|point| log(-point.load));
-        let force = equilibrium.pull_off().map_or(1.0, |point| point.friction);
+    /// [`Unfollowed`].
+    pub fn new(branch: &Branch, log_range: impl Fn(f64) -> f64, check: &mut Vec<Sample>) -> Result<Self, Unfollowed> {
+        let log_pull_off = branch.pull_off().map(|point| log(-point.load));
+        let force = branch.pull_off().map_or(1.0, |point| point.friction);
         let mut curve =
             Self { coordinate: Coordinate { log_pull_off, force }, panels: Vec::new(), samples: 0, resolved: true };
-        let end = match equilibrium.pull_off() {
+        let end = match branch.pull_off() {
             Some(point) => point.separation,
-            None => equilibrium.farthest() - population.least_overlap(),
+            None => branch.farthest() - LEAST_OVERLAP,
         };
-        let closest = CLOSEST - population.heights().origin();
-        let mut from = curve.sample(population, equilibrium, closest.min(end - 10.0))?;
+        let closest = CLOSEST - branch.population().heights().origin();
+        let mut from = curve.sample(branch, closest.min(end - 10.0))?;
         // Adhesion that is strong beside the roughness: on to loads well above pull-off.
         while log_pull_off.is_some_and(|pull_off| from.log_excess < pull_off + LOG_ABOVE_PULL_OFF) {
-            from = curve.sample(population, equilibrium, 1.5 * from.separation.min(closest))?;
+            from = curve.sample(branch, 1.5 * from.separation.min(closest))?;
         }
         let lightest = from.log_excess - log_range(from.log_excess);
         check.push(from);
-        let mut reach = Reach::new(population, equilibrium, end);
+        let mut reach = Reach::new(branch, end);
         curve.resolved = reach.is_resolved();
         let most_samples = MOST_SAMPLES + 2 * NODES * reach.kinks().len();
         while from.separation < end && from.log_excess > lightest && curve.samples < most_samples {
             match reach.next(from.separation, from.s) {
                 Next::Gap(to) => {
-                    let next = curve.sample(population, equilibrium, to)?;
+                    let next = curve.sample(branch, to)?;
                     curve.panels.push(Panel::gap(&from, &next));
                     curve.samples += 1;
                     from = next;
                 }
                 Next::Panel(stretch) => {
-                    let attempt = curve.attempt(population, equilibrium, from, stretch.to)?;
+                    let attempt = curve.attempt(branch, from, stretch.to)?;
                     if !reach.keeps(&stretch, attempt.excess) {
                         continue;
                     }
@@ -168,20 +167,14 @@ impl Curve {
     }
 
     /// A panel between two separations, and how well it meets the exact states that are not its nodes.
-    fn attempt(
-        &mut self,
-        population: &Population,
-        equilibrium: &Equilibrium,
-        from: Sample,
-        to: f64,
-    ) -> Result<Attempt, Error> {
+    fn attempt(&mut self, branch: &Branch, from: Sample, to: f64) -> Result<Attempt, Unfollowed> {
         let (middle, half) = (0.5 * (from.separation + to), 0.5 * (to - from.separation));
         let mut nodes = [from; NODES];
         for (j, node) in nodes.iter_mut().enumerate() {
             let angle = std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64;
-            *node = self.sample(population, equilibrium, middle - half * cos(angle))?;
+            *node = self.sample(branch, middle - half * cos(angle))?;
         }
-        let end = match equilibrium.pull_off() {
+        let end = match branch.pull_off() {
             Some(point) if point.separation == to => Sample {
                 separation: to,
                 log_excess: f64::NEG_INFINITY,
@@ -190,29 +183,29 @@ impl Curve {
                 slope: f64::NAN,
                 log_slope: f64::NAN,
             },
-            _ => self.sample(population, equilibrium, to)?,
+            _ => self.sample(branch, to)?,
         };
         let mut panel = Panel::new(from.s, end.s, &nodes);
         // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
-        let between = self.sample(population, equilibrium, middle + 0.1 * half)?;
+        let between = self.sample(branch, middle + 0.1 * half)?;
         let (first, last) = (nodes[0].separation, nodes[NODES - 1].separation);
         let sparse = panel.separation_at(panel.sparsest()).max(first).min(last);
-        let sparse = self.sample(population, equilibrium, sparse)?;
+        let sparse = self.sample(branch, sparse)?;
         self.samples += NODES + 3;
         let excess = [from, between, sparse, end].iter().map(|sample| panel.excess(sample)).fold(0.0, largest);
         panel.good = excess <= 1.0;
         Ok(Attempt { panel, between: [between, sparse], end, excess })
     }
 
-    fn sample(&self, population: &Population, equilibrium: &Equilibrium, separation: f64) -> Result<Sample, Error> {
-        let (log_excess, rate, sums) = equilibrium.log_excess(population, separation);
+    fn sample(&self, branch: &Branch, separation: f64) -> Result<Sample, Unfollowed> {
+        let BranchPoint { log_excess, rate, sums } = branch.log_excess(separation);
         // A load below that of the end is as far above it as can be told.
         let below_end = match self.coordinate.log_pull_off {
             Some(_) => log_excess <= log(f64::MIN_POSITIVE),
             None => sums.load() <= 0.0,
         };
         if !(rate < 0.0 && sums.friction > 0.0) || below_end {
-            return Err(Error::NotConverged { what: BRANCH, value: separation });
+            return Err(Unfollowed { separation });
         }
         let (s, s_rate) = self.coordinate.at(log_excess);
         let log_slope = sums.friction_slope / sums.friction / rate;
@@ -220,7 +213,7 @@ impl Curve {
             separation,
             log_excess,
             s,
-            log_force: log(sums.friction / self.coordinate.force) + sums.log_scale,
+            log_force: log(sums.friction / self.coordinate.force),
             slope: log_slope / s_rate,
             log_slope,
         })
@@ -402,9 +395,9 @@ mod tests {
     #[test]
     fn the_curve_reaches_from_its_heaviest_state_to_pull_off_or_as_light_as_asked_for() {
         for (gamma, range) in [(0.0, 20.0), (0.001, 20.0), (0.001, 1e3)] {
-            let (population, equilibrium) = branch(gamma);
+            let branch = branch(gamma);
             let mut states = Vec::new();
-            let curve = Curve::new(&population, &equilibrium, |_| range, &mut states).expect("a curve");
+            let curve = Curve::new(&branch, |_| range, &mut states).expect("a curve");
             let (lower, upper) = curve.log_range();
             assert!(near(upper, states[0].log_excess, 1e-13), "{upper}");
             assert!(upper - lower >= range && curve.is_resolved(), "{lower} to {upper}");
@@ -424,10 +417,8 @@ mod tests {
         }
     }
 
-    fn of(params: &Params) -> (Population, Equilibrium) {
-        let population = crate::population::tests::of(params);
-        let equilibrium = Equilibrium::new(&population).expect("a branch");
-        (population, equilibrium)
+    fn of(params: &Params) -> Branch {
+        Branch::new(crate::population::tests::of(params)).expect("a branch")
     }
 
     fn table(height: &[f64], density: &[f64]) -> HeightFamily {
@@ -438,11 +429,11 @@ mod tests {
     #[test]
     fn the_curve_begins_where_loads_are_heavy() {
         let heaviest = |params: &Params| {
-            let (population, equilibrium) = of(params);
+            let branch = of(params);
             let mut states = Vec::new();
-            Curve::new(&population, &equilibrium, |_| 5.0, &mut states).expect("a curve");
-            let pull_off = equilibrium.pull_off().expect("a pull-off point");
-            (states[0], pull_off, population.heights().origin())
+            Curve::new(&branch, |_| 5.0, &mut states).expect("a curve");
+            let pull_off = branch.pull_off().expect("a pull-off point");
+            (states[0], pull_off, branch.population().heights().origin())
         };
         // Measured from elsewhere than their mean.
         let (state, _, origin) =
@@ -471,26 +462,26 @@ mod tests {
     /// Without a pull-off load, of heights that end: down to where contacts have lost their digits.
     #[test]
     fn the_curve_of_heights_that_end_ends_next_to_them() {
-        let (population, equilibrium) = of(&Params {
+        let branch = of(&Params {
             heights: table(&[0.0, 1.0, 2.0, 4.0], &[0.0, 2.0, 3.0, 0.0]),
             work_of_adhesion: 0.0,
             ..Params::default()
         });
-        let curve = Curve::new(&population, &equilibrium, |_| 1e3, &mut Vec::new()).expect("a curve");
+        let curve = Curve::new(&branch, |_| 1e3, &mut Vec::new()).expect("a curve");
         let end = curve.separation(curve.log_range().0).expect("a separation");
-        let contact = population.heights().far_tail();
-        assert!(near(contact - end, population.least_overlap(), 1e-3), "{}", contact - end);
+        let contact = branch.population().heights().far_tail();
+        assert!(near(contact - end, branch.population().least_overlap(), 1e-3), "{}", contact - end);
     }
 
     #[test]
     fn a_panel_is_compared_between_its_nodes_and_its_states_are_counted() {
-        let (population, equilibrium) = branch(0.001);
-        let mut curve = Curve::new(&population, &equilibrium, |_| 1e3, &mut Vec::new()).expect("a curve");
+        let branch = branch(0.001);
+        let mut curve = Curve::new(&branch, |_| 1e3, &mut Vec::new()).expect("a curve");
         let spent = NODES + 3;
         let fewest = spent * curve.panels.len();
         assert!((fewest..=fewest + 4 * spent).contains(&curve.samples), "{} states", curve.samples);
-        let from = curve.sample(&population, &equilibrium, -1.0).expect("a state");
-        let Attempt { panel, between, end, .. } = curve.attempt(&population, &equilibrium, from, 0.5).expect("a panel");
+        let from = curve.sample(&branch, -1.0).expect("a state");
+        let Attempt { panel, between, end, .. } = curve.attempt(&branch, from, 0.5).expect("a panel");
         assert_eq!((panel.highest, panel.lowest, end.separation), (from.s, end.s, 0.5));
         let gap = panel.nodes.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
         let nearest =
@@ -503,8 +494,8 @@ mod tests {
     fn the_curve_of_a_table_with_many_kinks_is_followed_to_its_end() {
         let height: Vec<f64> = (0..55).map(f64::from).collect();
         let density: Vec<f64> = height.iter().map(|h| h * (54.0 - h)).collect();
-        let (population, equilibrium) = of(&Params { heights: table(&height, &density), ..Params::default() });
-        let curve = Curve::new(&population, &equilibrium, |_| 60.0, &mut Vec::new()).expect("a curve");
+        let branch = of(&Params { heights: table(&height, &density), ..Params::default() });
+        let curve = Curve::new(&branch, |_| 60.0, &mut Vec::new()).expect("a curve");
         assert!(curve.is_resolved() && curve.samples > MOST_SAMPLES + 500, "{} states", curve.samples);
         assert_eq!(curve.log_range().0, f64::NEG_INFINITY);
     }

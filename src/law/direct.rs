@@ -6,8 +6,7 @@
 use super::row::{error_within_tolerance, polynomial, Filling, Row, COEFFICIENTS};
 use super::MANTISSA_BITS;
 use crate::elementary::{exp, log, log1p};
-use crate::equilibrium::Equilibrium;
-use crate::population::Population;
+use crate::equilibrium::{Branch, BranchPoint};
 use std::f64::consts::LN_2;
 
 /// Where a row takes its states from, and where it is compared with one.
@@ -27,8 +26,7 @@ struct State {
 }
 
 struct Follower<'a> {
-    population: &'a Population,
-    equilibrium: &'a Equilibrium,
+    branch: &'a Branch,
     last: Option<[State; 2]>,
 }
 
@@ -36,12 +34,12 @@ impl Follower<'_> {
     fn evaluate(&self, separation: f64) -> Option<State> {
         #[cfg(test)]
         tests::EVALUATIONS.set(tests::EVALUATIONS.get() + 1);
-        let (log_excess, rate, sums) = self.equilibrium.log_excess(self.population, separation);
+        let BranchPoint { log_excess, rate, sums } = self.branch.log_excess(separation);
         (rate < 0.0 && sums.friction > 0.0).then(|| State {
             log_excess,
             separation,
             rate,
-            force: sums.friction * exp(sums.log_scale),
+            force: sums.friction,
             slope: sums.friction_slope / sums.friction / rate,
         })
     }
@@ -74,17 +72,11 @@ impl Follower<'_> {
 }
 
 /// Fills the rows that are left out, of which the first has these shifted bits; the largest error of those it keeps.
-pub fn fill(
-    filling: &Filling,
-    population: &Population,
-    equilibrium: &Equilibrium,
-    first: u64,
-    rows: &mut [Row],
-) -> f64 {
+pub fn fill(filling: &Filling, branch: &Branch, first: u64, rows: &mut [Row]) -> f64 {
     let width = (2.0_f64).powi(filling.shift as i32 - MANTISSA_BITS as i32);
     let per_binade = 1_u64 << (MANTISSA_BITS - filling.shift);
     let log_load = log(filling.scales.load);
-    let mut follower = Follower { population, equilibrium, last: None };
+    let mut follower = Follower { branch, last: None };
     // Where the row before ends.
     let mut joint: Option<State> = None;
     let mut worst = 0.0_f64;
@@ -186,8 +178,8 @@ mod tests {
     #[test]
     fn rows_from_states_are_rows_of_the_curve() {
         for gamma in [0.0, 0.001] {
-            let (population, equilibrium) = branch(gamma);
-            let curve = Curve::new(&population, &equilibrium, |_| 60.0, &mut Vec::new()).expect("a curve");
+            let branch = branch(gamma);
+            let curve = Curve::new(&branch, |_| 60.0, &mut Vec::new()).expect("a curve");
             let filling = Filling { curve: &curve, shift: MANTISSA_BITS - 6, scales: Scales { load: 3.0, force: 0.5 } };
             let first = f64::to_bits(0.95) >> filling.shift;
             let (expected, _) = filling.rows(first..=first + 23);
@@ -198,7 +190,7 @@ mod tests {
                 }
             }
             EVALUATIONS.set(0);
-            let error = fill(&filling, &population, &equilibrium, first, &mut rows);
+            let error = fill(&filling, &branch, first, &mut rows);
             // Fifteen rows of four states, in three runs that each begin with one found in two steps and one beside it.
             assert!(EVALUATIONS.get() <= 70, "{} evaluations", EVALUATIONS.get());
             assert!(error > 1e-16 && error < 5e-11, "{error:e}");
@@ -218,8 +210,8 @@ mod tests {
 
     #[test]
     fn a_state_next_to_the_one_asked_for_is_carried_there() {
-        let (population, equilibrium) = branch(0.001);
-        let mut follower = Follower { population: &population, equilibrium: &equilibrium, last: None };
+        let branch = branch(0.001);
+        let mut follower = Follower { branch: &branch, last: None };
         let beside = follower.evaluate(0.4).expect("a state");
         for missing in [0.9 * NEAR, -0.9 * NEAR] {
             let state = follower.state(beside.log_excess + missing, 0.4).expect("a state");
@@ -233,15 +225,15 @@ mod tests {
     /// Where the branch ends nothing is filled.
     #[test]
     fn rows_beyond_the_branch_stay_left_out() {
-        let (population, equilibrium) = branch(0.001);
-        let curve = Curve::new(&population, &equilibrium, |_| 60.0, &mut Vec::new()).expect("a curve");
+        let branch = branch(0.001);
+        let curve = Curve::new(&branch, |_| 60.0, &mut Vec::new()).expect("a curve");
         let filling = Filling { curve: &curve, shift: MANTISSA_BITS - 4, scales: Scales { load: 1.0, force: 1.0 } };
         let first = f64::to_bits(10.0 * curve.log_range().1.exp()) >> filling.shift;
         let mut rows = [Row([f64::NAN; COEFFICIENTS]); 3];
-        let beyond = Follower { population: &population, equilibrium: &equilibrium, last: None };
-        assert!(beyond.evaluate(equilibrium.farthest() - 0.5).is_some());
-        assert!(beyond.evaluate(equilibrium.farthest() + 0.5).is_none(), "the load rises there");
-        let error = fill(&filling, &population, &equilibrium, first, &mut rows);
+        let beyond = Follower { branch: &branch, last: None };
+        assert!(beyond.evaluate(branch.farthest() - 0.5).is_some());
+        assert!(beyond.evaluate(branch.farthest() + 0.5).is_none(), "the load rises there");
+        let error = fill(&filling, &branch, first, &mut rows);
         assert!(error == 0.0 && rows.iter().all(Row::is_left_out), "{error:e}, {rows:?}");
     }
 }

@@ -11,13 +11,11 @@ mod reach;
 mod row;
 
 use crate::elementary::{exp, log};
-use crate::equilibrium::Equilibrium;
-use crate::error::Error;
-use crate::population::Population;
+use crate::equilibrium::Branch;
 use curve::{Curve, Sample};
 use row::Filling;
 
-pub use curve::BRANCH;
+pub use curve::Unfollowed;
 pub use row::{polynomial, Row, COEFFICIENTS};
 
 /// Interpolation conditions per panel of the curve: value and slope at each of its exact states.
@@ -96,13 +94,13 @@ impl Law {
     /// Compiles the law.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] where the branch of equilibrium states cannot be followed.
-    pub fn new(population: &Population, equilibrium: &Equilibrium, scales: Scales) -> Result<Self, Error> {
+    /// [`Unfollowed`] where the load rises with separation already: the branch ends before.
+    pub fn new(branch: &Branch, scales: Scales) -> Result<Self, Unfollowed> {
         let mut samples = Vec::new();
-        let nearest = log(-equilibrium.pull_off_load() * NEAREST_TO_PULL_OFF);
+        let nearest = log(-branch.pull_off_load() * NEAREST_TO_PULL_OFF);
         let log_range =
             |heaviest: f64| if heaviest - nearest <= LOG_RANGE { LOG_RANGE } else { LOG_RANGE_WITHOUT_PULL_OFF };
-        let curve = Curve::new(population, equilibrium, log_range, &mut samples)?;
+        let curve = Curve::new(branch, log_range, &mut samples)?;
         let log_load = log(scales.load);
         let (lower, upper) = curve.log_range();
         let lower = nearest.max(lower) + log_load;
@@ -112,7 +110,7 @@ impl Law {
             rows: Vec::new(),
             shift: 0,
             base: 0,
-            pull_off: equilibrium.pull_off_load() * scales.load,
+            pull_off: branch.pull_off_load() * scales.load,
             error: 0.0,
             curve,
         };
@@ -126,7 +124,7 @@ impl Law {
             let filling = Filling { curve: &law.curve, shift, scales };
             let (mut rows, mut error) = filling.rows(first..=last);
             if !curve_is_resolved {
-                error = error.max(direct::fill(&filling, population, equilibrium, first, &mut rows));
+                error = error.max(direct::fill(&filling, branch, first, &mut rows));
             }
             let missing = rows.iter().filter(|row| row.is_left_out()).count();
             let binades = (rows.len() - missing) as f64 / f64::from(1 << fraction);
@@ -224,12 +222,10 @@ mod tests {
     use crate::params::Params;
 
     /// The paper's default case with another surface energy.
-    pub(super) fn branch(gamma: f64) -> (Population, Equilibrium) {
+    pub(super) fn branch(gamma: f64) -> Branch {
         let mut params = Params::default();
         params.set_dimensionless(0.01, 1000.0, gamma, 1.0, 0.3).expect("a surface");
-        let population = crate::population::tests::of(&params);
-        let equilibrium = Equilibrium::new(&population).expect("a branch");
-        (population, equilibrium)
+        Branch::new(crate::population::tests::of(&params)).expect("a branch")
     }
 
     const SCALES: Scales = Scales { load: 3.0, force: 0.5 };
@@ -237,19 +233,19 @@ mod tests {
     #[test]
     fn every_row_of_the_default_case_answers_from_next_to_pull_off_to_heavy_load() {
         for gamma in [0.0, 0.001] {
-            let (population, equilibrium) = branch(gamma);
-            let law = Law::new(&population, &equilibrium, SCALES).expect("a law");
+            let branch = branch(gamma);
+            let law = Law::new(&branch, SCALES).expect("a law");
             assert!(law.rows.iter().all(|row| !row.is_left_out()));
             assert!(law.error() > 1e-16 && law.error() < 5e-11, "{:e}", law.error());
             for log_excess in [-3.0, 0.0, 4.0] {
                 let separation = law.separation(log_excess).expect("it is covered");
-                let found = equilibrium.log_excess(&population, separation).0;
+                let found = branch.log_excess(separation).log_excess;
                 assert!((found - log_excess).abs() < 1e-4, "{found}, not {log_excess}");
             }
             let (lightest, heaviest) = law.range();
-            let heaviest_state = equilibrium.log_excess(&population, -12.0).0.exp() * SCALES.load;
+            let heaviest_state = branch.log_excess(-12.0).log_excess.exp() * SCALES.load;
             assert!(heaviest > 0.8 * heaviest_state && heaviest <= heaviest_state, "{heaviest}");
-            let pull_off = equilibrium.pull_off_load() * SCALES.load;
+            let pull_off = branch.pull_off_load() * SCALES.load;
             if gamma > 0.0 {
                 let nearest = -pull_off * NEAREST_TO_PULL_OFF;
                 assert!(lightest - pull_off >= nearest && lightest - pull_off < 1.6 * nearest, "{lightest}");
@@ -269,40 +265,11 @@ mod tests {
     }
 
     #[test]
-    fn of_the_sizes_of_rows_the_longest_is_taken_with_which_most_loads_are_answered() {
-        let binades = |rows: &[Row], shift: u32| {
-            rows.iter().filter(|row| !row.is_left_out()).count() as f64 / f64::from(1 << (MANTISSA_BITS - shift))
-        };
-        let mut taken = Vec::new();
-        // Of the third surface, shorter rows would be more than there may be.
-        for skew in [-1.0, 0.3, 1.0] {
-            let mut params = Params::default();
-            params.set_skew(skew).expect("a skew");
-            let population = crate::population::tests::of(&params);
-            let equilibrium = Equilibrium::new(&population).expect("a branch");
-            let law = Law::new(&population, &equilibrium, SCALES).expect("a law");
-            let answered = binades(&law.rows, law.shift);
-            let (first, last) = (law.base << law.shift, (law.base + law.rows.len() as u64) << law.shift);
-            for fraction in FRACTIONS {
-                let shift = MANTISSA_BITS - fraction;
-                let last = (last >> shift) - 1;
-                let range = (first >> shift).max(last + 1 - MOST_ROWS as u64)..=last;
-                let (rows, _) = Filling { curve: &law.curve, shift, scales: SCALES }.rows(range);
-                let other = binades(&rows, shift);
-                assert!(if shift > law.shift { other < answered } else { other <= answered }, "{skew}, 2^{fraction}");
-            }
-            assert!(law.rows.len() <= MOST_ROWS);
-            taken.push(MANTISSA_BITS - law.shift);
-        }
-        assert_eq!(taken, [FRACTIONS[0], FRACTIONS[1], FRACTIONS[0]], "the surfaces no longer differ");
-    }
-
-    #[test]
     fn a_row_is_left_out_where_it_misses_an_exact_state_and_only_there() {
-        let (population, equilibrium) = branch(0.001);
-        let law = Law::new(&population, &equilibrium, SCALES).expect("a law");
+        let branch = branch(0.001);
+        let law = Law::new(&branch, SCALES).expect("a law");
         let mut states = Vec::new();
-        Curve::new(&population, &equilibrium, |_| LOG_RANGE, &mut states).expect("a curve");
+        Curve::new(&branch, |_| LOG_RANGE, &mut states).expect("a curve");
         let state = states[states.len() / 2];
         let x = state.log_excess.exp() * SCALES.load;
         let (row, _) = law.row_at_excess(x).expect("a row");
@@ -321,51 +288,6 @@ mod tests {
             assert_eq!(certified(0.0, 3.0 * sign * SLOPE_TOLERANCE), (vec![row], 0.0));
             let (left_out, error) = certified(0.3 * sign * VALUE_TOLERANCE, 0.3 * sign * SLOPE_TOLERANCE);
             assert!(left_out.is_empty() && (error / (0.3 * VALUE_TOLERANCE) - 1.0).abs() < 0.1, "{error:e}");
-        }
-    }
-
-    /// Of the contact law, in four states: what starting values, cuts and lengths of panels save. The sums themselves are
-    /// compared with reference rows. The second number is of contacts told apart by their radius.
-    #[test]
-    fn sums_take_few_evaluations() {
-        use crate::asperity::maugis::tests::EVALUATIONS;
-        use crate::params::HeightFamily;
-        let height: Vec<f64> = (0..40).map(f64::from).collect();
-        let density: Vec<f64> = height.iter().map(|h| (-0.01 * (h - 18.0) * (h - 18.0)).exp()).collect();
-        let table = HeightFamily::Tabulated { height: height.into(), density: density.into() };
-        let johnson = |skew: f64, kurtosis: f64| HeightFamily::Johnson { skew, kurtosis };
-        for (heights, amplitude, most) in [
-            (HeightFamily::Gaussian, 0.0, [0, 1156]),
-            (HeightFamily::Gaussian, 0.6, [2099, 2121]),
-            (HeightFamily::Gaussian, -0.9, [2401, 2421]),
-            (HeightFamily::Weibull { shape: 1.5 }, 0.6, [2588, 2608]),
-            (table.clone(), 0.0, [1457, 1478]),
-            (table, 0.6, [3253, 3275]),
-            (johnson(0.8, 6.0), -0.5, [3344, 3364]),
-            (johnson(0.3, 1.3), 0.0, [1318, 1341]),
-            (johnson(0.3, 1.3), -0.5, [1780, 1946]),
-        ] {
-            let mut params =
-                Params { heights: heights.clone(), radius_amplitude: amplitude, radius_rate: 1.5, ..Params::default() };
-            params.slip.radius_2 = 400.0;
-            let population = crate::population::tests::of(&params);
-            let origin = population.heights().origin();
-            let count = |sum: &dyn Fn(f64)| {
-                EVALUATIONS.set(0);
-                [-2.0, -0.5, 0.3, 1.4].into_iter().for_each(|separation| sum(separation - origin));
-                EVALUATIONS.get()
-            };
-            let counts = [
-                count(&|separation| {
-                    population.at_separation(separation);
-                }),
-                count(&|separation| {
-                    population.contacts(separation, 100.0);
-                }),
-            ];
-            for (count, most) in counts.into_iter().zip(most) {
-                assert!(count <= most + most / 200, "{count}, not {most}: {amplitude} and {:?}", params.heights);
-            }
         }
     }
 }

@@ -3,8 +3,7 @@
 
 use super::CONDITIONS;
 use crate::elementary::pow;
-use crate::equilibrium::Equilibrium;
-use crate::population::Population;
+use crate::equilibrium::Branch;
 
 /// No panel is wider than this, in sigma, or than this part of the separation where that is larger.
 const WIDEST: f64 = 2.2;
@@ -61,8 +60,6 @@ pub struct Reach {
     /// Where the curve has kinks; none where there are too many.
     kinks: Vec<f64>,
     resolved: bool,
-    /// Where it may not be smooth, since the foot of the heights passes the end of a law.
-    foot: Vec<f64>,
     /// The longest panel, as the last one was.
     width: f64,
     /// Where the curve is found not to be smooth, if that is ahead.
@@ -73,24 +70,23 @@ pub struct Reach {
 
 impl Reach {
     /// On a branch that ends at this separation.
-    pub fn new(population: &Population, equilibrium: &Equilibrium, end: f64) -> Self {
-        let mut kinks = population.kinks();
+    pub fn new(branch: &Branch, end: f64) -> Self {
+        let mut kinks = branch.kinks();
         let resolved = kinks.len() <= MOST_KINKS;
         if !resolved {
             kinks.clear();
         }
         // Where heights end, all that is left of the branch may be as short as adhesion reaches.
-        let narrowest_at_end = match population.heights().head().is_finite() {
-            true => NARROWEST_AT_END.min(0.01 * population.range_of_adhesion()),
+        let narrowest_at_end = match branch.population().heights().support().1.is_finite() {
+            true => NARROWEST_AT_END.min(0.01 * branch.population().range_of_adhesion()),
             false => NARROWEST_AT_END,
         };
         Self {
             end,
-            at_pull_off: equilibrium.pull_off().is_some(),
+            at_pull_off: branch.pull_off().is_some(),
             narrowest_at_end,
             kinks,
             resolved,
-            foot: population.passings_of_foot(),
             width: f64::MAX,
             obstacle: f64::INFINITY,
             failed: false,
@@ -136,7 +132,7 @@ impl Reach {
     /// Whether a panel that misses the curve by so many times the tolerance is kept, since it is good or cannot be shorter; if
     /// not, the next is shorter.
     pub fn keeps(&mut self, stretch: &Stretch, excess: f64) -> bool {
-        let Stretch { from, to, length, narrowest } = *stretch;
+        let Stretch { to, length, narrowest, .. } = *stretch;
         if excess <= 1.0 {
             let growth = GROWTH.iter().find(|&&(part, _)| excess < part).map_or(1.0, |&(_, growth)| growth);
             self.width = growth * length;
@@ -145,9 +141,8 @@ impl Reach {
             let shorter = 0.9 * pow(excess, -1.0 / CONDITIONS as f64);
             self.width = (shorter.clamp(0.25, 0.8) * length).max(narrowest);
             // What is smooth needs no second try.
-            let at_foot = self.foot.iter().copied().find(|&passing| passing > from && passing < to);
-            if self.failed || at_foot.is_some() {
-                self.obstacle = at_foot.unwrap_or(to);
+            if self.failed {
+                self.obstacle = to;
             }
             self.failed = true;
             return false;
@@ -165,14 +160,13 @@ mod tests {
     use super::*;
     use crate::params::{HeightFamily, Params};
 
-    fn reach(kinks: &[f64], foot: &[f64]) -> Reach {
+    fn reach(kinks: &[f64]) -> Reach {
         Reach {
             end: 10.0,
             at_pull_off: true,
             narrowest_at_end: NARROWEST_AT_END,
             kinks: kinks.to_vec(),
             resolved: true,
-            foot: foot.to_vec(),
             width: f64::MAX,
             obstacle: f64::INFINITY,
             failed: false,
@@ -199,20 +193,19 @@ mod tests {
                 summit_radius: 1e6,
                 ..Params::default()
             };
-            let population = crate::population::tests::of(&params);
-            let equilibrium = Equilibrium::new(&population).expect("a branch");
-            let reach = Reach::new(&population, &equilibrium, 1.0);
-            let kinks = population.kinks();
+            let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
+            let reach = Reach::new(&branch, 1.0);
+            let kinks = branch.kinks();
             assert_eq!(reach.is_resolved(), count == 5, "{} kinks", kinks.len());
             assert_eq!(reach.kinks(), if count == 5 { &kinks[..] } else { &[] });
-            let shortest = 0.01 * population.range_of_adhesion();
+            let shortest = 0.01 * branch.population().range_of_adhesion();
             assert!(reach.narrowest_at_end == shortest && shortest < NARROWEST_AT_END, "{shortest}");
         }
     }
 
     #[test]
     fn panels_are_as_long_as_those_before_were_good() {
-        let mut reach = reach(&[], &[]);
+        let mut reach = reach(&[]);
         let first = panel(&reach, 0.0);
         assert_eq!(first.to, WIDEST);
         // Too long: again and shorter, then no farther than halfway to where it failed twice.
@@ -233,33 +226,22 @@ mod tests {
 
     #[test]
     fn panels_end_where_the_curve_is_not_smooth() {
-        let reach_of_kinks = reach(&[1.0, 1.005, 9.0, 10.0 - 1e-10], &[]);
+        let reach_of_kinks = reach(&[1.0, 1.005, 9.0, 10.0 - 1e-10]);
         assert_eq!(panel(&reach_of_kinks, 0.0).to, 1.0);
         assert_eq!(reach_of_kinks.next(1.0, 10.0), Next::Gap(1.005));
         assert_eq!(panel(&reach_of_kinks, 7.5).to, 9.0);
         assert_eq!(panel(&reach_of_kinks, 9.0).to, 9.0 + PART_OF_THE_WAY);
         // The last panel takes all that is left; a kink that near to the end is at the end.
         assert_eq!(reach_of_kinks.next(9.5, 1.0), Next::Panel(Stretch { to: 10.0, ..panel_at_end(9.5) }));
-        // The foot is an obstacle as soon as a panel across it fails.
-        let mut reach_of_foot = reach(&[], &[0.9]);
-        let across = panel(&reach_of_foot, 0.0);
-        assert!(!reach_of_foot.keeps(&across, 1.5));
-        assert_eq!(panel(&reach_of_foot, 0.0).to, 0.45);
-        // One that is not across the foot does not make it an obstacle.
-        for from in [1.0, -3.0] {
-            let mut elsewhere = reach(&[], &[0.9]);
-            let stretch = panel(&elsewhere, from);
-            assert!(!elsewhere.keeps(&stretch, 1.5) && elsewhere.obstacle == f64::INFINITY);
-        }
         // Too many kinks: what misses the curve is kept, and not used.
-        let mut unresolved = Reach { resolved: false, ..reach(&[], &[]) };
+        let mut unresolved = Reach { resolved: false, ..reach(&[]) };
         let stretch = panel(&unresolved, 0.0);
         assert!(unresolved.keeps(&stretch, 1e9) && !unresolved.is_resolved());
     }
 
     #[test]
     fn panels_keep_to_the_scale_of_what_is_left() {
-        let reach = reach(&[10.0 - 1e-6], &[]);
+        let reach = reach(&[10.0 - 1e-6]);
         assert_eq!(reach.kinks(), [10.0 - 1e-6]);
         // Far from the heights, a part of the separation; near the end, to the last kink before it.
         assert_eq!(panel(&reach, -100.0).to, -100.0 + WIDEST_PART * 100.0);

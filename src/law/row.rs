@@ -226,8 +226,8 @@ mod tests {
     #[test]
     fn rows_lie_on_the_curve_and_their_values_and_slopes_meet() {
         for (gamma, start) in [(0.0, 0.75), (0.001, 1.0)] {
-            let (population, equilibrium) = branch(gamma);
-            let curve = Curve::new(&population, &equilibrium, |_| 60.0, &mut Vec::new()).expect("a curve");
+            let branch = branch(gamma);
+            let curve = Curve::new(&branch, |_| 60.0, &mut Vec::new()).expect("a curve");
             let (shift, scales) = (MANTISSA_BITS - 2, Scales { load: 3.0, force: 0.5 });
             let first = f64::to_bits(start) >> shift;
             let (rows, error) = Filling { curve: &curve, shift, scales }.rows(first..=first + 10);
@@ -258,8 +258,8 @@ mod tests {
 
     #[test]
     fn rows_are_left_out_where_the_curve_is_not_known_and_no_table_is_without_a_row() {
-        let (population, equilibrium) = branch(0.001);
-        let curve = Curve::new(&population, &equilibrium, |_| 60.0, &mut Vec::new()).expect("a curve");
+        let branch = branch(0.001);
+        let curve = Curve::new(&branch, |_| 60.0, &mut Vec::new()).expect("a curve");
         let filling = Filling { curve: &curve, shift: MANTISSA_BITS - 2, scales: Scales { load: 1.0, force: 1.0 } };
         let beyond = f64::to_bits(10.0 * curve.log_range().1.exp()) >> filling.shift;
         let (rows, error) = filling.rows(beyond..=beyond + 1);

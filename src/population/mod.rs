@@ -62,11 +62,11 @@ pub struct Population {
 /// A summit in contact, at its height.
 #[derive(Debug, Clone, Copy)]
 pub struct Point {
-    pub z: f64,
+    pub(crate) z: f64,
     /// Radius over the mean radius, and its slope.
-    pub g: f64,
-    pub g_rate: f64,
-    pub contact: Contact,
+    pub(crate) g: f64,
+    pub(crate) g_rate: f64,
+    pub(crate) contact: Contact,
 }
 
 impl Point {

@@ -96,6 +96,7 @@ impl Population {
     ) -> bool {
         let mut here = self.above_foot(separation, start, edge_height, end, progress, visitor);
         let mut kink = None;
+        let end = end.min(self.highest);
         for _ in 0..MOST_PANELS {
             if here.z >= end {
                 return true;

@@ -68,7 +68,7 @@ impl RadiusProfile {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gauss_legendre::nodes;
+    use crate::numerics::quadrature::nodes;
 
     #[test]
     fn the_factor_is_eq_3_and_its_slope_that_of_a_secant() {

@@ -4,10 +4,11 @@
 //! For exact states only: the sums that a law is compiled from need none of this.
 
 use super::panels::Visitor;
-use super::sums::Summit;
+use super::sums::{self, Summit};
 use super::{Point, Population};
 use crate::distribution::panel;
 use crate::elementary::{exp, log};
+use crate::error::Error;
 use crate::numerics::quadrature;
 use crate::numerics::root;
 
@@ -50,18 +51,20 @@ impl Visitor for Counting {
 }
 
 impl Population {
-    /// The contacts at a separation, of which `number` are expected on the surface; all 0 if there are none. `None` if they
-    /// cannot be counted in as many panels as there may be.
-    pub fn statistics(&self, separation: f64, number: f64) -> Option<Statistics> {
+    /// The contacts at a separation, of which `number` are expected on the surface; all 0 if there are none.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] if they cannot be counted in as many panels as there may be.
+    pub fn statistics(&self, separation: f64, number: f64) -> Result<Statistics, Error> {
         let edge = self.edge(separation);
         let mut counting =
             Counting { kinks: self.slip.kinks(), count: 0.0, radius: 0.0, by_regime: [0.0; 3], seen: Vec::new() };
         if !self.visit(separation, &edge, &mut counting) {
-            return None;
+            return Err(sums::out_of_panels(separation));
         }
         let Counting { count, radius, by_regime, seen, .. } = counting;
         if count == 0.0 {
-            return Some(Statistics::default());
+            return Ok(Statistics::default());
         }
         let mean_radius = radius / count;
         let mut largest_radius = mean_radius;
@@ -73,7 +76,7 @@ impl Population {
             let below = seen.iter().filter(|(z, _)| *z <= tallest).map(|(_, radius)| *radius);
             largest_radius = below.chain([there]).fold(mean_radius, f64::max);
         }
-        Some(Statistics { mean_radius, largest_radius, by_regime: by_regime.map(|fraction| fraction / count) })
+        Ok(Statistics { mean_radius, largest_radius, by_regime: by_regime.map(|fraction| fraction / count) })
     }
 
     /// The height above another that this fraction of all summits exceeds.

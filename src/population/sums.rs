@@ -38,7 +38,7 @@ impl Sums {
     /// [`Error::NotConverged`].
     pub fn known(self, separation: f64) -> Result<Self, Error> {
         if self.load().is_nan() {
-            Err(Error::NotConverged { what: "sums over the summits at separation / height_std", value: separation })
+            Err(out_of_panels(separation))
         } else {
             Ok(self)
         }
@@ -67,6 +67,11 @@ impl Sums {
         self.load_attracted += weight * load;
         self.load_slope -= weight * load_by_overlap;
     }
+}
+
+/// Why there are no sums at a separation.
+pub(super) fn out_of_panels(separation: f64) -> Error {
+    Error::NotConverged { what: "sums over the summits at separation / height_std", value: separation }
 }
 
 /// What one contact contributes.

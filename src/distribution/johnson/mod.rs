@@ -11,7 +11,7 @@ use super::{HeightDistribution, LN_SQRT_2_PI};
 use crate::elementary::{exp, expm1, hypot, log, log1p};
 use crate::error::Error;
 use crate::float_bits::finite;
-use crate::root;
+use crate::numerics::root;
 use fit::{Fit, Kind};
 use std::sync::Arc;
 
