@@ -44,8 +44,8 @@ impl Contact {
 /// A law of contact: the states of one asperity from break-away to any load, as functions of a parameter s.
 ///
 /// The parameter grows with the load. It is chosen such that the states are analytic in it at break-away, where the
-/// overlap is u_0 + O((s - s_0)^2), and that the overlap grows as s^2 under heavy load: then panels of equal ratio in s
-/// serve light and heavy contacts alike.
+/// overlap is u_0 + O((s - s_0)^2), and grows as a power of s under heavy load: then panels of equal ratio in s serve light
+/// and heavy contacts alike.
 pub trait ContactLaw: std::fmt::Debug + Send + Sync {
     /// The state at a parameter not below that of break-away.
     fn at(&self, parameter: f64, g: f64) -> Contact;

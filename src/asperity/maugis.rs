@@ -3,7 +3,7 @@
 //! A contact is given by theta = arccos(a/c) = arcsec m, where `a` is the contact radius and `c = m a` the outer radius of
 //! the annulus in which the adhesive stress acts. theta -> 0 is heavy load, theta = pi/2 is a -> 0. Written in `c`, every
 //! quantity is finite and smooth up to theta = pi/2, so neither the square-root edge at break-away nor the fold needs
-//! special care. The parameter of the branch is s with theta = (pi/2) (1 + s)^(-2/3).
+//! special care. The parameter of the branch is s with theta = (pi/2)/(1 + s).
 //! Attraction without contact belongs to [`super::attraction`], friction to [`super::slip`].
 
 use super::contact::{Contact, ContactLaw};
@@ -64,10 +64,10 @@ impl ContactLaw for Maugis {
     /// Eqs (4)-(6).
     #[inline]
     fn at(&self, parameter: f64, g: f64) -> Contact {
-        let y = 1.0 + parameter;
-        let theta = FRAC_PI_2 * cbrt(1.0 / (y * y));
+        let inverse = 1.0 / (1.0 + parameter);
+        let theta = FRAC_PI_2 * inverse;
         let (sin, cos) = if parameter == 0.0 { (1.0, 0.0) } else { sincos(theta) };
-        let theta_rate = -2.0 / 3.0 * theta / y;
+        let theta_rate = -theta * inverse;
         let (bracket_2, bracket_1) = brackets(theta, sin, cos);
         let inv_g = 1.0 / g;
         // Eq (4) as k2 c^2 + k1 c = 1; d(bracket)/dtheta = 2 theta sin 2theta and theta cos theta.
@@ -156,11 +156,10 @@ impl ContactLaw for Maugis {
     fn guess(&self, overlap: f64, g: f64) -> f64 {
         let hertz_radius_squared = overlap.max(0.0) / self.overlap_hertz; // over g
         let radius = (hertz_radius_squared * g).sqrt();
-        // theta^3 and theta^2, inverted; s + 1 is theta^(-3/2) in units of that of pi/2.
-        let by_bracket_2 = self.bracket_2 * hertz_radius_squared / 0.75;
-        let by_bracket_1 = 0.5 * self.bracket_1 * radius;
-        let y = (FRAC_PI_2 * FRAC_PI_2 * FRAC_PI_2).sqrt() * by_bracket_2.max(by_bracket_1 * by_bracket_1.sqrt()).sqrt();
-        (y - 1.0).max(LEAST_GUESS)
+        // 1/theta by either of the two brackets.
+        let by_bracket_2 = cbrt(self.bracket_2 * hertz_radius_squared / 0.75);
+        let by_bracket_1 = (0.5 * self.bracket_1 * radius).sqrt();
+        (FRAC_PI_2 * by_bracket_2.max(by_bracket_1) - 1.0).max(LEAST_GUESS)
     }
 
     /// The first bracket of eq (4) vanishes at theta = 2.2467.
@@ -169,8 +168,8 @@ impl ContactLaw for Maugis {
     }
 }
 
-/// The states are singular at s = -0.4154, where the first bracket of eq (4) vanishes.
-const SINGULAR_BEFORE: f64 = 0.415;
+/// The states are singular at s = -0.3008, where the first bracket of eq (4) vanishes.
+const SINGULAR_BEFORE: f64 = 0.3;
 /// Not 0, where the overlap does not depend on the parameter.
 const LEAST_GUESS: f64 = 0.1;
 /// A fold nearer to s = 0 than this has an overlap that is that of s = 0 to rounding.

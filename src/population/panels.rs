@@ -23,7 +23,7 @@ const MOST_BEND: f64 = 2.0;
 /// A panel in the parameter is no longer than this many times the distance to where the law is singular.
 const PARAMETER_RATIO: f64 = 3.0;
 /// As a function of the parameter the density is steeper than as one of height: of a panel in height this part is taken.
-const PART_OF_HEIGHT_PANEL: f64 = 0.7;
+const PART_OF_HEIGHT_PANEL: f64 = 0.5;
 /// A panel that is longer than it should be by no more than this factor is taken.
 const LENGTH_SLACK: f64 = 1.05;
 /// The panel at a foot of the heights takes this part of where the law of contact is smooth: there a power of its variable
@@ -31,6 +31,8 @@ const LENGTH_SLACK: f64 = 1.05;
 const PART_AT_FOOT: f64 = 0.02;
 /// What contributes less than this part of all above the last mode of the heights ends the sum.
 const NEGLIGIBLE: f64 = 1e-19;
+/// A panel shorter than this part of what it may be was cut.
+const WHOLE_PANEL: f64 = 0.1;
 /// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
 const MOST_PANELS: usize = 6000;
 
@@ -111,7 +113,9 @@ impl Population {
                 visitor.summits(point.z, fraction, &Summit::new(&point.contact, &self.slip));
             }
             visitor.end_of_panel(&panel.to);
-            if progress.was_negligible() && here.z >= self.heights.last_mode() {
+            // Of a panel that was cut short its contribution says nothing.
+            let is_whole = panel.to.z - here.z > WHOLE_PANEL * reach;
+            if progress.was_negligible() && is_whole && here.z >= self.heights.last_mode() {
                 return true;
             }
             (here, kink) = (panel.to, panel.kink);
@@ -200,7 +204,7 @@ impl Population {
             if rise <= reach * LENGTH_SLACK && there.z < stop {
                 return there;
             }
-            // The rise is between linear and quadratic in the step.
+            // As if the rise were quadratic in the step.
             let bend = ((rise - start_rate * step) / (step * step)).max(0.0);
             let shorter = 2.0 * limit / (start_rate + (start_rate * start_rate + 4.0 * bend * limit).sqrt());
             if limit < reach && rise >= limit {
