@@ -174,7 +174,9 @@ impl Population {
             let z = (here.z + reach.min(HEIGHT_RATIO * clearance)).min(stop);
             Panel { axis: Axis::Height, from: here, to: self.at_height(separation, z, here.contact.parameter), kink: None }
         } else {
-            let to = self.parameter_panel_end(separation, &here, PART_OF_HEIGHT_PANEL * reach, stop);
+            // A panel that reaches to where the density changes is one of a polynomial.
+            let reach = if here.z + reach < stop { PART_OF_HEIGHT_PANEL * reach } else { reach };
+            let to = self.parameter_panel_end(separation, &here, reach, stop);
             Panel { axis: Axis::Parameter, from: here, to, kink: None }
         };
         self.cut_at_kink(separation, whole, kink)
@@ -207,7 +209,7 @@ impl Population {
             // As if the rise were quadratic in the step.
             let bend = ((rise - start_rate * step) / (step * step)).max(0.0);
             let shorter = 2.0 * limit / (start_rate + (start_rate * start_rate + 4.0 * bend * limit).sqrt());
-            if limit < reach && rise >= limit {
+            if limit <= reach && here.z + limit >= stop && rise >= limit {
                 return self.at_height(separation, stop, s + shorter);
             }
             step = shorter.min(0.9 * step);
