@@ -5,7 +5,6 @@ mod second_evaluation;
 mod surface_params;
 
 use asperity::asperity::maugis::Maugis;
-use asperity::gauss_legendre::nodes;
 use asperity::groups::Groups;
 use asperity::population::Population;
 use asperity::surface::heights::johnson;
@@ -14,7 +13,7 @@ use asperity::surface::heights::weibull::Weibull;
 use asperity::surface::heights::Heights as Family;
 use asperity::surface::radius::RadiusProfile;
 use asperity::{Error, HeightFamily, Model, Params};
-use second_evaluation::heights::{Heights, Johnson, Table};
+use second_evaluation::heights::{Heights, Table};
 use second_evaluation::Surface;
 use surface_params::params;
 
@@ -83,118 +82,6 @@ fn the_foot_of_weibull_heights_attracts() {
         let shares = agree(&surface, &[-1.2, 0.0, 1.0, 2.0, 2.3]);
         assert!(shares.iter().all(|&share| share < -1e-9), "{shares:?}");
     }
-}
-
-/// Where summits gather at both ends of the heights, so that the density is nothing but spikes; and where radii that
-/// fall with height let the tallest of them part first.
-#[test]
-fn sums_over_heights_that_gather_at_two_ends_are_those_of_a_second_evaluation() {
-    for (gamma, delta) in [(0.0, 0.45), (0.25, 0.4), (-0.3, 0.45)] {
-        for (epsilon, rho) in [(0.0, 1.0), (0.7, 1.0), (-0.95, 3.0)] {
-            for (gamma_of_surface, b_over_h) in [(0.0, 1.0), (1e-3, 0.2), (4e-3, 1.0)] {
-                let surface = Surface {
-                    alpha: 0.01,
-                    beta: 1000.0,
-                    gamma: gamma_of_surface,
-                    b_over_h,
-                    heights: Heights::Johnson(Johnson::new(true, gamma, delta)),
-                    epsilon,
-                    rho,
-                    attraction: true,
-                    slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
-                };
-                agree(&surface, &[-1.5, -0.9, 0.0, 0.8]);
-            }
-        }
-    }
-}
-
-/// Where radii vary much within a panel between the two ends, and overlaps are so large that heights are lost in them.
-#[test]
-fn summits_that_gather_and_differ_are_summed_well_under_heavy_load() {
-    for (gamma_of_surface, attraction, epsilon, rho) in
-        [(1.1e-2, false, -1.0, 26.868597), (7e-6, true, -1.0, 92.0), (3e-2, true, 0.8, 31.134829)]
-    {
-        let surface = Surface {
-            alpha: 3.216060565e-4,
-            beta: 1.24561173,
-            gamma: gamma_of_surface,
-            b_over_h: 0.445873,
-            heights: Heights::Johnson(Johnson::new(true, 0.18, 0.3)),
-            epsilon,
-            rho,
-            attraction,
-            slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
-        };
-        agree(&surface, &[-2956616.3, -3e4, -300.0, -20.0]);
-    }
-}
-
-/// The lightest loads without adhesion, of Hertz' contacts of the summits that gather next to the highest: theta told them
-/// from none by few digits.
-#[test]
-fn the_lightest_loads_of_heights_that_gather_are_those_of_hertz() {
-    for (gamma, delta) in [(-0.7, 0.2), (0.4, 0.3)] {
-        let surface = Surface {
-            alpha: 1.02749516e-4,
-            beta: 39377.248,
-            gamma: 0.0,
-            b_over_h: 0.2,
-            heights: Heights::Johnson(Johnson::new(true, gamma, delta)),
-            epsilon: 0.0,
-            rho: 1.0,
-            attraction: true,
-            slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
-        };
-        let normal = |u: f64| (-0.5 * u * u).exp() / std::f64::consts::TAU.sqrt();
-        // The part of the heights between foot and head at which a summit is, over normal deviates.
-        let moment = |power: i32| -> f64 {
-            let part = |u: f64| 1.0 / (1.0 + ((gamma - u) / delta).exp());
-            (-40_000..40_000).map(|i| 2.5e-4 * f64::from(i)).map(|u| 2.5e-4 * normal(u) * part(u).powi(power)).sum()
-        };
-        let width = 1.0 / (moment(2) - moment(1).powi(2)).sqrt();
-        // The mean over all summits of (overlap/reach)^power, where the highest is `reach` above the flat: over ln(reach/below
-        // head), in whose root it is smooth.
-        let mean_power = |reach: f64, power: f64| -> f64 {
-            let panels = (0..200).flat_map(|i| nodes(0.25 * f64::from(i), 0.25 * f64::from(i + 1)));
-            let at = |root: f64| {
-                let (t, below) = (root * root, reach / width * (-root * root).exp());
-                let deviate = gamma + delta * ((1.0 - below) / below).ln();
-                2.0 * root * normal(deviate) * delta / (1.0 - below) * (-(-t).exp_m1()).powf(power)
-            };
-            panels.map(|(root, weight)| weight * at(root)).sum()
-        };
-        let Surface { alpha, beta, .. } = surface;
-        let model = Model::new(&params(&surface)).expect("a model");
-        for power in [10, 15, 20, 30, 40] {
-            let reach = 10f64.powi(-power);
-            let load = 4.0 * alpha / (3.0 * beta) * (beta * reach.sqrt()).powi(3) * mean_power(reach, 1.5);
-            let area = std::f64::consts::PI * beta * beta * reach * mean_power(reach, 1.0);
-            let state = model.state_at_load(load).expect("a state");
-            for (found, expected) in [(state.real_area, area), (state.contacting, mean_power(reach, 0.0))] {
-                assert!((found / expected - 1.0).abs() < 1e-8, "{found:e}, not {expected:e}, at 1e-{power} sigma");
-            }
-            let strength = state.friction_force / area;
-            assert!((strength * 43.0 - 1.0).abs() < 1e-8, "{strength} at 1e-{power} sigma");
-        }
-    }
-}
-
-/// Adhesion reaches over the heights, and the tall half of the summits, which is small, has broken away: contact ends twice.
-#[test]
-fn contact_that_ends_below_the_tall_summits_is_summed_between_its_ends() {
-    let surface = Surface {
-        alpha: 0.01,
-        beta: 100.0,
-        gamma: 0.0934,
-        b_over_h: 0.1,
-        heights: Heights::Johnson(Johnson::new(true, 0.1, 0.45)),
-        epsilon: -0.95,
-        rho: 8.0,
-        attraction: true,
-        slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
-    };
-    agree(&surface, &[1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0]);
 }
 
 /// Where radii vary much within adhesion's range, break-away is nearer in height than in overlap.
