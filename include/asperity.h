@@ -189,7 +189,7 @@ typedef struct asperity_params {
    */
   int32_t attraction;
   /**
-   * omega > 0: shape of the Weibull heights, 3.602 for no skew; read only for `ASPERITY_HEIGHTS_WEIBULL`.
+   * omega, 1 to 200: shape of the Weibull heights, 3.602 for no skew; read only for `ASPERITY_HEIGHTS_WEIBULL`.
    */
   double weibull_shape;
   /**
@@ -222,11 +222,11 @@ typedef struct asperity_params {
    */
   double max_friction_coefficient;
   /**
-   * Skew of the summit heights; read only for `ASPERITY_HEIGHTS_JOHNSON`. 0 by default.
+   * Skew of the summit heights, -3 to 3; read only for `ASPERITY_HEIGHTS_JOHNSON`. 0 by default.
    */
   double skew;
   /**
-   * Kurtosis of the summit heights, > skew^2 + 1 and at most 1e10; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by
+   * Kurtosis of the summit heights, 1.87 + 1.25 skew^2 to 100; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by
    * default, which with skew 0 is Gaussian.
    */
   double kurtosis;
@@ -246,7 +246,7 @@ typedef struct asperity_params {
    */
   const double *table_density;
   /**
-   * Number of heights in the table, 3 to 4096. 0 by default.
+   * Number of heights in the table, 3 to 256. 0 by default.
    */
   uint64_t table_length;
 } asperity_params;
@@ -594,7 +594,7 @@ asperity_status asperity_params_set_spectral_moments(struct asperity_params *par
  * Chooses Weibull heights with this skew: sets `height_distribution` and `weibull_shape`.
  *
  * @param params  initialised parameters; must not be NULL; untouched on failure
- * @param skew    above -1.13955, the limit of the family; 0 gives omega = 3.602
+ * @param skew    -1.1100 to 2, those of omega from 200 to 1; 0 gives omega = 3.602
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (skew outside the family),
  *         `ASPERITY_OUT_OF_RANGE` (skew of a shape that is not evaluated)
  *

@@ -394,9 +394,7 @@ impl Model {
         };
         let contacting = sums.contacting * units.count;
         let contacts = match contacting > 0.0 {
-            true => {
-                self.branch.population().statistics(separation, contacting)?
-            }
+            true => self.branch.population().statistics(separation, contacting)?,
             false => Statistics::default(),
         };
         let [below, between, above] = contacts.by_regime;

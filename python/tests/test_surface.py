@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -432,6 +433,14 @@ def test_johnson_and_tabulated_heights_are_those_of_the_map(measured: surface.Su
     assert bins.sum() == pytest.approx(1, rel=1e-12)
     np.testing.assert_allclose(bins * measured.count, np.round(bins * measured.count), atol=1e-9)
     assert bins @ height[1:-1] == pytest.approx(measured.height_mean.value, abs=0.05 * measured.height_std.value)
+
+
+def test_a_histogram_is_no_longer_than_a_table_may_be(measured: surface.Summits) -> None:
+    far = replace(measured, heights=np.append(measured.heights, measured.heights.max() + 100 * measured.height_std.value))
+    height, density = far.histogram()
+    assert height.size == density.size == 256
+    with Model(Params.from_topography(far, heights="tabulated", **MATERIAL)) as model:
+        assert model.friction_at_load(1e-3) > 0
 
 
 def test_what_the_map_tells_cannot_be_given_too(measured: surface.Summits) -> None:

@@ -85,7 +85,10 @@ pub mod tests {
                 ] {
                     let secant = (pair[1] - pair[0]) / (2.0 * step);
                     let rounding = 1e-15 * value.abs() / step;
-                    assert!((secant - rate).abs() < 1e-7 * rate.abs() + rounding, "{name} at {s}, {g}: {rate}, not {secant}");
+                    assert!(
+                        (secant - rate).abs() < 1e-7 * rate.abs() + rounding,
+                        "{name} at {s}, {g}: {rate}, not {secant}"
+                    );
                 }
             }
         }

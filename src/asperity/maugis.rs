@@ -309,7 +309,10 @@ mod tests {
                             ("du/ds", found.overlap_rate, expected.overlap_rate),
                             ("dP/ds", found.load_rate, expected.load_rate),
                         ] {
-                            assert!(near(a, b, 20.0 * known), "{name} {a:e}, not {b:e}, {off} from break-away, guess {guess}");
+                            assert!(
+                                near(a, b, 20.0 * known),
+                                "{name} {a:e}, not {b:e}, {off} from break-away, guess {guess}"
+                            );
                         }
                     }
                 }

@@ -2,9 +2,9 @@
 
 use super::boundary::{wrong_struct_size, Failure};
 use crate::asperity::slip::SlipConstants;
+use crate::distribution::tabulated;
 use crate::error::{Error, Value};
 use crate::params::{HeightFamily, Params};
-use crate::distribution::tabulated;
 use std::mem::{offset_of, size_of};
 use std::sync::Arc;
 
@@ -51,7 +51,7 @@ pub struct asperity_params {
     pub height_distribution: i32,
     /// 1: summits out of contact attract (the default, as in the paper); 0: they do not.
     pub attraction: i32,
-    /// omega > 0: shape of the Weibull heights, 3.602 for no skew; read only for `ASPERITY_HEIGHTS_WEIBULL`.
+    /// omega, 1 to 200: shape of the Weibull heights, 3.602 for no skew; read only for `ASPERITY_HEIGHTS_WEIBULL`.
     pub weibull_shape: f64,
     /// epsilon, -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by default.
     pub radius_amplitude: f64,
@@ -68,9 +68,9 @@ pub struct asperity_params {
     /// Cap on every friction coefficient returned, > 0: at and near zero load F/P grows without bound. 1000 by
     /// default, INFINITY allowed.
     pub max_friction_coefficient: f64,
-    /// Skew of the summit heights; read only for `ASPERITY_HEIGHTS_JOHNSON`. 0 by default.
+    /// Skew of the summit heights, -3 to 3; read only for `ASPERITY_HEIGHTS_JOHNSON`. 0 by default.
     pub skew: f64,
-    /// Kurtosis of the summit heights, > skew^2 + 1 and at most 1e10; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by
+    /// Kurtosis of the summit heights, 1.87 + 1.25 skew^2 to 100; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by
     /// default, which with skew 0 is Gaussian.
     pub kurtosis: f64,
     /// H [stress], > 0: indentation hardness of the softer body, which `asperity_state` compares pressures with; it
@@ -82,7 +82,7 @@ pub struct asperity_params {
     pub table_height: *const f64,
     /// The density at each of them, >= 0; it need not be normalised. NULL by default.
     pub table_density: *const f64,
-    /// Number of heights in the table, 3 to 4096. 0 by default.
+    /// Number of heights in the table, 3 to 256. 0 by default.
     pub table_length: u64,
 }
 

@@ -174,7 +174,7 @@ pub unsafe extern "C" fn asperity_params_set_spectral_moments(
 /// Chooses Weibull heights with this skew: sets `height_distribution` and `weibull_shape`.
 ///
 /// @param params  initialised parameters; must not be NULL; untouched on failure
-/// @param skew    above -1.13955, the limit of the family; 0 gives omega = 3.602
+/// @param skew    -1.1100 to 2, those of omega from 200 to 1; 0 gives omega = 3.602
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (skew outside the family),
 ///         `ASPERITY_OUT_OF_RANGE` (skew of a shape that is not evaluated)
 ///

@@ -189,10 +189,11 @@ impl HeightDistribution for Tabulated {
 pub fn check_length(length: usize) -> Result<(), Error> {
     let (name, value, (fewest, most)) = ("table_length", (length as f64).into(), LENGTHS);
     if length < fewest {
-        return Err(Error::InvalidParameter { name, value, allowed: "must be at least 3" });
+        return Err(Error::InvalidParameter { name, value, allowed: "must be between 3 and 256" });
     }
     if length > most {
-        let allowed = "must be at most 256, as many as the law can resolve: take wider bins, or smooth and resample";
+        let allowed =
+            "must be between 3 and 256, as many as the law can resolve: smooth the density, or take wider bins";
         return Err(Error::OutOfRange { name, value, allowed });
     }
     Ok(())

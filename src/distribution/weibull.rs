@@ -77,7 +77,7 @@ impl Weibull {
                 name: "skew",
                 value: skew.into(),
                 allowed:
-                    "must be that of a Weibull shape between 1 and 200, -1.11002 to 2; Johnson heights have any skew \
+                    "must be that of a Weibull shape between 1 and 200, -1.1100 to 2; Johnson heights have any skew \
                           from -3 to 3",
             });
         }

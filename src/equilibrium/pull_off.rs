@@ -126,7 +126,8 @@ fn bracket_first_minimum(population: &Population) -> Result<Option<(f64, f64)>, 
         let sums = sums_at(population, next)?;
         if sums.load_slope >= 0.0 {
             // The slope vanishes also where nothing is left; past a minimum the load is negative.
-            let past = if sums.load() < 0.0 { Some(next) } else { before_nothing_is_left(population, &mut here, next)? };
+            let past =
+                if sums.load() < 0.0 { Some(next) } else { before_nothing_is_left(population, &mut here, next)? };
             let first = |past| if single { Ok((here, past)) } else { first_bracket(population, here, past) };
             return past.map(first).transpose();
         }

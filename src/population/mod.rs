@@ -266,7 +266,8 @@ impl Population {
             let excess = (z - separation) - point.contact.overlap;
             let step = -excess / point.height_share();
             steps += 1;
-            if step.abs() * self.radius.rate <= LAST_STEP || step.abs() <= f64::EPSILON * z.abs() || steps >= MOST_STEPS {
+            if step.abs() * self.radius.rate <= LAST_STEP || step.abs() <= f64::EPSILON * z.abs() || steps >= MOST_STEPS
+            {
                 let g_step = g_rate * step;
                 return Point { z: z + step, g: g + g_step, g_rate, contact: point.contact.moved(0.0, g_step) };
             }

@@ -104,7 +104,8 @@ impl Population {
                 return true;
             }
             let reach = panel::panel_length(&*self.heights, here.z).min(self.radius.smooth_length(here.z));
-            let panel = self.panel(separation, here, kink, here.z - edge_height, reach, self.stop_above(here.z).min(end));
+            let panel =
+                self.panel(separation, here, kink, here.z - edge_height, reach, self.stop_above(here.z).min(end));
             let nodes = self.nodes(separation, &panel);
             let densities = self.heights.densities(nodes.map(|(_, point)| point.z));
             for ((weight, point), density) in nodes.iter().zip(densities) {
@@ -143,7 +144,8 @@ impl Population {
     ) -> Point {
         let (foot, _) = self.heights.support();
         let smooth = (start.z - edge_height).min(self.radius.smooth_length(foot));
-        let Some(panel) = FootPanel::new(&*self.heights, (PART_AT_FOOT * smooth).min(end - foot)).filter(|_| start.z <= foot)
+        let Some(panel) =
+            FootPanel::new(&*self.heights, (PART_AT_FOOT * smooth).min(end - foot)).filter(|_| start.z <= foot)
         else {
             return start;
         };
@@ -169,10 +171,16 @@ impl Population {
         reach: f64,
         stop: f64,
     ) -> Panel {
-        let far = if self.radius.is_constant() { FAR_FROM_BREAK_AWAY } else { PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO };
+        let far =
+            if self.radius.is_constant() { FAR_FROM_BREAK_AWAY } else { PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO };
         let whole = if clearance > far {
             let z = (here.z + reach.min(HEIGHT_RATIO * clearance)).min(stop);
-            Panel { axis: Axis::Height, from: here, to: self.at_height(separation, z, here.contact.parameter), kink: None }
+            Panel {
+                axis: Axis::Height,
+                from: here,
+                to: self.at_height(separation, z, here.contact.parameter),
+                kink: None,
+            }
         } else {
             // A panel that reaches to where the density changes is one of a polynomial.
             let reach = if here.z + reach < stop { PART_OF_HEIGHT_PANEL * reach } else { reach };

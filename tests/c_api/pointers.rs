@@ -245,7 +245,7 @@ fn null_is_refused_or_skipped() {
     for (table, length, status) in [
         ([null(), one.pointer()], 3, NULL_POINTER),
         ([one.pointer(), null()], 2, INVALID_PARAMETER),
-        ([one.pointer::<f64>().cast_const(); 2], u64::MAX, INVALID_PARAMETER),
+        ([one.pointer::<f64>().cast_const(); 2], u64::MAX, OUT_OF_RANGE),
     ] {
         let params = asperity_params { height_distribution: 3, table, table_length: length, ..params };
         // SAFETY: refused before a column is read.

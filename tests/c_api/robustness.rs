@@ -267,7 +267,7 @@ fn random_corner(random: &mut SplitMix) -> asperity_params {
     let beta = end(0.1, 1e8);
     let gamma = end(1e-9, 10.0);
     let b_over_h = end(1e-3, 100.0);
-    let shape = end(0.3, 1e6);
+    let shape = end(0.3, 300.0);
     let rate = end(1e-3, 1e3);
     let mut params =
         asperity_params::dimensionless(alpha, beta, if random.chance(0.1) { 0.0 } else { gamma }, b_over_h);
@@ -634,12 +634,12 @@ fn no_adhesion_has_no_sign() {
     assert_eq!(unsafe { asperity_create(&negative, &mut null_mut()) }, INVALID_PARAMETER, "{}", message());
 }
 
-/// No adhesion, so that there is no pull-off load to be found among thousands of kinks.
+/// No adhesion, so that there is no pull-off load to be found among hundreds of kinks.
 #[test]
 fn tables_are_read_from_the_fewest_heights_to_the_most() {
-    let height: Vec<f64> = (0..4097).map(f64::from).collect();
+    let height: Vec<f64> = (0..257).map(f64::from).collect();
     let density = vec![1.0; height.len()];
-    for (length, expected) in [(2, INVALID_PARAMETER), (3, OK), (4096, OK), (4097, INVALID_PARAMETER)] {
+    for (length, expected) in [(2, INVALID_PARAMETER), (3, OK), (256, OK), (257, OUT_OF_RANGE)] {
         let mut params = asperity_params::dimensionless(0.01, 1000.0, 0.0, 1.0);
         params.height_distribution = 3;
         params.table = [height.as_ptr(), density.as_ptr()];

@@ -30,7 +30,7 @@ fn random_heights(random: &mut SplitMix) -> HeightFamily {
         2 | 3 => HeightFamily::Weibull { shape: random.log_between(1.1, 60.0) },
         4 => {
             let skew = random.between(-2.0, 2.0);
-            HeightFamily::Johnson { skew, kurtosis: 1.5 + 1.3 * skew * skew + random.log_between(0.1, 10.0) }
+            HeightFamily::Johnson { skew, kurtosis: 1.87 + 1.25 * skew * skew + random.log_between(0.01, 10.0) }
         }
         _ => {
             let count = 4 + random.below(16);

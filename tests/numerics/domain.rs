@@ -67,8 +67,14 @@ fn johnson_or_table(x: &[f64]) -> Surface {
         Heights::Table(table(&mut SplitMix((within * 2f64.powi(32)) as u64 ^ (x[9] * 2f64.powi(62)) as u64)))
     } else {
         let bounded = third == 1;
-        let delta = log_part(within, if bounded { 0.2 } else { 0.85 }, 10.0);
-        Heights::Johnson(Johnson::new(bounded, delta * (6.0 * x[9] - 3.0), delta))
+        let mut delta = log_part(within, if bounded { 0.5 } else { 0.85 }, 10.0);
+        let mut curve = Johnson::new(bounded, delta * (6.0 * x[9] - 3.0), delta);
+        // Nearer to Gaussian, until within what the library evaluates.
+        while curve.skew.abs() > 3.0 || curve.kurtosis > 100.0 || curve.kurtosis < 1.87 + 1.25 * curve.skew.powi(2) {
+            delta *= 1.1;
+            curve = Johnson::new(bounded, delta * (6.0 * x[9] - 3.0), delta);
+        }
+        Heights::Johnson(curve)
     };
     surface(x, heights)
 }

@@ -101,25 +101,15 @@ fn a_pull_off_load_that_is_no_number_is_none() {
 #[test]
 fn no_model_takes_a_second_to_make() {
     let johnson = |skew, kurtosis| HeightFamily::Johnson { skew, kurtosis };
-    let surfaces = [
-        (
-            [2.0541023068e-4, 14.6071685326, 0.115624353223, 8.45309277181],
-            johnson(-0.33831788, 13.28496),
-            -1.0,
-            16.294316,
-        ),
-        ([1.197085e-3, 4.410941e6, 8.437529e-6, 0.12455971], johnson(-4.588935, 156.79768), -0.515625, 3.7516192),
-    ];
-    let mut cases = Vec::new();
-    for ([alpha, beta, gamma, b_over_h], heights, amplitude, rate) in surfaces {
-        cases.push(Params {
-            heights,
-            attraction: true,
-            radius_amplitude: amplitude,
-            radius_rate: rate,
-            ..surface(alpha, beta, gamma, b_over_h, 1.0)
-        });
-    }
+    let ([alpha, beta, gamma, b_over_h], heights) =
+        ([2.0541023068e-4, 14.6071685326, 0.115624353223, 8.45309277181], johnson(-0.33831788, 13.28496));
+    let mut cases = vec![Params {
+        heights,
+        attraction: true,
+        radius_amplitude: -1.0,
+        radius_rate: 16.294316,
+        ..surface(alpha, beta, gamma, b_over_h, 1.0)
+    }];
     cases.push(Params {
         composite_modulus: 55138.43262183106,
         effective_shear_modulus: 38596.90283528174,
@@ -279,33 +269,6 @@ fn the_last_bit_of_the_heights_is_no_panel_to_cut() {
     }
 }
 
-/// A starting value of theta that is no angle met a panic, where radii rise steeply between the ends of heights.
-#[test]
-fn loads_of_steep_radii_between_the_ends_of_heights_are_found() {
-    let params = Params {
-        composite_modulus: 3.6648460423276797e-4,
-        effective_shear_modulus: 2.565392229629376e-4,
-        work_of_adhesion: 3.171062361030383e-7,
-        adhesion_range: 0.27450836969420084,
-        burgers_vector: 2.2719540110742673,
-        height_std: 3684.734918695213,
-        summit_radius: 677536376.5292375,
-        asperity_count: 10689593286.14405,
-        heights: HeightFamily::Johnson { skew: -1.114013671875, kurtosis: 2.6120136071720252 },
-        radius_amplitude: 1.0,
-        radius_rate: 53.30787636868494,
-        ..Params::default()
-    };
-    let model = Model::new(&params).expect("a model");
-    let mut last = 0.0;
-    for i in 0..400 {
-        let load = 8.9e17 * (1.0 + 7e-4 * f64::from(i));
-        let force = model.state_at_load(load).expect("a state").friction_force;
-        assert!(force > last && (last == 0.0 || force < 1.001 * last), "{force:e} after {last:e} at {load:e}");
-        last = force;
-    }
-}
-
 /// Panels that were cut next to where the contact radius passes one of the slip law's were cut there again, and again.
 #[test]
 fn sums_do_not_stop_where_contact_radii_pass_the_slip_law() {
@@ -347,23 +310,6 @@ fn sums_do_not_stop_where_contact_radii_pass_the_slip_law() {
             last = here;
         }
     }
-}
-
-/// Without adhesion summits next to the highest one, where they gather, carry every load: down to the smallest number.
-#[test]
-fn the_lightest_loads_of_heights_that_gather_have_friction() {
-    let params = Params {
-        heights: HeightFamily::Johnson { skew: -1.904296875, kurtosis: 4.729033805509746 },
-        ..surface(1.0274951608061554e-4, 39377.24804262361, 0.0, 3.743949, 1.0)
-    };
-    let model = Model::new(&params).expect("a model");
-    let mut last = 0.0;
-    for power in -300..=18 {
-        let force = model.friction_force_at_load(10f64.powi(power));
-        assert!(force > last && (last == 0.0 || force < 10.0 * last), "{force:e} after {last:e} at 1e{power}");
-        last = force;
-    }
-    assert!(model.friction_force_at_load(f64::from_bits(1)) >= 0.0);
 }
 
 /// Sums were unscaled by a factor of three digits.
@@ -418,35 +364,6 @@ fn attraction_that_sets_in_far_above_the_heights_is_summed() {
     }
 }
 
-/// Radii vary much within a panel between the two ends of heights.
-#[test]
-fn the_slope_of_heights_that_gather_and_differ_is_that_of_a_secant() {
-    let params = Params {
-        heights: HeightFamily::Johnson { skew: 0.80487060546875, kurtosis: 2.0595175210339947 },
-        radius_amplitude: -1.0,
-        radius_rate: 26.868597351829912,
-        ..surface(3.21606056457777e-4, 1.2456117330783945, 1.0924620819686303e-2, 0.445873, 1.0)
-    };
-    let model = Model::new(&params).expect("a model");
-    let load = 0.93 * model.summary().max_table_load;
-    let state = |part: f64| model.state_at_load(load * part).expect("a state");
-    let (below, here, above) = (state(1.0 - 1e-5), state(1.0), state(1.0 + 1e-5));
-    let secant = (above.friction_force - below.friction_force) / (above.load - below.load);
-    assert!((secant / here.dforce_dload - 1.0).abs() < 1e-8, "{secant:e}, not {:e}", here.dforce_dload);
-}
-
-/// A load next to where the lowest summits part was told from that beside it by its last bits, and taken for the first minimum.
-#[test]
-fn a_load_that_falls_but_for_rounding_has_no_minimum() {
-    let params = Params {
-        heights: HeightFamily::Johnson { skew: 0.8269443872769188, kurtosis: 1.9859937304822834 },
-        attraction: true,
-        ..surface(2.206734071450705e-3, 2.246790096028506e2, 1.485508020269883e-4, 2.5731836516958145e-1, 1.0)
-    };
-    let pull_off = Model::new(&params).expect("a model").summary().pull_off_load;
-    assert!(pull_off < 0.0, "{pull_off}");
-}
-
 /// Within some last bits of the pull-off load the sign of dP/d(separation) is rounding.
 #[test]
 fn friction_rises_with_load_in_the_last_bits_of_the_pull_off_load() {
@@ -472,32 +389,5 @@ fn friction_rises_with_load_in_the_last_bits_of_the_pull_off_load() {
             assert!(slope > 0.0 && slope.is_finite() && slope == state.dforce_dload, "{slope:e}, {state:?}");
             assert!(state.dload_dseparation <= 0.0, "{state:?}");
         }
-    }
-}
-
-/// A contact radius has an extremum in the last bit of the heights next to the foot: the panel cut there went backwards.
-#[test]
-fn contacts_of_the_last_bit_of_the_heights_are_counted() {
-    let params = Params {
-        composite_modulus: 78665047487.00916,
-        effective_shear_modulus: 55065533240.9064,
-        work_of_adhesion: 0.1304738959032358,
-        adhesion_range: 6.2176329773045304e-6,
-        burgers_vector: 3.148862424738358e-7,
-        height_std: 3.5134242201158365e-9,
-        summit_radius: 0.0029815460974072835,
-        asperity_count: 7007.789607633399,
-        heights: HeightFamily::Johnson { skew: 1.09710693359375, kurtosis: 2.530117533325126 },
-        radius_amplitude: -0.1905517578125,
-        radius_rate: 2.821434488226288,
-        ..Params::default()
-    };
-    let model = Model::new(&params).expect("a model");
-    let mut last = f64::INFINITY;
-    for i in -20..=20 {
-        let separation = -2.636783704256856e-9 * (1.0 + 1e-3 * f64::from(i));
-        let radius = model.state_at_separation(separation).expect("a state").mean_contact_radius;
-        last = last.min(radius);
-        assert!(radius > 0.9 * last, "{radius:e} after {last:e}");
     }
 }

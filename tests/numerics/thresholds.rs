@@ -1,11 +1,10 @@
 //! Where a formula ends: among the heights, so that a sum has to find the place, against the second evaluation state by
 //! state; and next to pull-off, where loads differ by less than they are known to.
 
-use crate::common::second_evaluation::heights::{Heights, Johnson, Table};
+use crate::common::second_evaluation::heights::{Heights, Table};
 use crate::common::second_evaluation::Surface;
 use crate::common::surfaces::params_of;
 use asperity::asperity::maugis::Maugis;
-use asperity::gauss_legendre::nodes;
 use asperity::groups::Groups;
 use asperity::population::Population;
 use asperity::surface::heights::johnson;

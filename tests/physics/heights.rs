@@ -128,37 +128,28 @@ fn impossible_and_extreme_moments_are_refused() {
         assert!(error.to_string().contains("> skew^2 + 1"), "{error}");
     }
     assert!(matches!(refused(f64::NAN, 3.0), Error::InvalidParameter { name: "skew", .. }));
-    for (skew, kurtosis) in [(0.0, 1.1e10), (40.0, 1e300), (1e6, 1.1e12)] {
+    for (skew, kurtosis, name, bound) in [
+        (0.0, 100.1, "kurtosis", "at most 100"),
+        (0.0, 1.8, "kurtosis", "at least 1.87 + 1.25 skew^2"),
+        (1.0, 3.1, "kurtosis", "at least 1.87 + 1.25 skew^2"),
+        (3.1, 30.0, "skew", "between -3 and 3"),
+        (-40.0, 1e5, "skew", "between -3 and 3"),
+    ] {
         let error = refused(skew, kurtosis);
-        assert!(matches!(error, Error::OutOfRange { name: "kurtosis", .. }), "{error}");
-        assert!(error.to_string().contains("at most 1e10"), "{error}");
-    }
-    // skew^2 + 1 is told from the next number above it by the exact product.
-    for skew in [0.0, 0.1, 1.0 / 3.0, 1.7, 123.456] {
-        let least: f64 = skew * skew + 1.0;
-        let feasible = |kurtosis: f64| f64::mul_add(-skew, skew, kurtosis - 1.0) > 0.0;
-        for kurtosis in [least.next_down(), least, least.next_up()] {
-            let made = Model::new(&surface(0.0, johnson(skew, kurtosis)));
-            assert_eq!(made.is_ok(), feasible(kurtosis), "skew {skew}, kurtosis {kurtosis:?}");
-        }
+        assert!(matches!(error, Error::OutOfRange { name: found, .. } if found == name), "{error}");
+        assert!(error.to_string().contains(bound) && error.to_string().contains("take a table"), "{error}");
     }
 }
 
-/// A skew and a kurtosis from all over the feasible region, and next to its edge.
+/// A skew and a kurtosis from all over the domain, and next to its edge.
 fn anywhere(random: &mut SplitMix) -> (f64, f64) {
-    let skew = match random.below(4) {
-        0 => 0.0,
-        1 => random.between(-2.0, 2.0),
-        2 => random.log_between(0.1, 1e3),
-        _ => -random.log_between(0.1, 1e3),
-    };
-    let least = skew * skew + 1.0;
-    let above = if random.chance(0.7) { random.log_between(1e-14, 1.0) } else { random.log_between(1.0, 1e4) };
-    (skew, least + least * above)
+    let skew = if random.chance(0.25) { 0.0 } else { random.between(-3.0, 3.0) };
+    let least = 1.87 + 1.25 * skew * skew;
+    (skew, (least + random.log_between(1e-6, 100.0)).min(100.0))
 }
 
 #[test]
-fn the_whole_feasible_region_makes_sound_models() {
+fn the_whole_domain_makes_sound_models() {
     let mut random = SplitMix(0x000e_d6e5);
     let (mut made, mut answered, mut asked, mut worst) = (0, 0, 0, 0.0_f64);
     for i in 0..80 {
@@ -174,7 +165,7 @@ fn the_whole_feasible_region_makes_sound_models() {
         let start = std::time::Instant::now();
         let model = match Model::new(&params) {
             Ok(model) => model,
-            // Two heights part in steps.
+            // The surfaces part in steps.
             Err(Error::OutOfRange { name: "pull-off load", .. }) if gamma > 0.0 => continue,
             Err(error) => panic!("{name}: {error}"),
         };
@@ -213,30 +204,6 @@ fn the_whole_feasible_region_makes_sound_models() {
 }
 
 #[test]
-fn next_to_the_edge_of_what_is_feasible_there_are_two_heights() {
-    // Of mean 0 and variance 1, with this skew; the law of one is that of a surface whose heights do not differ.
-    for skew in [0.0, 1.0, -2.5, 40.0] {
-        let root = f64::hypot(skew, 2.0);
-        let heights = [0.5 * (skew - root), 0.5 * (skew + root)];
-        let shares = [heights[1] / root, -heights[0] / root];
-        let least: f64 = skew * skew + 1.0;
-        for (above, most) in [(1e-4, 3e-3), (1e-7, 3e-6), (1e-10, 3e-9), (1e-13, 1e-11)] {
-            let model = model(0.0, johnson(skew, least * (1.0 + above)));
-            for separation in [-3.0, -1.5, 0.2, 0.9] {
-                // Hertz: alpha = 0.01, beta = 1000, sigma = 10 and E* = 2/0.7 in units b = G = 1.
-                let rise = |height: f64| f64::max(height - separation, 0.0);
-                let load: f64 = (0..2)
-                    .map(|i| shares[i] * 4.0 / 3.0 * 0.01 * 1000.0_f64.powi(2) * rise(heights[i]).powf(1.5) * 2.0 / 0.7)
-                    .sum();
-                let state = model.state_at_separation(separation * 10.0).expect("a state");
-                let error = if load > 0.0 { (state.load / load - 1.0).abs() } else { state.load };
-                assert!(error < most, "skew {skew}, above {above}, d {separation}: {error:e}");
-            }
-        }
-    }
-}
-
-#[test]
 fn a_fine_table_of_a_family_nears_the_family_with_the_third_power_of_its_spacing() {
     let loads = [1.0, 30.0, 1e3, 3e4, 1e6];
     let rayleigh = |z: f64| z * bell(z);
@@ -249,13 +216,13 @@ fn a_fine_table_of_a_family_nears_the_family_with_the_third_power_of_its_spacing
                 difference(&model(gamma, sampled(count, 0.0, 9.0, rayleigh)), &weibull, &loads),
             ]
         };
-        let (coarse, fine, finest) = (errors(81), errors(321), errors(1281));
+        let (coarse, fine, finest) = (errors(64), errors(127), errors(253));
         for family in 0..2 {
             println!("gamma {gamma}: {:.1e}, {:.1e}, {:.1e}", coarse[family], fine[family], finest[family]);
-            // Four times finer, twice.
-            let order = (coarse[family] / finest[family]).log2() / 4.0;
+            // Twice finer, twice.
+            let order = (coarse[family] / finest[family]).log2() / 2.0;
             assert!(order > 2.7, "gamma {gamma}, family {family}: order {order}");
-            assert!(coarse[family] < 3e-3 && finest[family] < 1e-6, "{:?} {:?}", coarse, finest);
+            assert!(coarse[family] < 1e-2 && finest[family] < 1e-4, "{:?} {:?}", coarse, finest);
         }
     }
 }
@@ -289,7 +256,7 @@ fn the_law_of_a_table_is_exact_where_it_answers() {
         ("histogram", table(&HEIGHT, &DENSITY), 0.8),
         ("jumps", jumps, 0.8),
         ("two bumps", sampled(30, 0.0, 4.0, two_bumps), 0.6),
-        ("fine", sampled(300, -5.0, 5.0, bell), 0.0),
+        ("fine", sampled(250, -5.0, 5.0, bell), 0.0),
     ];
     for (name, heights, least) in tables {
         for gamma in [0.0, 0.001] {
@@ -335,7 +302,7 @@ fn histogram(bins: usize, count: f64) -> HeightFamily {
 fn measured_histograms_of_many_bins_are_compiled() {
     let mut random = SplitMix(0xb15);
     for (bins, count, gamma, least) in
-        [(100, 2e4, 0.0, 0.8), (100, 2e4, 0.003, 0.7), (200, 1e5, 0.0, 0.7), (500, 1e5, 0.0, 0.5), (500, 1e6, 0.0, 0.5)]
+        [(100, 2e4, 0.0, 0.8), (100, 2e4, 0.003, 0.7), (200, 1e5, 0.0, 0.7), (250, 1e5, 0.0, 0.5), (250, 1e6, 0.0, 0.5)]
     {
         let model = model(gamma, histogram(bins, count));
         let summary = model.summary();
@@ -365,12 +332,12 @@ fn measured_histograms_of_many_bins_are_compiled() {
 #[test]
 fn slopes_are_those_of_secants() {
     let families = [
-        johnson(1.0, 3.0),
+        johnson(1.0, 3.2),
         johnson(-1.0, 6.0),
         johnson(0.0, 20.0),
-        johnson(0.0, 1.3),
-        johnson(1.5, 3.4),
-        johnson(-1.0, 2.01),
+        johnson(0.0, 1.9),
+        johnson(1.5, 4.8),
+        johnson(-1.0, 3.15),
         table(&HEIGHT, &DENSITY),
     ];
     let mut made = 0;
@@ -417,8 +384,11 @@ fn tables_without_a_meaning_are_refused_by_name_and_index() {
         Model::new(&surface(0.001, table(height, density))).expect_err("a refusal").to_string()
     };
     let cases = [
-        (refused(&[0.0, 1.0], &[1.0, 1.0]), "table_length = 2: must be between 3 and 4096"),
-        (refused(&[0.0; 5000], &[1.0; 5000]), "table_length = 5000: must be between 3 and 4096"),
+        (refused(&[0.0, 1.0], &[1.0, 1.0]), "table_length = 2: must be between 3 and 256"),
+        (
+            refused(&[0.0; 257], &[1.0; 257]),
+            "table_length = 257: must be between 3 and 256, as many as the law can resolve: smooth",
+        ),
         (refused(&[0.0, 1.0, 2.0], &[1.0, 1.0]), "length of table_density = 2: must be that of table_height"),
         (refused(&[0.0, 2.0, 2.0], &[1.0; 3]), "table_height[2] = 2: must be greater than the height before it"),
         (refused(&[0.0, 2.0, 1.0], &[1.0; 3]), "table_height[2] = 1: must be greater than the height before it"),
@@ -450,9 +420,9 @@ fn any_bits_are_refused_or_make_a_sound_model() {
     for i in 0..400 {
         let heights = if i % 2 == 0 {
             let plausible = random.chance(0.7);
-            let skew = if plausible { random.between(-6.0, 6.0) } else { random.any_float() };
+            let skew = if plausible { random.between(-3.5, 3.5) } else { random.any_float() };
             let kurtosis =
-                if plausible { skew * skew + 1.0 + random.log_between(1e-6, 100.0) } else { random.any_float() };
+                if plausible { 1.25 * skew * skew + 1.8 + random.log_between(1e-2, 100.0) } else { random.any_float() };
             johnson(skew, kurtosis)
         } else {
             let count = 2 + random.below(12);

@@ -172,7 +172,7 @@ fn heights_of_johnsons_system_and_of_tables_are_reproduced() {
             }
         }
     }
-    ordinary.finish(183);
+    ordinary.finish(128);
     ill_conditioned.finish(2);
 }
 

@@ -10,7 +10,7 @@
 | height_std | sigma | [length] > 0 |
 | summit_radius | R | [length] > 0 |
 | asperity_count | N | > 0 |
-| skew | | of Johnson's heights, -10 to 10; of others -1.13 to 2, and they become Weibull heights |
+| skew | | of Johnson's heights, -3 to 3; of others -1.11 to 2, and they become Weibull heights |
 | kurtosis | | > 0, of Johnson's heights: start from `params` with a kurtosis |
 | weibull_shape | omega | > 0; heights of other families become Weibull heights |
 | radius_amplitude | epsilon | -1 to 1 |
@@ -128,7 +128,7 @@ def _look_up(name: Any, params: Params) -> FreeName:
         allowed = ", ".join(symbols.get(field, field) for field in _KINDS)
         raise ValueError(f"free name {name!r}: must be one of {allowed}")
     if params.height_distribution == "johnson" and field == "skew":
-        return FreeName(name, field, (field,), _get_field(field), _put_field(field), (-10.0, 10.0))
+        return FreeName(name, field, (field,), _get_field(field), _put_field(field), (-3.0, 3.0))
     if params.height_distribution != "johnson" and field == "kurtosis":
         raise ValueError("free name 'kurtosis': is of Johnson's heights; give params a kurtosis to start from")
     return FreeName(name, field, *_KINDS[field])
@@ -194,7 +194,7 @@ _KINDS: dict[str, tuple[tuple[str, ...], Get, Put, tuple[float, float]]] = {
     **{name: ((name,), _get_field(name), _put_field(name), _POSITIVE) for name in _FIELDS},
     _EPSILON: ((_EPSILON,), _get_field(_EPSILON), _put_field(_EPSILON), (-1.0, 1.0)),
     "kurtosis": (("kurtosis",), _get_field("kurtosis"), _put_field("kurtosis"), _POSITIVE),
-    "skew": (("weibull_shape",), _get_skew, _put_field("skew"), (-1.13, 2.0)),
+    "skew": (("weibull_shape",), _get_skew, _put_field("skew"), (-1.11, 2.0)),
     "alpha": (_ROUGHNESS, _alpha, _put_alpha, _POSITIVE),
     "beta": (_ROUGHNESS, lambda params: _contact_radius(params) / params.burgers_vector, _put_beta, _POSITIVE),
     "gamma": (

@@ -156,7 +156,7 @@ class Params:
             b_over_h: Burgers vector over range of adhesion > 0.
             poisson: Poisson's ratio, above -1, at most 0.5.
             **options: any field with a default. `kurtosis` means Johnson's heights, `skew` without it Weibull heights of
-                this skew, above -1.13955; `weibull_shape` and a table mean their heights too.
+                this skew, -1.11 to 2; `weibull_shape` and a table mean their heights too.
 
         Raises:
             Error: a value that the library refuses.
@@ -209,7 +209,7 @@ class Params:
             summit_density: summits per area [1/m^2] > 0.
             nominal_area: [m^2] > 0.
             **options: any field with a default. `kurtosis` means Johnson's heights, `skew` without it Weibull heights of
-                this skew, above -1.13955; `weibull_shape` and a table mean their heights too.
+                this skew, -1.11 to 2; `weibull_shape` and a table mean their heights too.
 
         Raises:
             Error: a value that the library refuses.
@@ -326,7 +326,7 @@ class Params:
         Args:
             summits: of the map; of the sum of both maps, if both surfaces are rough.
             heights: how the summit heights are represented: "gaussian" by their standard deviation, "weibull" by
-                their skew too, which must be above -1.13955 and at most 2, "johnson" by skew and kurtosis,
+                their skew too, which must be between -1.11 and 2, "johnson" by skew and kurtosis,
                 "tabulated" by their histogram, which ends at the highest summit of the map.
             trend: whether radius may depend on height: R, epsilon and rho are then those of `summits.radius_trend`,
                 if that is significant. Otherwise epsilon is 0, and R `summits.radius`.

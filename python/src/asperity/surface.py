@@ -29,6 +29,7 @@ __all__ = ["Estimate", "HeightMap", "Iso25178", "RadiusTrend", "SpectralMoments"
 Array = npt.NDArray[np.float64]
 
 MIN_SUMMITS = 10
+MIN_BINS, MAX_BINS = 4, 254
 
 
 @dataclass(frozen=True)
@@ -129,10 +130,11 @@ class Summits:
     def histogram(self) -> tuple[Array, Array]:
         """Heights [length] and their density [1/length], as `Params` tabulates it.
 
-        Bins of the width of Freedman and Diaconis (1981), 2 IQR/count^(1/3), at least 4: their middles, and at both
-        ends an edge, where the density is 0.
+        Bins of the width of Freedman and Diaconis (1981), 2 IQR/count^(1/3), at least 4 and at most 254, so that the
+        table is no longer than a law can resolve: their middles, and at both ends an edge, where the density is 0.
         """
-        bins = max(4, np.histogram_bin_edges(self.heights, "fd").size - 1)
+        bins = np.histogram_bin_edges(self.heights, "fd").size - 1
+        bins = min(max(bins, MIN_BINS), MAX_BINS)
         density, edges = np.histogram(self.heights, bins=bins, density=True)
         height = np.concatenate([edges[:1], (edges[1:] + edges[:-1]) / 2, edges[-1:]])
         return height, np.concatenate([[0.0], density, [0.0]])

@@ -133,43 +133,44 @@ impl Johnson {
     #[inline]
     fn at(&self, z: f64) -> Option<At> {
         let (t, rate, slope) = match self.kind {
-            Kind::Unbounded { below, above } => {
-                // y + tau and its distance from where the curve is singular, as a complex number.
-                let tau = 0.5 * (above - below);
-                let y = self.rate * (z - self.median);
-                let height = if self.origin == 0.0 { y + tau } else { self.rate * z };
-                let distance = (height * height + below * above).sqrt();
-                let t = match (self.origin == 0.0, height >= 0.0) {
-                    (true, true) => log1p(y * (above + distance + height) / ((1.0 + distance) * above)),
-                    (true, false) => -log1p(-y * (below + distance - height) / ((1.0 + distance) * below)),
-                    (false, true) => log((height + distance) / above),
-                    (false, false) => -log((distance - height) / below),
-                };
-                (t, 1.0 / distance, -height / (distance * distance))
-            }
-            Kind::Bounded { share, rest } => {
-                let y = self.rate * (z - self.median);
-                // The distances to the two ends over those of the median.
-                let (above_foot, below_head) = (1.0 + rest * y, 1.0 - share * y);
-                if self.origin == 0.0 {
-                    if above_foot <= 0.0 || below_head <= 0.0 {
-                        return None;
-                    }
-                    let t = log1p(rest * y) - log1p(-share * y);
-                    (t, 1.0 / (above_foot * below_head), share / below_head - rest / above_foot)
-                } else {
-                    let below_head = -share * self.rate * z;
-                    if above_foot <= 0.0 || below_head <= 0.0 {
-                        return None;
-                    }
-                    let t = log(above_foot) - log(below_head);
-                    (t, 1.0 / (above_foot * below_head), share / below_head - rest / above_foot)
-                }
-            }
+            Kind::Unbounded { below, above } => self.unbounded(z, below, above),
+            Kind::Bounded { share, rest } => self.bounded(z, share, rest)?,
         };
         let u = t / self.epsilon;
         let rate = self.deviation * rate;
         Some(At { u, rate, slope: self.rate * slope - u * rate })
+    }
+
+    /// t, dt/dy and d(ln dt/dy)/dy of S_U.
+    #[inline]
+    fn unbounded(&self, z: f64, below: f64, above: f64) -> (f64, f64, f64) {
+        // y + tau and its distance from where the curve is singular, as a complex number.
+        let tau = 0.5 * (above - below);
+        let y = self.rate * (z - self.median);
+        let height = if self.origin == 0.0 { y + tau } else { self.rate * z };
+        let distance = (height * height + below * above).sqrt();
+        let t = match (self.origin == 0.0, height >= 0.0) {
+            (true, true) => log1p(y * (above + distance + height) / ((1.0 + distance) * above)),
+            (true, false) => -log1p(-y * (below + distance - height) / ((1.0 + distance) * below)),
+            (false, true) => log((height + distance) / above),
+            (false, false) => -log((distance - height) / below),
+        };
+        (t, 1.0 / distance, -height / (distance * distance))
+    }
+
+    /// The same of S_B; `None` beyond its ends.
+    #[inline]
+    fn bounded(&self, z: f64, share: f64, rest: f64) -> Option<(f64, f64, f64)> {
+        let y = self.rate * (z - self.median);
+        // The distances to the two ends over those of the median.
+        let above_lower = 1.0 + rest * y;
+        let below_upper = if self.origin == 0.0 { 1.0 - share * y } else { -share * self.rate * z };
+        if above_lower <= 0.0 || below_upper <= 0.0 {
+            return None;
+        }
+        let t =
+            if self.origin == 0.0 { log1p(rest * y) - log1p(-share * y) } else { log(above_lower) - log(below_upper) };
+        Some((t, 1.0 / (above_lower * below_upper), share / below_upper - rest / above_lower))
     }
 }
 

@@ -122,11 +122,12 @@ impl Bytes<'_> {
         params = match self.below(16) {
             0..=5 => params,
             6..=10 => params.weibull(self.log_between(1.0, 200.0)),
-            11 => params.weibull(self.log_between(1.0, 1e6)),
+            11 => params.weibull(self.log_between(100.0, 400.0)),
             12..=13 => {
                 let skew = 4.0 * self.part() - 2.0;
                 params.height_distribution = 2;
-                [params.appended[0], params.appended[1]] = [skew, skew * skew + 1.0 + self.log_between(0.01, 20.0)];
+                [params.appended[0], params.appended[1]] =
+                    [skew, 1.25 * skew * skew + 1.8 + self.log_between(0.01, 20.0)];
                 params
             }
             _ => self.tabulated(params),

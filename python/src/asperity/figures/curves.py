@@ -119,7 +119,7 @@ KURTOSIS_CURVES = (
 
 def kurtoses(skew: float) -> Array:
     """Of the axis over kurtosis, from near the least that Johnson's heights are evaluated for."""
-    return np.linspace(1.5 + 1.3 * skew**2, 8, 27)
+    return np.linspace(1.9 + 1.25 * skew**2, 8, 27)
 
 
 def friction_over_kurtosis(skew: float) -> Array:
