@@ -14,7 +14,8 @@
 //! ```
 
 pub mod asperity;
-mod capi;
+#[doc(hidden)]
+pub mod capi;
 mod elementary;
 mod equilibrium;
 mod error;
