@@ -11,4 +11,6 @@ mod fuzz_calls;
 mod interface;
 mod pointers;
 mod pressure_and_slip;
+#[cfg(not(miri))]
+mod programs;
 mod robustness;
