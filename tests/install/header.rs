@@ -31,9 +31,15 @@ fn committed_header_is_what_the_sources_generate() {
 }
 
 #[test]
-fn header_version_is_the_package_version() {
-    let header = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/include/asperity.h")).expect("header");
-    assert!(header.contains(&format!("#define ASPERITY_VERSION \"{}\"", env!("CARGO_PKG_VERSION"))));
+fn header_and_citation_have_the_version_of_the_package() {
+    let version = env!("CARGO_PKG_VERSION");
+    for (file, line) in [
+        ("include/asperity.h", format!("#define ASPERITY_VERSION \"{version}\"")),
+        ("CITATION.cff", format!("version: {version}")),
+    ] {
+        let text = std::fs::read_to_string(root().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
+        assert!(text.lines().any(|found| found == line), "{file} does not say {line}");
+    }
 }
 
 /// The header alone, as the first line of a source in each dialect.
