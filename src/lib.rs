@@ -14,7 +14,8 @@
 //! ```
 
 pub mod asperity;
-mod capi;
+#[doc(hidden)]
+pub mod capi;
 pub mod distribution;
 mod elementary;
 mod equilibrium;

@@ -5,14 +5,14 @@
 #![no_main]
 #![allow(unsafe_code)]
 
-#[path = "../../tests/common/c_abi.rs"]
-mod c_abi;
 #[path = "../../tests/c_api/fuzz_calls/mod.rs"]
 mod fuzz_calls;
+#[path = "../../tests/c_api/interface.rs"]
+mod interface;
 #[path = "../../tests/common/processor_time.rs"]
 mod processor_time;
 mod common {
-    pub(crate) use crate::{c_abi, processor_time};
+    pub(crate) use crate::processor_time;
 }
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {

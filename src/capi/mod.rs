@@ -1,8 +1,10 @@
 //! The C interface. It knows nothing of physics: it checks pointers, converts structs, contains panics.
 //!
-//! Every entry point passes through [`boundary`], most through [`boundary::status`]. All `unsafe` of the library is
+//! Every entry point passes through `boundary`, most through `boundary::status`. All `unsafe` of the library is
 //! in this folder.
 #![allow(unsafe_code, non_camel_case_types)]
+// Units stand in brackets, which rustdoc takes for links.
+#![allow(rustdoc::broken_intra_doc_links)]
 
 mod batch;
 mod boundary;
@@ -18,3 +20,15 @@ mod state;
 mod status;
 mod table;
 mod version;
+
+// For C through the header, for the tests of this crate as items; no part of the Rust interface.
+pub use evaluate::*;
+pub use last_error::asperity_last_error;
+pub use model::*;
+pub use params::*;
+pub use setters::*;
+pub use slope::*;
+pub use state::*;
+pub use status::*;
+pub use table::*;
+pub use version::*;

@@ -2,11 +2,24 @@
 
 #include <asperity.h>
 
-#include <pthread.h>
 #include <stdlib.h>
 
 #include "check.h"
 #include "surfaces.h"
+
+#ifdef _WIN32
+#include <windows.h>
+typedef HANDLE thread;
+#define WORK static DWORD WINAPI
+#define START(at, function, argument) ((*(at) = CreateThread(NULL, 0, function, argument, 0, NULL)) != NULL)
+#define JOIN(thread) WaitForSingleObject(thread, INFINITE)
+#else
+#include <pthread.h>
+typedef pthread_t thread;
+#define WORK static void *
+#define START(at, function, argument) (pthread_create(at, NULL, function, argument) == 0)
+#define JOIN(thread) pthread_join(thread, NULL)
+#endif
 
 enum { THREADS = 4, LOADS = 200, EXACT = 10 };
 
@@ -64,14 +77,14 @@ static int has_message(int index)
     return strncmp(message, expected, strlen(expected)) == 0;
 }
 
-static void *work(void *argument)
+WORK work(void *argument)
 {
     task *t = argument;
     t->messages_kept = asperity_last_error(NULL, 0) == 0; /* a new thread has no message */
     provoke(t->index);
     answer(t->model, &t->found);
     t->messages_kept = t->messages_kept && has_message(t->index);
-    return NULL;
+    return 0;
 }
 
 int main(void)
@@ -79,7 +92,7 @@ int main(void)
     const asperity_params p = surface(6);
     asperity_model *model = NULL;
     task *tasks = calloc(THREADS, sizeof *tasks);
-    pthread_t threads[THREADS];
+    thread threads[THREADS];
     answers *alone = malloc(sizeof *alone);
 
     if (tasks == NULL || alone == NULL || asperity_create(&p, &model) != ASPERITY_OK)
@@ -89,10 +102,10 @@ int main(void)
     for (int i = 0; i < THREADS; i++) {
         tasks[i].model = model;
         tasks[i].index = i;
-        CHECK(pthread_create(&threads[i], NULL, work, &tasks[i]) == 0, "no thread %d", i);
+        CHECK(START(&threads[i], work, &tasks[i]), "no thread %d", i);
     }
     for (int i = 0; i < THREADS; i++) {
-        pthread_join(threads[i], NULL);
+        JOIN(threads[i]);
         CHECK(memcmp(alone, &tasks[i].found, sizeof *alone) == 0, "thread %d has other answers", i);
         CHECK(tasks[i].messages_kept, "thread %d lost its message", i);
     }

@@ -2,8 +2,8 @@
 //!
 //! Batches of fewer than four loads take the scalar path on every processor, longer ones that of its vectors.
 
-use crate::common::c_abi::*;
 use crate::common::splitmix::SplitMix;
+use crate::interface::*;
 use std::ptr::{null, null_mut};
 
 const SEED: u64 = 0x5eed_ba7c;
@@ -22,8 +22,9 @@ fn models() -> Vec<(&'static str, Handle)> {
     let paper = asperity_params::dimensionless(0.01, 1000.0, 0.001, 1.0);
     let mut small_units = paper;
     // SI at the size of atoms.
-    for (i, scale) in [1e11, 1e11, 10.0, 1e-10, 1e-10, 1e-10, 1e-10, 1e6].into_iter().enumerate() {
-        small_units.quantities[i] *= scale;
+    let scales = [1e11, 1e11, 10.0, 1e-10, 1e-10, 1e-10, 1e-10, 1e6];
+    for (quantity, scale) in small_units.quantities().into_iter().zip(scales) {
+        *quantity *= scale;
     }
     vec![
         ("paper", Handle::new(&paper)),

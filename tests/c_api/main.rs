@@ -8,6 +8,9 @@ mod common;
 mod batch;
 mod fuzz;
 mod fuzz_calls;
+mod interface;
 mod pointers;
 mod pressure_and_slip;
+#[cfg(not(miri))]
+mod programs;
 mod robustness;

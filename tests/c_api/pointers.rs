@@ -4,7 +4,7 @@
 //! Places are as long as a call may use, and no longer: `make miri` runs this in Miri, which knows what each pointer may
 //! be used for. The surfaces are those whose models are soonest made, by instructions counted.
 
-use crate::common::c_abi::*;
+use crate::interface::*;
 use std::alloc::{alloc, dealloc, Layout};
 use std::ffi::{c_char, CStr};
 use std::mem::{offset_of, size_of};
@@ -21,7 +21,7 @@ const LAWS: [(BatchCall, SlopeCall); 2] = [
 /// What memory holds that a call must leave as it is.
 const BEFORE: u64 = 0x5eed_5eed_5eed_5eed;
 /// The size of the first version of the parameters.
-const FIRST_SIZE: usize = offset_of!(asperity_params, appended);
+const FIRST_SIZE: usize = offset_of!(asperity_params, skew);
 /// Two blocks of vectors of four lanes, one of eight, and a rest.
 const LONGEST: usize = 16 * 4 * 2 + 7;
 
@@ -242,12 +242,18 @@ fn null_is_refused_or_skipped() {
 
     // A table of heights without one of its columns, or longer than any; of the columns nothing is read then.
     let one = Place::of(bits(&[1.0]), 0);
-    for (table, length, status) in [
+    for ([table_height, table_density], table_length, status) in [
         ([null(), one.pointer()], 3, NULL_POINTER),
         ([one.pointer(), null()], 2, INVALID_PARAMETER),
         ([one.pointer::<f64>().cast_const(); 2], u64::MAX, OUT_OF_RANGE),
     ] {
-        let params = asperity_params { height_distribution: 3, table, table_length: length, ..params };
+        let params = asperity_params {
+            height_distribution: ASPERITY_HEIGHTS_TABULATED,
+            table_height,
+            table_density,
+            table_length,
+            ..params
+        };
         // SAFETY: refused before a column is read.
         assert_eq!(unsafe { asperity_create(&params, &mut model) }, status);
         assert_eq!(model, untouched);
@@ -468,8 +474,8 @@ fn threads_share_it(handle: &Handle) {
 fn a_table_of_heights_is_copied_and_given_back() {
     let mut params = asperity_params::dimensionless(0.6, 0.3, 2.0, 40.0);
     let (height, density) = (Place::of(bits(&[0.0, 1.0, 2.0]), 0), Place::of(bits(&[0.0, 0.0, 1.0]), 0));
-    params.height_distribution = 3;
-    params.table = [height.pointer(), density.pointer()];
+    params.height_distribution = ASPERITY_HEIGHTS_TABULATED;
+    (params.table_height, params.table_density) = (height.pointer(), density.pointer());
     params.table_length = 3;
     let handle = Handle::new(&params);
     drop((height, density));
@@ -481,7 +487,7 @@ fn a_table_of_heights_is_copied_and_given_back() {
     assert_eq!(unsafe { asperity_get_params(handle.0, first.pointer()) }, INVALID_PARAMETER);
     assert_eq!(first.words(FIRST_SIZE / 8), [BEFORE; FIRST_SIZE / 8]);
     // SAFETY: the model's own columns.
-    assert_eq!(unsafe { [own.table[0].add(2).read(), own.table[1].add(2).read()] }, [2.0, 1.0]);
+    assert_eq!(unsafe { [own.table_height.add(2).read(), own.table_density.add(2).read()] }, [2.0, 1.0]);
 
     // Refused: the model and its columns are as before.
     let pull_off = handle.summary().pull_off_load;
@@ -490,14 +496,14 @@ fn a_table_of_heights_is_copied_and_given_back() {
     assert_eq!(unsafe { asperity_set_params(handle.0, &refused) }, INVALID_PARAMETER);
     assert_eq!(handle.summary().pull_off_load, pull_off);
     // Taken, from its own columns, which then are gone.
-    own.appended[2] = 1.0;
+    own.hardness = 1.0;
     // SAFETY: the parameters live, and their columns until the model is changed.
     assert_eq!(unsafe { asperity_set_params(handle.0, &own) }, OK, "{}", message());
     assert_eq!(handle.summary().pull_off_load, pull_off);
     let again = asperity_params::of(&handle);
     // SAFETY: the model's own columns.
-    assert_eq!(unsafe { std::slice::from_raw_parts(again.table[0], 3) }, [0.0, 1.0, 2.0]);
-    assert_eq!((again.struct_size, again.appended[2]), (size, 1.0));
+    assert_eq!(unsafe { std::slice::from_raw_parts(again.table_height, 3) }, [0.0, 1.0, 2.0]);
+    assert_eq!((again.struct_size, again.hardness), (size, 1.0));
     // A handle kept in memory without a value before, and heights that need no table.
     let place = Place::aligned(size_of::<*mut asperity_model>());
     let old = Place::aligned(FIRST_SIZE);

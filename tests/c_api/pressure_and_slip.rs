@@ -1,6 +1,6 @@
 //! Friction by pressure, and with a smooth sign of the slip rate: from friction by load, value and slope.
 
-use crate::common::c_abi::*;
+use crate::interface::*;
 use std::ptr::null_mut;
 
 /// Value and slope of a call that takes a place for the slope.

@@ -2,7 +2,7 @@
 
 #![allow(dead_code)]
 
-pub mod c_abi;
+pub mod c_compiler;
 pub mod processor_time;
 pub mod reference_rows;
 pub mod second_evaluation;

@@ -5,20 +5,16 @@
 use std::time::Duration;
 
 /// Used so far.
-#[cfg(all(target_os = "linux", not(miri)))]
+#[cfg(all(unix, not(miri)))]
 pub fn processor_time() -> Duration {
-    const CLOCK_THREAD_CPUTIME_ID: i32 = 3;
-    extern "C" {
-        fn clock_gettime(clock: i32, time: *mut [i64; 2]) -> i32;
-    }
-    let mut time = [0; 2];
-    // SAFETY: struct timespec of 64-bit Linux.
-    assert_eq!(unsafe { clock_gettime(CLOCK_THREAD_CPUTIME_ID, &mut time) }, 0);
-    Duration::new(time[0] as u64, time[1] as u32)
+    let mut time = libc::timespec { tv_sec: 0, tv_nsec: 0 };
+    // SAFETY: a struct to write to.
+    assert_eq!(unsafe { libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &mut time) }, 0);
+    Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
 }
 
 /// Elsewhere the time on the clock.
-#[cfg(any(not(target_os = "linux"), miri))]
+#[cfg(any(not(unix), miri))]
 pub fn processor_time() -> Duration {
     std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default()
 }

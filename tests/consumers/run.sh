@@ -123,6 +123,15 @@ with_cmake fetch-content -DFETCHCONTENT_SOURCE_DIR_ASPERITY="$root"
 check fetch-content shared
 
 # ---- Documentation ----
+# The program in README.md, compiled as docs/c.md says.
+sed -n '/^```c$/,/^```$/{/^```/d;p}' README.md >"$work/readme.c"
+# shellcheck disable=SC2046
+quietly cc -std=c11 -Wall -Wextra -Wpedantic -Werror "$work/readme.c" $(pkg-config --cflags --libs asperity) \
+    -Wl,-rpath,"$prefix/lib" -o "$work/readme"
+said=$("$work/readme")
+grep -qF "It prints \`$said\`." README.md || fail "README.md does not say that its program prints '$said'"
+echo "README.md: its program prints $said"
+
 # follow PAGE: does what the page says, in a copy of the source tree and with a home of its own.
 follow() {
     local folder=$work/$(basename "$1" .md)

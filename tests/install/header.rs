@@ -1,13 +1,13 @@
-//! The committed header is what the sources generate.
+//! The committed header is what the sources generate, and every dialect of C and C++ takes it.
 
-use std::path::Path;
+use crate::common::c_compiler::{root, source, Compiler, Language};
 
 /// Set to write the header instead of comparing it: `make header`.
 const WRITE: &str = "ASPERITY_WRITE_HEADER";
 
 #[test]
 fn committed_header_is_what_the_sources_generate() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     let path = root.join("include/asperity.h");
     let config = cbindgen::Config::from_file(root.join("cbindgen.toml")).expect("cbindgen.toml");
     // The C interface alone, a file per subject, in the order in which a reader needs them.
@@ -31,7 +31,32 @@ fn committed_header_is_what_the_sources_generate() {
 }
 
 #[test]
-fn header_version_is_the_package_version() {
-    let header = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/include/asperity.h")).expect("header");
-    assert!(header.contains(&format!("#define ASPERITY_VERSION \"{}\"", env!("CARGO_PKG_VERSION"))));
+fn header_and_citation_have_the_version_of_the_package() {
+    let version = env!("CARGO_PKG_VERSION");
+    for (file, line) in [
+        ("include/asperity.h", format!("#define ASPERITY_VERSION \"{version}\"")),
+        ("CITATION.cff", format!("version: {version}")),
+    ] {
+        let text = std::fs::read_to_string(root().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
+        assert!(text.lines().any(|found| found == line), "{file} does not say {line}");
+    }
+}
+
+/// The header alone, as the first line of a source in each dialect.
+#[test]
+fn every_dialect_takes_the_header_without_a_warning() {
+    let c = source("header.c", "#include <asperity.h>\n");
+    for standard in if cfg!(windows) { &["c11", "c17"][..] } else { &["c99", "c11", "c17"] } {
+        Compiler::all(Language::C, standard).iter().for_each(|compiler| compiler.accepts(&c));
+    }
+    let cpp = source("header.cpp", "#include <asperity.h>\n");
+    let standards =
+        if cfg!(windows) { &["c++14", "c++17", "c++20"][..] } else { &["c++98", "c++11", "c++17", "c++20"] };
+    for standard in standards {
+        for compiler in Compiler::all(Language::Cpp, standard) {
+            // C++98 has no long long of its own, which the system's stdint.h uses.
+            let compiler = if *standard == "c++98" { compiler.with(&["-Wno-long-long"]) } else { compiler };
+            compiler.accepts(&cpp);
+        }
+    }
 }

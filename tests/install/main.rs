@@ -1,3 +1,8 @@
-//! What a user gets: the header.
+//! What a user begins with: the header, the program of README.md, the examples in C and C++.
 
+#[path = "../common/mod.rs"]
+mod common;
+
+mod example;
 mod header;
+mod readme;

@@ -368,3 +368,18 @@ fn the_second_evaluation_agrees_with_the_80_bit_rows() {
     assert_eq!(rows, 655);
     assert!(offences.is_empty(), "{} offences:\n{}", offences.len(), offences.join("\n"));
 }
+
+#[test]
+fn every_axis_is_filled_evenly() {
+    let mut sobol = Sobol::new(10);
+    let points: Vec<Vec<f64>> = (0..1024).map(|_| sobol.next_point()).collect();
+    for axis in 0..10 {
+        let mut cells: Vec<usize> = points.iter().map(|point| (point[axis] * 1024.0) as usize).collect();
+        cells.sort_unstable();
+        assert!(cells.into_iter().eq(0..1024), "axis {axis}");
+    }
+    // The first two axes together: one point in each of 32 by 32 cells.
+    let mut cells: Vec<usize> = points.iter().map(|p| (p[0] * 32.0) as usize * 32 + (p[1] * 32.0) as usize).collect();
+    cells.sort_unstable();
+    assert!(cells.into_iter().eq(0..1024));
+}

@@ -2,8 +2,8 @@
 //! where it is refused, no floating-point flag raised, no call longer than a second, answers that agree with each other.
 
 use super::TABLE_AT;
-use crate::common::c_abi::*;
 use crate::common::processor_time::processor_time;
+use crate::interface::*;
 use std::collections::BTreeMap;
 use std::ffi::{c_char, CStr};
 use std::hint::black_box;
@@ -79,8 +79,8 @@ impl Model {
 
     /// What loads are measured in.
     fn unit_load(&self) -> f64 {
-        let q = self.params.quantities;
-        q[0] * q[4] * q[4] * q[7]
+        let p = &self.params;
+        p.composite_modulus * p.burgers_vector * p.burgers_vector * p.asperity_count
     }
 
     /// How well the friction force at a load can be known, relative to it, given how well a load can.
@@ -206,7 +206,7 @@ impl<'a> Calls<'a> {
         let state_at: *mut asperity_state = &mut state;
         let pull_off = model.summary.pull_off_load;
         assert_eq!(call!(self, model.params, asperity_state_at_load(at, pull_off, state_at)), OK, "{:?}", model.params);
-        let (end, height_std) = (state.separation, model.params.quantities[5]);
+        let (end, height_std) = (state.separation, model.params.height_std);
         for offset in (-15..0).map(|k| height_std * 10_f64.powi(k)) {
             let status = call!(self, model.params, asperity_state_at_separation(at, end + offset, state_at));
             assert_eq!(status, OK, "{end:e} + {offset:e}: {}; {:?}", message(), model.params);
@@ -234,7 +234,7 @@ impl<'a> Calls<'a> {
         let at: Shared = model.handle.0;
         let p = model.params;
         let pull_off = model.summary.pull_off_load;
-        let cap = p.constants[7];
+        let cap = p.max_friction_coefficient;
         let (mut slope, mut mu_slope) = (BEFORE, BEFORE);
         let (slope_at, mu_slope_at): (*mut f64, *mut f64) = (&mut slope, &mut mu_slope);
         let force = self.force(model, load);
@@ -417,7 +417,7 @@ impl<'a> Calls<'a> {
             assert_eq!(call!(self, model.params, asperity_state_at_load(at, load, state_at)), OK, "load {load:e}");
             state.separation
         });
-        let height_std = model.params.quantities[5];
+        let height_std = model.params.height_std;
         (lighter - heavier).abs() > UNRESOLVED * f64::EPSILON * lighter.abs().max(height_std)
     }
 
@@ -554,8 +554,8 @@ impl<'a> Calls<'a> {
                 _ => call!(self, x, asperity_params_set_skew(at, x[0])),
             };
             if status == OK {
-                let numbers = params.quantities.iter().chain(&params.constants);
-                assert!(numbers.clone().all(|&x| is_finite(x)), "setter {which} of {x:?}: {params:?}");
+                let finite = params.numbers().into_iter().all(|x| is_finite(*x));
+                assert!(finite, "setter {which} of {x:?}: {params:?}");
             } else {
                 let what = || format!("setter {which} of {x:?}");
                 self.documented(status, &[INVALID_PARAMETER, OUT_OF_RANGE], &what);
@@ -608,7 +608,8 @@ impl<'a> Calls<'a> {
 
 /// How parameters may be refused.
 fn refusals(params: &asperity_params) -> &'static [i32] {
-    let lacks_table = params.height_distribution == 3 && params.table.iter().any(|pointer| pointer.is_null());
+    let lacks_table = params.height_distribution == ASPERITY_HEIGHTS_TABULATED
+        && (params.table_height.is_null() || params.table_density.is_null());
     if lacks_table {
         &[INVALID_PARAMETER, OUT_OF_RANGE, NULL_POINTER]
     } else {
@@ -625,11 +626,11 @@ fn echo(params: &asperity_params) -> asperity_params {
         std::ptr::copy_nonoverlapping(bytes(params).as_ptr(), std::ptr::from_mut(&mut echo).cast(), covered);
     }
     let default = asperity_params::initial();
-    if params.height_distribution != 1 {
-        echo.constants[0] = default.constants[0];
+    if params.height_distribution != ASPERITY_HEIGHTS_WEIBULL {
+        echo.weibull_shape = default.weibull_shape;
     }
-    if params.height_distribution != 2 {
-        (echo.appended[0], echo.appended[1]) = (default.appended[0], default.appended[1]);
+    if params.height_distribution != ASPERITY_HEIGHTS_JOHNSON {
+        (echo.skew, echo.kurtosis) = (default.skew, default.kurtosis);
     }
     echo
 }

@@ -8,12 +8,12 @@
 
 mod calls;
 
-use crate::common::c_abi::*;
+use crate::interface::*;
 pub use calls::{Calls, Tally};
 use std::mem::offset_of;
 
 /// The word of the parameters at which the table's pointers begin, which are trusted: they lead to `TABLES` or nowhere.
-pub const TABLE_AT: usize = offset_of!(asperity_params, table) / 8;
+pub const TABLE_AT: usize = offset_of!(asperity_params, table_height) / 8;
 const TABLE_LENGTH: usize = 9;
 /// Heights, and densities at them: some that are valid, some that are not.
 static TABLES: [[f64; TABLE_LENGTH]; 8] = [
@@ -116,7 +116,7 @@ impl Bytes<'_> {
         let stress = force / (length * length);
         let count = self.log_between(1e-3, 1e15);
         let units = [stress, stress, force / length, length, length, length, length, count];
-        for (quantity, unit) in params.quantities.iter_mut().zip(units) {
+        for (quantity, unit) in params.quantities().into_iter().zip(units) {
             *quantity *= unit;
         }
         params = match self.below(16) {
@@ -125,10 +125,7 @@ impl Bytes<'_> {
             11 => params.weibull(self.log_between(100.0, 400.0)),
             12..=13 => {
                 let skew = 4.0 * self.part() - 2.0;
-                params.height_distribution = 2;
-                [params.appended[0], params.appended[1]] =
-                    [skew, 1.25 * skew * skew + 1.8 + self.log_between(0.01, 20.0)];
-                params
+                params.johnson(skew, 1.25 * skew * skew + 1.8 + self.log_between(0.01, 20.0))
             }
             _ => self.tabulated(params),
         };
@@ -146,11 +143,11 @@ impl Bytes<'_> {
 
     /// With a table of heights, of which not all are valid.
     fn tabulated(&mut self, mut params: asperity_params) -> asperity_params {
-        params.height_distribution = 3;
-        params.table = [TABLES[self.below(2)].as_ptr(), TABLES[self.below(TABLES.len())].as_ptr()];
+        params = params.table(&TABLES[self.below(2)], &TABLES[self.below(TABLES.len())]);
         params.table_length = if self.below(4) == 0 { self.below(TABLE_LENGTH + 1) } else { TABLE_LENGTH } as u64;
         if self.below(16) == 0 {
-            (params.table[self.below(2)], params.table_length) = (std::ptr::null(), self.word());
+            *[&mut params.table_height, &mut params.table_density][self.below(2)] = std::ptr::null();
+            params.table_length = self.word();
         }
         params
     }
@@ -223,7 +220,7 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
             calls.batches(model, &loads, bytes.below(8));
         }
         145..=169 => calls.exact(model, bytes.load(summary)),
-        170..=179 => calls.separation(model, bytes.separation(model.params.quantities[5])),
+        170..=179 => calls.separation(model, bytes.separation(model.params.height_std)),
         180..=199 => calls.secant(model, bytes.part()),
         200..=219 => calls.order(model, bytes.load(summary), bytes.load(summary)),
         220..=239 => {

@@ -203,6 +203,8 @@ def surveyed(folder, programs, asked):
     for target, program in programs.items():
         names = run([program, "--list"], cwd=folder / "tree", stdout=subprocess.PIPE).stdout
         for name in re.findall(r"^(.*): test$", names, re.M):
+            if name.startswith("programs::"):
+                continue  # they are among PROGRAMS, where nothing is compiled for each mutant
             command = [program, "--exact", name, "--test-threads=1"]
             commands[f"{target} {name}"] = command
             if f"{target} {name}".startswith(EMULATED):
