@@ -31,6 +31,7 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_SEPARATED = 4        ! load below the pull-off load
   integer(c_int32_t), parameter, public :: ASPERITY_OUT_OF_RANGE = 5     ! finite, but beyond what can be evaluated
   integer(c_int32_t), parameter, public :: ASPERITY_NOT_CONVERGED = 6
+  integer(c_int32_t), parameter, public :: ASPERITY_OUT_OF_MEMORY = 7    ! nothing was made or changed
   integer(c_int32_t), parameter, public :: ASPERITY_INTERNAL = 255       ! a bug in the library
 
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_GAUSSIAN = 0

@@ -86,6 +86,11 @@
 #define ASPERITY_NOT_CONVERGED 6
 
 /**
+ * The system refuses the memory that making a model takes; nothing was made or changed.
+ */
+#define ASPERITY_OUT_OF_MEMORY 7
+
+/**
  * A bug in the library: please report it.
  */
 #define ASPERITY_INTERNAL 255
@@ -611,7 +616,7 @@ asperity_status asperity_params_set_skew(struct asperity_params *params,
  * @param params  the surfaces; must not be NULL
  * @param model   receives the model; must not be NULL; `*model` is untouched on failure
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`,
- *         `ASPERITY_NOT_CONVERGED`
+ *         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
  *
  * Threads: any.
  */
@@ -838,7 +843,8 @@ double asperity_slip_force(const struct asperity_model *model,
  * @param load   normal load [force], from the pull-off load upwards
  * @param state  receives the state; must not be NULL; its `struct_size` must be set; untouched on failure
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
- *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`
+ *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
+ *         `ASPERITY_OUT_OF_MEMORY`
  *
  * Threads: may share the model.
  */
@@ -853,7 +859,7 @@ asperity_status asperity_state_at_load(const struct asperity_model *model,
  * @param separation  of the flat from the mean of the summit heights [length]; may be negative
  * @param state       receives the state; must not be NULL; its `struct_size` must be set; untouched on failure
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, or a separation that
- *         is not finite), `ASPERITY_OUT_OF_RANGE`
+ *         is not finite), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_OUT_OF_MEMORY`
  *
  * Threads: may share the model.
  */

@@ -374,7 +374,8 @@ class Model {
 public:
     /// Checks the parameters and compiles the law, in milliseconds.
     ///
-    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED,
+    /// ASPERITY_OUT_OF_MEMORY).
     explicit Model(const Params &params = Params()) {
         asperity_model *model = nullptr;
         check(asperity_create(&params.c(), &model));

@@ -102,7 +102,7 @@ static void every_status_has_its_own_words(void)
 {
     const asperity_status known[] = { ASPERITY_OK, ASPERITY_NULL_POINTER, ASPERITY_INVALID_PARAMETER,
                                       ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE,
-                                      ASPERITY_NOT_CONVERGED, ASPERITY_INTERNAL };
+                                      ASPERITY_NOT_CONVERGED, ASPERITY_OUT_OF_MEMORY, ASPERITY_INTERNAL };
     const int n = sizeof known / sizeof *known;
     for (int i = 0; i < n; i++) {
         const char *words = asperity_status_string(known[i]);
@@ -111,7 +111,7 @@ static void every_status_has_its_own_words(void)
             CHECK(strcmp(words, asperity_status_string(known[k])) != 0, "%d and %d are both '%s'", i, k, words);
     }
     CHECK(strcmp(asperity_status_string(-1), "unknown status") == 0, "%s", asperity_status_string(-1));
-    CHECK(strcmp(asperity_status_string(7), "unknown status") == 0, "%s", asperity_status_string(7));
+    CHECK(strcmp(asperity_status_string(8), "unknown status") == 0, "%s", asperity_status_string(8));
 }
 
 /* ---- Parameters ---- */
