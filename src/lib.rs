@@ -28,6 +28,7 @@ pub mod population;
 pub mod regularised;
 mod root;
 pub mod surface;
+mod unit_slips;
 
 pub use error::{Error, Value};
 pub use model::{Model, State, Summary, WARNING_PLASTIC};

@@ -115,6 +115,7 @@ mod tests {
         let value = Value::Integer(0);
         let errors = [
             (Error::InvalidParameter { name: "", value, allowed: "" }, 2),
+            (Error::Unset { name: "" }, 2),
             (Error::InvalidEntry { name: "", index: 0, value: 0.0, allowed: "" }, 2),
             (Error::InvalidLoad { value: f64::NAN }, 3),
             (Error::Separated { load: -2.0, pull_off: -1.0 }, 4),
