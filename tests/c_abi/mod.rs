@@ -106,6 +106,8 @@ extern "C" {
     pub fn asperity_status_string(status: i32) -> *const c_char;
     pub fn asperity_params_init(params: *mut asperity_params) -> i32;
     pub fn asperity_params_init_sized(params: *mut asperity_params, struct_size: u64) -> i32;
+    pub fn asperity_params_init_unset(params: *mut asperity_params) -> i32;
+    pub fn asperity_params_init_unset_sized(params: *mut asperity_params, struct_size: u64) -> i32;
     pub fn asperity_params_set_dimensionless(
         params: *mut asperity_params,
         alpha: f64,
