@@ -13,6 +13,7 @@ mod fp_environment;
 mod last_error;
 mod model;
 mod params;
+mod reserve;
 mod scalar;
 mod setters;
 mod slope;
