@@ -35,6 +35,9 @@ const NEAR_PULL_OFF: f64 = 1e-4;
 /// The lightest loads of a highest summit are found by halving the distance from it, hundreds of times.
 const MOST_STEPS: u32 = 1000;
 
+/// Hardly any heights are this many sigma below their mean: where they begin is then no kink.
+const LOWEST_FOOT: f64 = 8.0;
+
 /// How well a load next to the pull-off load is known, relative to it.
 const LOAD_ROUNDING: f64 = 2e-11;
 
@@ -126,7 +129,10 @@ impl Branch {
     /// nearly all pass such an overlap within a small part of it: there the sums are smooth on their own scale alone.
     pub fn kinks(&self) -> Vec<f64> {
         let population = &self.population;
-        let mut kinks = [population.kinks(), population.passings_of_foot(), population.deep_passings()].concat();
+        let mut kinks = [population.kinks(), population.deep_passings()].concat();
+        if population.heights().foot() > -population.heights().origin() - LOWEST_FOOT {
+            kinks.extend(population.passings_of_foot());
+        }
         kinks.sort_by(f64::total_cmp);
         kinks.dedup();
         kinks

@@ -38,9 +38,9 @@ use panels::{Sink, THETA_SPAN};
 use std::f64::consts::PI;
 use sums::Summit;
 
-/// Nearly all heights are within this of their mean, in sigma...
-const HALF_WIDTH: f64 = 8.0;
-/// ...and pass within a small part of an overlap as large as this.
+/// Where the logarithm of the density of heights is below this hardly any are...
+const LOG_NOTHING: f64 = -19.0;
+/// ...and the others pass an overlap as large as this, in sigma, within a small part of it.
 const DEEP: f64 = 40.0;
 
 /// The fineness of sums of which the sign is asked: every panel has as few points as there are.
@@ -191,8 +191,10 @@ impl Population {
             return Vec::new();
         }
         let middle = -self.heights.origin();
-        let ends = [(middle - HALF_WIDTH).max(self.heights.foot()), middle + HALF_WIDTH];
-        ends.into_iter().flat_map(|z| self.passings(z)).filter(|&passing| passing < middle - DEEP).collect()
+        let is_empty = |z: f64| self.heights.log_density(z) < LOG_NOTHING;
+        let end = |step: f64| (4..40).map(|k| middle + step * f64::from(k)).find(|&z| is_empty(z));
+        let ends = [end(-1.0).map(|z| z.max(self.heights.foot())), end(1.0)];
+        ends.into_iter().flatten().flat_map(|z| self.passings(z)).filter(|&passing| passing < middle - DEEP).collect()
     }
 
     /// The separations at which a height passes the overlaps where the law of one summit has a kink.
