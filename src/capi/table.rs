@@ -60,7 +60,7 @@ pub unsafe extern "C" fn asperity_table_of(
             Ok(asperity_table {
                 struct_size,
                 rows: view.rows.as_ptr().cast(),
-                row_count: view.rows.len() as u64,
+                row_count: view.row_count as u64,
                 base: view.base,
                 shift: view.shift,
                 layout_version: ASPERITY_TABLE_LAYOUT,

@@ -139,6 +139,10 @@ unsafe impl Lanes for __m256d {
         _mm256_or_pd(a, b)
     }
     #[inline(always)]
+    unsafe fn and_mask(a: __m256d, b: __m256d) -> __m256d {
+        _mm256_and_pd(a, b)
+    }
+    #[inline(always)]
     unsafe fn not_mask(a: __m256d) -> __m256d {
         _mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_set1_epi64x(-1)))
     }

@@ -138,6 +138,10 @@ unsafe impl Lanes for __m512d {
         a | b
     }
     #[inline(always)]
+    unsafe fn and_mask(a: __mmask8, b: __mmask8) -> __mmask8 {
+        a & b
+    }
+    #[inline(always)]
     unsafe fn not_mask(a: __mmask8) -> __mmask8 {
         !a
     }
