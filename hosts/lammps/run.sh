@@ -28,5 +28,5 @@ column() {
 rm -f "$build"/*.txt
 column 1 "$build/one.txt"
 column 2 "$build/two.txt"
-column 1 "$build/constant.txt" 0.5
+column 1 "$build/constant.txt" 0.3
 exec "$build/column" compare "$build/one.txt" "$build/two.txt" "$build/constant.txt"
