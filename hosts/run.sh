@@ -17,6 +17,10 @@ fi
 
 echo "building the library"
 cargo build --quiet --release --locked -j1 || exit 1
+release=$(realpath -m "${CARGO_TARGET_DIR:-target}")/release
+"${CC:-cc}" -std=c11 -O2 -Wall -Wextra -Werror -Iinclude hosts/surface_test.c -o "$logs/surface_test" \
+    -L"$release" -lasperity -Wl,-rpath,"$release" && "$logs/surface_test" ||
+    { echo "hosts/run.sh: the check of the surfaces (hosts/surface.h) does not do what it must"; exit 1; }
 
 verdicts="" costs="" failed=0 number=0 begin=$SECONDS
 for host in "${hosts[@]}"; do

@@ -4,6 +4,7 @@
 #define HOSTS_SURFACE_H
 
 #include <stdio.h>
+#include <string.h>
 
 #include "asperity.h"
 
@@ -46,7 +47,8 @@ static inline int surface_holds(const asperity_model *model, double lightest, do
     const double loads[2] = {lightest, heaviest};
     int holds = 1;
     for (int i = 0; i < 2; i++) {
-        asperity_state state = {0};
+        asperity_state state;
+        memset(&state, 0, sizeof state);
         const char *fault = surface_fault(model, loads[i], 1, &state);
         printf("surface at %.4g: %.2g %% of the summits touch, %.2g contacts%s%s\n", loads[i],
                100 * state.fraction_in_contact, state.contacting, fault ? ": " : "", fault ? fault : "");
