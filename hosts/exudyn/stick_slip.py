@@ -197,7 +197,7 @@ def main():
         f"mass is up to {np.max(np.abs(x_constant - x)) / amplitude:.1%} of the amplitude elsewhere"
     )
     report_newton(model)
-    print(f"  cost: constant mu {constant_time:.2f} s, law {law_time:.2f} s, ratio {law_time / constant_time:.2f}")
+    print(f"exudyn  cost  constant mu {constant_time:.2f} s; the law x {law_time / constant_time:.2f}")
     passed = error <= LIMIT
     print(
         f"exudyn  {'PASS' if passed else 'FAIL'}  max |x - x_scipy| / amplitude = {error:.1e}  (limit {LIMIT:.0e})"

@@ -240,7 +240,7 @@ def main(picture):
     error = check(model, law)
     compare(law, constant)
     draw(law, constant, picture)
-    print(f"  cost: constant mu {constant_time:.1f} s, law {law_time:.1f} s, ratio {law_time / constant_time:.2f}")
+    print(f"getfem  cost  constant mu {constant_time:.2f} s; the law x {law_time / constant_time:.2f}")
     passed = error <= LIMIT
     print(
         f"getfem  {'PASS' if passed else 'FAIL'}  max |traction / mu(p) p - 1|, imbalance = {error:.1e}"

@@ -9,6 +9,7 @@ fail() {
     echo "lammps  FAIL  $*"
     exit 1
 }
+cmake/check_rust.sh || fail "the library does not build"
 
 if ! [ -e /usr/include/lammps/library.h ] || ! command -v mpicc mpirun >/dev/null; then
     fail "LAMMPS is missing: apt-get install liblammps-dev"

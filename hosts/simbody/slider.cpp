@@ -227,7 +227,7 @@ void report_cost(const asperity::Model &model, const Case &c) {
         constant = std::min(constant, seconds(c, Friction(mu), stop));
         law = std::min(law, seconds(c, Friction(model), stop));
     }
-    std::printf("  cost: constant mu %.3f s, law %.3f s, ratio %.2f\n", constant, law, law / constant);
+    std::printf("simbody  cost  constant mu %.3f s; the law x %.2f\n", constant, law / constant);
 }
 
 } // namespace
