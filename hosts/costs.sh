@@ -10,8 +10,8 @@ log=$(realpath -m "${CARGO_TARGET_DIR:-target}")/hosts/costs.txt
 mkdir -p "$(dirname "$log")"
 [ $# -gt 0 ] || set -- ode mujoco siconos lammps simbody exudyn getfem
 
-echo "$(date -u +%Y-%m-%d), $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, load average" \
-    "$(cut -d' ' -f1 /proc/loadavg); medians of $runs runs (least to greatest)"
+echo "$(date -u +%Y-%m-%d), $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores," \
+    "load average $(cut -d' ' -f1 /proc/loadavg); medians of $runs runs (least to greatest)"
 for host in "$@"; do
     : >"$log"
     for run in $(seq "$runs"); do

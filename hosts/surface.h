@@ -35,7 +35,7 @@ static inline const char *surface_fault(const asperity_model *model, double load
     if (asperity_state_at_load(model, load, state) != ASPERITY_OK) return "there is no state";
     if (!(state->contacting * area_ratio >= 20)) return "fewer than 20 summits touch: too few for a mean";
     if (!(state->fraction_in_contact <= 0.1)) return "more than 10 % of the summits touch: they feel each other";
-    if (!(state->mean_contact_radius <= 0.1 * params.summit_radius)) return "contacts are too large for Hertz: a > R/10";
+    if (!(state->mean_contact_radius <= 0.1 * params.summit_radius)) return "contacts too large for Hertz: a > R/10";
     if (!(state->mean_contact_radius > params.burgers_vector)) return "contacts are smaller than the Burgers vector";
     if (!(params.hardness > 0)) return "the hardness is not given";
     if (!(state->mean_asperity_pressure < 0.4 * params.hardness) || state->warnings != 0) return "summits yield";

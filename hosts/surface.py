@@ -32,7 +32,7 @@ def fault(model, load, area_ratio=1):
     if not state.fraction_in_contact <= 0.1:
         return "more than 10 % of the summits touch: they feel each other"
     if not state.mean_contact_radius <= 0.1 * params.summit_radius:
-        return "contacts are too large for Hertz: a > R/10"
+        return "contacts too large for Hertz: a > R/10"
     if not state.mean_contact_radius > params.burgers_vector:
         return "contacts are smaller than the Burgers vector"
     if not params.hardness > 0:

@@ -175,8 +175,8 @@ static result draw_slider(const mjModel *m, mjData *d, const asperity_model *mod
         r.steps++;
         if (!check || settled == 0) continue;
         if (d->ncon != 5 || d->qvel[0] < 0.01 || d->qvel[3] < 0.002)
-            fail("at t = %g s there are %d contacts, not 5, or ball (%g m/s) or box (%g m/s) is stuck", d->time, d->ncon,
-                 d->qvel[0], d->qvel[3]);
+            fail("at t = %g s there are %d contacts, not 5, or ball (%g m/s) or box (%g m/s) is stuck", d->time,
+                 d->ncon, d->qvel[0], d->qvel[3]);
         double on_ball, on_box;
         r.ball_deviation = fmax(r.ball_deviation, pair_deviation(m, model, &known, "ball", &on_ball));
         r.box_deviation = fmax(r.box_deviation, pair_deviation(m, model, &known, "box", &on_box));
