@@ -137,7 +137,7 @@ def _regimes() -> Figure:
                 curves.REGIME_LOADS, edges[number], edges[number + 1], color=_COLOURS[number], alpha=0.45, lw=0, label=label
             )
         for number in (0, 1):
-            _line(axes, 2 * panel + number, 0, curves.REGIME_LOADS, edges[number + 1], "_nolegend_")
+            _line(axes, 2 * panel + number, number, curves.REGIME_LOADS, edges[number + 1], "_nolegend_")
         axes.set_xlabel(r"$P/(N\,G\,b^2\,\alpha\beta^2)$ [–]")
         if panel > 0:
             axes.tick_params(labelleft=False)
