@@ -97,5 +97,5 @@ def test_without_cargo_the_build_says_what_to_install(root: Path) -> None:
         env={**os.environ, "CARGO": "no-such-cargo"}, capture_output=True, text=True, timeout=600, check=False,
     )  # fmt: skip
     assert done.returncode != 0
-    said = re.search(r"asperity needs Rust 1\.\d+ or later \(found none\): https://rustup.rs", done.stdout + done.stderr)
-    assert said, done.stderr
+    line = r"asperity needs Rust 1\.\d+ or later \(found none\): https://rustup.rs"
+    assert re.search(line, done.stdout + done.stderr), done.stderr

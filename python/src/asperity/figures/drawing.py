@@ -133,9 +133,8 @@ def _regimes() -> Figure:
         below, between, _ = curves.regimes(beta)
         edges = (0 * below, below, below + between, 1 + 0 * below)
         for number, label in enumerate(labels):
-            axes.fill_between(
-                curves.REGIME_LOADS, edges[number], edges[number + 1], color=_COLOURS[number], alpha=0.45, lw=0, label=label
-            )
+            low, high = edges[number], edges[number + 1]
+            axes.fill_between(curves.REGIME_LOADS, low, high, color=_COLOURS[number], alpha=0.45, lw=0, label=label)
         for number in (0, 1):
             _line(axes, 2 * panel + number, number, curves.REGIME_LOADS, edges[number + 1], "_nolegend_")
         axes.set_xlabel(r"$P/(N\,G\,b^2\,\alpha\beta^2)$ [–]")
