@@ -569,51 +569,6 @@ mod tests {
         assert!(mu > 0.0 && mu.is_finite() && slope == -1e300, "{mu}, {slope:e}");
     }
 
-    /// Where a few of the lowest summits part, within a last bit of the separation, the load rises by less than a rounding.
-    #[test]
-    fn friction_rises_with_load_wherever_the_branch_goes() {
-        let heights = HeightFamily::Johnson { skew: -0.0546875, kurtosis: 1.005699834951593 };
-        let params = Params {
-            composite_modulus: 7.602926355323426e-6,
-            effective_shear_modulus: 5.322048448726398e-6,
-            work_of_adhesion: 1.2144095762120117e-6,
-            adhesion_range: 49.03695077502044,
-            burgers_vector: 3.028103075464726,
-            height_std: 0.10534860379122947,
-            summit_radius: 543.2892701961454,
-            heights,
-            ..Params::default()
-        };
-        let model = Model::new(&params).expect("a model");
-        let mut separation = model.branch.population().partings()[0];
-        let mut rising = 0;
-        for _ in 0..40 {
-            separation = separation.next_up();
-            assert!(model.is_on_branch(separation));
-            let sums = model.branch.population().at_separation(separation).unscaled();
-            rising += u32::from(sums.load_slope > 0.0);
-            let slope = model.force_slope(separation, &sums);
-            assert!(slope > 0.0 && slope.is_finite(), "{slope:e} at {separation}");
-        }
-        assert!(rising > 0);
-    }
-
-    #[test]
-    fn a_tiny_scale_and_a_large_unit_make_a_number() {
-        let units = Units { load: 1e60, ..default_case().units };
-        for (log_scale, expected) in [(-800.0, 60.0 * 10.0_f64.ln() - 800.0), (-590.0, 60.0 * 10.0_f64.ln() - 590.0)] {
-            let found = units.of_load(&Sums { log_scale, ..Sums::default() }, 2.0);
-            assert!((found / (2.0 * expected.exp()) - 1.0).abs() < 1e-12, "{log_scale}: {found:e}");
-        }
-        // No digit is lost where nothing is scaled.
-        for unit in [0.3, 2.8, 7e30] {
-            assert_eq!(units.of(unit, &Sums::default(), 1.7), unit * 1.7);
-        }
-        // Next to where one way takes over from the other they give the same.
-        let at = |log_scale: f64| units.of(1e-20, &Sums { log_scale, ..Sums::default() }, 3.0);
-        assert!((at(-600.0) / at((-600.0_f64).next_up()) - 1.0).abs() < 1e-12);
-    }
-
     /// E* b^2 is 2.857, sigma 10.
     #[test]
     fn loads_and_separations_are_taken_up_to_the_limits_and_no_further() {

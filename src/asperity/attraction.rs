@@ -65,8 +65,6 @@ impl Attraction {
     /// The attracted asperity whose circle of interaction is `circle`, eqs (10) and (11).
     #[inline]
     pub fn at(&self, circle: f64, g: f64) -> Attracted {
-        #[cfg(test)]
-        tests::EVALUATIONS.set(tests::EVALUATIONS.get() + 1);
         let relative = circle / (self.radius * g) - self.strain;
         // R' d(c/R')/du = sigma / relative
         let overlap_rate = relative / self.sigma;
@@ -88,14 +86,8 @@ impl Attraction {
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
+mod tests {
     use super::*;
-    use std::cell::Cell;
-
-    thread_local! {
-        /// Evaluations of the law of attraction.
-        pub static EVALUATIONS: Cell<u32> = const { Cell::new(0) };
-    }
 
     fn near(a: f64, b: f64, tolerance: f64) -> bool {
         (a - b).abs() <= tolerance * b.abs()

@@ -84,7 +84,7 @@ pub trait ContactLaw: std::fmt::Debug + Send + Sync {
 }
 
 #[cfg(test)]
-pub mod tests {
+pub(crate) mod tests {
     use super::*;
 
     /// At these parameters and at three radii.

@@ -32,7 +32,7 @@ impl Population {
     pub(super) fn add_attractions(&self, sums: &mut Sums, separation: f64, edge: &Edge) {
         let Some(law) = &self.attraction else { return };
         let lower = (separation - law.reach).max(self.lower_cut);
-        let upper = edge.point.z.min(self.heights.support().1);
+        let upper = edge.point.z.min(self.highest);
         let Some((lower, upper)) = self.where_attraction_exists(lower, upper) else { return };
         // Overlaps are small differences of heights: keep the ends that are known as overlaps.
         let mut start = lower - separation;

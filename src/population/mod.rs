@@ -310,3 +310,6 @@ fn highest(heights: &dyn HeightDistribution) -> f64 {
     let excess = |z: f64| (heights.log_density(z) - SMALLEST_LOG_DENSITY).max(-1e3);
     root::bracketed(excess, mode, mode + step)
 }
+
+#[cfg(test)]
+pub(crate) mod tests;

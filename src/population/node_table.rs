@@ -78,7 +78,8 @@ impl Population {
                 continue;
             }
             let from_start = start.take().map_or(panel.from.raised(separation), |start| start);
-            if from_start.z > from || !panel::is_one_panel(&*self.heights, from, to) {
+            let ends_within = to > self.heights.support().1;
+            if from_start.z > from || ends_within || !panel::is_one_panel(&*self.heights, from, to) {
                 if !self.walk(separation, from_start, edge_height, to, &mut progress, visitor) {
                     return false;
                 }
