@@ -271,10 +271,28 @@ static int is_left_out(const double *row)
     return isnan(*row) && (bits & ((UINT64_C(1) << 51) - 1)) == 0;
 }
 
+/* Whether the part of a row to which x belongs is there, x searched for among where parts begin. */
+static int part_answers(const asperity_table *table, const double *row, double begin, double binade, double x)
+{
+    uint64_t bits, part = 0;
+    if (is_left_out(row))
+        return 0;
+    if (!isnan(*row))
+        return 1;
+    memcpy(&bits, row, sizeof bits);
+    while (part < 6 && x >= begin + row[2 + part] * binade)
+        ++part;
+    bits = (bits & ((UINT64_C(1) << 51) - 1)) / (8 * sizeof *row) + part;
+    return bits < table->total_count && part_answers(table, table->rows + 8 * bits, begin, binade, x);
+}
+
 static int table_answers(const asperity_table *table, double load)
 {
-    const uint64_t row = row_of(table, load - table->pull_off_load);
-    return row < table->row_count && !is_left_out(table->rows + 8 * row);
+    const double x = load - table->pull_off_load;
+    const uint64_t row = row_of(table, x);
+    if (row >= table->row_count)
+        return 0;
+    return part_answers(table, table->rows + 8 * row, edge(table, row), exp2(ilogb(edge(table, row))), x);
 }
 
 /* What the header says of loads beside the table. */
@@ -282,12 +300,12 @@ static int by_the_rules(const asperity_table *table, double load, const struct a
 {
     const double x = load - table->pull_off_load;
     const int is_heavy = x >= edge(table, table->row_count);
-    const double line = table->pull_off_force + table->light_slope * x;
+    const double line = is_heavy ? 0.0 : table->pull_off_force + table->light_slope * x; /* which may overflow */
     const double force = load == 0.0 ? table->zero_force : is_heavy ? table->heavy_force : line;
     const double slope = load == 0.0 ? table->zero_slope : is_heavy ? 0.0 : table->light_slope;
     const double mu = load <= force * table->inverse_cap ? table->max_friction_coefficient : force / load;
     return fabs(a->force - force) <= 1e-15 * force && a->force_alone == a->force && a->dforce_dload == slope &&
-           fabs(a->mu - mu) <= 1e-15 * mu && a->mu_alone == a->mu && isfinite(a->dmu_dload) && isfinite(a->force);
+           (same_bits(a->mu, mu) || fabs(a->mu - mu) <= 1e-15 * mu) && a->mu_alone == a->mu && isfinite(a->dmu_dload) && isfinite(a->force);
 }
 
 /* The straight line is near to the library's force, the heaviest load's force below it. */
