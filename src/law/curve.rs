@@ -27,7 +27,7 @@ const SLOPE_TOLERANCE: f64 = 1e-9;
 const NEAR_PULL_OFF: f64 = 1.0;
 const NOISE: f64 = 4.0;
 /// No more than about this many exact states are spent where kinks do not ask for more, and no more than half of them
-/// on loads so heavy that all summits are deep in contact; what they do not reach is evaluated exactly.
+/// to resolve loads so heavy that all summits are deep in contact; what they do not reach is evaluated exactly.
 const MOST_SAMPLES: usize = 1000;
 /// In panels that span less than this of s, differences of ln F have lost the digits that its slopes have.
 const NARROW: f64 = 2e-4;
@@ -162,7 +162,11 @@ impl Curve {
         let most_samples = MOST_SAMPLES + 2 * NODES * steps.kinks().len();
         while from.separation < steps.end() && from.log_excess > lightest && curve.samples < most_samples {
             let is_spent = steps.is_deep(from.separation) && curve.samples > most_samples / 2;
-            let stretch = if is_spent { steps.skip(from.separation) } else { steps.next(from.separation, from.s) };
+            let stretch = if is_spent && steps.has_failed() {
+                steps.skip(from.separation)
+            } else {
+                steps.next(from.separation, from.s)
+            };
             let attempt = if stretch.is_bridge {
                 curve.bridge(branch, from, stretch)?
             } else {

@@ -203,6 +203,11 @@ impl Steps {
         Stretch { to: self.beyond(from, length), is_bridge: false, length, shortest }
     }
 
+    /// Whether the last panel was too long.
+    pub fn has_failed(&self) -> bool {
+        self.failed
+    }
+
     /// Whether all summits are deep in contact at a separation.
     pub fn is_deep(&self, separation: f64) -> bool {
         separation < self.middle + DEEP
