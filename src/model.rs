@@ -5,7 +5,7 @@ use crate::equilibrium::Branch;
 use crate::error::Error;
 use crate::float_bits::finite;
 use crate::groups::Groups;
-use crate::law::{Law, Row, Scales, Table, Unfollowed};
+use crate::law::{Law, Scales, Table, Unfollowed};
 use crate::params::Params;
 use crate::population::{out_of_panels, Contacts, Population, Sums};
 
@@ -228,13 +228,6 @@ impl Model {
             return None;
         }
         self.law.table().at_load(load)
-    }
-
-    /// The table's row for a load, and where in it the load lies; `None` for a load that is not finite or outside.
-    #[inline]
-    pub(crate) fn row_at(&self, load: f64) -> Option<(&Row, f64)> {
-        // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
-        finite(load).then(|| self.law.table().row_at(load))?
     }
 
     /// Friction coefficient and slope where the compiled law answers.
