@@ -123,10 +123,10 @@ module asperity
   ! for a piece of a binade of x = load - pull_off_load. From the bits of x, as integers: its index, from 0, is
   ! shiftr(bits, shift) - base, and the table does not answer where that is not in 0 to row_count - 1; t + 1 has the
   ! bits of x below `shift` as its mantissa. It gives F; its derivative by t, over 2^(exponent of x), is dF/d(load). A
-  ! row whose first coefficient is NaN is left out.
+  ! row whose first coefficient is NaN is a link to its parts, or left out, as asperity.h says.
   type, bind(c), public :: asperity_table
-    integer(c_int64_t) :: struct_size = 64        ! bytes of this type; leave it
-    type(c_ptr) :: rows = c_null_ptr              ! row_count rows of 8 real(c_double): rows(8, row_count) in Fortran
+    integer(c_int64_t) :: struct_size = 120       ! bytes of this type; leave it
+    type(c_ptr) :: rows = c_null_ptr              ! total_count rows of 8 real(c_double): rows(8, total_count) in Fortran
     integer(c_int64_t) :: row_count               ! number of rows
     integer(c_int64_t) :: base                    ! shifted bits of x at which the first row begins
     integer(c_int32_t) :: shift                   ! how far the bits of x are shifted
@@ -134,6 +134,13 @@ module asperity
     real(c_double) :: pull_off_load               ! the pull-off load [force]
     real(c_double) :: max_friction_coefficient    ! cap on the friction coefficient [-]
     real(c_double) :: inverse_cap                 ! loads up to this times F have the capped coefficient
+    integer(c_int64_t) :: total_count             ! number of rows and their parts
+    real(c_double) :: pull_off_force              ! friction force at the pull-off load [force]
+    real(c_double) :: light_slope                 ! of the straight line from there to the first row
+    real(c_double) :: zero_force                  ! friction force at zero load [force]
+    real(c_double) :: zero_slope                  ! and its slope
+    real(c_double) :: separated_slope             ! dF/d(load) below the pull-off load
+    real(c_double) :: heavy_force                 ! friction force of loads beyond the last row [force]
   end type asperity_table
 
   ! ---- The C interface: functions ----

@@ -414,8 +414,12 @@ typedef struct asperity_summary {
  * `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load, found
  * from the bits of x: its index is (bits(x) >> shift) - base as unsigned 64-bit integers; where that is not below
  * `row_count` the table does not answer. Its variable t has the bits of x below `shift` as its mantissa: t = (those bits |
- * bits of 1.0) - 1.0. Its value is F, its derivative by t times 2^-(exponent of x) is dF/d(load). A row whose first
- * coefficient is NaN is left out. Copy the rows where they are needed and change the pointer.
+ * bits of 1.0) - 1.0. Its value is F, its derivative by t times 2^-(exponent of x) is dF/d(load).
+ *
+ * A row whose first coefficient is NaN is a link to its parts: the last 51 bits of that NaN are the offset of the first part
+ * in bytes from `rows`, and the last six numbers of the row are the t at which the next parts begin. The part in which t
+ * lies, which may be a link too, is a row whose variable is t less where it begins. An offset of 0 says that the row is left
+ * out. Copy `total_count` rows where they are needed and change the pointer.
  */
 typedef struct asperity_table {
   /**
@@ -427,7 +431,7 @@ typedef struct asperity_table {
    */
   const double *rows;
   /**
-   * Number of rows.
+   * Number of rows found from x; parts of rows follow them.
    */
   uint64_t row_count;
   /**
@@ -454,6 +458,31 @@ typedef struct asperity_table {
    * Loads up to this times F have the capped coefficient.
    */
   double inverse_cap;
+  /**
+   * Number of rows and parts.
+   */
+  uint64_t total_count;
+  /**
+   * Friction force at the pull-off load [force].
+   */
+  double pull_off_force;
+  /**
+   * What friction force gains by load between pull-off and the first row, where it is taken as a straight line.
+   */
+  double light_slope;
+  /**
+   * Friction force at zero load [force], and its slope.
+   */
+  double zero_force;
+  double zero_slope;
+  /**
+   * dF/d(load) below the pull-off load: 0 with adhesion, without it that of the lightest load.
+   */
+  double separated_slope;
+  /**
+   * Friction force at the end of the last row [force], and of all heavier loads.
+   */
+  double heavy_force;
 } asperity_table;
 
 #ifdef __cplusplus
@@ -715,7 +744,7 @@ void asperity_free(struct asperity_model *model);
  * @param load   normal load [force]
  * @return F/load for load > 0, at most `max_friction_coefficient`; for pull-off <= load <= 0, where F is finite and
  *         F/load is not, `max_friction_coefficient`; 0 below pull-off (a separated contact has no friction); a quiet
- *         NaN for a NaN or infinite load or a NULL model
+ *         NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -728,7 +757,7 @@ double asperity_friction_at_load(const struct asperity_model *model,
  * @param model  a model
  * @param load   normal load [force]
  * @return F [force], finite and positive also at zero and negative load down to pull-off; 0 below pull-off; a quiet NaN
- *         for a NaN or infinite load or a NULL model
+ *         for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -746,7 +775,8 @@ double asperity_friction_force_at_load(const struct asperity_model *model,
  * @param load       n loads [force]; must not be NULL unless n = 0
  * @param mu         receives n coefficients; NULL to skip; may be `load` itself
  * @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load` itself
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`
+ *         (a finite load that cannot be evaluated, where the coefficient is NaN)
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -766,9 +796,11 @@ asperity_status asperity_friction_at_loads(const struct asperity_model *model,
  * @param n             number of loads; 0 is fine
  * @param load          n loads [force]; must not be NULL unless n = 0
  * @param force         receives n forces [force]; NULL to skip; may be `load` itself
- * @param dforce_dload  receives n slopes dF/d(load), INFINITY at the pull-off load itself; NULL to skip; may be `load`
- *                      itself
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`
+ * @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion,
+ *                      where F has no slope at zero load, there and below that of the lightest load of the table, finite;
+ *                      NULL to skip; may be `load` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`
+ *         (a finite load that cannot be evaluated, where the force is NaN)
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -797,7 +829,9 @@ double asperity_friction_and_slope_at_load(const struct asperity_model *model,
  *
  * @param model         a model
  * @param load          normal load [force]
- * @param dforce_dload  receives dF/d(load), INFINITY at the pull-off load itself, 0 below it, NaN where F is; NULL to skip
+ * @param dforce_dload  receives dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion, where F has no
+ *                      slope at zero load, there and below that of the lightest load of the table, finite; NaN where F
+ *                      is; NULL to skip
  * @return as `asperity_friction_force_at_load`
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.

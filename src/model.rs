@@ -5,7 +5,7 @@ use crate::equilibrium::Branch;
 use crate::error::Error;
 use crate::float_bits::finite;
 use crate::groups::Groups;
-use crate::law::{Law, Row, Scales, Table, Unfollowed};
+use crate::law::{Law, Scales, Table, Unfollowed};
 use crate::params::Params;
 use crate::population::{Population, Statistics, Sums};
 
@@ -39,7 +39,7 @@ pub struct Model {
 }
 
 /// Friction that is known when the model is made, beside the table.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Known {
     /// Force and slope at the pull-off load.
     pub at_pull_off: (f64, f64),
@@ -47,6 +47,10 @@ pub(crate) struct Known {
     pub at_zero: (f64, f64),
     /// Slope of the force below the pull-off load.
     pub apart: f64,
+    /// What force gains by load on a straight line from pull-off to the table's first row.
+    pub light_slope: f64,
+    /// Force at the heavy end of the table.
+    pub heavy_force: f64,
     /// Heavier loads cannot be evaluated.
     pub heaviest: f64,
 }
@@ -166,8 +170,8 @@ impl Model {
         })?;
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(LARGEST_COEFFICIENT);
         let heaviest = (HEAVIEST_LOAD * units.load).min(f64::MAX);
-        let nothing = Known { at_pull_off: (0.0, 0.0), at_zero: (0.0, 0.0), apart: 0.0, heaviest };
-        let mut model = Self { params: params.clone(), groups, branch, law, units, inverse_cap, known: nothing };
+        let mut model =
+            Self { params: params.clone(), groups, branch, law, units, inverse_cap, known: Known::default() };
         model.known = model.find_known(heaviest);
         Ok(model)
     }
@@ -175,17 +179,16 @@ impl Model {
     /// Finds what is to be known.
     fn find_known(&self, heaviest: f64) -> Known {
         let at = |load: f64| self.tabulated_force(load).unwrap_or_else(|| self.computed_force(load));
-        match self.branch.pull_off() {
-            Some(point) => {
-                let at_pull_off = (point.friction * self.units.force, f64::INFINITY);
-                Known { at_pull_off, at_zero: at(0.0), apart: 0.0, heaviest }
-            }
-            None => {
-                // Friction vanishes with load, and has no slope there but that next to it.
-                let (_, apart) = at(self.law.table().range().0);
-                Known { at_pull_off: (0.0, apart), at_zero: (0.0, apart), apart, heaviest }
-            }
-        }
+        let table = self.law.table();
+        let (lightest, end) = table.range();
+        let (light_force, lightest_slope) = at(lightest);
+        let (at_pull_off, at_zero, apart) = match self.branch.pull_off() {
+            Some(point) => ((point.friction * self.units.force, f64::INFINITY), at(0.0), 0.0),
+            // Friction vanishes with load, and has no slope there but that next to it.
+            None => ((0.0, lightest_slope), (0.0, lightest_slope), lightest_slope),
+        };
+        let light_slope = (light_force - at_pull_off.0) / (lightest - table.pull_off);
+        Known { at_pull_off, at_zero, apart, light_slope, heavy_force: at(end.next_down()).0, heaviest }
     }
 
     /// The parameters it was made from.
@@ -225,13 +228,6 @@ impl Model {
             return None;
         }
         self.law.table().at_load(load)
-    }
-
-    /// The table's row for a load, and where in it the load lies; `None` for a load that is not finite or outside.
-    #[inline]
-    pub(crate) fn row_at(&self, load: f64) -> Option<(&Row, f64)> {
-        // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
-        finite(load).then(|| self.law.table().row_at(load))?
     }
 
     /// Friction coefficient and slope where the compiled law answers.

@@ -5,6 +5,7 @@
 
 use super::batch::Quantity;
 use super::boundary;
+use crate::float_bits::finite;
 use crate::law::{polynomial, Row};
 use crate::model::Model;
 
@@ -36,21 +37,40 @@ unsafe extern "C" fn value_at<const COEFFICIENT: bool>(model: &Model, load: f64)
 
 #[inline(always)]
 fn tabulated<const COEFFICIENT: bool>(model: &Model, load: f64, force: impl FnOnce(&Row, f64) -> f64) -> f64 {
-    let Some((row, t)) = model.row_at(load) else {
+    let table = model.table();
+    let x = if finite(load) { load - table.pull_off } else { -1.0 };
+    let Some(index) = table.index_of(x) else {
         return beside_rows::<COEFFICIENT>(model, load);
     };
+    // SAFETY: a table has at least as many rows as are found from x.
+    let row = unsafe { table.rows.get_unchecked(index) };
+    let t = table.within(x);
     let force = force(row, t);
     if !COEFFICIENT {
-        return if force.is_nan() { beside_rows::<COEFFICIENT>(model, load) } else { force };
+        return if force.is_nan() { in_part::<COEFFICIENT>(model, load, row, t) } else { force };
     }
     // Not for the NaN of a link either.
     if load > force * model.inverse_cap() {
         return force / load;
     }
     if force.is_nan() {
-        return beside_rows::<COEFFICIENT>(model, load);
+        return in_part::<COEFFICIENT>(model, load, row, t);
     }
     model.params().max_friction_coefficient
+}
+
+/// What a link leads to.
+#[inline(never)]
+extern "C" fn in_part<const COEFFICIENT: bool>(model: &Model, load: f64, row: &Row, t: f64) -> f64 {
+    let Some((part, t)) = model.table().part_at(row, t) else {
+        return beside_rows::<COEFFICIENT>(model, load);
+    };
+    let force = polynomial(&part.0, t).0;
+    if COEFFICIENT {
+        model.coefficient(load, force)
+    } else {
+        force
+    }
 }
 
 /// What no row answers by itself.

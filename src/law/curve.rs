@@ -26,8 +26,8 @@ const SLOPE_TOLERANCE: f64 = 1e-9;
 /// what slopes are known to.
 const NEAR_PULL_OFF: f64 = 1.0;
 const NOISE: f64 = 4.0;
-/// No more than about this many exact states are spent where kinks do not ask for more; lighter loads than they reach
-/// are evaluated exactly.
+/// No more than about this many exact states are spent where kinks do not ask for more, and no more than half of them
+/// to resolve loads so heavy that all summits are deep in contact; what they do not reach is evaluated exactly.
 const MOST_SAMPLES: usize = 1000;
 /// In panels that span less than this of s, differences of ln F have lost the digits that its slopes have.
 const NARROW: f64 = 2e-4;
@@ -160,7 +160,12 @@ impl Curve {
         let lightest = from.log_excess - log_range(from.log_excess);
         let most_samples = MOST_SAMPLES + 2 * NODES * steps.kinks().len();
         while from.separation < steps.end() && from.log_excess > lightest && curve.samples < most_samples {
-            let stretch = steps.next(from.separation, from.s);
+            let is_spent = steps.is_deep(from.separation) && curve.samples > most_samples / 2;
+            let stretch = if is_spent && steps.has_failed() {
+                steps.skip(from.separation)
+            } else {
+                steps.next(from.separation, from.s)
+            };
             let attempt = if stretch.is_bridge {
                 curve.bridge(branch, from, stretch)?
             } else {

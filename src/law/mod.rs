@@ -35,6 +35,9 @@ const NEAREST_TO_PULL_OFF: f64 = 5e-10;
 /// load, or else what anyone may ask for.
 const LOG_RANGE: f64 = (MOST_ROWS - 8) as f64 / (1 << FRACTION) as f64 * std::f64::consts::LN_2;
 const LOG_RANGE_WITHOUT_PULL_OFF: f64 = 87.0;
+/// What is lighter than the rows reach, but not by more than this in ln(load - pull-off), is left to the curve if that
+/// leads it to pull-off.
+const LOG_RANGE_OF_CURVE: f64 = 30.0;
 /// The largest relative error of the force, and of its slope, of a row against an exact state.
 const VALUE_TOLERANCE: f64 = 1e-10;
 const SLOPE_TOLERANCE: f64 = 1e-8;
@@ -65,11 +68,11 @@ impl Law {
     pub fn new(branch: &Branch, scales: Scales) -> Result<Self, Unfollowed> {
         let mut samples = Vec::new();
         let nearest = log(-branch.pull_off_load() * NEAREST_TO_PULL_OFF);
-        let log_range =
-            |heaviest: f64| if heaviest - nearest <= LOG_RANGE { LOG_RANGE } else { LOG_RANGE_WITHOUT_PULL_OFF };
+        let reaches_pull_off = |heaviest: f64| heaviest - nearest <= LOG_RANGE + LOG_RANGE_OF_CURVE;
+        let log_range = |heaviest: f64| if reaches_pull_off(heaviest) { f64::MAX } else { LOG_RANGE_WITHOUT_PULL_OFF };
         let mut curve = Curve::new(branch, log_range, &mut samples)?;
         let (lower, upper) = curve.log_range();
-        let lower = nearest.max(lower).max(upper - log_range(upper)) + log(scales.load);
+        let lower = nearest.max(lower).max(upper - log_range(upper).min(LOG_RANGE)) + log(scales.load);
         let upper = upper + log(scales.load);
         let shift = Table::shift_of(FRACTION);
         // The last whole row before the end, and the first.

@@ -72,8 +72,9 @@ impl Row {
     #[inline]
     pub fn part(&self, t: f64) -> (usize, Option<f64>) {
         let first = (self.0[0].to_bits() & OFFSET) as usize / size_of::<Self>();
-        let before = self.0[2..].iter().filter(|&&division| t >= division).count();
-        (first + before, before.checked_sub(1).map(|last| self.0[2 + last]))
+        // Sums of comparisons, which need no branch.
+        let before = self.0[2..].iter().map(|&division| usize::from(t >= division)).sum::<usize>();
+        (first + before, (before > 0).then(|| self.0[1 + before]))
     }
 }
 

@@ -193,8 +193,7 @@ impl Steps {
             let length = self.distance(from, to);
             return Stretch { to, is_bridge: true, length, shortest: length };
         }
-        let is_deep = from < self.middle + DEEP;
-        let border = (is_deep && self.middle + DEEP < self.end).then_some(self.middle + DEEP);
+        let border = (self.is_deep(from) && self.middle + DEEP < self.end).then_some(self.middle + DEEP);
         let stop = kink.into_iter().chain(border).fold(self.end, f64::min);
         let shortest = if self.at_pull_off && s <= LONGEST_LAST { 0.1 * rest } else { self.shortest(from, rest) };
         let length = self.longest(from, s).min((0.5 * (self.obstacle - start)).max(shortest));
@@ -206,6 +205,24 @@ impl Steps {
         Stretch { to: self.beyond(from, length), is_bridge: false, length, shortest }
     }
 
+    /// Whether the last panel was too long.
+    pub fn has_failed(&self) -> bool {
+        self.failed
+    }
+
+    /// Whether all summits are deep in contact at a separation.
+    pub fn is_deep(&self, separation: f64) -> bool {
+        separation < self.middle + DEEP
+    }
+
+    /// The rest of what lies far below the heights up to the next kink, left to exact evaluation.
+    pub fn skip(&self, from: f64) -> Stretch {
+        let kink = self.kinks.get(self.kinks.partition_point(|&kink| kink <= from)).copied();
+        let to = kink.unwrap_or(f64::INFINITY).min(self.middle + DEEP).min(self.end);
+        let length = self.distance(from, to);
+        Stretch { to, is_bridge: true, length, shortest: length }
+    }
+
     /// The length of a panel from a separation, were there no obstacle.
     fn longest(&self, from: f64, s: f64) -> f64 {
         let part = match self.at_pull_off {
@@ -213,7 +230,7 @@ impl Steps {
             true if s <= LONGEST_LAST => 1.0,
             true => PART_OF_THE_WAY.min(1.0 - LAST / s),
         };
-        let longest = if from >= self.middle + DEEP { LONGEST } else { LONGEST_DEEP };
+        let longest = if self.is_deep(from) { LONGEST_DEEP } else { LONGEST };
         (part * self.distance(from, self.end)).min(self.length).min(longest)
     }
 

@@ -52,16 +52,16 @@ impl Table {
         (index < self.row_count as u64).then_some(index as usize)
     }
 
-    /// The row of a finite load, which may be a link, and where in it the load lies; `None` outside the table.
-    #[inline]
-    pub fn row_at(&self, load: f64) -> Option<(&Row, f64)> {
-        self.row_at_excess(load - self.pull_off)
-    }
-
+    /// The row of load - pull-off, which may be a link, and where in it that lies; `None` outside the table.
     #[inline]
     fn row_at_excess(&self, x: f64) -> Option<(&Row, f64)> {
-        let row = &self.rows[self.index_of(x)?];
-        Some((row, f64::from_bits(x.to_bits() & self.within_row() | Self::ONE) - 1.0))
+        Some((&self.rows[self.index_of(x)?], self.within(x)))
+    }
+
+    /// Where in its row x lies.
+    #[inline]
+    pub fn within(&self, x: f64) -> f64 {
+        f64::from_bits(x.to_bits() & self.within_row() | Self::ONE) - 1.0
     }
 
     /// Friction force and dF/d(load) at a finite load; `None` where the table does not answer.
@@ -75,14 +75,19 @@ impl Table {
     pub fn at_excess(&self, x: f64) -> Option<(f64, f64)> {
         let (row, t) = self.row_at_excess(x)?;
         let (force, rate) = polynomial(&row.0, t);
-        let (force, rate) = if force.is_nan() { self.at_part(row, t)? } else { (force, rate) };
+        let (force, rate) = if force.is_nan() {
+            let (part, t) = self.part_at(row, t)?;
+            polynomial(&part.0, t)
+        } else {
+            (force, rate)
+        };
         // 1/2^exponent: dF/dx = dF/d(mantissa) / 2^exponent
         Some((force, rate * f64::from_bits(Self::TWICE_BIAS - (x.to_bits() & !Self::MANTISSA))))
     }
 
-    /// Force and slope by mantissa where a link leads; `None` where that is a row left out.
-    #[inline(never)]
-    fn at_part<'a>(&'a self, mut row: &'a Row, t: f64) -> Option<(f64, f64)> {
+    /// The part of a row that is a link in which t lies, and t in it; `None` where that is left out.
+    #[inline]
+    pub fn part_at<'a>(&'a self, mut row: &'a Row, t: f64) -> Option<(&'a Row, f64)> {
         let mut begin = 0.0;
         while row.is_link() {
             if row.is_left_out() {
@@ -92,7 +97,7 @@ impl Table {
             begin = division.unwrap_or(begin);
             row = &self.rows[part];
         }
-        Some(polynomial(&row.0, t - begin))
+        Some((row, t - begin))
     }
 
     /// x where a row begins.

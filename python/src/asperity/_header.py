@@ -126,6 +126,13 @@ class asperity_table(Structure):
         ("pull_off_load", c_double),
         ("max_friction_coefficient", c_double),
         ("inverse_cap", c_double),
+        ("total_count", c_uint64),
+        ("pull_off_force", c_double),
+        ("light_slope", c_double),
+        ("zero_force", c_double),
+        ("zero_slope", c_double),
+        ("separated_slope", c_double),
+        ("heavy_force", c_double),
     ]
 
 

@@ -70,6 +70,10 @@ unsafe impl Lanes for __m512d {
         _mm512_max_pd(self, other)
     }
     #[inline(always)]
+    unsafe fn div(self, other: Self) -> Self {
+        _mm512_div_pd(self, other)
+    }
+    #[inline(always)]
     unsafe fn div_where(self, mask: __mmask8, other: Self) -> Self {
         _mm512_mask_div_pd(self, mask, self, other)
     }

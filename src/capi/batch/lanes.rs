@@ -23,6 +23,7 @@ pub unsafe trait Lanes: Copy {
     unsafe fn sub(self, other: Self) -> Self;
     unsafe fn mul(self, other: Self) -> Self;
     unsafe fn max(self, other: Self) -> Self;
+    unsafe fn div(self, other: Self) -> Self;
     /// self/other where the mask is set, any number elsewhere, without raising a flag there.
     unsafe fn div_where(self, mask: Self::Mask, other: Self) -> Self;
     /// self < other, false for NaN, without raising a flag.
@@ -117,9 +118,26 @@ pub unsafe fn evaluate<L: Lanes>(
             let i = (begin + vector) * L::COUNT;
             let found = found.assume_init_ref();
             let mut answers = force::<L>(table, found, found.t, found.offset, with_slope);
-            if L::lanes_of(answers.slow) != 0 {
-                answers = beside_rows::<L>(&limits, found, with_slope, answers);
+            let closed = match quantity {
+                Quantity::Coefficient => closed::<L>(&limits, found.load, answers.value),
+                Quantity::Force => answers.slow,
+            };
+            if L::lanes_of(L::or_mask(answers.slow, closed)) == 0 {
+                if quantity == Quantity::Coefficient {
+                    answers.value = answers.value.div(found.load);
+                    if with_slope {
+                        answers.slope = answers.slope.sub(answers.value).div(found.load);
+                    }
+                }
+                if !arrays.value.is_null() {
+                    answers.value.write(arrays.value.add(i));
+                }
+                if with_slope {
+                    answers.slope.write(arrays.slope.add(i));
+                }
+                continue;
             }
+            answers = beside_rows::<L>(&limits, found, with_slope, answers);
             if quantity == Quantity::Coefficient {
                 answers = coefficient::<L>(&limits, found.load, with_slope, answers);
             }
@@ -243,21 +261,22 @@ unsafe fn follow_links<L: Lanes>(table: &Table, t: L, offset: L::Bits, mut linke
     (t.sub(begin).or_where(left_out, L::splat(f64::NAN)), offset)
 }
 
+/// Where the coefficient is capped, or the load so light that the slope may overflow.
+#[inline(always)]
+unsafe fn closed<L: Lanes>(limits: &Limits, load: L, force: L) -> L::Mask {
+    L::not_mask(force.mul(L::splat(limits.inverse_cap)).max(L::splat(LIGHTEST)).lt(load))
+}
+
 /// Coefficients from forces.
 #[inline(always)]
 unsafe fn coefficient<L: Lanes>(limits: &Limits, load: L, with_slope: bool, answers: Answers<L>) -> Answers<L> {
     let Answers { value: force, slope: force_slope, slow, apart } = answers;
     let capped_load = force.mul(L::splat(limits.inverse_cap));
-    // Where the coefficient is capped, or the load so light that the slope may overflow.
-    let closed = L::not_mask(capped_load.max(L::splat(LIGHTEST)).lt(load));
-    let care = L::or_mask(L::or_mask(slow, apart), closed);
+    let care = L::or_mask(L::or_mask(slow, apart), closed::<L>(limits, load, force));
     let ordinary = L::not_mask(care);
     // Only what cannot trap is divided.
     let mu = force.div_where(ordinary, load);
     let slope = if with_slope { force_slope.sub(mu).div_where(ordinary, load) } else { mu };
-    if L::lanes_of(care) == 0 {
-        return Answers { value: mu, slope, slow, apart };
-    }
     let zero = L::splat(0.0);
     let known = L::not_mask(L::or_mask(slow, apart));
     let capped = L::and_mask(known, L::not_mask(capped_load.lt(load)));
