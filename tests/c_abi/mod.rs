@@ -88,6 +88,13 @@ pub struct asperity_table {
     pub pull_off_load: f64,
     pub max_friction_coefficient: f64,
     pub inverse_cap: f64,
+    pub total_count: u64,
+    pub pull_off_force: f64,
+    pub light_slope: f64,
+    pub zero_force: f64,
+    pub zero_slope: f64,
+    pub separated_slope: f64,
+    pub heavy_force: f64,
 }
 
 pub const OK: i32 = 0;
