@@ -127,7 +127,7 @@ impl Population {
     }
 
     /// The next height at which a panel must end.
-    fn stop_above(&self, z: f64) -> f64 {
+    pub(super) fn stop_above(&self, z: f64) -> f64 {
         let breakpoints = self.heights.breakpoints();
         let next = breakpoints.partition_point(|&breakpoint| breakpoint <= z);
         breakpoints.get(next).copied().unwrap_or(f64::INFINITY).min(self.heights.support().1)
