@@ -72,13 +72,15 @@ pub struct Population {
 #[derive(Debug, Clone, Copy)]
 pub struct Point {
     pub(crate) z: f64,
-    /// Radius over the mean radius, and its slope.
-    pub(crate) g: f64,
+    /// Slope of the radius over the mean radius.
     pub(crate) g_rate: f64,
     pub(crate) contact: Contact,
 }
 
 impl Point {
+    /// A summit that was not found: sums over it are no numbers.
+    const UNKNOWN: Self = Self { z: f64::NAN, g_rate: f64::NAN, contact: Contact::UNKNOWN };
+
     /// dz/ds along the branch of summits at one separation.
     #[inline]
     fn z_rate(&self) -> f64 {
@@ -279,32 +281,28 @@ impl Population {
     #[inline]
     fn at_height(&self, separation: f64, z: f64, guess: f64) -> Point {
         let (g, g_rate) = self.radius.at(z);
-        Point { z, g, g_rate, contact: self.law.at_overlap(z - separation, g, guess) }
+        Point { z, g_rate, contact: self.law.at_overlap(z - separation, g, guess) }
     }
 
-    /// The summit of a parameter, from a guess of its height: the root of z - d - u(s, g(z)), which rises with z.
+    /// The summit of a parameter, from a guess of its height: the root of z - d - u(s, g(z)). `None` if Newton's method does not
+    /// find it.
     #[inline]
-    fn on_branch(&self, separation: f64, parameter: f64, guess: f64) -> Point {
+    fn on_branch(&self, separation: f64, parameter: f64, guess: f64) -> Option<Point> {
         if self.radius.is_constant() {
             let contact = self.law.at(parameter, 1.0);
-            return Point { z: separation + contact.overlap, g: 1.0, g_rate: 0.0, contact };
+            return Some(Point { z: separation + contact.overlap, g_rate: 0.0, contact });
         }
         let mut z = guess;
-        let mut point;
-        let mut steps = 0;
-        loop {
+        for _ in 0..MOST_STEPS {
             let (g, g_rate) = self.radius.at(z);
-            point = Point { z, g, g_rate, contact: self.law.at(parameter, g) };
-            let excess = (z - separation) - point.contact.overlap;
-            let step = -excess / point.height_share();
-            steps += 1;
-            if step.abs() * self.radius.rate <= LAST_STEP || step.abs() <= f64::EPSILON * z.abs() || steps >= MOST_STEPS
-            {
-                let g_step = g_rate * step;
-                return Point { z: z + step, g: g + g_step, g_rate, contact: point.contact.moved(0.0, g_step) };
+            let point = Point { z, g_rate, contact: self.law.at(parameter, g) };
+            let step = (point.contact.overlap - (z - separation)) / point.height_share();
+            if step.abs() * self.radius.rate <= LAST_STEP || step.abs() <= f64::EPSILON * z.abs() {
+                return Some(Point { z: z + step, contact: point.contact.moved(0.0, g_rate * step), ..point });
             }
             z += step;
         }
+        None
     }
 }
 
