@@ -26,7 +26,7 @@ const PARAMETER_RATIO: f64 = 3.0;
 const PART_OF_HEIGHT_PANEL: f64 = 0.5;
 /// Where the density has fallen by e-folds since its largest value fewer digits of it count: a panel may be longer by this
 /// for each, up to twice as long.
-const LONGER_PER_FOLD: f64 = 0.05;
+const LONGER_PER_FOLD: f64 = 0.02;
 /// A panel that is longer than it should be by no more than this factor is taken.
 const LENGTH_SLACK: f64 = 1.05;
 /// Less than this part of a panel is not left for another.
@@ -119,7 +119,7 @@ impl Population {
             let panel =
                 self.panel(separation, here, kink, here.z - edge_height, reach, self.stop_above(here.z).min(end));
             let nodes = self.nodes(separation, &panel);
-            let densities = self.heights.densities(nodes.map(|(_, point)| point.z));
+            let densities = self.densities(separation, nodes.map(|(_, point)| (point.z, point.contact.overlap)));
             for ((weight, point), density) in nodes.iter().zip(densities) {
                 let fraction = weight * density;
                 progress.add(fraction, point.contact.overlap);
@@ -134,6 +134,19 @@ impl Population {
             (here, kink) = (panel.to, panel.kink);
         }
         false
+    }
+
+    /// The densities at the nodes of a panel, of which each is given by height and overlap: of small overlaps far out in a
+    /// steep tail more digits count than heights have.
+    #[inline]
+    pub(super) fn densities(&self, separation: f64, nodes: [(f64, f64); POINTS]) -> [f64; POINTS] {
+        let slope = self.heights.log_density_slope(nodes[POINTS / 2].0);
+        let mut densities = self.heights.densities(nodes.map(|(z, _)| z));
+        for (density, (z, overlap)) in densities.iter_mut().zip(nodes) {
+            let rounding = overlap - (z - separation);
+            *density += *density * (slope * rounding);
+        }
+        densities
     }
 
     /// The next height at which a panel must end.
