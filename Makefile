@@ -24,7 +24,7 @@ WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Werror
 
 # The scripts of `make test` that check other languages and hosts; each is run as it is, from the root.
 TEST_SCRIPTS := tests/cpp/called.sh tests/c/gpu.sh fortran/test.sh python/test.sh tests/examples/run.sh \
-    tests/consumers/run.sh tests/harden/run.sh tests/harden/memory.sh tests/harden/supply_chain.sh
+    tests/consumers/run.sh tests/build_checks.sh tests/harden/run.sh tests/harden/memory.sh tests/harden/supply_chain.sh
 
 .PHONY: all demo test hosts header clean library
 
@@ -35,6 +35,7 @@ include benches/bench.mk
 include tests/harden/harden.mk
 
 library:
+	@cmake/check_rust.sh "$(CARGO)"
 	$(CARGO) build --release --locked
 
 demo: library
@@ -44,6 +45,7 @@ demo: library
 	@echo "The friction curve is drawn in $(FIGURE)"
 
 test:
+	@cmake/check_rust.sh "$(CARGO)"
 	@echo "== tests/setup.sh core"; tests/setup.sh core
 	@echo "== cargo fmt --check"; $(CARGO) fmt --check
 	@echo "== cargo clippy"; $(CARGO) clippy --release --locked --all-targets -- -D warnings

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,8 @@
 struct Panel {
     std::string title, x_label, y_label;
     std::vector<std::pair<double, double>> points;
+    double level = 0; // drawn as a line across, unless 0
+    std::string level_label = {};
 };
 
 class LogLogPlot {
@@ -39,6 +42,10 @@ private:
             first_y_ = std::min(first_y_, std::floor(std::log10(y)));
             last_y_ = std::max(last_y_, std::ceil(std::log10(y)));
         }
+        if (panel.level > 0) {
+            first_y_ = std::min(first_y_, std::floor(std::log10(panel.level)));
+            last_y_ = std::max(last_y_, std::ceil(std::log10(panel.level)));
+        }
         last_x_ = std::max(last_x_, first_x_ + 1.0);
         last_y_ = std::max(last_y_, first_y_ + 1.0);
     }
@@ -57,9 +64,11 @@ private:
     void text(double x, double y, const std::string &label, const char *more) const {
         std::fprintf(file_, "<text x=\"%.1f\" y=\"%.1f\" %s>%s</text>\n", x, y, more, label.c_str());
     }
+    // Raised digits of Unicode: viewers disagree on where a shifted tspan goes.
     static std::string power_of_ten(double exponent) {
-        char label[80];
-        std::snprintf(label, sizeof label, "10<tspan dy=\"-5\" font-size=\"9\">%d</tspan>", int(exponent));
+        static const char *const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+        std::string label = exponent < 0 ? "10⁻" : "10";
+        for (const char digit : std::to_string(std::abs(int(exponent)))) label += digits[digit - '0'];
         return label;
     }
 
@@ -79,6 +88,14 @@ private:
         const double x = offset_ + 15, y = 0.5 * (bottom + top);
         std::snprintf(turned, sizeof turned, "text-anchor=\"middle\" transform=\"rotate(-90 %.1f %.1f)\"", x, y);
         text(x, y, panel_.y_label, turned);
+        if (panel_.level > 0) {
+            const double y = y_of(std::log10(panel_.level));
+            std::fprintf(file_,
+                         "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#b2182b\" "
+                         "stroke-width=\"2\" stroke-dasharray=\"6 4\"/>\n",
+                         left, y, right, y);
+            text(0.5 * (left + right), y - 6, panel_.level_label, "text-anchor=\"middle\" fill=\"#b2182b\"");
+        }
         curve();
     }
 

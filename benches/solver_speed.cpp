@@ -6,6 +6,7 @@
 //        solver_speed --only NAME PASSES    so many passes of one of them
 
 #include "interleaved.hpp"
+#include "kinds_of_load.hpp"
 #include "log_log_plot.hpp"
 #include "rivals.hpp"
 #include "surfaces.hpp"
@@ -137,6 +138,7 @@ struct Rivals {
     Law law;
     std::unique_ptr<GslSpline> gsl_force, gsl_log_force;
     std::unique_ptr<LinearTable> linear_1000, linear_accurate;
+    std::unique_ptr<EvenCubic> even_cubic;
 
     explicit Rivals(const Model &model)
         : law([m = model.get()](double load) { return asperity_friction_force_at_load(m, load); }) {
@@ -149,6 +151,13 @@ struct Rivals {
         const auto linear = [this](size_t n) { return std::make_unique<LinearTable>(law, kLightest, kHeaviest, n); };
         gsl_force = gsl(GslSpline::Of::Force);
         gsl_log_force = gsl(GslSpline::Of::LogForce);
+        const auto slope = [m = model.get()](double load) {
+            double dforce_dload;
+            asperity_friction_force_and_slope_at_load(m, load, &dforce_dload);
+            return dforce_dload;
+        };
+        const auto even = [&](size_t n) { return std::make_unique<EvenCubic>(law, slope, kLightest, kHeaviest, n); };
+        even_cubic = accurate(even, law, kLightest, kHeaviest, 64, 1e-10);
         linear_1000 = linear(1000);
         linear_accurate = accurate(linear, law, kLightest, kHeaviest, 1000, 1e-6);
     }
@@ -169,6 +178,12 @@ std::vector<Contestant> rival_calls(Solver &s, const Rivals &rivals) {
     return {
         over_loads("gsl F", *rivals.gsl_force),
         over_loads("gsl ln F", *rivals.gsl_log_force),
+        over_loads("even cubic", *rivals.even_cubic),
+        {"even cubic batch", n,
+         [&s, &rivals] {
+             rivals.even_cubic->batch(s.load, s.value);
+             used(s.value);
+         }},
         over_loads("linear 1000", *rivals.linear_1000),
         over_loads("linear 1e-6", *rivals.linear_accurate),
         {"coulomb", n, [&s] { each(s.load, s.value, [mu = double(coulomb_mu)](double load) { return mu * load; }); }},
@@ -254,6 +269,9 @@ void report_rivals(const Interleaved &times, const Rivals &rivals) {
               force_is_cheaper ? 25.0 : 0.0);
     rival_row("GSL cubic spline of ln F over ln P, " + knots(*rivals.gsl_log_force), "gsl ln F",
               rivals.error(*rivals.gsl_log_force), force_is_cheaper ? 0.0 : 25.0);
+    rival_row("cubic Hermite, even in ln P, index from `log`, " + knots(*rivals.even_cubic), "even cubic",
+              rivals.error(*rivals.even_cubic), 0.0);
+    rival_row("the same over arrays, logarithms first", "even cubic batch", rivals.error(*rivals.even_cubic), 0.0);
     rival_row("`std::lower_bound`, linear, " + knots(*rivals.linear_1000), "linear 1000",
               rivals.error(*rivals.linear_1000), 1.0);
     rival_row("`std::lower_bound`, linear, " + knots(*rivals.linear_accurate), "linear 1e-6",
@@ -447,7 +465,8 @@ Panel report_growth_with_models(size_t most) {
     return panel;
 }
 
-void report_times(const std::vector<Surface> &surfaces) {
+// Returns the time of one call of exp in ns.
+double report_times(const std::vector<Surface> &surfaces) {
     Solver solver(kLoads);
     const Rivals rivals(solver.model);
     std::vector<Contestant> fast = library_calls(solver), slow = {fast.front()};
@@ -463,16 +482,21 @@ void report_times(const std::vector<Surface> &surfaces) {
     }
     report_slow_calls(Interleaved(std::move(slow), kSlowCalls), surfaces);
     report_threads(solver.model, 300, 50);
+    return 1e9 * fast_times.seconds("exp").median;
 }
 
 int measure(const std::string &plot) {
     const double start = now();
     const std::vector<Surface> surfaces = all_surfaces();
-    report_times(surfaces);
+    const double exp_ns = report_times(surfaces);
+    KindsOfLoad::report();
     report_accuracy(surfaces, 3000);
     report_memory(surfaces);
-    const Panel contacts = report_growth_with_contacts(10000000);
-    const Panel models = report_growth_with_models(10000);
+    Panel contacts = report_growth_with_contacts(10000000), models = report_growth_with_models(10000);
+    for (Panel *panel : {&contacts, &models}) {
+        panel->level = exp_ns;
+        panel->level_label = "one call of exp";
+    }
     if (!LogLogPlot::write(plot, {contacts, models})) {
         std::fprintf(stderr, "solver_speed: cannot write %s\n", plot.c_str());
         return 1;

@@ -7,10 +7,24 @@
 find_program(ASPERITY_CARGO cargo HINTS "$ENV{CARGO_HOME}/bin" "$ENV{HOME}/.cargo/bin" "$ENV{USERPROFILE}/.cargo/bin")
 find_program(ASPERITY_RUSTC rustc HINTS "$ENV{CARGO_HOME}/bin" "$ENV{HOME}/.cargo/bin" "$ENV{USERPROFILE}/.cargo/bin")
 mark_as_advanced(ASPERITY_CARGO ASPERITY_RUSTC)
-if(NOT ASPERITY_CARGO OR NOT ASPERITY_RUSTC)
-  message(FATAL_ERROR "asperity: cargo and rustc not found; install Rust from https://rustup.rs, "
-                      "or set ASPERITY_CARGO and ASPERITY_RUSTC")
-endif()
+
+# ---- Is Rust new enough? ----
+# In the words of cmake/check_rust.sh, which needs a shell.
+file(STRINGS Cargo.toml asperity_rust REGEX "^rust-version = " LIMIT_COUNT 1)
+string(REGEX MATCH "[0-9.]+" asperity_rust "${asperity_rust}")
+foreach(program IN ITEMS "${ASPERITY_CARGO}" "${ASPERITY_RUSTC}")
+  set(asperity_found "")
+  if(program)
+    execute_process(COMMAND "${program}" --version OUTPUT_VARIABLE asperity_found ERROR_QUIET)
+    string(REGEX MATCH "[0-9]+\\.[0-9]+" asperity_found "${asperity_found}")
+  endif()
+  if(NOT asperity_found)
+    message(FATAL_ERROR "asperity needs Rust ${asperity_rust} or later (found none): https://rustup.rs\n"
+                        "Where it is elsewhere, set ASPERITY_CARGO and ASPERITY_RUSTC.")
+  elseif(asperity_found VERSION_LESS asperity_rust)
+    message(FATAL_ERROR "asperity needs Rust ${asperity_rust} or later (found ${asperity_found}): https://rustup.rs")
+  endif()
+endforeach()
 
 # ---- Target triple ----
 if(NOT DEFINED CACHE{ASPERITY_RUST_TARGET})

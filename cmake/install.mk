@@ -21,7 +21,7 @@ asperity_major := $(firstword $(subst ., ,$(asperity_version)))
 # In a folder of their own: these are linked with a soname, those of a plain `cargo build` are not, so that programs
 # linked to target/release find libasperity.so by its plain name.
 asperity_target_dir := $(abspath $(or $(CARGO_TARGET_DIR),target))/install
-asperity_triple = $(or $(CARGO_BUILD_TARGET),$(shell $(RUSTC) -vV | sed -n 's/^host: //p'))
+asperity_triple = $(or $(CARGO_BUILD_TARGET),$(shell $(RUSTC) -vV 2>/dev/null | sed -n 's/^host: //p'))
 asperity_package := $(asperity_target_dir)/package$(addprefix -,$(CARGO_BUILD_TARGET))
 asperity_static := $(asperity_package)/libasperity.a
 
@@ -40,6 +40,7 @@ endif
 package: $(asperity_static)
 
 $(asperity_static): Cargo.toml Cargo.lock $(shell find src -name '*.rs')
+	@cmake/check_rust.sh "$(CARGO)" "$(RUSTC)"
 	$(CARGO) rustc --release --locked --lib --crate-type cdylib,staticlib \
 	    --target $(asperity_triple) --target-dir $(asperity_target_dir) \
 	    -- --print=native-static-libs=$(asperity_target_dir)/native-static-libs -C link-arg=$(asperity_soname_flag)

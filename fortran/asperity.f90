@@ -7,8 +7,9 @@
 ! Units: one consistent system of the caller's choice. Loads, forces and areas are totals over asperity_count summits.
 ! Threads: a model may be shared by all calls that take it intent(in); not while it is changed or freed.
 ! Two C constants have the names of functions, which Fortran does not tell apart; here they are
-! ASPERITY_HEADER_VERSION and ASPERITY_HEADER_ABI_VERSION. asperity_params_init and asperity_get_params are functions of
-! this module, as they are macros in C: the C functions of these names serve programs older than the type of today.
+! ASPERITY_HEADER_VERSION and ASPERITY_HEADER_ABI_VERSION. asperity_params_init, asperity_params_init_unset and
+! asperity_get_params are functions of this module, as they are macros in C: the C functions of these names serve programs
+! older than the type of today.
 module asperity
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_loc, &
                                          c_null_ptr, c_ptr, c_size_t, c_sizeof
@@ -31,6 +32,7 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_SEPARATED = 4        ! load below the pull-off load
   integer(c_int32_t), parameter, public :: ASPERITY_OUT_OF_RANGE = 5     ! finite, but beyond what can be evaluated
   integer(c_int32_t), parameter, public :: ASPERITY_NOT_CONVERGED = 6
+  integer(c_int32_t), parameter, public :: ASPERITY_OUT_OF_MEMORY = 7    ! nothing was made or changed
   integer(c_int32_t), parameter, public :: ASPERITY_INTERNAL = 255       ! a bug in the library
 
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_GAUSSIAN = 0
@@ -44,7 +46,8 @@ module asperity
 
   ! ---- The C interface: types ----
 
-  ! Two rough elastic surfaces, as the equivalent rough surface against a flat. Start from asperity_params_init.
+  ! Two rough elastic surfaces, as the equivalent rough surface against a flat. Start from asperity_params_of, or from
+  ! asperity_params_init for the paper's.
   type, bind(c), public :: asperity_params
     integer(c_int64_t) :: struct_size = 0         ! set by asperity_params_init
     real(c_double) :: composite_modulus           ! E* [stress], > 0
@@ -120,10 +123,10 @@ module asperity
   ! for a piece of a binade of x = load - pull_off_load. From the bits of x, as integers: its index, from 0, is
   ! shiftr(bits, shift) - base, and the table does not answer where that is not in 0 to row_count - 1; t + 1 has the
   ! bits of x below `shift` as its mantissa. It gives F; its derivative by t, over 2^(exponent of x), is dF/d(load). A
-  ! row whose first coefficient is NaN is left out.
+  ! row whose first coefficient is NaN is a link to its parts, or left out, as asperity.h says.
   type, bind(c), public :: asperity_table
-    integer(c_int64_t) :: struct_size = 64        ! bytes of this type; leave it
-    type(c_ptr) :: rows = c_null_ptr              ! row_count rows of 8 real(c_double): rows(8, row_count) in Fortran
+    integer(c_int64_t) :: struct_size = 120       ! bytes of this type; leave it
+    type(c_ptr) :: rows = c_null_ptr              ! total_count rows of 8 real(c_double): rows(8, total_count) in Fortran
     integer(c_int64_t) :: row_count               ! number of rows
     integer(c_int64_t) :: base                    ! shifted bits of x at which the first row begins
     integer(c_int32_t) :: shift                   ! how far the bits of x are shifted
@@ -131,6 +134,13 @@ module asperity
     real(c_double) :: pull_off_load               ! the pull-off load [force]
     real(c_double) :: max_friction_coefficient    ! cap on the friction coefficient [-]
     real(c_double) :: inverse_cap                 ! loads up to this times F have the capped coefficient
+    integer(c_int64_t) :: total_count             ! number of rows and their parts
+    real(c_double) :: pull_off_force              ! friction force at the pull-off load [force]
+    real(c_double) :: light_slope                 ! of the straight line from there to the first row
+    real(c_double) :: zero_force                  ! friction force at zero load [force]
+    real(c_double) :: zero_slope                  ! and its slope
+    real(c_double) :: separated_slope             ! dF/d(load) below the pull-off load
+    real(c_double) :: heavy_force                 ! friction force of loads beyond the last row [force]
   end type asperity_table
 
   ! ---- The C interface: functions ----
@@ -171,6 +181,14 @@ module asperity
       integer(c_int64_t), intent(in), value :: struct_size ! c_sizeof(params)
       integer(c_int32_t) :: status
     end function asperity_params_init_sized
+
+    ! Parameters without the eight physical inputs, in so many bytes; asperity_params_init_unset does it for all.
+    function asperity_params_init_unset_sized(params, struct_size) result(status) bind(c)
+      import :: asperity_params, c_int32_t, c_int64_t
+      type(asperity_params), intent(inout) :: params      ! untouched on failure
+      integer(c_int64_t), intent(in), value :: struct_size ! c_sizeof(params)
+      integer(c_int32_t) :: status
+    end function asperity_params_init_unset_sized
 
     ! Sets material, adhesion and roughness from the paper's groups; loads are then P/(N G b^2).
     function asperity_params_set_dimensionless(params, alpha, beta, gamma, b_over_h, poisson) result(status) bind(c)
@@ -368,7 +386,8 @@ module asperity
   end interface
 
   public :: asperity_abi_version, asperity_version, asperity_status_string, asperity_last_error
-  public :: asperity_params_init, asperity_params_init_sized, asperity_params_set_dimensionless
+  public :: asperity_params_init, asperity_params_init_sized, asperity_params_init_unset
+  public :: asperity_params_init_unset_sized, asperity_params_set_dimensionless
   public :: asperity_params_set_materials, asperity_params_set_spectral_moments, asperity_params_set_skew
   public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
@@ -418,9 +437,11 @@ module asperity
     !          it is also where pull-off <= load <= 0; 0 below pull-off; NaN for a load that is not finite
     !   slope  real(c_double), intent(out), optional, of the shape of load: d(mu)/d(load) [1/force], 0 where mu is
     !          capped
-    ! A load below pull-off gives stat = ASPERITY_SEPARATED, but never stops the program: no friction is an answer.
-    ! All elements are filled before an error is reported; errmsg counts them from 1, in array element order. A slope
-    ! of another shape than load always stops the program.
+    ! A load below pull-off is no error: the contact is open and its friction 0. Only a scalar tells, by
+    ! stat = ASPERITY_SEPARATED; among the elements of an array open contacts are ordinary.
+    ! All elements are filled before an error is reported: a load that is not finite, ASPERITY_INVALID_LOAD, or too heavy to
+    ! be evaluated, ASPERITY_OUT_OF_RANGE, both with NaN. errmsg counts them from 1, in array element order. A slope of
+    ! another shape than load always stops the program.
     generic, public :: friction_at_load => friction_rank_0, friction_rank_1, friction_rank_2, friction_rank_3
 
     ! force = law%friction_force_at_load(load [, slope] [, stat] [, errmsg])
@@ -473,7 +494,7 @@ module asperity
     final :: finalise_model
   end type friction_model
 
-  public :: asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
+  public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
 
   abstract interface
     function batch_function(model, n, load, value, slope) result(status) bind(c)
@@ -501,6 +522,40 @@ contains
     integer(c_int32_t) :: status
     status = asperity_params_init_sized(params, int(c_sizeof(params), c_int64_t))
   end function asperity_params_init
+
+  ! For a surface of your own: the default case, but the eight physical inputs, composite_modulus to asperity_count, are
+  ! NaN. asperity_create names the first that was never set: 'asperity_count: must be set'.
+  function asperity_params_init_unset(params) result(status)
+    type(asperity_params), intent(out) :: params
+    integer(c_int32_t) :: status
+    status = asperity_params_init_unset_sized(params, int(c_sizeof(params), c_int64_t))
+  end function asperity_params_init_unset
+
+  ! Parameters of a surface of your own, all that no default can stand for: name the arguments, and the compiler asks for
+  ! the one that you forget. In one consistent system of units; heights and what else has a default are set afterwards.
+  function asperity_params_of(E1, nu1, E2, nu2, work_of_adhesion, adhesion_range, burgers_vector, height_std, &
+                              summit_radius, asperity_count, stat, errmsg) result(params)
+    real(c_double), intent(in) :: E1, nu1, E2, nu2        ! Young's moduli [stress], one may be infinite; Poisson's ratios
+    real(c_double), intent(in) :: work_of_adhesion        ! [force/length], 0 for none
+    real(c_double), intent(in) :: adhesion_range          ! [length]
+    real(c_double), intent(in) :: burgers_vector          ! [length]
+    real(c_double), intent(in) :: height_std              ! of the summits [length]
+    real(c_double), intent(in) :: summit_radius           ! [length]
+    real(c_double), intent(in) :: asperity_count          ! summit density times nominal area [-]
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(asperity_params) :: params
+    integer(c_int32_t) :: status
+    status = asperity_params_init_unset(params)
+    if (status == ASPERITY_OK) status = asperity_params_set_materials(params, E1, nu1, E2, nu2)
+    params%work_of_adhesion = work_of_adhesion
+    params%adhesion_range = adhesion_range
+    params%burgers_vector = burgers_vector
+    params%height_std = height_std
+    params%summit_radius = summit_radius
+    params%asperity_count = asperity_count
+    call report(status, stat, errmsg)
+  end function asperity_params_of
 
   ! Copies the parameters of a model out. Pointers to a table are those of the model's own copy, valid until the model
   ! is changed or freed.
@@ -724,7 +779,7 @@ contains
       if (.not. is_nan(mu)) return
     end if
     call evaluate(asperity_friction_at_loads, self, 1_c_size_t, c_loc(load), c_loc(mu), scalar_address(slope), &
-                  stat, errmsg)
+                  stat, errmsg, tells_open=.true.)
   end function friction_rank_0
 
   function force_rank_0(self, load, slope, stat, errmsg) result(force)
@@ -739,7 +794,7 @@ contains
       if (.not. is_nan(force)) return
     end if
     call evaluate(asperity_friction_force_at_loads, self, 1_c_size_t, c_loc(load), c_loc(force), &
-                  scalar_address(slope), stat, errmsg)
+                  scalar_address(slope), stat, errmsg, tells_open=.true.)
   end function force_rank_0
 
   function friction_rank_1(self, load, slope, stat, errmsg) result(mu)
@@ -815,13 +870,14 @@ contains
   end function force_rank_3
 
   ! Every rank ends here, as the array that it is in memory.
-  subroutine evaluate(batch, self, n, load, value, slope, stat, errmsg)
+  subroutine evaluate(batch, self, n, load, value, slope, stat, errmsg, tells_open)
     procedure(batch_function) :: batch
     class(friction_model), intent(in), target :: self
     integer(c_size_t), intent(in) :: n
     type(c_ptr), intent(in) :: load, value, slope
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    logical, intent(in), optional :: tells_open    ! a scalar, whose stat says that the contact is open
     real(c_double), pointer :: values(:)
     integer(c_int32_t) :: status
     if (.not. is_created(self, stat, errmsg)) then
@@ -830,9 +886,41 @@ contains
       return
     end if
     status = batch(self%handle, n, load, value, slope)
-    if (status == ASPERITY_SEPARATED .and. .not. present(stat)) return
+    if (status == ASPERITY_SEPARATED) then
+      if (.not. present(tells_open)) then
+        call report_hidden(self, n, load, value, stat, errmsg)
+        return
+      else if (.not. present(stat)) then
+        return
+      end if
+    end if
     call report(status, stat, errmsg)
   end subroutine evaluate
+
+  ! Of many loads the library reports the first offence alone: an open contact, which is none here, may hide another.
+  subroutine report_hidden(self, n, load, value, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    integer(c_size_t), intent(in) :: n
+    type(c_ptr), intent(in) :: load, value
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), pointer :: loads(:), values(:)
+    type(asperity_state) :: state
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: i
+    character(20) :: number
+    if (present(stat)) stat = 0
+    call c_f_pointer(load, loads, [n])
+    call c_f_pointer(value, values, [n])
+    do i = 1, n
+      if (is_nan(values(i))) then
+        status = asperity_state_at_load(self%handle, loads(i), state)
+        write (number, '(i0)') i
+        call report_message(status, 'element ' // trim(number) // ': ' // asperity_error_message(), stat, errmsg)
+        return
+      end if
+    end do
+  end subroutine report_hidden
 
   pure function is_nan(x)
     real(c_double), intent(in) :: x
@@ -929,7 +1017,8 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     real(c_double), target :: mu
-    call evaluate(asperity_friction_at_loads, self, 1_c_size_t, c_loc(load), c_loc(mu), c_null_ptr, stat, errmsg)
+    call evaluate(asperity_friction_at_loads, self, 1_c_size_t, c_loc(load), c_loc(mu), c_null_ptr, stat, errmsg, &
+                  tells_open=.true.)
   end subroutine report_at_load
 
   subroutine report_refused(name, value, allowed, status, stat, errmsg)

@@ -16,7 +16,11 @@ if [ $# -eq 0 ]; then
 fi
 
 echo "building the library"
-cargo build --quiet --release --locked -j1 || exit 1
+cmake/check_rust.sh && cargo build --quiet --release --locked -j1 || exit 1
+release=$(realpath -m "${CARGO_TARGET_DIR:-target}")/release
+"${CC:-cc}" -std=c11 -O2 -Wall -Wextra -Werror -Iinclude hosts/surface_test.c -o "$logs/surface_test" \
+    -L"$release" -lasperity -Wl,-rpath,"$release" && "$logs/surface_test" ||
+    { echo "hosts/run.sh: the check of the surfaces (hosts/surface.h) does not do what it must"; exit 1; }
 
 verdicts="" costs="" failed=0 number=0 begin=$SECONDS
 for host in "${hosts[@]}"; do
@@ -40,7 +44,7 @@ for host in "${hosts[@]}"; do
         tail -n 15 "$logs/$host.log" | sed 's/^/    /'
     fi
     verdicts+=$verdict$'\n'
-    cost=$(grep -E "^($host)? +cost[: ]" "$logs/$host.log" | tail -n 1 | sed -E "s/^($host)? +cost:? +//")
+    cost=$(sed -nE "s/^$host +cost +//p" "$logs/$host.log" | tail -n 1)
     [ -z "$cost" ] || costs+="$host $cost"$'\n'
 done
 

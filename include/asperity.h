@@ -7,7 +7,8 @@
  *
  *     asperity_params params;
  *     asperity_model *model;
- *     asperity_params_init(&params);
+ *     asperity_params_init_unset(&params);    surfaces of your own; asperity_params_init: the paper's
+ *     params.height_std = 5e-9; ...           all of composite_modulus ... asperity_count
  *     if (asperity_create(&params, &model) != ASPERITY_OK) { ... asperity_last_error ... }
  *     double mu = asperity_friction_at_load(model, load);
  *     asperity_free(model);
@@ -86,6 +87,11 @@
 #define ASPERITY_NOT_CONVERGED 6
 
 /**
+ * The system refuses the memory that making a model takes; nothing was made or changed.
+ */
+#define ASPERITY_OUT_OF_MEMORY 7
+
+/**
  * A bug in the library: please report it.
  */
 #define ASPERITY_INTERNAL 255
@@ -136,8 +142,8 @@ typedef int32_t asperity_status;
  * Two rough elastic surfaces, as the equivalent rough surface against a flat.
  *
  * All quantities are in one consistent system of units of the caller's choice: SI, mm-N-MPa, or the paper's
- * b = G = 1. Loads, forces and areas are totals over `asperity_count` summits. Start from `asperity_params_init`,
- * which also sets `struct_size`.
+ * b = G = 1. Loads, forces and areas are totals over `asperity_count` summits. Start from `asperity_params_init_unset`
+ * or, for the paper's surfaces, `asperity_params_init`, which also set `struct_size`.
  *
  * The struct grew: `max_friction_coefficient` is the last field of its first version. Fields that `struct_size` does
  * not cover have their defaults, but for those that `height_distribution` asks for: `ASPERITY_HEIGHTS_JOHNSON` and
@@ -231,8 +237,8 @@ typedef struct asperity_params {
    */
   double kurtosis;
   /**
-   * H [stress], > 0: indentation hardness of the softer body, which `asperity_state` compares pressures with; it
-   * does not change friction. 0, the default: not known.
+   * H [stress], > 0: indentation hardness of the softer body, 1e-5 to 100 E*, which `asperity_state` compares
+   * pressures with; it does not change friction. 0, the default: not known.
    */
   double hardness;
   /**
@@ -408,8 +414,12 @@ typedef struct asperity_summary {
  * `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load, found
  * from the bits of x: its index is (bits(x) >> shift) - base as unsigned 64-bit integers; where that is not below
  * `row_count` the table does not answer. Its variable t has the bits of x below `shift` as its mantissa: t = (those bits |
- * bits of 1.0) - 1.0. Its value is F, its derivative by t times 2^-(exponent of x) is dF/d(load). A row whose first
- * coefficient is NaN is left out. Copy the rows where they are needed and change the pointer.
+ * bits of 1.0) - 1.0. Its value is F, its derivative by t times 2^-(exponent of x) is dF/d(load).
+ *
+ * A row whose first coefficient is NaN is a link to its parts: the last 51 bits of that NaN are the offset of the first part
+ * in bytes from `rows`, and the last six numbers of the row are the t at which the next parts begin. The part in which t
+ * lies, which may be a link too, is a row whose variable is t less where it begins. An offset of 0 says that the row is left
+ * out. Copy `total_count` rows where they are needed and change the pointer.
  */
 typedef struct asperity_table {
   /**
@@ -421,7 +431,7 @@ typedef struct asperity_table {
    */
   const double *rows;
   /**
-   * Number of rows.
+   * Number of rows found from x; parts of rows follow them.
    */
   uint64_t row_count;
   /**
@@ -448,6 +458,31 @@ typedef struct asperity_table {
    * Loads up to this times F have the capped coefficient.
    */
   double inverse_cap;
+  /**
+   * Number of rows and parts.
+   */
+  uint64_t total_count;
+  /**
+   * Friction force at the pull-off load [force].
+   */
+  double pull_off_force;
+  /**
+   * What friction force gains by load between pull-off and the first row, where it is taken as a straight line.
+   */
+  double light_slope;
+  /**
+   * Friction force at zero load [force], and its slope.
+   */
+  double zero_force;
+  double zero_slope;
+  /**
+   * dF/d(load) below the pull-off load: 0 with adhesion, without it that of the lightest load.
+   */
+  double separated_slope;
+  /**
+   * Friction force at the end of the last row [force], and of all heavier loads.
+   */
+  double heavy_force;
 } asperity_table;
 
 #ifdef __cplusplus
@@ -498,7 +533,8 @@ size_t asperity_last_error(char *buffer,
  * Sets all parameters to the paper's default case.
  *
  * alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1; Gaussian heights, equal radii
- * (epsilon = 0, rho = 0.5), attraction on, Hurtado and Kim's slip constants.
+ * (epsilon = 0, rho = 0.5), attraction on, Hurtado and Kim's slip constants. For a surface of your own start from
+ * `asperity_params_init_unset`, where nothing that you forget keeps a number of the paper.
  *
  * This function sets `struct_size` and the fields of the first version of the struct, and writes no more, since a
  * program that was compiled with that version has no more. In C and C++ a macro of its name calls
@@ -522,6 +558,34 @@ asperity_status asperity_params_init(struct asperity_params *params);
  */
 asperity_status asperity_params_init_sized(struct asperity_params *params,
                                            uint64_t struct_size);
+
+/**
+ * Prepares parameters of a surface of your own: as `asperity_params_init`, but the eight physical inputs are missing.
+ *
+ * `composite_modulus` to `asperity_count` are NaN, and `asperity_create` names the first of them that was never set:
+ * "asperity_count: must be set". Heights, slip constants and all else have their defaults.
+ *
+ * As with `asperity_params_init`, this function writes the first version of the struct, and in C and C++ a macro of its
+ * name calls `asperity_params_init_unset_sized` instead.
+ *
+ * @param params  receives the parameters; must not be NULL
+ * @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
+ *
+ * Threads: any, on different structs.
+ */
+asperity_status asperity_params_init_unset(struct asperity_params *params);
+
+/**
+ * Prepares parameters of a surface of your own, as `asperity_params_init_unset`, in a struct of this size.
+ *
+ * @param params       receives the parameters; must not be NULL; untouched on failure
+ * @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct)
+ *
+ * Threads: any, on different structs.
+ */
+asperity_status asperity_params_init_unset_sized(struct asperity_params *params,
+                                                 uint64_t struct_size);
 
 /**
  * Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
@@ -611,7 +675,7 @@ asperity_status asperity_params_set_skew(struct asperity_params *params,
  * @param params  the surfaces; must not be NULL
  * @param model   receives the model; must not be NULL; `*model` is untouched on failure
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`,
- *         `ASPERITY_NOT_CONVERGED`
+ *         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
  *
  * Threads: any.
  */
@@ -680,7 +744,7 @@ void asperity_free(struct asperity_model *model);
  * @param load   normal load [force]
  * @return F/load for load > 0, at most `max_friction_coefficient`; for pull-off <= load <= 0, where F is finite and
  *         F/load is not, `max_friction_coefficient`; 0 below pull-off (a separated contact has no friction); a quiet
- *         NaN for a NaN or infinite load or a NULL model
+ *         NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -693,7 +757,7 @@ double asperity_friction_at_load(const struct asperity_model *model,
  * @param model  a model
  * @param load   normal load [force]
  * @return F [force], finite and positive also at zero and negative load down to pull-off; 0 below pull-off; a quiet NaN
- *         for a NaN or infinite load or a NULL model
+ *         for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -711,7 +775,8 @@ double asperity_friction_force_at_load(const struct asperity_model *model,
  * @param load       n loads [force]; must not be NULL unless n = 0
  * @param mu         receives n coefficients; NULL to skip; may be `load` itself
  * @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load` itself
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`
+ *         (a finite load that cannot be evaluated, where the coefficient is NaN)
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -731,9 +796,11 @@ asperity_status asperity_friction_at_loads(const struct asperity_model *model,
  * @param n             number of loads; 0 is fine
  * @param load          n loads [force]; must not be NULL unless n = 0
  * @param force         receives n forces [force]; NULL to skip; may be `load` itself
- * @param dforce_dload  receives n slopes dF/d(load), INFINITY at the pull-off load itself; NULL to skip; may be `load`
- *                      itself
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`
+ * @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion,
+ *                      where F has no slope at zero load, there and below that of the lightest load of the table, finite;
+ *                      NULL to skip; may be `load` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`
+ *         (a finite load that cannot be evaluated, where the force is NaN)
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -762,7 +829,9 @@ double asperity_friction_and_slope_at_load(const struct asperity_model *model,
  *
  * @param model         a model
  * @param load          normal load [force]
- * @param dforce_dload  receives dF/d(load), INFINITY at the pull-off load itself, 0 below it, NaN where F is; NULL to skip
+ * @param dforce_dload  receives dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion, where F has no
+ *                      slope at zero load, there and below that of the lightest load of the table, finite; NaN where F
+ *                      is; NULL to skip
  * @return as `asperity_friction_force_at_load`
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
@@ -838,7 +907,8 @@ double asperity_slip_force(const struct asperity_model *model,
  * @param load   normal load [force], from the pull-off load upwards
  * @param state  receives the state; must not be NULL; its `struct_size` must be set; untouched on failure
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
- *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`
+ *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
+ *         `ASPERITY_OUT_OF_MEMORY`
  *
  * Threads: may share the model.
  */
@@ -853,7 +923,7 @@ asperity_status asperity_state_at_load(const struct asperity_model *model,
  * @param separation  of the flat from the mean of the summit heights [length]; may be negative
  * @param state       receives the state; must not be NULL; its `struct_size` must be set; untouched on failure
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, or a separation that
- *         is not finite), `ASPERITY_OUT_OF_RANGE`
+ *         is not finite), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_OUT_OF_MEMORY`
  *
  * Threads: may share the model.
  */
@@ -893,6 +963,7 @@ asperity_status asperity_table_of(const struct asperity_model *model,
 /* What is compiled with this header has the whole of asperity_params; the functions of these names serve programs
  * that were compiled with its first version. */
 #define asperity_params_init(params) asperity_params_init_sized((params), sizeof(asperity_params))
+#define asperity_params_init_unset(params) asperity_params_init_unset_sized((params), sizeof(asperity_params))
 #define asperity_get_params(model, params) asperity_get_params_sized((model), (params), sizeof(asperity_params))
 
 #endif  /* ASPERITY_H */

@@ -3,7 +3,7 @@
 // Values, ownership and exceptions over the C interface in asperity.h, whose units, parameters and threading rules hold
 // here too. Header only: link libasperity, nothing else.
 //
-//     asperity::Params params;
+//     asperity::Params params = asperity::Params::unset();
 //     params.set_materials(160e9, 0.22, 160e9, 0.22).work_of_adhesion(0.063).adhesion_range(0.384e-9) ... ;
 //     const asperity::Model model(params);
 //     double mu = model.friction_at_load(1e-3);
@@ -23,6 +23,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <memory>
 #include <stdexcept>
@@ -160,6 +161,14 @@ class Params {
 public:
     /// The paper's default case: alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1.
     Params() { check(asperity_params_init_sized(&c_, sizeof c_)); }
+
+    /// For a surface of your own: the physical inputs, composite_modulus to asperity_count, are NaN until they are set, and
+    /// Model throws Error, "asperity_count: must be set", naming the first that is not. All else has its default.
+    static Params unset() {
+        Params params;
+        check(asperity_params_init_unset_sized(&params.c_, sizeof params.c_));
+        return params;
+    }
 
     // Without moves: what was moved from would point to a table that it no longer owns.
     Params(const Params &) = default;
@@ -374,7 +383,8 @@ class Model {
 public:
     /// Checks the parameters and compiles the law, in milliseconds.
     ///
-    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED,
+    /// ASPERITY_OUT_OF_MEMORY).
     explicit Model(const Params &params = Params()) {
         asperity_model *model = nullptr;
         check(asperity_create(&params.c(), &model));
@@ -475,7 +485,8 @@ public:
     /// @param mu         receives as many coefficients; may be `loads` itself
     /// @param dmu_dload  receives as many slopes [1/force]; none by default
     /// @return ASPERITY_OK, or what is wrong with the first load that has no friction: ASPERITY_SEPARATED (below
-    ///         pull-off) or ASPERITY_INVALID_LOAD (NaN, infinite); last_error() names its index
+    ///         pull-off), ASPERITY_INVALID_LOAD (NaN, infinite) or ASPERITY_OUT_OF_RANGE (too heavy to be evaluated,
+    ///         NaN); last_error() names its index
     /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
     Status friction_at_load(Span<const double> loads, Span<double> mu, Span<double> dmu_dload = {}) const {
         return many(asperity_friction_at_loads, loads, mu, dmu_dload);
@@ -496,37 +507,41 @@ public:
 
     /// Friction coefficients at many loads.
     ///
-    /// Throws Error (ASPERITY_SEPARATED, ASPERITY_INVALID_LOAD) that names the first load without friction.
+    /// 0 below pull-off, where the contact is open. Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_OUT_OF_RANGE) that names
+    /// the first load that is NaN, infinite or too heavy to be evaluated.
     std::vector<double> friction_at_load(Span<const double> loads) const {
         std::vector<double> mu(loads.size());
-        check(friction_at_load(loads, mu));
+        answered(asperity_friction_at_loads, loads, mu, {});
         return mu;
     }
 
     /// Friction forces [force] at many loads.
     ///
-    /// Throws Error (ASPERITY_SEPARATED, ASPERITY_INVALID_LOAD) that names the first load without friction.
+    /// 0 below pull-off, where the contact is open. Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_OUT_OF_RANGE) that names
+    /// the first load that is NaN, infinite or too heavy to be evaluated.
     std::vector<double> friction_force_at_load(Span<const double> loads) const {
         std::vector<double> force(loads.size());
-        check(friction_force_at_load(loads, force));
+        answered(asperity_friction_force_at_loads, loads, force, {});
         return force;
     }
 
     /// Friction coefficients at many loads and their slopes [1/force].
     ///
-    /// Throws Error (ASPERITY_SEPARATED, ASPERITY_INVALID_LOAD) that names the first load without friction.
+    /// 0 below pull-off, where the contact is open. Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_OUT_OF_RANGE) that names
+    /// the first load that is NaN, infinite or too heavy to be evaluated.
     ValuesAndSlopes friction_and_slope_at_load(Span<const double> loads) const {
         ValuesAndSlopes result{std::vector<double>(loads.size()), std::vector<double>(loads.size())};
-        check(friction_at_load(loads, result.value, result.slope));
+        answered(asperity_friction_at_loads, loads, result.value, result.slope);
         return result;
     }
 
     /// Friction forces [force] at many loads and their slopes.
     ///
-    /// Throws Error (ASPERITY_SEPARATED, ASPERITY_INVALID_LOAD) that names the first load without friction.
+    /// 0 below pull-off, where the contact is open. Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_OUT_OF_RANGE) that names
+    /// the first load that is NaN, infinite or too heavy to be evaluated.
     ValuesAndSlopes friction_force_and_slope_at_load(Span<const double> loads) const {
         ValuesAndSlopes result{std::vector<double>(loads.size()), std::vector<double>(loads.size())};
-        check(friction_force_at_load(loads, result.value, result.slope));
+        answered(asperity_friction_force_at_loads, loads, result.value, result.slope);
         return result;
     }
 
@@ -588,6 +603,30 @@ private:
             check(status);
         }
         return status;
+    }
+
+    /// An open contact is an answer. The library reports the first offence alone, so that one may hide a load that has none.
+    void answered(Batch batch, Span<const double> loads, Span<double> value, Span<double> slope) const {
+        const Status status = many(batch, loads, value, slope);
+        if (status != ASPERITY_SEPARATED) {
+            check(status);
+            return;
+        }
+        for (std::size_t i = 0; i < loads.size(); ++i) {
+            if (is_nan(value.data()[i])) {
+                State state;
+                state.struct_size = sizeof state;
+                const Status why = asperity_state_at_load(handle_.get(), loads.data()[i], &state);
+                throw Error(why, "element " + std::to_string(i) + ": " + last_error());
+            }
+        }
+    }
+
+    // By its bits: a program may be compiled as if there were none.
+    static bool is_nan(double x) noexcept {
+        std::uint64_t bits;
+        std::memcpy(&bits, &x, sizeof bits);
+        return bits << 1 > std::uint64_t{0x7ff} << 53;
     }
 
     static void require_size(const char *name, std::size_t size, std::size_t loads) {

@@ -6,16 +6,29 @@
  *     asperity_table_of(model, &table);
  *     double force = asperity_eval_friction_force(&table, load, NULL);
  *
- * Self-contained but for the declaration of asperity_table: C99, C++, CUDA, HIP; no libm, no branch on data but the
- * caps. For a kernel, copy table.row_count * 8 doubles from table.rows to the device and point a copy of the struct
- * there.
+ * Self-contained but for the declaration of asperity_table: C99, C++, CUDA, HIP; no libm, and no branch on data but for
+ * rows in parts, loads beside the table and the caps. For a kernel, copy table.total_count * 8 doubles from table.rows to
+ * the device and point a copy of the struct there.
  *
  * Where the library answers from the table, these functions give the same bits, provided that the compiler does not
  * contract a*b + c into a fused multiply-add: GCC does so with -march of a processor that has it, unless -std=c99 or
  * -ffp-contract=off is given; with contraction the last bit or two may differ. Clang, CUDA and HIP are told below.
  *
- * NaN says that the table does not answer (a load outside it, a row left out, a load that is not finite): ask the
- * library.
+ * There is no library to ask in a kernel, so every load has its rule:
+ *
+ *   below pull-off             as the library: force and coefficient 0; slope table.separated_slope (0 with adhesion)
+ *   zero                       as the library
+ *   pulling, pull-off to zero  from the table; the coefficient is the cap
+ *   lighter than the table     a straight line from the force at pull-off to the table's lightest load, with the slope of
+ *                              that line. Where the table reaches pull-off, such loads lie within 1e-9 of the pull-off
+ *                              load above it and the force is right to 1e-4; elsewhere they are below 1e-24 of the load
+ *                              at which half the summits touch, and the coefficient is about that of the lightest load
+ *   heavier than the table     the force of the heaviest load, slope 0: a bound, 1e12 and more times beyond the load at
+ *                              which half the summits touch. The library evaluates such loads exactly
+ *   not finite                 NaN
+ *
+ * NaN is left for a finite load in the few rows, if any, that could not be made (the library evaluates them exactly): with
+ * adhesion or without, Gaussian heights have none below 1e9 times the load at which half the summits touch.
  */
 #ifndef ASPERITY_EVAL_H
 #define ASPERITY_EVAL_H
@@ -57,6 +70,7 @@
 #define ASPERITY_EVAL_ONE (UINT64_C(1023) << 52)
 #define ASPERITY_EVAL_TWICE_BIAS (UINT64_C(2046) << 52)
 #define ASPERITY_EVAL_EXPONENT (UINT64_C(2047) << 52)
+#define ASPERITY_EVAL_OFFSET ((UINT64_C(1) << 51) - 1)
 
 ASPERITY_EVAL_FUNCTION uint64_t asperity_eval_bits(double x)
 {
@@ -79,13 +93,50 @@ ASPERITY_EVAL_FUNCTION double asperity_eval_line(double a, double b, double t)
     return ASPERITY_EVAL_ADD(a, ASPERITY_EVAL_MUL(b, t));
 }
 
-/* Friction force at a load [force], and dF/d(load) unless NULL is given for it. Below pull-off both are 0. */
+/* The part of a row in which *t lies, and t in it; NULL if it is left out. */
+ASPERITY_EVAL_FUNCTION const double *asperity_eval_part(const asperity_table *table, const double *row, double *t)
+{
+    ASPERITY_EVAL_NO_CONTRACTION
+    double begin = 0.0;
+    int i;
+
+    while (row[0] != row[0]) {
+        const uint64_t offset = asperity_eval_bits(row[0]) & ASPERITY_EVAL_OFFSET;
+        const double *part = table->rows + offset / sizeof(double);
+        if (offset == 0)
+            return NULL;
+        for (i = 2; i < 8 && *t >= row[i]; ++i) {
+            begin = row[i];
+            part += 8;
+        }
+        row = part;
+    }
+    *t = ASPERITY_EVAL_ADD(*t, -begin);
+    return row;
+}
+
+/* Friction force beside the rows, and its slope. */
+ASPERITY_EVAL_FUNCTION double asperity_eval_beside(const asperity_table *table, double load, double x, double *slope)
+{
+    ASPERITY_EVAL_NO_CONTRACTION
+    *slope = 0.0;
+    if (load == 0.0) {
+        *slope = table->zero_slope;
+        return table->zero_force;
+    }
+    if ((asperity_eval_bits(x) >> table->shift) > table->base)
+        return table->heavy_force;
+    *slope = table->light_slope;
+    return asperity_eval_line(table->pull_off_force, table->light_slope, x);
+}
+
+/* Friction force at a load [force], and dF/d(load) unless NULL is given for it. */
 ASPERITY_EVAL_FUNCTION double asperity_eval_friction_force(const asperity_table *table, double load,
                                                            double *dforce_dload)
 {
     ASPERITY_EVAL_NO_CONTRACTION
     const double nan = asperity_eval_double(UINT64_C(0x7ff8000000000000));
-    double x, t, t2, t4, force;
+    double x, t, t2, t4, force, slope;
     uint64_t bits, index;
     const double *c;
 
@@ -95,16 +146,22 @@ ASPERITY_EVAL_FUNCTION double asperity_eval_friction_force(const asperity_table 
         return nan;
     if (load < table->pull_off_load) {
         if (dforce_dload)
-            *dforce_dload = 0.0;
+            *dforce_dload = table->separated_slope;
         return 0.0;
     }
     x = ASPERITY_EVAL_ADD(load, -table->pull_off_load);
     bits = asperity_eval_bits(x);
     index = (bits >> table->shift) - table->base;
-    if (index >= table->row_count)
-        return nan;
-    c = table->rows + 8 * index;
+    if (index >= table->row_count) {
+        force = asperity_eval_beside(table, load, x, &slope);
+        if (dforce_dload)
+            *dforce_dload = slope;
+        return force;
+    }
     t = asperity_eval_double((bits & ((UINT64_C(1) << table->shift) - 1)) | ASPERITY_EVAL_ONE) - 1.0;
+    c = asperity_eval_part(table, table->rows + 8 * index, &t);
+    if (!c)
+        return nan;
     t2 = ASPERITY_EVAL_MUL(t, t);
     t4 = ASPERITY_EVAL_MUL(t2, t2);
     force = asperity_eval_line(
@@ -116,7 +173,7 @@ ASPERITY_EVAL_FUNCTION double asperity_eval_friction_force(const asperity_table 
                                t2),
             asperity_eval_line(asperity_eval_line(5.0 * c[5], 6.0 * c[6], t), 7.0 * c[7], t2), t4);
         double inverse_binade = asperity_eval_double(ASPERITY_EVAL_TWICE_BIAS - (bits & ~ASPERITY_EVAL_MANTISSA));
-        *dforce_dload = force == force ? ASPERITY_EVAL_MUL(rate, inverse_binade) : nan;
+        *dforce_dload = ASPERITY_EVAL_MUL(rate, inverse_binade);
     }
     return force;
 }
@@ -130,7 +187,7 @@ ASPERITY_EVAL_FUNCTION double asperity_eval_friction(const asperity_table *table
     double force = asperity_eval_friction_force(table, load, dmu_dload ? &slope : NULL);
     if (force != force || load < table->pull_off_load) {
         if (dmu_dload)
-            *dmu_dload = slope;
+            *dmu_dload = force;
         return force;
     }
     if (load <= ASPERITY_EVAL_MUL(force, table->inverse_cap)) {

@@ -33,14 +33,27 @@ def version():
     return re.search(r'^version = "(.+)"', (CRATE / "Cargo.toml").read_text(encoding="utf-8"), re.MULTILINE)[1]
 
 
+def demand_rust(cargo):
+    """Says in one line, in the words of cmake/check_rust.sh, that Rust is missing or too old."""
+    needed = re.search(r'^rust-version = "(.+)"', (CRATE / "Cargo.toml").read_text(encoding="utf-8"), re.MULTILINE)[1]
+    for command in (cargo, os.environ.get("RUSTC", "rustc")):
+        try:
+            said = subprocess.run([command, "--version"], cwd=CRATE, capture_output=True, encoding="utf-8", check=False)
+            found = re.search(r"\d+\.\d+", said.stdout)
+        except OSError:
+            found = None
+        if not found or [int(n) for n in found[0].split(".")] < [int(n) for n in needed.split(".")]:
+            raise ExecError(
+                f"asperity needs Rust {needed} or later (found {found[0] if found else 'none'}): https://rustup.rs"
+            )
+
+
 def cargo_build():
     """Builds the shared library and returns its path, as cargo tells it: CARGO_TARGET_DIR and the like are cargo's."""
     cargo = os.environ.get("CARGO", "cargo")
     command = [cargo, "build", "--release", "--locked", "--lib", "--message-format=json-render-diagnostics"]
-    try:
-        done = subprocess.run(command, cwd=CRATE, stdout=subprocess.PIPE, encoding="utf-8", check=False)
-    except FileNotFoundError:
-        raise ExecError(f"asperity: '{cargo}' was not found: install Rust (https://rustup.rs) to build") from None
+    demand_rust(cargo)
+    done = subprocess.run(command, cwd=CRATE, stdout=subprocess.PIPE, encoding="utf-8", check=False)
     if done.returncode != 0:
         raise ExecError(f"asperity: '{' '.join(command)}' failed in {CRATE}; its messages are above")
     messages = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]

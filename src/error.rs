@@ -16,6 +16,12 @@ pub enum Error {
         /// What it may be.
         allowed: &'static str,
     },
+    /// A parameter was never set.
+    #[error("{name}: must be set")]
+    Unset {
+        /// The parameter.
+        name: &'static str,
+    },
     /// An entry of a table has no meaning.
     #[error("{name}[{index}] = {}: {allowed}", Real(*value))]
     InvalidEntry {

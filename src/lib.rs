@@ -29,6 +29,7 @@ mod params;
 pub mod population;
 pub mod regularised;
 pub mod spectrum;
+mod unit_slips;
 
 pub use error::{Error, Value};
 pub use model::{Model, State, Summary, WARNING_PLASTIC};

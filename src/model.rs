@@ -5,7 +5,7 @@ use crate::equilibrium::Branch;
 use crate::error::Error;
 use crate::float_bits::finite;
 use crate::groups::Groups;
-use crate::law::{Law, Row, Scales, Table, Unfollowed};
+use crate::law::{Law, Scales, Table, Unfollowed};
 use crate::params::Params;
 use crate::population::{Population, Statistics, Sums};
 
@@ -35,6 +35,24 @@ pub struct Model {
     units: Units,
     /// 1 / max_friction_coefficient, of a finite one.
     inverse_cap: f64,
+    known: Known,
+}
+
+/// Friction that is known when the model is made, beside the table.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Known {
+    /// Force and slope at the pull-off load.
+    pub at_pull_off: (f64, f64),
+    /// Force and slope at zero load.
+    pub at_zero: (f64, f64),
+    /// Slope of the force below the pull-off load.
+    pub apart: f64,
+    /// What force gains by load on a straight line from pull-off to the table's first row.
+    pub light_slope: f64,
+    /// Force at the heavy end of the table.
+    pub heavy_force: f64,
+    /// Heavier loads cannot be evaluated.
+    pub heaviest: f64,
 }
 
 /// What turns the sums per summit into the caller's units.
@@ -151,7 +169,26 @@ impl Model {
             value: separation,
         })?;
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(LARGEST_COEFFICIENT);
-        Ok(Self { params: params.clone(), groups, branch, law, units, inverse_cap })
+        let heaviest = (HEAVIEST_LOAD * units.load).min(f64::MAX);
+        let mut model =
+            Self { params: params.clone(), groups, branch, law, units, inverse_cap, known: Known::default() };
+        model.known = model.find_known(heaviest);
+        Ok(model)
+    }
+
+    /// Finds what is to be known.
+    fn find_known(&self, heaviest: f64) -> Known {
+        let at = |load: f64| self.tabulated_force(load).unwrap_or_else(|| self.computed_force(load));
+        let table = self.law.table();
+        let (lightest, end) = table.range();
+        let (light_force, lightest_slope) = at(lightest);
+        let (at_pull_off, at_zero, apart) = match self.branch.pull_off() {
+            Some(point) => ((point.friction * self.units.force, f64::INFINITY), at(0.0), 0.0),
+            // Friction vanishes with load, and has no slope there but that next to it.
+            None => ((0.0, lightest_slope), (0.0, lightest_slope), lightest_slope),
+        };
+        let light_slope = (light_force - at_pull_off.0) / (lightest - table.pull_off);
+        Known { at_pull_off, at_zero, apart, light_slope, heavy_force: at(end.next_down()).0, heaviest }
     }
 
     /// The parameters it was made from.
@@ -172,12 +209,15 @@ impl Model {
 
     /// Friction coefficient, as [`Model::friction_at_load`], and its slope, 0 where it is capped.
     pub fn friction_and_slope(&self, load: f64) -> (f64, f64) {
-        self.tabulated_coefficient(load).unwrap_or_else(|| self.exact_coefficient(load))
+        let answer = self.tabulated_coefficient(load).or_else(|| self.known_coefficient(load));
+        answer.unwrap_or_else(|| self.computed_coefficient(load))
     }
 
-    /// Friction force and its slope dF/dP, infinite at the pull-off load itself.
+    /// Friction force and its slope dF/dP: infinite at the pull-off load itself, 0 below it; without adhesion, that of
+    /// the lightest load of the table at zero and below.
     pub fn friction_force_and_slope(&self, load: f64) -> (f64, f64) {
-        self.tabulated_force(load).unwrap_or_else(|| self.exact_force(load))
+        let answer = self.tabulated_force(load).or_else(|| self.known_force(load));
+        answer.unwrap_or_else(|| self.computed_force(load))
     }
 
     /// Friction force and slope where the compiled law answers.
@@ -187,14 +227,7 @@ impl Model {
         if !finite(load) {
             return None;
         }
-        self.law.at_load(load)
-    }
-
-    /// The table's row for a load, and where in it the load lies; `None` for a load that is not finite or outside.
-    #[inline]
-    pub(crate) fn row_at(&self, load: f64) -> Option<(&Row, f64)> {
-        // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
-        finite(load).then(|| self.law.row_at(load))?
+        self.law.table().at_load(load)
     }
 
     /// Friction coefficient and slope where the compiled law answers.
@@ -204,39 +237,81 @@ impl Model {
         Some(self.coefficient_and_slope(load, force, slope))
     }
 
+    /// Friction force and slope where they are known without a computation.
+    #[inline]
+    pub(crate) fn known_force(&self, load: f64) -> Option<(f64, f64)> {
+        if !finite(load) || load > self.known.heaviest {
+            return Some((f64::NAN, f64::NAN));
+        }
+        let pull_off = self.law.table().pull_off;
+        match load {
+            _ if load < pull_off => Some((0.0, self.known.apart)),
+            _ if load == pull_off => Some(self.known.at_pull_off),
+            _ if load == 0.0 => Some(self.known.at_zero),
+            _ => None,
+        }
+    }
+
+    /// Friction coefficient and slope where they are known without a computation.
+    #[inline]
+    pub(crate) fn known_coefficient(&self, load: f64) -> Option<(f64, f64)> {
+        if !finite(load) || load > self.known.heaviest {
+            return Some((f64::NAN, f64::NAN));
+        }
+        match load {
+            _ if load < self.law.table().pull_off => Some((0.0, 0.0)),
+            _ if load <= 0.0 => Some((self.params.max_friction_coefficient, 0.0)),
+            _ => None,
+        }
+    }
+
+    /// Friction force and slope at a finite load above pull-off that has no row: from the curve, or else exactly.
+    pub(crate) fn computed_force(&self, load: f64) -> (f64, f64) {
+        self.law.interpolated(load).unwrap_or_else(|| self.exact_force(load))
+    }
+
+    /// Friction coefficient and slope at such a load.
+    pub(crate) fn computed_coefficient(&self, load: f64) -> (f64, f64) {
+        let (force, slope) = self.computed_force(load);
+        self.coefficient_and_slope(load, force, slope)
+    }
+
     /// Friction force and slope without the compiled law.
-    pub(crate) fn exact_force(&self, load: f64) -> (f64, f64) {
+    fn exact_force(&self, load: f64) -> (f64, f64) {
         match self.equilibrium_at(load) {
-            Ok((separation, sums)) => {
-                let slope = if self.is_pull_off(load) { f64::INFINITY } else { self.force_slope(separation, &sums) };
-                (sums.friction * self.units.force, slope)
-            }
-            Err(Error::Separated { .. }) => (0.0, 0.0),
-            // Without adhesion nothing is left at zero load.
-            Err(Error::OutOfRange { .. }) if load == 0.0 => (0.0, f64::INFINITY),
+            Ok((separation, sums)) => (sums.friction * self.units.force, self.force_slope(separation, &sums)),
             Err(_) => (f64::NAN, f64::NAN),
         }
     }
 
-    /// Friction coefficient and slope without the compiled law.
-    pub(crate) fn exact_coefficient(&self, load: f64) -> (f64, f64) {
-        match self.offence(load) {
-            None => {
-                let (force, slope) = self.exact_force(load);
-                self.coefficient_and_slope(load, force, slope)
-            }
-            Some(Error::Separated { .. }) => (0.0, 0.0),
-            Some(_) => (f64::NAN, f64::NAN),
-        }
-    }
-
-    /// What is wrong with a load, if anything: not finite, or below pull-off.
+    /// What is wrong with a load, if anything: not finite, below pull-off, or too heavy.
     pub fn offence(&self, load: f64) -> Option<Error> {
         if !finite(load) {
             return Some(Error::InvalidLoad { value: load });
         }
         let pull_off = self.pull_off_load();
-        (load < pull_off).then_some(Error::Separated { load, pull_off })
+        if load < pull_off {
+            return Some(Error::Separated { load, pull_off });
+        }
+        (load > self.known.heaviest).then_some(Error::OutOfRange {
+            name: "load",
+            value: load.into(),
+            allowed: "must be below 1e80 composite_modulus burgers_vector^2 asperity_count",
+        })
+    }
+
+    /// Why there is no friction at a load that nothing is wrong with.
+    pub(crate) fn not_evaluated(load: f64) -> Error {
+        Error::OutOfRange {
+            name: "load",
+            value: load.into(),
+            allowed: "the state at this load cannot be found to full accuracy; please report the parameters",
+        }
+    }
+
+    /// What is known beside the table.
+    pub(crate) fn known(&self) -> Known {
+        self.known
     }
 
     /// The exact state at a load, without the compiled law.
@@ -264,13 +339,6 @@ impl Model {
             return Err(offence);
         }
         let pull_off = self.pull_off_load();
-        if load > HEAVIEST_LOAD * self.units.load {
-            return Err(Error::OutOfRange {
-                name: "load",
-                value: load.into(),
-                allowed: "must be below 1e80 composite_modulus burgers_vector^2 asperity_count",
-            });
-        }
         if let Some(point) = self.branch.pull_off() {
             if load == pull_off {
                 return Ok((point.separation, self.branch.population().at_separation(point.separation)));
@@ -326,8 +394,8 @@ impl Model {
             pull_off_load: self.pull_off_load(),
             pull_off_friction_force: pull_off.map_or(0.0, |point| point.friction * self.units.force),
             zero_load_friction_force: self.friction_force_at_load(0.0),
-            min_table_load: self.law.range().0,
-            max_table_load: self.law.range().1,
+            min_table_load: self.law.table().range().0,
+            max_table_load: self.law.table().range().1,
             table_error: self.law.error(),
         }
     }
@@ -342,7 +410,7 @@ impl Model {
     }
 
     /// The compiled law.
-    pub(crate) fn table(&self) -> Table<'_> {
+    pub(crate) fn table(&self) -> &Table {
         self.law.table()
     }
 
@@ -610,15 +678,19 @@ mod tests {
         ));
         assert!(near(pull_off.friction_force, summary.pull_off_friction_force, 1e-14));
         assert_eq!((pull_off.dforce_dload, pull_off.dload_dseparation), (f64::INFINITY, 0.0));
-        assert_eq!(model.exact_force(summary.pull_off_load), (pull_off.friction_force, f64::INFINITY));
+        assert_eq!(model.friction_force_and_slope(summary.pull_off_load), (pull_off.friction_force, f64::INFINITY));
         for (load, is_finite) in [(0.9 * summary.pull_off_load, true), (0.0, true), (1.0, true)] {
-            assert_eq!(model.exact_force(load).1.is_finite(), is_finite, "{load}");
+            assert_eq!(model.friction_force_and_slope(load).1.is_finite(), is_finite, "{load}");
             assert_eq!(model.state_at_load(load).expect("a state").dforce_dload.is_finite(), is_finite, "{load}");
         }
-        assert_eq!(model.exact_force(1.1 * summary.pull_off_load), (0.0, 0.0));
-        assert!(model.exact_force(1.1 * HEAVIEST_LOAD * model.units.load).0.is_nan());
+        assert_eq!(model.friction_force_and_slope(1.1 * summary.pull_off_load), (0.0, 0.0));
+        assert!(model.friction_force_at_load(1.1 * HEAVIEST_LOAD * model.units.load).is_nan());
         let none = Model::new(&Params { work_of_adhesion: 0.0, ..params }).expect("a model");
-        assert_eq!(none.exact_force(0.0), (0.0, f64::INFINITY));
+        let lightest = none.friction_force_and_slope(none.summary().min_table_load).1;
+        assert!(lightest > 0.0 && lightest.is_finite());
+        for load in [0.0, -0.0, -1e-300, -5.0] {
+            assert_eq!(none.friction_force_and_slope(load), (0.0, lightest), "{load}");
+        }
         // Nothing is left, and nothing is divided by it.
         let apart = none.state_at_separation(27.0).expect("a state");
         assert_eq!((apart.load, apart.friction_force, apart.dforce_dload), (0.0, 0.0, 0.0));

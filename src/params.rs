@@ -8,6 +8,7 @@ use crate::float_bits::{finite, infinite, nan};
 use crate::groups::Groups;
 use crate::population::radius::RadiusProfile;
 use crate::spectrum::SpectralMoments;
+use crate::unit_slips;
 use std::sync::Arc;
 
 /// The family of the distribution of summit heights.
@@ -99,6 +100,9 @@ impl Default for Params {
     }
 }
 
+/// What the physical inputs are until they are set: a quiet NaN that no arithmetic makes.
+const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
+
 /// Raw quantities beyond this, or below its inverse, could overflow when combined.
 const LARGEST: f64 = 1e40;
 
@@ -106,6 +110,30 @@ const POSITIVE: &str = "must be finite and > 0";
 const MAGNITUDE: &str = "must be between 1e-40 and 1e40; choose other units";
 
 impl Params {
+    /// The default case without its eight physical inputs, `composite_modulus` to `asperity_count`, which are NaN: a model
+    /// is refused until all are set.
+    pub fn unset() -> Self {
+        let mut params = Self::default();
+        for (_, value) in params.physical() {
+            *value = UNSET;
+        }
+        params
+    }
+
+    /// The inputs that no default can stand for, in their order.
+    fn physical(&mut self) -> [(&'static str, &mut f64); 8] {
+        [
+            ("composite_modulus", &mut self.composite_modulus),
+            ("effective_shear_modulus", &mut self.effective_shear_modulus),
+            ("work_of_adhesion", &mut self.work_of_adhesion),
+            ("adhesion_range", &mut self.adhesion_range),
+            ("burgers_vector", &mut self.burgers_vector),
+            ("height_std", &mut self.height_std),
+            ("summit_radius", &mut self.summit_radius),
+            ("asperity_count", &mut self.asperity_count),
+        ]
+    }
+
     /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8).
     ///
     /// # Errors
@@ -207,8 +235,13 @@ impl Params {
     /// The groups of eqs (7) and (8), heights and radii; every number is checked on the way.
     ///
     /// # Errors
-    /// [`Error::InvalidParameter`] or [`Error::OutOfRange`], naming the first offence.
+    /// [`Error::Unset`], [`Error::InvalidParameter`] or [`Error::OutOfRange`], naming the first offence.
     pub(crate) fn surface(&self) -> Result<(Groups, Arc<dyn HeightDistribution>, RadiusProfile), Error> {
+        if let Some((name, _)) =
+            self.clone().physical().into_iter().find(|(_, value)| value.to_bits() == UNSET.to_bits())
+        {
+            return Err(Error::Unset { name });
+        }
         positive("composite_modulus", self.composite_modulus)?;
         positive("effective_shear_modulus", self.effective_shear_modulus)?;
         if self.work_of_adhesion.to_bits() << 1 != 0 {
@@ -235,39 +268,8 @@ impl Params {
             gamma: self.work_of_adhesion / (self.composite_modulus * self.burgers_vector),
             b_over_h: self.burgers_vector / self.adhesion_range,
         };
-        let within = |name: &'static str, value: f64, lower: f64, upper: f64, allowed: &'static str| {
-            if value >= lower && value <= upper {
-                return Ok(());
-            }
-            Err(Error::OutOfRange { name, value: value.into(), allowed })
-        };
-        within("alpha", groups.alpha, 1e-5, 10.0, "(height_std/summit_radius)^(1/2) must be between 1e-5 and 10")?;
-        within(
-            "beta",
-            groups.beta,
-            0.1,
-            1e8,
-            "(height_std summit_radius)^(1/2)/burgers_vector must be between 0.1 and 1e8",
-        )?;
-        if groups.gamma != 0.0 {
-            within(
-                "gamma",
-                groups.gamma,
-                1e-9,
-                10.0,
-                "work_of_adhesion/(composite_modulus burgers_vector) must be 0 or between 1e-9 and 10",
-            )?;
-        }
-        if groups.gamma != 0.0 {
-            within(
-                "h/sigma",
-                groups.reach(),
-                0.0,
-                1e6,
-                "adhesion_range/height_std must be at most 1e6: take a rougher surface, or no adhesion",
-            )?;
-        }
-        within("b/h", groups.b_over_h, 1e-3, 100.0, "burgers_vector/adhesion_range must be between 1e-3 and 100")?;
+        check_groups(&groups)?;
+        unit_slips::check(self)?;
         Ok((groups, heights, radius))
     }
 
@@ -319,6 +321,62 @@ impl Params {
     }
 }
 
+/// The limits of the groups, with the slip of units that most likely leads beyond each.
+fn check_groups(groups: &Groups) -> Result<(), Error> {
+    macro_rules! within {
+        ($name:literal, $value:expr, $limits:expr, $allowed:literal, $below:literal, $above:literal) => {
+            if !$limits.contains(&$value) {
+                let above = $value > *$limits.end();
+                let allowed = if above { concat!($allowed, "; ", $above) } else { concat!($allowed, "; ", $below) };
+                return Err(Error::OutOfRange { name: $name, value: $value.into(), allowed });
+            }
+        };
+    }
+    within!(
+        "alpha",
+        groups.alpha,
+        1e-5..=10.0,
+        "(height_std/summit_radius)^(1/2) must be between 1e-5 and 10",
+        "is summit_radius in um?",
+        "is height_std in um or nm?"
+    );
+    within!(
+        "beta",
+        groups.beta,
+        0.1..=1e8,
+        "(height_std summit_radius)^(1/2)/burgers_vector must be between 0.1 and 1e8",
+        "is burgers_vector in nm?",
+        "are height_std and summit_radius in um?"
+    );
+    if groups.gamma != 0.0 {
+        within!(
+            "gamma",
+            groups.gamma,
+            1e-9..=10.0,
+            "work_of_adhesion/(composite_modulus burgers_vector) must be 0 or between 1e-9 and 10",
+            "are work_of_adhesion and the moduli in one system of units?",
+            "is work_of_adhesion in mJ/m^2, or are the moduli in GPa?"
+        );
+        within!(
+            "h/sigma",
+            groups.reach(),
+            0.0..=1e6,
+            "adhesion_range/height_std must be at most 1e6",
+            "",
+            "is adhesion_range in nm? Else take a rougher surface, or no adhesion"
+        );
+    }
+    within!(
+        "b/h",
+        groups.b_over_h,
+        1e-3..=100.0,
+        "burgers_vector/adhesion_range must be between 1e-3 and 100",
+        "is adhesion_range in nm?",
+        "is burgers_vector in nm?"
+    );
+    Ok(())
+}
+
 fn positive(name: &'static str, value: f64) -> Result<(), Error> {
     magnitude(name, value, POSITIVE)
 }
@@ -355,6 +413,7 @@ mod tests {
         match error {
             Error::InvalidParameter { name, .. } | Error::InvalidEntry { name, .. } => (false, name),
             Error::OutOfRange { name, .. } => (true, name),
+            Error::Unset { name } => (false, name),
             other => panic!("{other:?}"),
         }
     }
@@ -383,7 +442,6 @@ mod tests {
     #[test]
     fn quantities_are_taken_up_to_the_limits_and_no_further() {
         let magnitudes = [1.0 / LARGEST, LARGEST];
-        assert_interval("hardness", true, magnitudes, |params, x| params.hardness = x);
         assert_interval("max_friction_coefficient", true, magnitudes, |params, x| params.max_friction_coefficient = x);
         assert_interval("asperity_count", true, magnitudes, |params, x| params.asperity_count = x);
         assert_interval("effective_shear_modulus", true, magnitudes, |params, x| params.effective_shear_modulus = x);
@@ -408,6 +466,22 @@ mod tests {
             assert_eq!(refused(|params| params.radius_rate = rate), None, "{rate}");
         }
         assert_eq!(refused(|params| params.radius_rate = 0.0), Some((false, "radius_rate")));
+    }
+
+    #[test]
+    fn the_first_input_that_was_never_set_is_named() {
+        let mut params = Params::unset();
+        let mut set = Params::default();
+        let names = set.physical().map(|(name, _)| name);
+        for (i, name) in names.into_iter().enumerate() {
+            assert_eq!(params.surface().err(), Some(Error::Unset { name }));
+            assert_eq!(params.surface().unwrap_err().to_string(), format!("{name}: must be set"));
+            *params.physical()[i].1 = *set.physical()[i].1;
+        }
+        assert_eq!(params, set);
+        // A NaN that was computed is told as what it is.
+        let message = Params { height_std: f64::NAN, ..set }.surface().unwrap_err().to_string();
+        assert_eq!(message, "height_std = NaN: must be finite and > 0");
     }
 
     #[test]

@@ -48,7 +48,18 @@ if [ "$(id -u)" != 0 ]; then
     exit 1
 fi
 echo "installing:$missing"
-export DEBIAN_FRONTEND=noninteractive
-# shellcheck disable=SC2086
-apt-get install -y -qq --no-install-recommends $missing >/dev/null 2>&1 ||
-    { apt-get update -qq && apt-get install -y -qq --no-install-recommends $missing >/dev/null; }
+export DEBIAN_FRONTEND=noninteractive LC_ALL=C
+# Another process may hold the package manager's locks, as the one that updates a new machine does. `install` waits for
+# them if told to; `update` has a lock of its own, for which it never waits.
+update_lists() {
+    local message
+    until message=$(apt-get update -qq 2>&1); do
+        [[ "$message" == *"Could not get lock"* && $SECONDS -lt 600 ]] || { echo "$message" >&2; return 1; }
+        sleep 2
+    done
+}
+install_missing() {
+    # shellcheck disable=SC2086
+    apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=600 $missing >/dev/null
+}
+install_missing 2>/dev/null || { update_lists && install_missing; }

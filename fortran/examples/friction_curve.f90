@@ -34,14 +34,9 @@ contains
 
   function polysilicon() result(params)
     type(asperity_params) :: params
-    call asperity_check(asperity_params_init(params))
-    call asperity_check(asperity_params_set_materials(params, E, NU, E, NU))
-    params%work_of_adhesion = ADHESION
-    params%adhesion_range = BURGERS
-    params%burgers_vector = BURGERS
-    params%height_std = SIGMA
-    params%summit_radius = RADIUS
-    params%asperity_count = DENSITY * NOMINAL_AREA
+    params = asperity_params_of(E1=E, nu1=NU, E2=E, nu2=NU, work_of_adhesion=ADHESION, adhesion_range=BURGERS, &
+                                burgers_vector=BURGERS, height_std=SIGMA, summit_radius=RADIUS, &
+                                asperity_count=DENSITY * NOMINAL_AREA)
   end function polysilicon
 
   ! Loads are evenly spaced in the logarithm.

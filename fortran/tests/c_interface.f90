@@ -81,6 +81,9 @@ contains
     type(c_ptr) :: model
     p%hardness = 5
     call asperity_check(asperity_params_init_sized(p, FIRST))
+    call check('... init_unset_sized too', asperity_params_init_unset_sized(p, FIRST) == ASPERITY_OK .and. &
+               p%struct_size == FIRST)
+    call asperity_check(asperity_params_init_sized(p, FIRST))
     call check('struct_size is the size that was given', p%struct_size == FIRST)
     call check('... and no more was written', identical(p%hardness, 5.0_c_double))
     model = c_null_ptr

@@ -18,7 +18,7 @@ RENAMED = {"ASPERITY_VERSION": "ASPERITY_HEADER_VERSION", "ASPERITY_ABI_VERSION"
 
 # Macros in C and functions of the module in Fortran: what the library exports under these names is for programs that
 # were compiled with the first version of a struct.
-FOR_OLD_PROGRAMS = {"asperity_params_init", "asperity_get_params"}
+FOR_OLD_PROGRAMS = {"asperity_params_init", "asperity_params_init_unset", "asperity_get_params"}
 
 FIELD_TYPES = {
     "uint64_t": "integer(c_int64_t)",

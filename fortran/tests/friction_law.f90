@@ -20,6 +20,7 @@ program friction_law
   call tables
   call states
   call error_reports
+  call many_contacts
   call parameters
   call copies
   call freeing
@@ -278,11 +279,37 @@ contains
     call check('all elements are filled', ieee_is_nan(mu(3)) .and. mu(4) > 0)
   end subroutine error_reports
 
+  ! Open contacts are ordinary; they hide no load that has no answer.
+  subroutine many_contacts
+    type(friction_model) :: law
+    type(asperity_summary) :: constants
+    real(c_double) :: open, mu(4), slope(4), plane(2, 2)
+    integer :: stat
+    character(40) :: errmsg
+    call law%create(default_parameters())
+    call law%summary(constants)
+    open = 2 * constants%pull_off_load
+    errmsg = 'as it was'
+    mu = law%friction_at_load([1.0_c_double, open, 2.0_c_double, open], slope, stat, errmsg)
+    call check('open contacts among others are no error', stat == 0 .and. errmsg == 'as it was')
+    call check('... and have no friction', identical(mu(2), 0.0_c_double) .and. identical(slope(4), 0.0_c_double))
+    mu = law%friction_force_at_load([1.0_c_double, open, 2.0_c_double, open])
+    call check('... the others have', mu(1) > 0 .and. mu(3) > mu(1))
+    mu = law%friction_at_load([1.0_c_double, open, 1e300_c_double, 2.0_c_double], stat=stat, errmsg=errmsg)
+    call check('too heavy a load is one', stat == ASPERITY_OUT_OF_RANGE .and. ieee_is_nan(mu(3)))
+    call check_text('... with its index', errmsg(1:24), 'element 3: load = 1e300:')
+    plane = reshape([open, 1.0_c_double, ieee_value(open, ieee_quiet_nan), 1e300_c_double], [2, 2])
+    plane = law%friction_force_at_load(plane, stat=stat, errmsg=errmsg)
+    call check('so is NaN', stat == ASPERITY_INVALID_LOAD)
+    call check_text('... with its place in array element order', errmsg(1:22), 'element 3: load = NaN:')
+  end subroutine many_contacts
+
   subroutine parameters
     type(friction_model) :: law
     type(asperity_params) :: p, back
     real(c_double) :: of_one, of_ten
     integer :: stat
+    character(60) :: errmsg
     p = default_parameters()
     call law%create(p)
     of_one = law%friction_force_at_load(3.0_c_double)
@@ -299,6 +326,20 @@ contains
     call law%create(p, stat)
     call check('... by create too', stat == ASPERITY_INVALID_PARAMETER)
     call check('... and the law is as before', identical(law%friction_force_at_load(30.0_c_double), of_ten))
+    p = asperity_params_of(E1=160e9_c_double, nu1=0.22_c_double, E2=160e9_c_double, nu2=0.22_c_double, &
+                           work_of_adhesion=0.063_c_double, adhesion_range=0.384e-9_c_double, &
+                           burgers_vector=0.384e-9_c_double, height_std=5e-9_c_double, summit_radius=1e-6_c_double, &
+                           asperity_count=1e5_c_double)
+    call law%create(p)
+    call check_close('a surface of one''s own', law%friction_at_load(1e-3_c_double), 0.5424071_c_double, 1e-6_c_double)
+    p = asperity_params_of(1.0_c_double, 0.3_c_double, 1.0_c_double, 0.6_c_double, 0.0_c_double, 1.0_c_double, &
+                           1.0_c_double, 10.0_c_double, 1e5_c_double, 1.0_c_double, stat, errmsg)
+    call check('... whose Poisson''s ratio is refused', stat == ASPERITY_INVALID_PARAMETER)
+    call check_text('... by name', errmsg(1:9), 'nu2 = 0.6')
+    call asperity_check(asperity_params_init_unset(p))
+    call law%create(p, stat, errmsg)
+    call check('what was never set is refused', stat == ASPERITY_INVALID_PARAMETER)
+    call check_text('... by name', trim(errmsg), 'composite_modulus: must be set')
   end subroutine parameters
 
   subroutine copies

@@ -7,11 +7,9 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 started=$(date +%s.%N)
 
-for tool in cargo gfortran; do
-    command -v "$tool" >/dev/null && continue
-    echo "hosts/abaqus/run.sh: $tool is missing: run tests/setup.sh core" >&2
-    exit 1
-done
+cmake/check_rust.sh
+command -v gfortran >/dev/null ||
+    { echo "hosts/abaqus/run.sh: gfortran is missing: run tests/setup.sh core" >&2; exit 1; }
 
 mkdir -p "${CARGO_TARGET_DIR:-target}"
 target=$(cd "${CARGO_TARGET_DIR:-target}" && pwd)

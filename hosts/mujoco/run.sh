@@ -11,6 +11,7 @@ fail() {
     echo "mujoco  FAIL  $*"
     exit 1
 }
+cmake/check_rust.sh || fail "the library does not build"
 
 mujoco=$(ls -d "$venv"/lib/python3*/site-packages/mujoco 2>/dev/null) || mujoco=""
 if [ ! -e "$mujoco/libmujoco.so.$version" ]; then

@@ -10,6 +10,7 @@ fail() {
     echo "ode  FAIL  $*"
     exit 1
 }
+cmake/check_rust.sh || fail "the library does not build"
 
 # What a program printed last is its verdict, unless it was killed.
 run() {

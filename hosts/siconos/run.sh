@@ -9,6 +9,7 @@ fail() {
     echo "siconos  FAIL  $*"
     exit 1
 }
+cmake/check_rust.sh || fail "the library does not build"
 
 [ -e /usr/include/siconos/numerics/FrictionContactProblem.h ] ||
     fail "Siconos is missing: apt-get install libsiconos-numerics-dev"

@@ -9,6 +9,7 @@ fail() {
     echo "simbody  FAIL  $*"
     exit 1
 }
+cmake/check_rust.sh || fail "the library does not build"
 
 pkg-config --exists simbody || fail "Simbody is missing: apt-get install libsimbody-dev"
 cargo build --quiet --release --locked -j1 || fail "the library does not build"

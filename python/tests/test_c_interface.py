@@ -49,6 +49,8 @@ def test_every_function_of_the_header_works() -> None:
 
     # The plain function serves programs of the first version of the struct, which ended with the cap.
     first = _header.asperity_params.skew.offset
+    assert lib.params_init_unset_sized(params, ctypes.sizeof(params)) == Status.OK and math.isnan(params.height_std)
+    assert lib.params_init_unset(params) == Status.OK and math.isnan(params.asperity_count)
     params.hardness = 5.0
     assert lib.params_init(params) == Status.OK
     assert (params.struct_size, params.hardness) == (first, 5.0)

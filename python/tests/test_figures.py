@@ -23,7 +23,7 @@ PICTURES = {
     **{f"figure-{number}.svg": [6] for number in range(4, 8)},
     **{f"figure-{number}.svg": [5] for number in range(8, 11)},
     "kurtosis.svg": [6, 3],
-    "regimes.svg": [3, 3, 3],
+    "regimes.svg": [2, 2, 2],
 }
 
 

@@ -308,6 +308,7 @@ def test_the_figure_of_forces_reaches_negative_loads(sticky: Params) -> None:
         force = model.friction_force_at_load(load)
     figure = fit(load, force=force, free=("N",), params=sticky).plot()
     above = figure.axes[0]
+    assert above.get_ylabel() == "friction force $F$, in the unit of the data"
     assert above.get_xscale() == "symlog" and np.min(np.asarray(above.lines[-1].get_xdata())) == load[0]
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -31,6 +33,20 @@ def test_works_of_adhesion_lie_in_their_ranges_and_are_what_they_are_estimated_f
     assert within(pair.work_of_adhesion, pair.work_of_adhesion_range)
     if pair.hamaker is not None:
         assert pair.work_of_adhesion == pytest.approx(pair.hamaker / (12 * math.pi * 0.165e-9**2), rel=0.02)
+
+
+def test_a_name_that_is_not_there_is_answered_with_the_nearest() -> None:
+    with pytest.raises(KeyError, match="'steel/Si' is not known; nearest: .*steel/steel.*; all: .*SiO2"):
+        PAIRS["steel/Si"]
+    with pytest.raises(KeyError, match="'Steel' is not known; nearest: steel, "):
+        MATERIALS["Steel"]
+    assert PAIRS.get("steel/Si") is None and "steel/Si" not in PAIRS
+
+
+def test_materials_are_an_attribute_of_the_package() -> None:
+    program = "import asperity; print(asperity.materials.PAIRS['Si/Si'].name)"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout == "Si/Si\n"
 
 
 def test_crystals_have_the_burgers_vectors_of_their_lattices() -> None:

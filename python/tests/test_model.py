@@ -174,6 +174,23 @@ def test_loads_without_an_answer_raise_and_name_their_index(
             assert caught.value.status == status
 
 
+@pytest.mark.parametrize("at", ["1.0", [1.0], np.array([1.0, 2.0]), None])
+def test_a_state_takes_one_number(model: Model, at: Any) -> None:
+    with pytest.raises(TypeError, match=r"^load = .*must be one number; for many, \[model.state_at_load\(x\)"):
+        model.state_at_load(at)
+    with pytest.raises(TypeError, match="^separation = .*must be one number"):
+        model.state_at_separation(at)
+    assert model.state_at_load(np.float32(1.0)) == model.state_at_load(1)
+
+
+def test_warnings_say_what_they_are(params: Params) -> None:
+    with Model(params.replace(hardness=0.001)) as soft, Model(params) as model:
+        warnings = soft.state_at_load(10.0).warnings
+        assert f"{warnings}" == str(warnings) == "PLASTIC (contacts yield)" and f"{warnings:d}" == "1"
+        assert str(model.state_at_load(10.0).warnings) == "none"
+    assert str(Warnings(0x101)) == "PLASTIC (contacts yield), bits 0x100"
+
+
 def test_the_cap_is_a_parameter(params: Params) -> None:
     with Model(params.replace(max_friction_coefficient=1.5)) as capped, Model(params) as model:
         loads = np.geomspace(1e-3, 1e4, 50)
@@ -193,7 +210,7 @@ def test_results_are_frozen_dataclasses(model: Model) -> None:
     for result in (state, summary):
         with pytest.raises(AttributeError):
             result.load = 1.0  # type: ignore[union-attr, misc]
-        assert all(type(value) is (int if name == "warnings" else float) for name, value in vars(result).items())
+        assert all(type(value) is (Warnings if name == "warnings" else float) for name, value in vars(result).items())
         assert pickle.loads(pickle.dumps(result)) == result
 
 
@@ -226,7 +243,7 @@ def test_load_and_separation_lead_to_the_same_state(model: Model) -> None:
     at_load = model.state_at_load(10.0)
     at_separation = model.state_at_separation(at_load.separation)
     for name, value in vars(at_load).items():
-        assert getattr(at_separation, name) == pytest.approx(value, rel=1e-8), name
+        assert getattr(at_separation, name) == pytest.approx(float(value), rel=1e-8), name
 
 
 def test_the_compiled_law_is_as_good_as_the_summary_says(model: Model) -> None:

@@ -39,6 +39,26 @@ impl Contact {
             ..self
         }
     }
+
+    /// This contact, with the rates by s that go on from one contact to another at the same g, where it lies a little beyond.
+    #[inline]
+    pub fn with_rates_beyond(self, here: &Self, before: &Self) -> Self {
+        let way = here.parameter - before.parameter;
+        if way == 0.0 {
+            return self;
+        }
+        let part = (self.parameter - here.parameter) / way;
+        let onwards = |here: f64, before: f64| here + part * (here - before);
+        Self {
+            overlap_rate: onwards(here.overlap_rate, before.overlap_rate),
+            radius_rate: onwards(here.radius_rate, before.radius_rate),
+            load_rate: onwards(here.load_rate, before.load_rate),
+            overlap_by_g: onwards(here.overlap_by_g, before.overlap_by_g),
+            radius_by_g: onwards(here.radius_by_g, before.radius_by_g),
+            load_by_g: onwards(here.load_by_g, before.load_by_g),
+            ..self
+        }
+    }
 }
 
 /// A law of contact: the states of one asperity from break-away to any load, as functions of a parameter s.

@@ -16,8 +16,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// theta = pi/2.
 pub const FOLD_LAMBDA_CUBED: f64 = 0.825_154_991_394_896_2;
 
-/// A step of Newton's method over 1 + s after which derivatives are those of the solution to rounding.
-const LAST_STEP: f64 = 1e-11;
+/// A step of Newton's method over s, and the product of two in a row over s^2, after which the next moves the contact to
+/// first order and its derivatives to second.
+const LAST_STEP: f64 = 1e-13;
+const LAST_STEPS: f64 = 1e-13;
 /// Newton's method takes some five steps; more are halvings of a bracket.
 const MOST_STEPS: u32 = 100;
 
@@ -66,9 +68,8 @@ impl ContactLaw for Maugis {
     fn at(&self, parameter: f64, g: f64) -> Contact {
         let inverse = 1.0 / (1.0 + parameter);
         let theta = FRAC_PI_2 * inverse;
-        let (sin, cos) = if parameter == 0.0 { (1.0, 0.0) } else { sincos(theta) };
         let theta_rate = -theta * inverse;
-        let (bracket_2, bracket_1) = brackets(theta, sin, cos);
+        let Angle { sin, cos, bracket_2, bracket_1 } = Angle::new(theta);
         let inv_g = 1.0 / g;
         // Eq (4) as k2 c^2 + k1 c = 1; d(bracket)/dtheta = 2 theta sin 2theta and theta cos theta.
         let factor_2 = self.bracket_2 * inv_g;
@@ -123,6 +124,7 @@ impl ContactLaw for Maugis {
     fn at_overlap(&self, overlap: f64, g: f64, guess: f64) -> Contact {
         let (mut lower, mut upper) = (0.0, f64::INFINITY);
         let mut contact = self.at(guess.max(0.0), g);
+        let (mut before, mut last_step) = (contact, f64::INFINITY);
         for _ in 0..MOST_STEPS {
             let s = contact.parameter;
             let missing = overlap - contact.overlap;
@@ -134,8 +136,8 @@ impl ContactLaw for Maugis {
             }
             let newton = s + missing / contact.overlap_rate;
             let step = (newton - s).abs();
-            if step <= LAST_STEP * (1.0 + s) {
-                return Contact { overlap, ..contact.moved(newton - s, 0.0) };
+            if step * last_step <= LAST_STEPS * s * s || step <= LAST_STEP * s {
+                return Contact { overlap, ..contact.moved(newton - s, 0.0).with_rates_beyond(&contact, &before) };
             }
             let next = if newton > lower && newton < upper && contact.overlap_rate > 0.0 {
                 newton
@@ -147,6 +149,7 @@ impl ContactLaw for Maugis {
             if upper < f64::INFINITY && upper - lower <= f64::EPSILON * (1.0 + upper) {
                 return Contact { overlap, ..contact };
             }
+            (before, last_step) = (contact, (next - s).abs());
             contact = self.at(next, g);
         }
         Contact { overlap, ..contact }
@@ -175,16 +178,33 @@ const LEAST_GUESS: f64 = 0.1;
 /// A fold nearer to s = 0 than this has an overlap that is that of s = 0 to rounding.
 const LEAST_PARAMETER_AT_FOLD: f64 = 1e-6;
 
-/// The two brackets of eq (4) times cos^2 and cos: sin theta cos theta - theta cos 2theta and
-/// theta sin theta - (1 - cos theta), by their Taylor series where the closed forms cancel.
-#[inline]
-fn brackets(theta: f64, sin: f64, cos: f64) -> (f64, f64) {
-    if theta >= 0.5 {
-        let cos_2 = (cos - sin) * (cos + sin);
-        return (sin * cos - theta * cos_2, theta * sin - (1.0 - cos));
+/// What eqs (4)-(6) take of theta.
+struct Angle {
+    sin: f64,
+    cos: f64,
+    /// sin theta cos theta - theta cos 2theta: the first bracket of eq (4) times cos^2.
+    bracket_2: f64,
+    /// theta sin theta - (1 - cos theta): the second times cos.
+    bracket_1: f64,
+}
+
+impl Angle {
+    /// By Taylor series where the closed forms cancel.
+    #[inline]
+    fn new(theta: f64) -> Self {
+        if theta >= 0.5 {
+            let (sin, cos) = if theta == FRAC_PI_2 { (1.0, 0.0) } else { sincos(theta) };
+            let cos_2 = (cos - sin) * (cos + sin);
+            return Self { sin, cos, bracket_2: sin * cos - theta * cos_2, bracket_1: theta * sin - (1.0 - cos) };
+        }
+        let x = theta * theta;
+        Self {
+            sin: theta - theta * x * even_odd(&SERIES_SIN, x),
+            cos: 1.0 - x * even_odd(&SERIES_COS, x),
+            bracket_2: even_odd(&SERIES_2, x) * x * theta,
+            bracket_1: even_odd(&SERIES_1, x) * x,
+        }
     }
-    let x = theta * theta;
-    (even_odd(&SERIES_2, x) * x * theta, even_odd(&SERIES_1, x) * x)
 }
 
 /// A polynomial by its even and odd parts, whose sums do not wait for each other.
@@ -199,6 +219,21 @@ fn even_odd(c: &[f64; SERIES_TERMS], x: f64) -> f64 {
 const SERIES_TERMS: usize = 10;
 const SERIES_2: [f64; SERIES_TERMS] = series_2();
 const SERIES_1: [f64; SERIES_TERMS] = series_1();
+const SERIES_SIN: [f64; SERIES_TERMS] = series_of_sine(3);
+const SERIES_COS: [f64; SERIES_TERMS] = series_of_sine(2);
+
+/// Coefficients of the powers of theta^2 in (theta - sin theta)/theta^3 and 1 - cos theta over theta^2: (-1)^k/(2k + first)!.
+const fn series_of_sine(first: usize) -> [f64; SERIES_TERMS] {
+    let mut out = [0.0; SERIES_TERMS];
+    let mut term = if first == 3 { 1.0 / 6.0 } else { 0.5 };
+    let mut k = 0;
+    while k < SERIES_TERMS {
+        out[k] = term;
+        term /= -(((2 * k + first + 1) * (2 * k + first + 2)) as f64);
+        k += 1;
+    }
+    out
+}
 
 /// Coefficients of theta^(2k+3): (-1)^k 2^(2k+2) (2k+2)/(2k+3)!.
 const fn series_2() -> [f64; SERIES_TERMS] {
@@ -249,14 +284,16 @@ mod tests {
             (sin * cos - theta * (2.0 * theta).cos(), theta * sin - (1.0 - cos))
         };
         for theta in [0.2, 0.3, 0.49, 0.499_999_999_999, 0.5, 0.6, 1.2, FRAC_PI_2] {
-            let (found, expected) = (brackets(theta, theta.sin(), theta.cos()), closed(theta));
+            let Angle { sin, cos, bracket_2, bracket_1 } = Angle::new(theta);
+            assert!(near(sin, theta.sin(), 3e-16) && near(cos, theta.cos(), 1e-15) || theta == FRAC_PI_2, "{theta}");
+            let (found, expected) = ((bracket_2, bracket_1), closed(theta));
             let tolerance = if theta < 0.45 { 1e-12 } else { 2e-14 };
             assert!(near(found.0, expected.0, tolerance), "{theta}: {found:?}, not {expected:?}");
             assert!(near(found.1, expected.1, tolerance), "{theta}: {found:?}, not {expected:?}");
         }
         // 4/3 theta^3 and theta^2/2 at heavy load.
-        let (second, first) = brackets(1e-5, 1e-5_f64.sin(), 1e-5_f64.cos());
-        assert!(near(second, 4.0 / 3.0 * 1e-15, 1e-9) && near(first, 0.5e-10, 1e-9), "{second:e}, {first:e}");
+        let heavy = Angle::new(1e-5);
+        assert!(near(heavy.bracket_2, 4.0 / 3.0 * 1e-15, 1e-9) && near(heavy.bracket_1, 0.5e-10, 1e-9));
     }
 
     #[test]

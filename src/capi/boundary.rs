@@ -1,6 +1,6 @@
 //! What every entry point passes through: no panic crosses it, and every failure leaves a message.
 
-use super::status::{asperity_status, ASPERITY_INTERNAL, ASPERITY_NULL_POINTER, ASPERITY_OK};
+use super::status::{asperity_status, ASPERITY_INTERNAL, ASPERITY_NULL_POINTER, ASPERITY_OK, ASPERITY_OUT_OF_MEMORY};
 use super::{fp_environment, last_error};
 use crate::error::{Error, Value};
 use std::panic::{catch_unwind, AssertUnwindSafe};
@@ -13,6 +13,8 @@ pub enum Failure {
     Error(Error),
     /// It refuses one element of an array.
     Element(usize, Error),
+    /// The system refuses memory.
+    OutOfMemory,
 }
 
 impl From<Error> for Failure {
@@ -27,6 +29,7 @@ impl std::fmt::Display for Failure {
             Failure::Null(name) => write!(f, "{name} is NULL: pass a valid pointer"),
             Failure::Error(error) => write!(f, "{error}"),
             Failure::Element(index, error) => write!(f, "element {index}: {error}"),
+            Failure::OutOfMemory => write!(f, "out of memory: nothing was made or changed; free some and call again"),
         }
     }
 }
@@ -36,6 +39,7 @@ impl Failure {
         match self {
             Failure::Null(_) => ASPERITY_NULL_POINTER,
             Failure::Error(error) | Failure::Element(_, error) => error.status(),
+            Failure::OutOfMemory => ASPERITY_OUT_OF_MEMORY,
         }
     }
 }
@@ -111,6 +115,7 @@ mod tests {
         let value = Value::Integer(0);
         let errors = [
             (Error::InvalidParameter { name: "", value, allowed: "" }, 2),
+            (Error::Unset { name: "" }, 2),
             (Error::InvalidEntry { name: "", index: 0, value: 0.0, allowed: "" }, 2),
             (Error::InvalidLoad { value: f64::NAN }, 3),
             (Error::Separated { load: -2.0, pull_off: -1.0 }, 4),
@@ -122,6 +127,7 @@ mod tests {
             assert_eq!(fast_status(|| Err(Failure::Element(7, error.clone()))), expected, "{error:?}");
         }
         assert_eq!(fast_status(|| Err(Failure::Null(""))), 1);
+        assert_eq!(fast_status(|| Err(Failure::OutOfMemory)), 7);
         assert_eq!(fast_status(|| Ok(())), 0);
     }
 }

@@ -12,7 +12,7 @@ use crate::model::Model;
 /// @param load   normal load [force]
 /// @return F/load for load > 0, at most `max_friction_coefficient`; for pull-off <= load <= 0, where F is finite and
 ///         F/load is not, `max_friction_coefficient`; 0 below pull-off (a separated contact has no friction); a quiet
-///         NaN for a NaN or infinite load or a NULL model
+///         NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -25,7 +25,7 @@ pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model,
 /// @param model  a model
 /// @param load   normal load [force]
 /// @return F [force], finite and positive also at zero and negative load down to pull-off; 0 below pull-off; a quiet NaN
-///         for a NaN or infinite load or a NULL model
+///         for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -43,7 +43,8 @@ pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_
 /// @param load       n loads [force]; must not be NULL unless n = 0
 /// @param mu         receives n coefficients; NULL to skip; may be `load` itself
 /// @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load` itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`
+///         (a finite load that cannot be evaluated, where the coefficient is NaN)
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -69,9 +70,11 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
 /// @param n             number of loads; 0 is fine
 /// @param load          n loads [force]; must not be NULL unless n = 0
 /// @param force         receives n forces [force]; NULL to skip; may be `load` itself
-/// @param dforce_dload  receives n slopes dF/d(load), INFINITY at the pull-off load itself; NULL to skip; may be `load`
-///                      itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`
+/// @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion,
+///                      where F has no slope at zero load, there and below that of the lightest load of the table, finite;
+///                      NULL to skip; may be `load` itself
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`
+///         (a finite load that cannot be evaluated, where the force is NaN)
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]

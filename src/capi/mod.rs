@@ -13,6 +13,8 @@ mod fp_environment;
 mod last_error;
 mod model;
 mod params;
+#[cfg_attr(not(feature = "memory-reserve"), allow(dead_code))]
+mod reserve;
 mod scalar;
 mod setters;
 mod slope;

@@ -2,6 +2,7 @@
 
 use super::boundary::{self, reference, reference_mut, wrong_struct_size, Failure};
 use super::params::{asperity_params, checked_size, FIRST_SIZE};
+use super::reserve;
 use super::scalar::ScalarCalls;
 use super::status::asperity_status;
 use crate::model::Model;
@@ -45,7 +46,7 @@ impl asperity_model {
 /// @param params  the surfaces; must not be NULL
 /// @param model   receives the model; must not be NULL; `*model` is untouched on failure
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`,
-///         `ASPERITY_NOT_CONVERGED`
+///         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
 ///
 /// Threads: any.
 #[no_mangle]
@@ -55,7 +56,7 @@ pub unsafe extern "C" fn asperity_create(
 ) -> asperity_status {
     boundary::status(|| {
         let out = reference_mut(model, "model")?;
-        *out = Box::into_raw(Box::new(asperity_model::new(params)?));
+        *out = Box::into_raw(reserve::held(|| Ok(Box::new(asperity_model::new(params)?)))?);
         Ok(())
     })
 }
@@ -74,7 +75,7 @@ pub unsafe extern "C" fn asperity_set_params(
 ) -> asperity_status {
     boundary::status(|| {
         let handle = reference_mut(model, "model")?;
-        *handle = asperity_model::new(params)?;
+        *handle = reserve::held(|| asperity_model::new(params))?;
         Ok(())
     })
 }

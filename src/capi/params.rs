@@ -20,8 +20,8 @@ pub const ASPERITY_HEIGHTS_TABULATED: i32 = 3;
 /// Two rough elastic surfaces, as the equivalent rough surface against a flat.
 ///
 /// All quantities are in one consistent system of units of the caller's choice: SI, mm-N-MPa, or the paper's
-/// b = G = 1. Loads, forces and areas are totals over `asperity_count` summits. Start from `asperity_params_init`,
-/// which also sets `struct_size`.
+/// b = G = 1. Loads, forces and areas are totals over `asperity_count` summits. Start from `asperity_params_init_unset`
+/// or, for the paper's surfaces, `asperity_params_init`, which also set `struct_size`.
 ///
 /// The struct grew: `max_friction_coefficient` is the last field of its first version. Fields that `struct_size` does
 /// not cover have their defaults, but for those that `height_distribution` asks for: `ASPERITY_HEIGHTS_JOHNSON` and
@@ -73,8 +73,8 @@ pub struct asperity_params {
     /// Kurtosis of the summit heights, 1.87 + 1.25 skew^2 to 100; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by
     /// default, which with skew 0 is Gaussian.
     pub kurtosis: f64,
-    /// H [stress], > 0: indentation hardness of the softer body, which `asperity_state` compares pressures with; it
-    /// does not change friction. 0, the default: not known.
+    /// H [stress], > 0: indentation hardness of the softer body, 1e-5 to 100 E*, which `asperity_state` compares
+    /// pressures with; it does not change friction. 0, the default: not known.
     pub hardness: f64,
     /// `table_length` summit heights, in any unit and from any origin: the library standardises them. They increase by
     /// 1e-12 of their range at least. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model is made. NULL

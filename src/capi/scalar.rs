@@ -3,8 +3,9 @@
 //! A table cannot panic and its answer needs no stack frame; exact evaluation is out of line, and guarded. A model keeps
 //! the addresses of the functions that suit the processor, so that a call does not look for them.
 
+use super::batch::Quantity;
 use super::boundary;
-use super::fp_environment;
+use crate::float_bits::finite;
 use crate::law::{polynomial, Row};
 use crate::model::Model;
 
@@ -36,29 +37,48 @@ unsafe extern "C" fn value_at<const COEFFICIENT: bool>(model: &Model, load: f64)
 
 #[inline(always)]
 fn tabulated<const COEFFICIENT: bool>(model: &Model, load: f64, force: impl FnOnce(&Row, f64) -> f64) -> f64 {
-    let Some((row, t)) = model.row_at(load) else {
-        return exact::<COEFFICIENT>(model, load);
+    let table = model.table();
+    let x = if finite(load) { load - table.pull_off } else { -1.0 };
+    let Some(index) = table.index_of(x) else {
+        return beside_rows::<COEFFICIENT>(model, load);
     };
+    // SAFETY: a table has at least as many rows as are found from x.
+    let row = unsafe { table.rows.get_unchecked(index) };
+    let t = table.within(x);
     let force = force(row, t);
     if !COEFFICIENT {
-        return if force.is_nan() { exact::<COEFFICIENT>(model, load) } else { force };
+        return if force.is_nan() { in_part::<COEFFICIENT>(model, load, row, t) } else { force };
     }
-    // Not for the NaN of a row that is left out either.
+    // Not for the NaN of a link either.
     if load > force * model.inverse_cap() {
         return force / load;
     }
     if force.is_nan() {
-        return exact::<COEFFICIENT>(model, load);
+        return in_part::<COEFFICIENT>(model, load, row, t);
     }
     model.params().max_friction_coefficient
 }
 
+/// What a link leads to.
+#[inline(never)]
+extern "C" fn in_part<const COEFFICIENT: bool>(model: &Model, load: f64, row: &Row, t: f64) -> f64 {
+    let Some((part, t)) = model.table().part_at(row, t) else {
+        return beside_rows::<COEFFICIENT>(model, load);
+    };
+    let force = polynomial(&part.0, t).0;
+    if COEFFICIENT {
+        model.coefficient(load, force)
+    } else {
+        force
+    }
+}
+
+/// What no row answers by itself.
 #[cold]
 #[inline(never)]
-extern "C" fn exact<const COEFFICIENT: bool>(model: &Model, load: f64) -> f64 {
-    boundary::fast_value(|| {
-        fp_environment::held(|| if COEFFICIENT { model.exact_coefficient(load).0 } else { model.exact_force(load).0 })
-    })
+extern "C" fn beside_rows<const COEFFICIENT: bool>(model: &Model, load: f64) -> f64 {
+    let quantity = if COEFFICIENT { Quantity::Coefficient } else { Quantity::Force };
+    boundary::fast_value(|| quantity.at(model, load).0)
 }
 
 #[cfg(target_arch = "x86_64")]

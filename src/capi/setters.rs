@@ -25,7 +25,8 @@ unsafe fn change(
 /// Sets all parameters to the paper's default case.
 ///
 /// alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1; Gaussian heights, equal radii
-/// (epsilon = 0, rho = 0.5), attraction on, Hurtado and Kim's slip constants.
+/// (epsilon = 0, rho = 0.5), attraction on, Hurtado and Kim's slip constants. For a surface of your own start from
+/// `asperity_params_init_unset`, where nothing that you forget keeps a number of the paper.
 ///
 /// This function sets `struct_size` and the fields of the first version of the struct, and writes no more, since a
 /// program that was compiled with that version has no more. In C and C++ a macro of its name calls
@@ -37,7 +38,7 @@ unsafe fn change(
 /// Threads: any, on different structs.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_init(params: *mut asperity_params) -> asperity_status {
-    boundary::status(|| initialise(params, FIRST_SIZE))
+    boundary::status(|| initialise(params, FIRST_SIZE, &Params::default()))
 }
 
 /// Sets all parameters to the paper's default case, as `asperity_params_init`, in a struct of this size.
@@ -49,14 +50,46 @@ pub unsafe extern "C" fn asperity_params_init(params: *mut asperity_params) -> a
 /// Threads: any, on different structs.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_init_sized(params: *mut asperity_params, struct_size: u64) -> asperity_status {
-    boundary::status(|| initialise(params, checked_size(struct_size)?))
+    boundary::status(|| initialise(params, checked_size(struct_size)?, &Params::default()))
 }
 
-unsafe fn initialise(params: *mut asperity_params, size: u64) -> Result<(), Failure> {
+/// Prepares parameters of a surface of your own: as `asperity_params_init`, but the eight physical inputs are missing.
+///
+/// `composite_modulus` to `asperity_count` are NaN, and `asperity_create` names the first of them that was never set:
+/// "asperity_count: must be set". Heights, slip constants and all else have their defaults.
+///
+/// As with `asperity_params_init`, this function writes the first version of the struct, and in C and C++ a macro of its
+/// name calls `asperity_params_init_unset_sized` instead.
+///
+/// @param params  receives the parameters; must not be NULL
+/// @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
+///
+/// Threads: any, on different structs.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_init_unset(params: *mut asperity_params) -> asperity_status {
+    boundary::status(|| initialise(params, FIRST_SIZE, &Params::unset()))
+}
+
+/// Prepares parameters of a surface of your own, as `asperity_params_init_unset`, in a struct of this size.
+///
+/// @param params       receives the parameters; must not be NULL; untouched on failure
+/// @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct)
+///
+/// Threads: any, on different structs.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_init_unset_sized(
+    params: *mut asperity_params,
+    struct_size: u64,
+) -> asperity_status {
+    boundary::status(|| initialise(params, checked_size(struct_size)?, &Params::unset()))
+}
+
+unsafe fn initialise(params: *mut asperity_params, size: u64, with: &Params) -> Result<(), Failure> {
     if params.is_null() {
         return Err(Failure::Null("params"));
     }
-    asperity_params { struct_size: size, ..asperity_params::from_params(&Params::default()) }.write(params, size);
+    asperity_params { struct_size: size, ..asperity_params::from_params(with) }.write(params, size);
     Ok(())
 }
 

@@ -2,6 +2,7 @@
 
 use super::boundary::{self, reference, wrong_struct_size, Failure};
 use super::model::asperity_model;
+use super::reserve;
 use super::status::asperity_status;
 use crate::error::Error;
 use crate::model::{State, Summary, WARNING_PLASTIC};
@@ -175,7 +176,8 @@ pub(super) unsafe fn fill<T>(
 /// @param load   normal load [force], from the pull-off load upwards
 /// @param state  receives the state; must not be NULL; its `struct_size` must be set; untouched on failure
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
-///         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`
+///         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
+///         `ASPERITY_OUT_OF_MEMORY`
 ///
 /// Threads: may share the model.
 #[no_mangle]
@@ -186,7 +188,7 @@ pub unsafe extern "C" fn asperity_state_at_load(
 ) -> asperity_status {
     boundary::status(|| {
         let model = &reference(model, "model")?.model;
-        fill(state, "state", |size| Ok(asperity_state::new(&model.state_at_load(load)?, size)))
+        reserve::held(|| fill(state, "state", |size| Ok(asperity_state::new(&model.state_at_load(load)?, size))))
     })
 }
 
@@ -196,7 +198,7 @@ pub unsafe extern "C" fn asperity_state_at_load(
 /// @param separation  of the flat from the mean of the summit heights [length]; may be negative
 /// @param state       receives the state; must not be NULL; its `struct_size` must be set; untouched on failure
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, or a separation that
-///         is not finite), `ASPERITY_OUT_OF_RANGE`
+///         is not finite), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_OUT_OF_MEMORY`
 ///
 /// Threads: may share the model.
 #[no_mangle]
@@ -207,7 +209,9 @@ pub unsafe extern "C" fn asperity_state_at_separation(
 ) -> asperity_status {
     boundary::status(|| {
         let model = &reference(model, "model")?.model;
-        fill(state, "state", |size| Ok(asperity_state::new(&model.state_at_separation(separation)?, size)))
+        reserve::held(|| {
+            fill(state, "state", |size| Ok(asperity_state::new(&model.state_at_separation(separation)?, size)))
+        })
     })
 }
 

@@ -20,6 +20,8 @@ pub const ASPERITY_SEPARATED: i32 = 4;
 pub const ASPERITY_OUT_OF_RANGE: i32 = 5;
 /// An iteration did not converge.
 pub const ASPERITY_NOT_CONVERGED: i32 = 6;
+/// The system refuses the memory that making a model takes; nothing was made or changed.
+pub const ASPERITY_OUT_OF_MEMORY: i32 = 7;
 /// A bug in the library: please report it.
 pub const ASPERITY_INTERNAL: i32 = 255;
 
@@ -27,7 +29,9 @@ impl Error {
     /// The status of an error.
     pub(super) fn status(&self) -> asperity_status {
         match self {
-            Error::InvalidParameter { .. } | Error::InvalidEntry { .. } => ASPERITY_INVALID_PARAMETER,
+            Error::InvalidParameter { .. } | Error::Unset { .. } | Error::InvalidEntry { .. } => {
+                ASPERITY_INVALID_PARAMETER
+            }
             Error::InvalidLoad { .. } => ASPERITY_INVALID_LOAD,
             Error::Separated { .. } => ASPERITY_SEPARATED,
             Error::OutOfRange { .. } => ASPERITY_OUT_OF_RANGE,
@@ -51,6 +55,7 @@ pub extern "C" fn asperity_status_string(status: asperity_status) -> *const c_ch
         ASPERITY_SEPARATED => c"load below pull-off: the surfaces are apart",
         ASPERITY_OUT_OF_RANGE => c"outside the range the model can be evaluated for",
         ASPERITY_NOT_CONVERGED => c"an iteration did not converge",
+        ASPERITY_OUT_OF_MEMORY => c"out of memory",
         ASPERITY_INTERNAL => c"internal error: a bug in asperity",
         _ => c"unknown status",
     }

@@ -15,8 +15,12 @@ pub const ASPERITY_TABLE_LAYOUT: u32 = 1;
 /// `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load, found
 /// from the bits of x: its index is (bits(x) >> shift) - base as unsigned 64-bit integers; where that is not below
 /// `row_count` the table does not answer. Its variable t has the bits of x below `shift` as its mantissa: t = (those bits |
-/// bits of 1.0) - 1.0. Its value is F, its derivative by t times 2^-(exponent of x) is dF/d(load). A row whose first
-/// coefficient is NaN is left out. Copy the rows where they are needed and change the pointer.
+/// bits of 1.0) - 1.0. Its value is F, its derivative by t times 2^-(exponent of x) is dF/d(load).
+///
+/// A row whose first coefficient is NaN is a link to its parts: the last 51 bits of that NaN are the offset of the first part
+/// in bytes from `rows`, and the last six numbers of the row are the t at which the next parts begin. The part in which t
+/// lies, which may be a link too, is a row whose variable is t less where it begins. An offset of 0 says that the row is left
+/// out. Copy `total_count` rows where they are needed and change the pointer.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_table {
@@ -24,7 +28,7 @@ pub struct asperity_table {
     pub struct_size: u64,
     /// `row_count` rows of 8 doubles, aligned to 64 bytes.
     pub rows: *const f64,
-    /// Number of rows.
+    /// Number of rows found from x; parts of rows follow them.
     pub row_count: u64,
     /// Shifted bits of x at which the first row begins.
     pub base: u64,
@@ -38,6 +42,19 @@ pub struct asperity_table {
     pub max_friction_coefficient: f64,
     /// Loads up to this times F have the capped coefficient.
     pub inverse_cap: f64,
+    /// Number of rows and parts.
+    pub total_count: u64,
+    /// Friction force at the pull-off load [force].
+    pub pull_off_force: f64,
+    /// What friction force gains by load between pull-off and the first row, where it is taken as a straight line.
+    pub light_slope: f64,
+    /// Friction force at zero load [force], and its slope.
+    pub zero_force: f64,
+    pub zero_slope: f64,
+    /// dF/d(load) below the pull-off load: 0 with adhesion, without it that of the lightest load.
+    pub separated_slope: f64,
+    /// Friction force at the end of the last row [force], and of all heavier loads.
+    pub heavy_force: f64,
 }
 
 /// Gives a view of the compiled law of a model.
@@ -55,18 +72,25 @@ pub unsafe extern "C" fn asperity_table_of(
 ) -> asperity_status {
     boundary::status(|| {
         let model = &reference(model, "model")?.model;
-        let view = model.table();
+        let (view, known) = (model.table(), model.known());
         fill(table, "table", |struct_size| {
             Ok(asperity_table {
                 struct_size,
                 rows: view.rows.as_ptr().cast(),
-                row_count: view.rows.len() as u64,
+                row_count: view.row_count as u64,
                 base: view.base,
                 shift: view.shift,
                 layout_version: ASPERITY_TABLE_LAYOUT,
                 pull_off_load: view.pull_off,
                 max_friction_coefficient: model.params().max_friction_coefficient,
                 inverse_cap: model.inverse_cap(),
+                total_count: view.rows.len() as u64,
+                pull_off_force: known.at_pull_off.0,
+                light_slope: known.light_slope,
+                zero_force: known.at_zero.0,
+                zero_slope: known.at_zero.1,
+                separated_slope: known.apart,
+                heavy_force: known.heavy_force,
             })
         })
     })

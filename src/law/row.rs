@@ -1,10 +1,7 @@
-//! The rows of the compiled law: each a polynomial in the mantissa of x = load - pull-off, filled from the curve.
+//! One row of the compiled law: a polynomial in the mantissa of x = load - pull-off, or a link to rows that are parts of
+//! it.
 
-use super::curve::Curve;
-use super::{Scales, MANTISSA_BITS};
-use crate::elementary::{log, log1p};
-use std::f64::consts::LN_2;
-use std::ops::RangeInclusive;
+use std::mem::size_of;
 
 /// Coefficients per row: a polynomial of degree 7, one cache line.
 pub const COEFFICIENTS: usize = 8;
@@ -12,27 +9,72 @@ pub const COEFFICIENTS: usize = 8;
 const VALUE_TOLERANCE: f64 = 5e-11;
 /// Of its slope.
 const SLOPE_TOLERANCE: f64 = 5e-9;
-/// Where within a row the curve determines it, beside its ends; where the two are compared.
-const INTERIOR: [f64; 4] = [0.125, 0.359_375, 0.640_625, 0.875];
-const BETWEEN: [f64; 3] = [0.05, 0.5, 0.95];
-/// Where the curve is asked for a row: there, and at its end.
-const PARTS: [f64; 8] = [INTERIOR[0], INTERIOR[1], INTERIOR[2], INTERIOR[3], BETWEEN[0], BETWEEN[1], BETWEEN[2], 1.0];
+/// The parts of a row at which values determine it, beside values and slopes at its ends; where it is compared.
+pub const INTERIOR: [f64; 4] = [0.125, 0.359_375, 0.640_625, 0.875];
+pub const BETWEEN: [f64; 3] = [0.05, 0.5, 0.95];
+/// The parts of a piece at which slopes determine it: Lobatto's points, of which two are its ends; where it is compared.
+pub const OF_PIECE: [f64; 7] = [
+    0.0,
+    0.084_888_051_860_716_54,
+    0.265_575_603_264_642_9,
+    0.5,
+    0.734_424_396_735_357_1,
+    0.915_111_948_139_283_5,
+    1.0,
+];
+pub const BETWEEN_OF_PIECE: [f64; 3] = [0.17, 0.62, 0.97];
+/// The places at which a link divides a row: as many as it has room for.
+pub const DIVISIONS: usize = COEFFICIENTS - 2;
+/// No division: beyond the end of any row.
+const NONE: f64 = 2.0;
+/// The bits of a quiet NaN, and those of it that may be any.
+const QUIET_NAN: u64 = 0xfff << 51;
+pub const OFFSET: u64 = (1 << 51) - 1;
 
-/// One row: coefficients of powers of (mantissa of x - mantissa where the row begins). The first is NaN where the row
-/// is left out.
+/// One row: coefficients of powers of (mantissa of x - mantissa where the row begins).
+///
+/// If the first two are NaN, the row is a link: the last 51 bits of the first tell where its parts begin, as an offset in
+/// bytes from the first row of the table, and the other six where they divide it, ascending. An offset of 0 says that the
+/// row is left out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, align(64))]
 pub struct Row(pub [f64; COEFFICIENTS]);
 
 impl Row {
+    /// A row that does not answer.
+    pub const LEFT_OUT: Self = Self([f64::from_bits(QUIET_NAN), f64::NAN, NONE, NONE, NONE, NONE, NONE, NONE]);
+
+    /// A link to parts, of which the first has this index, between these divisions.
+    pub fn link(first: usize, divisions: &[f64]) -> Self {
+        let mut row = Self::LEFT_OUT;
+        row.0[0] = f64::from_bits(QUIET_NAN | (first * size_of::<Self>()) as u64);
+        row.0[2..][..divisions.len()].copy_from_slice(divisions);
+        row
+    }
+
+    /// Whether it is a link, or left out.
+    #[inline]
+    pub fn is_link(&self) -> bool {
+        self.0[0].is_nan()
+    }
+
     /// Whether it does not answer.
     pub fn is_left_out(&self) -> bool {
-        self.0[0].is_nan()
+        self.is_link() && self.0[0].to_bits() & OFFSET == 0
     }
 
     /// Makes it not answer.
     pub fn leave_out(&mut self) {
-        self.0[0] = f64::NAN;
+        *self = Self::LEFT_OUT;
+    }
+
+    /// The index of the part in which t lies, and where that begins, if not where this row does.
+    #[inline]
+    pub fn part(&self, t: f64) -> (usize, Option<f64>) {
+        let first = (self.0[0].to_bits() & OFFSET) as usize / size_of::<Self>();
+        // Sums of comparisons, which need no branch.
+        let before = self.0[2..].iter().map(|&division| usize::from(t >= division)).sum::<usize>();
+        (first + before, (before > 0).then(|| self.0[1 + before]))
     }
 }
 
@@ -53,86 +95,14 @@ pub fn error_within_tolerance((value, rate): (f64, f64), (exact, slope): (f64, f
     (error <= VALUE_TOLERANCE && (rate / slope - 1.0).abs() <= SLOPE_TOLERANCE).then_some(error)
 }
 
-/// What fills rows: a curve, the size of rows, and the units.
-pub struct Filling<'a> {
-    pub curve: &'a Curve,
-    pub shift: u32,
-    pub scales: Scales,
-}
-
-impl Filling<'_> {
-    /// The rows whose shifted bits are these, and the largest error of those that are kept.
-    pub fn rows(&self, range: RangeInclusive<u64>) -> (Vec<Row>, f64) {
-        let basis = RowBasis::new();
-        let width = (2.0_f64).powi(self.shift as i32 - MANTISSA_BITS as i32);
-        let log_load = log(self.scales.load);
-        let per_binade = 1_u64 << (MANTISSA_BITS - self.shift);
-        // ln(mantissa), the same in every binade.
-        let mantissas: Vec<[f64; PARTS.len()]> =
-            (0..per_binade).map(|row| PARTS.map(|part| log1p((row as f64 + part) * width))).collect();
-        // Force, and its slope by the part of the row, at the parts of a row.
-        let at = |row: u64| {
-            let within = (row % per_binade) as usize;
-            let binade = (row / per_binade) as f64 - 1023.0;
-            let log_excess = mantissas[within].map(|log| log + (binade * LN_2 - log_load));
-            let mut points = self.curve.at(log_excess);
-            for (point, part) in points.iter_mut().zip(PARTS) {
-                let force = self.scales.force * point.0;
-                *point = (force, force * point.1 * width / (1.0 + (within as f64 + part) * width));
-            }
-            points
-        };
-        let mut error = 0.0_f64;
-        let mut rows = Vec::with_capacity((range.end() + 1).saturating_sub(*range.start()) as usize);
-        let mut left = at(range.start() - 1)[7];
-        if range.start().is_multiple_of(per_binade) {
-            left.1 *= 2.0;
-        }
-        for row in range {
-            let points = at(row);
-            let right = points[7];
-            let mut coefficients =
-                basis.coefficients(left, right, [points[0].0, points[1].0, points[2].0, points[3].0]);
-            // Between the points that determine the row.
-            let mut row_error = 0.0_f64;
-            let mut good = !coefficients.iter().any(|coefficient| coefficient.is_nan());
-            for (part, (force, slope)) in BETWEEN.into_iter().zip(&points[4..]) {
-                let (value, rate) = polynomial(&coefficients, part);
-                match error_within_tolerance((value, rate), (*force, *slope)) {
-                    Some(error) => row_error = row_error.max(error),
-                    None => good = false,
-                }
-            }
-            let mut scale = 1.0;
-            for coefficient in &mut coefficients {
-                *coefficient *= scale;
-                scale /= width;
-            }
-            let mut filled = Row(coefficients);
-            if good {
-                error = error.max(row_error);
-            } else {
-                filled.leave_out();
-            }
-            rows.push(filled);
-            // In the next binade the same part of a row is twice as long.
-            left = if (row + 1).is_multiple_of(per_binade) { (right.0, 2.0 * right.1) } else { right };
-        }
-        if rows.is_empty() {
-            rows.push(Row([f64::NAN; COEFFICIENTS])); // no table is without a row
-        }
-        (rows, error)
-    }
-}
-
-/// Turns what determines a row (value and slope at both ends, four values between) into coefficients.
-struct RowBasis {
+/// Turns what determines a row into coefficients.
+pub struct RowBasis {
     /// From the four values of q at the interior points to its coefficients, with p = cubic + u^2 (1-u)^2 q(u).
     inverse: [[f64; 4]; 4],
 }
 
 impl RowBasis {
-    fn new() -> Self {
+    pub fn new() -> Self {
         // Lagrange's polynomials in power form.
         let mut inverse = [[0.0; 4]; 4];
         for (i, &node) in INTERIOR.iter().enumerate() {
@@ -153,7 +123,7 @@ impl RowBasis {
         Self { inverse }
     }
 
-    fn coefficients(&self, left: (f64, f64), right: (f64, f64), interior: [f64; 4]) -> [f64; COEFFICIENTS] {
+    pub fn coefficients(&self, left: (f64, f64), right: (f64, f64), interior: [f64; 4]) -> [f64; COEFFICIENTS] {
         // The cubic with the ends' values and slopes.
         let rise = right.0 - left.0;
         let cubic = [left.0, left.1, 3.0 * rise - 2.0 * left.1 - right.1, left.1 + right.1 - 2.0 * rise];
@@ -176,9 +146,43 @@ impl RowBasis {
     }
 }
 
+/// The polynomial of a piece from its value where it begins and its slopes, both by part of the piece: slopes have digits
+/// where differences of values have lost them.
+pub struct PieceBasis {
+    /// From the slopes to the coefficients of powers 1 to 7.
+    integrals: [[f64; OF_PIECE.len()]; OF_PIECE.len()],
+}
+
+impl PieceBasis {
+    pub fn new() -> Self {
+        let mut integrals = [[0.0; OF_PIECE.len()]; OF_PIECE.len()];
+        for (i, &node) in OF_PIECE.iter().enumerate() {
+            // Lagrange's polynomial in power form.
+            let mut lagrange = [0.0; OF_PIECE.len()];
+            lagrange[0] = 1.0;
+            for &other in OF_PIECE.iter().filter(|&&other| other != node) {
+                for k in (0..OF_PIECE.len()).rev() {
+                    let lower = if k > 0 { lagrange[k - 1] } else { 0.0 };
+                    lagrange[k] = (lower - other * lagrange[k]) / (node - other);
+                }
+            }
+            for (k, coefficient) in lagrange.into_iter().enumerate() {
+                integrals[k][i] = coefficient / (k + 1) as f64;
+            }
+        }
+        Self { integrals }
+    }
+
+    pub fn coefficients(&self, value: f64, slopes: [f64; OF_PIECE.len()]) -> [f64; COEFFICIENTS] {
+        std::array::from_fn(|k| match k {
+            0 => value,
+            k => self.integrals[k - 1].iter().zip(slopes).map(|(integral, slope)| integral * slope).sum(),
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::tests::branch;
     use super::*;
 
     const C: [f64; COEFFICIENTS] = [3.0, -2.0, 0.5, 1.25, -0.75, 2.5, -1.5, 0.375];
@@ -222,53 +226,29 @@ mod tests {
         }
     }
 
-    /// Rows of two surfaces against the curve they were filled from, over more than two binades.
     #[test]
-    fn rows_lie_on_the_curve_and_their_values_and_slopes_meet() {
-        for (gamma, start) in [(0.0, 0.75), (0.001, 1.0)] {
-            let branch = branch(gamma);
-            let curve = Curve::new(&branch, |_| 60.0, &mut Vec::new()).expect("a curve");
-            let (shift, scales) = (MANTISSA_BITS - 2, Scales { load: 3.0, force: 0.5 });
-            let first = f64::to_bits(start) >> shift;
-            let (rows, error) = Filling { curve: &curve, shift, scales }.rows(first..=first + 10);
-            assert_eq!(rows.len(), 11);
-            let at = |x: f64| {
-                let [(force, log_slope)] = curve.at([(x / scales.load).ln()]);
-                (scales.force * force, scales.force * force * log_slope / x)
-            };
-            let mut worst = 0.0_f64;
-            for (row, index) in rows.iter().zip(first..) {
-                let (begin, end) = (f64::from_bits(index << shift), f64::from_bits((index + 1) << shift));
-                let binade = 2.0_f64.powi(begin.log2().floor() as i32);
-                for part in [0.0, 0.05, 0.3, 0.5, 0.8, 0.95, 1.0] {
-                    let (value, rate) = polynomial(&row.0, part * (end - begin) / binade);
-                    let (force, slope) = at(begin + part * (end - begin));
-                    let found = (value, rate / binade);
-                    let (tolerance, of_slope) = if part % 1.0 == 0.0 { (1e-14, 1e-12) } else { (5e-11, 5e-9) };
-                    assert!(near(found.0, force, tolerance), "{index} {part}: {}, not {force}", found.0);
-                    assert!(near(found.1, slope, of_slope), "{index} {part}: {}, not {slope}", found.1);
-                    if BETWEEN.contains(&part) {
-                        worst = worst.max((value / force - 1.0).abs());
-                    }
-                }
-            }
-            assert!(near(error, worst, 1e-3) && error > 1e-16, "{error:e}, not {worst:e}");
+    fn a_piece_has_the_coefficients_of_the_polynomial_that_it_is_made_from() {
+        let found = PieceBasis::new().coefficients(horner(0.0).0, OF_PIECE.map(|u| horner(u).1));
+        for (found, expected) in found.into_iter().zip(C) {
+            assert!((found - expected).abs() < 1e-11, "{found}, not {expected}");
         }
     }
 
     #[test]
-    fn rows_are_left_out_where_the_curve_is_not_known_and_no_table_is_without_a_row() {
-        let branch = branch(0.001);
-        let curve = Curve::new(&branch, |_| 60.0, &mut Vec::new()).expect("a curve");
-        let filling = Filling { curve: &curve, shift: MANTISSA_BITS - 2, scales: Scales { load: 1.0, force: 1.0 } };
-        let beyond = f64::to_bits(10.0 * curve.log_range().1.exp()) >> filling.shift;
-        let (rows, error) = filling.rows(beyond..=beyond + 1);
-        assert!(rows.len() == 2 && rows.iter().all(Row::is_left_out) && error == 0.0, "{error:e}");
-        let (rows, _) = filling.rows(RangeInclusive::new(beyond + 1, beyond));
-        assert!(rows.len() == 1 && rows[0].is_left_out());
-        let mut row = Row(C);
-        assert!(!row.is_left_out());
-        row.leave_out();
-        assert!(row.is_left_out());
+    fn a_link_leads_to_the_part_in_which_a_place_lies() {
+        let link = Row::link(300, &[0.1, 0.125, 0.2]);
+        assert!(link.is_link() && !link.is_left_out() && Row::LEFT_OUT.is_left_out() && !Row(C).is_link());
+        for (t, part) in [
+            (0.0, (300, None)),
+            (0.1_f64.next_down(), (300, None)),
+            (0.1, (301, Some(0.1))),
+            (0.13, (302, Some(0.125))),
+            (0.249, (303, Some(0.2))),
+        ] {
+            assert_eq!(link.part(t), part, "{t}");
+        }
+        // Evaluated as if it were a polynomial, it says so and raises no flag: no number of it is infinite.
+        let (value, slope) = polynomial(&link.0, 0.2);
+        assert!(value.is_nan() && slope.is_nan() && link.0[2..].iter().all(|division| division.is_finite()));
     }
 }

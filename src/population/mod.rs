@@ -33,6 +33,12 @@ use radius::RadiusProfile;
 use std::sync::Arc;
 use sums::Summit;
 
+/// Hardly any heights are below this, in sigma from their mean: where they begin is then no kink.
+const LOWEST_FOOT: f64 = -8.0;
+/// Where the logarithm of the density of heights is below this hardly any are...
+const LOG_NOTHING: f64 = -19.0;
+/// ...and the others pass an overlap as large as this, in sigma, within a small part of it.
+const DEEP: f64 = 40.0;
 /// Densities below exp of this are no numbers.
 const SMALLEST_LOG_DENSITY: f64 = -700.0;
 /// A step of Newton's method for a height, over the length in which radii change, after which derivatives are those of the
@@ -168,14 +174,28 @@ impl Population {
     }
 
     /// The separations at which the sums are not smooth, in ascending order: a height where the density is not smooth passes
-    /// an overlap where the law of one summit is not.
+    /// an overlap where the law of one summit is not. And those between which all heights but a few pass such an overlap
+    /// within a small part of it: there the sums are smooth on the scale of the heights alone.
     pub fn kinks(&self) -> Vec<f64> {
         let foot = self.heights.power_at_lower_end().map(|_| self.heights.support().0);
-        let mut kinks: Vec<f64> =
-            self.heights.breakpoints().iter().copied().chain(foot).flat_map(|z| self.passings(z)).collect();
+        let foot = foot.filter(|foot| foot + self.heights.origin() > LOWEST_FOOT);
+        let passed = self.heights.breakpoints().iter().copied().chain(foot).flat_map(|z| self.passings(z));
+        let mut kinks: Vec<f64> = passed.chain(self.deep_passings()).collect();
         kinks.sort_by(f64::total_cmp);
         kinks.dedup();
         kinks
+    }
+
+    /// The separations at which the ends of smooth heights, a few apart, pass overlaps far larger than heights differ by.
+    fn deep_passings(&self) -> Vec<f64> {
+        if !self.heights.breakpoints().is_empty() {
+            return Vec::new();
+        }
+        let middle = -self.heights.origin();
+        let is_empty = |z: f64| self.heights.log_density(z) < LOG_NOTHING;
+        let end = |step: f64| (4..40).map(|k| middle + step * f64::from(k)).find(|&z| is_empty(z));
+        let ends = [end(-1.0).map(|z| z.max(self.heights.support().0)), end(1.0)];
+        ends.into_iter().flatten().flat_map(|z| self.passings(z)).filter(|&passing| passing < middle - DEEP).collect()
     }
 
     /// The separations at which a height passes the overlaps where the law of one summit is not smooth.

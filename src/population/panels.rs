@@ -26,6 +26,8 @@ const PARAMETER_RATIO: f64 = 3.0;
 const PART_OF_HEIGHT_PANEL: f64 = 0.5;
 /// A panel that is longer than it should be by no more than this factor is taken.
 const LENGTH_SLACK: f64 = 1.05;
+/// What is left of a stretch after a panel is longer than this part of it.
+const SHORTEST_REMNANT: f64 = 1e-3;
 /// The panel at a foot of the heights takes this part of where the law of contact is smooth: there a power of its variable
 /// is the height.
 const PART_AT_FOOT: f64 = 0.02;
@@ -211,7 +213,8 @@ impl Population {
             }
             let rise = there.z - here.z;
             let limit = reach.min(stop - here.z);
-            if rise <= reach * LENGTH_SLACK && there.z < stop {
+            // No remnant is left that is too short to be told from nothing.
+            if rise <= reach * LENGTH_SLACK && stop - there.z > SHORTEST_REMNANT * (stop - here.z) {
                 return there;
             }
             // As if the rise were quadratic in the step.

@@ -102,7 +102,7 @@ static void every_status_has_its_own_words(void)
 {
     const asperity_status known[] = { ASPERITY_OK, ASPERITY_NULL_POINTER, ASPERITY_INVALID_PARAMETER,
                                       ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE,
-                                      ASPERITY_NOT_CONVERGED, ASPERITY_INTERNAL };
+                                      ASPERITY_NOT_CONVERGED, ASPERITY_OUT_OF_MEMORY, ASPERITY_INTERNAL };
     const int n = sizeof known / sizeof *known;
     for (int i = 0; i < n; i++) {
         const char *words = asperity_status_string(known[i]);
@@ -111,7 +111,7 @@ static void every_status_has_its_own_words(void)
             CHECK(strcmp(words, asperity_status_string(known[k])) != 0, "%d and %d are both '%s'", i, k, words);
     }
     CHECK(strcmp(asperity_status_string(-1), "unknown status") == 0, "%s", asperity_status_string(-1));
-    CHECK(strcmp(asperity_status_string(7), "unknown status") == 0, "%s", asperity_status_string(7));
+    CHECK(strcmp(asperity_status_string(8), "unknown status") == 0, "%s", asperity_status_string(8));
 }
 
 /* ---- Parameters ---- */
@@ -133,6 +133,58 @@ static void init_sets_the_default_case_of_the_paper(void)
     CHECK(p.max_friction_coefficient == 1000, "cap %g", p.max_friction_coefficient);
     CHECK(p.skew == 0 && p.kurtosis == 3 && p.hardness == 0, "appended numbers");
     CHECK(p.table_height == NULL && p.table_density == NULL && p.table_length == 0, "no table");
+}
+
+static void what_was_never_set_is_named(void)
+{
+    static const char *const names[] = { "composite_modulus", "effective_shear_modulus", "work_of_adhesion", "adhesion_range",
+                                         "burgers_vector", "height_std", "summit_radius", "asperity_count" };
+    asperity_status (*const unset)(asperity_params *) = asperity_params_init_unset;
+    asperity_params p, whole;
+    asperity_model *model = NULL;
+    char expected[64];
+    double *inputs = &p.composite_modulus;
+
+    asperity_params_init(&whole);
+    memset(&p, 0xa5, sizeof p);
+    CHECK(asperity_params_init_unset(&p) == ASPERITY_OK && p.struct_size == sizeof p, "%s", last_message());
+    CHECK(memcmp(&p.height_distribution, &whole.height_distribution,
+                 sizeof p - offsetof(asperity_params, height_distribution)) == 0, "other defaults");
+    for (int i = 0; i < 8; i++) {
+        CHECK(isnan(inputs[i]), "%s = %g", names[i], inputs[i]);
+        snprintf(expected, sizeof expected, "%s: must be set", names[i]);
+        CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && strcmp(last_message(), expected) == 0, "'%s'",
+              last_message());
+        inputs[i] = (&whole.composite_modulus)[i];
+    }
+    CHECK(asperity_create(&p, &model) == ASPERITY_OK, "%s", last_message());
+    asperity_free(model);
+    p.height_std = NAN; /* a result of the caller's, and not one that was forgotten */
+    CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && says("height_std = NaN: must be"), "'%s'",
+          last_message());
+
+    memset(&p, 0xa5, sizeof p);
+    whole = p;
+    CHECK(unset(&p) == ASPERITY_OK && p.struct_size == offsetof(asperity_params, skew), "the first version");
+    CHECK(memcmp(&p.skew, &whole.skew, sizeof p - offsetof(asperity_params, skew)) == 0, "it wrote more");
+    CHECK(unset(NULL) == ASPERITY_NULL_POINTER && says("params is NULL"), "'%s'", last_message());
+    CHECK(asperity_params_init_unset_sized(&p, sizeof p + 8) == ASPERITY_INVALID_PARAMETER && says("struct_size = "), "'%s'",
+          last_message());
+}
+
+static void a_slip_of_units_is_told(void)
+{
+    asperity_params p = surface(8);
+    asperity_model *model = NULL;
+
+    p.work_of_adhesion *= 1e3;
+    CHECK(asperity_create(&p, &model) == ASPERITY_OUT_OF_RANGE && says("is it in mJ/m^2?"), "'%s'", last_message());
+    p = surface(8);
+    p.summit_radius *= 1e6;
+    CHECK(asperity_create(&p, &model) == ASPERITY_OUT_OF_RANGE && says("is it in um?"), "'%s'", last_message());
+    p = surface(8);
+    p.hardness = 12;
+    CHECK(asperity_create(&p, &model) == ASPERITY_OUT_OF_RANGE && says("is hardness in GPa"), "'%s'", last_message());
 }
 
 /* A function of this name, not the macro: for programs of the first version. */
@@ -785,6 +837,8 @@ int main(void)
     versions_agree_with_the_header();
     every_status_has_its_own_words();
     init_sets_the_default_case_of_the_paper();
+    what_was_never_set_is_named();
+    a_slip_of_units_is_told();
     the_plain_functions_know_the_first_version_alone();
     every_size_of_a_version_is_taken();
     setters_set_what_they_say_and_nothing_else();

@@ -166,8 +166,12 @@ fn parameters_of_every_size_are_set() {
         let params = place.pointer::<asperity_params>();
         // SAFETY: memory of the size that is told, or of the first version.
         unsafe {
-            assert_eq!(asperity_params_init(params), OK);
-            assert_eq!(place.word(0), FIRST_SIZE as u64);
+            for init in [asperity_params_init, asperity_params_init_unset] {
+                assert_eq!(init(params), OK);
+                assert_eq!(place.word(0), FIRST_SIZE as u64);
+            }
+            assert_eq!(asperity_params_init_unset_sized(params, size as u64), OK);
+            assert_eq!(place.word(0), size as u64);
             assert_eq!(asperity_params_init_sized(params, size as u64), OK);
             assert_eq!(place.word(0), size as u64);
             assert_eq!(asperity_params_set_dimensionless(params, 0.1, 4.0, 1e-3, 1.0, 0.3), OK);
@@ -191,6 +195,7 @@ fn parameters_of_every_size_are_set() {
         // SAFETY: the size is refused.
         unsafe {
             assert_eq!(asperity_params_init_sized(params, size), INVALID_PARAMETER);
+            assert_eq!(asperity_params_init_unset_sized(params, size), INVALID_PARAMETER);
             assert_eq!(asperity_params_set_skew(params, 0.0), INVALID_PARAMETER);
             assert_eq!(asperity_create(params, &mut model), INVALID_PARAMETER);
         }
@@ -211,6 +216,8 @@ fn null_is_refused_or_skipped() {
         asperity_free(null_mut());
         for refused in [
             asperity_params_init(null_mut()),
+            asperity_params_init_unset(null_mut()),
+            asperity_params_init_unset_sized(null_mut(), size),
             asperity_params_init_sized(null_mut(), size),
             asperity_params_set_dimensionless(null_mut(), 0.1, 4.0, 1e-3, 1.0, 0.3),
             asperity_params_set_materials(null_mut(), 1.0, 0.3, 1.0, 0.3),

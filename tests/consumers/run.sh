@@ -119,6 +119,11 @@ check cpp shared
 with_cmake add-subdirectory -DASPERITY_SOURCE="$root"
 check add-subdirectory shared
 check add-subdirectory static consumer_static
+# What the page and this consumer fetch is there: the branch main, or a version that CHANGELOG.md calls released.
+for ref in $(grep -oh 'GIT_TAG [^ )]*' docs/install.md tests/consumers/fetch-content/CMakeLists.txt | cut -d' ' -f2); do
+    [ "$ref" = main ] || grep -qE "^## ${ref#v}( \\(|\$)" CHANGELOG.md ||
+        { echo "tests/consumers/run.sh: GIT_TAG $ref: no such version is released" >&2; exit 1; }
+done
 with_cmake fetch-content -DFETCHCONTENT_SOURCE_DIR_ASPERITY="$root"
 check fetch-content shared
 

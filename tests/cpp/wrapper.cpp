@@ -74,9 +74,10 @@ void versions_are_those_of_the_header() {
 void every_status_has_its_own_words() {
     EXPECT(std::strcmp(asperity::status_string(ASPERITY_OK), "success") == 0);
     EXPECT(std::strcmp(asperity::status_string(77), "unknown status") == 0);
-    const std::array<asperity::Status, 7> statuses{ASPERITY_NULL_POINTER, ASPERITY_INVALID_PARAMETER,
+    const std::array<asperity::Status, 8> statuses{ASPERITY_NULL_POINTER, ASPERITY_INVALID_PARAMETER,
                                                    ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE,
-                                                   ASPERITY_NOT_CONVERGED, ASPERITY_INTERNAL};
+                                                   ASPERITY_NOT_CONVERGED, ASPERITY_OUT_OF_MEMORY,
+                                                   ASPERITY_INTERNAL};
     for (const asperity::Status a : statuses) {
         for (const asperity::Status b : statuses) {
             EXPECT((a == b) == (std::strcmp(asperity::status_string(a), asperity::status_string(b)) == 0));
@@ -427,6 +428,21 @@ void every_contiguous_range_will_do() {
     static_assert(!std::is_convertible_v<double, asperity::Span<const double>>);
 }
 
+void a_surface_of_ones_own_is_refused_until_all_is_set() {
+    Params params = Params::unset();
+    EXPECT(params.c().struct_size == sizeof(asperity_params) && params.max_friction_coefficient() == 1000.0);
+    const auto refusal = [&] { return std::string(thrown_by([&] { Model{params}; }).what()); };
+    EXPECT(refusal() == "composite_modulus: must be set");
+    params.set_materials(160e9, 0.22, 160e9, 0.22);
+    EXPECT(refusal() == "work_of_adhesion: must be set");
+    params.work_of_adhesion(0.063).adhesion_range(0.384e-9).burgers_vector(0.384e-9).height_std(5e-9).summit_radius(1e-6);
+    EXPECT(refusal() == "asperity_count: must be set");
+    EXPECT(Model(params.asperity_count(1e5)).friction_at_load(1e-3) > 0.5);
+    asperity_status (*const first_version)(asperity_params *) = asperity_params_init_unset;
+    asperity_params c;
+    EXPECT(first_version(&c) == ASPERITY_OK && c.struct_size == offsetof(asperity_params, skew) && std::isnan(c.height_std));
+}
+
 void a_solver_gets_every_element_and_the_first_offence() {
     const Model model;
     const double pull_off = model.summary().pull_off_load;
@@ -439,8 +455,23 @@ void a_solver_gets_every_element_and_the_first_offence() {
     EXPECT(mu[3] == model.friction_at_load(100.0) && dmu[3] == model.friction_and_slope_at_load(100.0).slope);
     EXPECT(force[1] == 0.0 && force[3] == model.friction_force_at_load(100.0));
 
-    const Error error = thrown_by([&] { model.friction_force_at_load(loads); });
-    EXPECT(error.status() == ASPERITY_SEPARATED && begins(error.what(), "element 1: "));
+    // As vectors: an open contact is an answer, and hides no load that has none.
+    const std::vector<double> open{1.0, 2.0 * pull_off, 100.0}, heavy{1.0, 2.0 * pull_off, 100.0, 1e300};
+    EXPECT((model.friction_at_load(open) == std::vector<double>{mu[0], 0.0, mu[3]}));
+    EXPECT((model.friction_force_at_load(open) == std::vector<double>{force[0], 0.0, force[3]}));
+    EXPECT((model.friction_and_slope_at_load(open).slope == std::vector<double>{dmu[0], 0.0, dmu[3]}));
+    EXPECT((model.friction_force_and_slope_at_load(open).slope == std::vector<double>{dforce[0], 0.0, dforce[3]}));
+    for (const auto &ask : {
+             +[](const Model &m, const std::vector<double> &l) { m.friction_at_load(l); },
+             +[](const Model &m, const std::vector<double> &l) { m.friction_force_at_load(l); },
+             +[](const Model &m, const std::vector<double> &l) { m.friction_and_slope_at_load(l); },
+             +[](const Model &m, const std::vector<double> &l) { m.friction_force_and_slope_at_load(l); },
+         }) {
+        const Error invalid = thrown_by([&] { ask(model, loads); });
+        EXPECT(invalid.status() == ASPERITY_INVALID_LOAD && begins(invalid.what(), "element 2: load = NaN"));
+        const Error too_heavy = thrown_by([&] { ask(model, heavy); });
+        EXPECT(too_heavy.status() == ASPERITY_OUT_OF_RANGE && begins(too_heavy.what(), "element 3: load = 1e300: "));
+    }
 
     // Nothing but values, in place.
     std::vector<double> in_place{1.0, 100.0};
@@ -503,6 +534,7 @@ int main() {
     slip_gives_the_force_a_smooth_sign();
     the_table_answers_as_the_model();
     every_contiguous_range_will_do();
+    a_surface_of_ones_own_is_refused_until_all_is_set();
     a_solver_gets_every_element_and_the_first_offence();
     arrays_of_other_sizes_are_refused_before_anything_is_written();
     threads_share_a_model();

@@ -1,129 +1,181 @@
-/* Every allocation of create and set_params fails in turn, each in a child of its own: it dies by Rust's rule, an abort
- * that says so, or goes on. The calls of a solver's loop allocate nothing.
+/* Allocations fail in turn, alone and with all later ones: a call does without, or fails with a status and a message,
+ * changes nothing and keeps no memory. The calls of a solver's loop make none.
  *
  * usage: LD_PRELOAD=failing_malloc.so out_of_memory */
 
 #include "answers.h"
 
 #include <dlfcn.h>
-#include <signal.h>
+#include <limits.h>
 #include <stdlib.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-static void (*arm)(long);
-static long (*disarm)(void);
+static void (*arm)(long, int);
+static long (*disarm)(long *);
 
-enum call { CREATE, SET_PARAMS, CALLS };
+enum call { CREATE, SET_PARAMS, STATE, CALLS };
 
-static const char *const NAMES[CALLS] = { "asperity_create", "asperity_set_params" };
+static const char *const NAMES[CALLS] = { "asperity_create", "asperity_set_params", "asperity_state_at_load" };
 
-/* Does the call with the k-th allocation failing; returns how many it made. */
-static long with_failure(enum call call, long k, asperity_model *model)
+typedef struct outcome {
+    asperity_status status;
+    long allocations, left;
+    asperity_model *made;
+    asperity_state state;
+} outcome;
+
+/* As many heights as a table may have; of fewer, creation is quick. */
+enum { MOST_HEIGHTS = 4096, FEW_HEIGHTS = 32 };
+
+static asperity_params measured_heights(int n)
 {
-    const asperity_params p = surface(4);
-    asperity_model *made = NULL;
-    int status;
+    static double height[MOST_HEIGHTS], density[MOST_HEIGHTS];
+    asperity_params p = surface(0);
 
-    arm(k);
-    status = call == CREATE ? asperity_create(&p, &made) : asperity_set_params(model, &p);
-    k = disarm();
-    if (status != ASPERITY_OK)
-        _exit(3);
-    return k;
-}
-
-/* How a child ends whose k-th allocation fails; what it says on standard error. */
-static int end_of_child(enum call call, long k, asperity_model *model, char *said, size_t size)
-{
-    int ends[2], status = -1;
-    size_t length = 0;
-    ssize_t got;
-    pid_t child;
-
-    CHECK(pipe(ends) == 0, "no pipe");
-    child = fork();
-    if (child == 0) {
-        dup2(ends[1], STDERR_FILENO);
-        close(ends[0]);
-        alarm(20);
-        with_failure(call, k, model);
-        _exit(0);
+    for (int i = 0; i < n; i++) {
+        height[i] = i;
+        density[i] = i < n / 2 ? i + 1 : n - i;
     }
-    close(ends[1]);
-    while ((got = read(ends[0], said + length, size - 1 - length)) > 0)
-        length += (size_t)got;
-    said[length] = '\0';
-    close(ends[0]);
-    waitpid(child, &status, 0);
-    return status;
+    p.height_distribution = ASPERITY_HEIGHTS_TABULATED;
+    p.table_height = height;
+    p.table_density = density;
+    p.table_length = (uint64_t)n;
+    return p;
 }
 
-static void each_allocation(enum call call, asperity_model *model)
+static asperity_params johnson_heights(void)
 {
-    const long count = with_failure(call, -1, model);
-    long aborted = 0, survived = 0;
-    char said[4096];
+    asperity_params p = surface(0);
 
-    CHECK(count > 0, "%s makes no allocation", NAMES[call]);
-    for (long k = 1; k <= count; k++) {
-        const int status = end_of_child(call, k, model, said, sizeof said);
-        if (WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT && strstr(said, "memory allocation of") != NULL)
-            aborted++;
-        else if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
-            survived++;
-        else
-            CHECK(0, "%s, allocation %ld of %ld: status %x, '%s'", NAMES[call], k, count, (unsigned)status, said);
-    }
-    CHECK(aborted + survived == count, "of %ld allocations", count);
-    printf("%s: of %ld allocations that fail %ld abort, saying so, %ld are done without\n", NAMES[call], count, aborted,
-        survived);
+    p.height_distribution = ASPERITY_HEIGHTS_JOHNSON;
+    p.skew = 1.5;
+    p.kurtosis = 7;
+    return p;
 }
 
-/* The calls that the header says to allocate nothing, within the table and beyond it, where they integrate. */
+/* The call with the k-th allocation failing; with none for k = -1. */
+static outcome with_failure(enum call call, const asperity_params *p, long k, int all, asperity_model *model)
+{
+    outcome o;
+
+    memset(&o, 0, sizeof o);
+    o.state.struct_size = sizeof o.state;
+    arm(k, all);
+    switch (call) {
+    case CREATE: o.status = asperity_create(p, &o.made); break;
+    case SET_PARAMS: o.status = asperity_set_params(model, p); break;
+    default: o.status = asperity_state_at_load(model, 1e-3, &o.state); break;
+    }
+    o.allocations = disarm(&o.left);
+    return o;
+}
+
+/* Whether the call failed. */
+static int fails_well(enum call call, const asperity_params *p, long k, int all, asperity_model *model)
+{
+    const outcome sound = call == STATE ? with_failure(call, p, -1, 0, model) : (outcome){ 0 };
+    const outcome o = with_failure(call, p, k, all, model);
+    char message[128] = "";
+
+    if (o.status == ASPERITY_OK) {
+        CHECK(call != CREATE || o.made != NULL, "allocation %ld: success without a model", k);
+        CHECK(call != STATE || SAME(o.state, sound.state), "allocation %ld: another state", k);
+        asperity_free(o.made);
+        return 0;
+    }
+    asperity_last_error(message, sizeof message);
+    CHECK(o.status == ASPERITY_OUT_OF_MEMORY, "%s, allocation %ld: status %d", NAMES[call], k, o.status);
+    CHECK(strncmp(message, "out of memory: ", 15) == 0, "%s, allocation %ld: '%s'", NAMES[call], k, message);
+    CHECK(o.made == NULL, "allocation %ld: a model all the same", k);
+    CHECK(o.state.load == 0, "allocation %ld: a state all the same", k);
+    CHECK(o.left == 0, "%s, allocation %ld: %ld blocks are kept", NAMES[call], k, o.left);
+    return 1;
+}
+
+/* Up to the k-th. */
+static void each_allocation(enum call call, asperity_params p, const char *name, long most)
+{
+    const asperity_params first = surface(8);
+    static answers before, after;
+    asperity_model *model = NULL;
+    long count, failed = 0, done = 0;
+    outcome o;
+
+    CHECK(asperity_create(&first, &model) == ASPERITY_OK, "no model");
+    o = with_failure(call, &p, -1, 0, model);
+    CHECK(o.status == ASPERITY_OK && o.allocations > 0, "%s on %s", NAMES[call], name);
+    asperity_free(o.made);
+    count = o.allocations;
+    for (long k = 1; k <= count && k <= most; k += 1 + k / 8)
+        for (int all = 0; all < 2; all++) {
+            CHECK(asperity_set_params(model, &first) == ASPERITY_OK, "no model");
+            answer(model, &before);
+            if (fails_well(call, &p, k, all, model)) {
+                answer(model, &after);
+                CHECK(same(&before, &after), "%s on %s, allocation %ld: the model changed", NAMES[call], name, k);
+                failed++;
+            }
+            done++;
+        }
+    CHECK(failed > 0, "%s on %s never fails", NAMES[call], name);
+    printf("%s, %s: %ld allocations; of %ld calls in want of some %ld fail with a status, the others do without\n",
+           NAMES[call], name, count, done, failed);
+    asperity_free(model);
+}
+
+/* Setters and the calls of a loop, within the table and beyond it, where they integrate; a refusal. */
 static void loops_allocate_nothing(void)
 {
     static answers out;
     double loads[LOADS], force[LOADS], slope[LOADS];
 
     for (int which = 0; which < SURFACES; which++) {
-        const asperity_params p = surface(which);
+        asperity_params p = surface(which), copy;
         asperity_model *model = NULL;
-        long count;
+        char message[128];
+        long count, left;
 
         CHECK(asperity_create(&p, &model) == ASPERITY_OK, "surface %s", SURFACE_NAMES[which]);
         answer(model, &out);
         for (int i = 0; i < LOADS; i++)
             loads[i] = i == 0 ? NAN : out.summary.pull_off_load + out.summary.max_table_load * pow(10, -20 + 0.25 * i);
-        arm(-1);
+        arm(-1, 0);
         for (int i = 0; i < LOADS; i++) {
             force[i] = asperity_friction_force_at_load(model, loads[i]);
             slope[i] = asperity_friction_at_load(model, loads[i]);
         }
         asperity_friction_force_at_loads(model, LOADS, loads, force, slope);
         asperity_friction_at_loads(model, LOADS, loads, force, slope);
-        asperity_state_at_load(model, -1e300, &out.exact[0]); /* refused, with a message */
-        count = disarm();
-        CHECK(count == 0, "the calls of a loop on %s make %ld allocations", SURFACE_NAMES[which], count);
+        asperity_summary_of(model, &out.summary);
+        asperity_get_params(model, &copy);
+        asperity_params_set_materials(&p, 1, 0.3, 2, 0.4);
+        asperity_params_set_dimensionless(&p, 0.02, 500, 0.003, 0.5, 0.2);
+        asperity_params_set_skew(&p, -0.3);
+        asperity_params_set_spectral_moments(&p, 1, 0.01, 1e-3, 5);
+        asperity_params_set_skew(&p, -3); /* refused, with a message */
+        asperity_last_error(message, sizeof message);
+        count = disarm(&left);
+        CHECK(count == 0, "calls on %s make %ld allocations", SURFACE_NAMES[which], count);
         asperity_free(model);
     }
-    printf("the calls of a solver's loop make no allocation, within the table or beyond it, nor does a refusal\n");
+    printf("setters and the calls of a solver's loop make no allocation, within the table or beyond it\n");
 }
 
 int main(void)
 {
-    const asperity_params p = surface(0);
-    asperity_model *model = NULL;
-
     *(void **)&arm = dlsym(RTLD_DEFAULT, "failing_malloc_arm");
     *(void **)&disarm = dlsym(RTLD_DEFAULT, "failing_malloc_disarm");
-    if (arm == NULL || disarm == NULL || asperity_create(&p, &model) != ASPERITY_OK) {
+    if (arm == NULL || disarm == NULL) {
         fprintf(stderr, "out_of_memory: failing_malloc.so is not preloaded\n");
         return 1;
     }
-    each_allocation(CREATE, model);
-    each_allocation(SET_PARAMS, model);
+    each_allocation(CREATE, surface(4), SURFACE_NAMES[4], LONG_MAX);
+    each_allocation(CREATE, surface(6), SURFACE_NAMES[6], LONG_MAX);
+    each_allocation(CREATE, johnson_heights(), "Johnson's heights", LONG_MAX);
+    each_allocation(CREATE, measured_heights(FEW_HEIGHTS), "a table of heights", LONG_MAX);
+    /* All from the reserve, which has to suffice for it. */
+    each_allocation(CREATE, measured_heights(MOST_HEIGHTS), "the longest table of heights", 2);
+    each_allocation(SET_PARAMS, surface(4), SURFACE_NAMES[4], LONG_MAX);
+    each_allocation(STATE, surface(4), SURFACE_NAMES[4], LONG_MAX);
     loops_allocate_nothing();
-    asperity_free(model);
     return checks_report("out_of_memory");
 }

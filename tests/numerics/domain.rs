@@ -304,7 +304,8 @@ fn sweep(name: &str, sets: usize, dimensions: usize, surface: fn(&[f64]) -> Surf
     if let Some(folder) = std::env::var_os("ASPERITY_DOMAIN_MAP") {
         let folder = std::path::Path::new(&folder);
         std::fs::write(folder.join(format!("{name}.md")), &report).expect("the table is written");
-        std::fs::write(folder.join(format!("{name}.svg")), map.picture()).expect("the picture is written");
+        std::fs::write(folder.join(format!("{name}.svg")), map.picture(ACCURACY, LONGEST_CALL))
+            .expect("the picture is written");
     }
     let failures = map.failures(ACCURACY, LONGEST_CALL);
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures[..failures.len().min(40)].join("\n"));

@@ -48,8 +48,7 @@ const CELLS: usize = 28;
 
 #[derive(Clone, Copy, Default)]
 struct Cell {
-    sets: u32,
-    refused: u32,
+    answered: bool,
     error: f64,
     slowest: f64,
 }
@@ -158,85 +157,170 @@ impl Map {
         text
     }
 
-    /// Worst error, share answered, slowest call over alpha and beta.
-    pub fn picture(&self) -> String {
+    /// Worst error, refused surfaces, slowest call over alpha and beta, each with its scale and the limit on it.
+    pub fn picture(&self, accuracy: f64, longest: Duration) -> String {
         let mut cells = vec![[Cell::default(); CELLS]; CELLS];
-        let place =
-            |x: f64, from: f64, to: f64| ((CELLS as f64 * (x / from).ln() / (to / from).ln()) as usize).min(CELLS - 1);
+        let (mut refused, mut needless) = (Vec::new(), 0);
         for (surface, outcome) in &self.sets {
-            let cell = &mut cells[place(surface.beta, 1.0, 1e7)][place(surface.alpha, 1e-4, 1.0)];
-            cell.sets += 1;
+            let (x, y) = (part_of(surface.alpha, ALPHA), part_of(surface.beta, BETA));
+            let index = |part: f64| ((CELLS as f64 * part) as usize).min(CELLS - 1);
+            let cell = &mut cells[index(y)][index(x)];
             match outcome {
                 Outcome::Answered(answer) => {
+                    cell.answered = true;
                     cell.error = cell.error.max(answer.worst());
                     cell.slowest = cell.slowest.max(answer.slowest.as_secs_f64());
                 }
-                Outcome::Refused { .. } => cell.refused += 1,
-            }
-        }
-        let (size, margin, gap) = (8, 46, 60);
-        let side = size * CELLS;
-        let (width, height) = (3 * side + 2 * gap + 2 * margin, side + 2 * margin + 20);
-        let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" \
-             font-size=\"11\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"white\"/>\n"
-        );
-        // Each panel: what it shows, and the shade of a cell between 0 and 1.
-        type Shade = fn(&Cell) -> Option<f64>;
-        let panels: [(&str, &str, Shade); 3] = [
-            ("worst error, any quantity", "white 1e-14, black 1e-8", |cell| {
-                (cell.sets > cell.refused).then(|| ((cell.error.max(1e-16).log10() + 14.0) / 6.0).clamp(0.0, 1.0))
-            }),
-            ("share refused", "white none, black all", |cell| Some(f64::from(cell.refused) / f64::from(cell.sets))),
-            ("slowest call", "white 1 ms, black 1 s", |cell| {
-                (cell.sets > cell.refused).then(|| ((cell.slowest.max(1e-6).log10() + 3.0) / 3.0).clamp(0.0, 1.0))
-            }),
-        ];
-        for (index, (title, legend, shade)) in panels.into_iter().enumerate() {
-            let left = margin + index * (side + gap);
-            let top = margin;
-            let _ = writeln!(svg, "<text x=\"{left}\" y=\"{}\" font-weight=\"bold\">{title}</text>", top - 20);
-            let _ = writeln!(svg, "<text x=\"{left}\" y=\"{}\" fill=\"#555\">{legend}</text>", top - 6);
-            for (row, cells) in cells.iter().enumerate() {
-                for (column, cell) in cells.iter().enumerate() {
-                    let fill = match shade(cell) {
-                        _ if cell.sets == 0 => "none".to_string(),
-                        None => "#f2d7c9".to_string(),
-                        Some(x) => {
-                            let tone = |from: f64, to: f64| (from + (to - from) * x) as u8;
-                            format!("#{:02x}{:02x}{:02x}", tone(255.0, 10.0), tone(255.0, 30.0), tone(255.0, 60.0))
-                        }
-                    };
-                    let (x, y) = (left + column * size, top + (CELLS - 1 - row) * size);
-                    let _ =
-                        writeln!(svg, "<rect x=\"{x}\" y=\"{y}\" width=\"{size}\" height=\"{size}\" fill=\"{fill}\"/>");
+                Outcome::Refused { founded, .. } => {
+                    refused.push((x, y));
+                    needless += u32::from(!founded);
                 }
             }
-            let _ = writeln!(
-                svg,
-                "<rect x=\"{left}\" y=\"{top}\" width=\"{side}\" height=\"{side}\" fill=\"none\" stroke=\"#333\"/>"
-            );
-            for decade in 0..=4 {
-                let x = left + side * decade / 4;
-                let label = ["1e-4", "1e-3", "0.01", "0.1", "1"][decade];
-                let _ =
-                    writeln!(svg, "<text x=\"{x}\" y=\"{}\" text-anchor=\"middle\">{label}</text>", top + side + 14);
-            }
-            let _ = writeln!(
-                svg,
-                "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">alpha</text>",
-                left + side / 2,
-                top + side + 30
-            );
-            for decade in 0..=7 {
-                let y = top + side - side * decade / 7 + 4;
-                let _ = writeln!(svg, "<text x=\"{}\" y=\"{y}\" text-anchor=\"end\">1e{decade}</text>", left - 4);
-            }
-            let _ = writeln!(svg, "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">beta</text>", left - 4, top - 8);
         }
+        let limit = longest.as_secs_f64();
+        let errors = Scale { from: 1e-16, to: accuracy * 10.0, limit: accuracy, unit: "" };
+        let times = Scale { from: 1e-3, to: limit * 10.0, limit, unit: " s" };
+        let width = 2.0 * MARGIN + 3.0 * SIDE + 2.0 * GAP;
+        let mut svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {HEIGHT}\" font-family=\"sans-serif\" \
+             font-size=\"11\">\n<rect width=\"{width}\" height=\"{HEIGHT}\" fill=\"white\"/>\n"
+        );
+        let left = |panel: f64| MARGIN + panel * (SIDE + GAP);
+        draw_cells(&mut svg, left(0.0), &cells, |cell| errors.colour(cell.error));
+        draw_cells(&mut svg, left(2.0), &cells, |cell| times.colour(cell.slowest));
+        errors.draw(&mut svg, left(0.0));
+        times.draw(&mut svg, left(2.0));
+        for (x, y) in &refused {
+            let (x, y) = (left(1.0) + SIDE * x, TOP + SIDE * (1.0 - y));
+            let _ = writeln!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.5\" fill=\"{OVER}\"/>");
+        }
+        let count = format!("{} of {}, {needless} of them without need", refused.len(), self.sets.len());
+        write_text(&mut svg, left(1.0), TOP + SIDE + 50.0, "start", &count);
+        draw_axes(&mut svg, left(0.0), "largest relative error of any quantity");
+        draw_axes(&mut svg, left(1.0), "surfaces refused");
+        draw_axes(&mut svg, left(2.0), "slowest call");
         svg.push_str("</svg>\n");
         svg
     }
+}
+
+// ---- The picture ----
+
+const ALPHA: (f64, f64) = (1e-4, 1.0);
+const BETA: (f64, f64) = (1.0, 1e7);
+const SIDE: f64 = 224.0;
+const GAP: f64 = 64.0;
+const MARGIN: f64 = 48.0;
+const TOP: f64 = 34.0;
+const HEIGHT: f64 = 356.0;
+/// Of what exceeds its limit, or is refused.
+const OVER: &str = "#d7191c";
+/// From small to large: light to dark in grey too, and apart for those who do not see all colours.
+const COLOURS: [[f64; 3]; 5] =
+    [[253.0, 231.0, 37.0], [94.0, 201.0, 98.0], [33.0, 145.0, 140.0], [59.0, 82.0, 139.0], [68.0, 1.0, 84.0]];
+
+/// Where a value lies between two others on a logarithmic axis, 0 to 1.
+fn part_of(x: f64, (from, to): (f64, f64)) -> f64 {
+    ((x / from).ln() / (to / from).ln()).clamp(0.0, 1.0)
+}
+
+/// A logarithmic scale of colours.
+struct Scale {
+    from: f64,
+    to: f64,
+    limit: f64,
+    unit: &'static str,
+}
+
+impl Scale {
+    fn colour(&self, x: f64) -> String {
+        if x > self.limit {
+            return OVER.to_string();
+        }
+        let at = part_of(x, (self.from, self.limit)) * (COLOURS.len() - 1) as f64;
+        let index = (at as usize).min(COLOURS.len() - 2);
+        let mix = |i: usize| COLOURS[index][i] + (COLOURS[index + 1][i] - COLOURS[index][i]) * (at - index as f64);
+        format!("#{:02x}{:02x}{:02x}", mix(0) as u8, mix(1) as u8, mix(2) as u8)
+    }
+
+    /// The scale below a panel, with a tick at every decade or second one, and the limit.
+    fn draw(&self, svg: &mut String, left: f64) {
+        const STEPS: usize = 112;
+        let (top, width) = (TOP + SIDE + 40.0, SIDE / STEPS as f64);
+        for step in 0..STEPS {
+            let x = self.from * (self.to / self.from).powf((step as f64 + 0.5) / STEPS as f64);
+            let _ = writeln!(
+                svg,
+                "<rect x=\"{:.1}\" y=\"{top}\" width=\"{:.1}\" height=\"10\" fill=\"{}\"/>",
+                left + width * step as f64,
+                width + 0.3,
+                self.colour(x)
+            );
+        }
+        let (first, last) = (self.from.log10().round() as i32, self.to.log10().round() as i32);
+        for decade in (first..=last).step_by(if last - first > 5 { 2 } else { 1 }) {
+            let x = left + SIDE * part_of(10f64.powi(decade), (self.from, self.to));
+            write_text(svg, x, top + 22.0, "middle", &format!("{}{}", power_of_ten(decade), self.unit));
+        }
+        let x = left + SIDE * part_of(self.limit, (self.from, self.to));
+        let _ = writeln!(
+            svg,
+            "<line x1=\"{x:.1}\" x2=\"{x:.1}\" y1=\"{}\" y2=\"{}\" stroke=\"black\" stroke-width=\"1.5\"/>",
+            top - 3.0,
+            top + 13.0
+        );
+        let promise = format!("promised: at most {}{}", power_of_ten(self.limit.log10().round() as i32), self.unit);
+        write_text(svg, left + SIDE, top + 38.0, "end", &promise);
+    }
+}
+
+fn power_of_ten(exponent: i32) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    match exponent {
+        0 => "1".to_string(),
+        1 => "10".to_string(),
+        _ => {
+            let digits = exponent.unsigned_abs().to_string();
+            let raised: String = digits.bytes().map(|digit| DIGITS[usize::from(digit - b'0')]).collect();
+            format!("10{}{raised}", if exponent < 0 { "⁻" } else { "" })
+        }
+    }
+}
+
+fn write_text(svg: &mut String, x: f64, y: f64, anchor: &str, text: &str) {
+    let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{text}</text>");
+}
+
+fn draw_cells(svg: &mut String, left: f64, cells: &[[Cell; CELLS]], colour: impl Fn(&Cell) -> String) {
+    let size = SIDE / CELLS as f64;
+    for (row, cells) in cells.iter().enumerate() {
+        for (column, cell) in cells.iter().enumerate().filter(|(_, cell)| cell.answered) {
+            let (x, y) = (left + size * column as f64, TOP + SIDE - size * (row + 1) as f64);
+            let _ = writeln!(
+                svg,
+                "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{size}\" height=\"{size}\" fill=\"{}\"/>",
+                colour(cell)
+            );
+        }
+    }
+}
+
+fn draw_axes(svg: &mut String, left: f64, title: &str) {
+    let _ = writeln!(svg, "<text x=\"{left}\" y=\"{}\" font-weight=\"bold\">{title}</text>", TOP - 12.0);
+    let _ = writeln!(
+        svg,
+        "<rect x=\"{left}\" y=\"{TOP}\" width=\"{SIDE}\" height=\"{SIDE}\" fill=\"none\" stroke=\"#333\"/>"
+    );
+    for decade in (-4..=0).step_by(2) {
+        let x = left + SIDE * part_of(10f64.powi(decade), ALPHA);
+        write_text(svg, x, TOP + SIDE + 14.0, "middle", &power_of_ten(decade));
+    }
+    write_text(svg, left + 0.75 * SIDE, TOP + SIDE + 14.0, "middle", "α");
+    for decade in (0..=6).step_by(2) {
+        let y = TOP + SIDE * (1.0 - part_of(10f64.powi(decade), BETA));
+        write_text(svg, left - 5.0, y + 4.0, "end", &power_of_ten(decade));
+    }
+    write_text(svg, left - 5.0, TOP + 4.0, "end", "β");
 }
 
 /// A surface as a person reads it, with all digits.

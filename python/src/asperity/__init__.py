@@ -8,7 +8,7 @@
 The Rust library `libasperity` does the work; it is inside the package, unless ASPERITY_LIBRARY names another.
 """
 
-from . import surface
+from . import materials, surface
 from ._header import ASPERITY_VERSION as __version__
 from .errors import Error, Status
 from .fit import Fit, fit
@@ -27,5 +27,6 @@ __all__ = [
     "Warnings",
     "__version__",
     "fit",
+    "materials",
     "surface",
 ]

@@ -21,6 +21,7 @@ ASPERITY_INVALID_LOAD = 3
 ASPERITY_SEPARATED = 4
 ASPERITY_OUT_OF_RANGE = 5
 ASPERITY_NOT_CONVERGED = 6
+ASPERITY_OUT_OF_MEMORY = 7
 ASPERITY_INTERNAL = 255
 
 ASPERITY_HEIGHTS_GAUSSIAN = 0
@@ -125,6 +126,13 @@ class asperity_table(Structure):
         ("pull_off_load", c_double),
         ("max_friction_coefficient", c_double),
         ("inverse_cap", c_double),
+        ("total_count", c_uint64),
+        ("pull_off_force", c_double),
+        ("light_slope", c_double),
+        ("zero_force", c_double),
+        ("zero_slope", c_double),
+        ("separated_slope", c_double),
+        ("heavy_force", c_double),
     ]
 
 
@@ -143,6 +151,8 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_last_error": (c_size_t, [POINTER(c_char), c_size_t]),
     "asperity_params_init": (asperity_status, [_params]),
     "asperity_params_init_sized": (asperity_status, [_params, c_uint64]),
+    "asperity_params_init_unset": (asperity_status, [_params]),
+    "asperity_params_init_unset_sized": (asperity_status, [_params, c_uint64]),
     "asperity_params_set_dimensionless": (asperity_status, [_params, *5 * [c_double]]),
     "asperity_params_set_materials": (asperity_status, [_params, *4 * [c_double]]),
     "asperity_params_set_spectral_moments": (asperity_status, [_params, *4 * [c_double]]),

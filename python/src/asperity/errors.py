@@ -18,6 +18,7 @@ class Status(IntEnum):
     SEPARATED = _header.ASPERITY_SEPARATED
     OUT_OF_RANGE = _header.ASPERITY_OUT_OF_RANGE
     NOT_CONVERGED = _header.ASPERITY_NOT_CONVERGED
+    OUT_OF_MEMORY = _header.ASPERITY_OUT_OF_MEMORY
     INTERNAL = _header.ASPERITY_INTERNAL
 
     @property

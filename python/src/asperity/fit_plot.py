@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 
-_LABELS = {"mu": "friction coefficient $F/P$ [–]", "force": "friction force $F$ [force]"}
+_LABELS = {"mu": "friction coefficient $F/P$", "force": "friction force $F$, in the unit of the data"}
 
 
 def draw(fit: Fit, file: str | os.PathLike[str] | None) -> Figure:
@@ -47,7 +47,7 @@ def draw(fit: Fit, file: str | os.PathLike[str] | None) -> Figure:
 
     below.axhline(0, color="C0")
     below.plot(fit.load, fit.residuals, "o", ms=4, mfc="none", color="black")
-    below.set(xlabel="normal load $P$ [force]", ylabel="residual" if fit.sigma is None else r"residual/$\sigma$")
+    below.set(xlabel="normal load $P$, in the unit of the data", ylabel="residual" if fit.sigma is None else r"residual/$\sigma$")
     for axes in (above, below):
         axes.grid(True, alpha=0.3)
     if file is not None:

@@ -11,11 +11,29 @@ adhesion depends on what covers the surfaces more than on the bodies. `docs/mate
 
 from __future__ import annotations
 
+import difflib
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Any, Mapping, Tuple
+from typing import Any, Dict, Mapping, Tuple, TypeVar
 
 Range = Tuple[float, float]
+
+
+_Entry = TypeVar("_Entry")
+
+
+class _Named(Dict[str, _Entry]):
+    """A dictionary whose `KeyError` names what it has."""
+
+    def __missing__(self, name: object) -> _Entry:
+        raise KeyError(f"{name!r} is not known; nearest: {', '.join(self._nearest(str(name)))}; all: {', '.join(self)}")
+
+    def _nearest(self, name: str) -> list[str]:
+        def likeness(other: str) -> float:
+            ratio = difflib.SequenceMatcher(None, name.lower(), other.lower()).ratio()
+            return ratio + len(set(name.lower().split("/")) & set(other.lower().split("/")))
+
+        return sorted(self, key=likeness, reverse=True)[:3]
 
 
 @dataclass(frozen=True)
@@ -184,7 +202,7 @@ _NITRIDE = Material(
 )
 
 MATERIALS: Mapping[str, Material] = MappingProxyType(
-    {material.name: material for material in (_SILICON, _SILICA, _GOLD, _STEEL, _DLC, _MICA, _NITRIDE)}
+    _Named({material.name: material for material in (_SILICON, _SILICA, _GOLD, _STEEL, _DLC, _MICA, _NITRIDE)})
 )
 
 _PAIRS = (
@@ -255,4 +273,4 @@ _PAIRS = (
     ),
 )
 
-PAIRS: Mapping[str, Pair] = MappingProxyType({pair.name: pair for pair in _PAIRS})
+PAIRS: Mapping[str, Pair] = MappingProxyType(_Named({pair.name: pair for pair in _PAIRS}))

@@ -21,7 +21,7 @@ from . import _header
 from ._library import LIBRARY
 from .errors import Error, Status, check
 from .params import Params
-from .results import State, Summary
+from .results import State, Summary, Warnings
 
 Loads = Union["npt.NDArray[Any]", "list[Any]", "tuple[Any, ...]"]
 Array = npt.NDArray[np.float64]
@@ -133,8 +133,9 @@ class Model:
 
         Raises:
             Error: a load below the pull-off load (status SEPARATED), not finite, or out of range.
+            TypeError: not a number; an array takes a loop.
         """
-        return self._state(LIBRARY.asperity_state_at_load, load)
+        return self._state(LIBRARY.asperity_state_at_load, "load", load)
 
     def state_at_separation(self, separation: float) -> State:
         """The exact state at a separation [length], also beyond the pull-off point, where no load could hold it.
@@ -145,7 +146,7 @@ class Model:
         Raises:
             Error: a separation that is not finite, or out of range.
         """
-        return self._state(LIBRARY.asperity_state_at_separation, separation)
+        return self._state(LIBRARY.asperity_state_at_separation, "separation", separation)
 
     def summary(self) -> Summary:
         """The constants of the model: dimensionless groups, pull-off load, range and error of the compiled law."""
@@ -179,8 +180,10 @@ class Model:
             raise Error("the model is closed", Status.NULL_POINTER)
         return handle
 
-    def _state(self, call: Any, at: float) -> State:
-        return _state(self._open(), call, at)
+    def _state(self, call: Any, name: str, at: float) -> State:
+        if not isinstance(at, numbers.Real):
+            raise TypeError(f"{name} = {at!r}: must be one number; for many, [model.state_at_{name}(x) for x in ...]")
+        return _state(self._open(), call, float(at))
 
     def _evaluate(self, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool) -> Any:
         handle = self._open()
@@ -209,7 +212,12 @@ def _evaluate_array(handle: _Handle, many: Any, load: Array, slope: bool) -> Any
     slopes = np.empty(load.shape) if slope else None
     status = many(handle.pointer, load.size, _data(load), _data(values), None if slopes is None else _data(slopes))
     # The library reports the first offence of any kind; loads below pull-off are none here, NaN answers always are.
-    if status not in (_header.ASPERITY_OK, _header.ASPERITY_SEPARATED, _header.ASPERITY_INVALID_LOAD):
+    if status not in (
+        _header.ASPERITY_OK,
+        _header.ASPERITY_SEPARATED,
+        _header.ASPERITY_INVALID_LOAD,
+        _header.ASPERITY_OUT_OF_RANGE,
+    ):
         check(status)
     refused = np.isnan(values)
     if refused.any():
@@ -233,7 +241,8 @@ def _refuse(handle: _Handle, load: float, index: tuple[Any, ...] = ()) -> None:
 def _state(handle: _Handle, call: Any, at: float) -> State:
     struct = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
     check(call(handle.pointer, at, ctypes.byref(struct)))
-    return State(*_values(struct))
+    *values, warnings = _values(struct)
+    return State(*values, Warnings(warnings))
 
 
 def _values(struct: ctypes.Structure) -> list[Any]:

@@ -17,6 +17,17 @@ class Warnings(IntFlag):
 
     PLASTIC = _header.ASPERITY_WARNING_PLASTIC
 
+    def __str__(self) -> str:
+        known = [f"{flag.name} ({text})" for flag, text in _MEANINGS.items() if flag & self]
+        unknown = int(self) & ~sum(_MEANINGS)
+        return ", ".join(known + [f"bits {unknown:#x}"] * (unknown != 0)) or "none"
+
+    def __format__(self, spec: str) -> str:
+        return format(int(self), spec) if spec else str(self)
+
+
+_MEANINGS = {Warnings.PLASTIC: "contacts yield"}
+
 
 @dataclass(frozen=True)
 class State:
@@ -43,7 +54,7 @@ class State:
         fraction_in_contact: fraction of all summits that are in contact.
         mean_asperity_pressure: load of the summits in contact over their real area [stress].
         plasticity_index: Greenwood and Williamson's E* (sigma/R)^(1/2)/H; 0 where the hardness is not given.
-        warnings: bits of `Warnings`: what of the model does not hold in this state; 0 if nothing is known to fail.
+        warnings: what of the model does not hold in this state; 0 if nothing is known to fail.
     """
 
     load: float
@@ -65,7 +76,7 @@ class State:
     fraction_in_contact: float
     mean_asperity_pressure: float
     plasticity_index: float
-    warnings: int
+    warnings: Warnings
 
 
 @dataclass(frozen=True)

@@ -68,6 +68,10 @@ unsafe impl Lanes for __m256d {
         _mm256_max_pd(self, other)
     }
     #[inline(always)]
+    unsafe fn div(self, other: Self) -> Self {
+        _mm256_div_pd(self, other)
+    }
+    #[inline(always)]
     unsafe fn div_where(self, mask: __m256d, other: Self) -> Self {
         // Not 1, by which the compiler would choose after dividing all lanes.
         _mm256_div_pd(self, _mm256_blendv_pd(Self::splat(2.0), other, mask))
@@ -137,6 +141,10 @@ unsafe impl Lanes for __m256d {
     #[inline(always)]
     unsafe fn or_mask(a: __m256d, b: __m256d) -> __m256d {
         _mm256_or_pd(a, b)
+    }
+    #[inline(always)]
+    unsafe fn and_mask(a: __m256d, b: __m256d) -> __m256d {
+        _mm256_and_pd(a, b)
     }
     #[inline(always)]
     unsafe fn not_mask(a: __m256d) -> __m256d {

@@ -70,6 +70,10 @@ unsafe impl Lanes for __m512d {
         _mm512_max_pd(self, other)
     }
     #[inline(always)]
+    unsafe fn div(self, other: Self) -> Self {
+        _mm512_div_pd(self, other)
+    }
+    #[inline(always)]
     unsafe fn div_where(self, mask: __mmask8, other: Self) -> Self {
         _mm512_mask_div_pd(self, mask, self, other)
     }
@@ -136,6 +140,10 @@ unsafe impl Lanes for __m512d {
     #[inline(always)]
     unsafe fn or_mask(a: __mmask8, b: __mmask8) -> __mmask8 {
         a | b
+    }
+    #[inline(always)]
+    unsafe fn and_mask(a: __mmask8, b: __mmask8) -> __mmask8 {
+        a & b
     }
     #[inline(always)]
     unsafe fn not_mask(a: __mmask8) -> __mmask8 {

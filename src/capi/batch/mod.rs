@@ -13,6 +13,7 @@ mod lanes;
 
 use super::boundary::Failure;
 use super::fp_environment;
+use crate::float_bits::nan;
 use crate::model::Model;
 
 /// Which law is asked for.
@@ -28,18 +29,18 @@ impl Quantity {
     /// The quantity at one load and its slope.
     #[inline]
     pub fn at(self, model: &Model, load: f64) -> (f64, f64) {
-        let tabulated = match self {
-            Quantity::Coefficient => model.tabulated_coefficient(load),
-            Quantity::Force => model.tabulated_force(load),
+        let answer = match self {
+            Quantity::Coefficient => model.tabulated_coefficient(load).or_else(|| model.known_coefficient(load)),
+            Quantity::Force => model.tabulated_force(load).or_else(|| model.known_force(load)),
         };
-        tabulated.unwrap_or_else(|| self.exact(model, load))
+        answer.unwrap_or_else(|| self.computed(model, load))
     }
 
     #[cold]
-    fn exact(self, model: &Model, load: f64) -> (f64, f64) {
+    fn computed(self, model: &Model, load: f64) -> (f64, f64) {
         fp_environment::held(|| match self {
-            Quantity::Coefficient => model.exact_coefficient(load),
-            Quantity::Force => model.exact_force(load),
+            Quantity::Coefficient => model.computed_coefficient(load),
+            Quantity::Force => model.computed_force(load),
         })
     }
 }
@@ -67,7 +68,10 @@ pub unsafe fn evaluate(model: &Model, quantity: Quantity, arrays: Arrays) -> Res
     }
     match offence {
         None => Ok(()),
-        Some((index, load)) => Err(model.offence(load).map_or(Failure::Null("load"), |e| Failure::Element(index, e))),
+        Some((index, load)) => {
+            let error = model.offence(load).unwrap_or_else(|| Model::not_evaluated(load));
+            Err(Failure::Element(index, error))
+        }
     }
 }
 
@@ -81,10 +85,8 @@ unsafe fn one(
     load: f64,
     offence: &mut Option<(usize, f64)>,
 ) {
-    #[cfg(test)]
-    tests::CALLS.set(tests::CALLS.get() + 1);
     let (value, slope) = quantity.at(model, load);
-    if offence.is_none() && model.offence(load).is_some() {
+    if offence.is_none() && (nan(value) || model.offence(load).is_some()) {
         *offence = Some((index, load));
     }
     if !arrays.value.is_null() {
@@ -116,13 +118,6 @@ unsafe fn vectors(_: &Model, _: Quantity, _: Arrays, _: &mut Option<(usize, f64)
 mod tests {
     use super::*;
     use crate::params::Params;
-    use std::cell::Cell;
-
-    thread_local! {
-        /// Elements left to the scalar call.
-        pub static CALLS: Cell<usize> = const { Cell::new(0) };
-    }
-
     type Path = unsafe fn(&Model, Quantity, Arrays, &mut Option<(usize, f64)>) -> usize;
 
     /// The paths of this processor that take whole vectors.
@@ -141,45 +136,93 @@ mod tests {
         paths
     }
 
-    /// Not that one lane which the table does not answer takes others with it: it is answered alone.
-    #[test]
-    fn loads_that_the_table_answers_are_not_left_to_the_scalar_call() {
-        let model = Model::new(&Params::default()).expect("a model");
+    /// Loads of every kind: in rows and in parts of rows, capped, zero, pulling, below pull-off, lighter and heavier than
+    /// the table's, and no numbers.
+    fn loads(model: &Model) -> Vec<f64> {
         let summary = model.summary();
-        let pull_off = summary.pull_off_load;
-        let part = |i: usize| 1e-3 + 0.998 * i as f64 / 200.0;
-        // From where coefficients are not capped.
-        let mut loads: Vec<f64> = (0..200).map(|i| summary.max_table_load * 1e-4_f64.powf(1.0 - part(i))).collect();
+        let (pull_off, heaviest) = (summary.pull_off_load, summary.max_table_load);
+        let mut loads: Vec<f64> = (0..1000).map(|i| heaviest * 1e-40_f64.powf(f64::from(i) / 1000.0)).collect();
+        let table = model.table();
+        for row in (0..table.row_count).filter(|&row| table.rows[row].is_link()) {
+            let (begin, end) = (table.begin_of(row), table.begin_of(row + 1));
+            loads.extend((0..200).map(|i| pull_off + begin + (end - begin) * f64::from(i) / 200.0));
+            loads.extend(table.rows[row].0[2..].iter().map(|t| pull_off + begin + t * (end - begin) * 4.0));
+        }
         let others = [
             f64::NAN,
             f64::INFINITY,
-            2.0 * summary.max_table_load,
-            1.5 * pull_off,
-            pull_off,
             f64::from_bits(0x7ff << 52 | 1),
+            0.0,
+            -0.0,
+            2.0 * heaviest,
+            1e300,
+            f64::MAX,
+            -f64::MAX,
+            5e-324,
+            -5e-324,
+            1e-120,
+            pull_off,
+            1.5 * pull_off,
+            0.5 * pull_off,
+            pull_off * (1.0 - 1e-12),
         ];
-        for (i, &other) in others.iter().enumerate() {
-            loads[29 * i + 3] = other;
+        // Each of these next to others, and many of one kind.
+        for (i, &other) in others.iter().cycle().take(80).enumerate() {
+            loads[11 * i + 3] = other;
         }
-        let (mut value, mut slope) = ([0.0; 200], [0.0; 200]);
-        let (load, values, slopes) = (loads.as_ptr(), value.as_mut_ptr(), slope.as_mut_ptr());
-        let arrays = Arrays { n: loads.len(), load, value: values, slope: slopes };
-        for (name, path) in paths() {
-            for quantity in [Quantity::Coefficient, Quantity::Force] {
-                for arrays in [arrays, Arrays { slope: std::ptr::null_mut(), ..arrays }] {
-                    CALLS.set(0);
-                    let mut offence = None;
-                    // SAFETY: the arrays have so many elements.
-                    let done = unsafe { path(&model, quantity, arrays, &mut offence) };
-                    assert_eq!(done, loads.len(), "{name}, {quantity:?}");
-                    assert_eq!(CALLS.get(), others.len(), "{name}, {quantity:?}");
-                    assert_eq!(offence.map(|(index, _)| index), Some(3), "{name}, {quantity:?}");
-                    for (i, &load) in loads.iter().enumerate() {
-                        let expected = quantity.at(&model, load);
-                        assert_eq!(value[i].to_bits(), expected.0.to_bits(), "{name}, {quantity:?} at {load:e}");
-                        assert_eq!(slope[i].to_bits(), expected.1.to_bits(), "{name}, {quantity:?} at {load:e}");
+        for other in &others[3..5] {
+            loads.extend([*other; 40]);
+        }
+        loads
+    }
+
+    #[test]
+    fn vectors_have_the_bits_of_the_scalar_call_for_loads_of_every_kind() {
+        let mut skewed = Params::default();
+        skewed.set_skew(0.8).expect("a skew");
+        for params in [Params::default(), Params { work_of_adhesion: 0.0, ..Params::default() }, skewed] {
+            let model = Model::new(&params).expect("a model");
+            let loads = loads(&model);
+            let (mut value, mut slope) = (vec![0.0; loads.len()], vec![0.0; loads.len()]);
+            let (load, values, slopes) = (loads.as_ptr(), value.as_mut_ptr(), slope.as_mut_ptr());
+            let arrays = Arrays { n: loads.len(), load, value: values, slope: slopes };
+            for (name, path) in paths() {
+                for quantity in [Quantity::Coefficient, Quantity::Force] {
+                    for arrays in [arrays, Arrays { slope: std::ptr::null_mut(), ..arrays }] {
+                        let mut offence = None;
+                        // SAFETY: the arrays have so many elements.
+                        let done = unsafe { path(&model, quantity, arrays, &mut offence) };
+                        assert!(done + 8 > loads.len(), "{name}, {quantity:?}");
+                        assert_eq!(offence.map(|(index, _)| index), Some(3), "{name}, {quantity:?}");
+                        for (i, &load) in loads[..done].iter().enumerate() {
+                            let expected = quantity.at(&model, load);
+                            let found = (value[i].to_bits(), slope[i].to_bits());
+                            let is_same = found == (expected.0.to_bits(), expected.1.to_bits());
+                            let both = (value[i], slope[i]);
+                            assert!(is_same, "{name}, {quantity:?} at {load:e}: {both:?}, not {expected:?}");
+                        }
                     }
                 }
+            }
+        }
+    }
+
+    /// An offence in a vector that is answered as a whole is reported too, the first of several.
+    #[test]
+    fn the_first_offence_is_reported_wherever_it_is() {
+        let model = Model::new(&Params::default()).expect("a model");
+        let apart = 2.0 * model.summary().pull_off_load;
+        let expected: [(f64, f64); 4] = [(apart, f64::NAN), (f64::NAN, apart), (1e300, apart), (apart, 1e300)];
+        for (first, second) in expected {
+            let mut loads = [1.0; 64];
+            (loads[21], loads[22], loads[50]) = (first, second, apart);
+            let mut value = [0.0; 64];
+            let arrays = Arrays { n: 64, load: loads.as_ptr(), value: value.as_mut_ptr(), slope: std::ptr::null_mut() };
+            for quantity in [Quantity::Coefficient, Quantity::Force] {
+                // SAFETY: the arrays have so many elements.
+                let error = unsafe { evaluate(&model, quantity, arrays) }.expect_err("an offence");
+                let of_first = model.offence(first).expect("an offence");
+                assert!(matches!(error, Failure::Element(21, error) if error.to_string() == of_first.to_string()));
             }
         }
     }

@@ -295,11 +295,17 @@ impl<'a> Calls<'a> {
             unsafe { batch(at, n, from, value_at, slope_at) }
         });
         let pull_off = model.summary.pull_off_load;
-        let offence = loads.iter().position(|&load| !is_finite(load) || load < pull_off);
+        // A finite load without an answer is an offence as well, wherever it is heavy enough to have none.
+        let alone = |load: f64| unsafe { one(at, load, null_mut()) };
+        let offence = loads.iter().position(|&load| !is_finite(load) || load < pull_off || alone(load).is_nan());
         let expected = match offence {
             None => OK,
             Some(i) if !is_finite(loads[i]) => INVALID_LOAD,
-            Some(_) => SEPARATED,
+            Some(i) if loads[i] < pull_off => SEPARATED,
+            Some(i) => {
+                assert!(!model.is_within_range(loads[i]), "{}: no answer at {:e}", what(), loads[i]);
+                OUT_OF_RANGE
+            }
         };
         assert_eq!(status, expected, "{}: {}", what(), message());
         if let Some(i) = offence {

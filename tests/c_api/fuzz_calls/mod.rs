@@ -160,7 +160,11 @@ impl Bytes<'_> {
             0 => self.any_float(),
             1 => -self.part() * -pull_off,
             2 => pull_off + self.log_between(nearest * 1e-9, nearest),
-            3 => farthest * self.log_between(1.0, 1e12),
+            3 => match self.below(4) {
+                0 => f64::MAX,
+                1 => self.log_between(farthest, f64::MAX),
+                _ => farthest * self.log_between(1.0, 1e12),
+            },
             4 => [
                 pull_off,
                 pull_off.next_up(),

@@ -122,21 +122,26 @@ def _kurtosis() -> Figure:
 
 
 def _regimes() -> Figure:
-    """Fractions of the contacts in the three regimes of slip, for three friction regime parameters."""
-    places = [(0.075 + 0.31 * i, 0.14, 0.285, 0.74) for i in range(3)]
-    picture, panels = _picture((9.6, 3.8), places)
-    labels = ("$a < a_1$", "$a_1 < a < a_2$", "$a > a_2$")
+    """How the contacts divide into the three regimes of slip, for three friction regime parameters."""
+    places = [(0.075 + 0.31 * i, 0.15, 0.285, 0.67) for i in range(3)]
+    picture, panels = _picture((9.6, 4.2), places)
+    labels = ("$a < a_1$: slips as a whole", "$a_1 < a < a_2$: strength falls", "$a > a_2$: low strength")
     for panel, (beta, axes) in enumerate(zip(curves.REGIME_BETAS, panels)):
         axes.set_title(rf"$\alpha = 0.01$, $\beta = {beta:g}$, $\gamma = {curves.REGIME_GAMMA:g}$", fontsize=10)
         axes.set_xlim(curves.REGIME_LOADS[0], curves.REGIME_LOADS[-1])
-        axes.set_ylim(-0.02, 1.02)
-        for number, fractions in enumerate(curves.regimes(beta)):
-            _line(axes, 3 * panel + number, number, curves.REGIME_LOADS, fractions, labels[number])
+        axes.set_ylim(0, 1)
+        below, between, _ = curves.regimes(beta)
+        edges = (0 * below, below, below + between, 1 + 0 * below)
+        for number, label in enumerate(labels):
+            low, high = edges[number], edges[number + 1]
+            axes.fill_between(curves.REGIME_LOADS, low, high, color=_COLOURS[number], alpha=0.45, lw=0, label=label)
+        for number in (0, 1):
+            _line(axes, 2 * panel + number, number, curves.REGIME_LOADS, edges[number + 1], "_nolegend_")
         axes.set_xlabel(r"$P/(N\,G\,b^2\,\alpha\beta^2)$ [–]")
         if panel > 0:
             axes.tick_params(labelleft=False)
     panels[0].set_ylabel("fraction of the contacts [–]")
-    panels[0].legend(handlelength=4)
+    picture.legend(*panels[0].get_legend_handles_labels(), loc="upper center", ncol=3, frameon=False)
     return picture
 
 

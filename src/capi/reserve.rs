@@ -1,0 +1,155 @@
+//! Memory set aside while a model is made, so that a failed allocation is a status and not the abort that Rust makes of it.
+//!
+//! An allocation that the system refuses to a thread inside [`held`] comes out of the thread's reserve. Where that was a
+//! temporary one, nothing is lost; what still lies in the reserve at the end is dropped again, and the call fails with
+//! `ASPERITY_OUT_OF_MEMORY`. The physics allocates as it likes and knows nothing of this.
+//!
+//! The C interface allocates nowhere else but in [`held`]. A Rust program that uses the crate gets this allocator as its
+//! own, which outside [`held`] is the system's, unless it leaves out the feature `memory-reserve`.
+
+use super::boundary::Failure;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::panic::{catch_unwind, resume_unwind, AssertUnwindSafe};
+
+/// Bytes set aside: more than any call takes. `tests/harden/out_of_memory.c` has models made of nothing else.
+const SIZE: usize = 1 << 21;
+const WHOLE: Layout = match Layout::from_size_align(SIZE, 64) {
+    Ok(layout) => layout,
+    Err(_) => panic!("a layout"),
+};
+
+/// A thread's reserve.
+#[derive(Clone, Copy)]
+struct Reserve {
+    /// NULL where nothing is set aside.
+    start: *mut u8,
+    /// Bytes handed out, from the start.
+    used: usize,
+    /// Blocks handed out and not yet given back.
+    live: usize,
+}
+
+const NONE: Reserve = Reserve { start: std::ptr::null_mut(), used: 0, live: 0 };
+
+thread_local! {
+    // Without a destructor or a lazy value: reading it allocates nothing.
+    static RESERVE: Cell<Reserve> = const { Cell::new(NONE) };
+}
+
+/// Makes something, with a reserve for the allocations that the system refuses. What `make` keeps, it returns.
+///
+/// # Errors
+/// [`Failure::OutOfMemory`] where the system refused memory that is to stay; else what `make` fails with.
+pub fn held<T>(make: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
+    // SAFETY: its size is not 0.
+    let start = unsafe { System.alloc(WHOLE) };
+    if start.is_null() {
+        return Err(Failure::OutOfMemory);
+    }
+    let outer = RESERVE.replace(Reserve { start, ..NONE });
+    let mut made = catch_unwind(AssertUnwindSafe(make));
+    if RESERVE.get().live > 0 {
+        made = Ok(Err(Failure::OutOfMemory)); // drops what was made, or the panic's message
+    }
+    if RESERVE.replace(outer).live == 0 {
+        // SAFETY: it came from there, and nothing of it is in use.
+        unsafe { System.dealloc(start, WHOLE) };
+    }
+    made.unwrap_or_else(|panic| resume_unwind(panic))
+}
+
+impl Reserve {
+    /// A block of what is left; NULL if it does not fit.
+    fn take(&mut self, layout: Layout) -> *mut u8 {
+        if self.start.is_null() {
+            return self.start;
+        }
+        let at = (self.start as usize + self.used).next_multiple_of(layout.align()) - self.start as usize;
+        if layout.size() > SIZE - at.min(SIZE) {
+            return std::ptr::null_mut();
+        }
+        (self.used, self.live) = (at + layout.size(), self.live + 1);
+        // SAFETY: within the block of SIZE bytes.
+        unsafe { self.start.add(at) }
+    }
+
+    /// Whether a block lies in it.
+    fn has(&self, at: *mut u8) -> bool {
+        !self.start.is_null() && (at as usize).wrapping_sub(self.start as usize) < SIZE
+    }
+
+    /// Takes a block back; its memory is there again if it was the last one.
+    fn give_back(&mut self, at: *mut u8, size: usize) {
+        let offset = at as usize - self.start as usize;
+        self.live -= 1;
+        if offset + size == self.used {
+            self.used = offset;
+        }
+    }
+}
+
+/// The system's allocator, with the reserve behind it.
+struct Allocator;
+
+#[cfg(feature = "memory-reserve")]
+#[global_allocator]
+static ALLOCATOR: Allocator = Allocator;
+
+fn from_reserve(layout: Layout) -> *mut u8 {
+    let mut reserve = RESERVE.get();
+    let at = reserve.take(layout);
+    RESERVE.set(reserve);
+    at
+}
+
+// SAFETY: blocks are the system's, or of the thread's reserve, which does not hand out bytes twice.
+unsafe impl GlobalAlloc for Allocator {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        let at = System.alloc(layout);
+        if at.is_null() {
+            from_reserve(layout)
+        } else {
+            at
+        }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        let mut at = System.alloc_zeroed(layout);
+        if at.is_null() {
+            at = from_reserve(layout);
+            if !at.is_null() {
+                at.write_bytes(0, layout.size());
+            }
+        }
+        at
+    }
+
+    unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
+        let mut reserve = RESERVE.get();
+        if reserve.has(at) {
+            reserve.give_back(at, layout.size());
+            RESERVE.set(reserve);
+        } else {
+            System.dealloc(at, layout);
+        }
+    }
+
+    unsafe fn realloc(&self, at: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        let to = Layout::from_size_align_unchecked(size, layout.align());
+        let moved = if RESERVE.get().has(at) {
+            self.alloc(to)
+        } else {
+            let moved = System.realloc(at, layout, size);
+            if !moved.is_null() {
+                return moved;
+            }
+            from_reserve(to)
+        };
+        if !moved.is_null() {
+            moved.copy_from_nonoverlapping(at, size.min(layout.size()));
+            self.dealloc(at, layout);
+        }
+        moved
+    }
+}

@@ -1,0 +1,297 @@
+//! Rows filled from the law: whole, or in as many parts as it takes.
+
+use super::row::{
+    error_within_tolerance, polynomial, PieceBasis, Row, RowBasis, BETWEEN, BETWEEN_OF_PIECE, DIVISIONS, INTERIOR,
+    OF_PIECE,
+};
+use super::table::Table;
+use super::Scales;
+use crate::elementary::{exp, log, log1p};
+use std::f64::consts::LN_2;
+
+/// Where the law is asked for a row: where it is determined, where it is compared, and at its end.
+const PARTS: [f64; 8] = [INTERIOR[0], INTERIOR[1], INTERIOR[2], INTERIOR[3], BETWEEN[0], BETWEEN[1], BETWEEN[2], 1.0];
+/// The most pieces of a row: links of two levels.
+const MOST_PIECES: usize = (DIVISIONS + 1) * (DIVISIONS + 1);
+/// No piece is shorter than this part of its row: x has few digits more.
+const SHORTEST_PIECE: f64 = 1e-9;
+
+/// The law, as rows are filled from it: F and d(ln F)/d(ln x) at ln x, NaN where they are not known. The loads of a call
+/// are near to each other.
+pub trait Source {
+    fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N];
+    /// ln x between two of them where the law is not smooth, rising.
+    fn joints(&self, lower: f64, upper: f64) -> Vec<f64>;
+}
+
+/// What rows are filled from.
+pub struct Filling<'a, S> {
+    pub source: &'a mut S,
+    pub scales: Scales,
+    /// Rows per binade and the part of a mantissa that each takes.
+    per_binade: u64,
+    width: f64,
+    log_load: f64,
+}
+
+/// A piece: where in its row it begins, by mantissa, and its polynomial.
+type Piece = (f64, Row);
+
+impl<'a, S: Source> Filling<'a, S> {
+    pub fn new(source: &'a mut S, scales: Scales, fraction: u32) -> Self {
+        let per_binade = 1_u64 << fraction;
+        Self { source, scales, per_binade, width: 1.0 / per_binade as f64, log_load: log(scales.load) }
+    }
+
+    /// Fills as many rows of a table; those that miss the law are left out. The largest error of the others.
+    pub fn rows(&mut self, table: &mut Table, count: usize) -> f64 {
+        let basis = RowBasis::new();
+        // ln(mantissa), the same in every binade.
+        let mantissas: Vec<[f64; PARTS.len()]> =
+            (0..self.per_binade).map(|row| PARTS.map(|part| log1p((row as f64 + part) * self.width))).collect();
+        let (per_binade, width, log_load, scales) = (self.per_binade, self.width, self.log_load, self.scales);
+        let mut points_of = |row: u64| {
+            let within = row % per_binade;
+            let log_binade = log_binade(row / per_binade) - log_load;
+            let mut points = self.source.at(mantissas[within as usize].map(|log| log + log_binade));
+            for (point, part) in points.iter_mut().zip(PARTS) {
+                let force = scales.force * point.0;
+                *point = (force, force * point.1 * width / (1.0 + (within as f64 + part) * width));
+            }
+            points
+        };
+        let mut worst = 0.0_f64;
+        let mut left = points_of(table.base - 1)[7];
+        for row in table.base..table.base + count as u64 {
+            // In the next binade the same part of a row is twice as long.
+            if row.is_multiple_of(per_binade) {
+                left.1 *= 2.0;
+            }
+            let points = points_of(row);
+            let interior = [points[0].0, points[1].0, points[2].0, points[3].0];
+            let coefficients = basis.coefficients(left, points[7], interior);
+            let compared = BETWEEN.into_iter().zip(&points[4..7]);
+            match error_of(&coefficients, compared) {
+                Some(error) => {
+                    worst = worst.max(error);
+                    table.rows.push(scaled(coefficients, width));
+                }
+                None => table.rows.push(Row::LEFT_OUT),
+            }
+            left = points[7];
+        }
+        table.row_count = table.rows.len();
+        worst
+    }
+
+    /// Replaces a row that is left out by a link to pieces, if so many more rows are enough; the largest error of these.
+    pub fn divide(&mut self, table: &mut Table, row: usize, room: usize) -> f64 {
+        let Some((pieces, error)) = self.pieces(table.base + row as u64, room) else { return 0.0 };
+        let group = if pieces.len() > DIVISIONS + 1 { DIVISIONS + 1 } else { pieces.len() };
+        let (begins, rows): (Vec<f64>, Vec<Row>) = pieces.into_iter().unzip();
+        let first = table.rows.len();
+        table.rows.extend(&rows);
+        if rows.len() == group {
+            table.rows[row] = Row::link(first, &begins[1..]);
+            return error;
+        }
+        // A link to links.
+        let second = table.rows.len();
+        for (index, of_group) in begins.chunks(group).enumerate() {
+            table.rows.push(Row::link(first + index * group, &of_group[1..]));
+        }
+        let divisions: Vec<f64> = begins.iter().step_by(group).skip(1).copied().collect();
+        table.rows[row] = Row::link(second, &divisions);
+        error
+    }
+
+    /// Polynomials for the parts of a row, as few as are good; `None` if they are more than there is room for.
+    fn pieces(&mut self, row: u64, room: usize) -> Option<(Vec<Piece>, f64)> {
+        let basis = PieceBasis::new();
+        let start = (row % self.per_binade) as f64 * self.width;
+        let log_binade = log_binade(row / self.per_binade) - self.log_load;
+        let log_of = |t: f64| log1p(start + t) + log_binade;
+        let joints = self.source.joints(log_of(0.0), log_of(self.width));
+        let joints: Vec<f64> = joints.into_iter().map(|joint| exp(joint - log_binade) - 1.0 - start).collect();
+        // From right to left, so that the last is the next.
+        let mut ends = vec![self.width];
+        let (mut begin, mut pieces, mut worst) = (0.0, Vec::new(), 0.0_f64);
+        while let Some(&end) = ends.last() {
+            let length = end - begin;
+            match self.piece(&basis, start + begin, length, log_binade) {
+                Some((filled, error)) => {
+                    pieces.push((begin, filled));
+                    worst = worst.max(error);
+                }
+                None if length > SHORTEST_PIECE * self.width && pieces.len() + ends.len() < MOST_PIECES.min(room) => {
+                    ends.push(division(&joints, begin, end));
+                    continue;
+                }
+                None => pieces.push((begin, Row::LEFT_OUT)),
+            }
+            ends.pop();
+            begin = end;
+        }
+        // Links take room too.
+        let links = if pieces.len() > DIVISIONS + 1 { pieces.len().div_ceil(DIVISIONS + 1) } else { 0 };
+        let any = pieces.iter().any(|(_, piece)| !piece.is_left_out());
+        (any && pieces.len() <= MOST_PIECES && pieces.len() + links <= room).then_some((pieces, worst))
+    }
+
+    /// The polynomial of a part of a row that begins at a mantissa, less one, and its error, if it is good.
+    fn piece(&mut self, basis: &PieceBasis, begin: f64, length: f64, log_binade: f64) -> Option<(Row, f64)> {
+        const ALL: usize = OF_PIECE.len() + BETWEEN_OF_PIECE.len();
+        let parts: [f64; ALL] =
+            std::array::from_fn(
+                |i| if i < OF_PIECE.len() { OF_PIECE[i] } else { BETWEEN_OF_PIECE[i - OF_PIECE.len()] },
+            );
+        let mantissas = parts.map(|part| begin + part * length);
+        let law = self.source.at(mantissas.map(|mantissa| log1p(mantissa) + log_binade));
+        let points: [(f64, f64); ALL] = std::array::from_fn(|i| {
+            let force = self.scales.force * law[i].0;
+            (force, force * law[i].1 * length / (1.0 + mantissas[i]))
+        });
+        let slopes = std::array::from_fn(|i| points[i].1);
+        let coefficients = basis.coefficients(points[0].0, slopes);
+        let end = (1.0, &points[OF_PIECE.len() - 1]);
+        let compared = BETWEEN_OF_PIECE.into_iter().zip(&points[OF_PIECE.len()..]).chain([end]);
+        error_of(&coefficients, compared).map(|error| (scaled(coefficients, length), error))
+    }
+}
+
+/// Where to divide a piece: where the law is not smooth, next to the middle, or there.
+fn division(joints: &[f64], begin: f64, end: f64) -> f64 {
+    let middle = 0.5 * (begin + end);
+    let margin = SHORTEST_PIECE * (end - begin);
+    let within = joints.iter().copied().filter(|&joint| joint > begin + margin && joint < end - margin);
+    within.min_by(|a, b| (a - middle).abs().total_cmp(&(b - middle).abs())).unwrap_or(middle)
+}
+
+/// ln of the beginning of the binade with these bits.
+fn log_binade(bits: u64) -> f64 {
+    (bits as f64 - 1023.0) * LN_2
+}
+
+/// The largest error of a polynomial where it is compared, if it is good in all of these places.
+fn error_of<'a>(coefficients: &[f64; 8], compared: impl Iterator<Item = (f64, &'a (f64, f64))>) -> Option<f64> {
+    if coefficients.iter().any(|coefficient| coefficient.is_nan()) {
+        return None;
+    }
+    let mut worst = 0.0_f64;
+    for (part, exact) in compared {
+        worst = worst.max(error_within_tolerance(polynomial(coefficients, part), *exact)?);
+    }
+    Some(worst)
+}
+
+/// The row of a polynomial in the part of a length.
+fn scaled(coefficients: [f64; 8], length: f64) -> Row {
+    let mut scale = 1.0;
+    Row(coefficients.map(|coefficient| {
+        let scaled = coefficient * scale;
+        scale /= length;
+        scaled
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SCALES: Scales = Scales { load: 3.0, force: 0.5 };
+
+    /// F = x^(2/3), of which the slope falls from a load on.
+    struct Broken {
+        at: f64,
+    }
+
+    impl Source for Broken {
+        fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
+            log_excess.map(|log_excess| {
+                let beyond = (log_excess - self.at).max(0.0);
+                (exp(2.0 / 3.0 * log_excess - 0.15 * beyond * beyond), 2.0 / 3.0 - 0.3 * beyond)
+            })
+        }
+
+        fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
+            [self.at].into_iter().filter(|&at| at > lower && at < upper).collect()
+        }
+    }
+
+    fn filled(at: f64, start: f64, count: usize) -> Table {
+        let mut source = Broken { at };
+        let mut table = Table::new(2, start.to_bits() >> Table::shift_of(2), 0.0);
+        let mut filling = Filling::new(&mut source, SCALES, 2);
+        let error = filling.rows(&mut table, count);
+        assert!(error > 1e-17 && error < 5e-11, "{error:e}");
+        for row in 0..count {
+            if table.rows[row].is_left_out() {
+                filling.divide(&mut table, row, 100);
+            }
+        }
+        table
+    }
+
+    #[test]
+    fn rows_lie_on_the_law_and_a_row_with_a_kink_has_two_parts() {
+        // Over three binades, with a kink in the sixth row.
+        let table = filled((1.3 * 1.1 / SCALES.load).ln(), 0.5, 12);
+        assert_eq!((table.row_count, table.rows.len()), (12, 14));
+        let links: Vec<usize> = (0..12).filter(|&row| table.rows[row].is_link()).collect();
+        assert_eq!(links, [5]);
+        for i in 0..3000 {
+            let x = 0.5 * 8_f64.powf(f64::from(i) / 3000.0);
+            let (force, slope) = table.at_load(x).expect("it answers");
+            let [(exact, power)] = Broken { at: (1.3 * 1.1 / SCALES.load).ln() }.at([(x / SCALES.load).ln()]);
+            let exact = SCALES.force * exact;
+            assert!((force / exact - 1.0).abs() < 5e-11, "{x}: {force}, not {exact}");
+            assert!((slope * x / exact / power - 1.0).abs() < 5e-9, "{x}: slope {slope}");
+        }
+        assert!(table.at_load(4.0).is_none() && table.at_load(0.49).is_none());
+    }
+
+    /// As many wiggles as one level of links cannot hold, and as many as two cannot.
+    struct Wiggly {
+        per_row: f64,
+    }
+
+    impl Source for Wiggly {
+        fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
+            let rate = 2.0 * std::f64::consts::PI * self.per_row / 0.25;
+            log_excess.map(|log_excess| {
+                let (sine, cosine) = crate::elementary::sincos(rate * log_excess);
+                (exp(log_excess) * (1.0 + 1e-3 * sine), 1.0 + 1e-3 * rate * cosine / (1.0 + 1e-3 * sine))
+            })
+        }
+
+        fn joints(&self, _lower: f64, _upper: f64) -> Vec<f64> {
+            Vec::new()
+        }
+    }
+
+    #[test]
+    fn links_lead_over_links_to_as_many_parts_as_there_is_room_for() {
+        let table = |per_row: f64, room: usize| {
+            let mut source = Wiggly { per_row };
+            let mut table = Table::new(2, 1_f64.to_bits() >> Table::shift_of(2), 0.0);
+            let mut filling = Filling::new(&mut source, Scales { load: 1.0, force: 1.0 }, 2);
+            filling.rows(&mut table, 1);
+            assert!(table.rows[0].is_left_out());
+            filling.divide(&mut table, 0, room);
+            table
+        };
+        let full = table(4.0, 100);
+        assert!(full.rows.len() > 1 + DIVISIONS + 2 && !full.rows.iter().any(Row::is_left_out), "{}", full.rows.len());
+        for i in 0..1000 {
+            let x = 1.0 + 0.25 * (f64::from(i) + 0.5) / 1000.0;
+            let [(exact, log_slope)] = Wiggly { per_row: 4.0 }.at([x.ln()]);
+            let (force, slope) = full.at_load(x).expect("it answers");
+            assert!((force / exact - 1.0).abs() < 5e-11 && (slope * x / exact / log_slope - 1.0).abs() < 5e-9, "{x}");
+        }
+        // Too many: left out, as a whole or where there is no room.
+        let crowded = table(1000.0, 100);
+        assert!(crowded.rows.len() <= 101 && crowded.at_load(1.1).is_none());
+        let cramped = table(4.0, 5);
+        assert!(cramped.rows.len() <= 6, "{}", cramped.rows.len());
+    }
+}

@@ -1,0 +1,414 @@
+//! The step controller of the curve: how far the next panel reaches. As far as those before it were good, and not beyond
+//! a separation about which the curve is not smooth.
+//!
+//! Lengths are of positions: equal to separations among the heights, logarithmic far from them, where what matters is
+//! the part by which a separation changes.
+
+use super::CONDITIONS;
+use crate::elementary::{exp, log, pow};
+use crate::equilibrium::Branch;
+
+/// Without adhesion, how near to the highest summit the branch is followed: loads there are no numbers.
+const LEAST_OVERLAP: f64 = 1e-100;
+/// Positions turn from separations to their logarithms this far from the mean height, in sigma.
+const TURN: f64 = 3.7;
+/// Panels shorter than this are as long in separation.
+const SHORT: f64 = 0.1;
+/// Among the heights no panel is longer than this: their density changes on the scale of sigma.
+const LONGEST: f64 = 2.2;
+/// Below this separation from the mean, in sigma, all summits are deep in contact, and panels are as long as they can be.
+const DEEP: f64 = -8.0;
+/// The longest panel there: a change of load by a factor of 3000.
+const LONGEST_DEEP: f64 = 20.0;
+/// The panel that ends at pull-off spans no more of s than this, and not much less, since slopes there have few digits;
+/// each one before takes no more than this part of the way there.
+const LONGEST_LAST: f64 = 1.4;
+const LAST: f64 = 1.2;
+const PART_OF_THE_WAY: f64 = 0.65;
+/// Without a pull-off load no panel covers more than this part of what is left of the branch, at whose end load vanishes.
+const MOST_OF_THE_REST: f64 = 0.7;
+/// A panel that takes more than this part of what is left takes all.
+const WHOLE: f64 = 0.99;
+/// A kink nearer to the end than this part of what is left is at the end: contact with the foot that breaks at once.
+const AT_END: f64 = 1e-9;
+/// How much longer the next panel is tried after an error of less than this part of the tolerance.
+const GROWTH: [(f64, f64); 3] = [(0.01, 3.0), (0.03, 2.0), (0.5, 1.5)];
+/// Between more kinks than these hardly a row of the law would be smooth: panels that miss the curve are then kept,
+/// serve to find separations, and loads are evaluated exactly.
+const MOST_KINKS: usize = 240;
+/// Kinks nearer to each other than this, in sigma, or than this part of what is left of the branch, are bridged by a
+/// parabola, where there are more than a few: they are then those of a table of heights, and not the foot of a density.
+const NEAREST_KINKS: f64 = 0.01;
+const FEW_KINKS: usize = 12;
+const NEAREST_PART: f64 = 0.02;
+/// Far below the heights, in sigma: the longest panel while all pass a kink...
+const LONGEST_PASSING: f64 = 4.0;
+/// ...and the part of the separation below which this takes so little of the load that it has no digits left to say how
+/// far it is: those loads are evaluated exactly.
+const SHORTEST_PASSING: f64 = 4e-6;
+/// The shortest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved (a
+/// height density whose foot passes the edge of contact, say) is evaluated exactly.
+const SHORTEST: f64 = 0.05;
+const SHORTEST_AT_END: f64 = 5e-4;
+
+/// From one separation to another.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    pub to: f64,
+    /// Whether it lies between kinks so near to each other that no panel is worth its states.
+    pub is_bridge: bool,
+    length: f64,
+    /// No shorter one is tried.
+    shortest: f64,
+}
+
+/// Tells how far the next panel may reach.
+#[derive(Debug, Clone)]
+pub struct Steps {
+    /// The separation at which the flat is at the mean height.
+    middle: f64,
+    /// Where the branch ends, and whether that is at pull-off.
+    end: f64,
+    at_pull_off: bool,
+    shortest_at_end: f64,
+    /// Where the curve has kinks; none where there are too many.
+    kinks: Vec<f64>,
+    resolved: bool,
+    /// The longest panel, as the last one was.
+    length: f64,
+    /// The position at which the curve is found not to be smooth, if that is ahead.
+    obstacle: f64,
+    /// Whether the last panel was too long.
+    failed: bool,
+}
+
+impl Steps {
+    pub fn new(branch: &Branch) -> Self {
+        let population = branch.population();
+        let mut kinks = branch.kinks();
+        let resolved = kinks.len() <= MOST_KINKS;
+        if !resolved {
+            kinks.clear();
+        }
+        let end = match branch.pull_off() {
+            Some(point) => point.separation,
+            None => branch.farthest() - LEAST_OVERLAP,
+        };
+        // Where heights end, all that is left of the branch may be as short as adhesion reaches.
+        let shortest_at_end = match population.heights().support().1.is_finite() {
+            true => SHORTEST_AT_END.min(0.01 * population.range_of_adhesion()),
+            false => SHORTEST_AT_END,
+        };
+        Self {
+            middle: -population.heights().origin(),
+            end,
+            at_pull_off: branch.pull_off().is_some(),
+            shortest_at_end,
+            kinks,
+            resolved,
+            length: f64::MAX,
+            obstacle: f64::INFINITY,
+            failed: false,
+        }
+    }
+
+    /// Where the branch ends.
+    pub fn end(&self) -> f64 {
+        self.end
+    }
+
+    /// The separation at which the flat is at the mean height.
+    pub fn middle(&self) -> f64 {
+        self.middle
+    }
+
+    /// Whether panels end at all kinks.
+    pub fn is_resolved(&self) -> bool {
+        self.resolved
+    }
+
+    /// The separations of the kinks at which panels end.
+    pub fn kinks(&self) -> &[f64] {
+        &self.kinks
+    }
+
+    /// What panels are long in: arsinh of the distance from the mean height.
+    pub fn position(&self, separation: f64) -> f64 {
+        let distance = (separation - self.middle) / TURN;
+        let size = distance.abs();
+        (TURN * log(size + (1.0 + size * size).sqrt())).copysign(distance)
+    }
+
+    /// The separation at a position.
+    pub fn separation(&self, position: f64) -> f64 {
+        let growth = exp(position.abs() / TURN);
+        self.middle + (0.5 * TURN * (growth - 1.0 / growth)).copysign(position)
+    }
+
+    /// How long a panel between two separations is.
+    fn distance(&self, from: f64, to: f64) -> f64 {
+        let length = (to - from) * self.density(from);
+        // Of short panels positions have too few digits.
+        if length < SHORT {
+            length
+        } else {
+            self.position(to) - self.position(from)
+        }
+    }
+
+    /// The separation at a distance beyond another.
+    fn beyond(&self, from: f64, length: f64) -> f64 {
+        if length < SHORT {
+            from + length / self.density(from)
+        } else {
+            self.separation(self.position(from) + length)
+        }
+    }
+
+    /// The separation at a part of a panel, -1 at its beginning and 1 at its end.
+    pub fn between(&self, from: f64, to: f64, part: f64) -> f64 {
+        let at = |from: f64, to: f64| 0.5 * (from + to) + 0.5 * part * (to - from);
+        if (to - from) * self.density(from) < SHORT {
+            at(from, to)
+        } else {
+            self.separation(at(self.position(from), self.position(to)))
+        }
+    }
+
+    /// d(position)/d(separation).
+    fn density(&self, separation: f64) -> f64 {
+        let distance = (separation - self.middle) / TURN;
+        1.0 / (1.0 + distance * distance).sqrt()
+    }
+
+    /// What comes next after a separation, at which the coordinate of the curve is `s`.
+    pub fn next(&self, from: f64, s: f64) -> Stretch {
+        let rest = self.end - from;
+        let kink = self.kinks.get(self.kinks.partition_point(|&kink| kink <= from)).copied();
+        let kink = kink.filter(|&kink| self.end - kink > AT_END * rest);
+        let start = self.position(from);
+        let nearest = if self.is_table() { NEAREST_KINKS } else { SHORTEST }.min(NEAREST_PART * rest);
+        let nearest = nearest.max(SHORTEST_PASSING * (self.middle + DEEP - from));
+        if let Some(to) = kink.filter(|&kink| kink - from < nearest) {
+            let length = self.distance(from, to);
+            return Stretch { to, is_bridge: true, length, shortest: length };
+        }
+        let border = (self.is_deep(from) && self.middle + DEEP < self.end).then_some(self.middle + DEEP);
+        let stop = kink.into_iter().chain(border).fold(self.end, f64::min);
+        let shortest = if self.at_pull_off && s <= LONGEST_LAST { 0.1 * rest } else { self.shortest(from, rest) };
+        let length = self.longest(from, s).min((0.5 * (self.obstacle - start)).max(shortest));
+        let whole = self.distance(from, stop);
+        // What little would be left is part of this panel.
+        if length >= WHOLE * whole {
+            return Stretch { to: stop, is_bridge: false, length: whole, shortest };
+        }
+        Stretch { to: self.beyond(from, length), is_bridge: false, length, shortest }
+    }
+
+    /// Whether the last panel was too long.
+    pub fn has_failed(&self) -> bool {
+        self.failed
+    }
+
+    /// Whether all summits are deep in contact at a separation.
+    pub fn is_deep(&self, separation: f64) -> bool {
+        separation < self.middle + DEEP
+    }
+
+    /// The rest of what lies far below the heights up to the next kink, left to exact evaluation.
+    pub fn skip(&self, from: f64) -> Stretch {
+        let kink = self.kinks.get(self.kinks.partition_point(|&kink| kink <= from)).copied();
+        let to = kink.unwrap_or(f64::INFINITY).min(self.middle + DEEP).min(self.end);
+        let length = self.distance(from, to);
+        Stretch { to, is_bridge: true, length, shortest: length }
+    }
+
+    /// The length of a panel from a separation, were there no obstacle.
+    fn longest(&self, from: f64, s: f64) -> f64 {
+        let part = match self.at_pull_off {
+            false => MOST_OF_THE_REST,
+            true if s <= LONGEST_LAST => 1.0,
+            true => PART_OF_THE_WAY.min(1.0 - LAST / s),
+        };
+        let longest = if self.is_deep(from) { LONGEST_DEEP } else { LONGEST };
+        (part * self.distance(from, self.end)).min(self.length).min(longest)
+    }
+
+    /// The shortest panel that is tried after a separation.
+    fn shortest(&self, from: f64, rest: f64) -> f64 {
+        let shortest = (0.2 * rest).clamp(if self.at_pull_off { self.shortest_at_end } else { 0.0 }, SHORTEST);
+        shortest * self.density(from)
+    }
+
+    /// Whether a panel that misses the curve by so many times the tolerance is kept, since it is good or cannot be
+    /// shorter; if not, the next is shorter.
+    pub fn keeps(&mut self, stretch: &Stretch, excess: f64) -> bool {
+        let Stretch { to, length, shortest, .. } = *stretch;
+        let to = self.position(to);
+        if excess <= 1.0 {
+            let growth = GROWTH.iter().find(|&&(part, _)| excess < part).map_or(1.0, |&(_, growth)| growth);
+            self.length = growth * length;
+        } else if length > shortest && self.resolved {
+            // As the error of so many conditions grows with length.
+            let shorter = 0.9 * pow(excess, -1.0 / CONDITIONS as f64);
+            let shorter = shorter.clamp(0.25, 0.8);
+            // What is smooth needs no second try: the panel begins or ends where the curve is not.
+            let is_deep = stretch.to <= self.middle + DEEP;
+            self.length = (if self.failed && is_deep { 0.25 } else { shorter } * length).max(shortest);
+            let at_foot = !self.is_table() && self.kinks.contains(&stretch.to);
+            if (self.failed || at_foot) && !is_deep {
+                self.obstacle = to;
+            }
+            self.failed = true;
+            return false;
+        }
+        self.failed = false;
+        if to >= self.obstacle {
+            self.obstacle = f64::INFINITY;
+        }
+        self.begin_anew(stretch.to);
+        true
+    }
+
+    /// Whether the kinks are those of a table.
+    fn is_table(&self) -> bool {
+        self.kinks.len() > FEW_KINKS
+    }
+
+    /// After a kink: where the foot of a density passes, panels are short again; far below the heights what comes after has
+    /// nothing to do with what came before.
+    fn begin_anew(&mut self, at: f64) {
+        let Ok(index) = self.kinks.binary_search_by(|kink| kink.total_cmp(&at)) else { return };
+        if at >= self.middle + DEEP {
+            if !self.is_table() {
+                self.length = SHORTEST;
+            }
+            return;
+        }
+        let until = self.kinks.get(index + 1).copied().unwrap_or(f64::INFINITY);
+        // All heights pass a kink before the next.
+        let passing = until - at < 0.02 * (self.middle - at);
+        let count = ((until - at) / LONGEST_PASSING).ceil();
+        self.length = if passing { self.distance(at, until) / count } else { f64::MAX };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::{HeightFamily, Params};
+
+    fn steps(kinks: &[f64]) -> Steps {
+        Steps {
+            middle: 0.0,
+            end: 10.0,
+            at_pull_off: true,
+            shortest_at_end: SHORTEST_AT_END,
+            kinks: kinks.to_vec(),
+            resolved: true,
+            length: f64::MAX,
+            obstacle: f64::INFINITY,
+            failed: false,
+        }
+    }
+
+    fn near(a: f64, b: f64) -> bool {
+        (a - b).abs() < 1e-12 * (1.0 + b.abs())
+    }
+
+    #[test]
+    fn positions_are_separations_among_the_heights_and_logarithms_far_from_them() {
+        let steps = Steps { middle: 3.0, ..steps(&[]) };
+        for separation in [-5e8, -100.0, 2.0, 3.0, 3.1, 40.0] {
+            let position = steps.position(separation);
+            assert!(near(steps.separation(position), separation), "{separation}");
+        }
+        assert!(near(steps.position(3.0 + 1e-7), 1e-7) && near(steps.position(3.0 - 1e-7), -1e-7));
+        let decade = steps.position(-1e6) - steps.position(-1e7);
+        assert!((decade - TURN * 10_f64.ln()).abs() < 1e-5, "{decade}");
+    }
+
+    /// Of a table of so many heights within a few sigma, with adhesion that reaches a small part of it.
+    #[test]
+    fn kinks_are_kept_unless_they_are_too_many_and_panels_at_the_end_are_as_short_as_adhesion_reaches() {
+        for count in [5, 300] {
+            let height: Vec<f64> = (0..count).map(f64::from).collect();
+            let density: Vec<f64> = height.iter().map(|h| h * (f64::from(count - 1) - h)).collect();
+            let params = Params {
+                heights: HeightFamily::Tabulated { height: height.into(), density: density.into() },
+                height_std: 1e3,
+                summit_radius: 1e6,
+                ..Params::default()
+            };
+            let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
+            let steps = Steps::new(&branch);
+            let kinks = branch.kinks();
+            assert_eq!(steps.is_resolved(), count == 5, "{} kinks", kinks.len());
+            assert_eq!(steps.kinks(), if count == 5 { &kinks[..] } else { &[] });
+            let shortest = 0.01 * branch.population().range_of_adhesion();
+            assert!(steps.shortest_at_end == shortest && shortest < SHORTEST_AT_END, "{shortest}");
+        }
+    }
+
+    #[test]
+    fn panels_are_as_long_as_those_before_were_good() {
+        let mut steps = steps(&[]);
+        let first = steps.next(0.0, 10.0);
+        assert!(near(first.length, LONGEST) && !first.is_bridge);
+        // Too long: again and shorter, then no farther than halfway to where it failed twice.
+        assert!(!steps.keeps(&first, 1e6));
+        let second = steps.next(0.0, 10.0);
+        assert!(second.length < 0.5 * first.length && !steps.keeps(&second, 2.0));
+        let third = steps.next(0.0, 10.0);
+        assert!(near(third.length, 0.5 * second.length));
+        assert!(steps.keeps(&third, 0.02));
+        assert!(near(steps.next(third.to, 10.0).length, 0.5 * third.length), "halfway again");
+        // Beyond the obstacle, by the growth alone.
+        let beyond = Stretch { to: second.to, ..third };
+        assert!(steps.keeps(&beyond, 0.001));
+        assert!(near(steps.next(second.to, 10.0).length, LONGEST.min(3.0 * third.length)));
+        let shortest = Stretch { length: third.shortest, ..third };
+        assert!(steps.keeps(&shortest, 1e9), "cannot be shorter");
+    }
+
+    #[test]
+    fn panels_end_where_the_curve_is_not_smooth() {
+        let steps_of_kinks = steps(&[1.0, 1.005, 9.0, 10.0 - 1e-10]);
+        assert_eq!(steps_of_kinks.next(0.0, 10.0).to, 1.0);
+        let bridge = steps_of_kinks.next(1.0, 10.0);
+        assert!(bridge.is_bridge && bridge.to == 1.005);
+        assert_eq!(steps_of_kinks.next(7.5, 10.0).to, 9.0);
+        // The last panel takes all that is left; a kink that near to the end is at the end.
+        assert_eq!(steps_of_kinks.next(9.5, 1.0).to, 10.0);
+        // Too many kinks: what misses the curve is kept, and not used.
+        let mut unresolved = Steps { resolved: false, ..steps(&[]) };
+        let stretch = unresolved.next(0.0, 10.0);
+        assert!(unresolved.keeps(&stretch, 1e9) && !unresolved.is_resolved());
+    }
+
+    #[test]
+    fn a_panel_that_misses_the_foot_of_a_density_is_tried_again_halfway_to_it() {
+        let mut steps = steps(&[0.9]);
+        let across = steps.next(0.0, 10.0);
+        assert!(across.to == 0.9 && !steps.keeps(&across, 1.5));
+        assert!(near(steps.next(0.0, 10.0).length, 0.5 * across.length));
+        // Beyond it panels are short at first.
+        assert!(steps.keeps(&across, 0.2));
+        assert!(near(steps.next(0.9, 10.0).length, SHORTEST));
+    }
+
+    #[test]
+    fn far_below_the_heights_panels_reach_from_kink_to_kink() {
+        let mut steps = steps(&[-6407.0, -6395.0, -4000.0]);
+        assert!(near(steps.next(-5e8, 30.0).length, LONGEST_DEEP));
+        let to_kink = steps.next(-7000.0, 20.0);
+        assert!(steps.keeps(&to_kink, 0.9) && to_kink.to == -6407.0);
+        // While all heights pass it, a few panels.
+        let passing = steps.next(-6407.0, 20.0);
+        assert!((passing.to + 6403.0).abs() < 0.01, "{}", passing.to);
+        assert!(!steps.keeps(&passing, 1.1) && steps.next(-6407.0, 20.0).to < passing.to);
+        let last = Stretch { to: -6395.0, ..passing };
+        assert!(steps.keeps(&last, 0.5));
+        assert_eq!(steps.next(-6395.0, 20.0).to, -4000.0);
+    }
+}
