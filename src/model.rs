@@ -353,7 +353,8 @@ impl Model {
         // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
         let log_excess = log(load - pull_off) - log(self.units.load);
         let guess = self.law.separation(log_excess);
-        self.branch.at_log_excess(log_excess, guess)
+        // A guess may lead nowhere where the load hardly changes with separation.
+        self.branch.at_log_excess(log_excess, guess).or_else(|_| self.branch.at_log_excess(log_excess, None))
     }
 
     /// The exact state at a separation, in contact or not, on the branch of load control or beyond it.

@@ -26,8 +26,8 @@ const PARAMETER_RATIO: f64 = 3.0;
 const PART_OF_HEIGHT_PANEL: f64 = 0.5;
 /// A panel that is longer than it should be by no more than this factor is taken.
 const LENGTH_SLACK: f64 = 1.05;
-/// What is left of a stretch after a panel is longer than this part of it.
-const SHORTEST_REMNANT: f64 = 1e-3;
+/// Less than this part of a panel is not left for another.
+const REMNANT: f64 = 1e-3;
 /// The panel at a foot of the heights takes this part of where the law of contact is smooth: there a power of its variable
 /// is the height.
 const PART_AT_FOOT: f64 = 0.02;
@@ -127,7 +127,7 @@ impl Population {
     }
 
     /// The next height at which a panel must end.
-    fn stop_above(&self, z: f64) -> f64 {
+    pub(super) fn stop_above(&self, z: f64) -> f64 {
         let breakpoints = self.heights.breakpoints();
         let next = breakpoints.partition_point(|&breakpoint| breakpoint <= z);
         breakpoints.get(next).copied().unwrap_or(f64::INFINITY).min(self.heights.support().1)
@@ -213,14 +213,15 @@ impl Population {
             }
             let rise = there.z - here.z;
             let limit = reach.min(stop - here.z);
-            // No remnant is left that is too short to be told from nothing.
-            if rise <= reach * LENGTH_SLACK && stop - there.z > SHORTEST_REMNANT * (stop - here.z) {
+            // What would be left of the stretch goes into the panel if it is next to nothing.
+            let reaches_stop = there.z + REMNANT * rise >= stop;
+            if rise <= reach * LENGTH_SLACK && !reaches_stop {
                 return there;
             }
             // As if the rise were quadratic in the step.
             let bend = ((rise - start_rate * step) / (step * step)).max(0.0);
             let shorter = 2.0 * limit / (start_rate + (start_rate * start_rate + 4.0 * bend * limit).sqrt());
-            if limit <= reach && here.z + limit >= stop && rise >= limit {
+            if reaches_stop && here.z + limit >= stop {
                 return self.at_height(separation, stop, s + shorter);
             }
             step = shorter.min(0.9 * step);
