@@ -370,7 +370,7 @@ fn the_second_evaluation_agrees_with_the_80_bit_rows() {
         }
     }
     println!("{rows} rows, worst {worst:.1e}");
-    assert_eq!(rows, 0);
+    assert_eq!(rows, 631);
     assert!(offences.is_empty(), "{} offences:\n{}", offences.len(), offences.join("\n"));
 }
 

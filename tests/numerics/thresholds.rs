@@ -6,7 +6,6 @@ use crate::common::second_evaluation::Surface;
 use crate::common::surfaces::params_of;
 use asperity::asperity::contact::ContactLaw;
 use asperity::asperity::maugis::Maugis;
-use asperity::distribution::gaussian::Gaussian;
 use asperity::distribution::tabulated::Tabulated;
 use asperity::distribution::weibull::Weibull;
 use asperity::distribution::HeightDistribution;
@@ -143,7 +142,10 @@ fn radii_so_steep_that_taller_summits_part_first_are_refused() {
         assert!(matches!(error, Error::OutOfRange { name: "radius_rate", .. }), "{error}");
         let text = error.to_string();
         assert!(text.starts_with(&format!("radius_rate = {rho}: ")), "{text}");
-        assert!(text.contains("taller summits would part before lower ones") && text.contains("use a smaller"), "{text}");
+        assert!(
+            text.contains("taller summits would part before lower ones") && text.contains("use a smaller"),
+            "{text}"
+        );
     }
     // Without adhesion all part where they touch.
     agree(&Surface { gamma: 0.0, ..surface(50.0) }, &[-1.0, 0.5, 1.0]);
@@ -197,11 +199,12 @@ fn passings(groups: &Groups, radius: &RadiusProfile, attract: bool, heights: &[f
     passings
 }
 
+/// Also where the law is summed far below the heights, where kinks are more.
 #[track_caller]
-fn assert_same(found: &[f64], expected: &[f64]) {
-    assert_eq!(found.len(), expected.len(), "{found:?}, not {expected:?}");
-    for (found, expected) in found.iter().zip(expected) {
-        assert!((found - expected).abs() <= 1e-10 * (1.0 + expected.abs()), "{found}, not {expected}");
+fn assert_has(found: &[f64], expected: &[f64]) {
+    for expected in expected {
+        let near = |found: &&f64| (*found - expected).abs() <= 1e-10 * (1.0 + expected.abs());
+        assert!(found.iter().any(|found| near(&found)), "no {expected} in {found:?}");
     }
 }
 
@@ -219,10 +222,9 @@ fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
             let kinks = |heights: Arc<dyn HeightDistribution>| {
                 Population::new(&groups, slip, heights, radius, attract).expect("a population").kinks()
             };
-            assert_same(&kinks(table.clone()), &passings(&groups, &radius, attract, table.breakpoints()));
+            assert_has(&kinks(table.clone()), &passings(&groups, &radius, attract, table.breakpoints()));
             let foot = weibull.support().0;
-            assert_same(&kinks(weibull.clone()), &passings(&groups, &radius, attract, &[foot]));
-            assert!(kinks(Arc::new(Gaussian)).is_empty());
+            assert_has(&kinks(weibull.clone()), &passings(&groups, &radius, attract, &[foot]));
         }
     }
 }
