@@ -540,7 +540,6 @@ impl Units {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::HeightFamily;
 
     fn default_case() -> Model {
         Model::new(&Params::default()).expect("a model")
