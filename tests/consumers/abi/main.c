@@ -131,6 +131,11 @@ static void library_names_the_field_made_invalid(const field *f)
     const int32_t no_choice = 77;
     const int is_pointer = f->offset == offsetof(asperity_params, table_height) ||
                            f->offset == offsetof(asperity_params, table_density);
+    /* The bits of NaN are a length beyond what is taken. */
+    const int is_length = f->offset == offsetof(asperity_params, table_length);
+    const asperity_status refusal = is_pointer ? ASPERITY_NULL_POINTER
+                                    : is_length ? ASPERITY_OUT_OF_RANGE
+                                                : ASPERITY_INVALID_PARAMETER;
     asperity_params params;
     asperity_model *model = NULL;
     char message[256], begin[64];
@@ -147,8 +152,7 @@ static void library_names_the_field_made_invalid(const field *f)
         memcpy((char *)&params + f->offset, &no_choice, sizeof no_choice);
     else
         memcpy((char *)&params + f->offset, &not_a_number, sizeof not_a_number);
-    expect(asperity_create(&params, &model) == (is_pointer ? ASPERITY_NULL_POINTER : ASPERITY_INVALID_PARAMETER),
-           f->name);
+    expect(asperity_create(&params, &model) == refusal, f->name);
     asperity_last_error(message, sizeof message);
     snprintf(begin, sizeof begin, is_pointer ? "%s is NULL: " : "%s = ", f->name);
     expect(strncmp(message, begin, strlen(begin)) == 0, f->name);
