@@ -117,9 +117,9 @@
 #define ASPERITY_HEIGHTS_TABULATED 3
 
 /**
- * Bit of `warnings`: contacts yield, so that the elastic model does not hold. Set if the mean asperity pressure is at least
- * 0.4 of the hardness (yield sets in below the contact) or the plasticity index is above 1 (contacts flow at any load).
- * Never set if no hardness is given.
+ * Bit of `warnings`: contacts yield, so that the elastic model does not hold. Set if the mean asperity pressure is at
+ * least 0.4 of the hardness (yield sets in below the contact) or the plasticity index is above 1 (contacts flow at any
+ * load). Never set if no hardness is given.
  */
 #define ASPERITY_WARNING_PLASTIC 1
 
@@ -145,10 +145,10 @@ typedef int32_t asperity_status;
  * b = G = 1. Loads, forces and areas are totals over `asperity_count` summits. Start from `asperity_params_init_unset`
  * or, for the paper's surfaces, `asperity_params_init`, which also set `struct_size`.
  *
- * The struct has grown: `max_friction_coefficient` is the last field of its first version. Fields that `struct_size` does
- * not cover have their defaults, except those that `height_distribution` needs: `ASPERITY_HEIGHTS_JOHNSON` and
- * `ASPERITY_HEIGHTS_TABULATED` were added together with the fields that they read, so a caller that sets one of them has these
- * fields.
+ * The struct has grown: `max_friction_coefficient` is the last field of its first version. Fields that `struct_size`
+ * does not cover have their defaults, except those that `height_distribution` needs: `ASPERITY_HEIGHTS_JOHNSON` and
+ * `ASPERITY_HEIGHTS_TABULATED` were added together with the fields that they read, so a caller that sets one of them
+ * has these fields.
  */
 typedef struct asperity_params {
   /**
@@ -200,7 +200,8 @@ typedef struct asperity_params {
    */
   double weibull_shape;
   /**
-   * epsilon, -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by default.
+   * epsilon, -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by
+   * default.
    */
   double radius_amplitude;
   /**
@@ -238,14 +239,14 @@ typedef struct asperity_params {
    */
   double kurtosis;
   /**
-   * H [stress], 1e-5 to 100 E*: indentation hardness of the softer body. The pressures in `asperity_state` are compared with
-   * it; friction does not depend on it. 0, the default, means not known.
+   * H [stress], 1e-5 to 100 E*: indentation hardness of the softer body. The pressures in `asperity_state` are
+   * compared with it; friction does not depend on it. 0, the default, means not known.
    */
   double hardness;
   /**
-   * `table_length` summit heights, in any unit and from any origin: the library standardises them. Each exceeds the one
-   * before by at least 1e-12 of their range. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model is made.
-   * NULL by default.
+   * `table_length` summit heights, in any unit and from any origin: the library standardises them. Each exceeds the
+   * one before by at least 1e-12 of their range. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model
+   * is made. NULL by default.
    */
   const double *table_height;
   /**
@@ -316,9 +317,9 @@ typedef struct asperity_state {
    */
   double mean_contact_radius;
   /**
-   * Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that 1/(n + 1)
-   * of the contacts exceed. At least the mean radius, and equal to it for n <= 1, hence always if `asperity_count` is 1:
-   * give the true number of summits.
+   * Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that
+   * 1/(n + 1) of the contacts exceed. At least the mean radius, and equal to it for n <= 1, hence always if
+   * `asperity_count` is 1: give the true number of summits.
    */
   double max_contact_radius;
   /**
@@ -413,15 +414,16 @@ typedef struct asperity_summary {
 /**
  * A read-only view of the compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
  *
- * `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load. Its index
- * is (bits(x) >> shift) - base, as unsigned 64-bit integers; if that is not below `row_count`, the table does not answer. Its
- * variable is t = (bits of x below `shift` | bits of 1.0) - 1.0. Its value is F; its derivative by t, times 2^-(exponent of
- * x), is dF/d(load).
+ * `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load. Its
+ * index is (bits(x) >> shift) - base, as unsigned 64-bit integers; if that is not below `row_count`, the table does
+ * not answer. Its variable is t = (bits of x below `shift` | bits of 1.0) - 1.0. Its value is F; its derivative by t,
+ * times 2^-(exponent of x), is dF/d(load).
  *
- * A row whose first coefficient is NaN is a link to its parts: the last 51 bits of that NaN are the offset of the first part
- * in bytes from `rows`, and the last six numbers of the row are the t at which the next parts begin. The part in which t
- * lies, which may be a link too, is a row whose variable is t minus the t at which it begins. An offset of 0 means that the
- * row is left out. To use the table elsewhere, copy `total_count` rows and change the pointer.
+ * A row whose first coefficient is NaN is a link to its parts: the last 51 bits of that NaN are the offset of the
+ * first part in bytes from `rows`, and the last six numbers of the row are the t at which the next parts begin. The
+ * part in which t lies, which may be a link too, is a row whose variable is t minus the t at which it begins. An
+ * offset of 0 means that the row is left out. To use the table elsewhere, copy `total_count` rows and change the
+ * pointer.
  */
 typedef struct asperity_table {
   /**
@@ -519,8 +521,8 @@ const char *asperity_status_string(asperity_status status);
 /**
  * Copies the message of this thread's last failure.
  *
- * That is the message of the last call on this thread that returned a status other than `ASPERITY_OK`; it is empty if there
- * was none. Calls that succeed do not change it.
+ * That is the message of the last call on this thread that returned a status other than `ASPERITY_OK`; it is empty if
+ * there was none. Calls that succeed do not change it.
  *
  * @param buffer  receives the message, NUL-terminated, cut to fit; NULL to ask for the length only
  * @param length  size of `buffer` in bytes
@@ -538,9 +540,10 @@ size_t asperity_last_error(char *buffer,
  * (epsilon = 0, rho = 0.5), attraction on, Hurtado and Kim's slip constants. For a surface of your own start from
  * `asperity_params_init_unset`, so that an input that you forget is refused and does not keep the paper's value.
  *
- * This function sets `struct_size` and the fields of the first version of the struct, and writes no more, since programs
- * compiled with that version have no more. In C and C++ a macro of its name calls `asperity_params_init_sized` instead,
- * for the whole struct. Callers that look functions up by name call that one directly.
+ * This function sets `struct_size` and the fields of the first version of the struct, and writes no more, since
+ * programs compiled with that version have no more. In C and C++ a macro of its name calls
+ * `asperity_params_init_sized` instead, for the whole struct. Callers that look functions up by name call that one
+ * directly.
  *
  * @param params  receives the parameters; must not be NULL
  * @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
@@ -554,7 +557,8 @@ asperity_status asperity_params_init(struct asperity_params *params);
  *
  * @param params       receives the parameters; must not be NULL; untouched on failure
  * @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size` is that of no version of the struct)
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size` is that of no version of
+ *         the struct)
  *
  * Threads: any, on different structs.
  */
@@ -567,8 +571,8 @@ asperity_status asperity_params_init_sized(struct asperity_params *params,
  * `composite_modulus` to `asperity_count` are NaN, and `asperity_create` names the first of them that was never set:
  * "asperity_count: must be set". Heights, slip constants and all else have their defaults.
  *
- * As with `asperity_params_init`, this function writes the first version of the struct, and in C and C++ a macro of its
- * name calls `asperity_params_init_unset_sized` instead.
+ * As with `asperity_params_init`, this function writes the first version of the struct, and in C and C++ a macro of
+ * its name calls `asperity_params_init_unset_sized` instead.
  *
  * @param params  receives the parameters; must not be NULL
  * @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
@@ -582,7 +586,8 @@ asperity_status asperity_params_init_unset(struct asperity_params *params);
  *
  * @param params       receives the parameters; must not be NULL; untouched on failure
  * @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size` is that of no version of the struct)
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size` is that of no version of
+ *         the struct)
  *
  * Threads: any, on different structs.
  */
@@ -699,8 +704,8 @@ asperity_status asperity_set_params(struct asperity_model *model,
 /**
  * Copies the parameters of a model.
  *
- * A table of heights is not copied: the pointers lead to the model's own copy and are valid until `asperity_set_params` or
- * `asperity_free`. They may be passed to `asperity_set_params` of the same model.
+ * A table of heights is not copied: the pointers lead to the model's own copy and are valid until
+ * `asperity_set_params` or `asperity_free`. They may be passed to `asperity_set_params` of the same model.
  *
  * This function sets `struct_size` and the fields of the first version of the struct, as `asperity_params_init` does,
  * and in C and C++ a macro of its name calls `asperity_get_params_sized` instead. It refuses if the heights need later
@@ -758,8 +763,8 @@ double asperity_friction_at_load(const struct asperity_model *model,
  *
  * @param model  a model
  * @param load   normal load [force]
- * @return F [force], finite and positive also at zero and negative load down to pull-off; 0 below pull-off; a quiet NaN
- *         for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
+ * @return F [force], finite and positive also at zero and negative load down to pull-off; 0 below pull-off; a quiet
+ *         NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -769,16 +774,17 @@ double asperity_friction_force_at_load(const struct asperity_model *model,
 /**
  * Friction coefficients at many loads, and their slopes.
  *
- * Every element has the bits that `asperity_friction_at_load` gives. All elements are filled; then the first load that is
- * not in order, if any, is reported, and `asperity_last_error` names its index.
+ * Every element has the bits that `asperity_friction_at_load` gives. All elements are filled; then the first load that
+ * is not in order, if any, is reported, and `asperity_last_error` names its index.
  *
  * @param model      must not be NULL
  * @param n          number of loads; may be 0
  * @param load       n loads [force]; must not be NULL unless n = 0
  * @param mu         receives n coefficients; NULL to skip; may be `load` itself
- * @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load` itself
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`
- *         (a finite load that cannot be evaluated, where the coefficient is NaN)
+ * @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load`
+ *                   itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+ *         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the coefficient is NaN)
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -791,18 +797,18 @@ asperity_status asperity_friction_at_loads(const struct asperity_model *model,
 /**
  * Friction forces at many loads, and their slopes.
  *
- * Every element has the bits that `asperity_friction_force_at_load` gives. All elements are filled; then the first load that
- * is not in order, if any, is reported, and `asperity_last_error` names its index.
+ * Every element has the bits that `asperity_friction_force_at_load` gives. All elements are filled; then the first
+ * load that is not in order, if any, is reported, and `asperity_last_error` names its index.
  *
  * @param model         must not be NULL
  * @param n             number of loads; may be 0
  * @param load          n loads [force]; must not be NULL unless n = 0
  * @param force         receives n forces [force]; NULL to skip; may be `load` itself
- * @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion,
- *                      where F has no slope at zero load, there and below that of the lightest load of the table, finite;
- *                      NULL to skip; may be `load` itself
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`
- *         (a finite load that cannot be evaluated, where the force is NaN)
+ * @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without
+ *                      adhesion, where F has no slope at zero load, there and below that of the lightest load of the
+ *                      table, finite; NULL to skip; may be `load` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+ *         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the force is NaN)
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -817,7 +823,8 @@ asperity_status asperity_friction_force_at_loads(const struct asperity_model *mo
  *
  * @param model      a model
  * @param load       normal load [force]
- * @param dmu_dload  receives d(mu)/d(load) [1/force], 0 where mu is capped and below pull-off, NaN where mu is NaN; NULL to skip
+ * @param dmu_dload  receives d(mu)/d(load) [1/force], 0 where mu is capped and below pull-off, NaN where mu is NaN;
+ *                   NULL to skip
  * @return as `asperity_friction_at_load`
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
@@ -831,9 +838,9 @@ double asperity_friction_and_slope_at_load(const struct asperity_model *model,
  *
  * @param model         a model
  * @param load          normal load [force]
- * @param dforce_dload  receives dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion, where F has no
- *                      slope at zero load, there and below that of the lightest load of the table, finite; NaN where F
- *                      is; NULL to skip
+ * @param dforce_dload  receives dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion, where
+ *                      F has no slope at zero load, there and below that of the lightest load of the table, finite;
+ *                      NaN where F is; NULL to skip
  * @return as `asperity_friction_force_at_load`
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
@@ -868,8 +875,8 @@ double asperity_friction_at_pressure(const struct asperity_model *model,
  * @param pressure            nominal contact pressure [stress], positive in compression
  * @param nominal_area        as for `asperity_friction_at_pressure`
  * @param dstress_dpressure   receives d(stress)/d(pressure); NULL to skip
- * @return friction force over `nominal_area` [stress], finite also at zero and negative pressure down to pull-off; 0 below
- *         pull-off; a quiet NaN for a pressure that is not finite, an area that is not allowed, a NULL model
+ * @return friction force over `nominal_area` [stress], finite also at zero and negative pressure down to pull-off; 0
+ *         below pull-off; a quiet NaN for a pressure that is not finite, an area that is not allowed, a NULL model
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -881,9 +888,9 @@ double asperity_shear_stress_at_pressure(const struct asperity_model *model,
 /**
  * Friction force of a sliding contact, with a smooth sign of the slip rate, and its two slopes.
  *
- * F(load) tanh(slip_rate / transition_rate), for solvers that integrate through zero slip rate. A contact that should stick
- * creeps instead, more slowly for a smaller `transition_rate`. Friction opposes slip: apply the force with the sign opposite to
- * the slip rate of the body on which it acts.
+ * F(load) tanh(slip_rate / transition_rate), for solvers that integrate through zero slip rate. A contact that should
+ * stick creeps instead, more slowly for a smaller `transition_rate`. Friction opposes slip: apply the force with the
+ * sign opposite to the slip rate of the body on which it acts.
  *
  * @param model              a model
  * @param load               normal load [force]
@@ -891,7 +898,8 @@ double asperity_shear_stress_at_pressure(const struct asperity_model *model,
  * @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-60 to 1e60
  * @param dforce_dload       receives the derivative by load; NULL to skip
  * @param dforce_dslip_rate  receives the derivative by slip rate [force time/length]; NULL to skip
- * @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a rate that is not allowed, a NULL model
+ * @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a rate that is not allowed, a
+ *         NULL model
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -949,8 +957,8 @@ asperity_status asperity_summary_of(const struct asperity_model *model,
  * Gives a view of the compiled law of a model.
  *
  * @param model  must not be NULL
- * @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model; must not be NULL; its
- *               `struct_size` must be set; untouched on failure
+ * @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model; must not be
+ *               NULL; its `struct_size` must be set; untouched on failure
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
  *
  * Threads: may share the model and the view.
