@@ -15,7 +15,7 @@
  *
  * Units: one consistent system of the caller's choice. Loads, forces and areas are totals.
  * Errors: a status; asperity_last_error tells parameter, value and what is allowed. Outputs come
- *   last and are written on success only, but for the batch calls, which fill every element.
+ *   last and are written on success only, except by the batch calls, which fill every element.
  * Pointers: must not be NULL unless a function says otherwise; NULL gives ASPERITY_NULL_POINTER.
  * Threads: a model may be shared for all calls that take it const; not while it is changed or freed.
  * Floating point: no call raises invalid, divide-by-zero or overflow; a host may trap them.
