@@ -44,7 +44,7 @@ impl ContactLaw for Hertz {
     }
 
     fn at_overlap(&self, overlap: f64, g: f64, _guess: f64) -> Contact {
-        self.at(overlap.max(0.0).sqrt(), g)
+        Contact { overlap, ..self.at(overlap.max(0.0).sqrt(), g) }
     }
 
     fn guess(&self, overlap: f64, _g: f64) -> f64 {

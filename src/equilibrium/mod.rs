@@ -7,7 +7,7 @@ mod pull_off;
 
 pub use pull_off::PullOff;
 
-use crate::elementary::log;
+use crate::elementary::{exp, log};
 use crate::error::Error;
 use crate::numerics::quadrature::integrate_short;
 use crate::population::{Population, Sums};
@@ -26,7 +26,7 @@ const LOAD_ROUNDING: f64 = 2e-11;
 const LOG_TOLERANCE: f64 = 1e-11;
 /// The lightest loads of a highest summit are found by halving the distance from it, hundreds of times.
 const MOST_STEPS: u32 = 1000;
-/// ln of the lightest load.
+/// ln of the lightest load that is a number to all digits; lighter ones have its coefficient of friction.
 const SMALLEST_LOG_LOAD: f64 = -690.0;
 
 /// The equilibrium states of a surface pair under load control, from heavy load to pull-off.
@@ -120,7 +120,11 @@ impl Branch {
     /// [`Error::NotConverged`].
     pub fn at_log_excess(&self, target: f64, guess: Option<f64>) -> Result<(f64, Sums), Error> {
         let failure = Error::NotConverged { what: "ln(load - pull-off load)", value: target };
-        let target = target.max(SMALLEST_LOG_LOAD);
+        if target < SMALLEST_LOG_LOAD && self.end.pull_off.is_none() {
+            // Sums that small have few digits: the straight line from the lightest load that has all.
+            let (separation, sums) = self.at_log_excess(SMALLEST_LOG_LOAD, guess)?;
+            return Ok((separation, sums.scaled(exp(target - SMALLEST_LOG_LOAD))));
+        }
         let (mut separation, mut lower, mut upper) = match guess {
             Some(guess) => (guess.min(self.farthest()), CLOSEST, self.farthest()),
             None => self.bracket(target).ok_or(failure.clone())?,

@@ -44,6 +44,20 @@ impl Sums {
         }
     }
 
+    /// The sums of so many times as many contacts.
+    pub fn scaled(self, factor: f64) -> Self {
+        Self {
+            load_contacting: factor * self.load_contacting,
+            load_attracted: factor * self.load_attracted,
+            friction: factor * self.friction,
+            area: factor * self.area,
+            contacting: factor * self.contacting,
+            attracted: factor * self.attracted,
+            load_slope: factor * self.load_slope,
+            friction_slope: factor * self.friction_slope,
+        }
+    }
+
     /// What sums are that ran out of panels.
     pub(super) fn unknown() -> Self {
         Self { load_contacting: f64::NAN, ..Self::default() }
