@@ -57,7 +57,7 @@
 #define ASPERITY_OK 0
 
 /**
- * A pointer that must not be NULL is.
+ * A pointer is NULL that must not be.
  */
 #define ASPERITY_NULL_POINTER 1
 
@@ -77,7 +77,7 @@
 #define ASPERITY_SEPARATED 4
 
 /**
- * A quantity is finite, but outside what the model can be evaluated for.
+ * A quantity is finite, but outside the domain of the library; the message tells the bound and what to use instead.
  */
 #define ASPERITY_OUT_OF_RANGE 5
 
@@ -87,7 +87,7 @@
 #define ASPERITY_NOT_CONVERGED 6
 
 /**
- * The system refuses the memory that making a model takes; nothing was made or changed.
+ * The system refused memory that the call needs; nothing was made or changed.
  */
 #define ASPERITY_OUT_OF_MEMORY 7
 
@@ -117,9 +117,9 @@
 #define ASPERITY_HEIGHTS_TABULATED 3
 
 /**
- * Bit of `warnings`: contacts yield, and the model, which is elastic, does not hold. Set where the mean asperity pressure
- * is at least 0.4 of the hardness, at which yield sets in below a contact, or the plasticity index is above 1, where
- * contacts flow at any load. Never set where the hardness is not given.
+ * Bit of `warnings`: contacts yield, so that the elastic model does not hold. Set if the mean asperity pressure is at
+ * least 0.4 of the hardness (yield sets in below the contact) or the plasticity index is above 1 (contacts flow at any
+ * load). Never set if no hardness is given.
  */
 #define ASPERITY_WARNING_PLASTIC 1
 
@@ -145,13 +145,14 @@ typedef int32_t asperity_status;
  * b = G = 1. Loads, forces and areas are totals over `asperity_count` summits. Start from `asperity_params_init_unset`
  * or, for the paper's surfaces, `asperity_params_init`, which also set `struct_size`.
  *
- * The struct grew: `max_friction_coefficient` is the last field of its first version. Fields that `struct_size` does
- * not cover have their defaults, but for those that `height_distribution` asks for: `ASPERITY_HEIGHTS_JOHNSON` and
- * `ASPERITY_HEIGHTS_TABULATED` came with the fields that they read, so whoever sets one of them has these fields.
+ * The struct has grown: `max_friction_coefficient` is the last field of its first version. Fields that `struct_size`
+ * does not cover have their defaults, except those that `height_distribution` needs: `ASPERITY_HEIGHTS_JOHNSON` and
+ * `ASPERITY_HEIGHTS_TABULATED` were added together with the fields that they read, so a caller that sets one of them
+ * has these fields.
  */
 typedef struct asperity_params {
   /**
-   * Bytes of this struct that the caller has; set by `asperity_params_init`.
+   * Size of this struct as the caller declares it, in bytes; set by `asperity_params_init`.
    */
   uint64_t struct_size;
   /**
@@ -171,7 +172,7 @@ typedef struct asperity_params {
    */
   double adhesion_range;
   /**
-   * b [length], > 0: Burgers vector, the length that the scale dependence of friction is measured in.
+   * b [length], > 0: Burgers vector, the length scale of the dependence of friction on contact size.
    */
   double burgers_vector;
   /**
@@ -183,7 +184,7 @@ typedef struct asperity_params {
    */
   double summit_radius;
   /**
-   * N, > 0: number of summits, summit density times nominal area; need not be whole.
+   * N, > 0: number of summits, i.e. summit density times nominal area; need not be an integer.
    */
   double asperity_count;
   /**
@@ -199,15 +200,16 @@ typedef struct asperity_params {
    */
   double weibull_shape;
   /**
-   * epsilon, -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by default.
+   * epsilon, -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by
+   * default.
    */
   double radius_amplitude;
   /**
-   * rho > 0: how fast it does; 0.5 by default.
+   * rho > 0, per standard deviation of height: how fast the radius changes; 0.5 by default.
    */
   double radius_rate;
   /**
-   * a_1/b > 0: up to this contact radius the shear strength is `slip_stress_1`, eq (13); 28 by default.
+   * a_1/b > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
    */
   double slip_radius_1;
   /**
@@ -215,7 +217,7 @@ typedef struct asperity_params {
    */
   double slip_stress_1;
   /**
-   * a_2/b > a_1/b: from this contact radius on the shear strength is `slip_stress_2`; 8e4 by default.
+   * a_2/b > a_1/b: contact radius from which the shear strength is `slip_stress_2`; 8e4 by default.
    */
   double slip_radius_2;
   /**
@@ -237,14 +239,14 @@ typedef struct asperity_params {
    */
   double kurtosis;
   /**
-   * H [stress], > 0: indentation hardness of the softer body, 1e-5 to 100 E*, which `asperity_state` compares
-   * pressures with; it does not change friction. 0, the default: not known.
+   * H [stress], 1e-5 to 100 E*: indentation hardness of the softer body. The pressures in `asperity_state` are
+   * compared with it; friction does not depend on it. 0, the default, means not known.
    */
   double hardness;
   /**
-   * `table_length` summit heights, in any unit and from any origin: the library standardises them. They increase by
-   * 1e-12 of their range at least. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model is made. NULL
-   * by default.
+   * `table_length` summit heights, in any unit and from any origin: the library standardises them. Each exceeds the
+   * one before by at least 1e-12 of their range. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model
+   * is made. NULL by default.
    */
   const double *table_height;
   /**
@@ -262,7 +264,7 @@ typedef struct asperity_params {
  */
 typedef struct asperity_state {
   /**
-   * Set by the caller to `sizeof(asperity_state)`; no more than that is written.
+   * Set by the caller to `sizeof(asperity_state)`; the library writes no more than that.
    */
   uint64_t struct_size;
   /**
@@ -306,17 +308,18 @@ typedef struct asperity_state {
    */
   double attracted;
   /**
-   * Part of the load carried by those, <= 0 [force].
+   * Load of the summits that attract without contact, <= 0 [force].
    */
   double attraction_load;
   /**
-   * Mean radius of the contacts [length]; 0 where there are none, as all that follows but the plasticity index.
+   * Mean radius of the contacts [length]; 0 if nothing touches; likewise for the fields below, except
+   * `plasticity_index`.
    */
   double mean_contact_radius;
   /**
-   * Radius of the largest contact [length]. Heights have no end, but n = `contacting` summits do: it is the largest radius
-   * up to the height that 1/(n + 1) of them exceed, as the tallest of n does on average. Not below the mean radius, which
-   * it is for n <= 1, so always where `asperity_count` is 1: give the number of summits.
+   * Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that
+   * 1/(n + 1) of the contacts exceed. At least the mean radius, and equal to it for n <= 1, hence always if
+   * `asperity_count` is 1: give the true number of summits.
    */
   double max_contact_radius;
   /**
@@ -328,7 +331,7 @@ typedef struct asperity_state {
    */
   double fraction_between_slip_radii;
   /**
-   * Fraction of the contacts with radii from `slip_radius_2` on.
+   * Fraction of the contacts with radii of at least `slip_radius_2`.
    */
   double fraction_above_slip_radius_2;
   /**
@@ -344,7 +347,7 @@ typedef struct asperity_state {
    */
   double plasticity_index;
   /**
-   * Bits `ASPERITY_WARNING_`: what of the model does not hold in this state; 0 if nothing is known to fail.
+   * Bits `ASPERITY_WARNING_...`: assumptions of the model that fail in this state; 0 if none is known to fail.
    */
   uint64_t warnings;
 } asperity_state;
@@ -354,7 +357,7 @@ typedef struct asperity_state {
  */
 typedef struct asperity_summary {
   /**
-   * Set by the caller to `sizeof(asperity_summary)`; no more than that is written.
+   * Set by the caller to `sizeof(asperity_summary)`; the library writes no more than that.
    */
   uint64_t struct_size;
   /**
@@ -382,7 +385,7 @@ typedef struct asperity_summary {
    */
   double kurtosis;
   /**
-   * The least load that holds the surfaces together, <= 0 [force].
+   * The pull-off load, the smallest load at which the surfaces hold together, <= 0 [force].
    */
   double pull_off_load;
   /**
@@ -394,16 +397,16 @@ typedef struct asperity_summary {
    */
   double zero_load_friction_force;
   /**
-   * The lightest load that the compiled law covers [force]; lighter ones are evaluated exactly.
+   * The lightest load of the compiled table [force]; lighter ones are interpolated or evaluated exactly.
    */
   double min_table_load;
   /**
-   * The heaviest load that the compiled law covers [force]; heavier ones are evaluated exactly.
+   * The heaviest load of the compiled table [force]; heavier ones are evaluated exactly.
    */
   double max_table_load;
   /**
-   * Largest relative error of the compiled friction force found when it was built, at samples; between them it may be
-   * four times as large.
+   * Largest relative error of the compiled friction force at the samples that were compared when the model was made;
+   * between samples it may be four times as large.
    */
   double table_error;
 } asperity_summary;
@@ -411,19 +414,20 @@ typedef struct asperity_summary {
 /**
  * A read-only view of the compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
  *
- * `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load, found
- * from the bits of x: its index is (bits(x) >> shift) - base as unsigned 64-bit integers; where that is not below
- * `row_count` the table does not answer. Its variable t has the bits of x below `shift` as its mantissa: t = (those bits |
- * bits of 1.0) - 1.0. Its value is F, its derivative by t times 2^-(exponent of x) is dF/d(load).
+ * `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load. Its
+ * index is (bits(x) >> shift) - base, as unsigned 64-bit integers; if that is not below `row_count`, the table does
+ * not answer. Its variable is t = (bits of x below `shift` | bits of 1.0) - 1.0. Its value is F; its derivative by t,
+ * times 2^-(exponent of x), is dF/d(load).
  *
- * A row whose first coefficient is NaN is a link to its parts: the last 51 bits of that NaN are the offset of the first part
- * in bytes from `rows`, and the last six numbers of the row are the t at which the next parts begin. The part in which t
- * lies, which may be a link too, is a row whose variable is t less where it begins. An offset of 0 says that the row is left
- * out. Copy `total_count` rows where they are needed and change the pointer.
+ * A row whose first coefficient is NaN is a link to its parts: the last 51 bits of that NaN are the offset of the
+ * first part in bytes from `rows`, and the last six numbers of the row are the t at which the next parts begin. The
+ * part in which t lies, which may be a link too, is a row whose variable is t minus the t at which it begins. An
+ * offset of 0 means that the row is left out. To use the table elsewhere, copy `total_count` rows and change the
+ * pointer.
  */
 typedef struct asperity_table {
   /**
-   * Set by the caller to `sizeof(asperity_table)`; no more than that is written.
+   * Set by the caller to `sizeof(asperity_table)`; the library writes no more than that.
    */
   uint64_t struct_size;
   /**
@@ -467,7 +471,7 @@ typedef struct asperity_table {
    */
   double pull_off_force;
   /**
-   * What friction force gains by load between pull-off and the first row, where it is taken as a straight line.
+   * dF/d(load) of the straight line that stands for F between pull-off and the first row.
    */
   double light_slope;
   /**
@@ -476,11 +480,11 @@ typedef struct asperity_table {
   double zero_force;
   double zero_slope;
   /**
-   * dF/d(load) below the pull-off load: 0 with adhesion, without it that of the lightest load.
+   * dF/d(load) below the pull-off load: 0 with adhesion; without adhesion that of the lightest load of the table.
    */
   double separated_slope;
   /**
-   * Friction force at the end of the last row [force], and of all heavier loads.
+   * Friction force at the end of the last row [force], which `asperity_eval.h` takes for all heavier loads.
    */
   double heavy_force;
 } asperity_table;
@@ -515,14 +519,14 @@ const char *asperity_version(void);
 const char *asperity_status_string(asperity_status status);
 
 /**
- * Copies this thread's last message out.
+ * Copies the message of this thread's last failure.
  *
- * The message of the last call on this thread that returned a status other than `ASPERITY_OK`; empty if there was
- * none. Calls that succeed leave it as it is.
+ * That is the message of the last call on this thread that returned a status other than `ASPERITY_OK`; it is empty if
+ * there was none. Calls that succeed do not change it.
  *
  * @param buffer  receives the message, NUL-terminated, cut to fit; NULL to ask for the length only
  * @param length  size of `buffer` in bytes
- * @return the whole length of the message in bytes, without the NUL: `length` must exceed it for all to fit
+ * @return the length of the whole message in bytes, without the NUL: it is cut unless `length` is greater
  *
  * Threads: each has its own message.
  */
@@ -534,11 +538,12 @@ size_t asperity_last_error(char *buffer,
  *
  * alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1; Gaussian heights, equal radii
  * (epsilon = 0, rho = 0.5), attraction on, Hurtado and Kim's slip constants. For a surface of your own start from
- * `asperity_params_init_unset`, where nothing that you forget keeps a number of the paper.
+ * `asperity_params_init_unset`, so that an input that you forget is refused and does not keep the paper's value.
  *
- * This function sets `struct_size` and the fields of the first version of the struct, and writes no more, since a
- * program that was compiled with that version has no more. In C and C++ a macro of its name calls
- * `asperity_params_init_sized` instead, for the whole struct; who finds functions by name calls that directly.
+ * This function sets `struct_size` and the fields of the first version of the struct, and writes no more, since
+ * programs compiled with that version have no more. In C and C++ a macro of its name calls
+ * `asperity_params_init_sized` instead, for the whole struct. Callers that look functions up by name call that one
+ * directly.
  *
  * @param params  receives the parameters; must not be NULL
  * @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
@@ -552,7 +557,8 @@ asperity_status asperity_params_init(struct asperity_params *params);
  *
  * @param params       receives the parameters; must not be NULL; untouched on failure
  * @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct)
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size` is that of no version of
+ *         the struct)
  *
  * Threads: any, on different structs.
  */
@@ -565,8 +571,8 @@ asperity_status asperity_params_init_sized(struct asperity_params *params,
  * `composite_modulus` to `asperity_count` are NaN, and `asperity_create` names the first of them that was never set:
  * "asperity_count: must be set". Heights, slip constants and all else have their defaults.
  *
- * As with `asperity_params_init`, this function writes the first version of the struct, and in C and C++ a macro of its
- * name calls `asperity_params_init_unset_sized` instead.
+ * As with `asperity_params_init`, this function writes the first version of the struct, and in C and C++ a macro of
+ * its name calls `asperity_params_init_unset_sized` instead.
  *
  * @param params  receives the parameters; must not be NULL
  * @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
@@ -580,7 +586,8 @@ asperity_status asperity_params_init_unset(struct asperity_params *params);
  *
  * @param params       receives the parameters; must not be NULL; untouched on failure
  * @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct)
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size` is that of no version of
+ *         the struct)
  *
  * Threads: any, on different structs.
  */
@@ -683,7 +690,7 @@ asperity_status asperity_create(const struct asperity_params *params,
                                 struct asperity_model **model);
 
 /**
- * Gives a model other parameters, all or nothing: on failure it is as before.
+ * Gives a model other parameters. On failure the model is as before.
  *
  * @param model   must not be NULL
  * @param params  the new parameters; must not be NULL
@@ -695,13 +702,13 @@ asperity_status asperity_set_params(struct asperity_model *model,
                                     const struct asperity_params *params);
 
 /**
- * Copies the parameters of a model out.
+ * Copies the parameters of a model.
  *
- * A table is not copied: the pointers to it are those of the model's own copy, valid until `asperity_set_params` or
- * `asperity_free`. They may be given to `asperity_set_params` of the same model.
+ * A table of heights is not copied: the pointers lead to the model's own copy and are valid until
+ * `asperity_set_params` or `asperity_free`. They may be passed to `asperity_set_params` of the same model.
  *
  * This function sets `struct_size` and the fields of the first version of the struct, as `asperity_params_init` does,
- * and in C and C++ a macro of its name calls `asperity_get_params_sized` instead. It refuses where heights read later
+ * and in C and C++ a macro of its name calls `asperity_get_params_sized` instead. It refuses if the heights need later
  * fields, unless the model was made from a struct that had these although its `struct_size` did not say so.
  *
  * @param model   must not be NULL
@@ -714,7 +721,7 @@ asperity_status asperity_get_params(const struct asperity_model *model,
                                     struct asperity_params *params);
 
 /**
- * Copies the parameters of a model out, as `asperity_get_params`, into a struct of this size.
+ * Copies the parameters of a model into a struct of this size, as `asperity_get_params` does.
  *
  * @param model        must not be NULL
  * @param params       receives the parameters; must not be NULL; untouched on failure
@@ -731,7 +738,7 @@ asperity_status asperity_get_params_sized(const struct asperity_model *model,
 /**
  * Frees a model.
  *
- * @param model  a model, once; NULL is fine
+ * @param model  a model that has not been freed; NULL is allowed and does nothing
  *
  * Threads: no other thread may use the model any more.
  */
@@ -756,8 +763,8 @@ double asperity_friction_at_load(const struct asperity_model *model,
  *
  * @param model  a model
  * @param load   normal load [force]
- * @return F [force], finite and positive also at zero and negative load down to pull-off; 0 below pull-off; a quiet NaN
- *         for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
+ * @return F [force], finite and positive also at zero and negative load down to pull-off; 0 below pull-off; a quiet
+ *         NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -767,16 +774,17 @@ double asperity_friction_force_at_load(const struct asperity_model *model,
 /**
  * Friction coefficients at many loads, and their slopes.
  *
- * Every element is as `asperity_friction_at_load` gives it. All elements are filled, then the first offence, if any,
- * is reported; `asperity_last_error` names its index.
+ * Every element has the bits that `asperity_friction_at_load` gives. All elements are filled; then the first load that
+ * is not in order, if any, is reported, and `asperity_last_error` names its index.
  *
  * @param model      must not be NULL
- * @param n          number of loads; 0 is fine
+ * @param n          number of loads; may be 0
  * @param load       n loads [force]; must not be NULL unless n = 0
  * @param mu         receives n coefficients; NULL to skip; may be `load` itself
- * @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load` itself
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`
- *         (a finite load that cannot be evaluated, where the coefficient is NaN)
+ * @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load`
+ *                   itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+ *         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the coefficient is NaN)
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -789,18 +797,18 @@ asperity_status asperity_friction_at_loads(const struct asperity_model *model,
 /**
  * Friction forces at many loads, and their slopes.
  *
- * Every element is as `asperity_friction_force_at_load` gives it. All elements are filled, then the first offence, if
- * any, is reported; `asperity_last_error` names its index.
+ * Every element has the bits that `asperity_friction_force_at_load` gives. All elements are filled; then the first
+ * load that is not in order, if any, is reported, and `asperity_last_error` names its index.
  *
  * @param model         must not be NULL
- * @param n             number of loads; 0 is fine
+ * @param n             number of loads; may be 0
  * @param load          n loads [force]; must not be NULL unless n = 0
  * @param force         receives n forces [force]; NULL to skip; may be `load` itself
- * @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion,
- *                      where F has no slope at zero load, there and below that of the lightest load of the table, finite;
- *                      NULL to skip; may be `load` itself
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`
- *         (a finite load that cannot be evaluated, where the force is NaN)
+ * @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without
+ *                      adhesion, where F has no slope at zero load, there and below that of the lightest load of the
+ *                      table, finite; NULL to skip; may be `load` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+ *         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the force is NaN)
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -815,7 +823,8 @@ asperity_status asperity_friction_force_at_loads(const struct asperity_model *mo
  *
  * @param model      a model
  * @param load       normal load [force]
- * @param dmu_dload  receives d(mu)/d(load) [1/force], 0 where mu is capped and below pull-off, NaN where mu is; NULL to skip
+ * @param dmu_dload  receives d(mu)/d(load) [1/force], 0 where mu is capped and below pull-off, NaN where mu is NaN;
+ *                   NULL to skip
  * @return as `asperity_friction_at_load`
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
@@ -829,9 +838,9 @@ double asperity_friction_and_slope_at_load(const struct asperity_model *model,
  *
  * @param model         a model
  * @param load          normal load [force]
- * @param dforce_dload  receives dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion, where F has no
- *                      slope at zero load, there and below that of the lightest load of the table, finite; NaN where F
- *                      is; NULL to skip
+ * @param dforce_dload  receives dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion, where
+ *                      F has no slope at zero load, there and below that of the lightest load of the table, finite;
+ *                      NaN where F is; NULL to skip
  * @return as `asperity_friction_force_at_load`
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
@@ -843,8 +852,8 @@ double asperity_friction_force_and_slope_at_load(const struct asperity_model *mo
 /**
  * Friction coefficient at a contact pressure, for solvers that hand over load per area.
  *
- * The model's `asperity_count` summits belong to `nominal_area`: the load is pressure times that area. The library
- * never guesses it; an integration point's own area plays no part, only summits per area do.
+ * The model's `asperity_count` summits belong to `nominal_area`: the load is pressure times that area. The area of an
+ * integration point plays no part: the answer depends on summits per area alone.
  *
  * @param model          a model
  * @param pressure       nominal contact pressure [stress], positive in compression
@@ -866,8 +875,8 @@ double asperity_friction_at_pressure(const struct asperity_model *model,
  * @param pressure            nominal contact pressure [stress], positive in compression
  * @param nominal_area        as for `asperity_friction_at_pressure`
  * @param dstress_dpressure   receives d(stress)/d(pressure); NULL to skip
- * @return friction force over `nominal_area` [stress], finite also at zero and negative pressure down to pull-off; 0 below
- *         pull-off; a quiet NaN for a pressure that is not finite, an area that is not allowed, a NULL model
+ * @return friction force over `nominal_area` [stress], finite also at zero and negative pressure down to pull-off; 0
+ *         below pull-off; a quiet NaN for a pressure that is not finite, an area that is not allowed, a NULL model
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -879,9 +888,9 @@ double asperity_shear_stress_at_pressure(const struct asperity_model *model,
 /**
  * Friction force of a sliding contact, with a smooth sign of the slip rate, and its two slopes.
  *
- * F(load) tanh(slip_rate / transition_rate), for solvers that integrate through zero slip rate. A contact that shall stick
- * creeps instead, the slower the smaller `transition_rate`. The force opposes the slip rate of the body it acts on: give
- * it the opposite sign there.
+ * F(load) tanh(slip_rate / transition_rate), for solvers that integrate through zero slip rate. A contact that should
+ * stick creeps instead, more slowly for a smaller `transition_rate`. Friction opposes slip: apply the force with the
+ * sign opposite to the slip rate of the body on which it acts.
  *
  * @param model              a model
  * @param load               normal load [force]
@@ -889,7 +898,8 @@ double asperity_shear_stress_at_pressure(const struct asperity_model *model,
  * @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-60 to 1e60
  * @param dforce_dload       receives the derivative by load; NULL to skip
  * @param dforce_dslip_rate  receives the derivative by slip rate [force time/length]; NULL to skip
- * @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a rate that is not allowed, a NULL model
+ * @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a rate that is not allowed, a
+ *         NULL model
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -901,7 +911,7 @@ double asperity_slip_force(const struct asperity_model *model,
                            double *dforce_dslip_rate);
 
 /**
- * The exact state at a load: integrates the model, uses no table.
+ * The exact state at a load, by integration over the summits, without the table.
  *
  * @param model  must not be NULL
  * @param load   normal load [force], from the pull-off load upwards
@@ -917,7 +927,7 @@ asperity_status asperity_state_at_load(const struct asperity_model *model,
                                        struct asperity_state *state);
 
 /**
- * The exact state at a separation, also beyond the pull-off point, where no load could hold it.
+ * The exact state at a separation, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
  *
  * @param model       must not be NULL
  * @param separation  of the flat from the mean of the summit heights [length]; may be negative
@@ -935,7 +945,7 @@ asperity_status asperity_state_at_separation(const struct asperity_model *model,
  * The constants of a model.
  *
  * @param model    must not be NULL
- * @param summary  receives them; must not be NULL; its `struct_size` must be set; untouched on failure
+ * @param summary  receives the constants; must not be NULL; its `struct_size` must be set; untouched on failure
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
  *
  * Threads: may share the model.
@@ -947,8 +957,8 @@ asperity_status asperity_summary_of(const struct asperity_model *model,
  * Gives a view of the compiled law of a model.
  *
  * @param model  must not be NULL
- * @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model; must not be NULL; its
- *               `struct_size` must be set; untouched on failure
+ * @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model; must not be
+ *               NULL; its `struct_size` must be set; untouched on failure
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
  *
  * Threads: may share the model and the view.

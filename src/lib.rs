@@ -2,7 +2,7 @@
 //!
 //! Two rough elastic surfaces touch at their summits; adhesion pulls them together (Maugis), each summit's shear
 //! strength depends on its own contact radius (Hurtado and Kim), and summits out of contact still attract. Summed
-//! over the distribution of heights, friction depends on load and scale (Adams and Muftu, Nanotechnology 16, 2005).
+//! over the distribution of heights, friction depends on load and scale (Adams and Müftü, Nanotechnology 16 (2005)).
 //!
 //! ```
 //! use asperity::{Model, Params};

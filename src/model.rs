@@ -1,4 +1,4 @@
-//! A surface pair ready for use: all that a caller asks, in the caller's units.
+//! A surface pair ready for use: answers to all that a caller can ask, in the caller's units.
 
 use crate::elementary::{cbrt, log};
 use crate::equilibrium::Branch;
@@ -11,7 +11,7 @@ use crate::population::{Population, Statistics, Sums};
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
-/// A friction coefficient above this is not told from infinity.
+/// A friction coefficient above this is taken as infinite.
 const LARGEST_COEFFICIENT: f64 = 1e140;
 /// No load curve has more minima than this.
 const MOST_MINIMA: usize = 8;
@@ -38,7 +38,7 @@ pub struct Model {
     known: Known,
 }
 
-/// Friction that is known when the model is made, beside the table.
+/// Friction at loads beside the table, found when the model is made.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Known {
     /// Force and slope at the pull-off load.
@@ -51,11 +51,11 @@ pub(crate) struct Known {
     pub light_slope: f64,
     /// Force at the heavy end of the table.
     pub heavy_force: f64,
-    /// Heavier loads cannot be evaluated.
+    /// The heaviest load that can be evaluated.
     pub heaviest: f64,
 }
 
-/// What turns the sums per summit into the caller's units.
+/// Factors from sums per summit to the caller's units.
 #[derive(Debug, Clone, Copy)]
 struct Units {
     /// N E* b^2.
@@ -93,18 +93,19 @@ pub struct State {
     pub contacting: f64,
     /// Number of summits that attract without contact.
     pub attracted: f64,
-    /// The part of the load that those carry, <= 0 [force].
+    /// Load of the summits that attract without contact, <= 0 [force].
     pub attraction_load: f64,
-    /// Mean radius of the contacts [length]; 0 where there are none, as all that follows but the plasticity index.
+    /// Mean radius of the contacts [length]; 0 if nothing touches; likewise for the fields below, except
+    /// `plasticity_index`.
     pub mean_contact_radius: f64,
-    /// Radius of the largest of the `contacting` contacts [length]: the largest up to the height that 1/(contacting + 1)
-    /// of them exceed, as the tallest of so many does on average; at least the mean, which it is for contacting <= 1.
+    /// Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that
+    /// 1/(n + 1) of the contacts exceed. At least the mean radius, and equal to it for n <= 1.
     pub max_contact_radius: f64,
     /// Fraction of the contacts up to the first radius of the slip law.
     pub fraction_below_slip_radius_1: f64,
     /// Fraction of the contacts between its radii.
     pub fraction_between_slip_radii: f64,
-    /// Fraction of the contacts from its second radius on.
+    /// Fraction of the contacts at or above its second radius.
     pub fraction_above_slip_radius_2: f64,
     /// Fraction of the summits in contact.
     pub fraction_in_contact: f64,
@@ -131,7 +132,7 @@ pub struct Summary {
     pub skew: f64,
     /// Kurtosis of the summit heights (3 for Gaussian).
     pub kurtosis: f64,
-    /// The least load that holds the surfaces together, <= 0 [force].
+    /// The pull-off load, the smallest load at which the surfaces hold together, <= 0 [force].
     pub pull_off_load: f64,
     /// Friction force at the pull-off load [force].
     pub pull_off_friction_force: f64,
@@ -141,8 +142,8 @@ pub struct Summary {
     pub min_table_load: f64,
     /// The heaviest load the compiled law covers [force].
     pub max_table_load: f64,
-    /// Largest relative error of the compiled friction force found when it was built, at samples; between them it may be
-    /// four times as large.
+    /// Largest relative error of the compiled friction force at the samples that were compared when the model was made;
+    /// between samples it may be four times as large.
     pub table_error: f64,
 }
 
@@ -176,7 +177,7 @@ impl Model {
         Ok(model)
     }
 
-    /// Finds what is to be known.
+    /// Finds the friction at loads beside the table.
     fn find_known(&self, heaviest: f64) -> Known {
         let at = |load: f64| self.tabulated_force(load).unwrap_or_else(|| self.computed_force(load));
         let table = self.law.table();
@@ -191,18 +192,18 @@ impl Model {
         Known { at_pull_off, at_zero, apart, light_slope, heavy_force: at(end.next_down()).0, heaviest }
     }
 
-    /// The parameters it was made from.
+    /// The parameters that the model was made from.
     pub fn params(&self) -> &Params {
         &self.params
     }
 
-    /// Friction coefficient F/P, at most `max_friction_coefficient`, which it is also for pull-off <= load <= 0;
-    /// 0 below pull-off; NaN for a load that is not finite.
+    /// Friction coefficient F/P, at most `max_friction_coefficient`; equal to that for pull-off <= load <= 0; 0 below
+    /// pull-off; NaN for a load that is not finite or too heavy.
     pub fn friction_at_load(&self, load: f64) -> f64 {
         self.friction_and_slope(load).0
     }
 
-    /// Friction force F; 0 below pull-off; NaN for a load that is not finite.
+    /// Friction force F; 0 below pull-off; NaN for a load that is not finite or too heavy.
     pub fn friction_force_at_load(&self, load: f64) -> f64 {
         self.friction_force_and_slope(load).0
     }
@@ -213,8 +214,8 @@ impl Model {
         answer.unwrap_or_else(|| self.computed_coefficient(load))
     }
 
-    /// Friction force and its slope dF/dP: infinite at the pull-off load itself, 0 below it; without adhesion, that of
-    /// the lightest load of the table at zero and below.
+    /// Friction force and its slope dF/dP, which is infinite at the pull-off load itself and 0 below it. Without
+    /// adhesion the slope at zero load and below is that of the lightest load of the table.
     pub fn friction_force_and_slope(&self, load: f64) -> (f64, f64) {
         let answer = self.tabulated_force(load).or_else(|| self.known_force(load));
         answer.unwrap_or_else(|| self.computed_force(load))
@@ -300,7 +301,7 @@ impl Model {
         })
     }
 
-    /// Why there is no friction at a load that nothing is wrong with.
+    /// The error of an admissible load whose state could not be found.
     pub(crate) fn not_evaluated(load: f64) -> Error {
         Error::OutOfRange {
             name: "load",
@@ -309,7 +310,7 @@ impl Model {
         }
     }
 
-    /// What is known beside the table.
+    /// Friction at loads beside the table.
     pub(crate) fn known(&self) -> Known {
         self.known
     }
@@ -353,7 +354,8 @@ impl Model {
         // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
         let log_excess = log(load - pull_off) - log(self.units.load);
         let guess = self.law.separation(log_excess);
-        self.branch.at_log_excess(log_excess, guess)
+        // A guess may lead nowhere where the load hardly changes with separation.
+        self.branch.at_log_excess(log_excess, guess).or_else(|_| self.branch.at_log_excess(log_excess, None))
     }
 
     /// The exact state at a separation, in contact or not, on the branch of load control or beyond it.
@@ -404,7 +406,7 @@ impl Model {
         self.branch.pull_off_load() * self.units.load
     }
 
-    /// The inverse of the cap on friction coefficients: loads up to this times the force are capped.
+    /// The inverse of the cap on friction coefficients: at loads up to this times the force the coefficient is capped.
     pub(crate) fn inverse_cap(&self) -> f64 {
         self.inverse_cap
     }
@@ -539,7 +541,6 @@ impl Units {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::HeightFamily;
 
     fn default_case() -> Model {
         Model::new(&Params::default()).expect("a model")
@@ -613,7 +614,8 @@ mod tests {
         }
     }
 
-    /// Many low summits, whose adhesion sets the pull-off load, and a few tall ones that stay compressed when they part.
+    /// Many low summits, whose adhesion sets the pull-off load, and a few tall ones that stay compressed when they
+    /// part.
     #[test]
     fn beyond_pull_off_a_load_that_presses_has_a_coefficient() {
         let params = Params {

@@ -298,6 +298,10 @@ contains
     mu = law%friction_at_load([1.0_c_double, open, 1e300_c_double, 2.0_c_double], stat=stat, errmsg=errmsg)
     call check('too heavy a load is one', stat == ASPERITY_OUT_OF_RANGE .and. ieee_is_nan(mu(3)))
     call check_text('... with its index', errmsg(1:24), 'element 3: load = 1e300:')
+    mu(1:2) = law%friction_at_load([1.0_c_double, 1e300_c_double], stat=stat, errmsg=errmsg)
+    call check('... without an open contact too', &
+               stat == ASPERITY_OUT_OF_RANGE .and. mu(1) > 0 .and. ieee_is_nan(mu(2)))
+    call check_text('... with its index', errmsg(1:24), 'element 2: load = 1e300:')
     plane = reshape([open, 1.0_c_double, ieee_value(open, ieee_quiet_nan), 1e300_c_double], [2, 2])
     plane = law%friction_force_at_load(plane, stat=stat, errmsg=errmsg)
     call check('so is NaN', stat == ASPERITY_INVALID_LOAD)

@@ -180,7 +180,8 @@ def test_a_state_takes_one_number(model: Model, at: Any) -> None:
         model.state_at_load(at)
     with pytest.raises(TypeError, match="^separation = .*must be one number"):
         model.state_at_separation(at)
-    assert model.state_at_load(np.float32(1.0)) == model.state_at_load(1)
+    single: Any = np.float32(1.0)
+    assert model.state_at_load(single) == model.state_at_load(1)
 
 
 def test_warnings_say_what_they_are(params: Params) -> None:

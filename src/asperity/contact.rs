@@ -28,6 +28,20 @@ pub struct Contact {
 }
 
 impl Contact {
+    /// No contact: all numbers are NaN.
+    pub const UNKNOWN: Self = Self {
+        parameter: f64::NAN,
+        overlap: f64::NAN,
+        radius: f64::NAN,
+        load: f64::NAN,
+        overlap_rate: f64::NAN,
+        radius_rate: f64::NAN,
+        load_rate: f64::NAN,
+        overlap_by_g: f64::NAN,
+        radius_by_g: f64::NAN,
+        load_by_g: f64::NAN,
+    };
+
     /// The contact a little farther on: where the parameter grows by `parameter` and g by `g`, to first order.
     #[inline]
     pub fn moved(self, parameter: f64, g: f64) -> Self {

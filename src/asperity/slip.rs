@@ -49,13 +49,19 @@ impl Slip {
     /// Friction force at contact radius `a`, and dF/da.
     #[inline]
     pub fn force(&self, a: f64) -> (f64, f64) {
-        let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.constants;
-        let (stress, power) = if a <= radius_1 {
-            (stress_1, 2.0)
-        } else if a >= radius_2 {
-            (stress_2, 2.0)
-        } else {
-            (stress_1 * exp(self.exponent * log(a / radius_1)), 2.0 + self.exponent)
+        let [first, second] = self.kinks();
+        self.force_in_regime(usize::from(a > first) + usize::from(a >= second), a)
+    }
+
+    /// The same by the law of one regime, which need not be that of the radius: 0 below the first kink, 1 between the two, 2
+    /// above the second.
+    #[inline]
+    pub fn force_in_regime(&self, regime: usize, a: f64) -> (f64, f64) {
+        let SlipConstants { radius_1, stress_1, stress_2, .. } = self.constants;
+        let (stress, power) = match regime {
+            0 => (stress_1, 2.0),
+            1 => (stress_1 * exp(self.exponent * log(a / radius_1)), 2.0 + self.exponent),
+            _ => (stress_2, 2.0),
         };
         let force_over_a = PI * a * stress;
         (force_over_a * a, power * force_over_a)

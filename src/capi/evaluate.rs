@@ -24,8 +24,8 @@ pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model,
 ///
 /// @param model  a model
 /// @param load   normal load [force]
-/// @return F [force], finite and positive also at zero and negative load down to pull-off; 0 below pull-off; a quiet NaN
-///         for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
+/// @return F [force], finite and positive also at zero and negative load down to pull-off; 0 below pull-off; a quiet
+///         NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -35,16 +35,17 @@ pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_
 
 /// Friction coefficients at many loads, and their slopes.
 ///
-/// Every element is as `asperity_friction_at_load` gives it. All elements are filled, then the first offence, if any,
-/// is reported; `asperity_last_error` names its index.
+/// Every element has the bits that `asperity_friction_at_load` gives. All elements are filled; then the first load that
+/// is not in order, if any, is reported, and `asperity_last_error` names its index.
 ///
 /// @param model      must not be NULL
-/// @param n          number of loads; 0 is fine
+/// @param n          number of loads; may be 0
 /// @param load       n loads [force]; must not be NULL unless n = 0
 /// @param mu         receives n coefficients; NULL to skip; may be `load` itself
-/// @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load` itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`
-///         (a finite load that cannot be evaluated, where the coefficient is NaN)
+/// @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load`
+///                   itself
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+///         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the coefficient is NaN)
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -63,18 +64,18 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
 
 /// Friction forces at many loads, and their slopes.
 ///
-/// Every element is as `asperity_friction_force_at_load` gives it. All elements are filled, then the first offence, if
-/// any, is reported; `asperity_last_error` names its index.
+/// Every element has the bits that `asperity_friction_force_at_load` gives. All elements are filled; then the first
+/// load that is not in order, if any, is reported, and `asperity_last_error` names its index.
 ///
 /// @param model         must not be NULL
-/// @param n             number of loads; 0 is fine
+/// @param n             number of loads; may be 0
 /// @param load          n loads [force]; must not be NULL unless n = 0
 /// @param force         receives n forces [force]; NULL to skip; may be `load` itself
-/// @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion,
-///                      where F has no slope at zero load, there and below that of the lightest load of the table, finite;
-///                      NULL to skip; may be `load` itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`
-///         (a finite load that cannot be evaluated, where the force is NaN)
+/// @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without
+///                      adhesion, where F has no slope at zero load, there and below that of the lightest load of the
+///                      table, finite; NULL to skip; may be `load` itself
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+///         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the force is NaN)
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]

@@ -41,14 +41,14 @@ pub fn set(message: &dyn Display) {
     });
 }
 
-/// Copies this thread's last message out.
+/// Copies the message of this thread's last failure.
 ///
-/// The message of the last call on this thread that returned a status other than `ASPERITY_OK`; empty if there was
-/// none. Calls that succeed leave it as it is.
+/// That is the message of the last call on this thread that returned a status other than `ASPERITY_OK`; it is empty if
+/// there was none. Calls that succeed do not change it.
 ///
 /// @param buffer  receives the message, NUL-terminated, cut to fit; NULL to ask for the length only
 /// @param length  size of `buffer` in bytes
-/// @return the whole length of the message in bytes, without the NUL: `length` must exceed it for all to fit
+/// @return the length of the whole message in bytes, without the NUL: it is cut unless `length` is greater
 ///
 /// Threads: each has its own message.
 #[no_mangle]

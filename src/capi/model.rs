@@ -61,7 +61,7 @@ pub unsafe extern "C" fn asperity_create(
     })
 }
 
-/// Gives a model other parameters, all or nothing: on failure it is as before.
+/// Gives a model other parameters. On failure the model is as before.
 ///
 /// @param model   must not be NULL
 /// @param params  the new parameters; must not be NULL
@@ -80,13 +80,13 @@ pub unsafe extern "C" fn asperity_set_params(
     })
 }
 
-/// Copies the parameters of a model out.
+/// Copies the parameters of a model.
 ///
-/// A table is not copied: the pointers to it are those of the model's own copy, valid until `asperity_set_params` or
-/// `asperity_free`. They may be given to `asperity_set_params` of the same model.
+/// A table of heights is not copied: the pointers lead to the model's own copy and are valid until
+/// `asperity_set_params` or `asperity_free`. They may be passed to `asperity_set_params` of the same model.
 ///
 /// This function sets `struct_size` and the fields of the first version of the struct, as `asperity_params_init` does,
-/// and in C and C++ a macro of its name calls `asperity_get_params_sized` instead. It refuses where heights read later
+/// and in C and C++ a macro of its name calls `asperity_get_params_sized` instead. It refuses if the heights need later
 /// fields, unless the model was made from a struct that had these although its `struct_size` did not say so.
 ///
 /// @param model   must not be NULL
@@ -106,7 +106,7 @@ pub unsafe extern "C" fn asperity_get_params(
     })
 }
 
-/// Copies the parameters of a model out, as `asperity_get_params`, into a struct of this size.
+/// Copies the parameters of a model into a struct of this size, as `asperity_get_params` does.
 ///
 /// @param model        must not be NULL
 /// @param params       receives the parameters; must not be NULL; untouched on failure
@@ -129,7 +129,7 @@ pub unsafe extern "C" fn asperity_get_params_sized(
 
 /// Frees a model.
 ///
-/// @param model  a model, once; NULL is fine
+/// @param model  a model that has not been freed; NULL is allowed and does nothing
 ///
 /// Threads: no other thread may use the model any more.
 #[no_mangle]

@@ -23,13 +23,14 @@ pub const ASPERITY_HEIGHTS_TABULATED: i32 = 3;
 /// b = G = 1. Loads, forces and areas are totals over `asperity_count` summits. Start from `asperity_params_init_unset`
 /// or, for the paper's surfaces, `asperity_params_init`, which also set `struct_size`.
 ///
-/// The struct grew: `max_friction_coefficient` is the last field of its first version. Fields that `struct_size` does
-/// not cover have their defaults, but for those that `height_distribution` asks for: `ASPERITY_HEIGHTS_JOHNSON` and
-/// `ASPERITY_HEIGHTS_TABULATED` came with the fields that they read, so whoever sets one of them has these fields.
+/// The struct has grown: `max_friction_coefficient` is the last field of its first version. Fields that `struct_size`
+/// does not cover have their defaults, except those that `height_distribution` needs: `ASPERITY_HEIGHTS_JOHNSON` and
+/// `ASPERITY_HEIGHTS_TABULATED` were added together with the fields that they read, so a caller that sets one of them
+/// has these fields.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_params {
-    /// Bytes of this struct that the caller has; set by `asperity_params_init`.
+    /// Size of this struct as the caller declares it, in bytes; set by `asperity_params_init`.
     pub struct_size: u64,
     /// E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
     pub composite_modulus: f64,
@@ -39,13 +40,13 @@ pub struct asperity_params {
     pub work_of_adhesion: f64,
     /// h [length], > 0: range of adhesion, within which surfaces attract with the stress w/h.
     pub adhesion_range: f64,
-    /// b [length], > 0: Burgers vector, the length that the scale dependence of friction is measured in.
+    /// b [length], > 0: Burgers vector, the length scale of the dependence of friction on contact size.
     pub burgers_vector: f64,
     /// sigma [length], > 0: standard deviation of summit heights.
     pub height_std: f64,
     /// R [length], > 0: mean radius of curvature of the summits.
     pub summit_radius: f64,
-    /// N, > 0: number of summits, summit density times nominal area; need not be whole.
+    /// N, > 0: number of summits, i.e. summit density times nominal area; need not be an integer.
     pub asperity_count: f64,
     /// Family of the summit heights, one of `ASPERITY_HEIGHTS_`; Gaussian by default.
     pub height_distribution: i32,
@@ -53,15 +54,16 @@ pub struct asperity_params {
     pub attraction: i32,
     /// omega, 1 to 200: shape of the Weibull heights, 3.602 for no skew; read only for `ASPERITY_HEIGHTS_WEIBULL`.
     pub weibull_shape: f64,
-    /// epsilon, -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by default.
+    /// epsilon, -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by
+    /// default.
     pub radius_amplitude: f64,
-    /// rho > 0: how fast it does; 0.5 by default.
+    /// rho > 0, per standard deviation of height: how fast the radius changes; 0.5 by default.
     pub radius_rate: f64,
-    /// a_1/b > 0: up to this contact radius the shear strength is `slip_stress_1`, eq (13); 28 by default.
+    /// a_1/b > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
     pub slip_radius_1: f64,
     /// tau_1/G* > 0; 1/43 by default.
     pub slip_stress_1: f64,
-    /// a_2/b > a_1/b: from this contact radius on the shear strength is `slip_stress_2`; 8e4 by default.
+    /// a_2/b > a_1/b: contact radius from which the shear strength is `slip_stress_2`; 8e4 by default.
     pub slip_radius_2: f64,
     /// tau_2/G* > 0; 1/1290 by default. tau_2 a_2^2 must not be below tau_1 a_1^2.
     pub slip_stress_2: f64,
@@ -73,12 +75,12 @@ pub struct asperity_params {
     /// Kurtosis of the summit heights, 1.87 + 1.25 skew^2 to 100; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by
     /// default, which with skew 0 is Gaussian.
     pub kurtosis: f64,
-    /// H [stress], > 0: indentation hardness of the softer body, 1e-5 to 100 E*, which `asperity_state` compares
-    /// pressures with; it does not change friction. 0, the default: not known.
+    /// H [stress], 1e-5 to 100 E*: indentation hardness of the softer body. The pressures in `asperity_state` are
+    /// compared with it; friction does not depend on it. 0, the default, means not known.
     pub hardness: f64,
-    /// `table_length` summit heights, in any unit and from any origin: the library standardises them. They increase by
-    /// 1e-12 of their range at least. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model is made. NULL
-    /// by default.
+    /// `table_length` summit heights, in any unit and from any origin: the library standardises them. Each exceeds the
+    /// one before by at least 1e-12 of their range. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model
+    /// is made. NULL by default.
     pub table_height: *const f64,
     /// The density at each of them, >= 0; it need not be normalised. NULL by default.
     pub table_density: *const f64,

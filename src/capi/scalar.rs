@@ -38,7 +38,11 @@ unsafe extern "C" fn value_at<const COEFFICIENT: bool>(model: &Model, load: f64)
 #[inline(always)]
 fn tabulated<const COEFFICIENT: bool>(model: &Model, load: f64, force: impl FnOnce(&Row, f64) -> f64) -> f64 {
     let table = model.table();
-    let x = if finite(load) { load - table.pull_off } else { -1.0 };
+    // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
+    if !finite(load) {
+        return beside_rows::<COEFFICIENT>(model, load);
+    }
+    let x = load - table.pull_off;
     let Some(index) = table.index_of(x) else {
         return beside_rows::<COEFFICIENT>(model, load);
     };

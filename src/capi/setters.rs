@@ -26,11 +26,12 @@ unsafe fn change(
 ///
 /// alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1; Gaussian heights, equal radii
 /// (epsilon = 0, rho = 0.5), attraction on, Hurtado and Kim's slip constants. For a surface of your own start from
-/// `asperity_params_init_unset`, where nothing that you forget keeps a number of the paper.
+/// `asperity_params_init_unset`, so that an input that you forget is refused and does not keep the paper's value.
 ///
-/// This function sets `struct_size` and the fields of the first version of the struct, and writes no more, since a
-/// program that was compiled with that version has no more. In C and C++ a macro of its name calls
-/// `asperity_params_init_sized` instead, for the whole struct; who finds functions by name calls that directly.
+/// This function sets `struct_size` and the fields of the first version of the struct, and writes no more, since
+/// programs compiled with that version have no more. In C and C++ a macro of its name calls
+/// `asperity_params_init_sized` instead, for the whole struct. Callers that look functions up by name call that one
+/// directly.
 ///
 /// @param params  receives the parameters; must not be NULL
 /// @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
@@ -45,7 +46,8 @@ pub unsafe extern "C" fn asperity_params_init(params: *mut asperity_params) -> a
 ///
 /// @param params       receives the parameters; must not be NULL; untouched on failure
 /// @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct)
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size` is that of no version of
+///         the struct)
 ///
 /// Threads: any, on different structs.
 #[no_mangle]
@@ -58,8 +60,8 @@ pub unsafe extern "C" fn asperity_params_init_sized(params: *mut asperity_params
 /// `composite_modulus` to `asperity_count` are NaN, and `asperity_create` names the first of them that was never set:
 /// "asperity_count: must be set". Heights, slip constants and all else have their defaults.
 ///
-/// As with `asperity_params_init`, this function writes the first version of the struct, and in C and C++ a macro of its
-/// name calls `asperity_params_init_unset_sized` instead.
+/// As with `asperity_params_init`, this function writes the first version of the struct, and in C and C++ a macro of
+/// its name calls `asperity_params_init_unset_sized` instead.
 ///
 /// @param params  receives the parameters; must not be NULL
 /// @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
@@ -74,7 +76,8 @@ pub unsafe extern "C" fn asperity_params_init_unset(params: *mut asperity_params
 ///
 /// @param params       receives the parameters; must not be NULL; untouched on failure
 /// @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct)
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size` is that of no version of
+///         the struct)
 ///
 /// Threads: any, on different structs.
 #[no_mangle]

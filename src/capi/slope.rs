@@ -15,7 +15,8 @@ const LARGEST: f64 = 1e60;
 ///
 /// @param model      a model
 /// @param load       normal load [force]
-/// @param dmu_dload  receives d(mu)/d(load) [1/force], 0 where mu is capped and below pull-off, NaN where mu is; NULL to skip
+/// @param dmu_dload  receives d(mu)/d(load) [1/force], 0 where mu is capped and below pull-off, NaN where mu is NaN;
+///                   NULL to skip
 /// @return as `asperity_friction_at_load`
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
@@ -36,9 +37,9 @@ pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
 ///
 /// @param model         a model
 /// @param load          normal load [force]
-/// @param dforce_dload  receives dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion, where F has no
-///                      slope at zero load, there and below that of the lightest load of the table, finite; NaN where F
-///                      is; NULL to skip
+/// @param dforce_dload  receives dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion, where
+///                      F has no slope at zero load, there and below that of the lightest load of the table, finite;
+///                      NaN where F is; NULL to skip
 /// @return as `asperity_friction_force_at_load`
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
@@ -57,8 +58,8 @@ pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
 
 /// Friction coefficient at a contact pressure, for solvers that hand over load per area.
 ///
-/// The model's `asperity_count` summits belong to `nominal_area`: the load is pressure times that area. The library
-/// never guesses it; an integration point's own area plays no part, only summits per area do.
+/// The model's `asperity_count` summits belong to `nominal_area`: the load is pressure times that area. The area of an
+/// integration point plays no part: the answer depends on summits per area alone.
 ///
 /// @param model          a model
 /// @param pressure       nominal contact pressure [stress], positive in compression
@@ -92,8 +93,8 @@ pub unsafe extern "C" fn asperity_friction_at_pressure(
 /// @param pressure            nominal contact pressure [stress], positive in compression
 /// @param nominal_area        as for `asperity_friction_at_pressure`
 /// @param dstress_dpressure   receives d(stress)/d(pressure); NULL to skip
-/// @return friction force over `nominal_area` [stress], finite also at zero and negative pressure down to pull-off; 0 below
-///         pull-off; a quiet NaN for a pressure that is not finite, an area that is not allowed, a NULL model
+/// @return friction force over `nominal_area` [stress], finite also at zero and negative pressure down to pull-off; 0
+///         below pull-off; a quiet NaN for a pressure that is not finite, an area that is not allowed, a NULL model
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -116,9 +117,9 @@ pub unsafe extern "C" fn asperity_shear_stress_at_pressure(
 
 /// Friction force of a sliding contact, with a smooth sign of the slip rate, and its two slopes.
 ///
-/// F(load) tanh(slip_rate / transition_rate), for solvers that integrate through zero slip rate. A contact that shall stick
-/// creeps instead, the slower the smaller `transition_rate`. The force opposes the slip rate of the body it acts on: give
-/// it the opposite sign there.
+/// F(load) tanh(slip_rate / transition_rate), for solvers that integrate through zero slip rate. A contact that should
+/// stick creeps instead, more slowly for a smaller `transition_rate`. Friction opposes slip: apply the force with the
+/// sign opposite to the slip rate of the body on which it acts.
 ///
 /// @param model              a model
 /// @param load               normal load [force]
@@ -126,7 +127,8 @@ pub unsafe extern "C" fn asperity_shear_stress_at_pressure(
 /// @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-60 to 1e60
 /// @param dforce_dload       receives the derivative by load; NULL to skip
 /// @param dforce_dslip_rate  receives the derivative by slip rate [force time/length]; NULL to skip
-/// @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a rate that is not allowed, a NULL model
+/// @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a rate that is not allowed, a
+///         NULL model
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]

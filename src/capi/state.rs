@@ -8,9 +8,9 @@ use crate::error::Error;
 use crate::model::{State, Summary, WARNING_PLASTIC};
 use std::mem::size_of;
 
-/// Bit of `warnings`: contacts yield, and the model, which is elastic, does not hold. Set where the mean asperity pressure
-/// is at least 0.4 of the hardness, at which yield sets in below a contact, or the plasticity index is above 1, where
-/// contacts flow at any load. Never set where the hardness is not given.
+/// Bit of `warnings`: contacts yield, so that the elastic model does not hold. Set if the mean asperity pressure is at
+/// least 0.4 of the hardness (yield sets in below the contact) or the plasticity index is above 1 (contacts flow at any
+/// load). Never set if no hardness is given.
 pub const ASPERITY_WARNING_PLASTIC: u64 = 1;
 
 const _: () = assert!(ASPERITY_WARNING_PLASTIC == WARNING_PLASTIC);
@@ -19,7 +19,7 @@ const _: () = assert!(ASPERITY_WARNING_PLASTIC == WARNING_PLASTIC);
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_state {
-    /// Set by the caller to `sizeof(asperity_state)`; no more than that is written.
+    /// Set by the caller to `sizeof(asperity_state)`; the library writes no more than that.
     pub struct_size: u64,
     /// Normal load P [force]; negative pulls.
     pub load: f64,
@@ -41,19 +41,20 @@ pub struct asperity_state {
     pub contacting: f64,
     /// Number of summits that attract without contact.
     pub attracted: f64,
-    /// Part of the load carried by those, <= 0 [force].
+    /// Load of the summits that attract without contact, <= 0 [force].
     pub attraction_load: f64,
-    /// Mean radius of the contacts [length]; 0 where there are none, as all that follows but the plasticity index.
+    /// Mean radius of the contacts [length]; 0 if nothing touches; likewise for the fields below, except
+    /// `plasticity_index`.
     pub mean_contact_radius: f64,
-    /// Radius of the largest contact [length]. Heights have no end, but n = `contacting` summits do: it is the largest radius
-    /// up to the height that 1/(n + 1) of them exceed, as the tallest of n does on average. Not below the mean radius, which
-    /// it is for n <= 1, so always where `asperity_count` is 1: give the number of summits.
+    /// Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that
+    /// 1/(n + 1) of the contacts exceed. At least the mean radius, and equal to it for n <= 1, hence always if
+    /// `asperity_count` is 1: give the true number of summits.
     pub max_contact_radius: f64,
     /// Fraction of the contacts with radii up to `slip_radius_1`, which slip as a whole.
     pub fraction_below_slip_radius_1: f64,
     /// Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2`.
     pub fraction_between_slip_radii: f64,
-    /// Fraction of the contacts with radii from `slip_radius_2` on.
+    /// Fraction of the contacts with radii of at least `slip_radius_2`.
     pub fraction_above_slip_radius_2: f64,
     /// Fraction of all summits that are in contact.
     pub fraction_in_contact: f64,
@@ -61,7 +62,7 @@ pub struct asperity_state {
     pub mean_asperity_pressure: f64,
     /// Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H; 0 where the hardness H is not given.
     pub plasticity_index: f64,
-    /// Bits `ASPERITY_WARNING_`: what of the model does not hold in this state; 0 if nothing is known to fail.
+    /// Bits `ASPERITY_WARNING_...`: assumptions of the model that fail in this state; 0 if none is known to fail.
     pub warnings: u64,
 }
 
@@ -69,7 +70,7 @@ pub struct asperity_state {
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_summary {
-    /// Set by the caller to `sizeof(asperity_summary)`; no more than that is written.
+    /// Set by the caller to `sizeof(asperity_summary)`; the library writes no more than that.
     pub struct_size: u64,
     /// Surface roughness parameter (sigma/R)^(1/2).
     pub alpha: f64,
@@ -83,18 +84,18 @@ pub struct asperity_summary {
     pub skew: f64,
     /// Kurtosis of the summit heights; 3 for Gaussian.
     pub kurtosis: f64,
-    /// The least load that holds the surfaces together, <= 0 [force].
+    /// The pull-off load, the smallest load at which the surfaces hold together, <= 0 [force].
     pub pull_off_load: f64,
     /// Friction force at the pull-off load [force].
     pub pull_off_friction_force: f64,
     /// Friction force at zero load [force].
     pub zero_load_friction_force: f64,
-    /// The lightest load that the compiled law covers [force]; lighter ones are evaluated exactly.
+    /// The lightest load of the compiled table [force]; lighter ones are interpolated or evaluated exactly.
     pub min_table_load: f64,
-    /// The heaviest load that the compiled law covers [force]; heavier ones are evaluated exactly.
+    /// The heaviest load of the compiled table [force]; heavier ones are evaluated exactly.
     pub max_table_load: f64,
-    /// Largest relative error of the compiled friction force found when it was built, at samples; between them it may be
-    /// four times as large.
+    /// Largest relative error of the compiled friction force at the samples that were compared when the model was made;
+    /// between samples it may be four times as large.
     pub table_error: f64,
 }
 
@@ -170,7 +171,7 @@ pub(super) unsafe fn fill<T>(
     Ok(())
 }
 
-/// The exact state at a load: integrates the model, uses no table.
+/// The exact state at a load, by integration over the summits, without the table.
 ///
 /// @param model  must not be NULL
 /// @param load   normal load [force], from the pull-off load upwards
@@ -192,7 +193,7 @@ pub unsafe extern "C" fn asperity_state_at_load(
     })
 }
 
-/// The exact state at a separation, also beyond the pull-off point, where no load could hold it.
+/// The exact state at a separation, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
 ///
 /// @param model       must not be NULL
 /// @param separation  of the flat from the mean of the summit heights [length]; may be negative
@@ -218,7 +219,7 @@ pub unsafe extern "C" fn asperity_state_at_separation(
 /// The constants of a model.
 ///
 /// @param model    must not be NULL
-/// @param summary  receives them; must not be NULL; its `struct_size` must be set; untouched on failure
+/// @param summary  receives the constants; must not be NULL; its `struct_size` must be set; untouched on failure
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
 ///
 /// Threads: may share the model.

@@ -8,7 +8,7 @@ pub type asperity_status = i32;
 
 /// Success.
 pub const ASPERITY_OK: i32 = 0;
-/// A pointer that must not be NULL is.
+/// A pointer is NULL that must not be.
 pub const ASPERITY_NULL_POINTER: i32 = 1;
 /// A parameter has no meaning; the message names it, its value and what is allowed.
 pub const ASPERITY_INVALID_PARAMETER: i32 = 2;
@@ -16,11 +16,11 @@ pub const ASPERITY_INVALID_PARAMETER: i32 = 2;
 pub const ASPERITY_INVALID_LOAD: i32 = 3;
 /// A load lies below the pull-off load: nothing holds the surfaces together.
 pub const ASPERITY_SEPARATED: i32 = 4;
-/// A quantity is finite, but outside what the model can be evaluated for.
+/// A quantity is finite, but outside the domain of the library; the message tells the bound and what to use instead.
 pub const ASPERITY_OUT_OF_RANGE: i32 = 5;
 /// An iteration did not converge.
 pub const ASPERITY_NOT_CONVERGED: i32 = 6;
-/// The system refuses the memory that making a model takes; nothing was made or changed.
+/// The system refused memory that the call needs; nothing was made or changed.
 pub const ASPERITY_OUT_OF_MEMORY: i32 = 7;
 /// A bug in the library: please report it.
 pub const ASPERITY_INTERNAL: i32 = 255;

@@ -12,19 +12,20 @@ pub const ASPERITY_TABLE_LAYOUT: u32 = 1;
 
 /// A read-only view of the compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
 ///
-/// `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load, found
-/// from the bits of x: its index is (bits(x) >> shift) - base as unsigned 64-bit integers; where that is not below
-/// `row_count` the table does not answer. Its variable t has the bits of x below `shift` as its mantissa: t = (those bits |
-/// bits of 1.0) - 1.0. Its value is F, its derivative by t times 2^-(exponent of x) is dF/d(load).
+/// `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load. Its
+/// index is (bits(x) >> shift) - base, as unsigned 64-bit integers; if that is not below `row_count`, the table does
+/// not answer. Its variable is t = (bits of x below `shift` | bits of 1.0) - 1.0. Its value is F; its derivative by t,
+/// times 2^-(exponent of x), is dF/d(load).
 ///
-/// A row whose first coefficient is NaN is a link to its parts: the last 51 bits of that NaN are the offset of the first part
-/// in bytes from `rows`, and the last six numbers of the row are the t at which the next parts begin. The part in which t
-/// lies, which may be a link too, is a row whose variable is t less where it begins. An offset of 0 says that the row is left
-/// out. Copy `total_count` rows where they are needed and change the pointer.
+/// A row whose first coefficient is NaN is a link to its parts: the last 51 bits of that NaN are the offset of the
+/// first part in bytes from `rows`, and the last six numbers of the row are the t at which the next parts begin. The
+/// part in which t lies, which may be a link too, is a row whose variable is t minus the t at which it begins. An
+/// offset of 0 means that the row is left out. To use the table elsewhere, copy `total_count` rows and change the
+/// pointer.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_table {
-    /// Set by the caller to `sizeof(asperity_table)`; no more than that is written.
+    /// Set by the caller to `sizeof(asperity_table)`; the library writes no more than that.
     pub struct_size: u64,
     /// `row_count` rows of 8 doubles, aligned to 64 bytes.
     pub rows: *const f64,
@@ -46,22 +47,22 @@ pub struct asperity_table {
     pub total_count: u64,
     /// Friction force at the pull-off load [force].
     pub pull_off_force: f64,
-    /// What friction force gains by load between pull-off and the first row, where it is taken as a straight line.
+    /// dF/d(load) of the straight line that stands for F between pull-off and the first row.
     pub light_slope: f64,
     /// Friction force at zero load [force], and its slope.
     pub zero_force: f64,
     pub zero_slope: f64,
-    /// dF/d(load) below the pull-off load: 0 with adhesion, without it that of the lightest load.
+    /// dF/d(load) below the pull-off load: 0 with adhesion; without adhesion that of the lightest load of the table.
     pub separated_slope: f64,
-    /// Friction force at the end of the last row [force], and of all heavier loads.
+    /// Friction force at the end of the last row [force], which `asperity_eval.h` takes for all heavier loads.
     pub heavy_force: f64,
 }
 
 /// Gives a view of the compiled law of a model.
 ///
 /// @param model  must not be NULL
-/// @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model; must not be NULL; its
-///               `struct_size` must be set; untouched on failure
+/// @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model; must not be
+///               NULL; its `struct_size` must be set; untouched on failure
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
 ///
 /// Threads: may share the model and the view.

@@ -110,6 +110,11 @@ impl FootPanel {
         Some(Self { length: longest.min(FOOT), power: (9.0 / (exponent + 1.0)).max(1.0) })
     }
 
+    /// The same panel, ending at another height above the lower end.
+    pub fn shortened(self, length: f64) -> Self {
+        Self { length, ..self }
+    }
+
     /// The height above the lower end and its derivative by v, for v from 0 to 1.
     pub fn at(&self, v: f64) -> (f64, f64) {
         let rise = self.length * pow(v, self.power);

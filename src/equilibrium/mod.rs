@@ -175,3 +175,6 @@ impl Branch {
         Some((lower, lower, upper))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -538,7 +538,7 @@ mod tests {
             let branch = of(&params);
             let mut states = Vec::new();
             Curve::new(&branch, |_| 5.0, &mut states).expect("a curve");
-            let half = branch.population().at_separation(-branch.population().heights().origin()).unscaled();
+            let half = branch.population().at_separation(-branch.population().heights().origin());
             assert!((0.3..0.7).contains(&half.contacting), "{}", half.contacting);
             assert!(states[0].log_excess > half.load().ln() + 12.0 * 10_f64.ln(), "{params:?}");
         }
@@ -562,7 +562,7 @@ mod tests {
         let curve = Curve::new(&branch, |_| 1e3, &mut Vec::new()).expect("a curve");
         let end = curve.separation(curve.log_range().0).expect("a separation");
         let highest = branch.population().heights().support().1;
-        assert!(highest - end > 0.0 && highest - end < 1e-3, "{}", highest - end);
+        assert!((0.0..1e-3).contains(&(highest - end)), "{}", highest - end);
     }
 
     /// As many kinks as are resolved take more states than a smooth curve may.

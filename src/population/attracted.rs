@@ -44,7 +44,7 @@ impl Population {
         }
         let end = if upper == edge.point.z { edge.point.contact.overlap } else { upper - separation };
         let (z, overlap) = self.attractions_at_foot(law, sums, lower, start, upper);
-        if !self.add_attraction_panels(law, sums, (z, overlap), end) {
+        if !self.add_attraction_panels(law, sums, separation, (z, overlap), end) {
             *sums = Sums::unknown();
         }
     }
@@ -73,7 +73,14 @@ impl Population {
     }
 
     /// Panels from a height and overlap up to an overlap; `false` if they are more than there may be.
-    fn add_attraction_panels(&self, law: &Attraction, sums: &mut Sums, start: (f64, f64), end: f64) -> bool {
+    fn add_attraction_panels(
+        &self,
+        law: &Attraction,
+        sums: &mut Sums,
+        separation: f64,
+        start: (f64, f64),
+        end: f64,
+    ) -> bool {
         let (mut z, mut overlap) = start;
         // The smallest summits are attracted within a layer that is thinner than a rounding.
         let shortest = (SHORTEST_PART * (end - overlap)).max(4.0 * f64::EPSILON * overlap.abs());
@@ -93,7 +100,7 @@ impl Population {
                     (reference.overlap - here.overlap, weight * reference.overlap_rate)
                 })
             };
-            let densities = self.heights.densities(nodes.map(|(rise, _)| z + rise));
+            let densities = self.densities(separation, nodes.map(|(rise, _)| (z + rise, overlap + rise)));
             for ((rise, weight), density) in nodes.into_iter().zip(densities) {
                 self.add_attraction(law, sums, z + rise, overlap + rise, weight * density);
             }

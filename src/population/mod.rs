@@ -2,12 +2,13 @@
 //!
 //! Each sum is an integral over height z of an asperity's law times the height density. `break_away` tells where contact
 //! begins, `panels` integrates over the summits in contact, `attracted` over those that attract below; `node_table` keeps
-//! what is the same at every separation. `statistics` tells more of the contacts than their sums.
+//! what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells more of the contacts than their sums.
 //!
 //! Heights, overlaps and separations are in sigma; sums are per summit, loads in E* b^2, friction in G* b^2, areas in b^2.
 
 mod attracted;
 mod break_away;
+mod deep;
 mod node_table;
 mod panels;
 pub mod radius;
@@ -27,6 +28,7 @@ use crate::error::Error;
 use crate::groups::Groups;
 use crate::numerics::root;
 use break_away::Edge;
+use deep::DeepRule;
 use node_table::NodeTable;
 use panels::{Progress, Visitor};
 use radius::RadiusProfile;
@@ -63,19 +65,22 @@ pub struct Population {
     /// What lies above this height is no number.
     highest: f64,
     nodes: Option<NodeTable>,
+    deep: Option<DeepRule>,
 }
 
 /// A summit in contact, at its height.
 #[derive(Debug, Clone, Copy)]
 pub struct Point {
     pub(crate) z: f64,
-    /// Radius over the mean radius, and its slope.
-    pub(crate) g: f64,
+    /// Slope of the radius over the mean radius.
     pub(crate) g_rate: f64,
     pub(crate) contact: Contact,
 }
 
 impl Point {
+    /// A summit that was not found: sums over it are no numbers.
+    const UNKNOWN: Self = Self { z: f64::NAN, g_rate: f64::NAN, contact: Contact::UNKNOWN };
+
     /// dz/ds along the branch of summits at one separation.
     #[inline]
     fn z_rate(&self) -> f64 {
@@ -135,9 +140,11 @@ impl Population {
             lower_cut,
             highest,
             nodes: None,
+            deep: None,
         };
         if radius.is_constant() {
             population.nodes = Some(NodeTable::new(&population, &population.edge(0.0)));
+            population.deep = Some(DeepRule::new(&population));
         }
         Ok(population)
     }
@@ -204,19 +211,26 @@ impl Population {
         let edge = self.law.break_away(g);
         let mut passings = vec![z - edge.overlap];
         passings.extend(self.attraction.as_ref().map(|law| z + law.reach));
-        for radius in self.slip.kinks().into_iter().filter(|&radius| radius > edge.radius) {
-            let excess = |s: f64| self.law.at(s, g).radius - radius;
-            let mut upper = edge.parameter + 1.0;
-            while excess(upper) < 0.0 {
-                upper *= 2.0;
-            }
-            passings.push(z - self.law.at(root::bracketed(excess, edge.parameter, upper), g).overlap);
-        }
+        passings.extend(self.slip.kinks().iter().filter_map(|&radius| Some(z - self.overlap_at_radius(radius, g)?)));
         passings
+    }
+
+    /// The overlap at which a contact has a radius; `None` if it breaks before it is as small.
+    fn overlap_at_radius(&self, radius: f64, g: f64) -> Option<f64> {
+        let edge = self.law.break_away(g);
+        let excess = |s: f64| self.law.at(s, g).radius - radius;
+        let mut upper = edge.parameter + 1.0;
+        while excess(upper) < 0.0 {
+            upper *= 2.0;
+        }
+        (radius > edge.radius).then(|| self.law.at(root::bracketed(excess, edge.parameter, upper), g).overlap)
     }
 
     /// The sums at a separation; NaN where they take more panels than there may be.
     pub fn at_separation(&self, separation: f64) -> Sums {
+        if let Some(rule) = self.deep.as_ref().filter(|rule| rule.covers(separation)) {
+            return rule.sums(self, separation);
+        }
         let edge = self.edge(separation);
         let mut sums = Sums::default();
         self.add_attractions(&mut sums, separation, &edge);
@@ -267,32 +281,28 @@ impl Population {
     #[inline]
     fn at_height(&self, separation: f64, z: f64, guess: f64) -> Point {
         let (g, g_rate) = self.radius.at(z);
-        Point { z, g, g_rate, contact: self.law.at_overlap(z - separation, g, guess) }
+        Point { z, g_rate, contact: self.law.at_overlap(z - separation, g, guess) }
     }
 
-    /// The summit of a parameter, from a guess of its height: the root of z - d - u(s, g(z)), which rises with z.
+    /// The summit of a parameter, from a guess of its height: the root of z - d - u(s, g(z)). `None` if Newton's method does not
+    /// find it.
     #[inline]
-    fn on_branch(&self, separation: f64, parameter: f64, guess: f64) -> Point {
+    fn on_branch(&self, separation: f64, parameter: f64, guess: f64) -> Option<Point> {
         if self.radius.is_constant() {
             let contact = self.law.at(parameter, 1.0);
-            return Point { z: separation + contact.overlap, g: 1.0, g_rate: 0.0, contact };
+            return Some(Point { z: separation + contact.overlap, g_rate: 0.0, contact });
         }
         let mut z = guess;
-        let mut point;
-        let mut steps = 0;
-        loop {
+        for _ in 0..MOST_STEPS {
             let (g, g_rate) = self.radius.at(z);
-            point = Point { z, g, g_rate, contact: self.law.at(parameter, g) };
-            let excess = (z - separation) - point.contact.overlap;
-            let step = -excess / point.height_share();
-            steps += 1;
-            if step.abs() * self.radius.rate <= LAST_STEP || step.abs() <= f64::EPSILON * z.abs() || steps >= MOST_STEPS
-            {
-                let g_step = g_rate * step;
-                return Point { z: z + step, g: g + g_step, g_rate, contact: point.contact.moved(0.0, g_step) };
+            let point = Point { z, g_rate, contact: self.law.at(parameter, g) };
+            let step = (point.contact.overlap - (z - separation)) / point.height_share();
+            if step.abs() * self.radius.rate <= LAST_STEP || step.abs() <= f64::EPSILON * z.abs() {
+                return Some(Point { z: z + step, contact: point.contact.moved(0.0, g_rate * step), ..point });
             }
             z += step;
         }
+        None
     }
 }
 

@@ -85,7 +85,8 @@ impl Population {
                 }
             } else {
                 let heights = panel.nodes.map(|node| separation + node.overlap);
-                let densities = self.heights.densities(heights);
+                let densities =
+                    self.densities(separation, panel.nodes.map(|node| (separation + node.overlap, node.overlap)));
                 for ((node, density), z) in panel.nodes.iter().zip(densities).zip(heights) {
                     let fraction = node.weight * density;
                     progress.add(fraction, node.overlap);

@@ -24,6 +24,9 @@ const MOST_BEND: f64 = 2.0;
 const PARAMETER_RATIO: f64 = 3.0;
 /// As a function of the parameter the density is steeper than as one of height: of a panel in height this part is taken.
 const PART_OF_HEIGHT_PANEL: f64 = 0.5;
+/// Where the density has fallen by e-folds since its largest value fewer digits of it count: a panel may be longer by this
+/// for each, up to twice as long.
+const LONGER_PER_FOLD: f64 = 0.02;
 /// A panel that is longer than it should be by no more than this factor is taken.
 const LENGTH_SLACK: f64 = 1.05;
 /// Less than this part of a panel is not left for another.
@@ -35,6 +38,10 @@ const PART_AT_FOOT: f64 = 0.02;
 const NEGLIGIBLE: f64 = 1e-19;
 /// A panel shorter than this part of what it may be was cut.
 const WHOLE_PANEL: f64 = 0.1;
+/// The shortest panel, in sigma: what lies within it of a singular point is negligible.
+const SHORTEST: f64 = 1e-8;
+/// The end of a panel takes some three steps to find.
+const MOST_STEPS: u32 = 60;
 /// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
 const MOST_PANELS: usize = 6000;
 
@@ -101,15 +108,18 @@ impl Population {
         let mut here = self.above_foot(separation, start, edge_height, end, progress, visitor);
         let mut kink = None;
         let end = end.min(self.highest);
+        let largest = self.heights.log_density(start.z.max(self.heights.last_mode()));
         for _ in 0..MOST_PANELS {
             if here.z >= end {
                 return true;
             }
-            let reach = panel::panel_length(&*self.heights, here.z).min(self.radius.smooth_length(here.z));
+            let fall = largest - self.heights.log_density(here.z);
+            let reach = panel::panel_length(&*self.heights, here.z) * (1.0 + fall * LONGER_PER_FOLD).clamp(1.0, 2.0);
+            let reach = reach.min(self.radius.smooth_length(here.z));
             let panel =
                 self.panel(separation, here, kink, here.z - edge_height, reach, self.stop_above(here.z).min(end));
             let nodes = self.nodes(separation, &panel);
-            let densities = self.heights.densities(nodes.map(|(_, point)| point.z));
+            let densities = self.densities(separation, nodes.map(|(_, point)| (point.z, point.contact.overlap)));
             for ((weight, point), density) in nodes.iter().zip(densities) {
                 let fraction = weight * density;
                 progress.add(fraction, point.contact.overlap);
@@ -126,8 +136,21 @@ impl Population {
         false
     }
 
+    /// The densities at the nodes of a panel, of which each is given by height and overlap: of small overlaps far out in a
+    /// steep tail more digits count than heights have.
+    #[inline]
+    pub(super) fn densities(&self, separation: f64, nodes: [(f64, f64); POINTS]) -> [f64; POINTS] {
+        let slope = self.heights.log_density_slope(nodes[POINTS / 2].0);
+        let mut densities = self.heights.densities(nodes.map(|(z, _)| z));
+        for (density, (z, overlap)) in densities.iter_mut().zip(nodes) {
+            let rounding = overlap - (z - separation);
+            *density += *density * (slope * rounding);
+        }
+        densities
+    }
+
     /// The next height at which a panel must end.
-    fn stop_above(&self, z: f64) -> f64 {
+    pub(super) fn stop_above(&self, z: f64) -> f64 {
         let breakpoints = self.heights.breakpoints();
         let next = breakpoints.partition_point(|&breakpoint| breakpoint <= z);
         breakpoints.get(next).copied().unwrap_or(f64::INFINITY).min(self.heights.support().1)
@@ -151,6 +174,11 @@ impl Population {
         else {
             return start;
         };
+        // A kink of the slip law within so short a panel ends it.
+        let end = self.at_height(separation, foot + panel.length, start.contact.parameter);
+        let whole = Panel { axis: Axis::Height, from: start, to: end, kink: None };
+        let cut = self.cut_at_kink(separation, whole, None);
+        let panel = panel.shortened(cut.to.z - foot);
         let mut here = start;
         for (v, weight) in quadrature::nodes(0.0, 1.0) {
             let (rise, rate) = panel.at(v);
@@ -175,25 +203,26 @@ impl Population {
     ) -> Panel {
         let far =
             if self.radius.is_constant() { FAR_FROM_BREAK_AWAY } else { PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO };
-        let whole = if clearance > far {
-            let z = (here.z + reach.min(HEIGHT_RATIO * clearance)).min(stop);
-            Panel {
-                axis: Axis::Height,
-                from: here,
-                to: self.at_height(separation, z, here.contact.parameter),
-                kink: None,
-            }
+        let by_parameter = if clearance > far {
+            None
         } else {
             // A panel that reaches to where the density changes is one of a polynomial.
             let reach = if here.z + reach < stop { PART_OF_HEIGHT_PANEL * reach } else { reach };
-            let to = self.parameter_panel_end(separation, &here, reach, stop);
-            Panel { axis: Axis::Parameter, from: here, to, kink: None }
+            self.parameter_panel_end(separation, &here, reach, stop)
         };
-        self.cut_at_kink(separation, whole, kink)
+        let (axis, to) = match by_parameter {
+            Some(to) => (Axis::Parameter, to),
+            None => {
+                let z = (here.z + reach.min((HEIGHT_RATIO * clearance).max(SHORTEST))).min(stop);
+                (Axis::Height, self.at_height(separation, z, here.contact.parameter))
+            }
+        };
+        self.cut_at_kink(separation, Panel { axis, from: here, to, kink: None }, kink)
     }
 
-    /// Where a panel in the parameter ends: as far as the law of contact is smooth, and no more than `reach` higher.
-    fn parameter_panel_end(&self, separation: f64, here: &Point, reach: f64, stop: f64) -> Point {
+    /// Where a panel in the parameter ends: as far as the law of contact is smooth, and no more than `reach` higher. `None`
+    /// where the height does not follow from the parameter.
+    fn parameter_panel_end(&self, separation: f64, here: &Point, reach: f64, stop: f64) -> Option<Point> {
         let s = here.contact.parameter;
         let mut step = PARAMETER_RATIO * self.law.distance_to_singularity(s);
         // Between the slip law's radii friction is a fractional power of the radius, which is 0 at s = 0.
@@ -205,38 +234,45 @@ impl Population {
             // Hertz: the height is s^2.
             step = reach / (0.5 * start_rate + (0.25 * start_rate * start_rate + reach).sqrt());
         }
-        loop {
+        for _ in 0..MOST_STEPS {
             let there = self.on_branch(separation, s + step, here.z + step * (start_rate + step));
-            if there.height_share() * MOST_BEND < here.height_share() {
-                step *= 0.5;
+            let Some(there) = there.filter(|there| there.height_share() * MOST_BEND >= here.height_share()) else {
+                step *= 0.25;
                 continue;
-            }
+            };
             let rise = there.z - here.z;
             let limit = reach.min(stop - here.z);
             // What would be left of the stretch goes into the panel if it is next to nothing.
             let reaches_stop = there.z + REMNANT * rise >= stop;
             if rise <= reach * LENGTH_SLACK && !reaches_stop {
-                return there;
+                return Some(there);
             }
             // As if the rise were quadratic in the step.
             let bend = ((rise - start_rate * step) / (step * step)).max(0.0);
             let shorter = 2.0 * limit / (start_rate + (start_rate * start_rate + 4.0 * bend * limit).sqrt());
             if reaches_stop && here.z + limit >= stop {
-                return self.at_height(separation, stop, s + shorter);
+                return Some(self.at_height(separation, stop, s + shorter));
             }
             step = shorter.min(0.9 * step);
         }
+        None
     }
 
     /// The same panel, or its first part up to a kink of the slip law. Where radii vary with height it ends at an extremum of
     /// the contact radius too, so that each kink within shows at its ends.
     fn cut_at_kink(&self, separation: f64, mut panel: Panel, start_kink: Option<usize>) -> Panel {
-        let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
-        if !self.radius.is_constant() && (panel.from.radius_rate() > 0.0) != (panel.to.radius_rate() > 0.0) {
-            let rate = |x: f64| self.on_panel(separation, &panel, x).radius_rate();
-            let extremum = root::bracketed(rate, from, to);
-            if is_inside(extremum, from, to) {
-                panel.to = self.on_panel(separation, &panel, extremum);
+        let from = panel.variable(&panel.from);
+        if !self.radius.is_constant() {
+            if let Some(turn) = panel.between_extrema() {
+                panel.to = self.on_panel(separation, &panel, turn);
+            }
+            let to = panel.variable(&panel.to);
+            if (panel.from.radius_rate() > 0.0) != (panel.to.radius_rate() > 0.0) {
+                let rate = |x: f64| self.on_panel(separation, &panel, x).radius_rate();
+                let extremum = root::bracketed(rate, from, to);
+                if is_inside(extremum, from, to) {
+                    panel.to = self.on_panel(separation, &panel, extremum);
+                }
             }
         }
         for (index, kink) in self.slip.kinks().into_iter().enumerate() {
@@ -262,7 +298,7 @@ impl Population {
         for (node, (x, weight)) in nodes.iter_mut().zip(quadrature::nodes(from, to)) {
             *node = match panel.axis {
                 Axis::Parameter => {
-                    let point = self.on_branch(separation, x, guess.at(x));
+                    let point = self.on_branch(separation, x, guess.at(x)).unwrap_or(Point::UNKNOWN);
                     (weight * point.z_rate(), point)
                 }
                 Axis::Height => (weight, self.at_height(separation, x, guess.at(x))),
@@ -274,7 +310,7 @@ impl Population {
     /// The summit at a value of the variable of a panel.
     fn on_panel(&self, separation: f64, panel: &Panel, x: f64) -> Point {
         match panel.axis {
-            Axis::Parameter => self.on_branch(separation, x, panel.guess().at(x)),
+            Axis::Parameter => self.on_branch(separation, x, panel.guess().at(x)).unwrap_or(Point::UNKNOWN),
             Axis::Height => self.at_height(separation, x, panel.guess().at(x)),
         }
     }
@@ -286,6 +322,22 @@ impl Panel {
             Axis::Parameter => point.contact.parameter,
             Axis::Height => point.z,
         }
+    }
+
+    /// Where the contact radius turns back from one extremum to another, by the cubic with its values and slopes at both ends.
+    fn between_extrema(&self) -> Option<f64> {
+        let (from, to) = (self.variable(&self.from), self.variable(&self.to));
+        let slope = |point: &Point| match self.axis {
+            Axis::Parameter => point.radius_rate() * (to - from),
+            Axis::Height => point.radius_rate() / point.z_rate() * (to - from),
+        };
+        let change = self.to.contact.radius - self.from.contact.radius;
+        let (start, end) = (slope(&self.from), slope(&self.to));
+        // Its slope is start + 2 b t + 3 c t^2.
+        let (b, c) = (3.0 * change - 2.0 * start - end, start + end - 2.0 * change);
+        let turn = -b / (3.0 * c);
+        let turns_back = start * end > 0.0 && start * (start + b * turn) < 0.0 && turn > 0.1 && turn < 0.9;
+        turns_back.then_some(from + turn * (to - from))
     }
 
     /// Height by parameter, or parameter by height.

@@ -89,7 +89,17 @@ impl Summit {
     /// Of a contact that is not just breaking away, where the overlap does not depend on the parameter.
     #[inline]
     pub fn new(contact: &Contact, slip: &Slip) -> Self {
-        let (friction, friction_by_radius) = slip.force(contact.radius);
+        Self::with_friction(contact, slip.force(contact.radius))
+    }
+
+    /// The same, with friction by the law of one regime of slip.
+    #[inline]
+    pub fn in_regime(contact: &Contact, slip: &Slip, regime: usize) -> Self {
+        Self::with_friction(contact, slip.force_in_regime(regime, contact.radius))
+    }
+
+    #[inline]
+    fn with_friction(contact: &Contact, (friction, friction_by_radius): (f64, f64)) -> Self {
         let by_overlap = if contact.overlap_rate > f64::MIN_POSITIVE { 1.0 / contact.overlap_rate } else { 0.0 };
         Self {
             radius: contact.radius,

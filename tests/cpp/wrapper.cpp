@@ -391,7 +391,11 @@ void the_table_answers_as_the_model() {
     EXPECT(close(asperity_eval_friction_force(&table, REFERENCE_LOAD, &slope), REFERENCE_FORCE, 1e-7));
     EXPECT(close(slope, REFERENCE_SLOPE, 1e-6));
     EXPECT(close(asperity_eval_friction(&table, REFERENCE_LOAD, nullptr), REFERENCE_FORCE / REFERENCE_LOAD, 1e-7));
-    EXPECT(std::isnan(asperity_eval_friction(&table, 2.0 * model.summary().max_table_load, nullptr)));
+    // Heavier loads than the table's: the force of its heaviest load.
+    const double heaviest = model.summary().max_table_load;
+    EXPECT(asperity_eval_friction_force(&table, 2.0 * heaviest, &slope) == table.heavy_force && slope == 0.0);
+    EXPECT(close(table.heavy_force, model.friction_force_at_load(heaviest), 1e-12));
+    EXPECT(std::isnan(asperity_eval_friction(&table, NOT_A_NUMBER, nullptr)));
 }
 
 // ---- Many loads ----
@@ -457,6 +461,7 @@ void a_solver_gets_every_element_and_the_first_offence() {
 
     // As vectors: an open contact is an answer, and hides no load that has none.
     const std::vector<double> open{1.0, 2.0 * pull_off, 100.0}, heavy{1.0, 2.0 * pull_off, 100.0, 1e300};
+    const std::vector<double> heavy_alone{1.0, 1e300};
     EXPECT((model.friction_at_load(open) == std::vector<double>{mu[0], 0.0, mu[3]}));
     EXPECT((model.friction_force_at_load(open) == std::vector<double>{force[0], 0.0, force[3]}));
     EXPECT((model.friction_and_slope_at_load(open).slope == std::vector<double>{dmu[0], 0.0, dmu[3]}));
@@ -471,6 +476,8 @@ void a_solver_gets_every_element_and_the_first_offence() {
         EXPECT(invalid.status() == ASPERITY_INVALID_LOAD && begins(invalid.what(), "element 2: load = NaN"));
         const Error too_heavy = thrown_by([&] { ask(model, heavy); });
         EXPECT(too_heavy.status() == ASPERITY_OUT_OF_RANGE && begins(too_heavy.what(), "element 3: load = 1e300: "));
+        const Error alone = thrown_by([&] { ask(model, heavy_alone); });
+        EXPECT(alone.status() == ASPERITY_OUT_OF_RANGE && begins(alone.what(), "element 1: load = 1e300: "));
     }
 
     // Nothing but values, in place.

@@ -24,7 +24,7 @@ typedef struct outcome {
 } outcome;
 
 /* As many heights as a table may have; of fewer, creation is quick. */
-enum { MOST_HEIGHTS = 4096, FEW_HEIGHTS = 32 };
+enum { MOST_HEIGHTS = 256, FEW_HEIGHTS = 8 };
 
 static asperity_params measured_heights(int n)
 {

@@ -20,6 +20,9 @@ use std::time::{Duration, Instant};
 /// What the library promises against the second evaluation.
 const ACCURACY: f64 = 1e-8;
 const LONGEST_CALL: Duration = Duration::from_secs(1);
+/// Radii are refused where contact ends at heights that change faster than this with separation: a few in a hundred more
+/// than the library's bound, which is looked for in longer steps.
+const LEAST_RATE: f64 = 0.05;
 const SETS: usize = 200;
 /// Surfaces after which a long run says how far it is.
 const PROGRESS: usize = 250;
@@ -151,6 +154,7 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
                 Error::OutOfRange { name: "pull-off load", value: Value::Real(load), .. } => {
                     parts_in_steps(surface, *load)
                 }
+                Error::OutOfRange { name: "radius_rate", .. } => surface.least_break_away_rate() < LEAST_RATE,
                 _ => false,
             };
             return Outcome::Refused { error, after, founded };
@@ -366,7 +370,7 @@ fn the_second_evaluation_agrees_with_the_80_bit_rows() {
         }
     }
     println!("{rows} rows, worst {worst:.1e}");
-    assert_eq!(rows, 655);
+    assert_eq!(rows, 631);
     assert!(offences.is_empty(), "{} offences:\n{}", offences.len(), offences.join("\n"));
 }
 

@@ -95,22 +95,10 @@ fn a_pull_off_load_that_is_no_number_is_none() {
     assert!((exact.friction_force / state.friction_force - 1.0).abs() < 1e-11, "{exact:?}, {state:?}");
 }
 
-/// Where radii fall with height, sums go down from where contact ends; they did so in steps of one sigma over a thousand.
-/// The search for the pull-off point went on to where the load of a heavy tail cannot be told from none. And the last one,
-/// to its last digits, took 100 s.
+/// Where radii vanish slowly below, to its last digits, it took 100 s.
 #[test]
 fn no_model_takes_a_second_to_make() {
-    let johnson = |skew, kurtosis| HeightFamily::Johnson { skew, kurtosis };
-    let ([alpha, beta, gamma, b_over_h], heights) =
-        ([2.0541023068e-4, 14.6071685326, 0.115624353223, 8.45309277181], johnson(-0.33831788, 13.28496));
-    let mut cases = vec![Params {
-        heights,
-        attraction: true,
-        radius_amplitude: -1.0,
-        radius_rate: 16.294316,
-        ..surface(alpha, beta, gamma, b_over_h, 1.0)
-    }];
-    cases.push(Params {
+    let params = Params {
         composite_modulus: 55138.43262183106,
         effective_shear_modulus: 38596.90283528174,
         work_of_adhesion: 4.234924302839713,
@@ -122,13 +110,11 @@ fn no_model_takes_a_second_to_make() {
         radius_amplitude: 1.0,
         radius_rate: 0.05634686409069578,
         ..Params::default()
-    });
-    for params in cases {
-        let start = processor_time();
-        let model = Model::new(&params).expect("a model");
-        let took = processor_time() - start;
-        assert!(took < Duration::from_millis(700) || cfg!(debug_assertions), "{took:?}, {:?}", model.summary());
-    }
+    };
+    let start = processor_time();
+    let model = Model::new(&params).expect("a model");
+    let took = processor_time() - start;
+    assert!(took < Duration::from_millis(700) || cfg!(debug_assertions), "{took:?}, {:?}", model.summary());
 }
 
 /// A panel of the branch, three times as long as the one before, was as long as all that was left but for a rounding: the next
@@ -164,26 +150,6 @@ fn a_kink_that_is_pull_off_but_for_a_rounding_is_pull_off() {
     };
     let model = Model::new(&params).expect("a model");
     assert!(model.summary().pull_off_load < 0.0, "{:?}", model.summary());
-}
-
-/// The search stepped over the first minimum to a later one, where radii fall steeply with height.
-#[test]
-fn the_branch_ends_at_the_first_minimum_of_the_load() {
-    let params = Params {
-        heights: HeightFamily::Gaussian,
-        attraction: true,
-        radius_amplitude: -0.60546875,
-        radius_rate: 9.119288,
-        ..surface(4.1046984e-4, 6.7468579e6, 0.24253, 0.224919, 1.0)
-    };
-    let model = Model::new(&params).expect("a model");
-    let pull_off = model.summary().pull_off_load;
-    let end = model.state_at_load(pull_off).expect("a state").separation;
-    let loads: Vec<f64> = (0..=80)
-        .map(|i| end - (8.0 - 0.1 * f64::from(i)) * params.height_std)
-        .map(|separation| model.state_at_separation(separation).expect("a state").load)
-        .collect();
-    assert!(loads.windows(2).all(|pair| pair[1] < pair[0]), "pull-off {pull_off:e}, loads {loads:?}");
 }
 
 /// Next to a fold the radius of contacts is so steep that the height where it passes one of the slip law's is that of its
@@ -333,34 +299,6 @@ fn friction_at_the_end_of_all_numbers_does_not_fall() {
         let load = 3.3277767761854135e-289 * (1.0 + 0.01 * f64::from(i));
         let (lighter, heavier) = (force(load), force(load * 1.000_001));
         assert!(heavier >= lighter * (1.0 - 1e-11), "{load:e}: {lighter:e}, then {heavier:e}");
-    }
-}
-
-/// Sums that ran out of panels, over a range of heights of a last bit where attraction sets in, were taken for a load that
-/// does not fall: the search passed them by, and a model was made of loads beyond pull-off.
-#[test]
-fn attraction_that_sets_in_far_above_the_heights_is_summed() {
-    let params = Params {
-        heights: HeightFamily::Weibull { shape: 7.006017639500466 },
-        attraction: true,
-        radius_amplitude: -1.0,
-        radius_rate: 0.6939674669990871,
-        ..surface(1.3003932315269595e-4, 9.120569827181823, 2.138647262403726e-3, 18.04364846, 1.0)
-    };
-    let model = Model::new(&params).expect("a model");
-    let summary = model.summary();
-    assert!(summary.pull_off_load < 0.0 && summary.max_table_load > 0.0, "{summary:?}");
-    let params = Params {
-        heights: HeightFamily::Weibull { shape: 19.15337642090632 },
-        radius_rate: 4.464644396063141,
-        ..surface(2.62947229244635e-4, 19.48730646731156, 1.4752028426404892e-3, 20.0, 1.0)
-    };
-    let params = Params { attraction: true, radius_amplitude: -1.0, ..params };
-    let model = Model::new(&params).expect("a model");
-    for i in 0..200 {
-        let separation = 0.5 * f64::from(i) * params.height_std;
-        let state = model.state_at_separation(separation).expect("a state");
-        assert!(state.load.is_finite(), "{state:?}");
     }
 }
 

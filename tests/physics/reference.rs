@@ -133,10 +133,10 @@ fn figures_3_to_10_and_the_limits_are_reproduced() {
     comparison.finish(226);
 }
 
-/// Where float64 cannot reach 1e-12: with steep radii contact breaks at heights that nearly meet, and in the upper tail
-/// of a large Weibull shape an error of one unit in the separation is thousands in the load.
+/// Where float64 cannot reach 1e-12: in the upper tail of a large Weibull shape an error of one unit in the separation is
+/// thousands in the load.
 fn is_ill_conditioned(case: &Case) -> bool {
-    case.name.starts_with("steep radius variation") || case.params.weibull_shape > Some(50.0)
+    case.params.weibull_shape > Some(50.0)
 }
 
 #[test]
@@ -153,8 +153,8 @@ fn surfaces_from_all_over_parameter_space_are_reproduced() {
             }
         }
     }
-    ordinary.finish(359);
-    ill_conditioned.finish(35);
+    ordinary.finish(355);
+    ill_conditioned.finish(15);
 }
 
 #[test]

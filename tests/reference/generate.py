@@ -658,6 +658,9 @@ def mp_check(path, stride=20, start=0, limit=None, eps=None):
     print(w); return w
 
 # ---------------------------------------------------------------- the new parameter sets
+# drawn, but not evaluated: radii fall so steeply with height that taller summits part first, and the library refuses them
+REFUSED = {"wide 46 lambda3=6.31 epsilon=-1"}
+
 def draw(seed=20050701, count=78):
     R = random.Random(seed); out = []
     def lu(a, b): return float("%.4g" % math.exp(R.uniform(math.log(a), math.log(b))))
@@ -695,11 +698,6 @@ def draw(seed=20050701, count=78):
         p = dict(base, **kw); 
         if "gamma" not in kw: p["gamma"] = math.sqrt(.28125*2*math.pi*.01/9000)
         out.append((nm, p))
-    # radius falling so steeply with height that d u_break/dz > 1: heights in contact are TWO intervals at some separations
-    steep = dict(base, alpha=.002, beta=300., gamma=.001, epsilon=-.95, rho=5.)
-    for kw, ds in ((dict(), [0., .9, 1.2, 1.6, 2.5]), (dict(gamma=.0004), [.5, .6, .7]), (dict(weibull_shape=2.2), [.9, 1.2, 1.6]),
-                   (dict(epsilon=-1., rho=2.), [1.3, 1.4, 1.5]), (dict(noncontacting=False), [1.2, 1.6]), (dict(gamma=.003), [1.5, 2., 2.5, 3.])):
-        out.append(("steep radius variation" + "".join(" %s=%s" % kv for kv in kw.items()), dict(steep, **kw, separations=ds)))
     return out
 
 def separations(m, R, want=4):
@@ -737,9 +735,9 @@ def generate(path=None, limit=None, first=0, sets=None, Model=Model):
     cases = []; dropped = []; t0 = time.time()
     sets = sets or draw(); order = list(range(len(sets))); random.Random(1).shuffle(order)   # early output is already a spread
     for i in order:
-        if i < first: continue
-        name, p = sets[i]; fixed = p.pop("separations", None); R = random.Random(1000 + i); rows = []
-        try: m = Model(p); ds = fixed or separations(m, R)
+        if i < first or sets[i][0] in REFUSED: continue
+        name, p = sets[i]; R = random.Random(1000 + i); rows = []
+        try: m = Model(p); ds = separations(m, R)
         except Exception as e: print("SET FAILED", name, repr(e), file=sys.stderr); continue
         for d in ds:
             t = time.time()

@@ -180,7 +180,7 @@ class Model:
             raise Error("the model is closed", Status.NULL_POINTER)
         return handle
 
-    def _state(self, call: Any, name: str, at: float) -> State:
+    def _state(self, call: Any, name: str, at: Any) -> State:
         if not isinstance(at, numbers.Real):
             raise TypeError(f"{name} = {at!r}: must be one number; for many, [model.state_at_{name}(x) for x in ...]")
         return _state(self._open(), call, float(at))
@@ -241,8 +241,9 @@ def _refuse(handle: _Handle, load: float, index: tuple[Any, ...] = ()) -> None:
 def _state(handle: _Handle, call: Any, at: float) -> State:
     struct = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
     check(call(handle.pointer, at, ctypes.byref(struct)))
-    *values, warnings = _values(struct)
-    return State(*values, Warnings(warnings))
+    values = _values(struct)
+    values[-1] = Warnings(values[-1])
+    return State(*values)
 
 
 def _values(struct: ctypes.Structure) -> list[Any]:

@@ -195,6 +195,19 @@ impl Surface {
         z - separation - self.reach() * break_away(self.scale(z).1).w
     }
 
+    /// The least d(z - u_break)/dz among heights that any summit has: below 0 taller summits part before lower ones.
+    pub fn least_break_away_rate(&self) -> f64 {
+        const STEPS: i32 = 4000;
+        const SMALLEST_LOG_DENSITY: f64 = -700.0;
+        let step = 0.005 / self.rho;
+        // tanh is level beyond.
+        (-STEPS / 2..STEPS / 2)
+            .map(|i| f64::from(i) * step)
+            .filter(|&z| self.heights.log_density(z) > SMALLEST_LOG_DENSITY)
+            .map(|z| (self.depth(z + step, 0.0) - self.depth(z, 0.0)) / step)
+            .fold(1.0, f64::min)
+    }
+
     /// What a summit of a height adds, without the density.
     fn summit(&self, z: f64, separation: f64, contact: bool) -> Values {
         let (length, kappa) = self.scale(z);

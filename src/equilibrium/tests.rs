@@ -1,0 +1,55 @@
+//! Pull-off points and states of given loads, on surfaces with one minimum of the load and with two.
+
+use super::*;
+use crate::params::{HeightFamily, Params};
+use crate::population::tests::{of, surface, table, FOLD, HERTZ, WEAK};
+
+fn surfaces() -> Vec<Params> {
+    vec![
+        surface(WEAK, HeightFamily::Gaussian, [0.0, 1.0]),
+        surface(FOLD, HeightFamily::Weibull { shape: 2.2 }, [0.0, 1.0]),
+        surface(FOLD, HeightFamily::Gaussian, [0.6, 0.8]),
+        // The lower summits part first, then the taller ones.
+        surface(FOLD, table(), [0.0, 1.0]),
+        surface(WEAK, table(), [0.3, 1.0]),
+    ]
+}
+
+#[test]
+fn the_branch_ends_at_the_first_minimum_of_the_load() {
+    for params in surfaces() {
+        let branch = Branch::new(of(&params)).expect("a branch");
+        let end = branch.farthest();
+        let load = |separation: f64| branch.population().at_separation(separation).load();
+        let point = branch.pull_off().expect("a pull-off point");
+        assert_eq!((point.separation, point.load), (end, load(end)), "{params:?}");
+        assert!(load(end - 1e-3) > point.load && load(end + 1e-3) > point.load, "{params:?}: {point:?}");
+        let before: Vec<f64> = (0..800).map(|i| load(end - 0.01 * f64::from(i))).collect();
+        assert!(before.windows(2).all(|pair| pair[1] > pair[0]), "{params:?}: the load has a minimum before {end}");
+    }
+}
+
+#[test]
+fn without_adhesion_nothing_pulls() {
+    for heights in [HeightFamily::Gaussian, table()] {
+        let branch = Branch::new(of(&surface(HERTZ, heights, [0.0, 1.0]))).expect("a branch");
+        assert!(branch.pull_off().is_none());
+        assert_eq!(branch.pull_off_load(), 0.0);
+    }
+}
+
+#[test]
+fn a_load_has_its_separation_from_any_guess_and_from_none() {
+    for params in surfaces() {
+        let branch = Branch::new(of(&params)).expect("a branch");
+        for above in [-9.0, -2.0, 3.0] {
+            let target = log(-branch.pull_off_load()) + above;
+            for guess in [None, Some(branch.farthest() + 1.0), Some(branch.farthest() - 0.1), Some(-30.0)] {
+                let (separation, sums) = branch.at_log_excess(target, guess).expect("a state");
+                let load = branch.pull_off_load() * (1.0 - above.exp());
+                let off = (sums.load() - load).abs() / (sums.load() - branch.pull_off_load());
+                assert!(off < 1e-7 && separation <= branch.farthest(), "{params:?}, {above}, {guess:?}: {off:e}");
+            }
+        }
+    }
+}
