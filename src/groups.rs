@@ -18,7 +18,8 @@ pub struct Groups {
 impl Groups {
     /// lambda^3 of eq (7).
     pub fn lambda_cubed(&self) -> f64 {
-        4.5 / PI * self.beta * self.gamma * self.gamma * self.b_over_h.powi(3) / self.alpha
+        let cube = self.b_over_h * self.b_over_h * self.b_over_h;
+        4.5 / PI * self.beta * self.gamma * self.gamma * cube / self.alpha
     }
 
     /// The range of adhesion in standard deviations of height, h/sigma.

@@ -1,5 +1,8 @@
 //! A surface pair ready for use: answers to all that a caller can ask, in the caller's units.
 
+// Brackets hold units here, not links.
+#![allow(rustdoc::broken_intra_doc_links)]
+
 use crate::elementary::{cbrt, log};
 use crate::equilibrium::Branch;
 use crate::error::Error;

@@ -1,5 +1,8 @@
 //! A surface pair in the user's own consistent units, validated, and turned into dimensionless groups.
 
+// Brackets hold units here, not links.
+#![allow(rustdoc::broken_intra_doc_links)]
+
 use crate::asperity::slip::SlipConstants;
 use crate::distribution::weibull::Weibull;
 use crate::distribution::{self, HeightDistribution};

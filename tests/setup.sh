@@ -8,7 +8,7 @@ set -euo pipefail
 core="g++ gfortran clang cmake pkg-config python3 python3-venv libgsl-dev valgrind"
 hosts="libode-dev libsiconos-numerics-dev liblammps-dev libsimbody-dev python3-getfem python3-matplotlib pkg-config
     python3-venv"
-harden="valgrind qemu-user llvm-22"
+harden="valgrind qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross llvm-22"
 # Of crates.io, at the versions that were tried; fetched and built by cargo.
 harden_tools="cargo-deny@0.20.2 cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
 
@@ -30,6 +30,8 @@ done
 if [[ " $* " == *" harden "* ]] && command -v rustup >/dev/null; then
     rustup component add --toolchain nightly rust-src miri >/dev/null 2>&1 ||
         rustup toolchain install nightly --profile minimal --component rust-src,miri
+    # For 64-bit ARM, which qemu-user emulates.
+    rustup target add aarch64-unknown-linux-gnu >/dev/null 2>&1
 fi
 
 if ! command -v dpkg-query >/dev/null; then

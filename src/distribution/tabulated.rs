@@ -82,8 +82,9 @@ impl Tabulated {
         };
         let mass = moment(&|_| 1.0);
         let mean = moment(&|x| x) / mass;
-        let central = |power: i32| moment(&|x| (x - mean).powi(power)) / mass;
-        let deviation = central(2).sqrt();
+        let square = |x: f64| (x - mean) * (x - mean);
+        let variance = moment(&square) / mass;
+        let deviation = variance.sqrt();
         if 1.0 > FARTHEST * deviation {
             return Err(Error::OutOfRange {
                 name: "table_height range over standard deviation",
@@ -104,8 +105,8 @@ impl Tabulated {
             knots,
             pieces,
             origin,
-            skew: central(3) / deviation.powi(3),
-            kurtosis: central(4) / deviation.powi(4),
+            skew: moment(&|x| square(x) * (x - mean)) / mass / (variance * deviation),
+            kurtosis: moment(&|x| square(x) * square(x)) / mass / (variance * variance),
         })
     }
 

@@ -10,22 +10,19 @@
 #   make memory          sanitizers, valgrind
 #   make races           ThreadSanitizer in the Rust code                 needs a nightly Rust with rust-src
 #   make miri            every C function in Miri, by two rules of aliasing     needs a nightly Rust with miri
-#   make processors      the same bits on emulated processors             needs qemu-user
+#   make processors      the same bits on emulated processors, ARM too    needs qemu-user, a cross compiler
 #   make supply-chain    licences, bans, sources                          needs cargo-deny
 #   make oldest-rust     the Rust tests with the oldest compiler          needs rustup
 #   make coverage        lines that the tests run                         needs llvm-22
-#   make mutants         changes to the source that no test notices       SHARD, MUTANTS (a pattern of names, which begin
-#                                                                         with the file), MUTANT_TEST_SECONDS; needs
-#                                                                         cargo-mutants
+#   make mutants         changes to the source that no test notices       SHARD (k/n), MUTANTS_FILE (files or patterns of
+#                                                                         files); needs cargo-mutants
 
 FUZZ_CALLS ?= 10000000
 FUZZ_SEED ?= 1
 FUZZ_SECONDS ?= 1800
 DOMAIN_SETS ?= 20000
 SHARD ?= 0/1
-MUTANTS ?=
-# Tests that take no longer, and those that what is left meets then.
-MUTANT_TEST_SECONDS ?= 0.5 6
+MUTANTS_FILE ?=
 LOW := nice -n 19
 # Compilers of a toolchain with nightly options; a stable one takes them with RUSTC_BOOTSTRAP.
 FUZZ_CARGO ?= RUSTC_BOOTSTRAP=1 $(CARGO)
@@ -91,8 +88,7 @@ oldest-rust:
 coverage:
 	$(LOW) tests/harden/coverage.sh
 
-mutants: CHOSEN = --shard $(SHARD) --only '$(MUTANTS)'
-# Those that are left meet longer tests.
+# What is found is in $(TARGET)/mutants/mutants.out.
 mutants:
-	$(LOW) tests/harden/mutants/run.sh $(CHOSEN) --seconds $(firstword $(MUTANT_TEST_SECONDS)) || \
-	    $(LOW) tests/harden/mutants/run.sh $(CHOSEN) --again --seconds $(lastword $(MUTANT_TEST_SECONDS))
+	mkdir -p $(TARGET)/mutants
+	$(LOW) $(CARGO) mutants --output $(TARGET)/mutants --shard $(SHARD) $(addprefix --file ,$(MUTANTS_FILE))

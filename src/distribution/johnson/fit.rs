@@ -128,7 +128,8 @@ fn unbounded_excess(p: f64, q: f64) -> f64 {
         common,
     ];
     let sum = terms.iter().rev().fold(0.0, |sum, term| sum * p + term);
-    0.125 * p * sum / unbounded_variance(p, q).powi(2)
+    let variance = unbounded_variance(p, q);
+    0.125 * p * sum / (variance * variance)
 }
 
 /// S_B: epsilon from the kurtosis, and for each epsilon the share from the skew.
