@@ -297,7 +297,8 @@ impl Population {
             let (g, g_rate) = self.radius.at(z);
             let point = Point { z, g_rate, contact: self.law.at(parameter, g) };
             let step = (point.contact.overlap - (z - separation)) / point.height_share();
-            if step.abs() * self.radius.rate <= LAST_STEP || step.abs() <= f64::EPSILON * z.abs() {
+            let rounding = 2.0 * f64::EPSILON * (z.abs() + separation.abs());
+            if step.abs() * self.radius.rate <= LAST_STEP || step.abs() <= rounding {
                 return Some(Point { z: z + step, contact: point.contact.moved(0.0, g_rate * step), ..point });
             }
             z += step;

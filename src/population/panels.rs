@@ -115,10 +115,18 @@ impl Population {
             }
             let fall = largest - self.heights.log_density(here.z);
             let reach = panel::panel_length(&*self.heights, here.z) * (1.0 + fall * LONGER_PER_FOLD).clamp(1.0, 2.0);
-            let reach = reach.min(self.radius.smooth_length(here.z));
-            let panel =
-                self.panel(separation, here, kink, here.z - edge_height, reach, self.stop_above(here.z).min(end));
-            let nodes = self.nodes(separation, &panel);
+            let mut reach = reach.min(self.radius.smooth_length(here.z));
+            let stop = self.stop_above(here.z).min(end);
+            let lay = |reach: f64| {
+                let panel = self.panel(separation, here, kink, here.z - edge_height, reach, stop);
+                (panel, self.nodes(separation, &panel))
+            };
+            let (mut panel, mut nodes) = lay(reach);
+            // Where radii change so fast that the height does not follow from the parameter, a shorter panel serves.
+            while nodes.iter().any(|(_, point)| point.z.is_nan()) && reach > SHORTEST {
+                reach *= 0.25;
+                (panel, nodes) = lay(reach);
+            }
             let densities = self.densities(separation, nodes.map(|(_, point)| (point.z, point.contact.overlap)));
             for ((weight, point), density) in nodes.iter().zip(densities) {
                 let fraction = weight * density;

@@ -324,7 +324,9 @@ fn friction_rises_with_load_in_the_last_bits_of_the_pull_off_load() {
             load = load.next_up();
             let (state, (_, slope)) =
                 (model.state_at_load(load).expect("a state"), model.friction_force_and_slope(load));
-            assert!(slope > 0.0 && slope.is_finite() && slope == state.dforce_dload, "{slope:e}, {state:?}");
+            assert!(slope > 0.0 && slope.is_finite(), "{slope:e}");
+            // Of so large a slope few digits are known, by the table's curve or by the state.
+            assert!((slope / state.dforce_dload - 1.0).abs() < 1e-3, "{slope:e}, {state:?}");
             assert!(state.dload_dseparation <= 0.0, "{state:?}");
         }
     }

@@ -190,7 +190,9 @@ fn contacts_are_those_of_a_sum_over_heights() {
             assert_near(state.mean_contact_radius, mean, 1e-3, &what("mean radius"));
             assert_near(state.max_contact_radius, largest, 1e-3, &what("largest radius"));
             assert_near(state.fraction_below_slip_radius_1, below, 5e-3, &what("below"));
-            assert_near(state.fraction_above_slip_radius_2, above, 5e-3, &what("above"));
+            // The tallest of 1e17 summits are none of those that are summed one by one.
+            let found = state.fraction_above_slip_radius_2;
+            assert!((found - above).abs() < 5e-3 * above + 1e-17, "{}: {found:e}, not {above:e}", what("above"));
             assert_near(state.mean_asperity_pressure, pressure, 2e-3, &what("pressure"));
             let whole = below + above + state.fraction_between_slip_radii;
             assert_near(whole, 1.0, 3e-3, &what("all regimes"));
