@@ -321,10 +321,11 @@ static int near_the_library(const asperity_model *model, const asperity_table *t
         return isnan(force) || force >= a->force * (1 - 1e-9);
     if (load == 0.0)
         return same_bits(a->force, force);
-    if (load > 0.0 && load < 1e-290) /* so near to the smallest number the library's exact states have few digits */
-        return a->force >= 0.0 && a->force < 1e-280;
     if (edge(table, 0) < 1e-8 * -table->pull_off_load)
         return fabs(a->force - force) <= 1e-4 * force;
+    /* The line knows nothing of adhesion far below the table, nor has it digits next to the smallest number. */
+    if (fabs(load) < 1e3 * -table->pull_off_load || fabs(load) < 1e-290)
+        return isfinite(a->force) && a->force >= 0.0 && a->force < 1e-20 * table->heavy_force;
     return a->force <= 10 * force && a->force >= 0.1 * force;
 }
 
