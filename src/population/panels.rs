@@ -42,6 +42,8 @@ const WHOLE_PANEL: f64 = 0.1;
 const SHORTEST: f64 = 1e-8;
 /// The end of a panel takes some three steps to find.
 const MOST_STEPS: u32 = 60;
+/// What is nearer to the end of a stretch than this, relative to 1 or to its height, is there.
+const AT_STOP: f64 = 4e-15;
 /// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
 const MOST_PANELS: usize = 6000;
 
@@ -113,10 +115,15 @@ impl Population {
             if here.z >= end {
                 return true;
             }
-            let fall = largest - self.heights.log_density(here.z);
+            let stop = self.stop_above(here.z).min(end);
+            if stop - here.z <= AT_STOP * (1.0 + here.z.abs()) {
+                here = self.at_height(separation, stop, here.contact.parameter);
+                continue;
+            }
+            // No number where the density is 0.
+            let fall = (largest - self.heights.log_density(here.z)).max(0.0);
             let reach = panel::panel_length(&*self.heights, here.z) * (1.0 + fall * LONGER_PER_FOLD).clamp(1.0, 2.0);
             let mut reach = reach.min(self.radius.smooth_length(here.z));
-            let stop = self.stop_above(here.z).min(end);
             let lay = |reach: f64| {
                 let panel = self.panel(separation, here, kink, here.z - edge_height, reach, stop);
                 (panel, self.nodes(separation, &panel))
