@@ -42,7 +42,7 @@ const WHOLE_PANEL: f64 = 0.1;
 const SHORTEST: f64 = 1e-8;
 /// The end of a panel takes some three steps to find.
 const MOST_STEPS: u32 = 60;
-/// What is nearer to the end of a stretch than this, relative to 1 or to its height, is there.
+/// What is nearer to a stretch's end, where another follows, than this relative to 1 or to its height, is there.
 const AT_STOP: f64 = 4e-15;
 /// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
 const MOST_PANELS: usize = 6000;
@@ -116,7 +116,7 @@ impl Population {
                 return true;
             }
             let stop = self.stop_above(here.z).min(end);
-            if stop - here.z <= AT_STOP * (1.0 + here.z.abs()) {
+            if stop < end && stop - here.z <= AT_STOP * (1.0 + here.z.abs()) {
                 here = self.at_height(separation, stop, here.contact.parameter);
                 continue;
             }
