@@ -13,6 +13,8 @@ pub struct Groups {
     pub gamma: f64,
     /// Burgers vector over the range of adhesion, b/h.
     pub b_over_h: f64,
+    /// Hardness over composite modulus of summits that yield, H/E*; infinite for elastic ones.
+    pub hardness: f64,
 }
 
 impl Groups {

@@ -270,6 +270,7 @@ impl Params {
             beta: (self.height_std * self.summit_radius).sqrt() / self.burgers_vector,
             gamma: self.work_of_adhesion / (self.composite_modulus * self.burgers_vector),
             b_over_h: self.burgers_vector / self.adhesion_range,
+            hardness: f64::INFINITY,
         };
         check_groups(&groups)?;
         unit_slips::check(self)?;

@@ -93,8 +93,31 @@ pub trait ContactLaw: std::fmt::Debug + Send + Sync {
     /// A guess of the parameter at an overlap.
     fn guess(&self, overlap: f64, g: f64) -> f64;
 
-    /// Distance from a parameter to the nearest point, real or complex, where the states are not analytic in it.
-    fn distance_to_singularity(&self, parameter: f64) -> f64;
+    /// Distance from a parameter to the nearest point, real or complex, where the states are not analytic in it, but for
+    /// the kinks.
+    fn distance_to_singularity(&self, parameter: f64, g: f64) -> f64;
+
+    /// Where states beyond break-away are continuous and their rates are not; most laws have no such place.
+    fn kinks(&self, _g: f64) -> [Kink; KINKS] {
+        [Kink::NONE; KINKS]
+    }
+}
+
+/// The most kinks of a law of contact.
+pub const KINKS: usize = 2;
+
+/// An overlap at which rates jump.
+#[derive(Debug, Clone, Copy)]
+pub struct Kink {
+    /// The overlap, infinite if there is no such kink.
+    pub overlap: f64,
+    /// d(overlap)/dg.
+    pub overlap_by_g: f64,
+}
+
+impl Kink {
+    /// No kink.
+    pub const NONE: Self = Self { overlap: f64::INFINITY, overlap_by_g: 0.0 };
 }
 
 #[cfg(test)]

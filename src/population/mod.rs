@@ -20,6 +20,7 @@ pub use sums::Sums;
 
 use crate::asperity::attraction::Attraction;
 use crate::asperity::contact::{Contact, ContactLaw};
+use crate::asperity::elastic_plastic::ElasticPlastic;
 use crate::asperity::hertz::Hertz;
 use crate::asperity::maugis::Maugis;
 use crate::asperity::slip::{Slip, SlipConstants};
@@ -49,6 +50,9 @@ const LAST_STEP: f64 = 1e-13;
 /// Newton's method takes some three steps.
 const MOST_STEPS: u32 = 20;
 
+/// The most contact radii at which what is summed has a kink: two of the slip law, and three where summits begin to slip.
+const RADII: usize = 5;
+
 /// A population of summits pressed against a flat.
 #[derive(Debug, Clone)]
 pub struct Population {
@@ -58,6 +62,10 @@ pub struct Population {
     heights: Arc<dyn HeightDistribution>,
     radius: RadiusProfile,
     lambda_cubed: f64,
+    /// The contact radii at which what is summed has a kink, infinite where there are fewer.
+    radius_kinks: [f64; RADII],
+    /// The height at which radii change fastest, where the law of contact has kinks that move with the radius.
+    turn_of_radii: Option<f64>,
     /// No summit in contact has a smaller overlap.
     deepest: f64,
     /// What lies below this height is negligible.
@@ -124,18 +132,26 @@ impl Population {
         radius: RadiusProfile,
         attract: bool,
     ) -> Result<Self, Error> {
-        let law: Arc<dyn ContactLaw> =
-            if groups.gamma > 0.0 { Arc::new(Maugis::new(groups)) } else { Arc::new(Hertz::new(groups)) };
+        let law: Arc<dyn ContactLaw> = match groups {
+            _ if groups.hardness < f64::INFINITY => Arc::new(ElasticPlastic::new(groups)),
+            _ if groups.gamma > 0.0 => Arc::new(Maugis::new(groups)),
+            _ => Arc::new(Hertz::new(groups)),
+        };
         let lower_cut = panel::lower_cut(&*heights);
         let highest = highest(&*heights);
         let deepest = break_away::deepest(&*law, &radius, lower_cut, highest)?;
+        let slip = Slip::new(slip);
+        let [first, second] = slip.kinks();
+        let has_moving_kinks = !radius.is_constant() && law.kinks(1.0)[0].overlap < f64::INFINITY;
         let mut population = Self {
             law,
             attraction: (attract && groups.gamma > 0.0).then(|| Attraction::new(groups)),
-            slip: Slip::new(slip),
+            slip,
             heights,
             radius,
             lambda_cubed: groups.lambda_cubed(),
+            radius_kinks: [first, second, f64::INFINITY, f64::INFINITY, f64::INFINITY],
+            turn_of_radii: has_moving_kinks.then_some(-radius.origin),
             deepest,
             lower_cut,
             highest,
@@ -212,6 +228,7 @@ impl Population {
         let mut passings = vec![z - edge.overlap];
         passings.extend(self.attraction.as_ref().map(|law| z + law.reach));
         passings.extend(self.slip.kinks().iter().filter_map(|&radius| Some(z - self.overlap_at_radius(radius, g)?)));
+        passings.extend(self.law.kinks(g).iter().map(|kink| z - kink.overlap).filter(|passing| passing.is_finite()));
         passings
     }
 
@@ -275,6 +292,7 @@ impl Population {
         let below = self.attraction_at(separation, z).map_or(0.0, |attracted| attracted.load);
         sums.load_slope -= passing * (edge.point.contact.load - below);
         sums.friction_slope -= passing * self.slip.force(edge.point.contact.radius).0;
+        sums.radius_slope -= passing * edge.point.contact.radius;
     }
 
     /// The summit of a height, from a guess of its parameter.
