@@ -97,28 +97,15 @@ pub trait ContactLaw: std::fmt::Debug + Send + Sync {
     /// the kinks.
     fn distance_to_singularity(&self, parameter: f64, g: f64) -> f64;
 
-    /// Where states beyond break-away are continuous and their rates are not; most laws have no such place.
-    fn kinks(&self, _g: f64) -> [Kink; KINKS] {
-        [Kink::NONE; KINKS]
+    /// Overlaps over g at which states are continuous and their rates jump, infinite where there are fewer. A summit that
+    /// keeps its shape at any scale has them there; most laws have none.
+    fn kinks(&self) -> [f64; KINKS] {
+        [f64::INFINITY; KINKS]
     }
 }
 
 /// The most kinks of a law of contact.
 pub const KINKS: usize = 2;
-
-/// An overlap at which rates jump.
-#[derive(Debug, Clone, Copy)]
-pub struct Kink {
-    /// The overlap, infinite if there is no such kink.
-    pub overlap: f64,
-    /// d(overlap)/dg.
-    pub overlap_by_g: f64,
-}
-
-impl Kink {
-    /// No kink.
-    pub const NONE: Self = Self { overlap: f64::INFINITY, overlap_by_g: 0.0 };
-}
 
 #[cfg(test)]
 pub(crate) mod tests {

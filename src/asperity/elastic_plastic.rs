@@ -11,7 +11,7 @@
 //!
 //! It is a law of first loading: after a heavier load the summits are flatter than it says.
 
-use super::contact::{Contact, ContactLaw, Kink, KINKS};
+use super::contact::{Contact, ContactLaw, KINKS};
 use super::hertz::Hertz;
 use crate::elementary::log;
 use crate::groups::Groups;
@@ -41,7 +41,7 @@ pub struct ElasticPlastic {
 type Rates = [f64; 3];
 
 impl ElasticPlastic {
-    /// The law of a surface's groups, of which the hardness is finite.
+    /// The law of a surface's groups, of summits that yield.
     pub fn new(groups: &Groups) -> Self {
         Self {
             elastic: Hertz::new(groups),
@@ -126,11 +126,8 @@ impl ContactLaw for ElasticPlastic {
         }
     }
 
-    fn kinks(&self, g: f64) -> [Kink; KINKS] {
-        [1.0, FLOW].map(|ratio| {
-            let overlap_by_g = ratio * self.first_yield;
-            Kink { overlap: overlap_by_g * g, overlap_by_g }
-        })
+    fn kinks(&self) -> [f64; KINKS] {
+        [self.first_yield, FLOW * self.first_yield]
     }
 }
 
@@ -139,7 +136,7 @@ mod tests {
     use super::*;
     use crate::asperity::contact::tests::assert_rates_are_secants;
 
-    const GROUPS: Groups = Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0, hardness: 0.01 };
+    const GROUPS: Groups = Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0, hardness: 0.01, yields: true };
 
     fn near(a: f64, b: f64, tolerance: f64) -> bool {
         (a - b).abs() <= tolerance * b.abs()
@@ -150,7 +147,7 @@ mod tests {
     fn a_summit_is_elastic_up_to_a_mean_pressure_of_0_4_h_and_flows_at_h_from_54_times_that_overlap_on() {
         let (law, hertz) = (ElasticPlastic::new(&GROUPS), Hertz::new(&GROUPS));
         for g in [0.3, 1.0, 1.8] {
-            let [first, flow] = law.kinks(g).map(|kink| kink.overlap);
+            let [first, flow] = law.kinks().map(|kink| kink * g);
             let pressure = |overlap: f64| {
                 let contact = law.at_overlap(overlap, g, 0.0);
                 contact.load / (PI * contact.radius * contact.radius)
@@ -178,11 +175,11 @@ mod tests {
     fn radius_and_load_are_continuous_where_yield_begins_and_ends_and_the_slope_of_the_load_is_not() {
         let law = ElasticPlastic::new(&GROUPS);
         for g in [0.3, 1.0, 1.8] {
-            for kink in law.kinks(g) {
-                let [below, above] = [-1e-9, 1e-9].map(|off| law.at_overlap(kink.overlap * (1.0 + off), g, 0.0));
-                assert!(near(below.radius, above.radius, 1e-8) && near(below.load, above.load, 1e-8), "{kink:?}");
-                assert!(near(below.radius_rate, above.radius_rate, 1e-7), "{kink:?}");
-                assert!(!near(below.load_rate, above.load_rate, 0.05), "{kink:?}: {below:?}, {above:?}");
+            for kink in law.kinks().map(|kink| kink * g) {
+                let [below, above] = [-1e-9, 1e-9].map(|off| law.at_overlap(kink * (1.0 + off), g, 0.0));
+                assert!(near(below.radius, above.radius, 1e-8) && near(below.load, above.load, 1e-8), "{kink}");
+                assert!(near(below.radius_rate, above.radius_rate, 1e-7), "{kink}");
+                assert!(!near(below.load_rate, above.load_rate, 0.05), "{kink}: {below:?}, {above:?}");
             }
         }
     }

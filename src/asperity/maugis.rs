@@ -268,7 +268,16 @@ mod tests {
 
     /// With little adhesion and with much.
     fn laws() -> [Maugis; 2] {
-        [1e-4, 0.02].map(|gamma| Maugis::new(&Groups { alpha: 0.01, beta: 1e3, gamma, b_over_h: 0.7, hardness: f64::INFINITY }))
+        [1e-4, 0.02].map(|gamma| {
+            Maugis::new(&Groups {
+                alpha: 0.01,
+                beta: 1e3,
+                gamma,
+                b_over_h: 0.7,
+                hardness: f64::INFINITY,
+                yields: false,
+            })
+        })
     }
 
     const FACTORS: [f64; 3] = [0.3, 1.0, 1.8];

@@ -7,7 +7,6 @@
 
 use super::sums::Summit;
 use super::{Point, Population, RADII};
-use crate::asperity::contact::KINKS;
 use crate::distribution::panel::{self, FootPanel};
 use crate::elementary::exp;
 use crate::numerics::hermite::Cubic;
@@ -171,7 +170,14 @@ impl Population {
         let breakpoints = self.heights.breakpoints();
         let next = breakpoints.partition_point(|&breakpoint| breakpoint <= z);
         let next = breakpoints.get(next).copied().unwrap_or(f64::INFINITY).min(self.heights.support().1);
-        next.min(self.turn_of_radii.filter(|&turn| turn > z).unwrap_or(f64::INFINITY))
+        // Where radii change fastest.
+        let turn = -self.radius.origin;
+        let is_stop = turn > z && !self.radius.is_constant() && self.kinks_of_contact[0].is_finite();
+        if is_stop {
+            next.min(turn)
+        } else {
+            next
+        }
     }
 
     /// The first panel where the range begins at a foot of the distribution at which the density is a power; returns where
@@ -293,17 +299,15 @@ impl Population {
         panel
     }
 
-    /// The same for the kinks of the law of contact. They move with the radius: where their distance from the overlap is
-    /// least or greatest a panel ends too. Between two heights at which radii change fastest there is one such place.
+    /// The same for the kinks of the law of contact, which move with the radius: where a summit is nearest to or farthest
+    /// from one a panel ends too. There is no more than one such place as far as radii change ever faster or ever slower.
     fn cut_at_kink_of_contact(&self, separation: f64, mut panel: Panel, start_kink: Option<usize>) -> Panel {
-        for index in 0..KINKS {
-            let kink = |point: &Point| self.law.kinks(self.radius.factor(point.z))[index];
+        for (index, kink) in self.kinks_of_contact.into_iter().enumerate().filter(|(_, kink)| kink.is_finite()) {
             if !self.radius.is_constant() {
-                let rate = |point: &Point| 1.0 - kink(point).overlap_by_g * point.g_rate;
-                self.cut_where(separation, &mut panel, rate, None);
+                self.cut_where(separation, &mut panel, |point| 1.0 - kink * point.g_rate, None);
             }
             if start_kink != Some(RADII + index) {
-                let excess = |point: &Point| point.contact.overlap - kink(point).overlap;
+                let excess = |point: &Point| point.contact.overlap - kink * self.radius.factor(point.z);
                 self.cut_where(separation, &mut panel, excess, Some(RADII + index));
             }
         }

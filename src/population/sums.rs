@@ -99,6 +99,7 @@ pub(super) fn out_of_panels(separation: f64) -> Error {
 /// What one contact contributes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Summit {
+    pub overlap: f64,
     pub radius: f64,
     pub load: f64,
     pub friction: f64,
@@ -125,6 +126,7 @@ impl Summit {
     fn with_friction(contact: &Contact, (friction, friction_by_radius): (f64, f64)) -> Self {
         let by_overlap = if contact.overlap_rate > f64::MIN_POSITIVE { 1.0 / contact.overlap_rate } else { 0.0 };
         Self {
+            overlap: contact.overlap,
             radius: contact.radius,
             load: contact.load,
             friction,

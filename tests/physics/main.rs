@@ -8,3 +8,5 @@ mod figures;
 mod heights;
 mod published;
 mod reference;
+mod tangential;
+mod yielding;
