@@ -81,8 +81,8 @@ struct Panel {
     log_value: [[f64; CONDITIONS]; Quantity::COUNT],
     /// The position of the separation, as [`Steps::position`], in Newton's form, each node once.
     position: [f64; NODES],
-    /// Whether it meets the exact states between its nodes.
-    good: bool,
+    /// Whether its quantities meet the exact states between its nodes.
+    good: [bool; Quantity::COUNT],
 }
 
 /// A panel with the exact states that it was compared with.
@@ -90,7 +90,7 @@ struct Attempt {
     panel: Panel,
     between: [Sample; 2],
     end: Sample,
-    /// The largest error over its tolerance.
+    /// The largest error over its tolerance of any quantity.
     excess: f64,
 }
 
@@ -210,8 +210,11 @@ impl Curve {
         let sparse = steps.separation(panel.position_at(panel.sparsest())).max(first).min(last);
         let sparse = self.sample(branch, sparse)?;
         self.samples += NODES + 3;
-        let excess = [from, between, sparse, end].iter().map(|sample| panel.excess(sample)).fold(0.0, largest);
-        panel.good = excess <= 1.0;
+        let samples = [from, between, sparse, end];
+        let excess = Quantity::ALL
+            .map(|quantity| samples.iter().map(|sample| panel.excess(quantity, sample)).fold(0.0, largest));
+        panel.good = excess.map(|excess| excess <= 1.0);
+        let excess = excess.into_iter().fold(0.0, f64::max);
         Ok(Attempt { panel, between: [between, sparse], end, excess })
     }
 
@@ -221,7 +224,7 @@ impl Curve {
         let between = self.sample(branch, 0.5 * (from.separation + end.separation))?;
         let mut panel = Panel::bridge(&from, &end, |sample| self.steps.position(sample.separation));
         self.samples += 2;
-        panel.good = panel.excess(&between) <= 1.0;
+        panel.good = Quantity::ALL.map(|quantity| panel.excess(quantity, &between) <= 1.0);
         Ok(Attempt { panel, between: [between, between], end, excess: 0.0 })
     }
 
@@ -299,7 +302,7 @@ impl Curve {
     pub fn within(&self, quantity: Quantity, log_excess: f64) -> Option<(f64, f64)> {
         let (s, rate) = self.coordinate.at(log_excess);
         let panel = self.panel(s);
-        if !(panel.good && s >= panel.lowest && s <= panel.highest) {
+        if !(panel.good[quantity as usize] && s >= panel.lowest && s <= panel.highest) {
             return None;
         }
         let [(log_value, slope)] = panel.interpolated(quantity, [s]);
@@ -352,7 +355,15 @@ impl Panel {
             hermite(&nodes, values, slopes)
         });
         let position = differences(&nodes, std::array::from_fn(|i| position(&samples[i])));
-        Self { lowest, highest, reference: samples[0].log_value, nodes, log_value, position, good: false }
+        Self {
+            lowest,
+            highest,
+            reference: samples[0].log_value,
+            nodes,
+            log_value,
+            position,
+            good: [false; Quantity::COUNT],
+        }
     }
 
     /// The cubic between two states.
@@ -375,13 +386,13 @@ impl Panel {
             nodes,
             log_value,
             position: stretch,
-            good: false,
+            good: [false; Quantity::COUNT],
         }
     }
 
     /// The logarithm of a quantity and its derivative by s; NaN where the panel is not known to be good.
     fn log_value_at<const N: usize>(&self, quantity: Quantity, s: [f64; N]) -> [(f64, f64); N] {
-        if !self.good {
+        if !self.good[quantity as usize] {
             return [(f64::NAN, f64::NAN); N];
         }
         self.interpolated(quantity, s)
@@ -414,11 +425,7 @@ impl Panel {
     }
 
     /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number.
-    fn excess(&self, sample: &Sample) -> f64 {
-        Quantity::ALL.map(|quantity| self.excess_of(quantity, sample)).into_iter().fold(0.0, largest)
-    }
-
-    fn excess_of(&self, quantity: Quantity, sample: &Sample) -> f64 {
+    fn excess(&self, quantity: Quantity, sample: &Sample) -> f64 {
         let [(value, slope)] = self.interpolated(quantity, [sample.s]);
         let exact = sample.slope[quantity as usize];
         let value_excess = (value - sample.log_value[quantity as usize]).abs() / VALUE_TOLERANCE;
@@ -426,7 +433,7 @@ impl Panel {
             return value_excess; // at pull-off itself
         }
         let tolerance = if sample.s < NEAR_PULL_OFF { NOISE * SLOPE_TOLERANCE } else { SLOPE_TOLERANCE };
-        largest(value_excess, (slope / exact - 1.0).abs() / tolerance)
+        largest(value_excess, (slope / exact - 1.0).abs() / (quantity.slope_slack() * tolerance))
     }
 }
 
@@ -650,7 +657,7 @@ mod tests {
         };
         let node = |j: usize| 0.1 + (1.0 + (std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64).cos()).powf(1.2);
         Panel {
-            good: true,
+            good: [true; Quantity::COUNT],
             ..Panel::new(2.5, 0.1, &std::array::from_fn(|j| sample(node(j))), |sample| sample.separation)
         }
     }
@@ -681,18 +688,18 @@ mod tests {
         for (quantity, expected) in [(Quantity::Friction, (6.32, 4.2)), (Quantity::Radius, (1.44, 2.4))] {
             let [(value, slope)] = panel.log_value_at(quantity, [1.2]);
             assert!(near(value, expected.0, 1e-13) && near(slope, expected.1, 1e-11), "{value}, {slope}");
-            assert!(Panel { good: false, ..panel.clone() }.log_value_at(quantity, [1.2])[0].0.is_nan());
+            assert!(Panel { good: [false; 2], ..panel.clone() }.log_value_at(quantity, [1.2])[0].0.is_nan());
         }
         let gaps: Vec<[f64; 2]> =
             panel.nodes.windows(2).map(|pair| [pair[0] - pair[1], 0.5 * (pair[0] + pair[1])]).collect();
         let widest = gaps.iter().fold([0.0; 2], |widest, &gap| if gap[0] > widest[0] { gap } else { widest });
         assert!(near(panel.sparsest(), widest[1], 1e-15), "{}, not {widest:?} of {gaps:?}", panel.sparsest());
-        for quantity in 0..Quantity::COUNT {
+        for quantity in Quantity::ALL {
             let off = |value: f64, slope: f64| {
                 let mut off = exact;
-                off.log_value[quantity] += value;
-                off.slope[quantity] *= 1.0 + slope;
-                panel.excess(&off)
+                off.log_value[quantity as usize] += value;
+                off.slope[quantity as usize] *= 1.0 + quantity.slope_slack() * slope;
+                panel.excess(quantity, &off)
             };
             for sign in [1.0, -1.0] {
                 assert!(
@@ -712,7 +719,7 @@ mod tests {
         // At pull-off itself there is no slope; a value that is none is as far as can be.
         let log_value = exact.log_value.map(|value| value + 5.0 * VALUE_TOLERANCE);
         let at_pull_off = Sample { slope: [f64::NAN; 2], log_value, ..exact };
-        assert!(near(panel.excess(&at_pull_off), 5.0, 0.1));
+        assert!(near(panel.excess(Quantity::Friction, &at_pull_off), 5.0, 0.1));
         assert_eq!(largest(1.0, f64::NAN), f64::INFINITY);
         assert_eq!(largest(f64::NAN, 1.0), f64::INFINITY);
         assert_eq!(largest(1.0, 2.0), 2.0);
