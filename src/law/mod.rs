@@ -204,6 +204,7 @@ fn divide(source: &mut impl fill::Source, scale: Scale, table: &mut Table) -> f6
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::float_bits::Neighbours;
     use crate::params::Params;
 
     /// The paper's default case with another surface energy.
@@ -249,7 +250,7 @@ mod tests {
             for (load, answers) in [
                 (lightest, true),
                 (pull_off + (lightest - pull_off) * (1.0 - 1e-3), false),
-                (heaviest.next_down(), true),
+                (heaviest.below(), true),
                 (heaviest, false),
             ] {
                 assert_eq!(table.at_load(load).is_some(), answers, "{load:e}");
