@@ -18,6 +18,15 @@ fn handles() -> [Handle; 3] {
         .map(|params| Handle::new(&params))
 }
 
+fn state_at_load(handle: &Handle, load: f64) -> asperity_state {
+    // SAFETY: zero bits are a value of every field.
+    let mut state: asperity_state = unsafe { std::mem::zeroed() };
+    state.struct_size = std::mem::size_of::<asperity_state>() as u64;
+    // SAFETY: the model lives, the struct has its size set.
+    assert_eq!(unsafe { asperity_state_at_load(handle.0, load, &mut state) }, OK, "{}", message());
+    state
+}
+
 #[test]
 fn a_batch_has_the_bits_of_single_calls() {
     for handle in handles() {
@@ -31,9 +40,8 @@ fn a_batch_has_the_bits_of_single_calls() {
         for size in [1, 3, 4, 17, 128, loads.len()] {
             let mut found = vec![UNTOUCHED; loads.len()];
             // SAFETY: arrays of at least as many elements.
-            let status = unsafe {
-                asperity_tangential_stiffness_at_loads(handle.0, size, loads.as_ptr(), found.as_mut_ptr())
-            };
+            let status =
+                unsafe { asperity_tangential_stiffness_at_loads(handle.0, size, loads.as_ptr(), found.as_mut_ptr()) };
             assert!(found[size..].iter().all(|&x| x == UNTOUCHED));
             let found: Vec<u64> = found[..size].iter().map(|x| x.to_bits()).collect();
             assert_eq!(found, single[..size], "{size}");
@@ -59,7 +67,7 @@ fn a_batch_has_the_bits_of_single_calls() {
 fn the_stiffness_is_that_of_the_state_and_of_small_displacements() {
     for handle in handles() {
         for load in [1e-3, 10.0, 1e5] {
-            let state = handle.state_at_load(load);
+            let state = state_at_load(&handle, load);
             // SAFETY: the model lives.
             let stiffness = unsafe { asperity_tangential_stiffness_at_load(handle.0, load) };
             assert!((stiffness / state.tangential_stiffness - 1.0).abs() < 1e-10, "{load}: {stiffness}");
