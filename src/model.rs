@@ -11,6 +11,7 @@ use crate::groups::Groups;
 use crate::law::{Law, Scales, Table, Unfollowed};
 use crate::params::Params;
 use crate::population::{Population, Statistics, Sums};
+use crate::validity::{warnings_between, Measures};
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
@@ -18,13 +19,6 @@ const HEAVIEST_LOAD: f64 = 1e80;
 const LARGEST_COEFFICIENT: f64 = 1e140;
 /// No load curve has more minima than this.
 const MOST_MINIMA: usize = 8;
-/// The mean pressure of an elastic contact, over the hardness, at which yield sets in below its surface: 1.1 of the
-/// yield stress, of which the hardness is 2.8 (Johnson, Contact Mechanics, 1985, sections 6.1 and 6.2).
-const YIELD_PRESSURE: f64 = 0.4;
-/// The plasticity index above which contacts flow at any load (Greenwood and Williamson, Proc. R. Soc. A 295, 1966).
-const PLASTIC_INDEX: f64 = 1.0;
-/// Set in [`State::warnings`] where the elastic assumption fails.
-pub const WARNING_PLASTIC: u64 = 1;
 /// Separations beyond this many sigma are out of range.
 const FARTHEST_SEPARATION: f64 = 1e50;
 
@@ -116,7 +110,9 @@ pub struct State {
     pub mean_asperity_pressure: f64,
     /// Greenwood and Williamson's plasticity index E* (sigma/R)^(1/2)/H, the same in every state; 0 without a hardness.
     pub plasticity_index: f64,
-    /// [`WARNING_PLASTIC`], or 0.
+    /// Mean of the contact radii over the radii of their summits.
+    pub mean_steepness: f64,
+    /// Bits `WARNING_...`, for example [`WARNING_FEW`](crate::WARNING_FEW): what the model assumes and this state lacks.
     pub warnings: u64,
 }
 
@@ -361,6 +357,28 @@ impl Model {
         self.branch.at_log_excess(log_excess, guess).or_else(|_| self.branch.at_log_excess(log_excess, None))
     }
 
+    /// The warnings of all states between two loads, both included.
+    ///
+    /// # Errors
+    /// Those of [`Model::state_at_load`], and [`Error::InvalidParameter`] if `lightest` is above `heaviest`.
+    pub fn check_loads(&self, lightest: f64, heaviest: f64) -> Result<u64, Error> {
+        let (farthest, light) = self.equilibrium_at(lightest)?;
+        let (nearest, heavy) = self.equilibrium_at(heaviest)?;
+        if lightest > heaviest {
+            return Err(Error::InvalidParameter {
+                name: "lightest",
+                value: lightest.into(),
+                allowed: "must not be above heaviest",
+            });
+        }
+        let measures = |separation: f64, sums: &Sums| -> Result<Measures, Error> {
+            Ok(Measures::new(&self.params, &self.state(sums.load() * self.units.load, separation, sums)?))
+        };
+        let ends = measures(farthest, &light)?.warnings() | measures(nearest, &heavy)?.warnings();
+        let population = self.branch.population();
+        Ok(ends | warnings_between(nearest, farthest, |d| measures(d, &population.at_separation(d)))?)
+    }
+
     /// The exact state at a separation, in contact or not, on the branch of load control or beyond it.
     ///
     /// # Errors
@@ -473,8 +491,7 @@ impl Model {
         let [below, between, above] = contacts.by_regime;
         let mean_asperity_pressure =
             if sums.area > 0.0 { sums.load_contacting / sums.area * self.params.composite_modulus } else { 0.0 };
-        let plasticity_index = self.plasticity_index();
-        Ok(State {
+        let mut state = State {
             load,
             separation: (separation + self.branch.population().heights().origin()) * units.length,
             friction_force,
@@ -493,9 +510,12 @@ impl Model {
             fraction_above_slip_radius_2: above,
             fraction_in_contact: sums.contacting,
             mean_asperity_pressure,
-            plasticity_index,
-            warnings: self.warnings(mean_asperity_pressure, plasticity_index),
-        })
+            plasticity_index: self.plasticity_index(),
+            mean_steepness: contacts.mean_steepness * self.params.burgers_vector / self.params.summit_radius,
+            warnings: 0,
+        };
+        state.warnings = Measures::new(&self.params, &state).warnings();
+        Ok(state)
     }
 
     /// E* (sigma/R)^(1/2)/H; 0 where the hardness is not known.
@@ -504,16 +524,6 @@ impl Model {
             self.params.composite_modulus / self.params.hardness * self.groups.alpha
         } else {
             0.0
-        }
-    }
-
-    fn warnings(&self, mean_pressure: f64, plasticity_index: f64) -> u64 {
-        let hardness = self.params.hardness;
-        let yields = hardness > 0.0 && mean_pressure >= YIELD_PRESSURE * hardness;
-        if yields || plasticity_index > PLASTIC_INDEX {
-            WARNING_PLASTIC
-        } else {
-            0
         }
     }
 }

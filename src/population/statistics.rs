@@ -4,6 +4,7 @@
 //! For exact states only: the sums that a law is compiled from need none of this.
 
 use super::panels::Visitor;
+use super::radius::RadiusProfile;
 use super::sums::{self, Summit};
 use super::{Point, Population};
 use crate::distribution::panel;
@@ -20,6 +21,8 @@ const NEGLIGIBLE: f64 = 1e-19;
 pub struct Statistics {
     /// Mean contact radius.
     pub mean_radius: f64,
+    /// Mean of the contact radius over g, that of the summit over the mean one.
+    pub mean_steepness: f64,
     /// Contact radius of the tallest of so many summits as there are; not below the mean.
     pub largest_radius: f64,
     /// Fractions of the contacts up to the first kink of the slip law, between the two, and from the second on.
@@ -29,8 +32,10 @@ pub struct Statistics {
 /// Counts contacts, and keeps every contact radius that it sees with its height.
 struct Counting {
     kinks: [f64; 2],
+    profile: RadiusProfile,
     count: f64,
     radius: f64,
+    steepness: f64,
     by_regime: [f64; 3],
     seen: Vec<(f64, f64)>,
 }
@@ -41,6 +46,7 @@ impl Visitor for Counting {
         let regime = usize::from(summit.radius > first) + usize::from(summit.radius >= second);
         self.count += fraction;
         self.radius += fraction * summit.radius;
+        self.steepness += fraction * summit.radius / self.profile.factor(z);
         self.by_regime[regime] += fraction;
         self.seen.push((z, summit.radius));
     }
@@ -57,12 +63,19 @@ impl Population {
     /// [`Error::NotConverged`] if they cannot be counted in as many panels as there may be.
     pub fn statistics(&self, separation: f64, number: f64) -> Result<Statistics, Error> {
         let edge = self.edge(separation);
-        let mut counting =
-            Counting { kinks: self.slip.kinks(), count: 0.0, radius: 0.0, by_regime: [0.0; 3], seen: Vec::new() };
+        let mut counting = Counting {
+            kinks: self.slip.kinks(),
+            profile: self.radius,
+            count: 0.0,
+            radius: 0.0,
+            steepness: 0.0,
+            by_regime: [0.0; 3],
+            seen: Vec::new(),
+        };
         if !self.visit(separation, &edge, &mut counting) {
             return Err(sums::out_of_panels(separation));
         }
-        let Counting { count, radius, by_regime, seen, .. } = counting;
+        let Counting { count, radius, steepness, by_regime, seen, .. } = counting;
         if count == 0.0 {
             return Ok(Statistics::default());
         }
@@ -76,7 +89,8 @@ impl Population {
             let below = seen.iter().filter(|(z, _)| *z <= tallest).map(|(_, radius)| *radius);
             largest_radius = below.chain([there]).fold(mean_radius, f64::max);
         }
-        Ok(Statistics { mean_radius, largest_radius, by_regime: by_regime.map(|fraction| fraction / count) })
+        let by_regime = by_regime.map(|fraction| fraction / count);
+        Ok(Statistics { mean_radius, mean_steepness: steepness / count, largest_radius, by_regime })
     }
 
     /// The height above another that this fraction of all summits exceeds.
