@@ -34,5 +34,5 @@ mod validity;
 
 pub use error::{Error, Value};
 pub use model::{Model, State, Summary};
-pub use params::{HeightFamily, Params};
+pub use params::{ContactLawKind, HeightFamily, Params};
 pub use validity::{WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP};

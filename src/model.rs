@@ -114,6 +114,12 @@ pub struct State {
     pub mean_steepness: f64,
     /// Bits `WARNING_...`, for example [`WARNING_FEW`](crate::WARNING_FEW): what the model assumes and this state lacks.
     pub warnings: u64,
+    /// K_t [force/length]: force by displacement along the surfaces while all contacts stick.
+    pub tangential_stiffness: f64,
+    /// Fraction of the contacts below first yield; 1 where elastic contacts have no hardness to yield at.
+    pub fraction_elastic: f64,
+    /// Fraction of the contacts that are fully plastic.
+    pub fraction_flowing: f64,
 }
 
 /// Constants of a model.
@@ -372,7 +378,9 @@ impl Model {
             });
         }
         let measures = |separation: f64, sums: &Sums| -> Result<Measures, Error> {
-            Ok(Measures::new(&self.params, &self.state(sums.load() * self.units.load, separation, sums)?))
+            // None looks at the largest contact.
+            let contacts = self.contacts(separation, sums, (sums.contacting * self.units.count).min(1.0))?;
+            Ok(Measures::new(&self.params, &self.state_of(sums.load() * self.units.load, separation, sums, &contacts)))
         };
         let ends = measures(farthest, &light)?.warnings() | measures(nearest, &heavy)?.warnings();
         let population = self.branch.population();
@@ -471,7 +479,20 @@ impl Model {
     }
 
     fn state(&self, load: f64, separation: f64, sums: &Sums) -> Result<State, Error> {
-        let sums = &sums.known(separation)?;
+        let contacts = self.contacts(separation, sums, sums.contacting * self.units.count)?;
+        Ok(self.state_of(load, separation, sums, &contacts))
+    }
+
+    /// The contacts behind the sums, and the largest of so many.
+    fn contacts(&self, separation: f64, sums: &Sums, number: f64) -> Result<Statistics, Error> {
+        sums.known(separation)?;
+        match number > 0.0 {
+            true => self.branch.population().statistics(separation, number),
+            false => Ok(Statistics::default()),
+        }
+    }
+
+    fn state_of(&self, load: f64, separation: f64, sums: &Sums, contacts: &Statistics) -> State {
         let units = &self.units;
         let friction_force = sums.friction * units.force;
         let dforce_dload = self.force_slope(separation, sums);
@@ -482,11 +503,6 @@ impl Model {
             self.coefficient_and_slope(load, friction_force, dforce_dload)
         } else {
             (0.0, 0.0)
-        };
-        let contacting = sums.contacting * units.count;
-        let contacts = match contacting > 0.0 {
-            true => self.branch.population().statistics(separation, contacting)?,
-            false => Statistics::default(),
         };
         let [below, between, above] = contacts.by_regime;
         let mean_asperity_pressure =
@@ -500,7 +516,7 @@ impl Model {
             dmu_dload,
             dload_dseparation: load_slope * units.load / units.length,
             real_area: sums.area * units.area,
-            contacting,
+            contacting: sums.contacting * units.count,
             attracted: sums.attracted * units.count,
             attraction_load: sums.load_attracted * units.load,
             mean_contact_radius: contacts.mean_radius * self.params.burgers_vector,
@@ -513,9 +529,12 @@ impl Model {
             plasticity_index: self.plasticity_index(),
             mean_steepness: contacts.mean_steepness * self.params.burgers_vector / self.params.summit_radius,
             warnings: 0,
+            tangential_stiffness: 0.0,
+            fraction_elastic: 1.0,
+            fraction_flowing: 0.0,
         };
         state.warnings = Measures::new(&self.params, &state).warnings();
-        Ok(state)
+        state
     }
 
     /// E* (sigma/R)^(1/2)/H; 0 where the hardness is not known.

@@ -3,7 +3,7 @@
 
 use crate::error::Error;
 use crate::model::State;
-use crate::params::Params;
+use crate::params::{ContactLawKind, Params};
 
 /// Set in [`State::warnings`](crate::State::warnings) where summits yield, though their law is elastic.
 pub const WARNING_PLASTIC: u64 = 1;
@@ -39,12 +39,14 @@ impl Measures {
     /// Of a state of the surfaces with these parameters.
     pub fn new(params: &Params, state: &State) -> Self {
         let touching = state.contacting > 0.0;
-        let plastic = match params.hardness > 0.0 {
+        let is_elastic = params.contact_law == ContactLawKind::Maugis;
+        let plastic = match is_elastic && params.hardness > 0.0 {
             true => (state.mean_asperity_pressure / (YIELD_PRESSURE * params.hardness))
                 .max(state.plasticity_index / PLASTIC_INDEX),
             false => 0.0,
         };
-        let crowded = state.fraction_in_contact / CROWDED_FRACTION;
+        let area = if params.nominal_area > 0.0 { state.real_area / params.nominal_area } else { 0.0 };
+        let crowded = state.fraction_in_contact.max(area) / CROWDED_FRACTION;
         let atomic = if touching { params.burgers_vector / state.mean_contact_radius } else { 0.0 };
         let few = match params.asperity_count == LOADS_PER_SUMMIT {
             true => 0.0,
@@ -65,7 +67,7 @@ const STEP: f64 = 0.1;
 /// ... and up to this distance from both; farther off, by this part of what the distance exceeds it: the contacts change
 /// slowly there.
 const MIDDLE: f64 = 10.0;
-const GROWTH: f64 = 0.25;
+const GROWTH: f64 = 0.5;
 /// Whether a measure rises from an end inwards is seen from a state so far inside, in steps.
 const NEXT_TO_END: f64 = 0.01;
 /// A golden section takes this part of the interval off, and after so many of them 1e-7 of it is left.

@@ -9,9 +9,10 @@ use std::ffi::c_char;
 
 /// Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
 /// hardness (yield sets in below the contact) or the plasticity index above 1 (contacts flow at any load). Never set if no
-/// hardness is given.
+/// hardness is given, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding.
 pub const ASPERITY_WARNING_PLASTIC: u64 = 1;
-/// Bit of `warnings`: summits do not act alone. Set if more than 10 % of them touch.
+/// Bit of `warnings`: summits do not act alone. Set if more than 10 % of them touch, or if the real area is more than 10 %
+/// of `nominal_area`, where that is given.
 pub const ASPERITY_WARNING_CROWDED: u64 = 2;
 /// Bit of `warnings`: contacts are not small. Set if their radii are more than a tenth of those of their summits, on
 /// average.
@@ -74,8 +75,8 @@ pub extern "C" fn asperity_warning_string(warning: u64) -> *const c_char {
               the elastic-plastic contact law (contact_law 1), or lighter loads if only the pressure is too high"
         }
         ASPERITY_WARNING_CROWDED => {
-            c"summits do not act alone: more than 10 % of them touch; use lighter loads, or check height_std and \
-              asperity_count: surfaces that are taken too smooth or too small are the usual cause"
+            c"summits do not act alone: more than 10 % of them touch, or more than 10 % of nominal_area; use \
+              lighter loads, or check height_std and asperity_count: surfaces that are taken too smooth or too small are the usual cause"
         }
         ASPERITY_WARNING_STEEP => {
             c"contacts are too large for their summits: a/R is above 0.1 on average; use lighter loads, or check \

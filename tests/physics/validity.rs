@@ -39,6 +39,9 @@ fn each_assumption_has_its_warning() {
     // A tenth of Gaussian heights lies above 1.2815516 sigma (Abramowitz and Stegun, table 26.5).
     sets_in(WARNING_CROWDED, "summits", &at(&params, 1.2816), &at(&params, 1.2815));
 
+    let of_area = |part: f64| Params { nominal_area: state.real_area / part, ..in_order() };
+    sets_in(WARNING_CROWDED, "area", &at(&of_area(0.099_999), 2.5), &at(&of_area(0.100_001), 2.5));
+
     let of_radius = |factor: f64, radius: f64| Params { burgers_vector: radius * factor, ..in_order() };
     let radius = state.mean_contact_radius;
     sets_in(WARNING_ATOMIC, "b", &at(&of_radius(0.999_999, radius), 2.5), &at(&of_radius(1.000_001, radius), 2.5));

@@ -14,7 +14,7 @@ from .errors import Error, Status
 from .fit import Fit, fit
 from .model import Model
 from .params import Params
-from .results import State, Summary, Warnings
+from .results import State, Summary, ValidityWarning, Warnings
 
 __all__ = [
     "Error",
@@ -24,6 +24,7 @@ __all__ = [
     "State",
     "Status",
     "Summary",
+    "ValidityWarning",
     "Warnings",
     "__version__",
     "fit",

@@ -112,6 +112,8 @@ def _curve(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
     loads = _loads(parser, options, params)
     with Model(params) as model:
         coefficients = _print_table(model, loads)
+        for warning in model.check(loads[0], loads[-1]).kinds:
+            print(f"asperity: warning: {warning}", file=sys.stderr)
     if options.figure != "-":
         _draw(options.figure, loads, coefficients)
 
