@@ -12,6 +12,7 @@ import math
 import numbers
 import warnings
 import weakref
+from dataclasses import replace
 from types import TracebackType
 from typing import Any, Literal, Union, overload
 
@@ -274,9 +275,8 @@ def _refuse(handle: _Handle, load: float, index: tuple[Any, ...] = ()) -> None:
 def _state(handle: _Handle, call: Any, at: float) -> State:
     struct = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
     check(call(handle.pointer, at, ctypes.byref(struct)))
-    values = _values(struct)
-    values[-1] = Warnings(values[-1])
-    return State(*values)
+    state = State(*_values(struct))
+    return replace(state, warnings=Warnings(state.warnings))
 
 
 def _values(struct: ctypes.Structure) -> list[Any]:

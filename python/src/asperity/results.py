@@ -32,8 +32,14 @@ class Warnings(IntFlag):
         """The warnings that are set, one by one."""
         return [Warnings(1 << bit) for bit in range(64) if self & (1 << bit)]
 
+    @property
+    def description(self) -> str:
+        """What a single warning says, in the library's words: what fails and what to do about it."""
+        text: bytes = LIBRARY.asperity_warning_string(self)
+        return text.decode()
+
     def __str__(self) -> str:
-        return "\n".join(f"{_name(kind)}: {_text(kind)}" for kind in self.kinds) or "none"
+        return "\n".join(f"{_name(kind)}: {kind.description}" for kind in self.kinds) or "none"
 
     def __format__(self, spec: str) -> str:
         return format(int(self), spec) if spec else str(self)
@@ -45,11 +51,6 @@ class ValidityWarning(UserWarning):
 
 def _name(kind: Warnings) -> str:
     return kind.name if kind in set(Warnings) else f"bit {int(kind):#x}"
-
-
-def _text(kind: Warnings) -> str:
-    text: bytes = LIBRARY.asperity_warning_string(kind)
-    return text.decode()
 
 
 @dataclass(frozen=True)
