@@ -19,8 +19,8 @@ static void expect(const char *what, const asperity_params *params, double light
 int main(void) {
     asperity_params film, smooth, soft, unknown;
     if (set_surface(&film, 1e-4) != ASPERITY_OK) abort();
-    expect("the film", &film, 1e-2, 7e3, 1);
-    expect("the film, too heavily loaded,", &film, 1e-2, 9e3, 0);
+    expect("the film", &film, 1e-3, 7e3, 1);
+    expect("the film, too heavily loaded,", &film, 1e-3, 9e3, 0);
     expect("the film, too lightly loaded,", &film, 1e-5, 7e3, 0);
     expect("the film, unloaded to nothing,", &film, -1, 7e3, 0);
     smooth = film;

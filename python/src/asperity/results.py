@@ -50,7 +50,7 @@ class ValidityWarning(UserWarning):
 
 
 def _name(kind: Warnings) -> str:
-    return kind.name if kind in set(Warnings) else f"bit {int(kind):#x}"
+    return f"{kind.name}" if kind in set(Warnings) else f"bit {int(kind):#x}"
 
 
 @dataclass(frozen=True)
