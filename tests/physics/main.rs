@@ -10,3 +10,4 @@ mod published;
 mod reference;
 mod tangential;
 mod yielding;
+mod validity;
