@@ -9,5 +9,5 @@ mod heights;
 mod published;
 mod reference;
 mod tangential;
-mod yielding;
 mod validity;
+mod yielding;
