@@ -284,7 +284,8 @@ _PAIRS = (
         hamaker=17.6e-20,
         reference=(
             "van der Waals, the geometric mean of gold, 31e-20 J, and mica, 10e-20 J: Israelachvili; humid air at the "
-            "lower end, as for mica/Si3N4; slip stress of a gold pillar, 264 MPa: Li and Kim, Proc. R. Soc. A 464 (2008) 1319"
+            "lower end, as for mica/Si3N4; slip stress of a gold pillar, 264 MPa: Li and Kim, Proc. R. Soc. A 464 (2008) "
+            "1319"
         ),
         slip_stress_1=0.0108,
     ),
