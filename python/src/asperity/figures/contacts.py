@@ -96,7 +96,7 @@ CONTACTS = (
         (1e-8, 1e-5),
         0.0,
         MATERIALS["SiO2"].hardness or 0.0,
-        "silica spheres of 2 µm, smooth, 10 nN to 10 µN: assumed; w as Heim et al. (1999) measured on such spheres",
+        "silica spheres of 2 µm, smooth, 10 nN to 10 µN: assumed",
         "holds",
     ),
     Contact(

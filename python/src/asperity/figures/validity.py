@@ -39,7 +39,11 @@ _LABELS = {
 
 
 def _contacts() -> Figure:
-    picture, axes = _empty((8.4, 5.8), (0.09, 0.1, 0.88, 0.87))
+    picture, axes = _empty((8.4, 6.0), (0.09, 0.13, 0.88, 0.85))
+    picture.text(
+        0.09, 0.02, "from the lightest load to the heaviest (dot); round numbers, with their sources in docs/domain.md",
+        fontsize=8.5, color=_GREY,
+    )  # fmt: skip
     axes.set(xscale="log", yscale="log", xlim=(3e-4, 4), ylim=(1, 1e6))
     axes.set_xlabel("mean pressure of the contacts / hardness of the softer body [–]")
     axes.set_ylabel("mean contact radius / Burgers vector [–]")
