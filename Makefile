@@ -1,6 +1,7 @@
 # make demo      build the library, run the C example, draw its friction curve
 # make test      everything that is checked before a release, in order
 # make hosts     the law inside other people's solvers
+# make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, an hour or two
 # make bench     measures speed and accuracy, and writes docs/performance.md anew
 # make harden    every instrument of docs/reliability.md, for hours; tests/harden/harden.mk names its parts
 # make header    write include/asperity.h anew from the sources
@@ -23,8 +24,9 @@ FIGURE := $(TARGET)/friction_curve.svg
 WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Werror
 
 # The scripts of `make test` that check other languages and hosts; each is run as it is, from the root.
-TEST_SCRIPTS := tests/cpp/called.sh tests/c/gpu.sh fortran/test.sh python/test.sh tests/examples/run.sh \
-    tests/consumers/run.sh tests/build_checks.sh tests/harden/run.sh tests/harden/memory.sh tests/harden/supply_chain.sh
+TEST_SCRIPTS := tests/cpp/called.sh tests/c/gpu.sh fortran/test.sh python/test.sh tests/validation/run.sh \
+    tests/examples/run.sh tests/consumers/run.sh tests/build_checks.sh tests/harden/run.sh tests/harden/memory.sh \
+    tests/harden/supply_chain.sh
 
 .PHONY: all demo test hosts header clean library
 
@@ -33,6 +35,7 @@ all: library
 include cmake/install.mk
 include benches/bench.mk
 include tests/harden/harden.mk
+include tests/validation/validation.mk
 
 library:
 	@cmake/check_rust.sh "$(CARGO)"
@@ -46,7 +49,7 @@ demo: library
 
 test:
 	@cmake/check_rust.sh "$(CARGO)"
-	@echo "== tests/setup.sh core"; tests/setup.sh core
+	@echo "== tests/setup.sh core validation"; tests/setup.sh core validation
 	@echo "== cargo fmt --check"; $(CARGO) fmt --check
 	@echo "== cargo clippy"; $(CARGO) clippy --release --locked --all-targets -- -D warnings
 	@echo "== cargo test"; $(CARGO) test --release --locked

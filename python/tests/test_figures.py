@@ -16,6 +16,9 @@ import pytest
 from asperity import Model, Params
 from asperity.figures import curves, drawing, page
 
+# Of other pages than the gallery: the contacts of the map, the rows of the measurements.
+ELSEWHERE = {"contacts.svg": [7], "measurements.svg": [6]}
+
 SVG = "{http://www.w3.org/2000/svg}"
 # Each picture with the number of curves in each of its panels.
 PICTURES = {
@@ -34,7 +37,8 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
     command = [sys.executable, "-m", "asperity", "figures", "--out", str(directory)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     assert (done.returncode, done.stdout) == (0, "")
-    assert done.stderr == f"asperity: wrote {len(PICTURES) + 1} files, the last is {directory / 'gallery.md'}\n"
+    count = len(PICTURES | ELSEWHERE) + 1
+    assert done.stderr == f"asperity: wrote {count} files, the last is {directory / 'gallery.md'}\n"
     return directory
 
 
@@ -70,14 +74,15 @@ def test_the_page_shows_every_picture(root: Path) -> None:
     assert not unseen, "no page shows these"
 
 
-@pytest.mark.parametrize("name", PICTURES)
+@pytest.mark.parametrize("name", PICTURES | ELSEWHERE)
 def test_the_pictures_show_the_same_curves(root: Path, written: Path, name: str) -> None:
     """Their letters and ticks may differ from one matplotlib to the next."""
     committed, now = lines(root / "docs" / "figures" / name), lines(written / "figures" / name)
-    assert len(committed) == sum(PICTURES[name]) and committed.keys() == now.keys()
+    assert len(committed) == sum((PICTURES | ELSEWHERE)[name]) and committed.keys() == now.keys()
     for curve, drawn in committed.items():
         (_, old), (_, new) = drawn[0], now[curve][0]
-        assert len(old) == len(new) >= 20 and np.array(old) == pytest.approx(np.array(new), abs=0.02), curve
+        assert len(old) == len(new) >= (2 if name == "measurements.svg" else 20)
+        assert np.array(old) == pytest.approx(np.array(new), abs=0.02), curve
 
 
 @pytest.mark.parametrize("name", PICTURES)

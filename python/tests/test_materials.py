@@ -73,6 +73,13 @@ def test_a_pair_and_a_roughness_make_a_model(pair: Pair) -> None:
     assert moments.composite_modulus == params.composite_modulus
 
 
+def test_a_measured_slip_stress_takes_the_place_of_the_default() -> None:
+    measured = {name: Params.si(**pair.contact, height_std=2e-9, summit_radius=2e-6, asperity_count=1e5).slip_stress_1
+                for name, pair in PAIRS.items()}  # fmt: skip
+    assert measured.pop("mica/Au") == 0.0108
+    assert set(measured.values()) == {1 / 43}
+
+
 def test_data_cannot_be_changed() -> None:
     with pytest.raises(TypeError):
         MATERIALS["wood"] = MATERIALS["Si"]  # type: ignore[index]
@@ -108,7 +115,8 @@ def material_row(material: Material) -> str:
 def pair_row(pair: Pair) -> str:
     hamaker = "" if pair.hamaker is None else f"{pair.hamaker / 1e-20:.4g}"
     work = scaled(pair.work_of_adhesion, pair.work_of_adhesion_range, 1e-3)
-    return f"| {pair.name} | {work} | {hamaker} | {pair.reference} |"
+    strength = "" if pair.slip_stress_1 is None else f"{pair.slip_stress_1:g}"
+    return f"| {pair.name} | {work} | {hamaker} | {strength} | {pair.reference} |"
 
 
 def test_the_page_has_the_numbers_of_the_data(root: Path) -> None:

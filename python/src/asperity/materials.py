@@ -71,7 +71,9 @@ class Pair:
         work_of_adhesion: w [J/m^2].
         work_of_adhesion_range: of measurements and estimates [J/m^2].
         hamaker: the Hamaker constant [J] that w is estimated from, A/(12 pi D^2) with D = 0.165 nm; None if it is not.
-        reference: where w and its range are from.
+        slip_stress_1: measured shear strength of small contacts over G*, in place of Hurtado and Kim's 1/43; None where
+            no measurement is known here.
+        reference: where w and its range, and the strength, are from.
     """
 
     first: Material
@@ -80,6 +82,7 @@ class Pair:
     work_of_adhesion_range: Range
     hamaker: float | None
     reference: str
+    slip_stress_1: float | None = None
 
     @property
     def name(self) -> str:
@@ -91,7 +94,7 @@ class Pair:
         """What `Params.si` and the other ways to make parameters take beside the roughness.
 
         The Burgers vector is the longer of the two, the range of adhesion is taken equal to it, and the hardness is that
-        of the softer body, left out if one of them has none here.
+        of the softer body, left out if one of them has none here. A measured `slip_stress_1` is among it.
         """
         burgers_vector = max(self.first.burgers_vector, self.second.burgers_vector)
         contact: dict[str, Any] = {
@@ -105,6 +108,8 @@ class Pair:
         }
         if self.first.hardness is not None and self.second.hardness is not None:
             contact["hardness"] = min(self.first.hardness, self.second.hardness)
+        if self.slip_stress_1 is not None:
+            contact["slip_stress_1"] = self.slip_stress_1
         return contact
 
 
@@ -270,6 +275,19 @@ _PAIRS = (
             "van der Waals: Bergstrom, Adv. Colloid Interface Sci. 70 (1997) 125; a tip in humid air at the lower end: "
             "Carpick, Ogletree and Salmeron, Appl. Phys. Lett. 70 (1997) 1548"
         ),
+    ),
+    Pair(
+        first=_MICA,
+        second=_GOLD,
+        work_of_adhesion=0.172,
+        work_of_adhesion_range=(0.02, 0.18),
+        hamaker=17.6e-20,
+        reference=(
+            "van der Waals, the geometric mean of gold, 31e-20 J, and mica, 10e-20 J: Israelachvili; humid air at the "
+            "lower end, as for mica/Si3N4; slip stress of a gold pillar, 264 MPa: Li and Kim, Proc. R. Soc. A 464 (2008) "
+            "1319"
+        ),
+        slip_stress_1=0.0108,
     ),
 )
 

@@ -1,7 +1,8 @@
-"""The figures of Adams and Müftü (2005), section 3, and the page that compares them with what the paper says.
+"""The figures of Adams and Müftü (2005), section 3, and the page that compares them with what the paper says; and the
+figures of what the law is good for.
 
-`curves` has the surfaces behind each figure, `drawing` the pictures, `page` the comparison in numbers. Drawing needs
-matplotlib (extra `plot`).
+`curves` has the surfaces behind each figure, `drawing` the pictures, `page` the comparison in numbers. `contacts` has
+real contacts and `measured` measured friction, both drawn by `validity`. Drawing needs matplotlib (extra `plot`).
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Iterable
 
 import numpy as np
 
-from . import curves
+from . import curves, validity
 from .curves import Array, Curve, CurveFigure
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def draw_all(directory: Path) -> list[Path]:
         pictures = {"figure-3": _figure_3()}
         for figure in (*curves.SKEW_FIGURES, *curves.RADIUS_FIGURES):
             pictures[f"figure-{figure.number}"] = _curve_figure(figure)
-        pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes()}
+        pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes(), **validity.pictures()}
         return [_save(picture, directory / f"{name}.svg") for name, picture in pictures.items()]
 
 

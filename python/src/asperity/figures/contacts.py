@@ -1,0 +1,171 @@
+"""Real contacts, with round numbers for each: where they lie on the map of `docs/domain.md`.
+
+A contact is followed over its loads: the mean pressure of its summits over the hardness of the softer body, which tells
+whether they yield, and the mean contact radius over the Burgers vector, which tells the regime of slip.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..materials import MATERIALS, PAIRS, Material
+from ..model import Model
+from ..params import Params
+from .curves import Array
+
+# The mean pressure over the hardness at which a summit begins to yield: docs/theory.md.
+YIELD = 0.4
+# Below some three atoms' distances a contact is a number of atoms and no continuum.
+CONTINUUM = 3.0
+# Of the real area over the nominal one, above which summits press each other down.
+CROWDED = 0.1
+
+
+@dataclass(frozen=True)
+class Contact:
+    """A contact of the map.
+
+    Attributes:
+        name: on the map.
+        params: of the surfaces; of one summit for a single contact.
+        loads: lightest and heaviest load [N].
+        nominal_area: [m^2]; 0 for a single contact.
+        hardness: of the softer body [Pa].
+        basis: what the numbers rest on.
+        verdict: whether the law holds, and what to use if not.
+    """
+
+    name: str
+    params: Params
+    loads: tuple[float, float]
+    nominal_area: float
+    hardness: float
+    basis: str
+    verdict: str
+
+    def track(self, count: int = 41) -> tuple[Array, Array, Array]:
+        """Over the loads: mean pressure over hardness, mean contact radius over Burgers vector, real over nominal area."""
+        model = Model(self.params)
+        states = [model.state_at_load(float(load)) for load in np.geomspace(*self.loads, count)]
+        pressure = np.array([state.mean_asperity_pressure / self.hardness for state in states])
+        radius = np.array([state.mean_contact_radius / self.params.burgers_vector for state in states])
+        share = np.array([state.real_area / self.nominal_area if self.nominal_area else 0.0 for state in states])
+        return pressure, radius, share
+
+
+def _bodies(first: Material, second: Material, work_of_adhesion: float) -> dict[str, Any]:
+    burgers_vector = max(first.burgers_vector, second.burgers_vector)
+    return dict(
+        E1=first.young, nu1=first.poisson, E2=second.young, nu2=second.poisson, work_of_adhesion=work_of_adhesion,
+        adhesion_range=burgers_vector, burgers_vector=burgers_vector,
+    )  # fmt: skip
+
+
+def _single(bodies: dict[str, Any], radius: float) -> Params:
+    """One summit: heights that differ by a thousandth of the range of adhesion."""
+    return Params.si(**bodies, height_std=1e-3 * bodies["adhesion_range"], summit_radius=radius, asperity_count=1.0)
+
+
+def _rough(bodies: dict[str, Any], sigma: float, radius: float, area: float) -> Params:
+    """Density times radius times sigma is 0.05, as on the surfaces of Greenwood and Williamson (1966)."""
+    return Params.si(
+        **bodies, height_std=sigma, summit_radius=radius, summit_density=0.05 / (radius * sigma), nominal_area=area
+    )
+
+
+_ADHESION_OF_OXIDES = PAIRS["Si/Si"].work_of_adhesion
+_RUBBER = Material("rubber", 2e6, (1e6, 1e7), 0.5, None, None, 0.5e-9, "a round number for a soft elastomer")
+
+CONTACTS = (
+    Contact(
+        "AFM tip",
+        _single(_bodies(MATERIALS["Si3N4"], MATERIALS["Si"], _ADHESION_OF_OXIDES), 30e-9),
+        (1e-9, 1e-7),
+        0.0,
+        MATERIALS["Si"].hardness or 0.0,
+        "Si₃N₄ on Si, radius 30 nm, 1 to 100 nN: assumed",
+        "mechanics hold, as for one summit; the slip stress is that of the film on the surfaces, and is to be measured",
+    ),
+    Contact(
+        "fine powder",
+        _single(PAIRS["SiO2/SiO2"].contact, 1e-6),
+        (1e-8, 1e-5),
+        0.0,
+        MATERIALS["SiO2"].hardness or 0.0,
+        "silica spheres of 2 µm, smooth, 10 nN to 10 µN: assumed",
+        "holds",
+    ),
+    Contact(
+        "MEMS polysilicon",
+        _rough(PAIRS["Si/Si"].contact, 5e-9, 1e-6, 1e-8),
+        (1e-6, 1e-2),
+        1e-8,
+        MATERIALS["Si"].hardness or 0.0,
+        "`c_examples/friction_curve.c`, with its sources: σ = 5 nm, R = 1 µm, 100 Pa to 1 MPa",
+        "holds",
+    ),
+    Contact(
+        "wafer on chuck",
+        _rough(_bodies(MATERIALS["Si"], MATERIALS["DLC"], _ADHESION_OF_OXIDES), 10e-9, 10e-6, 1e-6),
+        (1e-3, 1.0),
+        1e-6,
+        MATERIALS["Si"].hardness or 0.0,
+        "silicon on DLC, σ = 10 nm, R = 10 µm, 1 kPa to 1 MPa on the pins: assumed",
+        "holds",
+    ),
+    Contact(
+        "DLC on steel",
+        _rough(_bodies(MATERIALS["DLC"], MATERIALS["steel"], 0.05), 50e-9, 20e-6, 1e-6),
+        (1e-1, 1e2),
+        1e-6,
+        MATERIALS["steel"].hardness or 0.0,
+        "polished, σ = 50 nm, R = 20 µm, 0.1 to 100 MPa: assumed",
+        "near the limit: look at the warnings, and use contact law 1 where they come",
+    ),
+    Contact(
+        "ground steel",
+        _rough(PAIRS["steel/steel"].contact, 0.4e-6, 10e-6, 1e-4),
+        (1e1, 1e4),
+        1e-4,
+        MATERIALS["steel"].hardness or 0.0,
+        "σ = 0.4 µm, R = 10 µm, 0.1 to 100 MPa: assumed; hardened bearing steel",
+        "yields at any load: contact law 1, until the surface is worn in",
+    ),
+    Contact(
+        "rubber",
+        _rough(_bodies(_RUBBER, MATERIALS["SiO2"], 0.0), 1e-6, 20e-6, 1e-4),
+        (1e-2, 1e2),
+        1e-4,
+        _RUBBER.young,
+        "E = 2 MPa, in place of the hardness too, on glass of σ = 1 µm, R = 20 µm, 100 Pa to 1 MPa: assumed",
+        "does not hold: viscoelastic and crowded",
+    ),
+)
+
+
+def table() -> str:
+    """The contacts as a table of Markdown: over their loads, from the lightest to the heaviest."""
+    rows = ["| Contact | Numbers | p/H | a/b | Real over nominal area | The law |", "|---|---|---|---|---|---|"]
+    for contact in CONTACTS:
+        pressure, radius, share = contact.track(2)
+        area = "one contact" if contact.nominal_area == 0 else _pair(share)
+        cells = (contact.name, contact.basis, _pair(pressure), _pair(radius), area, contact.verdict)
+        rows.append(f"| {' | '.join(cells)} |")
+    return "\n".join(rows)
+
+
+def _pair(values: Array) -> str:
+    return f"{_number(float(values[0]))} to {_number(float(values[-1]))}"
+
+
+def _number(value: float) -> str:
+    """Two digits; a power of ten where there would be many zeros."""
+    exponent = math.floor(math.log10(value))
+    if -3 <= exponent <= 5:
+        return f"{float(f'{value:.2g}'):g}" if exponent < 3 else f"{float(f'{value:.2g}'):.0f}"
+    digits = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+    return f"{value / 10**exponent:.1f}·10{str(exponent).translate(digits)}"

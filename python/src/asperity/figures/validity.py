@@ -1,0 +1,137 @@
+"""The pictures of what the law is good for: the map of real contacts and the measurements beside their predictions.
+
+Each can be read alone and without colour: labels stand at what they name.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from . import contacts, measured
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+# Told apart by the colour-blind: Okabe and Ito.
+_BLUE, _ORANGE, _GREEN, _GREY = "#0072b2", "#d55e00", "#009e73", "#595959"
+
+
+def pictures() -> dict[str, Figure]:
+    """By the name of the file."""
+    return {"contacts": _contacts(), "measurements": _measurements()}
+
+
+# ---- The map ----
+
+# Where the name of a contact stands: the end of its track that it belongs to, and the shift from there [pt].
+_LABELS = {
+    "AFM tip": (-1, (10, 0), "left"),
+    "fine powder": (0, (0, 7), "left"),
+    "MEMS polysilicon": (-1, (8, -12), "left"),
+    "wafer on chuck": (-1, (8, -4), "left"),
+    "DLC on steel": (0, (-8, -4), "right"),
+    "ground steel": (0, (-2, -20), "center"),
+    "rubber": (0, (-10, 12), "right"),
+}
+
+
+def _contacts() -> Figure:
+    picture, axes = _empty((8.4, 6.0), (0.09, 0.13, 0.88, 0.85))
+    picture.text(
+        0.09, 0.02, "from the lightest load to the heaviest (dot); round numbers, with their sources in docs/domain.md",
+        fontsize=8.5, color=_GREY,
+    )  # fmt: skip
+    axes.set(xscale="log", yscale="log", xlim=(3e-4, 4), ylim=(1, 1e6))
+    axes.set_xlabel("mean pressure of the contacts / hardness of the softer body [–]")
+    axes.set_ylabel("mean contact radius / Burgers vector [–]")
+    axes.axvspan(contacts.YIELD, 4, color=_ORANGE, alpha=0.13, lw=0)
+    axes.axhspan(1, contacts.CONTINUUM, color=_GREY, alpha=0.18, lw=0)
+    _region(axes, 1.26, 4e5, "summits yield:\nelastic-plastic\ncontact law", _ORANGE)
+    _region(axes, 1.2e-2, 4e5, "summits stay elastic: the elastic law", _BLUE)
+    _region(axes, 1.2e-2, 1.25, "few atoms: no continuum", _GREY)
+    for radius, text in ((28, "$a_1$: larger contacts are weaker"), (8e4, "$a_2$: many dislocations, lowest strength")):
+        axes.plot((3e-4, 4), (radius, radius), color=_GREY, lw=0.8, dashes=(4, 3))
+        axes.annotate(text, (3.4e-4, radius), (0, 3), textcoords="offset points", color=_GREY, fontsize=8.5)
+    for number, contact in enumerate(contacts.CONTACTS):
+        _track(axes, number, contact)
+    return picture
+
+
+def _track(axes: Axes, number: int, contact: contacts.Contact) -> None:
+    """A contact over its loads, with a dot at the heaviest; dashed where no law of the library holds."""
+    pressure, radius, share = contact.track()
+    held = share.max() < contacts.CROWDED
+    colour = _BLUE if held and (pressure < contacts.YIELD).any() else _ORANGE
+    (line,) = axes.plot(pressure, radius, color=colour, lw=3, dashes=(1, 0) if held else (2, 1))
+    line.set_gid(f"curve-{number}")
+    axes.plot(pressure[-1:], radius[-1:], "o", color=colour, ms=6)
+    end, shift, side = _LABELS[contact.name]
+    text = contact.name if held else f"{contact.name}: no law of this library,\nviscoelastic and crowded"
+    place = (float(pressure[end]), float(radius[end]))
+    axes.annotate(text, place, shift, textcoords="offset points", ha=side, fontsize=10, color=colour, weight="bold")
+
+
+def _region(axes: Axes, x: float, y: float, text: str, colour: str) -> None:
+    axes.annotate(text, (x, y), ha="center", va="center", fontsize=9.5, color=colour, style="italic")
+
+
+# ---- The measurements ----
+
+
+def _measurements() -> Figure:
+    rows = measured.MEASUREMENTS
+    picture, axes = _empty((9.2, 0.66 * len(rows) + 1.0), (0.36, 0.13, 0.62, 0.85))
+    axes.set(xscale="log", xlim=(0.02, 1000), ylim=(len(rows) - 0.4, -0.9))
+    axes.set_xlabel("predicted / measured [–]; nothing fitted; bands: inputs not given")
+    axes.set_yticks([])
+    axes.grid(axis="y", visible=False)
+    axes.plot((1, 1), (-0.5, len(rows) - 0.4), color=_GREY, lw=1.2)
+    axes.annotate("predicted = measured", (1, -0.62), ha="center", va="center", fontsize=9, color=_GREY)
+    for number, row in enumerate(rows):
+        low, high = row.ratio()
+        # A single value is drawn as wide as 8 %, to be seen.
+        ends = np.array([low, high] if high > 1.08 * low else [low / 1.04, low * 1.04])
+        colour = _BLUE if low <= 1.05 and high >= 0.95 else _ORANGE
+        alpha = 1.0 if row.read else 0.45
+        (line,) = axes.plot(ends, (number, number), lw=9, color=colour, solid_capstyle="butt", alpha=alpha)
+        line.set_gid(f"curve-{number}")
+        text = _ratio(low, high)
+        axes.annotate(text, (ends[1], number), (6, 0), textcoords="offset points", va="center", fontsize=9)
+        axes.annotate(
+            _caption(row), (0, number), (-8, 0), xycoords=("axes fraction", "data"), textcoords="offset points",
+            ha="right", va="center", fontsize=8.5, annotation_clip=False,
+        )  # fmt: skip
+    axes.annotate(
+        "pale: quoted,\npapers not read", (0.02, 0.03), xycoords="axes fraction", va="bottom", fontsize=8.5, color=_GREY,
+    )  # fmt: skip
+    return picture
+
+
+def _caption(row: measured.Measurement) -> str:
+    quantity, _, unit = row.quantity.partition(" [")
+    value = "ratio quoted"
+    if row.measured is not None:
+        low, high = row.measured
+        value = f"{low:g}" if low == high else f"{(low + high) / 2:.2g} ± {(high - low) / 2:g}"
+    return f"{row.name}, {row.label}\n{quantity}: {value} {unit.rstrip(']')}".rstrip()
+
+
+def _ratio(low: float, high: float) -> str:
+    first, last = f"{low:.2g}", f"{high:.2g}" if high < 100 else f"{high:.0f}"
+    return first if first == last else f"{first} to {last}"
+
+
+def _empty(size: tuple[float, float], place: tuple[float, float, float, float]) -> tuple[Figure, Axes]:
+    """An empty picture [inch] with axes without a frame at a place (left, bottom, width, height)."""
+    from matplotlib.figure import Figure
+
+    picture = Figure(figsize=size)
+    axes = picture.add_axes(place)
+    for side in ("top", "right", "left", "bottom"):
+        axes.spines[side].set_visible(False)
+    axes.tick_params(which="both", length=0)
+    axes.grid(which="minor", visible=False)
+    return picture, axes

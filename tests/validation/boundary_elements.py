@@ -1,0 +1,218 @@
+"""The law against boundary elements: the same rough surface pressed by both, and what they say of area and friction.
+
+An isotropic Gaussian surface on a periodic square is pressed against a flat by tamaas (Frérot, Anciaux, Rey, Pham-Ba
+and Molinari, J. Open Source Softw. 5 (2020), 2121) with the solver of Polonsky and Keer (Wear 231 (1999), 206): an
+elastic half-space, no adhesion, summits that press each other down and contacts of any shape. Friction is that of eqs
+(13) to (15), summed over the patches of contact, each taken for a circle of its area. The library answers for the same
+surface, known by its spectral moments or by its summits.
+
+usage: boundary_elements.py [FILE.csv]
+
+Computes every surface anew, for an hour or two, and writes boundary_elements.csv.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import sys
+from dataclasses import astuple, dataclass, fields
+from pathlib import Path
+from typing import Any, Iterator
+
+import numpy as np
+import tamaas
+
+from asperity import Model, Params
+from asperity import surface as topography
+
+FILE = Path(__file__).with_name("boundary_elements.csv")
+
+# In the unit of the grid and of E* = G* = 1. Slopes cancel from area and friction at a given load over E* times slope.
+SLOPE = 0.1
+# Nominal pressure over E* and root mean square gradient: real areas of about 0.12, 1.2, 4.5 and 10 % of the nominal.
+PRESSURES = (5e-4, 5e-3, 2e-2, 4.5e-2)
+# Contacts are then between the slip radii, 28 and 80000 b, where the size of the contacts matters most.
+BURGERS_VECTOR = 0.01
+# Of the solver: the complementarity of gap and pressure. From 1e-5 to 1e-8 no digit of the table changes.
+TOLERANCE = 1e-7
+# Yastrebov, Anciaux and Molinari, Tribol. Int. 114 (2017), 161: a grid overrates an area by this times perimeter times
+# spacing, as its squares stick out of the true contact.
+OUTLINE = (math.pi - 1 + math.log(2)) / 24
+
+
+CONTACT: dict[str, Any] = dict(
+    composite_modulus=1.0, effective_shear_modulus=1.0, work_of_adhesion=0.0, adhesion_range=BURGERS_VECTOR,
+    burgers_vector=BURGERS_VECTOR,
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Waves with wavenumbers from `lowest` to `highest` a side, whose power falls as q^(-2 - 2 hurst), on a square of
+    `grid` points a side."""
+
+    grid: int
+    lowest: float
+    highest: float
+    hurst: float
+    seeds: int
+
+
+# The shortest wave has 32 points, or 16 where the spectrum is broad.
+SPECTRA = (
+    Spectrum(1024, 13, 32, -1.0, 6),
+    Spectrum(1024, 6, 32, 0.1, 4),
+    Spectrum(1024, 4, 32, 0.8, 4),
+    Spectrum(1024, 2, 64, 0.8, 3),
+)
+
+
+@dataclass(frozen=True)
+class Row:
+    """One surface at one load: what is known of it, in the unit of the grid, and what the boundary elements answer.
+
+    Attributes:
+        seed: of the random numbers of the surface, whose spectrum is told by the four before it.
+        m0, m2, m4: spectral moments.
+        density, height_std, radius, amplitude, rate: of the summits on the map; an amplitude of 0 is no trend.
+        pressure: nominal pressure over E* and root mean square gradient.
+        area: real area over nominal area.
+        friction: friction force over G* and nominal area.
+        patches: number of patches of contact.
+    """
+
+    grid: int
+    lowest: float
+    highest: float
+    hurst: float
+    seed: int
+    m0: float
+    m2: float
+    m4: float
+    density: float
+    height_std: float
+    radius: float
+    amplitude: float
+    rate: float
+    pressure: float
+    area: float
+    friction: float
+    patches: int
+
+    @property
+    def bandwidth(self) -> float:
+        return self.m0 * self.m4 / self.m2**2
+
+    @property
+    def by_moments(self) -> Prediction:
+        """By the library, from the spectral moments."""
+        params = Params.from_spectral_moments(m0=self.m0, m2=self.m2, m4=self.m4, nominal_area=self.grid**2, **CONTACT)
+        return self._predicted(params)
+
+    @property
+    def by_map(self) -> Prediction:
+        """By the library, from the summits on the map."""
+        count = self.density * self.grid**2
+        summits = dict(height_std=self.height_std, summit_radius=self.radius, asperity_count=count)
+        trend = dict(radius_amplitude=self.amplitude, radius_rate=self.rate)
+        return self._predicted(Params.si(**summits, **trend, **CONTACT))
+
+    def _predicted(self, params: Params) -> Prediction:
+        nominal = self.grid**2
+        state = Model(params).state_at_load(self.pressure * SLOPE * nominal)
+        area, friction = state.real_area / nominal / self.area, state.friction_force / nominal / self.friction
+        return Prediction(area, friction, state.fraction_in_contact)
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """Area and friction of the library over those of the boundary elements, and its fraction of summits in contact."""
+
+    area: float
+    friction: float
+    fraction_in_contact: float
+
+
+def surface(spectrum: Spectrum, seed: int) -> tuple[np.ndarray[Any, Any], topography.SpectralMoments]:
+    """Heights on a periodic grid of spacing 1, and their spectral moments, exactly: sums over the waves."""
+    n = spectrum.grid
+    wave = np.fft.fftfreq(n, 1 / n)
+    q = np.hypot(wave[:, None], wave[None, :])
+    inside = (q >= spectrum.lowest) & (q <= spectrum.highest)
+    amplitude = np.where(inside, np.where(inside, q, 1.0) ** (-1 - spectrum.hurst), 0.0)
+    noise = np.random.default_rng(seed).standard_normal((n, n))
+    waves = np.fft.fft2(noise) * amplitude
+    power = np.abs(waves) ** 2
+    q *= 2 * math.pi / n
+    # Means over all directions: of cos^2 a half, of cos^4 three eighths.
+    m0, m2, m4 = float(power.sum()), float((q**2 * power).sum()) / 2, float(3 / 8 * (q**4 * power).sum())
+    scale = SLOPE**2 / (2 * m2)
+    moments = topography.SpectralMoments(m0 * scale, m2 * scale, m4 * scale)
+    # Parseval's factor of numpy's transform is n^4; it cancels from the heights, which are scaled by their slope.
+    heights = np.fft.ifft2(waves).real * n**2 * math.sqrt(scale)
+    return heights, moments
+
+
+def press(heights: np.ndarray[Any, Any], pressures: tuple[float, ...]) -> Iterator[tuple[float, float, int]]:
+    """Real area, friction force and number of patches at nominal pressures over E*, by boundary elements."""
+    n = heights.shape[0]
+    tamaas.set_log_level(tamaas.LogLevel.error)
+    model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, [float(n)] * 2, [n] * 2)
+    model.E, model.nu = 1.0, 0.0
+    solver = tamaas.PolonskyKeerRey(model, heights, TOLERANCE)
+    solver.max_iter = 10000
+    for pressure in pressures:
+        reached = solver.solve(pressure)
+        if not reached <= TOLERANCE:
+            raise RuntimeError(f"the solver reaches {reached:g} at a pressure of {pressure:g}, not {TOLERANCE:g}")
+        patches = tamaas.FloodFill.getClusters(model.traction > 0, False)
+        areas = np.array([patch.area - OUTLINE * patch.perimeter for patch in patches])
+        yield float(areas.sum()), float(slip_force(areas).sum()), len(patches)
+
+
+def slip_force(areas: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """Eqs (13) to (15) with the constants of Hurtado and Kim, for circles of these areas."""
+    radius = np.sqrt(areas / math.pi) / BURGERS_VECTOR
+    exponent = -math.log(1290 / 43) / math.log(8e4 / 28)
+    return np.asarray(areas * np.clip(radius / 28, 1, 8e4 / 28) ** exponent / 43)
+
+
+def compare(spectrum: Spectrum, seed: int, ratios: tuple[float, ...] = PRESSURES) -> Iterator[Row]:
+    """One surface at pressures over E* and slope."""
+    heights, moments = surface(spectrum, seed)
+    summits = topography.summits(heights, 1.0, 1.0, detrend=0)
+    known = Params.from_topography(summits, **CONTACT)
+    area = spectrum.grid**2
+    for ratio, (real, friction, patches) in zip(ratios, press(heights, tuple(ratio * SLOPE for ratio in ratios))):
+        yield Row(
+            spectrum.grid, spectrum.lowest, spectrum.highest, spectrum.hurst, seed, moments.m0, moments.m2, moments.m4,
+            summits.density.value, known.height_std, known.summit_radius, known.radius_amplitude, known.radius_rate,
+            ratio, real / area, friction / area, patches,
+        )  # fmt: skip
+
+
+def frozen(file: Path = FILE) -> list[Row]:
+    """The rows of boundary_elements.csv."""
+    with file.open(encoding="utf-8", newline="") as text:
+        lines = csv.reader(line for line in text if not line.startswith("#"))
+        if next(lines) != [field.name for field in fields(Row)]:
+            raise ValueError(f"{file}: not the columns of this script")
+        kinds = [int if field.type == "int" else float for field in fields(Row)]
+        return [Row(*(kind(cell) for kind, cell in zip(kinds, line))) for line in lines]
+
+
+def main(file: Path) -> None:
+    with file.open("w", encoding="utf-8", newline="") as out:
+        out.write(f"# Written by tests/validation/boundary_elements.py with tamaas {tamaas.__version__}.\n")
+        table = csv.writer(out, lineterminator="\n")
+        table.writerow([field.name for field in fields(Row)])
+        for spectrum in SPECTRA:
+            for seed in range(spectrum.seeds):
+                for row in compare(spectrum, seed):
+                    table.writerow([value if isinstance(value, int) else f"{value:.7g}" for value in astuple(row)])
+                    out.flush()
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else FILE)

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Validation: one summit against Maugis to 50 digits and against the package Adhesion, the population against boundary
+# elements (tamaas), limits in closed form, measured friction. docs/validation.md has the figures.
+#
+# usage: tests/validation/run.sh [long]
+#   long    computes the frozen files anew as well and compares them: an hour or two on two cores
+# `tests/setup.sh validation` makes the environment. CARGO_TARGET_DIR is honoured. Needs cargo.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+
+target="$(realpath -m "${CARGO_TARGET_DIR:-target}")"
+venv="$target/validation-venv"
+export CARGO_TARGET_DIR="$target" PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS="${OMP_NUM_THREADS:-2}"
+unset ASPERITY_LIBRARY PYTHONPATH
+length="${1:-short}"
+[[ "$length" =~ ^(short|long)$ ]] || { echo "usage: tests/validation/run.sh [long]" >&2; exit 2; }
+
+[ -x "$venv/bin/pytest" ] && "$venv/bin/python" -c 'import Adhesion, matplotlib, mpmath, tamaas' 2>/dev/null ||
+    { echo "tests/validation/run.sh: needs tamaas and Adhesion; run tests/setup.sh validation" >&2; exit 1; }
+"$venv/bin/pip" install --quiet --disable-pip-version-check --no-deps --force-reinstall ./python
+"$venv/bin/pytest" -q -ra -p no:cacheprovider tests/validation
+
+if [ "$length" = long ]; then
+    mkdir -p "$target/validation"
+    "$venv/bin/python" tests/validation/boundary_elements.py "$target/validation/boundary_elements.csv"
+    "$venv/bin/python" tests/validation/compare_frozen.py "$target/validation/boundary_elements.csv"
+fi

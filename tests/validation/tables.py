@@ -1,0 +1,80 @@
+"""The tables of docs/domain.md and docs/validation.md, written between marks in these pages; a test holds them to it.
+
+usage: tables.py        writes the tables into the pages
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+import boundary_elements
+from asperity.figures import contacts, measured
+from boundary_elements import PRESSURES, Row
+
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+
+
+def population() -> str:
+    """Library over boundary elements, by bandwidth: means over the surfaces, and their standard deviation."""
+    rows = [
+        "| Bandwidth | Surfaces | Real area | Summits in contact | A, from moments | F, from moments "
+        "| A, from the map | F, from the map |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    for group in _groups():
+        for pressure in PRESSURES:
+            at_load = [row for row in group if row.pressure == pressure]
+            moments, maps = [row.by_moments for row in at_load], [row.by_map for row in at_load]
+            cells = [
+                f"{np.mean([row.bandwidth for row in at_load]):.2g}",
+                str(len(at_load)),
+                f"{100 * np.mean([row.area for row in at_load]):.2g} %",
+                f"{100 * np.mean([answer.fraction_in_contact for answer in moments]):.2g} %",
+                *(_spread([getattr(answer, name) for answer in answers])
+                  for answers in (moments, maps) for name in ("area", "friction")),
+            ]  # fmt: skip
+            rows.append(f"| {' | '.join(cells)} |")
+    return "\n".join(rows)
+
+
+def _groups() -> list[list[Row]]:
+    """The frozen rows by spectrum, in the order of the file."""
+    groups: dict[tuple[float, ...], list[Row]] = {}
+    for row in boundary_elements.frozen():
+        groups.setdefault((row.grid, row.lowest, row.highest, row.hurst), []).append(row)
+    return list(groups.values())
+
+
+def _spread(values: list[float]) -> str:
+    return f"{np.mean(values):.2f} ± {np.std(values, ddof=1):.2f}"
+
+
+# By page and mark.
+TABLES: dict[tuple[str, str], Callable[[], str]] = {
+    ("domain.md", "contacts"): contacts.table,
+    ("validation.md", "population"): population,
+    ("validation.md", "measurements"): measured.table,
+}
+
+
+def block(mark: str, text: str) -> str:
+    return f"<!-- {mark}: tests/validation/tables.py -->\n{text}\n<!-- end of {mark} -->"
+
+
+def main() -> None:
+    for (page, mark), table in TABLES.items():
+        file = DOCS / page
+        old = file.read_text(encoding="utf-8")
+        pattern = re.compile(rf"<!-- {mark}: .*?<!-- end of {mark} -->", re.DOTALL)
+        if len(pattern.findall(old)) != 1:
+            raise ValueError(f"{file}: needs one place between '<!-- {mark}: ... -->' and '<!-- end of {mark} -->'")
+        text = block(mark, table())
+        file.write_text(pattern.sub(lambda _: text, old), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,7 @@
+# make validate: everything behind docs/validation.md, with the boundary elements computed anew: an hour or two on two
+# cores. The short form, tests/validation/run.sh, is part of `make test`.
+
+.PHONY: validate
+validate:
+	tests/setup.sh core validation
+	nice -n 10 tests/validation/run.sh long
