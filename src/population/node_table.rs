@@ -6,8 +6,9 @@ use super::{Edge, Point, Population};
 use crate::distribution::panel;
 use crate::numerics::quadrature::POINTS;
 
-/// Panels are tabulated up to this overlap, in sigma: enough for all summits at separations above -8.
-const LARGEST_OVERLAP: f64 = 18.0;
+/// Panels are tabulated up to this overlap, in sigma: enough for all Gaussian heights where the rule for deep contact does not
+/// serve yet.
+const LARGEST_OVERLAP: f64 = 31.0;
 /// A tabulated panel takes 1 kB; deeper ones are walked when needed.
 const MOST_PANELS: usize = 64;
 
