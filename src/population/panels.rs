@@ -14,6 +14,10 @@ use crate::numerics::root;
 
 /// A panel in height is no longer than this many times the distance to break-away, where the law of contact is singular.
 const HEIGHT_RATIO: f64 = 2.5;
+/// Over a panel in which the parameter changes by less than this part of the distance to where the law is singular, it serves
+/// as well as the height: with equal radii, and where overlaps are known to enough digits, in sigma, it needs no solution.
+const SHORT_RATIO: f64 = 0.5;
+const FAR_FROM_BREAK_AWAY: f64 = 6.0;
 /// Where radii vary, dz/ds must not rise by more than this factor over a panel because they do: where the radius of contact
 /// falls with height, the parameter does at last.
 const MOST_BEND: f64 = 2.0;
@@ -68,6 +72,8 @@ pub struct Panel {
     pub to: Point,
     /// Which radius of the slip law it ends at.
     pub kink: Option<usize>,
+    /// What part it is of one that all points are needed for.
+    part: f64,
 }
 
 /// How much has been summed, to know when the rest is negligible.
@@ -133,7 +139,7 @@ impl Population {
                 (panel, nodes) = lay(reach);
             }
             let densities = self.densities(separation, nodes.map(|(_, point)| (point.z, point.contact.overlap)));
-            for ((weight, point), density) in nodes.iter().zip(densities) {
+            for ((weight, point), density) in nodes.iter().zip(densities).take_while(|((weight, _), _)| *weight != 0.0) {
                 let fraction = weight * density;
                 progress.add(fraction, point.contact.overlap);
                 visitor.summits(point.z, fraction, &Summit::new(&point.contact, &self.slip));
@@ -205,7 +211,7 @@ impl Population {
         };
         // A kink of the slip law within so short a panel ends it.
         let end = self.at_height(separation, foot + panel.length, start.contact.parameter);
-        let whole = Panel { axis: Axis::Height, from: start, to: end, kink: None };
+        let whole = Panel { axis: Axis::Height, from: start, to: end, kink: None, part: 1.0 };
         let cut = self.cut_at_kink(separation, whole, None);
         let panel = panel.shortened(cut.to.z - foot);
         let mut here = start;
@@ -240,20 +246,47 @@ impl Population {
             Some(to) => (Axis::Parameter, to),
             None => {
                 let z = (here.z + reach.min((HEIGHT_RATIO * clearance).max(SHORTEST))).min(stop);
-                (Axis::Height, self.at_height(separation, z, here.contact.parameter))
+                let to = self.at_height(separation, z, here.contact.parameter);
+                let singular = self.law.distance_to_singularity(here.contact.parameter);
+                let is_short = to.contact.parameter - here.contact.parameter < SHORT_RATIO * singular;
+                let serves = self.radius.is_constant() && is_short && clearance < FAR_FROM_BREAK_AWAY;
+                (if serves { Axis::Parameter } else { Axis::Height }, to)
             }
         };
-        self.cut_at_kink(separation, Panel { axis, from: here, to, kink: None }, kink)
+        let panel = self.cut_at_kink(separation, Panel { axis, from: here, to, kink: None, part: 1.0 }, kink);
+        // A polynomial density is smooth up to where it ends.
+        let smooth = if self.heights.is_piecewise_polynomial() { self.radius.smooth_length(here.z) } else { reach };
+        Panel { part: self.part(&panel, clearance, smooth), ..panel }
+    }
+
+    /// What part a panel is of the longest over which the law of contact is smooth, and heights and radii as far as `smooth`.
+    fn part(&self, panel: &Panel, clearance: f64, smooth: f64) -> f64 {
+        let rise = panel.to.z - panel.from.z;
+        match panel.axis {
+            Axis::Height => rise / smooth.min(HEIGHT_RATIO * clearance),
+            Axis::Parameter => {
+                let step = panel.to.contact.parameter - panel.from.contact.parameter;
+                (step / self.longest_step(&panel.from)).max(rise / (PART_OF_HEIGHT_PANEL * smooth))
+            }
+        }
+    }
+
+    /// How far a panel in the parameter may reach: as far as the law of contact is smooth.
+    fn longest_step(&self, from: &Point) -> f64 {
+        let s = from.contact.parameter;
+        let smooth = PARAMETER_RATIO * self.law.distance_to_singularity(s);
+        if from.contact.radius > 0.999_999 * self.slip.kinks()[0] {
+            smooth.min(POWER_RATIO * s)
+        } else {
+            smooth
+        }
     }
 
     /// Where a panel in the parameter ends: as far as the law of contact is smooth, and no more than `reach` higher. `None`
     /// where the height does not follow from the parameter.
     fn parameter_panel_end(&self, separation: f64, here: &Point, reach: f64, stop: f64) -> Option<Point> {
         let s = here.contact.parameter;
-        let mut step = PARAMETER_RATIO * self.law.distance_to_singularity(s);
-        if here.contact.radius > 0.999_999 * self.slip.kinks()[0] {
-            step = step.min(POWER_RATIO * s);
-        }
+        let mut step = self.longest_step(here);
         let start_rate = here.z_rate();
         if step == f64::INFINITY {
             // Hertz: the height is s^2.
@@ -315,20 +348,24 @@ impl Population {
         panel
     }
 
-    /// The summits at the nodes of a panel, with their weights in height.
+    /// The summits at the nodes of a panel, with their weights in height; those beyond the number of points have none.
     pub(super) fn nodes(&self, separation: f64, panel: &Panel) -> [(f64, Point); POINTS] {
         let guess = panel.guess();
         let mut nodes = [(0.0, panel.from); POINTS];
         let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
-        for (node, (x, weight)) in nodes.iter_mut().zip(quadrature::nodes(from, to)) {
-            *node = match panel.axis {
+        let mut count = 0;
+        for (x, weight) in quadrature::nodes_of_part(panel.part, from, to) {
+            nodes[count] = match panel.axis {
                 Axis::Parameter => {
                     let point = self.on_branch(separation, x, guess.at(x)).unwrap_or(Point::UNKNOWN);
                     (weight * point.z_rate(), point)
                 }
                 Axis::Height => (weight, self.at_height(separation, x, guess.at(x))),
             };
+            count += 1;
         }
+        let middle = nodes[count / 2].1;
+        nodes[count..].fill((0.0, middle));
         nodes
     }
 
