@@ -7,19 +7,12 @@ use super::fill::Source;
 use crate::elementary::exp;
 use crate::equilibrium::{Branch, BranchPoint};
 
-/// A state this near to where it is wanted, in ln(load - pull-off), is carried there by its slope, which changes as it does
-/// from the last state, if that is not too near to tell...
-const NEAR: f64 = 1e-7;
-const APART: f64 = 1e-4;
-/// ...or else does not change.
-const NEAREST: f64 = 1e-9;
+/// A state this near to where it is wanted, in ln(load - pull-off), is carried there by its slope.
+const NEAR: f64 = 1e-9;
 /// So many evaluations find a state, or it is not found: Newton's method, from a guess of a few digits.
 const MOST_STEPS: usize = 8;
-/// The next separation is extrapolated from this many states, no farther than this in ln x and this many times as far as
-/// they are apart.
-const KNOWN: usize = 3;
-const FARTHEST: f64 = 0.25;
-const FARTHEST_RATIO: f64 = 3.0;
+/// How far from a state another is evaluated, in sigma, where there is none to extrapolate from.
+const BESIDE: f64 = 1e-3;
 
 /// An exact state: ln x, separation, d(ln x)/d(separation), F, d(ln F)/d(ln x).
 #[derive(Debug, Clone, Copy)]
@@ -35,13 +28,12 @@ struct State {
 pub struct ExactStates<'a> {
     branch: &'a Branch,
     curve: &'a Curve,
-    /// The last states, newest first.
-    last: Vec<State>,
+    last: Option<[State; 2]>,
 }
 
 impl<'a> ExactStates<'a> {
     pub fn new(branch: &'a Branch, curve: &'a Curve) -> Self {
-        Self { branch, curve, last: Vec::new() }
+        Self { branch, curve, last: None }
     }
 
     fn evaluate(&self, separation: f64) -> Option<State> {
@@ -60,22 +52,18 @@ impl<'a> ExactStates<'a> {
         let mut state = self.evaluate(self.predicted(log_excess)?)?;
         for _ in 0..MOST_STEPS {
             let missing = log_excess - state.log_excess;
-            let bend = self.last.first().and_then(|last| {
-                let distance = state.log_excess - last.log_excess;
-                (distance.abs() > APART && distance.abs() < FARTHEST).then(|| (state.slope - last.slope) / distance)
-            });
-            if missing.abs() <= if bend.is_some() { NEAR } else { NEAREST } {
+            if missing.abs() <= NEAR {
                 let carried = State {
                     log_excess,
                     separation: state.separation + missing / state.rate,
                     force: state.force * exp(state.slope * missing),
-                    slope: state.slope + bend.unwrap_or(0.0) * missing,
                     ..state
                 };
-                if self.last.iter().all(|last| last.log_excess != log_excess) {
-                    self.last.insert(0, carried);
-                    self.last.truncate(KNOWN);
-                }
+                let before = match self.last {
+                    Some([_, last]) if last.log_excess != log_excess => Some(last),
+                    _ => self.evaluate(carried.separation - BESIDE),
+                };
+                self.last = before.map(|before| [before, carried]);
                 return Some(carried);
             }
             state = self.evaluate(state.separation + missing / state.rate)?;
@@ -83,42 +71,27 @@ impl<'a> ExactStates<'a> {
         None
     }
 
-    /// Where the state at ln x is expected, from the last ones or the curve.
+    /// Where the state at ln x is expected, from the last two or the curve.
     fn predicted(&self, log_excess: f64) -> Option<f64> {
-        let near: Vec<&State> = self.last.iter().filter(|last| (last.log_excess - log_excess).abs() < FARTHEST).collect();
-        let [newest, others @ ..] = &near[..] else { return self.curve.separation(log_excess) };
-        let distance = log_excess - newest.log_excess;
-        let spread = others.iter().map(|other| (other.log_excess - newest.log_excess).abs()).fold(0.0, f64::max);
-        let known = if distance.abs() <= FARTHEST_RATIO * spread { &near[..] } else { &near[..1] };
-        // The polynomial with their values and slopes, each taken twice, in Newton's form.
-        let mut rises: Vec<f64> = known.iter().flat_map(|state| [state.separation; 2]).collect();
-        let at = |i: usize| known[i / 2].log_excess;
-        for order in 1..rises.len() {
-            for i in (order..rises.len()).rev() {
-                rises[i] = if order == 1 && i % 2 == 1 {
-                    1.0 / known[i / 2].rate
-                } else {
-                    (rises[i] - rises[i - 1]) / (at(i) - at(i - order))
-                };
-            }
-        }
-        Some((0..rises.len()).rev().fold(0.0, |sum, i| sum * (log_excess - at(i)) + rises[i]))
+        let Some([a, b]) = self.last.filter(|[_, b]| (b.log_excess - log_excess).abs() < 0.25) else {
+            return self.curve.separation(log_excess);
+        };
+        // The cubic with the values and slopes of both.
+        let (width, t) = (b.log_excess - a.log_excess, (log_excess - a.log_excess) / (b.log_excess - a.log_excess));
+        let (rise, start, end) = (b.separation - a.separation, width / a.rate, width / b.rate);
+        Some(a.separation + t * (start + t * (3.0 * rise - 2.0 * start - end + t * (start + end - 2.0 * rise))))
     }
 }
 
 impl Source for ExactStates<'_> {
     fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
-        // From load to load.
-        let mut order: [usize; N] = std::array::from_fn(|i| i);
-        order.sort_by(|&a, &b| log_excess[a].total_cmp(&log_excess[b]));
-        let mut found = [(f64::NAN, f64::NAN); N];
-        for i in order {
-            match self.state(log_excess[i]) {
-                Some(state) => found[i] = (state.force, state.slope),
-                None => self.last.clear(),
+        log_excess.map(|log_excess| match self.state(log_excess) {
+            Some(state) => (state.force, state.slope),
+            None => {
+                self.last = None;
+                (f64::NAN, f64::NAN)
             }
-        }
-        found
+        })
     }
 
     fn joints(&self, _lower: f64, _upper: f64) -> Vec<f64> {

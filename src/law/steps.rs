@@ -416,16 +416,34 @@ mod tests {
 
     #[test]
     fn far_below_the_heights_panels_reach_from_kink_to_kink() {
-        let mut steps = steps(&[-6407.0, -6395.0, -4000.0]);
-        assert!(near(steps.next(-5e8, 30.0).length, LONGEST_DEEP));
-        let to_kink = steps.next(-7000.0, 20.0);
+        let mut steps = steps(&[-6407.0, -6403.0, -4000.0]);
+        assert!(near(steps.next(-5e12, 30.0).length, LONGEST_DEEP));
+        let to_kink = steps.next(-5e8, 30.0);
         assert!(steps.keeps(&to_kink, 0.9) && to_kink.to == -6407.0);
-        // While all heights pass it, a few panels.
+        // While all heights pass it, from one to the next.
         let passing = steps.next(-6407.0, 20.0);
-        assert!((passing.to + 6403.0).abs() < 0.01, "{}", passing.to);
+        assert!(!passing.is_bridge && passing.to == -6403.0);
         assert!(!steps.keeps(&passing, 1.1) && steps.next(-6407.0, 20.0).to < passing.to);
-        let last = Stretch { to: -6395.0, ..passing };
+        let last = Stretch { to: -6403.0, ..passing };
         assert!(steps.keeps(&last, 0.5));
-        assert_eq!(steps.next(-6395.0, 20.0).to, -4000.0);
+        assert_eq!(steps.next(-6403.0, 20.0).to, -4000.0);
+        // To the heights in two panels.
+        assert!(near(steps.next(-4000.0, 20.0).length, PART_OF_DEEP * steps.distance(-4000.0, DEEP)));
+        assert_eq!(steps.next(-20.0, 18.0).to, DEEP);
+        // Where a panel would be so short that loads do not tell where in it they are.
+        assert!(Steps { kinks: vec![-5e6, -5e6 + 4.0], ..steps }.next(-5e6, 30.0).is_bridge);
+    }
+
+    /// One that is as long as the one that failed would fail again.
+    #[test]
+    fn after_a_panel_that_was_too_long_others_are_shorter_up_to_the_next_kink() {
+        let mut steps = steps(&[4.0, 9.0]);
+        let first = steps.next(-4.0, 10.0);
+        assert!(near(first.length, LONGEST) && !steps.keeps(&first, 20.0));
+        let second = steps.next(-4.0, 10.0);
+        assert!(steps.keeps(&second, 1e-3));
+        assert!(near(steps.next(second.to, 10.0).length, BELOW_FAILED * LONGEST));
+        let to_kink = Stretch { to: 4.0, ..second };
+        assert!(steps.keeps(&to_kink, 1e-3) && steps.limit == f64::INFINITY);
     }
 }

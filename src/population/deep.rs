@@ -205,3 +205,45 @@ impl<'a> Interpolation<'a> {
         values
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{of, surface, table, FOLD, HERTZ, WEAK};
+    use super::*;
+    use crate::params::HeightFamily;
+
+    /// From next to where the rule serves to where all summits pass the slip law's second radius, and beyond.
+    #[test]
+    fn the_rule_gives_the_sums_of_a_walk_over_the_panels() {
+        let johnson = |skew, kurtosis| HeightFamily::Johnson { skew, kurtosis };
+        let weibull = |shape| HeightFamily::Weibull { shape };
+        let families =
+            [HeightFamily::Gaussian, weibull(1.5), weibull(20.0), johnson(1.0, 5.0), johnson(0.0, 9.0), table()];
+        for (groups, heights) in families.iter().flat_map(|heights| [WEAK, FOLD, HERTZ].map(|groups| (groups, heights)))
+        {
+            let population = of(&surface(groups, heights.clone(), [0.0, 1.0]));
+            let rule = population.deep.clone().expect("radii are equal");
+            let walked = Population { nodes: None, deep: None, ..population.clone() };
+            let range = rule.highest - rule.lowest;
+            let at = |distance: f64| rule.lowest - rule.break_away - distance;
+            assert!(!rule.covers(at(0.999 * LEAST_CLEARANCE * range)));
+            let passing = rule.lowest - rule.break_away - (0.5 * (rule.lowest + rule.highest) - rule.kinks[1]);
+            for distance in [1.001 * LEAST_CLEARANCE * range, 3.0 * range, 100.0 * range, passing.abs(), 1e5] {
+                let separation = at(distance);
+                assert!(rule.covers(separation));
+                let (a, b) = (population.at_separation(separation), walked.at_separation(separation));
+                for (name, a, b, tolerance) in [
+                    ("load", a.load(), b.load(), 3e-13),
+                    ("friction", a.friction, b.friction, 3e-13),
+                    ("area", a.area, b.area, 3e-13),
+                    ("contacting", a.contacting, b.contacting, 3e-13),
+                    ("dP/dd", a.load_slope, b.load_slope, 3e-12),
+                    ("dF/dd", a.friction_slope, b.friction_slope, 3e-12),
+                ] {
+                    let error = (a / b - 1.0).abs();
+                    assert!(error < tolerance, "{name} of {heights:?}, {distance}: {error:e}");
+                }
+            }
+        }
+    }
+}

@@ -6,8 +6,8 @@ use super::{Edge, Point, Population};
 use crate::distribution::panel;
 use crate::numerics::quadrature::POINTS;
 
-/// Panels are tabulated up to this overlap, in sigma: enough for all Gaussian heights where the rule for deep contact does not
-/// serve yet.
+/// Panels are tabulated up to this overlap, in sigma: as far as the rule for separations far below the heights
+/// does not serve Gaussian heights.
 const LARGEST_OVERLAP: f64 = 31.0;
 /// A tabulated panel takes 1 kB; deeper ones are walked when needed.
 const MOST_PANELS: usize = 64;

@@ -88,7 +88,6 @@ impl Progress {
     pub fn add(&mut self, fraction: f64, overlap: f64) {
         self.total += fraction * importance(overlap);
     }
-
 }
 
 /// What a summit counts beside others.
@@ -139,7 +138,8 @@ impl Population {
                 (panel, nodes) = lay(reach);
             }
             let densities = self.densities(separation, nodes.map(|(_, point)| (point.z, point.contact.overlap)));
-            for ((weight, point), density) in nodes.iter().zip(densities).take_while(|((weight, _), _)| *weight != 0.0) {
+            for ((weight, point), density) in nodes.iter().zip(densities).take_while(|((weight, _), _)| *weight != 0.0)
+            {
                 let fraction = weight * density;
                 progress.add(fraction, point.contact.overlap);
                 visitor.summits(point.z, fraction, &Summit::new(&point.contact, &self.slip));
@@ -167,8 +167,11 @@ impl Population {
             return false;
         }
         let density = exp(self.heights.log_density(from.z));
-        let rate = -self.heights.log_density_slope(from.z);
-        density * importance(from.contact.overlap) <= NEGLIGIBLE * progress.total * rate
+        // Where the density is 0 it has no rate.
+        density == 0.0 || {
+            let rate = -self.heights.log_density_slope(from.z);
+            density * importance(from.contact.overlap) <= NEGLIGIBLE * progress.total * rate
+        }
     }
 
     /// The densities at the nodes of a panel, of which each is given by height and overlap: of small overlaps far out in a
@@ -253,10 +256,12 @@ impl Population {
                 (if serves { Axis::Parameter } else { Axis::Height }, to)
             }
         };
-        let panel = self.cut_at_kink(separation, Panel { axis, from: here, to, kink: None, part: 1.0 }, kink);
+        let panel = Panel { axis, from: here, to, kink: None, part: 1.0 };
+        // Load is smooth where friction has a kink.
+        let panel = if self.fineness < 1.0 { panel } else { self.cut_at_kink(separation, panel, kink) };
         // A polynomial density is smooth up to where it ends.
         let smooth = if self.heights.is_piecewise_polynomial() { self.radius.smooth_length(here.z) } else { reach };
-        Panel { part: self.part(&panel, clearance, smooth), ..panel }
+        Panel { part: self.fineness * self.part(&panel, clearance, smooth), ..panel }
     }
 
     /// What part a panel is of the longest over which the law of contact is smooth, and heights and radii as far as `smooth`.
