@@ -33,4 +33,4 @@ mod unit_slips;
 
 pub use error::{Error, Value};
 pub use model::{Model, State, Summary, WARNING_PLASTIC};
-pub use params::{HeightFamily, Params};
+pub use params::{ContactLawKind, HeightFamily, Params};
