@@ -7,11 +7,11 @@ use super::HeightDistribution;
 use crate::elementary::pow;
 use crate::numerics::root;
 
-/// The largest length times the change of the slope of ln phi over either half, that of 3 sigma of a Gaussian density: over
+/// The largest length times the change of the slope of ln phi over either half, that of 3.5 sigma of a Gaussian density: over
 /// more, 16 points do not resolve its parabola.
-const MOST_BEND: f64 = 4.5;
+const MOST_BEND: f64 = 6.0;
 /// The largest length times the slope of ln phi at either end: over more, 16 points do not resolve an exponential function.
-const MOST_E_FOLDS: f64 = 10.0;
+const MOST_E_FOLDS: f64 = 14.0;
 /// The largest length over the distance to a singularity, for which the error of 16 points is about 1e-16.
 const OVER_DISTANCE: f64 = 1.2;
 /// No panel is shorter, in sigma: what lies within it of a singularity is negligible.
@@ -19,7 +19,7 @@ const SHORTEST: f64 = 1e-8;
 /// What is nearer to a breakpoint than this, relative to 1 or to its height, counts as at it.
 const AT_BREAKPOINT: f64 = 4e-15;
 /// Densities below exp(-NEGLIGIBLE) of the largest are left out of sums.
-const NEGLIGIBLE: f64 = 46.0;
+const NEGLIGIBLE: f64 = 41.0;
 /// The upper tail is summed by panels of one length as far as ln phi falls by this.
 const TAIL: f64 = 30.0;
 /// It begins so far above the mode, in sigma.
@@ -37,15 +37,15 @@ pub fn panel_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
     most.min(smooth_length(heights, z))
 }
 
-/// Whether one panel may reach from one height to another.
-pub fn is_one_panel(heights: &dyn HeightDistribution, from: f64, to: f64) -> bool {
+/// Whether one panel may reach from one height to another, if panels may be longer by a factor.
+pub fn is_one_panel(heights: &dyn HeightDistribution, from: f64, to: f64, longer: f64) -> bool {
     if to > next_breakpoint(heights, from) + slack(to) {
         return false;
     }
-    heights.is_piecewise_polynomial() || to - from <= SHORTEST || is_smooth(heights, from, to)
+    heights.is_piecewise_polynomial() || to - from <= SHORTEST || is_smooth(heights, from, to, longer)
 }
 
-/// Below this height, what is left of the density is less than exp(-46) of its largest value: sums begin there. It is the
+/// Below this height, what is left of the density is less than exp(-41) of its largest value: sums begin there. It is the
 /// lower end of the support where the density is a power or a polynomial that begins there.
 pub fn lower_cut(heights: &dyn HeightDistribution) -> f64 {
     lower_cut_at(heights, NEGLIGIBLE)
@@ -140,14 +140,14 @@ fn smooth_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
         .min(OVER_DISTANCE * heights.distance_to_singularity(z))
         .min(MOST_E_FOLDS / heights.log_density_slope(z).abs())
         .max(SHORTEST);
-    while length > SHORTEST && !is_smooth(heights, z, z + length) {
+    while length > SHORTEST && !is_smooth(heights, z, z + length, 1.0) {
         length *= 0.75;
     }
     length
 }
 
-fn is_smooth(heights: &dyn HeightDistribution, from: f64, to: f64) -> bool {
-    let length = to - from;
+fn is_smooth(heights: &dyn HeightDistribution, from: f64, to: f64, longer: f64) -> bool {
+    let length = (to - from) / longer;
     let places = [from, 0.5 * (from + to), to];
     if places.iter().any(|&z| length > OVER_DISTANCE * heights.distance_to_singularity(z)) {
         return false;
@@ -231,8 +231,7 @@ mod tests {
         (moments, panels)
     }
 
-    /// Down to exp(-138) of the largest density in 35 panels for Gaussian heights, 24 to 39 for Weibull heights and 24 to 60
-    /// for Johnson's.
+    /// Down to exp(-123) of the largest density.
     #[test]
     fn panels_give_the_moments_of_heights_to_rounding() {
         for heights in families() {
@@ -253,8 +252,8 @@ mod tests {
                 if z + length >= heights.support().1 {
                     break;
                 }
-                assert!(is_one_panel(&*heights, z, z + 0.999 * length), "{z} of {heights:?}");
-                assert!(!is_one_panel(&*heights, z, z + 1.5 * length), "{z} of {heights:?}");
+                assert!(is_one_panel(&*heights, z, z + 0.999 * length, 1.0), "{z} of {heights:?}");
+                assert!(!is_one_panel(&*heights, z, z + 1.5 * length, 1.0), "{z} of {heights:?}");
             }
         }
     }

@@ -51,10 +51,23 @@ impl End {
     /// # Errors
     /// [`Error::NotConverged`] if it cannot be found; [`Error::OutOfRange`] if the load there is not negative.
     pub fn of(population: &Population) -> Result<Self, Error> {
-        let bracket = if population.is_adhesive() { bracket_first_minimum(population)? } else { None };
+        let none = Self { pull_off: None, farthest: population.farthest() };
+        if !population.is_adhesive() {
+            return Ok(none);
+        }
+        let bracket = if population.has_single_minimum() {
+            bracket_first_minimum(population)?
+        } else {
+            // Signs of slopes need few digits, but at the bracket that is found.
+            match bracket_first_minimum(&population.roughly())? {
+                Some((lower, upper)) if falls(population, lower)? && !falls(population, upper)? => Some((lower, upper)),
+                Some(_) => bracket_first_minimum(population)?,
+                None => None,
+            }
+        };
         match bracket {
             Some(bracket) => Self::within(population, bracket),
-            None => Ok(Self { pull_off: None, farthest: population.farthest() }),
+            None => Ok(none),
         }
     }
 

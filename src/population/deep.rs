@@ -7,7 +7,6 @@
 use super::sums::{Summit, Sums};
 use super::Population;
 use crate::asperity::contact::{Contact, KINKS};
-use crate::asperity::slip::Slip;
 use crate::distribution::panel::{self, FootPanel};
 use crate::distribution::HeightDistribution;
 use crate::elementary::exp;
@@ -15,9 +14,9 @@ use crate::numerics::quadrature::{self, POINTS};
 
 /// How far above break-away the lowest summit is, over the range of heights: a polynomial through the points then follows
 /// the law of contact to rounding.
-const LEAST_CLEARANCE: f64 = 2.0;
+const LEAST_CLEARANCE: f64 = 0.7;
 /// Heights above which less than this part of all lies are left out.
-const NEGLIGIBLE: f64 = 1e-19;
+const NEGLIGIBLE: f64 = 1e-17;
 /// No distribution needs as many panels.
 const MOST_PANELS: usize = 6000;
 
@@ -48,18 +47,18 @@ impl DeepRule {
             let mut nodes = quadrature::nodes(lowest, highest);
             std::array::from_fn(|_| nodes.next().unwrap_or_default().0)
         };
-        let weight = |point: usize| {
-            let polynomial = |z: f64| -> f64 {
-                let others = heights.iter().enumerate().filter(|&(other, _)| other != point);
-                others.map(|(_, other)| (z - other) / (heights[point] - other)).product()
-            };
-            density.iter().map(|&(z, fraction)| fraction * polynomial(z)).sum()
-        };
+        let basis = Basis::new(&heights);
+        let mut weights = [0.0; POINTS];
+        for &(z, fraction) in &density {
+            for (weight, polynomial) in weights.iter_mut().zip(basis.at(z)) {
+                *weight += fraction * polynomial;
+            }
+        }
         let break_away = population.law.break_away(1.0).overlap;
         let kinks =
             population.slip.kinks().map(|radius| population.overlap_at_radius(radius, 1.0).unwrap_or(break_away));
         let kinks_of_contact = population.kinks_of_contact;
-        Self { lowest, highest, heights, weights: std::array::from_fn(weight), break_away, kinks, kinks_of_contact }
+        Self { lowest, highest, heights, weights, break_away, kinks, kinks_of_contact }
     }
 
     /// Whether the rule is good at a separation.
@@ -89,34 +88,36 @@ impl DeepRule {
         for (contact, weight) in contacts.iter().zip(self.weights) {
             sums.add_contact(weight, &Summit::in_regime(contact, &population.slip, regime));
         }
-        if kinks[regime.min(1)] < self.highest && regime < kinks.len() {
-            let radius = Interpolation::new(&self.heights, contacts.map(|contact| contact.radius));
-            for (index, &kink) in kinks.iter().enumerate().skip(regime).filter(|(_, &kink)| kink < self.highest) {
-                self.add_next_regime(&mut sums, population, &radius, (index, kink));
-            }
+        for (regime, &kink) in kinks.iter().enumerate().skip(regime).filter(|(_, &kink)| kink < self.highest) {
+            self.add_next_regime(&mut sums, population, &contacts, (regime, kink));
         }
         sums
     }
 
     /// Adds what friction above a kink of the slip law has more than if its regime went on.
-    fn add_next_regime(&self, sums: &mut Sums, population: &Population, radius: &Interpolation, kink: (usize, f64)) {
-        let (regime, mut z) = kink;
-        let heights = &*population.heights;
+    fn add_next_regime(
+        &self,
+        sums: &mut Sums,
+        population: &Population,
+        contacts: &[Contact; POINTS],
+        (regime, kink): (usize, f64),
+    ) {
+        let [before, after] =
+            [regime, regime + 1].map(|regime| contacts.map(|c| Summit::in_regime(&c, &population.slip, regime)));
+        let change = |of: fn(&Summit) -> f64| {
+            Interpolation::new(&self.heights, std::array::from_fn(|i| of(&after[i]) - of(&before[i])))
+        };
+        let (force, slope) = (change(|summit| summit.friction), change(|summit| summit.friction_by_overlap));
+        let mut z = kink;
         while z < self.highest {
-            let stop = population.stop_above(z).min(self.highest);
-            let end = (z + panel::panel_length(heights, z)).min(stop);
+            let end = (z + panel::panel_length(&*population.heights, z)).min(self.highest);
             let mut nodes = quadrature::nodes(z, end);
             let nodes: [(f64, f64); POINTS] = std::array::from_fn(|_| nodes.next().unwrap_or_default());
-            let densities = heights.densities(nodes.map(|(z, _)| z));
-            for ((z, weight), density) in nodes.into_iter().zip(densities) {
-                let (a, a_rate) = radius.at(z);
-                let change = |slip: &Slip| {
-                    let (before, after) = (slip.force_in_regime(regime, a), slip.force_in_regime(regime + 1, a));
-                    (after.0 - before.0, (after.1 - before.1) * a_rate)
-                };
-                let (friction, friction_by_overlap) = change(&population.slip);
-                sums.friction += weight * density * friction;
-                sums.friction_slope -= weight * density * friction_by_overlap;
+            let heights = nodes.map(|(z, _)| z);
+            let (force, slope) = (force.at(heights), slope.at(heights));
+            for (i, density) in population.heights.densities(heights).into_iter().enumerate() {
+                sums.friction += nodes[i].1 * density * force[i];
+                sums.friction_slope -= nodes[i].1 * density * slope[i];
             }
             z = end;
         }
@@ -149,6 +150,37 @@ fn sampled(heights: &dyn HeightDistribution, lowest: f64, highest: f64) -> Vec<(
     samples
 }
 
+/// The polynomials that are 1 at one of the points and 0 at the others.
+struct Basis<'a> {
+    points: &'a [f64; POINTS],
+    /// What the products of the distances from the other points are divided by.
+    scales: [f64; POINTS],
+}
+
+impl<'a> Basis<'a> {
+    fn new(points: &'a [f64; POINTS]) -> Self {
+        let scales = std::array::from_fn(|i| {
+            let others = points.iter().enumerate().filter(|&(other, _)| other != i);
+            others.map(|(_, other)| points[i] - other).product()
+        });
+        Self { points, scales }
+    }
+
+    /// All of them at one place.
+    fn at(&self, z: f64) -> [f64; POINTS] {
+        let mut values = self.scales.map(|scale| 1.0 / scale);
+        let (mut below, mut above) = (1.0, 1.0);
+        for i in 0..POINTS {
+            values[i] *= below;
+            below *= z - self.points[i];
+            let last = POINTS - 1 - i;
+            values[last] *= above;
+            above *= z - self.points[last];
+        }
+        values
+    }
+}
+
 /// The polynomial through points, in Newton's form.
 struct Interpolation<'a> {
     points: &'a [f64; POINTS],
@@ -166,14 +198,56 @@ impl<'a> Interpolation<'a> {
         Self { points, differences }
     }
 
-    /// The value and the slope.
-    fn at(&self, x: f64) -> (f64, f64) {
-        let (mut value, mut slope) = (self.differences[POINTS - 1], 0.0);
+    /// At several places, side by side.
+    fn at<const N: usize>(&self, x: [f64; N]) -> [f64; N] {
+        let mut values = [self.differences[POINTS - 1]; N];
         for i in (0..POINTS - 1).rev() {
-            let distance = x - self.points[i];
-            slope = slope * distance + value;
-            value = value * distance + self.differences[i];
+            for (value, x) in values.iter_mut().zip(x) {
+                *value = *value * (x - self.points[i]) + self.differences[i];
+            }
         }
-        (value, slope)
+        values
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{of, surface, table, FOLD, HERTZ, WEAK};
+    use super::*;
+    use crate::params::HeightFamily;
+
+    /// From next to where the rule serves to where all summits pass the slip law's second radius, and beyond.
+    #[test]
+    fn the_rule_gives_the_sums_of_a_walk_over_the_panels() {
+        let johnson = |skew, kurtosis| HeightFamily::Johnson { skew, kurtosis };
+        let weibull = |shape| HeightFamily::Weibull { shape };
+        let families =
+            [HeightFamily::Gaussian, weibull(1.5), weibull(20.0), johnson(1.0, 5.0), johnson(0.0, 9.0), table()];
+        for (groups, heights) in families.iter().flat_map(|heights| [WEAK, FOLD, HERTZ].map(|groups| (groups, heights)))
+        {
+            let population = of(&surface(groups, heights.clone(), [0.0, 1.0]));
+            let rule = population.deep.clone().expect("radii are equal");
+            let walked = Population { nodes: None, deep: None, ..population.clone() };
+            let range = rule.highest - rule.lowest;
+            let at = |distance: f64| rule.lowest - rule.break_away - distance;
+            assert!(!rule.covers(at(0.999 * LEAST_CLEARANCE * range)));
+            let passing = rule.lowest - rule.break_away - (0.5 * (rule.lowest + rule.highest) - rule.kinks[1]);
+            for distance in [1.001 * LEAST_CLEARANCE * range, 3.0 * range, 100.0 * range, passing.abs(), 1e5] {
+                let separation = at(distance);
+                assert!(rule.covers(separation));
+                let (a, b) = (population.at_separation(separation), walked.at_separation(separation));
+                for (name, a, b, tolerance) in [
+                    ("load", a.load(), b.load(), 3e-13),
+                    ("friction", a.friction, b.friction, 3e-13),
+                    ("area", a.area, b.area, 3e-13),
+                    ("contacting", a.contacting, b.contacting, 3e-13),
+                    ("dP/dd", a.load_slope, b.load_slope, 3e-12),
+                    ("dF/dd", a.friction_slope, b.friction_slope, 3e-12),
+                ] {
+                    let error = (a / b - 1.0).abs();
+                    assert!(error < tolerance, "{name} of {heights:?}, {distance}: {error:e}");
+                }
+            }
+        }
     }
 }

@@ -41,9 +41,11 @@ use sums::Summit;
 /// Hardly any heights are below this, in sigma from their mean: where they begin is then no kink.
 const LOWEST_FOOT: f64 = -8.0;
 /// Where the logarithm of the density of heights is below this hardly any are...
-const LOG_NOTHING: f64 = -19.0;
-/// ...and the others pass an overlap as large as this, in sigma, within a small part of it.
+const LOG_NOTHING: f64 = -18.9;
+/// ...and the others pass an overlap as large as this, in sigma, within a small part of it...
 const DEEP: f64 = 40.0;
+/// ...in steps of no more than this, in sigma, over which a panel of the law follows the density.
+const LONGEST_PASSING: f64 = 4.0;
 /// Densities below exp of this are no numbers.
 const SMALLEST_LOG_DENSITY: f64 = -700.0;
 /// A step of Newton's method for a height, over the length in which radii change, after which derivatives are those of the
@@ -54,6 +56,8 @@ const MOST_STEPS: u32 = 20;
 
 /// The most contact radii at which what is summed has a kink: two of the slip law, and three where summits begin to slip.
 const RADII: usize = 5;
+/// The fineness of sums of which the sign is asked: every panel has as few points as there are.
+const ROUGH: f64 = 0.05;
 
 /// A population of summits pressed against a flat.
 #[derive(Debug, Clone)]
@@ -78,6 +82,8 @@ pub struct Population {
     highest: f64,
     nodes: Option<NodeTable>,
     deep: Option<DeepRule>,
+    /// What part a whole panel counts as when its points are chosen.
+    fineness: f64,
 }
 
 /// A summit in contact, at its height.
@@ -164,12 +170,18 @@ impl Population {
             highest,
             nodes: None,
             deep: None,
+            fineness: 1.0,
         };
         if radius.is_constant() {
             population.nodes = Some(NodeTable::new(&population, &population.edge(0.0)));
             population.deep = Some(DeepRule::new(&population));
         }
         Ok(population)
+    }
+
+    /// The same population, whose loads are good to some digits in a part of the time where radii vary with height.
+    pub fn roughly(&self) -> Self {
+        Self { fineness: ROUGH, ..self.clone() }
     }
 
     /// The height distribution.
@@ -216,7 +228,8 @@ impl Population {
         kinks
     }
 
-    /// The separations at which the ends of smooth heights, a few apart, pass overlaps far larger than heights differ by.
+    /// The separations at which smooth heights, from one end to the other in steps, pass overlaps far larger than heights
+    /// differ by: over each step the sums are smooth.
     fn deep_passings(&self) -> Vec<f64> {
         if !self.heights.breakpoints().is_empty() {
             return Vec::new();
@@ -224,8 +237,11 @@ impl Population {
         let middle = -self.heights.origin();
         let is_empty = |z: f64| self.heights.log_density(z) < LOG_NOTHING;
         let end = |step: f64| (4..40).map(|k| middle + step * f64::from(k)).find(|&z| is_empty(z));
-        let ends = [end(-1.0).map(|z| z.max(self.heights.support().0)), end(1.0)];
-        ends.into_iter().flatten().flat_map(|z| self.passings(z)).filter(|&passing| passing < middle - DEEP).collect()
+        let (Some(lower), Some(upper)) = (end(-1.0), end(1.0)) else { return Vec::new() };
+        let lower = lower.max(self.heights.support().0);
+        let steps = ((upper - lower) / LONGEST_PASSING).ceil();
+        let heights = (0..=steps as u32).map(|step| lower + (upper - lower) * (f64::from(step) / steps));
+        heights.flat_map(|z| self.passings(z)).filter(|&passing| passing < middle - DEEP).collect()
     }
 
     /// The separations at which a height passes the overlaps where the law of one summit is not smooth.

@@ -6,8 +6,9 @@ use super::{Edge, Point, Population};
 use crate::distribution::panel;
 use crate::numerics::quadrature::POINTS;
 
-/// Panels are tabulated up to this overlap, in sigma: enough for all summits at separations above -8.
-const LARGEST_OVERLAP: f64 = 18.0;
+/// Panels are tabulated up to this overlap, in sigma: as far as the rule for separations far below the heights
+/// does not serve Gaussian heights.
+const LARGEST_OVERLAP: f64 = 31.0;
 /// A tabulated panel takes 1 kB; deeper ones are walked when needed.
 const MOST_PANELS: usize = 64;
 
@@ -39,7 +40,8 @@ impl NodeTable {
         let mut table = NodeTable { panels: Vec::new(), end: edge.point };
         let mut kink = None;
         while table.end.z < LARGEST_OVERLAP && table.panels.len() < MOST_PANELS {
-            let panel = population.panel(0.0, table.end, kink, 0.0, reach, f64::INFINITY);
+            let clearance = table.end.z - edge.point.z;
+            let panel = population.panel(0.0, table.end, kink, clearance, reach, f64::INFINITY);
             table.panels.push(TablePanel::new(population, &panel));
             (table.end, kink) = (panel.to, panel.kink);
         }
@@ -67,15 +69,20 @@ impl Population {
         visitor: &mut impl Visitor,
     ) -> bool {
         let mut progress = Progress::default();
+        let largest = self.heights.log_density(start.z.max(self.heights.last_mode()));
         let mut start = Some(start);
         for panel in &table.panels {
             let (from, to) = (separation + panel.from.z, separation + panel.to.z);
             if start.is_some_and(|start| start.z >= to) {
                 continue;
             }
-            let from_start = start.take().map_or(panel.from.raised(separation), |start| start);
+            let from_start = start.take().unwrap_or_else(|| panel.from.raised(separation));
+            if self.is_rest_negligible(&progress, &from_start) {
+                return true;
+            }
             let ends_within = to > self.heights.support().1;
-            if from_start.z > from || ends_within || !panel::is_one_panel(&*self.heights, from, to) {
+            let longer = self.panel_factor(largest, from);
+            if from_start.z > from || ends_within || !panel::is_one_panel(&*self.heights, from, to, longer) {
                 if !self.walk(separation, from_start, edge_height, to, &mut progress, visitor) {
                     return false;
                 }
@@ -91,9 +98,6 @@ impl Population {
                     visitor.summits(z, fraction, &node.summit);
                 }
                 visitor.end_of_panel(&panel.to.raised(separation));
-                if progress.was_negligible() && from >= self.heights.last_mode() {
-                    return true;
-                }
             }
             if to >= self.heights.support().1 {
                 return true;

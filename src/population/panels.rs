@@ -15,14 +15,18 @@ use crate::numerics::root;
 
 /// A panel in height is no longer than this many times the distance to break-away, where the law of contact is singular.
 const HEIGHT_RATIO: f64 = 2.5;
-/// With equal radii the parameter serves up to this distance from break-away, in sigma: it needs no solution for the
-/// contact, and overlaps are known to enough digits.
+/// Over a panel in which the parameter changes by less than this part of the distance to where the law is singular, it serves
+/// as well as the height: with equal radii, and where overlaps are known to enough digits, in sigma, it needs no solution.
+const SHORT_RATIO: f64 = 0.5;
 const FAR_FROM_BREAK_AWAY: f64 = 6.0;
 /// Where radii vary, dz/ds must not rise by more than this factor over a panel because they do: where the radius of contact
 /// falls with height, the parameter does at last.
 const MOST_BEND: f64 = 2.0;
 /// A panel in the parameter is no longer than this many times the distance to where the law is singular.
 const PARAMETER_RATIO: f64 = 3.0;
+/// Between the slip law's radii friction is a power of the contact radius of about 3/2, which the rule follows closely: no
+/// longer than this many times the parameter, at 0 of which the radius is 0.
+const POWER_RATIO: f64 = 5.0;
 /// As a function of the parameter the density is steeper than as one of height: of a panel in height this part is taken.
 const PART_OF_HEIGHT_PANEL: f64 = 0.5;
 /// Where the density has fallen by e-folds since its largest value fewer digits of it count: a panel may be longer by this
@@ -35,10 +39,8 @@ const REMNANT: f64 = 1e-3;
 /// The panel at a foot of the heights takes this part of where the law of contact is smooth: there a power of its variable
 /// is the height.
 const PART_AT_FOOT: f64 = 0.02;
-/// What contributes less than this part of all above the last mode of the heights ends the sum.
-const NEGLIGIBLE: f64 = 1e-19;
-/// A panel shorter than this part of what it may be was cut.
-const WHOLE_PANEL: f64 = 0.1;
+/// What is less than this part of all above the last mode of the heights ends the sum.
+const NEGLIGIBLE: f64 = 1e-18;
 /// The shortest panel, in sigma: what lies within it of a singular point is negligible.
 const SHORTEST: f64 = 1e-8;
 /// The end of a panel takes some three steps to find.
@@ -71,29 +73,29 @@ pub struct Panel {
     pub to: Point,
     /// Which kink it ends at: the radii first, then those of the law of contact.
     pub kink: Option<usize>,
+    /// What part it is of one that all points are needed for.
+    part: f64,
 }
 
 /// How much has been summed, to know when the rest is negligible.
 #[derive(Debug, Default)]
 pub struct Progress {
     total: f64,
-    panel: f64,
 }
 
 impl Progress {
     /// Takes in summits at an overlap. Load, area and friction grow no faster than the square of the overlap.
     #[inline]
     pub fn add(&mut self, fraction: f64, overlap: f64) {
-        let scale = 1.0 + overlap.max(0.0);
-        self.panel += fraction * scale * scale;
+        self.total += fraction * importance(overlap);
     }
+}
 
-    /// Whether the last panel was negligible.
-    pub fn was_negligible(&mut self) -> bool {
-        let panel = std::mem::take(&mut self.panel);
-        self.total += panel;
-        panel <= NEGLIGIBLE * self.total
-    }
+/// What a summit counts beside others.
+#[inline]
+fn importance(overlap: f64) -> f64 {
+    let scale = 1.0 + overlap.max(0.0);
+    scale * scale
 }
 
 impl Population {
@@ -121,9 +123,10 @@ impl Population {
                 here = self.at_height(separation, stop, here.contact.parameter);
                 continue;
             }
-            // No number where the density is 0.
-            let fall = (largest - self.heights.log_density(here.z)).max(0.0);
-            let reach = panel::panel_length(&*self.heights, here.z) * (1.0 + fall * LONGER_PER_FOLD).clamp(1.0, 2.0);
+            if self.is_rest_negligible(progress, &here) {
+                return true;
+            }
+            let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z);
             let mut reach = reach.min(self.radius.smooth_length(here.z));
             let lay = |reach: f64| {
                 let panel = self.panel(separation, here, kink, here.z - edge_height, reach, stop);
@@ -136,20 +139,40 @@ impl Population {
                 (panel, nodes) = lay(reach);
             }
             let densities = self.densities(separation, nodes.map(|(_, point)| (point.z, point.contact.overlap)));
-            for ((weight, point), density) in nodes.iter().zip(densities) {
+            for ((weight, point), density) in nodes.iter().zip(densities).take_while(|((weight, _), _)| *weight != 0.0)
+            {
                 let fraction = weight * density;
                 progress.add(fraction, point.contact.overlap);
                 visitor.summits(point.z, fraction, &Summit::new(&point.contact, &self.slip));
             }
             visitor.end_of_panel(&panel.to);
-            // Of a panel that was cut short its contribution says nothing.
-            let is_whole = panel.to.z - here.z > WHOLE_PANEL * reach;
-            if progress.was_negligible() && is_whole && here.z >= self.heights.last_mode() {
-                return true;
-            }
             (here, kink) = (panel.to, panel.kink);
         }
         false
+    }
+
+    /// How much longer a panel may be where the density has fallen from its largest value, of which this is the logarithm.
+    pub(super) fn panel_factor(&self, largest: f64, z: f64) -> f64 {
+        if z < self.heights.last_mode() {
+            return 1.0;
+        }
+        // No number where the density is 0.
+        let fall = (largest - self.heights.log_density(z)).max(0.0);
+        (1.0 + fall * LONGER_PER_FOLD).min(2.0)
+    }
+
+    /// Whether the summits above one add nothing to what has been summed: above the last mode, where ln of their density
+    /// falls about as fast as there.
+    pub(super) fn is_rest_negligible(&self, progress: &Progress, from: &Point) -> bool {
+        if from.z < self.heights.last_mode() {
+            return false;
+        }
+        let density = exp(self.heights.log_density(from.z));
+        // Where the density is 0 it has no rate.
+        density == 0.0 || {
+            let rate = -self.heights.log_density_slope(from.z);
+            density * importance(from.contact.overlap) <= NEGLIGIBLE * progress.total * rate
+        }
     }
 
     /// The densities at the nodes of a panel, of which each is given by height and overlap: of small overlaps far out in a
@@ -200,7 +223,7 @@ impl Population {
         };
         // A kink of the slip law within so short a panel ends it.
         let end = self.at_height(separation, foot + panel.length, start.contact.parameter);
-        let whole = Panel { axis: Axis::Height, from: start, to: end, kink: None };
+        let whole = Panel { axis: Axis::Height, from: start, to: end, kink: None, part: 1.0 };
         let cut = self.cut_at_kink(separation, whole, None);
         let panel = panel.shortened(cut.to.z - foot);
         let mut here = start;
@@ -211,7 +234,6 @@ impl Population {
             progress.add(fraction, here.contact.overlap);
             visitor.summits(here.z, fraction, &Summit::new(&here.contact, &self.slip));
         }
-        progress.was_negligible();
         self.at_height(separation, foot + panel.length, here.contact.parameter)
     }
 
@@ -225,9 +247,7 @@ impl Population {
         reach: f64,
         stop: f64,
     ) -> Panel {
-        let far =
-            if self.radius.is_constant() { FAR_FROM_BREAK_AWAY } else { PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO };
-        let by_parameter = if clearance > far {
+        let by_parameter = if clearance > PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO {
             None
         } else {
             // A panel that reaches to where the density changes is one of a polynomial.
@@ -238,21 +258,52 @@ impl Population {
             Some(to) => (Axis::Parameter, to),
             None => {
                 let z = (here.z + reach.min((HEIGHT_RATIO * clearance).max(SHORTEST))).min(stop);
-                (Axis::Height, self.at_height(separation, z, here.contact.parameter))
+                let to = self.at_height(separation, z, here.contact.parameter);
+                let singular = self.law.distance_to_singularity(here.contact.parameter, self.radius.factor(here.z));
+                let is_short = to.contact.parameter - here.contact.parameter < SHORT_RATIO * singular;
+                let serves = self.radius.is_constant() && is_short && clearance < FAR_FROM_BREAK_AWAY;
+                (if serves { Axis::Parameter } else { Axis::Height }, to)
             }
         };
-        self.cut_at_kink(separation, Panel { axis, from: here, to, kink: None }, kink)
+        let panel = Panel { axis, from: here, to, kink: None, part: 1.0 };
+        // Load is smooth where friction has a kink.
+        let panel = match self.fineness < 1.0 {
+            true => self.cut_at_kink_of_contact(separation, panel, kink),
+            false => self.cut_at_kink(separation, panel, kink),
+        };
+        // A polynomial density is smooth up to where it ends.
+        let smooth = if self.heights.is_piecewise_polynomial() { self.radius.smooth_length(here.z) } else { reach };
+        Panel { part: self.fineness * self.part(&panel, clearance, smooth), ..panel }
+    }
+
+    /// What part a panel is of the longest over which the law of contact is smooth, and heights and radii as far as `smooth`.
+    fn part(&self, panel: &Panel, clearance: f64, smooth: f64) -> f64 {
+        let rise = panel.to.z - panel.from.z;
+        match panel.axis {
+            Axis::Height => rise / smooth.min(HEIGHT_RATIO * clearance),
+            Axis::Parameter => {
+                let step = panel.to.contact.parameter - panel.from.contact.parameter;
+                (step / self.longest_step(&panel.from)).max(rise / (PART_OF_HEIGHT_PANEL * smooth))
+            }
+        }
+    }
+
+    /// How far a panel in the parameter may reach: as far as the law of contact is smooth.
+    fn longest_step(&self, from: &Point) -> f64 {
+        let s = from.contact.parameter;
+        let smooth = PARAMETER_RATIO * self.law.distance_to_singularity(s, self.radius.factor(from.z));
+        if from.contact.radius > 0.999_999 * self.slip.kinks()[0] {
+            smooth.min(POWER_RATIO * s)
+        } else {
+            smooth
+        }
     }
 
     /// Where a panel in the parameter ends: as far as the law of contact is smooth, and no more than `reach` higher. `None`
     /// where the height does not follow from the parameter.
     fn parameter_panel_end(&self, separation: f64, here: &Point, reach: f64, stop: f64) -> Option<Point> {
         let s = here.contact.parameter;
-        let mut step = PARAMETER_RATIO * self.law.distance_to_singularity(s, self.radius.factor(here.z));
-        // Between the slip law's radii friction is a fractional power of the radius, which is 0 at s = 0.
-        if here.contact.radius > 0.999_999 * self.slip.kinks()[0] {
-            step = step.min(PARAMETER_RATIO * s);
-        }
+        let mut step = self.longest_step(here);
         let start_rate = here.z_rate();
         if step == f64::INFINITY {
             // Hertz: the height is s^2.
@@ -327,20 +378,24 @@ impl Population {
         }
     }
 
-    /// The summits at the nodes of a panel, with their weights in height.
+    /// The summits at the nodes of a panel, with their weights in height; those beyond the number of points have none.
     pub(super) fn nodes(&self, separation: f64, panel: &Panel) -> [(f64, Point); POINTS] {
         let guess = panel.guess();
         let mut nodes = [(0.0, panel.from); POINTS];
         let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
-        for (node, (x, weight)) in nodes.iter_mut().zip(quadrature::nodes(from, to)) {
-            *node = match panel.axis {
+        let mut count = 0;
+        for (x, weight) in quadrature::nodes_of_part(panel.part, from, to) {
+            nodes[count] = match panel.axis {
                 Axis::Parameter => {
                     let point = self.on_branch(separation, x, guess.at(x)).unwrap_or(Point::UNKNOWN);
                     (weight * point.z_rate(), point)
                 }
                 Axis::Height => (weight, self.at_height(separation, x, guess.at(x))),
             };
+            count += 1;
         }
+        let middle = nodes[count / 2].1;
+        nodes[count..].fill((0.0, middle));
         nodes
     }
 
