@@ -144,6 +144,8 @@ def _yield() -> Figure:
 def _microslip() -> Figure:
     """Tangential force over the displacement: from rest, and in loops of hysteresis."""
     picture, (left, right) = _picture((9.6, 4.4), [(0.08, 0.13, 0.40, 0.79), (0.57, 0.13, 0.40, 0.79)])
+    for axes in (left, right):
+        axes.set_xscale("linear")
     displacements = np.linspace(0, 3, 121)
     for number, curve in enumerate(curves.MICROSLIP_SURFACES):
         _line(left, number, number, displacements, curves.microslip(curve.params, displacements), curve.label)
@@ -155,7 +157,6 @@ def _microslip() -> Figure:
         _line(right, gid, number, displacement, force, rf"$\pm {amplitude:g}\,F/K_t$")
     right.set(xlabel=r"displacement $\delta K_t/F$ [–]", xlim=(-2.2, 2.2), ylim=(-1.1, 1.1))
     for axes in (left, right):
-        axes.set_xscale("linear")
         axes.legend(handlelength=4, loc="lower right")
     return picture
 

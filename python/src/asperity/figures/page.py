@@ -348,8 +348,8 @@ def _yield() -> str:
 ![Fractions of elastic, elastic-plastic and flowing contacts, over the load](figures/yield.svg)
 
 Summits that yield ([theory.md](theory.md#summits-that-yield-zhao-maietta-and-chang)), for three plasticity indices ψ =
-(E*/H)(σ/R)^½. ψ decides, much more than the load: heavier loads bring more contacts, most of them small. Fractions of the
-contacts, with α = 0.01 and β = 1000, at loads in N G b² αβ²:
+(E*/H)(σ/R)^½. ψ decides, more than the load, until most summits touch: heavier loads bring more contacts of all sizes.
+Fractions of the contacts, with α = 0.01 and β = 1000, at loads in N G b² αβ²:
 
 | ψ | Contacts | {heads} |
 |---|---|{'---|' * _REGIME_SHOWN.size}
@@ -441,6 +441,6 @@ def _heads(loads: Array) -> str:
 
 
 def _plain(label: str) -> str:
-    for symbol, word in (("$", ""), ("\\varepsilon", "ε"), ("S =", "skew"), ("K =", "kurtosis"), ("-", "−")):
+    for symbol, word in (("$", ""), ("\\varepsilon", "ε"), ("\\beta", "β"), ("\\psi", "ψ"), ("S =", "skew"), ("K =", "kurtosis"), ("-", "−")):
         label = label.replace(symbol, word)
     return label
