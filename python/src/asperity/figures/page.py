@@ -441,6 +441,7 @@ def _heads(loads: Array) -> str:
 
 
 def _plain(label: str) -> str:
-    for symbol, word in (("$", ""), ("\\varepsilon", "ε"), ("\\beta", "β"), ("\\psi", "ψ"), ("S =", "skew"), ("K =", "kurtosis"), ("-", "−")):
+    letters = (("\\varepsilon", "ε"), ("\\beta", "β"), ("\\psi", "ψ"))
+    for symbol, word in (("$", ""), *letters, ("S =", "skew"), ("K =", "kurtosis"), ("-", "−")):
         label = label.replace(symbol, word)
     return label
