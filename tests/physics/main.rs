@@ -9,4 +9,5 @@ mod heights;
 mod published;
 mod reference;
 mod tangential;
+mod validity;
 mod yielding;

@@ -14,7 +14,7 @@ from .errors import Error, Status
 from .fit import Fit, fit
 from .model import Model
 from .params import Params
-from .results import Hysteresis, State, Summary, Warnings
+from .results import Hysteresis, State, Summary, ValidityWarning, Warnings
 
 __all__ = [
     "Error",
@@ -25,6 +25,7 @@ __all__ = [
     "State",
     "Status",
     "Summary",
+    "ValidityWarning",
     "Warnings",
     "__version__",
     "fit",
