@@ -17,6 +17,7 @@ program friction_law
   call the_ends_of_the_law
   call at_pressures
   call sliding
+  call sticking
   call tables
   call states
   call error_reports
@@ -202,6 +203,50 @@ contains
     force = law%slip_force(nan(), 1.0_c_double, V0, stat=stat, errmsg=errmsg)
     call check('so is a load that is', stat == ASPERITY_INVALID_LOAD .and. ieee_is_nan(force))
   end subroutine sliding
+
+  subroutine sticking
+    real(c_double), parameter :: P(3) = [0.1_c_double, 3.0_c_double, 1e4_c_double]
+    type(friction_model) :: law, missing
+    type(asperity_params) :: params
+    type(asperity_state) :: state
+    real(c_double) :: stiffness(3), force, back, slope, length
+    integer :: i, stat
+    character(80) :: errmsg
+    call law%create(default_parameters())
+    stiffness = law%tangential_stiffness_at_load(P)
+    do i = 1, 3
+      call law%state_at_load(P(i), state)
+      call check_close('the stiffness is that of the state', stiffness(i), state%tangential_stiffness, 1e-10_c_double)
+      call check('rank 0 is as rank 1', identical(law%tangential_stiffness_at_load(P(i)), stiffness(i)))
+      length = state%friction_force / stiffness(i)
+      call law%tangential_at_load(P(i), 1e-8_c_double * length, force, slope)
+      call check_close('at first all contacts stick', force, 1e-8_c_double * state%friction_force, 1e-6_c_double)
+      call check_close('... with the stiffness', slope, stiffness(i), 1e-6_c_double)
+      call law%tangential_at_load(P(i), length, force)
+      call law%tangential_at_load(P(i), -length, back, stat=stat)
+      call check('the force is odd', stat == 0 .and. identical(back, -force))
+    end do
+    force = 7
+    call law%tangential_at_load(1.0_c_double, nan(), force, stat=stat, errmsg=errmsg)
+    call check('a displacement that is NaN is refused', stat == ASPERITY_INVALID_PARAMETER .and. identical(force, 7.0_c_double))
+    call check_text('... with a message', errmsg, 'displacement = NaN: must be finite')
+    call check('an open contact has no stiffness', identical(law%tangential_stiffness_at_load(-1e9_c_double), 0.0_c_double))
+    slope = law%tangential_stiffness_at_load(-1e9_c_double, stat)
+    call check('... and tells', stat == ASPERITY_SEPARATED)
+    slope = law%tangential_stiffness_at_load(nan(), stat)
+    call check('a load that is NaN has none', stat == ASPERITY_INVALID_LOAD .and. ieee_is_nan(slope))
+    slope = missing%tangential_stiffness_at_load(1.0_c_double, stat)
+    call check('nor has a law that was never created', stat == ASPERITY_NULL_POINTER .and. ieee_is_nan(slope))
+    params = default_parameters()
+    params%contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC
+    params%work_of_adhesion = 0
+    call law%create(params, stat, errmsg)
+    call check('summits that yield need a hardness', stat == ASPERITY_INVALID_PARAMETER .and. index(errmsg, 'hardness = 0') == 1)
+    params%hardness = 0.005_c_double * params%composite_modulus
+    call law%create(params)
+    call law%state_at_load(1.0_c_double, state)
+    call check('some of them are elastic', state%fraction_elastic > 0 .and. state%fraction_elastic < 1)
+  end subroutine sticking
 
   subroutine tables
     type(friction_model) :: law

@@ -101,6 +101,12 @@ def test_every_function_of_the_header_works() -> None:
     assert math.isclose(one[0], slope[0] * math.tanh(-1.5), rel_tol=1e-14)
     assert math.isclose(other[0], force[0] / (0.2 * math.cosh(1.5) ** 2), rel_tol=1e-13)
 
+    # Before it slips.
+    stiffness = lib.tangential_stiffness_at_load(model, 50.0)
+    assert lib.tangential_stiffness_at_loads(model, 1, doubles(50.0), one) == Status.OK and one[0] == stiffness
+    assert lib.tangential_at_load(model, 50.0, 1e-9 * force[0] / stiffness, one, other) == Status.OK
+    assert math.isclose(one[0], 1e-9 * force[0], rel_tol=1e-6) and math.isclose(other[0], stiffness, rel_tol=1e-6)
+
     state = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
     assert lib.state_at_load(model, 50.0, state) == Status.OK
     assert math.isclose(state.friction_force, force[0], rel_tol=1e-9)

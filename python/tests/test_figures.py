@@ -27,6 +27,8 @@ PICTURES = {
     **{f"figure-{number}.svg": [5] for number in range(8, 11)},
     "kurtosis.svg": [6, 3],
     "regimes.svg": [2, 2, 2],
+    "yield.svg": [2, 2, 2],
+    "microslip.svg": [3, 3],
 }
 
 

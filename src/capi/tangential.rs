@@ -80,7 +80,7 @@ pub unsafe extern "C" fn asperity_tangential_at_load(
         let found = reserve::held(|| Ok(model.tangential_at_load(load, displacement)?))?;
         for (out, value) in [(force, found.0), (stiffness, found.1)] {
             if !out.is_null() {
-                out.write(value);
+                out.write_unaligned(value);
             }
         }
         Ok(())

@@ -232,11 +232,14 @@ fn null_is_refused_or_skipped() {
             asperity_state_at_separation(null(), 1.0, &mut state),
             asperity_summary_of(null(), &mut summary),
             asperity_table_of(null(), null_mut()),
+            asperity_tangential_stiffness_at_loads(null(), 1, &1.0, &mut slope),
+            asperity_tangential_at_load(null(), 1.0, 1.0, &mut slope, null_mut()),
         ] {
             assert_eq!(refused, NULL_POINTER);
         }
         assert!(asperity_friction_at_load(null(), 1.0).is_nan());
         assert!(asperity_friction_force_at_load(null(), 1.0).is_nan());
+        assert!(asperity_tangential_stiffness_at_load(null(), 1.0).is_nan());
         for (batch, one) in LAWS {
             assert_eq!(batch(null(), 1, &1.0, &mut slope, null_mut()), NULL_POINTER);
             assert!(slope == 7.0 && one(null(), 1.0, null_mut()).is_nan());
@@ -273,6 +276,7 @@ fn a_model_answers_to_every_place_and_from_every_thread() {
     let handle = Handle::new(&soonest_made());
     one_contact(&handle);
     batches(&handle);
+    stiffnesses(&handle);
     structs(&handle);
     the_table_is_the_law(&handle);
     threads_share_it(&handle);
@@ -308,6 +312,34 @@ fn one_contact(handle: &Handle) {
         assert!(force > 0.0 && [&one, &other].iter().all(|place| f64::from_bits(place.word(0)) > 0.0));
         assert_eq!(asperity_slip_force(handle.0, load, 0.5, 1.0, null_mut(), null_mut()), force);
         assert!(asperity_slip_force(handle.0, load, 0.5, 0.0, one.pointer(), other.pointer()).is_nan());
+        let stiffness = asperity_tangential_stiffness_at_load(handle.0, load);
+        assert_eq!(asperity_tangential_stiffness_at_loads(handle.0, 1, &load, one.pointer()), OK);
+        assert_eq!(one.word(0), stiffness.to_bits());
+        assert_eq!(asperity_tangential_at_load(handle.0, load, 1e-9, one.pointer(), other.pointer()), OK);
+        assert!([&one, &other].iter().all(|place| f64::from_bits(place.word(0)) > 0.0));
+    }
+}
+
+/// Stiffnesses of every number of loads up to two vectors, and some more, to a place of their own, in place, or nowhere.
+fn stiffnesses(handle: &Handle) {
+    let all = loads(handle, LONGEST);
+    // SAFETY: the model lives.
+    let expected = all.iter().map(|&load| unsafe { asperity_tangential_stiffness_at_load(handle.0, load) });
+    let expected = bits(&expected.collect::<Vec<_>>());
+    for n in (0..=4).chain([7, 8, 9, 17, LONGEST]) {
+        let status = if n > 9 { SEPARATED } else { OK };
+        for odd in [0, 1] {
+            let (load, value) = (Place::of(bits(&all[..n.max(1)]), odd), Place::numbers(n, odd));
+            // SAFETY: n elements each; the input may be the output.
+            unsafe {
+                let stiffnesses = |to| asperity_tangential_stiffness_at_loads(handle.0, n, load.pointer(), to);
+                assert_eq!(stiffnesses(value.pointer()), status);
+                assert_eq!(stiffnesses(null_mut()), status);
+                assert_eq!(value.words(n), expected[..n]);
+                assert_eq!(stiffnesses(load.pointer()), status);
+            }
+            assert_eq!(load.words(n), expected[..n]);
+        }
     }
 }
 

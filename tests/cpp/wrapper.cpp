@@ -391,6 +391,41 @@ void slip_gives_the_force_a_smooth_sign() {
     EXPECT(std::isnan(model.slip_force_and_slopes(REFERENCE_LOAD, rate, 0.0).dforce_dslip_rate));
 }
 
+void contacts_stick_before_they_slip() {
+    const Model model;
+    const double stiffness = model.tangential_stiffness_at_load(REFERENCE_LOAD);
+    const asperity::State state = model.state_at_load(REFERENCE_LOAD);
+    EXPECT(close(stiffness, state.tangential_stiffness, 1e-10));
+    const double length = REFERENCE_FORCE / stiffness;
+    const asperity::ValueAndSlope start = model.tangential_at_load(REFERENCE_LOAD, 1e-8 * length);
+    EXPECT(close(start.value, 1e-8 * REFERENCE_FORCE, 1e-6) && close(start.slope, stiffness, 1e-6));
+    EXPECT(model.tangential_at_load(REFERENCE_LOAD, -length).value ==
+           -model.tangential_at_load(REFERENCE_LOAD, length).value);
+    EXPECT(close(model.tangential_at_load(REFERENCE_LOAD, 1e4 * length).value, REFERENCE_FORCE, 1e-7));
+    EXPECT(thrown_by([&] { model.tangential_at_load(REFERENCE_LOAD, INF); }).status() == ASPERITY_INVALID_PARAMETER);
+    const double open = 2.0 * model.summary().pull_off_load;
+    EXPECT(thrown_by([&] { model.tangential_at_load(open, length); }).status() == ASPERITY_SEPARATED);
+
+    const std::vector<double> loads{1.0, REFERENCE_LOAD, open};
+    const std::vector<double> many = model.tangential_stiffness_at_load(loads);
+    EXPECT(many.size() == 3 && many[1] == stiffness && many[2] == 0.0);
+    std::vector<double> into(3);
+    EXPECT(model.tangential_stiffness_at_load(loads, into) == ASPERITY_SEPARATED && into == many);
+    std::vector<double> few(2);
+    EXPECT(thrown_by([&] { model.tangential_stiffness_at_load(loads, few); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
+void summits_that_yield_need_a_hardness_and_no_adhesion() {
+    asperity::Params params;
+    params.work_of_adhesion(0.0).contact_law(asperity::ContactLaw::elastic_plastic);
+    EXPECT(thrown_by([&] { Model{params}; }).status() == ASPERITY_INVALID_PARAMETER);
+    params.hardness(0.005 * params.composite_modulus());
+    const asperity::State state = Model(params).state_at_load(REFERENCE_LOAD);
+    EXPECT(state.fraction_elastic > 0.0 && state.fraction_elastic < 1.0 && state.fraction_flowing < 1.0);
+    params.work_of_adhesion(1e-3);
+    EXPECT(thrown_by([&] { Model{params}; }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
 void the_table_answers_as_the_model() {
     Model made;
     const asperity::Table table = made.table();
@@ -551,6 +586,8 @@ int main() {
     friction_is_defined_at_every_load();
     pressure_is_load_per_area_of_the_summits();
     slip_gives_the_force_a_smooth_sign();
+    contacts_stick_before_they_slip();
+    summits_that_yield_need_a_hardness_and_no_adhesion();
     the_table_answers_as_the_model();
     every_contiguous_range_will_do();
     a_surface_of_ones_own_is_refused_until_all_is_set();

@@ -269,6 +269,30 @@ impl<'a> Calls<'a> {
         } else {
             assert!(is_quiet_nan(force) || force > 0.0, "{}", what());
         }
+        self.before_slip(model, load, force);
+    }
+
+    /// Tangential stiffness and force at a load, of which the friction force is known.
+    fn before_slip(&mut self, model: &Model, load: f64, friction: f64) {
+        let (at, p): (Shared, _) = (model.handle.0, model.params);
+        let stiffness: f64 = call!(self, p, asperity_tangential_stiffness_at_load(at, load));
+        let (mut batch, mut force, mut slope) = (BEFORE, BEFORE, BEFORE);
+        let (load_at, batch_at): (*const f64, *mut f64) = (&load, &mut batch);
+        let (force_at, slope_at): (*mut f64, *mut f64) = (&mut force, &mut slope);
+        let one: usize = 1;
+        let told: i32 = call!(self, p, asperity_tangential_stiffness_at_loads(at, one, load_at, batch_at));
+        let far: f64 = 1e150;
+        let status: i32 = call!(self, p, asperity_tangential_at_load(at, load, far, force_at, slope_at));
+        let what =
+            || format!("load {load:e}: F {friction:e}, K {stiffness:e}, status {status}, T {force:e} {slope:e}; {p:?}");
+        assert_eq!(batch.to_bits(), stiffness.to_bits(), "{}", what());
+        assert!(is_quiet_nan(stiffness) || stiffness >= 0.0, "{}", what());
+        assert!(told != OK || is_finite(stiffness), "{}", what());
+        if status == OK && told == OK && friction > 0.0 {
+            assert!(force >= 0.0 && force <= friction * (1.0 + 1e-6) && slope >= 0.0, "{}", what());
+        } else if status != OK {
+            assert!(force.to_bits() == BEFORE.to_bits() && slope.to_bits() == BEFORE.to_bits(), "{}", what());
+        }
     }
 
     /// Batches of loads: the bits of single calls, whatever outputs are asked for, also in place.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -147,3 +147,51 @@ def regimes(beta: float, loads: Array = REGIME_LOADS) -> Array:
             for state in states
         ]
     ).T
+
+
+YIELD_INDICES = (0.5, 2.0, 8.0)
+
+
+def yielding(index: float) -> Params:
+    """Summits that yield, of a plasticity index; without adhesion."""
+    elastic = surface(*DEFAULT[:2], 0.0)
+    hardness = elastic.composite_modulus * DEFAULT[0] / index
+    return replace(elastic, hardness=hardness, contact_law="elastic-plastic")
+
+
+def yields(index: float, loads: Array = REGIME_LOADS) -> Array:
+    """Fractions of the contacts that are elastic, elastic-plastic and flowing, (3, loads), in loads as of `regimes`."""
+    law = model(yielding(index))
+    states = [law.state_at_load(float(load) * DEFAULT[0] * DEFAULT[1] ** 2) for load in loads]
+    elastic, flowing = np.array([(state.fraction_elastic, state.fraction_flowing) for state in states]).T
+    return np.array([elastic, 1 - elastic - flowing, flowing])
+
+
+MICROSLIP_LOAD = 1000.0
+MICROSLIP_SURFACES = (
+    Curve("elastic, $\\beta = 1000$", surface(0.01, 1000, 0.0)),
+    Curve("elastic, $\\beta = 30$", surface(0.01, 30, 0.0)),
+    Curve("yielding, $\\psi = 8$", yielding(8.0)),
+)
+MICROSLIP_AMPLITUDES = (0.5, 1.0, 2.0)
+
+
+def microslip_length(params: Params) -> float:
+    """F/K_t at the load of the figure."""
+    law = model(params)
+    friction_force, stiffness = law.friction_force_at_load(MICROSLIP_LOAD), law.tangential_stiffness_at_load(MICROSLIP_LOAD)
+    return friction_force / stiffness
+
+
+def microslip(params: Params, displacements: Array) -> Array:
+    """T/F over the displacement in F/K_t."""
+    forces = model(params).tangential(MICROSLIP_LOAD, displacements * microslip_length(params))[0]
+    return np.asarray(forces / model(params).friction_force_at_load(MICROSLIP_LOAD))
+
+
+def loop(params: Params, amplitude: float) -> tuple[Array, Array, float]:
+    """Displacement in F/K_t, force over F, and the work of a cycle over F^2/K_t, of a loop of hysteresis."""
+    law, length = model(params), microslip_length(params)
+    force = law.friction_force_at_load(MICROSLIP_LOAD)
+    found = law.hysteresis(MICROSLIP_LOAD, amplitude * length)
+    return found.displacement / length, found.force / force, found.work / (force * length)

@@ -52,7 +52,8 @@ def draw_all(directory: Path) -> list[Path]:
         pictures = {"figure-3": _figure_3()}
         for figure in (*curves.SKEW_FIGURES, *curves.RADIUS_FIGURES):
             pictures[f"figure-{figure.number}"] = _curve_figure(figure)
-        pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes(), **validity.pictures()}
+        pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes(), "yield": _yield(), "microslip": _microslip()}
+        pictures |= validity.pictures()
         return [_save(picture, directory / f"{name}.svg") for name, picture in pictures.items()]
 
 
@@ -123,14 +124,52 @@ def _kurtosis() -> Figure:
 
 def _regimes() -> Figure:
     """How the contacts divide into the three regimes of slip, for three friction regime parameters."""
+    labels = ("$a < a_1$: slips as a whole", "$a_1 < a < a_2$: strength falls", "$a > a_2$: low strength")
+    panels = [
+        (rf"$\alpha = 0.01$, $\beta = {beta:g}$, $\gamma = {curves.REGIME_GAMMA:g}$", curves.regimes(beta))
+        for beta in curves.REGIME_BETAS
+    ]
+    return _shares(panels, labels)
+
+
+def _yield() -> Figure:
+    """How the contacts divide into elastic, elastic-plastic and flowing ones, for three plasticity indices."""
+    alpha, beta, _ = curves.DEFAULT
+    panels = [
+        (rf"$\psi = {index:g}$, $\alpha = {alpha:g}$, $\beta = {beta:g}$", curves.yields(index))
+        for index in curves.YIELD_INDICES
+    ]
+    return _shares(panels, ("elastic", "elastic-plastic", "flowing"))
+
+
+def _microslip() -> Figure:
+    """Tangential force over the displacement: from rest, and in loops of hysteresis."""
+    picture, (left, right) = _picture((9.6, 4.4), [(0.08, 0.13, 0.40, 0.79), (0.57, 0.13, 0.40, 0.79)])
+    for axes in (left, right):
+        axes.set_xscale("linear")
+    displacements = np.linspace(0, 3, 121)
+    for number, curve in enumerate(curves.MICROSLIP_SURFACES):
+        _line(left, number, number, displacements, curves.microslip(curve.params, displacements), curve.label)
+    left.set(xlabel=r"displacement $\delta K_t/F$ [–]", ylabel=r"tangential force $T/F$ [–]", xlim=(0, 3), ylim=(0, 1.05))
+    first, *_ = curves.MICROSLIP_SURFACES
+    for number, amplitude in enumerate(curves.MICROSLIP_AMPLITUDES):
+        displacement, force, _ = curves.loop(first.params, amplitude)
+        gid = len(curves.MICROSLIP_SURFACES) + number
+        _line(right, gid, number, displacement, force, rf"$\pm {amplitude:g}\,F/K_t$")
+    right.set(xlabel=r"displacement $\delta K_t/F$ [–]", xlim=(-2.2, 2.2), ylim=(-1.1, 1.1))
+    for axes in (left, right):
+        axes.legend(handlelength=4, loc="lower right")
+    return picture
+
+
+def _shares(shares: list[tuple[str, Array]], labels: tuple[str, str, str]) -> Figure:
+    """Panels of three fractions that add up to 1, over the load."""
     places = [(0.075 + 0.31 * i, 0.15, 0.285, 0.67) for i in range(3)]
     picture, panels = _picture((9.6, 4.2), places)
-    labels = ("$a < a_1$: slips as a whole", "$a_1 < a < a_2$: strength falls", "$a > a_2$: low strength")
-    for panel, (beta, axes) in enumerate(zip(curves.REGIME_BETAS, panels)):
-        axes.set_title(rf"$\alpha = 0.01$, $\beta = {beta:g}$, $\gamma = {curves.REGIME_GAMMA:g}$", fontsize=10)
+    for panel, ((title, (below, between, _)), axes) in enumerate(zip(shares, panels)):
+        axes.set_title(title, fontsize=10)
         axes.set_xlim(curves.REGIME_LOADS[0], curves.REGIME_LOADS[-1])
         axes.set_ylim(0, 1)
-        below, between, _ = curves.regimes(beta)
         edges = (0 * below, below, below + between, 1 + 0 * below)
         for number, label in enumerate(labels):
             low, high = edges[number], edges[number + 1]

@@ -25,7 +25,7 @@ def text() -> str:
     """The whole page."""
     parts = [_introduction(), _figure_3(), *map(_skew_figure, curves.SKEW_FIGURES)]
     parts += [_radius_figure(figure) for figure in curves.RADIUS_FIGURES]
-    return "\n\n".join([*parts, _kurtosis(), _regimes()]) + "\n"
+    return "\n\n".join([*parts, _kurtosis(), _regimes(), _yield(), _microslip()]) + "\n"
 
 
 def _introduction() -> str:
@@ -336,6 +336,59 @@ in N G b² αβ²:
 {chr(10).join(rows)}"""
 
 
+def _yield() -> str:
+    rows = []
+    for index in curves.YIELD_INDICES:
+        for name, fractions in zip(("elastic", "elastic-plastic", "flowing"), curves.yields(index, _REGIME_SHOWN)):
+            rows.append(f"| {_number(index)} | {name} | {_cells(fractions, '.4f')} |")
+    heads = " | ".join(f"P = {load:g}" for load in _REGIME_SHOWN)
+    return f"""\
+## Regimes of yield
+
+![Fractions of elastic, elastic-plastic and flowing contacts, over the load](figures/yield.svg)
+
+Summits that yield ([theory.md](theory.md#summits-that-yield-zhao-maietta-and-chang)), for three plasticity indices ψ =
+(E*/H)(σ/R)^½. ψ decides, more than the load, until most summits touch: heavier loads bring more contacts of all sizes.
+Fractions of the contacts, with α = 0.01 and β = 1000, at loads in N G b² αβ²:
+
+| ψ | Contacts | {heads} |
+|---|---|{'---|' * _REGIME_SHOWN.size}
+{chr(10).join(rows)}"""
+
+
+def _microslip() -> str:
+    shown = np.array([0.25, 0.5, 1.0, 2.0, 3.0])
+    forces = [
+        f"| {_plain(curve.label)} | {_cells(curves.microslip(curve.params, shown), '.4f')} |"
+        for curve in curves.MICROSLIP_SURFACES
+    ]
+    first, *_ = curves.MICROSLIP_SURFACES
+    works = [
+        f"| {amplitude:g} | {curves.loop(first.params, amplitude)[2]:.4f} | {max(0.0, 4 * (amplitude - 1)):.4f} |"
+        for amplitude in curves.MICROSLIP_AMPLITUDES
+    ]
+    heads = " | ".join(f"δ = {displacement:g}" for displacement in shown)
+    return f"""\
+## Microslip
+
+![Tangential force over the displacement, and loops of hysteresis](figures/microslip.svg)
+
+Contacts stick with the stiffness 8 Ĝ a until their force is their strength: those whose strength over radius is least, small
+ones, slip first ([theory.md](theory.md#before-a-contact-slips-stiffness-and-microslip)). T/F at displacements in F/K_t, at load
+{curves.MICROSLIP_LOAD:g}:
+
+| T/F | {heads} |
+|---|{'---|' * shown.size}
+{chr(10).join(forces)}
+
+On the right, loops between the displacements ±A of the first surface. The work of a cycle in F²/K_t, beside that of summits that
+all slip at once, 4 (A − 1) where A > 1:
+
+| A | Work | Of equal summits |
+|---|---|---|
+{chr(10).join(works)}"""
+
+
 # ---- Words and cells ----
 
 
@@ -388,6 +441,7 @@ def _heads(loads: Array) -> str:
 
 
 def _plain(label: str) -> str:
-    for symbol, word in (("$", ""), ("\\varepsilon", "ε"), ("S =", "skew"), ("K =", "kurtosis"), ("-", "−")):
+    letters = (("\\varepsilon", "ε"), ("\\beta", "β"), ("\\psi", "ψ"))
+    for symbol, word in (("$", ""), *letters, ("S =", "skew"), ("K =", "kurtosis"), ("-", "−")):
         label = label.replace(symbol, word)
     return label

@@ -1,0 +1,102 @@
+"""Tangential stiffness, microslip and hysteresis, and summits that yield."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from asperity import Error, Model, Params, Status
+
+ELASTIC = Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+YIELDING = replace(ELASTIC, work_of_adhesion=0.0, hardness=0.005 * ELASTIC.composite_modulus, contact_law="elastic-plastic")
+
+
+@pytest.fixture(params=[ELASTIC, YIELDING], ids=["elastic", "yielding"])
+def law(request: pytest.FixtureRequest) -> Model:
+    return Model(request.param)
+
+
+def test_the_stiffness_is_that_of_the_state(law: Model) -> None:
+    loads = np.geomspace(1e-2, 1e4, 12).reshape(3, 4)
+    stiffness = law.tangential_stiffness_at_load(loads)
+    assert stiffness.shape == loads.shape
+    for load, found in zip(loads.flat, stiffness.flat):
+        assert type(law.tangential_stiffness_at_load(float(load))) is float
+        assert law.tangential_stiffness_at_load(float(load)) == found
+        assert math.isclose(law.state_at_load(float(load)).tangential_stiffness, found, rel_tol=1e-10)
+    assert law.tangential_stiffness_at_load(-1e9) == 0.0
+    with pytest.raises(Error, match="element 1: load = nan|element 1: load = NaN") as refusal:
+        law.tangential_stiffness_at_load([1.0, math.nan])
+    assert refusal.value.status is Status.INVALID_LOAD
+
+
+def test_force_and_slope_of_numbers_and_arrays(law: Model) -> None:
+    length = law.friction_force_at_load(100.0) / law.tangential_stiffness_at_load(100.0)
+    displacements = np.array([-2.0, -0.3, 0.0, 0.3, 2.0, 1e4]) * length
+    force, slope = law.tangential(100.0, displacements)
+    assert force.shape == slope.shape == displacements.shape
+    assert force[:5].tolist() == (-force[4::-1]).tolist() and slope[:5].tolist() == slope[4::-1].tolist()
+    assert math.isclose(slope[2], law.tangential_stiffness_at_load(100.0), rel_tol=1e-10) and slope[5] == 0.0
+    assert math.isclose(force[5], law.friction_force_at_load(100.0), rel_tol=1e-10)
+    one = law.tangential(100.0, displacements[3])
+    assert [type(x) for x in one] == [float, float] and one == (force[3], slope[3])
+    table, _ = law.tangential([[10.0], [100.0]], displacements)
+    assert table.shape == (2, 6) and table[1].tolist() == force.tolist()
+    for load, displacement, status in [
+        (-1e9, 1.0, Status.SEPARATED), (math.nan, 1.0, Status.INVALID_LOAD), (1.0, math.inf, Status.INVALID_PARAMETER),
+    ]:  # fmt: skip
+        with pytest.raises(Error) as refusal:
+            law.tangential(load, displacement)
+        assert refusal.value.status is status
+
+
+def test_a_loop_is_closed_and_its_work_is_the_area(law: Model) -> None:
+    length = law.friction_force_at_load(100.0) / law.tangential_stiffness_at_load(100.0)
+    last = 0.0
+    for amplitude in (0.3 * length, length, 4.0 * length):
+        loop = law.hysteresis(100.0, amplitude, points=801)
+        assert loop.displacement[0] == loop.displacement[-1] == amplitude == -loop.displacement[800]
+        top = law.tangential(100.0, amplitude)[0]
+        ends = loop.force[[0, 800, 801, -1]]
+        assert ends == pytest.approx([top, -top, -top, top], rel=1e-13)
+        area = float(np.sum(0.5 * (loop.force[1:] + loop.force[:-1]) * np.diff(loop.displacement)))
+        assert math.isclose(loop.work, area, rel_tol=1e-9, abs_tol=1e-9 * top * amplitude) and loop.work > last
+        # Half way back from the top: two halves of the first loading.
+        half = law.tangential(100.0, 0.5 * amplitude)[0]
+        assert math.isclose(loop.force[400], top - 2.0 * half, rel_tol=1e-9, abs_tol=1e-12 * top)
+        last = loop.work
+
+
+def test_equal_summits_dissipate_four_times_the_force_times_the_slip() -> None:
+    """Far below the heights all summits are of one size."""
+    model = Model(replace(ELASTIC, work_of_adhesion=0.0))
+    load = model.state_at_separation(-1e6 * ELASTIC.height_std).load
+    force, stiffness = model.friction_force_at_load(load), model.tangential_stiffness_at_load(load)
+    for part in (0.5, 1.0, 1.5, 3.0):
+        loop = model.hysteresis(load, part * force / stiffness, points=2001)
+        slip = max(0.0, part - 1.0) * force / stiffness
+        assert loop.work == pytest.approx(4.0 * force * slip, rel=2e-3, abs=1e-4 * force * force / stiffness)
+
+
+def test_bad_amplitudes_are_refused(law: Model) -> None:
+    for amplitude in (0.0, -1.0, math.nan, math.inf):
+        with pytest.raises(ValueError, match="amplitude = .*: must be finite and > 0"):
+            law.hysteresis(1.0, amplitude)
+    with pytest.raises(ValueError, match="points = 1: must be at least 2"):
+        law.hysteresis(1.0, 1.0, points=1)
+
+
+def test_summits_that_yield_need_a_hardness_and_no_adhesion() -> None:
+    for params, message in [
+        (replace(YIELDING, hardness=0.0), "hardness = 0: must be > 0 where contact_law is"),
+        (replace(YIELDING, work_of_adhesion=1e-3), "work_of_adhesion = 0.001: must be 0 where contact_law is"),
+    ]:
+        with pytest.raises(Error, match=message) as refusal:
+            Model(params)
+        assert refusal.value.status is Status.INVALID_PARAMETER
+    state = Model(YIELDING).state_at_load(100.0)
+    assert 0.0 < state.fraction_elastic < 1.0 and 0.0 <= state.fraction_flowing < 1.0
+    assert state.real_area > Model(replace(YIELDING, contact_law="maugis")).state_at_load(100.0).real_area
