@@ -500,7 +500,7 @@ contains
                  state%max_contact_radius > state%mean_contact_radius)
       call check_close('plasticity index', state%plasticity_index, p%composite_modulus / p%hardness &
                        * sqrt(p%height_std / p%summit_radius), 1e-14_c_double)
-      call check('... above 1 warns', state%warnings == ASPERITY_WARNING_PLASTIC)
+      call check('... above 1 warns', iand(state%warnings, ASPERITY_WARNING_PLASTIC) /= 0)
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
       call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)
       call check_close('... and so is its friction', at_load%friction_force, state%friction_force, 1e-9_c_double)
