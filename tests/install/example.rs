@@ -58,7 +58,13 @@ fn check_figure(path: &Path, rows: &[[f64; 5]]) {
     // Without the marks between words.
     let words: String = figure.split('<').map(|part| part.split_once('>').map_or(part, |(_, words)| words)).collect();
     let words = words.replace("&#956;", "μ");
-    for label in ["normal load P [N]", "friction coefficient μ = F/P", "contact physics", "constant μ = ", "fewer than 20 contacts"] {
+    for label in [
+        "normal load P [N]",
+        "friction coefficient μ = F/P",
+        "contact physics",
+        "constant μ = ",
+        "fewer than 20 contacts",
+    ] {
         assert!(words.contains(label), "the figure does not say '{label}'");
     }
     let law =
