@@ -2,6 +2,7 @@
 //! such states. The sources of the bounds are in docs/theory.md, "Is the model valid here?".
 
 use crate::error::Error;
+use crate::float_bits::Neighbours;
 use crate::model::State;
 use crate::params::{ContactLawKind, Params};
 
@@ -104,7 +105,7 @@ fn separations(near: f64, far: f64) -> Vec<f64> {
     let mut here = near;
     while here < far {
         let distance = here.abs().min(far - here);
-        here = (here + STEP + GROWTH * (distance - MIDDLE).max(0.0)).max(here.next_up());
+        here = (here + STEP + GROWTH * (distance - MIDDLE).max(0.0)).max(here.above());
         all.push(here);
     }
     all.retain(|&d| d < far - beside);
