@@ -21,6 +21,7 @@ mod slope;
 mod state;
 mod status;
 mod table;
+mod tangential;
 mod validity;
 mod version;
 
@@ -34,5 +35,6 @@ pub use slope::*;
 pub use state::*;
 pub use status::*;
 pub use table::*;
+pub use tangential::*;
 pub use validity::*;
 pub use version::*;
