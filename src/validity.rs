@@ -89,7 +89,8 @@ pub fn warnings_between(near: f64, far: f64, at: impl Fn(f64) -> Result<Measures
     let mut warnings = states.iter().fold(0, |bits, (_, measures)| bits | measures.warnings());
     for around in states.windows(3) {
         let [before, here, after] = [0, 1, 2].map(|i| around[i].1 .0);
-        for bit in (0..here.len()).filter(|&bit| here[bit] >= before[bit].max(after[bit])) {
+        // Where a measure is constant there is nothing to refine.
+        for bit in (0..here.len()).filter(|&bit| here[bit] > before[bit] && here[bit] >= after[bit]) {
             if warnings & (1 << bit) == 0 && exceeds(around[0].0, around[2].0, |d| Ok(at(d)?.0[bit]))? {
                 warnings |= 1 << bit;
             }
