@@ -89,7 +89,8 @@ pub fn warnings_between(near: f64, far: f64, at: impl Fn(f64) -> Result<Measures
     let mut warnings = states.iter().fold(0, |bits, (_, measures)| bits | measures.warnings());
     for around in states.windows(3) {
         let [before, here, after] = [0, 1, 2].map(|i| around[i].1 .0);
-        for bit in (0..here.len()).filter(|&bit| here[bit] >= before[bit].max(after[bit])) {
+        // Where a measure is constant there is nothing to refine.
+        for bit in (0..here.len()).filter(|&bit| here[bit] > before[bit] && here[bit] >= after[bit]) {
             if warnings & (1 << bit) == 0 && exceeds(around[0].0, around[2].0, |d| Ok(at(d)?.0[bit]))? {
                 warnings |= 1 << bit;
             }
@@ -132,4 +133,45 @@ fn exceeds(mut from: f64, mut to: f64, measure: impl Fn(f64) -> Result<f64, Erro
         }
     }
     Ok(false)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Model;
+
+    #[test]
+    fn summits_whose_law_yields_are_not_warned_of() {
+        let elastic = Params { hardness: 1e-3, ..Params::default() };
+        let state = Model::new(&elastic).expect("a model").state_at_load(10.0).expect("a state");
+        assert_eq!(Measures::new(&elastic, &state).warnings(), WARNING_PLASTIC);
+        let plastic = Params { contact_law: ContactLawKind::ElasticPlastic, ..elastic };
+        assert_eq!(Measures::new(&plastic, &state).warnings(), 0);
+    }
+
+    /// A peak between states, of a measure that is below 1 at each of them.
+    #[test]
+    fn what_exceeds_its_bound_only_between_the_steps_is_found() {
+        for (height, found) in [(1.0 + 1e-9, 1 << 2), (1.0 - 1e-9, 0)] {
+            for peak in [-3e5, -0.3217, 0.0004, 4.0561, 7.7999] {
+                let scale = 1.0 + f64::abs(peak);
+                let at = |d: f64| {
+                    let steep = height - ((d - peak) / scale).powi(2);
+                    Ok(Measures([0.0, 0.0, steep, 0.0, 0.0]))
+                };
+                assert_eq!(warnings_between(-1e6, 7.8, at), Ok(found), "{peak}");
+            }
+        }
+    }
+
+    #[test]
+    fn steps_reach_both_ends_and_none_is_long_in_the_middle() {
+        for (near, far) in [(-1e53, 30.0), (-2.0, 5.0), (3.0, 3.0), (1.0, 1.0 + 1e-15), (-1e5, -9e4)] {
+            let all = separations(near, far);
+            assert_eq!((all[0], all[all.len() - 1]), (near, far));
+            assert!(all.len() < 1000 && all.windows(2).all(|pair| pair[1] > pair[0]), "{near} to {far}");
+            let short = |pair: &[f64]| pair[0].abs().min(far - pair[0]) > MIDDLE || pair[1] - pair[0] < 1.01 * STEP;
+            assert!(all.windows(2).all(short), "{near} to {far}");
+        }
+    }
 }

@@ -472,7 +472,9 @@ contains
     type(asperity_params) :: p
     type(asperity_state) :: state, at_load
     type(c_ptr) :: model
+    integer(c_int64_t) :: warnings
     integer :: i
+    warnings = 0
     call asperity_check(asperity_params_init(p))
     p%work_of_adhesion = 0
     p%hardness = 0.02_c_double
@@ -500,7 +502,10 @@ contains
                  state%max_contact_radius > state%mean_contact_radius)
       call check_close('plasticity index', state%plasticity_index, p%composite_modulus / p%hardness &
                        * sqrt(p%height_std / p%summit_radius), 1e-14_c_double)
-      call check('... above 1 warns', state%warnings == ASPERITY_WARNING_PLASTIC)
+      call check('... above 1 warns', iand(state%warnings, ASPERITY_WARNING_PLASTIC) /= 0)
+      call asperity_check(asperity_check_loads(model, state%load, state%load, warnings))
+      call check('the warnings of one load are those of its state', warnings == state%warnings)
+      call check('... and have texts', c_associated(asperity_warning_string(ASPERITY_WARNING_PLASTIC)))
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
       call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)
       call check_close('... and so is its friction', at_load%friction_force, state%friction_force, 1e-9_c_double)

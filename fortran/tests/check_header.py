@@ -33,6 +33,7 @@ VALUE_TYPES = {
     "size_t": "integer(c_size_t), value",
     "uint64_t": "integer(c_int64_t), value",
     "asperity_status": "integer(c_int32_t), value",
+    "uint64_t *": "integer(c_int64_t)",
     "const double *": "type(c_ptr), value",
     "double *": "type(c_ptr), value",
     "char *": "type(c_ptr), value",

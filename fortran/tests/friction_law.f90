@@ -20,6 +20,7 @@ program friction_law
   call sticking
   call tables
   call states
+  call warnings_of_a_range
   call error_reports
   call many_contacts
   call parameters
@@ -283,6 +284,33 @@ contains
     call check('a separation that is NaN is refused', stat == ASPERITY_INVALID_PARAMETER)
     call check('... and the state is untouched', identical(back%load, 1.0_c_double))
   end subroutine states
+
+  ! Half of the summits touch at the heavier load, too few at the lighter one.
+  subroutine warnings_of_a_range
+    type(friction_model) :: law
+    type(asperity_params) :: p
+    integer(c_int64_t) :: warnings
+    character(80) :: message
+    integer :: stat
+    p = default_parameters()
+    p%asperity_count = 1e4_c_double
+    call law%create(p)
+    call law%check_loads(1e6_c_double, 2e6_c_double, warnings)
+    call check('the model holds where 1 % of many summits touch', warnings == 0)
+    call law%check_loads(1.0_c_double, 1e9_c_double, warnings)
+    call check('few contacts and crowded ones are warned of', &
+               warnings == ior(ASPERITY_WARNING_CROWDED, ASPERITY_WARNING_FEW))
+    call check('a warning says what to do', index(asperity_warning_text(ASPERITY_WARNING_FEW), '; use heavier loads') > 0)
+    call check('several at once have no text', asperity_warning_text(warnings) == 'unknown warning')
+    warnings = 77
+    message = ''
+    call law%check_loads(2.0_c_double, 1.0_c_double, warnings, stat, message)
+    call check('loads that fall are refused', stat == ASPERITY_INVALID_PARAMETER .and. warnings == 77 .and. &
+               index(message, 'lightest = 2: must not be above heaviest') > 0)
+    call law%free()
+    call law%check_loads(1.0_c_double, 2.0_c_double, warnings, stat, message)
+    call check('without a model nothing is checked', stat == ASPERITY_NULL_POINTER .and. warnings == 77)
+  end subroutine warnings_of_a_range
 
   subroutine error_reports
     type(friction_model) :: law

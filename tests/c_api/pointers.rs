@@ -135,6 +135,9 @@ fn constants_are_strings_that_end() {
         for status in [OK, NULL_POINTER, NOT_CONVERGED, 255, -1, i32::MIN, i32::MAX] {
             assert!(!CStr::from_ptr(asperity_status_string(status)).to_bytes().is_empty());
         }
+        for warning in [0, 1, 2, 4, 8, 16, 32, 3, u64::MAX] {
+            assert!(!CStr::from_ptr(asperity_warning_string(warning)).to_bytes().is_empty());
+        }
     }
 }
 
@@ -230,6 +233,7 @@ fn null_is_refused_or_skipped() {
             asperity_get_params_sized(null(), &mut params, size),
             asperity_state_at_load(null(), 1.0, &mut state),
             asperity_state_at_separation(null(), 1.0, &mut state),
+            asperity_check_loads(null(), 1.0, 2.0, &mut 0),
             asperity_summary_of(null(), &mut summary),
             asperity_table_of(null(), null_mut()),
             asperity_tangential_stiffness_at_loads(null(), 1, &1.0, &mut slope),
@@ -440,6 +444,9 @@ fn structs(handle: &Handle) {
     unsafe {
         assert_eq!(asperity_state_at_load(handle.0, 1.0, null_mut()), NULL_POINTER);
         assert_eq!(asperity_state_at_separation(handle.0, 1.0, null_mut()), NULL_POINTER);
+        assert_eq!(asperity_check_loads(handle.0, 1.0, 2.0, null_mut()), NULL_POINTER);
+        let warnings = Place::aligned(size_of::<u64>());
+        assert_eq!(asperity_check_loads(handle.0, 1.0, 2.0, warnings.pointer()), OK);
         assert_eq!(asperity_summary_of(handle.0, null_mut()), NULL_POINTER);
         assert_eq!(asperity_table_of(handle.0, null_mut()), NULL_POINTER);
         assert_eq!(asperity_get_params(handle.0, null_mut()), NULL_POINTER);

@@ -31,14 +31,22 @@ python=$build/venv/bin/python
 "$python" -c "import numpy" 2>/dev/null || "$python" -m pip --quiet --disable-pip-version-check install "numpy>=1.22"
 export PYTHONPATH=python/src PYTHONDONTWRITEBYTECODE=1 ASPERITY_LIBRARY=$CARGO_TARGET_DIR/release/libasperity.so
 
+# says LANGUAGE COMMAND...    keeps what a program prints, the warnings after the table
+says() {
+    local language=$1
+    shift
+    "$@" >"$build/$language.txt" 2>"$build/warnings.txt"
+    cat "$build/warnings.txt" >>"$build/$language.txt"
+}
+
 # compare LOADS LOWEST HIGHEST WARNINGS
 compare() {
     local warnings=$4
     set -- "$1" "$2" "$3"
-    LD_PRELOAD=$build/traps_on.so "$build/c" - "$@" >"$build/c.txt" 2>&1
-    LD_PRELOAD=$build/traps_on.so "$build/cpp" "$@" >"$build/cpp.txt" 2>&1
-    LD_PRELOAD=$build/traps_on.so "$build/fortran" "$@" >"$build/fortran.txt" 2>&1
-    "$python" python/examples/friction_curve.py - "$@" >"$build/python.txt" 2>&1
+    says c env LD_PRELOAD="$build/traps_on.so" "$build/c" - "$@"
+    says cpp env LD_PRELOAD="$build/traps_on.so" "$build/cpp" "$@"
+    says fortran env LD_PRELOAD="$build/traps_on.so" "$build/fortran" "$@"
+    says python "$python" python/examples/friction_curve.py - "$@"
     [ "$(grep -c '^[1-9]' "$build/c.txt")" = "$1" ] ||
         { echo "tests/examples/run.sh: friction_curve.c does not print $1 loads" >&2; exit 1; }
     [ "$(grep -c '^friction_curve: warning: ' "$build/c.txt")" = "$warnings" ] ||
