@@ -28,9 +28,11 @@ pub mod numerics;
 mod params;
 pub mod population;
 pub mod regularised;
+mod sensitivity;
 pub mod spectrum;
 mod unit_slips;
 
 pub use error::{Error, Value};
 pub use model::{Model, State, Summary, WARNING_PLASTIC};
 pub use params::{HeightFamily, Params};
+pub use sensitivity::Sensitivities;
