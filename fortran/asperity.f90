@@ -40,6 +40,9 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_JOHNSON = 2
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_TABULATED = 3
 
+  integer(c_int32_t), parameter, public :: ASPERITY_CONTACT_MAUGIS = 0           ! elastic, with adhesion
+  integer(c_int32_t), parameter, public :: ASPERITY_CONTACT_ELASTIC_PLASTIC = 1  ! summits yield; needs hardness, no adhesion
+
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! contacts yield: the model does not hold
 
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1     ! compare with asperity_table%layout_version
@@ -74,12 +77,17 @@ module asperity
     type(c_ptr) :: table_height = c_null_ptr      ! table_length real(c_double), increasing: heights in any unit and
                                                   ! from any origin; read only for ASPERITY_HEIGHTS_TABULATED
     type(c_ptr) :: table_density = c_null_ptr     ! as many, >= 0: the density at each, of any scale
-    integer(c_int64_t) :: table_length = 0        ! 3 to 4096
+    integer(c_int64_t) :: table_length = 0        ! 3 to 256
+    real(c_double) :: tangential_modulus          ! G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2; 0 is
+                                                  ! E* G* / (2 (E* + G*))
+    real(c_double) :: nominal_area                ! [length^2], >= 0: what warnings compare the real area with; 0: not known
+    integer(c_int32_t) :: contact_law             ! one of ASPERITY_CONTACT_
+    integer(c_int32_t) :: reserved                ! 0
   end type asperity_params
 
   ! The exact state of the contact, in the units of the parameters.
   type, bind(c), public :: asperity_state
-    integer(c_int64_t) :: struct_size = 168       ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 192       ! bytes of this type; leave it
     real(c_double) :: load                        ! P [force]; negative pulls
     real(c_double) :: separation                  ! d [length], flat to mean of the summit heights
     real(c_double) :: friction_force              ! F [force]
@@ -100,6 +108,9 @@ module asperity
     real(c_double) :: mean_asperity_pressure      ! load of the summits in contact over the real area [stress]
     real(c_double) :: plasticity_index            ! E* (sigma/R)**0.5/H [-]; 0 where hardness is not given
     integer(c_int64_t) :: warnings                ! bits ASPERITY_WARNING_; 0 if nothing is known to fail
+    real(c_double) :: tangential_stiffness        ! K_t [force/length], while all contacts stick
+    real(c_double) :: fraction_elastic            ! fraction of the contacts below first yield [-]
+    real(c_double) :: fraction_flowing            ! fraction of the contacts that are fully plastic [-]
   end type asperity_state
 
   ! Constants of a model, in the units of the parameters.

@@ -117,6 +117,16 @@
 #define ASPERITY_HEIGHTS_TABULATED 3
 
 /**
+ * Elastic summits, with adhesion after Maugis; without adhesion Hertz' law.
+ */
+#define ASPERITY_CONTACT_MAUGIS 0
+
+/**
+ * Summits that yield, after Zhao, Maietta and Chang (2000): needs `hardness` > 0 and `work_of_adhesion` = 0.
+ */
+#define ASPERITY_CONTACT_ELASTIC_PLASTIC 1
+
+/**
  * Bit of `warnings`: contacts yield, so that the elastic model does not hold. Set if the mean asperity pressure is at
  * least 0.4 of the hardness (yield sets in below the contact) or the plasticity index is above 1 (contacts flow at any
  * load). Never set if no hardness is given.
@@ -257,6 +267,25 @@ typedef struct asperity_params {
    * Number of heights in the table, 3 to 256. 0 by default.
    */
   uint64_t table_length;
+  /**
+   * G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick.
+   * `asperity_params_set_materials` sets it. 0, the default, stands for E* G* / (2 (E* + G*)), which is exact for two
+   * bodies of one material and for one rigid body.
+   */
+  double tangential_modulus;
+  /**
+   * Nominal area of contact [length^2], >= 0, with which warnings compare the real area.
+   * `asperity_params_set_spectral_moments` sets it. 0, the default, means not known.
+   */
+  double nominal_area;
+  /**
+   * Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default.
+   */
+  int32_t contact_law;
+  /**
+   * Must be 0, the default.
+   */
+  int32_t reserved;
 } asperity_params;
 
 /**
@@ -350,6 +379,18 @@ typedef struct asperity_state {
    * Bits `ASPERITY_WARNING_...`: assumptions of the model that fail in this state; 0 if none is known to fail.
    */
   uint64_t warnings;
+  /**
+   * K_t [force/length]: tangential force by displacement while all contacts stick.
+   */
+  double tangential_stiffness;
+  /**
+   * Fraction of the contacts below first yield; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness.
+   */
+  double fraction_elastic;
+  /**
+   * Fraction of the contacts that are fully plastic.
+   */
+  double fraction_flowing;
 } asperity_state;
 
 /**
@@ -598,7 +639,8 @@ asperity_status asperity_params_init_unset_sized(struct asperity_params *params,
  * Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
  *
  * In the paper's units b = 1, G = 1, N = 1: E* = 2/(1 - nu), G* = 2, sigma = alpha beta, R = beta/alpha,
- * w = gamma E*, h = 1/(b/h). Loads are then P/(N G b^2). The other parameters stay as they are.
+ * w = gamma E*, h = 1/(b/h). Loads are then P/(N G b^2). `tangential_modulus` becomes 0, its default, which is exact
+ * here. The other parameters stay as they are.
  *
  * @param params    initialised parameters; must not be NULL; untouched on failure
  * @param alpha     (sigma/R)^(1/2) > 0, surface roughness
@@ -618,9 +660,10 @@ asperity_status asperity_params_set_dimensionless(struct asperity_params *params
                                                   double poisson);
 
 /**
- * Sets E* and G* from Young's modulus and Poisson's ratio of the two bodies.
+ * Sets E*, G* and `tangential_modulus` from Young's modulus and Poisson's ratio of the two bodies.
  *
- * 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 and G* = 2 G1 G2/(G1 + G2) with G = E/(2 (1 + nu)).
+ * 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, G* = 2 G1 G2/(G1 + G2) and 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2 with
+ * G = E/(2 (1 + nu)).
  *
  * @param params  initialised parameters; must not be NULL; untouched on failure
  * @param E1,E2   Young's moduli [stress] > 0; INFINITY is a rigid body, which at most one may be
@@ -636,7 +679,7 @@ asperity_status asperity_params_set_materials(struct asperity_params *params,
                                               double nu2);
 
 /**
- * Sets the roughness from the spectral moments of the profiles of an isotropic Gaussian surface.
+ * Sets the roughness and `nominal_area` from the spectral moments of the profiles of an isotropic Gaussian surface.
  *
  * m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile, which isotropy makes
  * the same in every direction. Two rough surfaces: add their moments. With the bandwidth alpha = m0 m4/m2^2, after

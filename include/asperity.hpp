@@ -154,6 +154,12 @@ enum class Heights : std::int32_t {
     tabulated = ASPERITY_HEIGHTS_TABULATED, ///< a measured density, see Params::table
 };
 
+/// Laws of one summit in contact.
+enum class ContactLaw : std::int32_t {
+    maugis = ASPERITY_CONTACT_MAUGIS,                   ///< elastic, with adhesion; the default
+    elastic_plastic = ASPERITY_CONTACT_ELASTIC_PLASTIC, ///< summits that yield: needs hardness, and no adhesion
+};
+
 /// Two rough elastic surfaces, in one consistent system of units of your choice.
 ///
 /// A value. Each parameter has a reader and a setter of its name; setters can be chained and check nothing, Model does.
@@ -198,7 +204,7 @@ public:
         return *this;
     }
 
-    /// Sets E* and G* from Young's moduli [stress] and Poisson's ratios of the two bodies; infinity is a rigid body.
+    /// Sets E*, G* and the tangential modulus from Young's moduli [stress] and Poisson's ratios of the two bodies; infinity is a rigid body.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_materials(double E1, double nu1, double E2, double nu2) {
@@ -206,7 +212,7 @@ public:
         return *this;
     }
 
-    /// Sets height_std, summit_radius and asperity_count from the variances of height [length^2], slope and curvature
+    /// Sets height_std, summit_radius, asperity_count and nominal_area from the variances of height [length^2], slope and curvature
     /// [1/length^2] along a profile of an isotropic Gaussian surface; those of two surfaces add.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
@@ -329,6 +335,21 @@ public:
     double hardness() const noexcept { return c_.hardness; }
     /// Sets H [stress].
     Params &hardness(double value) noexcept { return set(c_.hardness, value); }
+
+    /// G^ [stress]: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for contacts that stick; 0 is E* G* / (2 (E* + G*)).
+    double tangential_modulus() const noexcept { return c_.tangential_modulus; }
+    /// Sets G^ [stress].
+    Params &tangential_modulus(double value) noexcept { return set(c_.tangential_modulus, value); }
+
+    /// Nominal area of contact [length^2], with which warnings compare the real area; 0 is not known.
+    double nominal_area() const noexcept { return c_.nominal_area; }
+    /// Sets the nominal area [length^2].
+    Params &nominal_area(double value) noexcept { return set(c_.nominal_area, value); }
+
+    /// Law of one summit in contact.
+    ContactLaw contact_law() const noexcept { return static_cast<ContactLaw>(c_.contact_law); }
+    /// Sets the law of one summit in contact.
+    Params &contact_law(ContactLaw value) noexcept { return set(c_.contact_law, static_cast<std::int32_t>(value)); }
 
     /// The heights of the table; none by default.
     Span<const double> table_height() const noexcept {

@@ -34,5 +34,5 @@ mod unit_slips;
 
 pub use error::{Error, Value};
 pub use model::{Model, State, Summary, WARNING_PLASTIC};
-pub use params::{HeightFamily, Params};
+pub use params::{ContactLawKind, HeightFamily, Params};
 pub use sensitivity::Sensitivities;

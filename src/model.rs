@@ -119,6 +119,12 @@ pub struct State {
     pub plasticity_index: f64,
     /// [`WARNING_PLASTIC`], or 0.
     pub warnings: u64,
+    /// K_t [force/length]: force by displacement along the surfaces while all contacts stick.
+    pub tangential_stiffness: f64,
+    /// Fraction of the contacts below first yield; 1 where elastic contacts have no hardness to yield at.
+    pub fraction_elastic: f64,
+    /// Fraction of the contacts that are fully plastic.
+    pub fraction_flowing: f64,
 }
 
 /// Constants of a model.
@@ -516,6 +522,9 @@ impl Model {
             mean_asperity_pressure,
             plasticity_index,
             warnings: self.warnings(mean_asperity_pressure, plasticity_index),
+            tangential_stiffness: 0.0,
+            fraction_elastic: 1.0,
+            fraction_flowing: 0.0,
         })
     }
 

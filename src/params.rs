@@ -40,6 +40,15 @@ pub enum HeightFamily {
     },
 }
 
+/// The law of one summit in contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactLawKind {
+    /// Elastic, with adhesion after Maugis; without adhesion Hertz' law. Eqs (4)-(10).
+    Maugis,
+    /// Summits that yield, after Zhao, Maietta and Chang (2000): needs a hardness, and no adhesion.
+    ElasticPlastic,
+}
+
 /// Two rough elastic surfaces, as the equivalent rough surface against a flat.
 ///
 /// All quantities are in one consistent system of units. Loads, forces and areas are totals over
@@ -76,6 +85,13 @@ pub struct Params {
     pub max_friction_coefficient: f64,
     /// H [stress], indentation hardness of the softer body, to judge whether contacts are elastic; 0 if not known.
     pub hardness: f64,
+    /// G^ [stress]: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0 stands for
+    /// E* G* / (2 (E* + G*)), which is exact for two bodies of one material and for one rigid body.
+    pub tangential_modulus: f64,
+    /// Nominal area of contact [length^2], to judge whether summits crowd; 0 if not known.
+    pub nominal_area: f64,
+    /// The law of one summit in contact.
+    pub contact_law: ContactLawKind,
 }
 
 impl Default for Params {
@@ -97,6 +113,9 @@ impl Default for Params {
             slip: SlipConstants::default(),
             max_friction_coefficient: 1000.0,
             hardness: 0.0,
+            tangential_modulus: 0.0,
+            nominal_area: 0.0,
+            contact_law: ContactLawKind::Maugis,
         };
         params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
         params
@@ -140,7 +159,8 @@ impl Params {
         ]
     }
 
-    /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8).
+    /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8). The tangential
+    /// modulus becomes its default, which is that of this case.
     ///
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`]; the parameters are then as before.
@@ -166,6 +186,7 @@ impl Params {
     fn write_dimensionless(&mut self, alpha: f64, beta: f64, gamma: f64, b_over_h: f64, poisson: f64) {
         self.composite_modulus = 2.0 / (1.0 - poisson);
         self.effective_shear_modulus = 2.0;
+        self.tangential_modulus = 0.0;
         self.burgers_vector = 1.0;
         self.asperity_count = 1.0;
         self.height_std = alpha * beta;
@@ -174,7 +195,7 @@ impl Params {
         self.adhesion_range = 1.0 / b_over_h;
     }
 
-    /// E* and G* of two isotropic bodies; an infinite Young's modulus is a rigid body.
+    /// E*, G* and the tangential modulus of two isotropic bodies; an infinite Young's modulus is a rigid body.
     ///
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`]; the parameters are then as before.
@@ -201,11 +222,14 @@ impl Params {
             1.0 / (compliance(young_1, 1.0 - poisson_1 * poisson_1) + compliance(young_2, 1.0 - poisson_2 * poisson_2));
         self.effective_shear_modulus =
             1.0 / (compliance(young_1, 1.0 + poisson_1) + compliance(young_2, 1.0 + poisson_2));
+        let tangential = |poisson: f64| 2.0 * (1.0 + poisson) * (2.0 - poisson);
+        self.tangential_modulus =
+            1.0 / (compliance(young_1, tangential(poisson_1)) + compliance(young_2, tangential(poisson_2)));
         Ok(())
     }
 
-    /// Summits of an isotropic Gaussian surface: `height_std`, `summit_radius` and `asperity_count` from the spectral
-    /// moments of its profiles and its area.
+    /// Summits of an isotropic Gaussian surface: `height_std`, `summit_radius`, `asperity_count` and `nominal_area` from
+    /// the spectral moments of its profiles and its area.
     ///
     /// # Errors
     /// [`Error::InvalidParameter`], also for moments that no such surface has, or [`Error::OutOfRange`]; the parameters
@@ -225,6 +249,7 @@ impl Params {
         self.height_std = moments.summit_height_std();
         self.summit_radius = moments.summit_radius();
         self.asperity_count = moments.summit_density() * nominal_area;
+        self.nominal_area = nominal_area;
         Ok(())
     }
 
@@ -264,9 +289,16 @@ impl Params {
         if !infinite(self.max_friction_coefficient) {
             magnitude("max_friction_coefficient", self.max_friction_coefficient, "must be > 0; INFINITY is no cap")?;
         }
-        if self.hardness.to_bits() << 1 != 0 {
-            magnitude("hardness", self.hardness, "must be finite and >= 0; 0 is not known")?;
+        for (name, value, allowed) in [
+            ("hardness", self.hardness, "must be finite and >= 0; 0 is not known"),
+            ("tangential_modulus", self.tangential_modulus, "must be finite and >= 0; 0 is E* G* / (2 (E* + G*))"),
+            ("nominal_area", self.nominal_area, "must be finite and >= 0; 0 is not known"),
+        ] {
+            if value.to_bits() << 1 != 0 {
+                magnitude(name, value, allowed)?;
+            }
         }
+        self.check_contact_law()?;
 
         let groups = Groups {
             alpha: (self.height_std / self.summit_radius).sqrt(),
@@ -299,6 +331,18 @@ impl Params {
             });
         }
         Ok(RadiusProfile { amplitude, rate, origin })
+    }
+
+    /// No law but that of Maugis is there yet.
+    fn check_contact_law(&self) -> Result<(), Error> {
+        match self.contact_law {
+            ContactLawKind::Maugis => Ok(()),
+            ContactLawKind::ElasticPlastic => Err(Error::InvalidParameter {
+                name: "contact_law",
+                value: 1_i32.into(),
+                allowed: "must be ASPERITY_CONTACT_MAUGIS (0)",
+            }),
+        }
     }
 
     fn check_slip(&self) -> Result<(), Error> {

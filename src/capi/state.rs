@@ -64,6 +64,12 @@ pub struct asperity_state {
     pub plasticity_index: f64,
     /// Bits `ASPERITY_WARNING_...`: assumptions of the model that fail in this state; 0 if none is known to fail.
     pub warnings: u64,
+    /// K_t [force/length]: tangential force by displacement while all contacts stick.
+    pub tangential_stiffness: f64,
+    /// Fraction of the contacts below first yield; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness.
+    pub fraction_elastic: f64,
+    /// Fraction of the contacts that are fully plastic.
+    pub fraction_flowing: f64,
 }
 
 /// Constants of a model, in the units of the parameters.
@@ -123,6 +129,9 @@ impl asperity_state {
             mean_asperity_pressure: state.mean_asperity_pressure,
             plasticity_index: state.plasticity_index,
             warnings: state.warnings,
+            tangential_stiffness: state.tangential_stiffness,
+            fraction_elastic: state.fraction_elastic,
+            fraction_flowing: state.fraction_flowing,
         }
     }
 }

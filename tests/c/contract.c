@@ -62,8 +62,8 @@ static void sizes_and_offsets_do_not_change(void)
     CHECK(offsetof(type, field) == (expected), "offset of " #field)
     printf("sizeof(asperity_params) = %zu, asperity_state %zu, asperity_summary %zu\n", sizeof(asperity_params),
            sizeof(asperity_state), sizeof(asperity_summary));
-    CHECK(sizeof(asperity_params) >= 192, "asperity_params has lost a field");
-    CHECK(sizeof(asperity_state) >= 168, "asperity_state has lost a field");
+    CHECK(sizeof(asperity_params) >= 216, "asperity_params has lost a field");
+    CHECK(sizeof(asperity_state) >= 192, "asperity_state has lost a field");
     CHECK(sizeof(asperity_summary) >= 104, "asperity_summary has lost a field");
     OFFSET(asperity_params, struct_size, 0);
     OFFSET(asperity_params, composite_modulus, 8);
@@ -76,12 +76,18 @@ static void sizes_and_offsets_do_not_change(void)
     OFFSET(asperity_params, hardness, 160);
     OFFSET(asperity_params, table_height, 168);
     OFFSET(asperity_params, table_length, 184);
+    OFFSET(asperity_params, tangential_modulus, 192);
+    OFFSET(asperity_params, nominal_area, 200);
+    OFFSET(asperity_params, contact_law, 208);
+    OFFSET(asperity_params, reserved, 212);
     OFFSET(asperity_state, load, 8);
     OFFSET(asperity_state, friction_force, 24);
     OFFSET(asperity_state, attraction_load, 88);
     OFFSET(asperity_state, mean_contact_radius, 96);
     OFFSET(asperity_state, fraction_in_contact, 136);
     OFFSET(asperity_state, warnings, 160);
+    OFFSET(asperity_state, tangential_stiffness, 168);
+    OFFSET(asperity_state, fraction_flowing, 184);
     OFFSET(asperity_summary, alpha, 8);
     OFFSET(asperity_summary, pull_off_load, 56);
     OFFSET(asperity_summary, table_error, 96);
@@ -133,6 +139,8 @@ static void init_sets_the_default_case_of_the_paper(void)
     CHECK(p.max_friction_coefficient == 1000, "cap %g", p.max_friction_coefficient);
     CHECK(p.skew == 0 && p.kurtosis == 3 && p.hardness == 0, "appended numbers");
     CHECK(p.table_height == NULL && p.table_density == NULL && p.table_length == 0, "no table");
+    CHECK(p.tangential_modulus == 0 && p.nominal_area == 0 && p.contact_law == ASPERITY_CONTACT_MAUGIS && p.reserved == 0,
+          "what the second version appended");
 }
 
 static void what_was_never_set_is_named(void)
@@ -269,6 +277,8 @@ static void setters_set_what_they_say_and_nothing_else(void)
     CHECK(close_to(p.height_std, 10, 1e-15) && close_to(p.summit_radius, 25000, 1e-15), "sigma, R");
     CHECK(close_to(p.work_of_adhesion, 0.0075, 1e-15) && p.adhesion_range == 2, "w, h");
     CHECK(p.burgers_vector == 1 && p.asperity_count == 1, "b, N");
+    CHECK(p.tangential_modulus == 0, "G^ is the default again");
+    p.tangential_modulus = expected.tangential_modulus;
     CHECK(memcmp(&p.height_distribution, &expected.height_distribution,
                  sizeof p - offsetof(asperity_params, height_distribution)) == 0, "the rest changed");
 
@@ -278,9 +288,11 @@ static void setters_set_what_they_say_and_nothing_else(void)
     {
         const double g1 = 200e9 / 2.6, g2 = 70e9 / 2.68;
         CHECK(close_to(p.effective_shear_modulus, 2 * g1 * g2 / (g1 + g2), 1e-14), "G*");
+        CHECK(close_to(p.tangential_modulus, 1 / ((2 - 0.3) / g1 + (2 - 0.34) / g2), 1e-14), "G^");
     }
     expected.composite_modulus = p.composite_modulus;
     expected.effective_shear_modulus = p.effective_shear_modulus;
+    expected.tangential_modulus = p.tangential_modulus;
     CHECK(SAME(p, expected), "set_materials changed another field");
     CHECK(asperity_params_set_materials(&p, 200e9, 0.3, INFINITY, 0.3) == ASPERITY_OK, "%s", last_message());
     CHECK(close_to(p.composite_modulus, 200e9 / 0.91, 1e-14), "E* against a rigid body");
@@ -294,6 +306,8 @@ static void setters_set_what_they_say_and_nothing_else(void)
     expected.height_std = p.height_std;
     expected.summit_radius = p.summit_radius;
     expected.asperity_count = p.asperity_count;
+    CHECK(p.nominal_area == 11, "the area");
+    expected.nominal_area = 11;
     CHECK(SAME(p, expected), "set_spectral_moments changed another field");
 
     expected = p;
@@ -372,6 +386,8 @@ static const refused REFUSED[] = {
     { FIELD(max_friction_coefficient), 0, ASPERITY_INVALID_PARAMETER, "max_friction_coefficient = 0: must be > 0" },
     { FIELD(hardness), -1, ASPERITY_INVALID_PARAMETER, "hardness = -1: must be finite and >= 0" },
     { FIELD(hardness), NAN, ASPERITY_INVALID_PARAMETER, "hardness = NaN: must be finite and >= 0" },
+    { FIELD(tangential_modulus), -1, ASPERITY_INVALID_PARAMETER, "tangential_modulus = -1: must be finite and >= 0" },
+    { FIELD(nominal_area), NAN, ASPERITY_INVALID_PARAMETER, "nominal_area = NaN: must be finite and >= 0" },
     { FIELD(hardness), 1e41, ASPERITY_OUT_OF_RANGE, "hardness = 1e41: must be between 1e-40 and 1e40" },
     { FIELD(summit_radius), 1e-3, ASPERITY_OUT_OF_RANGE, "alpha = 100: " },
     { FIELD(work_of_adhesion), 1e3, ASPERITY_OUT_OF_RANGE, "gamma = " },

@@ -29,6 +29,9 @@ ASPERITY_HEIGHTS_WEIBULL = 1
 ASPERITY_HEIGHTS_JOHNSON = 2
 ASPERITY_HEIGHTS_TABULATED = 3
 
+ASPERITY_CONTACT_MAUGIS = 0
+ASPERITY_CONTACT_ELASTIC_PLASTIC = 1
+
 ASPERITY_WARNING_PLASTIC = 1
 
 ASPERITY_TABLE_LAYOUT = 1
@@ -68,6 +71,10 @@ class asperity_params(Structure):
         ("table_height", POINTER(c_double)),
         ("table_density", POINTER(c_double)),
         ("table_length", c_uint64),
+        ("tangential_modulus", c_double),
+        ("nominal_area", c_double),
+        ("contact_law", c_int32),
+        ("reserved", c_int32),
     ]
 
 
@@ -94,6 +101,9 @@ class asperity_state(Structure):
         ("mean_asperity_pressure", c_double),
         ("plasticity_index", c_double),
         ("warnings", c_uint64),
+        ("tangential_stiffness", c_double),
+        ("fraction_elastic", c_double),
+        ("fraction_flowing", c_double),
     ]
 
 

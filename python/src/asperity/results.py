@@ -55,6 +55,9 @@ class State:
         mean_asperity_pressure: load of the summits in contact over their real area [stress].
         plasticity_index: Greenwood and Williamson's E* (sigma/R)^(1/2)/H; 0 where the hardness is not given.
         warnings: what of the model does not hold in this state; 0 if nothing is known to fail.
+        tangential_stiffness: K_t [force/length], tangential force by displacement while all contacts stick.
+        fraction_elastic: fraction of the contacts below first yield; 1 for "maugis" without a hardness.
+        fraction_flowing: fraction of the contacts that are fully plastic.
     """
 
     load: float
@@ -77,6 +80,9 @@ class State:
     mean_asperity_pressure: float
     plasticity_index: float
     warnings: Warnings
+    tangential_stiffness: float
+    fraction_elastic: float
+    fraction_flowing: float
 
 
 @dataclass(frozen=True)
