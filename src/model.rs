@@ -356,7 +356,12 @@ impl Model {
         if sums.friction <= 0.0 {
             return refused("no friction that could change in proportion; must be heavier");
         }
-        Sensitivities::of(&self.params, population, separation, &sums)
+        let sensitivities = Sensitivities::of(&self.params, population, separation, &sums)?;
+        if sensitivities.are_finite() {
+            Ok(sensitivities)
+        } else {
+            Err(Self::not_evaluated(load))
+        }
     }
 
     /// Whether a load is that of the pull-off point.

@@ -4,6 +4,7 @@
 //! by the groups; the parameters in the caller's units act through groups and units alone.
 
 use crate::error::Error;
+use crate::float_bits::finite;
 use crate::params::{HeightFamily, Params, RADIUS_RATES};
 use crate::population::{Change, Changes, Population, Sums};
 
@@ -50,7 +51,7 @@ pub struct Sensitivities {
 }
 
 impl Sensitivities {
-    /// Of a population at a separation with these sums, the load falling with separation and with friction.
+    /// Of a population at a separation with these sums, where the load falls with separation and there is friction.
     ///
     /// # Errors
     /// [`Error::NotConverged`].
@@ -94,5 +95,13 @@ impl Sensitivities {
             kurtosis: johnson.map_or(0.0, |kurtosis| kurtosis * second),
             hardness: 0.0,
         })
+    }
+
+    /// Whether all are numbers; the others are parts of one.
+    pub(crate) fn are_finite(&self) -> bool {
+        let of_groups = [self.composite_modulus, self.work_of_adhesion, self.adhesion_range, self.burgers_vector];
+        let of_surface = [self.height_std, self.summit_radius, self.asperity_count, self.radius_amplitude];
+        let of_shape = [self.weibull_shape, self.radius_rate, self.skew, self.kurtosis];
+        [of_groups, of_surface, of_shape].iter().flatten().all(|&value| finite(value))
     }
 }
