@@ -110,7 +110,8 @@ mod tests {
                 RadiusProfile { amplitude: amplitude + by_amplitude, rate: rate * (1.0 + by_rate), origin }.factor(z)
             };
             for z in [-5.0, -1.0, 0.0, 0.3, 4.0] {
-                let secants = [factor(1e-6, 0.0, z) - factor(-1e-6, 0.0, z), factor(0.0, 1e-6, z) - factor(0.0, -1e-6, z)];
+                let secants =
+                    [factor(1e-6, 0.0, z) - factor(-1e-6, 0.0, z), factor(0.0, 1e-6, z) - factor(0.0, -1e-6, z)];
                 let changes = RadiusProfile { amplitude, rate, origin }.changes(z);
                 for (found, secant) in changes.into_iter().zip(secants) {
                     assert!((found - secant / 2e-6).abs() < 1e-9, "{amplitude} at {z}: {found}, not {}", secant / 2e-6);
