@@ -15,18 +15,23 @@ from .fit import Fit, fit
 from .model import Model
 from .params import Params
 from .results import State, Summary, Warnings
+from .sensitivity import Sensitivities
+from .uncertainty import Uncertainty, uncertainty
 
 __all__ = [
     "Error",
     "Fit",
     "Model",
     "Params",
+    "Sensitivities",
     "State",
     "Status",
     "Summary",
+    "Uncertainty",
     "Warnings",
     "__version__",
     "fit",
     "materials",
     "surface",
+    "uncertainty",
 ]

@@ -22,6 +22,7 @@ from ._library import LIBRARY
 from .errors import Error, Status, check
 from .params import Params
 from .results import State, Summary, Warnings
+from .sensitivity import Sensitivities
 
 Loads = Union["npt.NDArray[Any]", "list[Any]", "tuple[Any, ...]"]
 Array = npt.NDArray[np.float64]
@@ -147,6 +148,24 @@ class Model:
             Error: a separation that is not finite, or out of range.
         """
         return self._state(LIBRARY.asperity_state_at_separation, "separation", separation)
+
+    def sensitivities(self, load: float) -> Sensitivities:
+        """What the friction force at a load [force] changes by with each parameter: d(ln F)/d(ln p) at constant load.
+
+        `print(model.sensitivities(load).by_size())` lists them, `.plot()` draws them. They grow without limit next to the
+        pull-off load.
+
+        Raises:
+            Error: a load below the pull-off load (status SEPARATED), not finite, or out of range: the pull-off load itself,
+                zero without adhesion, or too heavy.
+            TypeError: not a number; an array takes a loop.
+        """
+        if not isinstance(load, numbers.Real):
+            raise TypeError(f"load = {load!r}: must be one number; for many, [model.sensitivities(x) for x in ...]")
+        struct = _header.asperity_sensitivities(struct_size=ctypes.sizeof(_header.asperity_sensitivities))
+        handle = self._open()
+        check(LIBRARY.asperity_sensitivities_at_load(handle.pointer, float(load), ctypes.byref(struct)))
+        return Sensitivities(float(load), *_values(struct))
 
     def summary(self) -> Summary:
         """The constants of the model: dimensionless groups, pull-off load, range and error of the compiled law."""
