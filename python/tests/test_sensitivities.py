@@ -30,7 +30,7 @@ def test_sensitivities_are_differences_of_models(params: Params, name: str) -> N
 
 
 def test_the_struct_has_the_fields() -> None:
-    theirs = [name for name, _ in _header.asperity_sensitivities._fields_ if name != "struct_size"]
+    theirs = [field[0] for field in _header.asperity_sensitivities._fields_[1:]]
     assert [field.name for field in fields(Sensitivities)] == ["load", *theirs]
 
 
@@ -95,6 +95,8 @@ def test_forces_have_a_band_where_coefficients_have_none(sticky: Params) -> None
     assert (found.low > 0).all() and found.deviation[0] > found.deviation[1] > found.deviation[2]
     with pytest.raises(ValueError, match="must be > 0 for coefficients"):
         uncertainty(sticky, {"gamma": 0.05}, loads)
+    with pytest.raises(Error, match="below the pull-off load"):
+        uncertainty(sticky, {"gamma": 0.05}, [2.1 * loads[0]], quantity="force")
 
 
 def test_a_fit_brings_its_spread_and_correlations_with_it(params: Params) -> None:
@@ -138,5 +140,7 @@ def test_what_cannot_be_used_is_refused(params: Params, arguments: dict[str, Any
 
 def test_a_band_is_drawn(params: Params, tmp_path: Path) -> None:
     figure = uncertainty(params, {"sigma": 0.1, "w": 0.2}, LOADS).plot(tmp_path / "band.svg")
-    assert [text.get_text() for text in figure.axes[1].get_legend().get_texts()] == ["sigma", "w", "all"]
+    legend = figure.axes[1].get_legend()
+    assert legend is not None
+    assert [text.get_text() for text in legend.get_texts()] == ["sigma", "w", "all"]
     assert (tmp_path / "band.svg").stat().st_size > 1000

@@ -136,9 +136,12 @@ class Search:
         return np.stack([self._derivative(x, i) for i in range(x.size)], axis=1)
 
     def exact_jacobian(self, x: Array) -> Array:
-        """The same by the library's sensitivities: what the data do not change with is 0."""
+        """The same by the library's sensitivities. Up to the pull-off load, where they are infinite, data do not count."""
+        load = self.data.load
+        slopes = np.zeros((load.size, x.size))
         with Model(self.surfaces(x)) as model:
-            slopes = log_slopes(self.surfaces, x, self.low, self.high, model, self.data.load)
+            counts = load > model.summary().pull_off_load
+            slopes[counts] = log_slopes(self.surfaces, x, self.low, self.high, model, load[counts])
         return slopes * (self.friction(x) * self.data.weight)[:, None]
 
     def _derivative(self, x: Array, i: int) -> Array:

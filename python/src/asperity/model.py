@@ -160,12 +160,11 @@ class Model:
                 zero without adhesion, or too heavy.
             TypeError: not a number; an array takes a loop.
         """
-        if not isinstance(load, numbers.Real):
-            raise TypeError(f"load = {load!r}: must be one number; for many, [model.sensitivities(x) for x in ...]")
-        struct = _header.asperity_sensitivities(struct_size=ctypes.sizeof(_header.asperity_sensitivities))
+        at = _number("load", load, "sensitivities")
         handle = self._open()
-        check(LIBRARY.asperity_sensitivities_at_load(handle.pointer, float(load), ctypes.byref(struct)))
-        return Sensitivities(float(load), *_values(struct))
+        struct = _header.asperity_sensitivities(struct_size=ctypes.sizeof(_header.asperity_sensitivities))
+        check(LIBRARY.asperity_sensitivities_at_load(handle.pointer, at, ctypes.byref(struct)))
+        return Sensitivities(at, *_values(struct))
 
     def summary(self) -> Summary:
         """The constants of the model: dimensionless groups, pull-off load, range and error of the compiled law."""
@@ -200,9 +199,7 @@ class Model:
         return handle
 
     def _state(self, call: Any, name: str, at: Any) -> State:
-        if not isinstance(at, numbers.Real):
-            raise TypeError(f"{name} = {at!r}: must be one number; for many, [model.state_at_{name}(x) for x in ...]")
-        return _state(self._open(), call, float(at))
+        return _state(self._open(), call, _number(name, at, f"state_at_{name}"))
 
     def _evaluate(self, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool) -> Any:
         handle = self._open()
@@ -217,6 +214,12 @@ class Model:
         if math.isnan(value):  # quiet, where a comparison of Python's may raise a floating-point exception
             _refuse(handle, float(load))
         return (value, found.value) if slope else value
+
+
+def _number(name: str, at: Any, method: str) -> float:
+    if not isinstance(at, numbers.Real):
+        raise TypeError(f"{name} = {at!r}: must be one number; for many, [model.{method}(x) for x in ...]")
+    return float(at)
 
 
 def _as_array(load: Any) -> Array:
@@ -260,9 +263,8 @@ def _refuse(handle: _Handle, load: float, index: tuple[Any, ...] = ()) -> None:
 def _state(handle: _Handle, call: Any, at: float) -> State:
     struct = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
     check(call(handle.pointer, at, ctypes.byref(struct)))
-    values = _values(struct)
-    values[-1] = Warnings(values[-1])
-    return State(*values)
+    values = {field[0]: getattr(struct, field[0]) for field in struct._fields_[1:]}
+    return State(**values | {"warnings": Warnings(struct.warnings)})
 
 
 def _values(struct: ctypes.Structure) -> list[Any]:

@@ -12,8 +12,6 @@ from typing import TYPE_CHECKING, Callable
 import numpy as np
 import numpy.typing as npt
 
-from .errors import Error, Status
-
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -124,20 +122,11 @@ NAMES = tuple(field.name for field in fields(Sensitivities) if field.name != "lo
 def log_slopes(
     surfaces: Callable[[Array], Params], x: Array, low: Array, high: Array, model: Model, loads: Array
 ) -> Array:
-    """d(ln F)/dx, (loads, coordinates), of `model`, which is that of `surfaces(x)`; 0 where there is no friction.
-
-    `low` and `high` are between what the coordinates may be.
-    """
+    """d(ln F)/dx, (loads, coordinates), of `model`, which is that of `surfaces(x)`; `low` and `high` are its bounds."""
     changes = np.stack([_changes(surfaces, x, i, low, high) for i in range(x.size)], axis=1)
-    slopes = np.zeros((loads.size, x.size))
-    for i, load in enumerate(loads):
-        try:
-            found = model.sensitivities(float(load))
-        except Error as error:
-            if error.status == Status.SEPARATED or model.friction_force_at_load(float(load)) == 0:
-                continue
-            raise
-        slopes[i] = np.array([getattr(found, name) for name in NAMES]) @ changes
+    found = [model.sensitivities(load) for load in loads.tolist()]
+    by_parameters = np.array([[getattr(one, name) for name in NAMES] for one in found]).reshape(-1, len(NAMES))
+    slopes: Array = by_parameters @ changes
     return slopes
 
 
@@ -149,7 +138,8 @@ def _changes(surfaces: Callable[[Array], Params], x: Array, i: int, low: Array, 
         at[i] = end
         ends.append((end, surfaces(at)))
     (start, below), (stop, above) = ends
-    return np.array([_change(name, below, above) for name in NAMES]) / (stop - start)
+    changes: Array = np.array([_change(name, below, above) for name in NAMES]) / (stop - start)
+    return changes
 
 
 def _change(name: str, below: Params, above: Params) -> float:
