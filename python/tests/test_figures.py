@@ -24,6 +24,7 @@ PICTURES = {
     **{f"figure-{number}.svg": [5] for number in range(8, 11)},
     "kurtosis.svg": [6, 3],
     "regimes.svg": [2, 2, 2],
+    "sensitivities.svg": [6],
 }
 
 

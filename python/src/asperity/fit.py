@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 
-# A direction that changes no friction by more than this part of it per unit of the search is lost in that error.
+# A direction that changes no friction by more than this part of it per unit of the search has no effect to be measured.
 _NO_EFFECT = 1e-6
 # Correlations above this are named: the data fix a combination of the two far better than either.
 _CORRELATED = 0.99
