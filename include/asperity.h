@@ -1041,6 +1041,68 @@ double asperity_slip_force(const struct asperity_model *model,
                            double *dforce_dslip_rate);
 
 /**
+ * Tangential stiffness K_t at a load: tangential force by displacement of the surfaces while all contacts stick.
+ *
+ * K_t = 8 G^ times the sum of the contact radii. The friction force over K_t is the length before gross slip: what
+ * solvers call bristle deflection or elastic slip. At a constant load the tangential force is `asperity_tangential_at_load`.
+ *
+ * @param model  a model
+ * @param load   normal load [force]
+ * @return K_t [force/length], positive also at zero and negative load down to pull-off; 0 below pull-off and, without
+ *         adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a
+ *         NULL model
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_tangential_stiffness_at_load(const struct asperity_model *model,
+                                             double load);
+
+/**
+ * Tangential stiffnesses at many loads.
+ *
+ * Every element has the bits that `asperity_tangential_stiffness_at_load` gives. All elements are filled; then the first
+ * load that is not in order, if any, is reported, and `asperity_last_error` names its index.
+ *
+ * @param model      must not be NULL
+ * @param n          number of loads; may be 0
+ * @param load       n loads [force]; must not be NULL unless n = 0
+ * @param stiffness  receives n stiffnesses [force/length]; NULL to skip; may be `load` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+ *         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the stiffness is NaN)
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_tangential_stiffness_at_loads(const struct asperity_model *model,
+                                                       size_t n,
+                                                       const double *load,
+                                                       double *stiffness);
+
+/**
+ * The tangential force T at a load and a displacement, by integration over the summits, without the table.
+ *
+ * Each contact sticks with its stiffness until its force is its strength, then slips: T rises from K_t times the
+ * displacement to the friction force F, with small contacts slipping first. From a surface pair without tangential force,
+ * at constant load. After a reversal at displacement r, where the force is T_r, Masing's rule gives
+ * T = T_r - 2 T((r - displacement)/2).
+ *
+ * @param model         must not be NULL
+ * @param load          normal load [force], from the pull-off load upwards
+ * @param displacement  of the surfaces along each other [length]; T is an odd function of it
+ * @param force         receives T [force]; NULL to skip; untouched on failure
+ * @param stiffness     receives dT/d(displacement) [force/length]; NULL to skip; untouched on failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a displacement that is not finite),
+ *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
+ *         `ASPERITY_OUT_OF_MEMORY`
+ *
+ * Threads: may share the model.
+ */
+asperity_status asperity_tangential_at_load(const struct asperity_model *model,
+                                            double load,
+                                            double displacement,
+                                            double *force,
+                                            double *stiffness);
+
+/**
  * The exact state at a load, by integration over the summits, without the table.
  *
  * @param model  must not be NULL

@@ -568,6 +568,47 @@ public:
         return result;
     }
 
+    /// Tangential stiffness K_t [force/length] at a normal load [force]: force by displacement while all contacts stick.
+    ///
+    /// Positive down to pull-off; 0 below and, without adhesion, at zero load; a quiet NaN for a NaN or infinite load.
+    double tangential_stiffness_at_load(double load) const noexcept {
+        return asperity_tangential_stiffness_at_load(handle_.get(), load);
+    }
+
+    /// Tangential stiffnesses at many loads, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as tangential_stiffness_at_load gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param loads      normal loads [force]
+    /// @param stiffness  receives as many stiffnesses [force/length]; may be `loads` itself
+    /// @return as for coefficients
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    Status tangential_stiffness_at_load(Span<const double> loads, Span<double> stiffness) const {
+        return many(stiffnesses, loads, stiffness, {});
+    }
+
+    /// Tangential stiffnesses [force/length] at many loads.
+    ///
+    /// 0 below pull-off, where the contact is open. Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_OUT_OF_RANGE) that names
+    /// the first load that is NaN, infinite or too heavy to be evaluated.
+    std::vector<double> tangential_stiffness_at_load(Span<const double> loads) const {
+        std::vector<double> stiffness(loads.size());
+        answered(stiffnesses, loads, stiffness, {});
+        return stiffness;
+    }
+
+    /// The tangential force T [force] at a load and a displacement [length], and dT/d(displacement) [force/length], exact.
+    ///
+    /// T rises from K_t times the displacement to the friction force: small contacts slip first. It is an odd function of
+    /// the displacement. After a reversal at displacement r: T = T_r - 2 T((r - displacement)/2).
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE,
+    /// ASPERITY_NOT_CONVERGED).
+    ValueAndSlope tangential_at_load(double load, double displacement) const {
+        ValueAndSlope force;
+        check(asperity_tangential_at_load(handle_.get(), load, displacement, &force.value, &force.slope));
+        return force;
+    }
+
     /// The exact state at a load [force], from the pull-off load upwards: integrates the model, uses no table.
     ///
     /// Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
@@ -626,6 +667,11 @@ private:
     struct Free {
         void operator()(asperity_model *model) const noexcept { asperity_free(model); }
     };
+
+    static asperity_status stiffnesses(const asperity_model *model, std::size_t n, const double *load,
+                                       double *stiffness, double *) {
+        return asperity_tangential_stiffness_at_loads(model, n, load, stiffness);
+    }
 
     Status many(Batch batch, Span<const double> loads, Span<double> value, Span<double> slope) const {
         require_size("values", value.size(), loads.size());

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-/// How many groups there are.
-pub const GROUPS: usize = 4;
+/// How many groups that are numbers there are.
+pub const GROUPS: usize = 5;
 
 /// What a contact depends on beside its heights and radii.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,6 +16,10 @@ pub struct Groups {
     pub gamma: f64,
     /// Burgers vector over the range of adhesion, b/h.
     pub b_over_h: f64,
+    /// Hardness over composite modulus, H/E*; infinite where it is not known.
+    pub hardness: f64,
+    /// Whether summits yield.
+    pub yields: bool,
 }
 
 impl Groups {
@@ -29,8 +33,8 @@ impl Groups {
     #[cfg(test)]
     pub fn grown(&self, which: usize, log_change: f64) -> Self {
         let mut groups = *self;
-        let Self { alpha, beta, gamma, b_over_h } = &mut groups;
-        *[alpha, beta, gamma, b_over_h][which] *= log_change.exp();
+        let Self { alpha, beta, gamma, b_over_h, hardness, .. } = &mut groups;
+        *[alpha, beta, gamma, b_over_h, hardness][which] *= log_change.exp();
         groups
     }
 

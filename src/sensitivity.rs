@@ -46,7 +46,7 @@ pub struct Sensitivities {
     pub skew: f64,
     /// To the kurtosis of Johnson's heights, at fixed skew.
     pub kurtosis: f64,
-    /// To H.
+    /// To H; 0 where contacts are elastic.
     pub hardness: f64,
 }
 
@@ -70,13 +70,13 @@ impl Sensitivities {
         let force_per_load = sums.friction_slope / sums.load_slope;
         let at_load = |change: Change| (change.friction - force_per_load * change.load) / sums.friction;
         let by_load = force_per_load * sums.load() / sums.friction;
-        let [alpha, beta, gamma, b_over_h] = by_groups.map(at_load);
+        let [alpha, beta, gamma, b_over_h, hardness] = by_groups.map(at_load);
         let [amplitude, rate] = by_radius.map(at_load);
         let [first, second] = by_heights.map(at_load);
         let [slip_radius_1, slip_stress_1, slip_radius_2, slip_stress_2] =
             friction_by_slip.map(|change| change / sums.friction);
         Ok(Self {
-            composite_modulus: -by_load - gamma,
+            composite_modulus: -by_load - gamma - hardness,
             effective_shear_modulus: 1.0,
             work_of_adhesion: gamma,
             adhesion_range: -b_over_h,
@@ -93,7 +93,7 @@ impl Sensitivities {
             slip_stress_2,
             skew: johnson.map_or(0.0, |_| first),
             kurtosis: johnson.map_or(0.0, |kurtosis| kurtosis * second),
-            hardness: 0.0,
+            hardness,
         })
     }
 
@@ -102,6 +102,6 @@ impl Sensitivities {
         let of_groups = [self.composite_modulus, self.work_of_adhesion, self.adhesion_range, self.burgers_vector];
         let of_surface = [self.height_std, self.summit_radius, self.asperity_count, self.radius_amplitude];
         let of_shape = [self.weibull_shape, self.radius_rate, self.skew, self.kurtosis];
-        [of_groups, of_surface, of_shape].iter().flatten().all(|&value| finite(value))
+        [of_groups, of_surface, of_shape, [self.hardness; 4]].iter().flatten().all(|&value| finite(value))
     }
 }

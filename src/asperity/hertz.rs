@@ -56,10 +56,10 @@ impl ContactLaw for Hertz {
         let Contact { radius, load, .. } = self.at(parameter, g);
         let by_alpha = GroupChange { load, ..GroupChange::default() };
         let by_beta = GroupChange { radius, load: 2.0 * load, ..GroupChange::default() };
-        [by_alpha, by_beta, GroupChange::default(), GroupChange::default()]
+        [by_alpha, by_beta, GroupChange::default(), GroupChange::default(), GroupChange::default()]
     }
 
-    fn distance_to_singularity(&self, _parameter: f64) -> f64 {
+    fn distance_to_singularity(&self, _parameter: f64, _g: f64) -> f64 {
         f64::INFINITY
     }
 }
@@ -72,7 +72,8 @@ mod tests {
     #[test]
     fn load_and_radius_are_those_of_hertz() {
         let (alpha, beta) = (0.02, 300.0);
-        let law = Hertz::new(&Groups { alpha, beta, gamma: 0.0, b_over_h: 1.0 });
+        let law =
+            Hertz::new(&Groups { alpha, beta, gamma: 0.0, b_over_h: 1.0, hardness: f64::INFINITY, yields: false });
         for g in [0.3, 1.0, 1.8] {
             for overlap in [1e-200, 1e-3, 0.5, 40.0] {
                 let contact = law.at_overlap(overlap, g, 0.0);
@@ -88,9 +89,17 @@ mod tests {
 
     #[test]
     fn rates_are_slopes_of_secants() {
-        let law = Hertz::new(&Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0 });
+        let law = Hertz::new(&Groups {
+            alpha: 0.02,
+            beta: 300.0,
+            gamma: 0.0,
+            b_over_h: 1.0,
+            hardness: f64::INFINITY,
+            yields: false,
+        });
         assert_rates_are_secants(&law, &[0.1, 1.0, 30.0]);
-        let groups = Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0 };
+        let groups =
+            Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0, hardness: f64::INFINITY, yields: false };
         assert_group_changes_are_secants(Hertz::new, &groups, &[0.1, 1.0, 30.0]);
     }
 }

@@ -20,6 +20,7 @@ fn committed_header_is_what_the_sources_generate() {
         "model",
         "evaluate",
         "slope",
+        "tangential",
         "state",
         "table",
         "sensitivities",

