@@ -43,7 +43,12 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_CONTACT_MAUGIS = 0           ! elastic, with adhesion
   integer(c_int32_t), parameter, public :: ASPERITY_CONTACT_ELASTIC_PLASTIC = 1  ! summits yield; needs hardness, no adhesion
 
-  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! contacts yield: the model does not hold
+  ! Bits of warnings; asperity_warning_text tells what to do about each.
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! summits yield, the contact law is elastic
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_CROWDED = 2  ! summits do not act alone
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_STEEP = 4    ! contacts too large for their summits
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ATOMIC = 8   ! contacts too small for continuum mechanics
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW = 16     ! too few contacts for a mean over surfaces
 
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1     ! compare with asperity_table%layout_version
 
@@ -381,6 +386,22 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_state_at_separation
 
+    ! The warnings of all states from one load [force] to a heavier one.
+    function asperity_check_loads(model, lightest, heaviest, warnings) result(status) bind(c)
+      import :: c_double, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: lightest, heaviest
+      integer(c_int64_t), intent(inout) :: warnings       ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_check_loads
+
+    ! What one warning says, a C string; asperity_warning_text is easier.
+    function asperity_warning_string(warning) result(text) bind(c)
+      import :: c_int64_t, c_ptr
+      integer(c_int64_t), intent(in), value :: warning
+      type(c_ptr) :: text
+    end function asperity_warning_string
+
     ! The constants of a model.
     function asperity_summary_of(model, summary) result(status) bind(c)
       import :: asperity_summary, c_int32_t, c_ptr
@@ -466,6 +487,7 @@ module asperity
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
   public :: asperity_sensitivities_at_load
+  public :: asperity_check_loads, asperity_warning_string
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
   public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
   public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
@@ -567,6 +589,12 @@ module asperity
     !   sensitivities  type(asperity_sensitivities), intent(inout); as it was on failure
     procedure, public :: sensitivities_at_load => model_sensitivities_at_load
 
+    ! call law%check_loads(lightest, heaviest, warnings [, stat] [, errmsg])
+    !   lightest, heaviest  real(c_double), intent(in) [force]
+    !   warnings            integer(c_int64_t), intent(inout): the bits ASPERITY_WARNING_ of all states between, 0 if
+    !                       nothing is known to fail; as it was on failure
+    procedure, public :: check_loads => model_check_loads
+
     ! call law%summary(constants [, stat] [, errmsg])
     !   constants  type(asperity_summary), intent(inout); as it was on failure
     procedure, public :: summary => model_summary
@@ -587,6 +615,7 @@ module asperity
   end type friction_model
 
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
+  public :: asperity_warning_text
 
   abstract interface
     function batch_function(model, n, load, value, slope) result(status) bind(c)
@@ -684,6 +713,13 @@ contains
     character(:), allocatable :: text
     text = fortran_text(asperity_status_string(status))
   end function asperity_status_text
+
+  ! What one bit of warnings says: what fails and what to do about it.
+  function asperity_warning_text(warning) result(text)
+    integer(c_int64_t), intent(in) :: warning
+    character(:), allocatable :: text
+    text = fortran_text(asperity_warning_string(warning))
+  end function asperity_warning_text
 
   ! The version of the library loaded, 'major.minor.patch'.
   function asperity_version_text() result(text)
@@ -802,6 +838,16 @@ contains
     if (.not. is_created(self, stat, errmsg)) return
     call report(asperity_sensitivities_at_load(self%handle, load, sensitivities), stat, errmsg)
   end subroutine model_sensitivities_at_load
+
+  subroutine model_check_loads(self, lightest, heaviest, warnings, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in) :: lightest, heaviest
+    integer(c_int64_t), intent(inout) :: warnings
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. is_created(self, stat, errmsg)) return
+    call report(asperity_check_loads(self%handle, lightest, heaviest, warnings), stat, errmsg)
+  end subroutine model_check_loads
 
   subroutine model_summary(self, constants, stat, errmsg)
     class(friction_model), intent(in), target :: self

@@ -127,11 +127,34 @@
 #define ASPERITY_CONTACT_ELASTIC_PLASTIC 1
 
 /**
- * Bit of `warnings`: contacts yield, so that the elastic model does not hold. Set if the mean asperity pressure is at
- * least 0.4 of the hardness (yield sets in below the contact) or the plasticity index is above 1 (contacts flow at any
- * load). Never set if no hardness is given.
+ * Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
+ * hardness (yield sets in below the contact) or the plasticity index above 1 (contacts flow at any load). Never set if no
+ * hardness is given, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding.
  */
 #define ASPERITY_WARNING_PLASTIC 1
+
+/**
+ * Bit of `warnings`: summits do not act alone. Set if more than 10 % of them touch, or if the real area is more than 10 %
+ * of `nominal_area`, where that is given.
+ */
+#define ASPERITY_WARNING_CROWDED 2
+
+/**
+ * Bit of `warnings`: contacts are not small. Set if their radii are more than a tenth of those of their summits, on
+ * average.
+ */
+#define ASPERITY_WARNING_STEEP 4
+
+/**
+ * Bit of `warnings`: contacts have few atoms. Set if their mean radius is below `burgers_vector`.
+ */
+#define ASPERITY_WARNING_ATOMIC 8
+
+/**
+ * Bit of `warnings`: the sums are no means over surfaces at this load. Set if fewer than 20 summits touch; never if
+ * `asperity_count` is 1, whose loads are those of a mean summit.
+ */
+#define ASPERITY_WARNING_FEW 16
 
 /**
  * Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
@@ -1144,6 +1167,37 @@ asperity_status asperity_state_at_separation(const struct asperity_model *model,
  */
 asperity_status asperity_summary_of(const struct asperity_model *model,
                                     struct asperity_summary *summary);
+
+/**
+ * The warnings of all states from one load to another: whether the law holds for a contact that meets these loads.
+ *
+ * It looks at some hundred exact states, in milliseconds: for the start of a run, not for its inner loop.
+ *
+ * @param model     must not be NULL
+ * @param lightest  normal load [force], from the pull-off load upwards; without adhesion above 0, where nothing touches
+ * @param heaviest  normal load [force], not below `lightest`
+ * @param warnings  receives every bit `ASPERITY_WARNING_...` that is set in a state between; 0 if nothing is known to
+ *                  fail; must not be NULL; untouched on failure
+ * @return `ASPERITY_OK`, also if there are warnings; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`lightest` is
+ *         above `heaviest`), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`,
+ *         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+ *
+ * Threads: may share the model.
+ */
+asperity_status asperity_check_loads(const struct asperity_model *model,
+                                     double lightest,
+                                     double heaviest,
+                                     uint64_t *warnings);
+
+/**
+ * Says of one warning what fails and what to do about it.
+ *
+ * @param warning  one bit `ASPERITY_WARNING_...`
+ * @return a constant string, never NULL; "no warning" for 0, "unknown warning" for a number that is not one known bit
+ *
+ * Threads: any.
+ */
+const char *asperity_warning_string(uint64_t warning);
 
 /**
  * Gives a view of the compiled law of a model.

@@ -59,6 +59,9 @@ inline std::uint32_t abi_version() noexcept { return asperity_abi_version(); }
 /// What a status means, in a few words; a constant string.
 inline const char *status_string(Status status) noexcept { return asperity_status_string(status); }
 
+/// What a single bit ASPERITY_WARNING_ says: what fails and what to do about it; a constant string.
+inline const char *warning_string(std::uint64_t warning) noexcept { return asperity_warning_string(warning); }
+
 /// Why a call failed: the status, and in what() a message that names parameter, value and what is allowed.
 class Error : public std::runtime_error {
 public:
@@ -638,6 +641,16 @@ public:
         sensitivities.struct_size = sizeof sensitivities;
         check(asperity_sensitivities_at_load(handle_.get(), load, &sensitivities));
         return sensitivities;
+    }
+
+    /// The bits ASPERITY_WARNING_ of all states from one load [force] to a heavier one: whether the law holds for a contact
+    /// that meets these loads; 0 if nothing is known to fail.
+    ///
+    /// Takes milliseconds. Throws Error as state_at_load, and ASPERITY_INVALID_PARAMETER if lightest is above heaviest.
+    std::uint64_t check_loads(double lightest, double heaviest) const {
+        std::uint64_t warnings = 0;
+        check(asperity_check_loads(handle_.get(), lightest, heaviest, &warnings));
+        return warnings;
     }
 
     /// The constants of the model: dimensionless groups, pull-off, extent and error of the compiled law.

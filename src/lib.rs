@@ -31,8 +31,10 @@ pub mod regularised;
 mod sensitivity;
 pub mod spectrum;
 mod unit_slips;
+mod validity;
 
 pub use error::{Error, Value};
-pub use model::{Model, State, Summary, WARNING_PLASTIC};
+pub use model::{Model, State, Summary};
 pub use params::{ContactLawKind, HeightFamily, Params};
 pub use sensitivity::Sensitivities;
+pub use validity::{WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP};

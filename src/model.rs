@@ -12,6 +12,7 @@ use crate::law::{Law, Quantity, Table, Unfollowed};
 use crate::params::Params;
 use crate::population::{Population, Statistics, Sums};
 use crate::sensitivity::Sensitivities;
+use crate::validity::{warnings_between, Measures};
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
@@ -19,13 +20,6 @@ const HEAVIEST_LOAD: f64 = 1e80;
 const LARGEST_COEFFICIENT: f64 = 1e140;
 /// No load curve has more minima than this.
 const MOST_MINIMA: usize = 8;
-/// The mean pressure of an elastic contact, over the hardness, at which yield sets in below its surface: 1.1 of the
-/// yield stress, of which the hardness is 2.8 (Johnson, Contact Mechanics, 1985, sections 6.1 and 6.2).
-const YIELD_PRESSURE: f64 = 0.4;
-/// The plasticity index above which contacts flow at any load (Greenwood and Williamson, Proc. R. Soc. A 295, 1966).
-const PLASTIC_INDEX: f64 = 1.0;
-/// Set in [`State::warnings`] where the elastic assumption fails.
-pub const WARNING_PLASTIC: u64 = 1;
 /// Displacements, as force over radius of a contact that sticks, in G* b: from the larger on all contacts slip, below the
 /// smaller none does.
 const LARGEST_DISPLACEMENT: f64 = 1e200;
@@ -123,7 +117,9 @@ pub struct State {
     pub mean_asperity_pressure: f64,
     /// Greenwood and Williamson's plasticity index E* (sigma/R)^(1/2)/H, the same in every state; 0 without a hardness.
     pub plasticity_index: f64,
-    /// [`WARNING_PLASTIC`], or 0.
+    /// Mean of the contact radii over the radii of their summits.
+    pub mean_steepness: f64,
+    /// Bits `WARNING_...`, for example [`WARNING_FEW`](crate::WARNING_FEW): what the model assumes and this state lacks.
     pub warnings: u64,
     /// K_t [force/length]: force by displacement along the surfaces while all contacts stick.
     pub tangential_stiffness: f64,
@@ -459,6 +455,30 @@ impl Model {
         Ok((tangential.copysign(displacement), slipping.sticking / slipping.radius * stiffness))
     }
 
+    /// The warnings of all states between two loads, both included.
+    ///
+    /// # Errors
+    /// Those of [`Model::state_at_load`], and [`Error::InvalidParameter`] if `lightest` is above `heaviest`.
+    pub fn check_loads(&self, lightest: f64, heaviest: f64) -> Result<u64, Error> {
+        let (farthest, light) = self.equilibrium_at(lightest)?;
+        let (nearest, heavy) = self.equilibrium_at(heaviest)?;
+        if lightest > heaviest {
+            return Err(Error::InvalidParameter {
+                name: "lightest",
+                value: lightest.into(),
+                allowed: "must not be above heaviest",
+            });
+        }
+        let measures = |separation: f64, sums: &Sums| -> Result<Measures, Error> {
+            // None looks at the largest contact.
+            let contacts = self.contacts(separation, sums, (sums.contacting * self.units.count).min(1.0))?;
+            Ok(Measures::new(&self.params, &self.state_of(sums.load() * self.units.load, separation, sums, &contacts)))
+        };
+        let ends = measures(farthest, &light)?.warnings() | measures(nearest, &heavy)?.warnings();
+        let population = self.branch.population();
+        Ok(ends | warnings_between(nearest, farthest, |d| measures(d, &population.at_separation(d)))?)
+    }
+
     /// The exact state at a separation, in contact or not, on the branch of load control or beyond it.
     ///
     /// # Errors
@@ -552,7 +572,20 @@ impl Model {
     }
 
     fn state(&self, load: f64, separation: f64, sums: &Sums) -> Result<State, Error> {
-        let sums = &sums.known(separation)?;
+        let contacts = self.contacts(separation, sums, sums.contacting * self.units.count)?;
+        Ok(self.state_of(load, separation, sums, &contacts))
+    }
+
+    /// The contacts behind the sums, and the largest of so many.
+    fn contacts(&self, separation: f64, sums: &Sums, number: f64) -> Result<Statistics, Error> {
+        sums.known(separation)?;
+        match number > 0.0 {
+            true => self.branch.population().statistics(separation, number),
+            false => Ok(Statistics::default()),
+        }
+    }
+
+    fn state_of(&self, load: f64, separation: f64, sums: &Sums, contacts: &Statistics) -> State {
         let units = &self.units;
         let friction_force = sums.friction * units.force;
         let dforce_dload = self.slope(separation, sums.friction_slope * units.force, sums);
@@ -564,16 +597,10 @@ impl Model {
         } else {
             (0.0, 0.0)
         };
-        let contacting = sums.contacting * units.count;
-        let contacts = match contacting > 0.0 {
-            true => self.branch.population().statistics(separation, contacting)?,
-            false => Statistics::default(),
-        };
         let [below, between, above] = contacts.by_regime;
         let mean_asperity_pressure =
             if sums.area > 0.0 { sums.load_contacting / sums.area * self.params.composite_modulus } else { 0.0 };
-        let plasticity_index = self.plasticity_index();
-        Ok(State {
+        let mut state = State {
             load,
             separation: (separation + self.branch.population().heights().origin()) * units.length,
             friction_force,
@@ -582,7 +609,7 @@ impl Model {
             dmu_dload,
             dload_dseparation: load_slope * units.load / units.length,
             real_area: sums.area * units.area,
-            contacting,
+            contacting: sums.contacting * units.count,
             attracted: sums.attracted * units.count,
             attraction_load: sums.load_attracted * units.load,
             mean_contact_radius: contacts.mean_radius * self.params.burgers_vector,
@@ -592,12 +619,15 @@ impl Model {
             fraction_above_slip_radius_2: above,
             fraction_in_contact: sums.contacting,
             mean_asperity_pressure,
-            plasticity_index,
-            warnings: self.warnings(mean_asperity_pressure, plasticity_index),
+            plasticity_index: self.plasticity_index(),
+            mean_steepness: contacts.mean_steepness * self.params.burgers_vector / self.params.summit_radius,
+            warnings: 0,
             tangential_stiffness: sums.radius * units.stiffness,
             fraction_elastic: contacts.elastic,
             fraction_flowing: contacts.flowing,
-        })
+        };
+        state.warnings = Measures::new(&self.params, &state).warnings();
+        state
     }
 
     /// E* (sigma/R)^(1/2)/H; 0 where the hardness is not known.
@@ -606,16 +636,6 @@ impl Model {
             self.params.composite_modulus / self.params.hardness * self.groups.alpha
         } else {
             0.0
-        }
-    }
-
-    fn warnings(&self, mean_pressure: f64, plasticity_index: f64) -> u64 {
-        let hardness = self.params.hardness;
-        let yields = hardness > 0.0 && mean_pressure >= YIELD_PRESSURE * hardness;
-        if yields || plasticity_index > PLASTIC_INDEX {
-            WARNING_PLASTIC
-        } else {
-            0
         }
     }
 }

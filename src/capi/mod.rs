@@ -23,6 +23,7 @@ mod state;
 mod status;
 mod table;
 mod tangential;
+mod validity;
 mod version;
 
 // For C through the header, for the tests of this crate as items; no part of the Rust interface.
@@ -37,4 +38,5 @@ pub use state::*;
 pub use status::*;
 pub use table::*;
 pub use tangential::*;
+pub use validity::*;
 pub use version::*;

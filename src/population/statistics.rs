@@ -20,6 +20,8 @@ const NEGLIGIBLE: f64 = 1e-19;
 pub struct Statistics {
     /// Mean contact radius.
     pub mean_radius: f64,
+    /// Mean of the contact radius over g, that of the summit over the mean one.
+    pub mean_steepness: f64,
     /// Contact radius of the tallest of so many summits as there are; not below the mean.
     pub largest_radius: f64,
     /// Fractions of the contacts up to the first kink of the slip law, between the two, and from the second on.
@@ -35,6 +37,7 @@ struct Counting<'a> {
     population: &'a Population,
     count: f64,
     radius: f64,
+    steepness: f64,
     by_regime: [f64; 3],
     elastic: f64,
     flowing: f64,
@@ -49,6 +52,7 @@ impl Visitor for Counting<'_> {
         let [yields, flows] = self.population.yields.map(|overlap| overlap * g);
         self.count += fraction;
         self.radius += fraction * summit.radius;
+        self.steepness += fraction * summit.radius / g;
         self.by_regime[regime] += fraction;
         self.elastic += if summit.overlap <= yields { fraction } else { 0.0 };
         self.flowing += if summit.overlap >= flows { fraction } else { 0.0 };
@@ -71,6 +75,7 @@ impl Population {
             population: self,
             count: 0.0,
             radius: 0.0,
+            steepness: 0.0,
             by_regime: [0.0; 3],
             elastic: 0.0,
             flowing: 0.0,
@@ -84,7 +89,7 @@ impl Population {
         if !is_done {
             return Err(sums::out_of_panels(separation));
         }
-        let Counting { count, radius, by_regime, elastic, flowing, seen, .. } = counting;
+        let Counting { count, radius, steepness, by_regime, elastic, flowing, seen, .. } = counting;
         if count == 0.0 {
             return Ok(Statistics::default());
         }
@@ -100,6 +105,7 @@ impl Population {
         }
         Ok(Statistics {
             mean_radius,
+            mean_steepness: steepness / count,
             largest_radius,
             by_regime: by_regime.map(|fraction| fraction / count),
             elastic: elastic / count,

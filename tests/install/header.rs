@@ -22,6 +22,7 @@ fn committed_header_is_what_the_sources_generate() {
         "slope",
         "tangential",
         "state",
+        "validity",
         "table",
         "sensitivities",
     ];

@@ -10,4 +10,5 @@ mod published;
 mod reference;
 mod sensitivities;
 mod tangential;
+mod validity;
 mod yielding;

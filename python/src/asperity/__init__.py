@@ -14,7 +14,7 @@ from .errors import Error, Status
 from .fit import Fit, fit
 from .model import Model
 from .params import Params
-from .results import Hysteresis, State, Summary, Warnings
+from .results import Hysteresis, State, Summary, ValidityWarning, Warnings
 from .sensitivity import Sensitivities
 from .uncertainty import Uncertainty, uncertainty
 
@@ -29,6 +29,7 @@ __all__ = [
     "Status",
     "Summary",
     "Uncertainty",
+    "ValidityWarning",
     "Warnings",
     "__version__",
     "fit",

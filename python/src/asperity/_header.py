@@ -33,6 +33,10 @@ ASPERITY_CONTACT_MAUGIS = 0
 ASPERITY_CONTACT_ELASTIC_PLASTIC = 1
 
 ASPERITY_WARNING_PLASTIC = 1
+ASPERITY_WARNING_CROWDED = 2
+ASPERITY_WARNING_STEEP = 4
+ASPERITY_WARNING_ATOMIC = 8
+ASPERITY_WARNING_FEW = 16
 
 ASPERITY_TABLE_LAYOUT = 1
 
@@ -212,6 +216,8 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_state_at_load": (asperity_status, [_model, c_double, _state]),
     "asperity_state_at_separation": (asperity_status, [_model, c_double, _state]),
     "asperity_summary_of": (asperity_status, [_model, _summary]),
+    "asperity_check_loads": (asperity_status, [_model, c_double, c_double, POINTER(c_uint64)]),
+    "asperity_warning_string": (c_char_p, [c_uint64]),
     "asperity_table_of": (asperity_status, [_model, _table]),
     "asperity_sensitivities_at_load": (asperity_status, [_model, c_double, _sensitivities]),
 }

@@ -10,7 +10,9 @@ from __future__ import annotations
 import ctypes
 import math
 import numbers
+import warnings
 import weakref
+from dataclasses import replace
 from types import TracebackType
 from typing import Any, Literal, Union, overload
 
@@ -21,7 +23,7 @@ from . import _header
 from ._library import LIBRARY
 from .errors import Error, Status, check
 from .params import Params
-from .results import Hysteresis, State, Summary, Warnings
+from .results import Hysteresis, State, Summary, ValidityWarning, Warnings
 from .sensitivity import Sensitivities
 
 Loads = Union["npt.NDArray[Any]", "list[Any]", "tuple[Any, ...]"]
@@ -35,6 +37,7 @@ class _Handle:
 
     def __init__(self, params: Params) -> None:
         self.params = params
+        self.warned = Warnings(0)
         self.pointer = ctypes.POINTER(_header.asperity_model)()
         check(LIBRARY.asperity_create(ctypes.byref(params._as_struct()), ctypes.byref(self.pointer)))
         # At exit a daemon thread may still be inside a call: the system takes the memory then.
@@ -243,6 +246,37 @@ class Model:
         struct = _header.asperity_sensitivities(struct_size=ctypes.sizeof(_header.asperity_sensitivities))
         check(LIBRARY.asperity_sensitivities_at_load(handle.pointer, at, ctypes.byref(struct)))
         return Sensitivities(at, *_values(struct))
+
+    def check(self, lightest: float, heaviest: float) -> Warnings:
+        """Whether the model holds for a contact that meets these loads: what fails in any state between.
+
+        It evaluates some hundred exact states: once for a run, not for each load.
+
+        Args:
+            lightest: normal load [force], from the pull-off load upwards; without adhesion above 0.
+            heaviest: normal load [force], not below `lightest`.
+
+        Returns:
+            `Warnings`, false where nothing is known to fail; printed, it says what fails and what to do about it.
+
+        Raises:
+            Error: `lightest` is above `heaviest`, or one of them has no state, as in `state_at_load`.
+        """
+        bits = ctypes.c_uint64()
+        handle = self._open()
+        check(LIBRARY.asperity_check_loads(handle.pointer, float(lightest), float(heaviest), ctypes.byref(bits)))
+        return Warnings(bits.value)
+
+    def warn(self, lightest: float, heaviest: float) -> None:
+        """Issues a `ValidityWarning` for each assumption that fails between two loads, once per model and assumption.
+
+        For code that draws or tabulates the law; arguments and errors are those of `check`.
+        """
+        handle = self._open()
+        for kind in self.check(lightest, heaviest).kinds:
+            if not kind & handle.warned:
+                handle.warned |= kind
+                warnings.warn(f"between the loads {lightest:g} and {heaviest:g}: {kind}", ValidityWarning, stacklevel=3)
 
     def summary(self) -> Summary:
         """The constants of the model: dimensionless groups, pull-off load, range and error of the compiled law."""
