@@ -159,6 +159,30 @@ module asperity
     real(c_double) :: heavy_force                 ! friction force of loads beyond the last row [force]
   end type asperity_table
 
+  ! What the friction force F at constant load changes by with each parameter p: d(ln F)/d(ln p), but d(ln F)/dp for
+  ! radius_amplitude and skew [-]. 0 for a parameter that the model does not read.
+  type, bind(c), public :: asperity_sensitivities
+    integer(c_int64_t) :: struct_size = 152       ! bytes of this type; leave it
+    real(c_double) :: composite_modulus           ! to E*
+    real(c_double) :: effective_shear_modulus     ! to G*: 1
+    real(c_double) :: work_of_adhesion            ! to w; 0 where w is 0
+    real(c_double) :: adhesion_range              ! to h; 0 where w is 0
+    real(c_double) :: burgers_vector              ! to b; the slip radii grow with it
+    real(c_double) :: height_std                  ! to sigma
+    real(c_double) :: summit_radius               ! to R
+    real(c_double) :: asperity_count              ! to N
+    real(c_double) :: weibull_shape               ! to omega; 0 unless heights are Weibull's
+    real(c_double) :: radius_amplitude            ! to epsilon: d(ln F)/d(epsilon)
+    real(c_double) :: radius_rate                 ! to rho; 0 where epsilon is 0
+    real(c_double) :: slip_radius_1               ! to a_1/b
+    real(c_double) :: slip_stress_1               ! to tau_1/G*
+    real(c_double) :: slip_radius_2               ! to a_2/b
+    real(c_double) :: slip_stress_2               ! to tau_2/G*
+    real(c_double) :: skew                        ! d(ln F)/d(skew) at this kurtosis; 0 unless heights are Johnson's
+    real(c_double) :: kurtosis                    ! at this skew; 0 unless heights are Johnson's
+    real(c_double) :: hardness                    ! to H; 0 where contacts are elastic
+  end type asperity_sensitivities
+
   ! ---- The C interface: functions ----
   ! A model is a type(c_ptr). All functions of type integer(c_int32_t) return a status.
 
@@ -394,6 +418,15 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_table_of
 
+    ! The sensitivities of the friction force at a load [force], above the pull-off load.
+    function asperity_sensitivities_at_load(model, load, sensitivities) result(status) bind(c)
+      import :: asperity_sensitivities, c_double, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load
+      type(asperity_sensitivities), intent(inout) :: sensitivities    ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_sensitivities_at_load
+
     ! Friction coefficient [-] at a load [force], and its slope.
     function asperity_friction_and_slope_at_load(model, load, dmu_dload) result(mu) bind(c)
       import :: c_double, c_ptr
@@ -453,6 +486,7 @@ module asperity
   public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
+  public :: asperity_sensitivities_at_load
   public :: asperity_check_loads, asperity_warning_string
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
   public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
@@ -550,6 +584,10 @@ module asperity
     !   state  type(asperity_state), intent(inout); as it was on failure
     procedure, public :: state_at_load => model_state_at_load
     procedure, public :: state_at_separation => model_state_at_separation
+
+    ! call law%sensitivities_at_load(load, sensitivities [, stat] [, errmsg])    what F at a load [force] changes by
+    !   sensitivities  type(asperity_sensitivities), intent(inout); as it was on failure
+    procedure, public :: sensitivities_at_load => model_sensitivities_at_load
 
     ! call law%check_loads(lightest, heaviest, warnings [, stat] [, errmsg])
     !   lightest, heaviest  real(c_double), intent(in) [force]
@@ -790,6 +828,16 @@ contains
     if (.not. is_created(self, stat, errmsg)) return
     call report(asperity_state_at_separation(self%handle, separation, state), stat, errmsg)
   end subroutine model_state_at_separation
+
+  subroutine model_sensitivities_at_load(self, load, sensitivities, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in) :: load
+    type(asperity_sensitivities), intent(inout) :: sensitivities
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. is_created(self, stat, errmsg)) return
+    call report(asperity_sensitivities_at_load(self%handle, load, sensitivities), stat, errmsg)
+  end subroutine model_sensitivities_at_load
 
   subroutine model_check_loads(self, lightest, heaviest, warnings, stat, errmsg)
     class(friction_model), intent(in), target :: self

@@ -553,6 +553,93 @@ typedef struct asperity_table {
   double heavy_force;
 } asperity_table;
 
+/**
+ * What the friction force F at constant load changes by with each parameter p, the others as they are: d(ln F)/d(ln p),
+ * the percentage by which F changes for each percent of p. For `radius_amplitude` and `skew`, which may be 0 or negative, it
+ * is d(ln F)/dp. 0 for a parameter that the model does not read.
+ *
+ * A friction coefficient changes as F does, since the load is constant.
+ */
+typedef struct asperity_sensitivities {
+  /**
+   * Set by the caller to `sizeof(asperity_sensitivities)`; the library writes no more than that.
+   */
+  uint64_t struct_size;
+  /**
+   * To E*.
+   */
+  double composite_modulus;
+  /**
+   * To G*: 1.
+   */
+  double effective_shear_modulus;
+  /**
+   * To w; 0 where w is 0.
+   */
+  double work_of_adhesion;
+  /**
+   * To h; 0 where w is 0.
+   */
+  double adhesion_range;
+  /**
+   * To b; the slip radii grow with it.
+   */
+  double burgers_vector;
+  /**
+   * To sigma.
+   */
+  double height_std;
+  /**
+   * To R.
+   */
+  double summit_radius;
+  /**
+   * To N.
+   */
+  double asperity_count;
+  /**
+   * To omega; 0 unless heights are Weibull's.
+   */
+  double weibull_shape;
+  /**
+   * To epsilon: d(ln F)/d(epsilon), also where epsilon is 0; at -1 and 1 the limit from within. 0 where epsilon must be 0,
+   * since `radius_rate` is not between 1e-6 and 1000.
+   */
+  double radius_amplitude;
+  /**
+   * To rho; 0 where epsilon is 0.
+   */
+  double radius_rate;
+  /**
+   * To a_1/b.
+   */
+  double slip_radius_1;
+  /**
+   * To tau_1/G*.
+   */
+  double slip_stress_1;
+  /**
+   * To a_2/b.
+   */
+  double slip_radius_2;
+  /**
+   * To tau_2/G*.
+   */
+  double slip_stress_2;
+  /**
+   * To the skew at this kurtosis: d(ln F)/d(skew); 0 unless heights are Johnson's.
+   */
+  double skew;
+  /**
+   * To the kurtosis at this skew; 0 unless heights are Johnson's.
+   */
+  double kurtosis;
+  /**
+   * To H; 0 where contacts are elastic.
+   */
+  double hardness;
+} asperity_sensitivities;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -1124,6 +1211,26 @@ const char *asperity_warning_string(uint64_t warning);
  */
 asperity_status asperity_table_of(const struct asperity_model *model,
                                   struct asperity_table *table);
+
+/**
+ * The sensitivities of the friction force at a load, by integration over the summits, without the table. Takes longer than
+ * an exact state, but far less than a model.
+ *
+ * Next to the pull-off load they grow without limit, as dF/dP does. There are none at that load itself and, without
+ * adhesion, at zero load.
+ *
+ * @param model          must not be NULL
+ * @param load           normal load [force], above the pull-off load
+ * @param sensitivities  receives them; must not be NULL; its `struct_size` must be set; untouched on failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
+ *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE` (too heavy, or none at this load),
+ *         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+ *
+ * Threads: may share the model.
+ */
+asperity_status asperity_sensitivities_at_load(const struct asperity_model *model,
+                                               double load,
+                                               struct asperity_sensitivities *sensitivities);
 
 #ifdef __cplusplus
 }  // extern "C"

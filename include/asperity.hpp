@@ -42,6 +42,8 @@ using State = asperity_state;
 using Summary = asperity_summary;
 /// A view of the compiled law, for asperity_eval.h; its fields are described in asperity.h.
 using Table = asperity_table;
+/// What the friction force changes by with each parameter; its fields are described in asperity.h.
+using Sensitivities = asperity_sensitivities;
 
 // ---- Versions ----
 
@@ -628,6 +630,17 @@ public:
         state.struct_size = sizeof state;
         check(asperity_state_at_separation(handle_.get(), separation, &state));
         return state;
+    }
+
+    /// The sensitivities of the friction force at a load [force], above the pull-off load, to each parameter: d(ln F)/d(ln p)
+    /// at constant load, but d(ln F)/dp for radius_amplitude and skew.
+    ///
+    /// Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
+    Sensitivities sensitivities_at_load(double load) const {
+        Sensitivities sensitivities;
+        sensitivities.struct_size = sizeof sensitivities;
+        check(asperity_sensitivities_at_load(handle_.get(), load, &sensitivities));
+        return sensitivities;
     }
 
     /// The bits ASPERITY_WARNING_ of all states from one load [force] to a heavier one: whether the law holds for a contact

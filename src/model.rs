@@ -11,6 +11,7 @@ use crate::groups::Groups;
 use crate::law::{Law, Quantity, Table, Unfollowed};
 use crate::params::Params;
 use crate::population::{Population, Statistics, Sums};
+use crate::sensitivity::Sensitivities;
 use crate::validity::{warnings_between, Measures};
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
@@ -362,6 +363,31 @@ impl Model {
             state.dload_dseparation = 0.0;
         }
         Ok(state)
+    }
+
+    /// The sensitivities of the friction force at a load to the parameters.
+    ///
+    /// # Errors
+    /// As [`Model::state_at_load`]; [`Error::OutOfRange`] also at the pull-off load itself, where they are infinite, and
+    /// where there is no friction.
+    pub fn sensitivities_at_load(&self, load: f64) -> Result<Sensitivities, Error> {
+        let (separation, _) = self.equilibrium_at(load)?;
+        let refused = |allowed| Err(Error::OutOfRange { name: "load", value: load.into(), allowed });
+        let population = self.branch.population();
+        // Not those of the equilibrium: the lightest are scaled.
+        let sums = population.at_separation(separation).known(separation)?;
+        if self.is_pull_off(load) || sums.load_slope >= 0.0 {
+            return refused("the sensitivities at the pull-off load are infinite; must be above it");
+        }
+        if sums.friction <= 0.0 {
+            return refused("no friction that could change in proportion; must be heavier");
+        }
+        let sensitivities = Sensitivities::of(&self.params, population, separation, &sums)?;
+        if sensitivities.are_finite() {
+            Ok(sensitivities)
+        } else {
+            Err(Self::not_evaluated(load))
+        }
     }
 
     /// Whether a load is that of the pull-off point.

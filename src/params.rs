@@ -125,6 +125,9 @@ impl Default for Params {
 /// What the physical inputs are until they are set: a quiet NaN that no arithmetic makes.
 const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
 
+/// The radius_rate of radii that vary with height.
+pub(crate) const RADIUS_RATES: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
+
 /// Raw quantities beyond this, or below its inverse, could overflow when combined.
 const LARGEST: f64 = 1e40;
 
@@ -322,7 +325,7 @@ impl Params {
         if !finite(rate) || rate <= 0.0 {
             return Err(Error::InvalidParameter { name: "radius_rate", value: rate.into(), allowed: POSITIVE });
         }
-        if amplitude != 0.0 && !(1e-6..=1e3).contains(&rate) {
+        if amplitude != 0.0 && !RADIUS_RATES.contains(&rate) {
             return Err(Error::OutOfRange {
                 name: "radius_rate",
                 value: rate.into(),

@@ -471,6 +471,7 @@ contains
     real(c_double) :: fraction, area
     type(asperity_params) :: p
     type(asperity_state) :: state, at_load
+    type(asperity_sensitivities) :: sensitivities
     type(c_ptr) :: model
     integer(c_int64_t) :: warnings
     integer :: i
@@ -509,6 +510,11 @@ contains
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
       call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)
       call check_close('... and so is its friction', at_load%friction_force, state%friction_force, 1e-9_c_double)
+      call asperity_check(asperity_sensitivities_at_load(model, state%load, sensitivities))
+      call check_close('F = tau A: E* takes from F what it adds to the load', sensitivities%composite_modulus, &
+                       -state%dforce_dload * state%load / state%friction_force, 1e-8_c_double)
+      call check_close('F = tau_1 A', sensitivities%slip_stress_1, 1.0_c_double, 1e-12_c_double)
+      call check('without adhesion none is read', identical(sensitivities%work_of_adhesion, 0.0_c_double))
     end do
     call check('without adhesion there is no contact at negative load', &
                asperity_state_at_load(model, -1.0_c_double, state) == ASPERITY_SEPARATED)

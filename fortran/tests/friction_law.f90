@@ -272,6 +272,7 @@ contains
   subroutine states
     type(friction_model) :: law
     type(asperity_state) :: state, back
+    type(asperity_sensitivities) :: sensitivities
     integer :: stat
     call law%create(default_parameters())
     call law%state_at_load(10.0_c_double, state)
@@ -283,6 +284,12 @@ contains
     call law%state_at_separation(nan(), back, stat)
     call check('a separation that is NaN is refused', stat == ASPERITY_INVALID_PARAMETER)
     call check('... and the state is untouched', identical(back%load, 1.0_c_double))
+    call law%sensitivities_at_load(10.0_c_double, sensitivities)
+    call check_close('F is in proportion to G*', sensitivities%effective_shear_modulus, 1.0_c_double, 1e-14_c_double)
+    call check_close('no unit of stress matters', sensitivities%composite_modulus + sensitivities%work_of_adhesion, &
+                     -state%dforce_dload * state%load / state%friction_force, 1e-9_c_double)
+    call law%sensitivities_at_load(-1e9_c_double, sensitivities, stat)
+    call check('an open contact has none', stat == ASPERITY_SEPARATED)
   end subroutine states
 
   ! Half of the summits touch at the heavier load, too few at the lighter one.
@@ -315,6 +322,7 @@ contains
   subroutine error_reports
     type(friction_model) :: law
     type(asperity_params) :: p
+    type(asperity_sensitivities) :: sensitivities
     type(asperity_state) :: state
     type(asperity_summary) :: constants
     real(c_double) :: mu(4)
@@ -338,6 +346,8 @@ contains
     call check('nor has it friction', stat == ASPERITY_NULL_POINTER .and. all(ieee_is_nan(mu(1:2))))
     call law%state_at_load(1.0_c_double, state, stat)
     call check('nor a state', stat == ASPERITY_NULL_POINTER)
+    call law%sensitivities_at_load(1.0_c_double, sensitivities, stat)
+    call check('nor sensitivities', stat == ASPERITY_NULL_POINTER)
     call law%summary(constants, stat)
     call check('nor constants', stat == ASPERITY_NULL_POINTER)
     call law%set_params(default_parameters(), stat)

@@ -14,7 +14,7 @@ import pytest
 
 from asperity import Params, State, Status, Summary, Warnings, _header
 
-STRUCTS = ("asperity_params", "asperity_state", "asperity_summary", "asperity_table")
+STRUCTS = ("asperity_params", "asperity_state", "asperity_summary", "asperity_table", "asperity_sensitivities")
 TYPES = {
     "double": ctypes.c_double,
     "uint64_t": ctypes.c_uint64,

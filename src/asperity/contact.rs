@@ -1,5 +1,7 @@
 //! What the sums over a surface need of a law of contact. One law is one file.
 
+use crate::groups::GROUPS;
+
 /// One asperity in contact, and its derivatives along the branch of states.
 ///
 /// Lengths: radius in b, overlap in sigma; load in E* b^2. `g` is the summit's radius over the mean one.
@@ -75,6 +77,17 @@ impl Contact {
     }
 }
 
+/// What a contact changes by as a group grows, per change of the group's logarithm, at fixed s and g.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct GroupChange {
+    /// Of the overlap.
+    pub overlap: f64,
+    /// Of the contact radius.
+    pub radius: f64,
+    /// Of the load.
+    pub load: f64,
+}
+
 /// A law of contact: the states of one asperity from break-away to any load, as functions of a parameter s.
 ///
 /// The parameter grows with the load. It is chosen such that the states are analytic in it at break-away, where the
@@ -93,6 +106,9 @@ pub trait ContactLaw: std::fmt::Debug + Send + Sync {
     /// A guess of the parameter at an overlap.
     fn guess(&self, overlap: f64, g: f64) -> f64;
 
+    /// What the state at a parameter changes by with each group, in the order of [`Groups`](crate::groups::Groups).
+    fn by_groups(&self, parameter: f64, g: f64) -> [GroupChange; GROUPS];
+
     /// Distance from a parameter to the nearest point, real or complex, where the states are not analytic in it, but for
     /// the kinks.
     fn distance_to_singularity(&self, parameter: f64, g: f64) -> f64;
@@ -110,6 +126,26 @@ pub const KINKS: usize = 2;
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::groups::Groups;
+
+    /// At these parameters and at three radii, of the law of groups.
+    pub fn assert_group_changes_are_secants<L: ContactLaw>(law: fn(&Groups) -> L, groups: &Groups, parameters: &[f64]) {
+        for (s, g) in parameters.iter().flat_map(|&s| [0.3, 1.0, 1.8].map(|g| (s, g))) {
+            let changes = law(groups).by_groups(s, g);
+            for (i, change) in changes.into_iter().enumerate() {
+                let [before, after] = [-1e-5, 1e-5].map(|step| law(&groups.grown(i, step)).at(s, g));
+                for (name, before, after, found) in [
+                    ("u", before.overlap, after.overlap, change.overlap),
+                    ("a", before.radius, after.radius, change.radius),
+                    ("P", before.load, after.load, change.load),
+                ] {
+                    let secant = (after - before) / 2e-5;
+                    let known = 1e-9 * (found.abs() + after.abs());
+                    assert!((secant - found).abs() <= known, "d{name} at {s}, {g} by group {i}: {found}, not {secant}");
+                }
+            }
+        }
+    }
 
     /// At these parameters and at three radii.
     pub fn assert_rates_are_secants(law: &dyn ContactLaw, parameters: &[f64]) {

@@ -11,10 +11,10 @@
 //!
 //! It is a law of first loading: after a heavier load the summits are flatter than it says.
 
-use super::contact::{Contact, ContactLaw, KINKS};
+use super::contact::{Contact, ContactLaw, GroupChange, KINKS};
 use super::hertz::Hertz;
 use crate::elementary::log;
-use crate::groups::Groups;
+use crate::groups::{Groups, GROUPS};
 use std::f64::consts::PI;
 
 /// K: the mean pressure at first yield over the hardness.
@@ -117,6 +117,32 @@ impl ContactLaw for ElasticPlastic {
         self.elastic.guess(overlap, g)
     }
 
+    /// At the overlap of the parameter. a^2 over beta^2 and the mean pressure over eta depend on u/u1, of which u1 is as
+    /// eta^2/alpha^2 and as g.
+    fn by_groups(&self, parameter: f64, g: f64) -> [GroupChange; GROUPS] {
+        let overlap = parameter * parameter;
+        let first = self.first_yield * g;
+        if overlap <= first {
+            return self.elastic.by_groups(parameter, g);
+        }
+        let (square, pressure) =
+            if overlap < FLOW * first { self.between(overlap, g) } else { self.flowing(overlap, g) };
+        let change = |square_change: f64, pressure_change: f64| GroupChange {
+            overlap: 0.0,
+            radius: 0.5 * square_change / square[0].sqrt(),
+            load: PI * (square_change * pressure[0] + square[0] * pressure_change),
+        };
+        // By ln u1.
+        let (square_change, pressure_change) = (g * square[2] - square[0], g * pressure[2]);
+        [
+            change(-2.0 * square_change, -2.0 * pressure_change),
+            change(2.0 * square[0], 0.0),
+            GroupChange::default(),
+            GroupChange::default(),
+            change(2.0 * square_change, 2.0 * pressure_change + pressure[0]),
+        ]
+    }
+
     fn distance_to_singularity(&self, parameter: f64, g: f64) -> f64 {
         let (overlap, first) = (parameter * parameter, self.first_yield * g);
         if overlap > NEXT_TO_YIELD * first && overlap < FLOW * first {
@@ -134,7 +160,7 @@ impl ContactLaw for ElasticPlastic {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::asperity::contact::tests::assert_rates_are_secants;
+    use crate::asperity::contact::tests::{assert_group_changes_are_secants, assert_rates_are_secants};
 
     const GROUPS: Groups = Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0, hardness: 0.01, yields: true };
 
@@ -188,7 +214,9 @@ mod tests {
     fn rates_are_slopes_of_secants() {
         let law = ElasticPlastic::new(&GROUPS);
         let first = law.first_yield.sqrt();
-        assert_rates_are_secants(&law, &[0.1 * first, 0.5 * first, 3.0 * first, 6.0 * first, 11.0 * first]);
+        let parameters = [0.1, 0.5, 3.0, 6.0, 11.0].map(|part| part * first);
+        assert_rates_are_secants(&law, &parameters);
+        assert_group_changes_are_secants(ElasticPlastic::new, &GROUPS, &parameters);
     }
 
     /// By the roots of 1 + 3 t^2 - 2 t^3 and of u: no singularity of the states lies within three times the distance.

@@ -1,7 +1,7 @@
 //! Hertz' contact of one asperity: Maugis' law without adhesion, eqs (5) and (6) with gamma = 0.
 
-use super::contact::{Contact, ContactLaw};
-use crate::groups::Groups;
+use super::contact::{Contact, ContactLaw, GroupChange};
+use crate::groups::{Groups, GROUPS};
 
 /// Hertz' law. Its parameter is the square root of the overlap.
 #[derive(Debug, Clone)]
@@ -51,6 +51,14 @@ impl ContactLaw for Hertz {
         overlap.max(0.0).sqrt()
     }
 
+    /// The overlap is that of the parameter; a is as beta, P as alpha beta^2.
+    fn by_groups(&self, parameter: f64, g: f64) -> [GroupChange; GROUPS] {
+        let Contact { radius, load, .. } = self.at(parameter, g);
+        let by_alpha = GroupChange { load, ..GroupChange::default() };
+        let by_beta = GroupChange { radius, load: 2.0 * load, ..GroupChange::default() };
+        [by_alpha, by_beta, GroupChange::default(), GroupChange::default(), GroupChange::default()]
+    }
+
     fn distance_to_singularity(&self, _parameter: f64, _g: f64) -> f64 {
         f64::INFINITY
     }
@@ -59,7 +67,7 @@ impl ContactLaw for Hertz {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::asperity::contact::tests::assert_rates_are_secants;
+    use crate::asperity::contact::tests::{assert_group_changes_are_secants, assert_rates_are_secants};
 
     #[test]
     fn load_and_radius_are_those_of_hertz() {
@@ -90,5 +98,8 @@ mod tests {
             yields: false,
         });
         assert_rates_are_secants(&law, &[0.1, 1.0, 30.0]);
+        let groups =
+            Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0, hardness: f64::INFINITY, yields: false };
+        assert_group_changes_are_secants(Hertz::new, &groups, &[0.1, 1.0, 30.0]);
     }
 }

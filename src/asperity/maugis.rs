@@ -6,9 +6,9 @@
 //! special care. The parameter of the branch is s with theta = (pi/2)/(1 + s).
 //! Attraction without contact belongs to [`super::attraction`], friction to [`super::slip`].
 
-use super::contact::{Contact, ContactLaw};
+use super::contact::{Contact, ContactLaw, GroupChange};
 use crate::elementary::{cbrt, sincos};
-use crate::groups::Groups;
+use crate::groups::{Groups, GROUPS};
 use crate::numerics::root;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -165,6 +165,30 @@ impl ContactLaw for Maugis {
         (FRAC_PI_2 * by_bracket_2.max(by_bracket_1) - 1.0).max(LEAST_GUESS)
     }
 
+    /// Eqs (4)-(6), of which each coefficient is a product of powers of the groups.
+    fn by_groups(&self, parameter: f64, g: f64) -> [GroupChange; GROUPS] {
+        let Angle { sin, cos, bracket_2, bracket_1 } = Angle::new(FRAC_PI_2 / (1.0 + parameter));
+        let k2 = self.bracket_2 / g * bracket_2;
+        let k1 = self.bracket_1 * bracket_1;
+        let root = (k1 * k1 + 4.0 * k2).sqrt();
+        let c = 2.0 / (k1 + root);
+        let a = c * cos;
+        let (overlap_hertz, overlap_adhesion) = (self.overlap_hertz / g * a * a, self.overlap_adhesion * sin * c);
+        let load_hertz = self.load_hertz / g * a * a * a;
+        let load_adhesion = self.load_adhesion * (sin * cos + FRAC_PI_2 / (1.0 + parameter)) * c * c;
+        POWERS.map(|powers| {
+            // d ln c, with d(k2 c^2 + k1 c) = 0.
+            let log_c = -(k2 * c * powers.bracket_2 + k1 * powers.bracket_1) / root;
+            GroupChange {
+                overlap: overlap_hertz * (2.0 * log_c + powers.overlap_hertz)
+                    - overlap_adhesion * (log_c + powers.overlap_adhesion),
+                radius: a * log_c,
+                load: load_hertz * (3.0 * log_c + powers.load_hertz)
+                    - load_adhesion * (2.0 * log_c + powers.load_adhesion),
+            }
+        })
+    }
+
     /// The first bracket of eq (4) vanishes at theta = 2.2467.
     fn distance_to_singularity(&self, parameter: f64, _g: f64) -> f64 {
         SINGULAR_BEFORE + parameter
@@ -177,6 +201,33 @@ const SINGULAR_BEFORE: f64 = 0.3;
 const LEAST_GUESS: f64 = 0.1;
 /// A fold nearer to s = 0 than this has an overlap that is that of s = 0 to rounding.
 const LEAST_PARAMETER_AT_FOLD: f64 = 1e-6;
+
+/// The powers of one group in the coefficients of [`Maugis`].
+struct Powers {
+    bracket_2: f64,
+    bracket_1: f64,
+    overlap_hertz: f64,
+    overlap_adhesion: f64,
+    load_hertz: f64,
+    load_adhesion: f64,
+}
+
+/// Of alpha, beta, gamma, b/h and hardness: as in [`Maugis::new`].
+const POWERS: [Powers; GROUPS] = [
+    Powers::of([1.0, 0.0, 0.0, -1.0, 1.0, 0.0]),
+    Powers::of([-1.0, 0.0, -2.0, -1.0, -1.0, 0.0]),
+    Powers::of([0.0, 1.0, 0.0, 1.0, 0.0, 1.0]),
+    Powers::of([1.0, 2.0, 0.0, 1.0, 0.0, 1.0]),
+    Powers::of([0.0; 6]),
+];
+
+impl Powers {
+    /// In the order of the coefficients.
+    const fn of(powers: [f64; 6]) -> Self {
+        let [bracket_2, bracket_1, overlap_hertz, overlap_adhesion, load_hertz, load_adhesion] = powers;
+        Self { bracket_2, bracket_1, overlap_hertz, overlap_adhesion, load_hertz, load_adhesion }
+    }
+}
 
 /// What eqs (4)-(6) take of theta.
 struct Angle {
@@ -264,7 +315,7 @@ const fn series_1() -> [f64; SERIES_TERMS] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::asperity::contact::tests::assert_rates_are_secants;
+    use crate::asperity::contact::tests::{assert_group_changes_are_secants, assert_rates_are_secants};
 
     /// With little adhesion and with much.
     fn laws() -> [Maugis; 2] {
@@ -309,6 +360,11 @@ mod tests {
     fn rates_are_slopes_of_secants() {
         for law in laws() {
             assert_rates_are_secants(&law, &[0.03, 0.4, 2.0, 50.0, 1e4]);
+        }
+        for gamma in [1e-4, 0.02] {
+            let groups =
+                Groups { alpha: 0.01, beta: 1e3, gamma, b_over_h: 0.7, hardness: f64::INFINITY, yields: false };
+            assert_group_changes_are_secants(Maugis::new, &groups, &[0.0, 0.03, 0.4, 2.0, 50.0, 1e4]);
         }
     }
 

@@ -46,6 +46,18 @@ impl Slip {
         [self.constants.radius_1, self.constants.radius_2]
     }
 
+    /// d ln F at contact radius `a` by the logarithms of the constants, in their order.
+    pub fn log_changes(&self, a: f64) -> [f64; 4] {
+        let SlipConstants { radius_1, radius_2, .. } = self.constants;
+        // How far ln a is from ln a_1 towards ln a_2.
+        let part = match a {
+            _ if a <= radius_1 => return [0.0, 1.0, 0.0, 0.0],
+            _ if a >= radius_2 => return [0.0, 0.0, 0.0, 1.0],
+            _ => log(a / radius_1) / log(radius_2 / radius_1),
+        };
+        [-self.exponent * (1.0 - part), 1.0 - part, -self.exponent * part, part]
+    }
+
     /// The contact radii at which the friction force is this times the radius, one in each regime, infinite where there is
     /// none.
     pub fn radii_at_force_over_radius(&self, ratio: f64) -> [f64; 3] {
@@ -83,6 +95,24 @@ impl Slip {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn changes_are_those_of_secants() {
+        let constants = SlipConstants::default();
+        for a in [3.0, 27.0, 30.0, 1e3, 7e4, 9e4] {
+            let changes = Slip::new(constants).log_changes(a);
+            for (i, change) in changes.into_iter().enumerate() {
+                let force = |step: f64| {
+                    let mut constants = constants;
+                    let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = &mut constants;
+                    *[radius_1, stress_1, radius_2, stress_2][i] *= step.exp();
+                    Slip::new(constants).force(a).0
+                };
+                let secant = (force(1e-5) - force(-1e-5)) / (2e-5 * force(0.0));
+                assert!((change - secant).abs() < 1e-9, "{i} at {a}: {change}, not {secant}");
+            }
+        }
+    }
 
     /// Where strength grows with radius faster than stiffness, and where between the two radii it does not.
     #[test]

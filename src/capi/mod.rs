@@ -16,6 +16,7 @@ mod params;
 #[cfg_attr(not(feature = "memory-reserve"), allow(dead_code))]
 mod reserve;
 mod scalar;
+mod sensitivities;
 mod setters;
 mod slope;
 mod state;
@@ -30,6 +31,7 @@ pub use evaluate::*;
 pub use last_error::asperity_last_error;
 pub use model::*;
 pub use params::*;
+pub use sensitivities::*;
 pub use setters::*;
 pub use slope::*;
 pub use state::*;

@@ -1,7 +1,7 @@
 //! Weibull heights, eqs (18)-(21): standardised to mean 0 and standard deviation 1, so that the shape
 //! omega alone remains, and with it skew and kurtosis together.
 
-use super::HeightDistribution;
+use super::{HeightDistribution, Motion};
 use crate::elementary::{exp, exp_each, expm1, log, log1p, pow};
 use crate::error::Error;
 use crate::float_bits::finite;
@@ -158,6 +158,56 @@ impl HeightDistribution for Weibull {
     fn kurtosis(&self) -> f64 {
         self.kurtosis
     }
+
+    fn motion(&self) -> Option<Box<dyn Motion + '_>> {
+        Some(Box::new(WeibullMotion::new(self)))
+    }
+}
+
+/// How heights move as omega grows. A height of cumulative hazard t is z_M (t^(1/omega)/B_1 - 1), of which the derivative at
+/// fixed t is z_M f apart from what mean 0 and standard deviation 1 take of it, constant and in proportion to z.
+struct WeibullMotion<'a> {
+    heights: &'a Weibull,
+    /// The means of f and of z f.
+    mean: f64,
+    slope: f64,
+}
+
+impl<'a> WeibullMotion<'a> {
+    fn new(heights: &'a Weibull) -> Self {
+        let (mut mean, mut slope) = (0.0, 0.0);
+        for (log_height, weight) in hazard_nodes(heights.shape) {
+            let log_relative = log_height - heights.ln_b1;
+            let f = Self::shape_change(heights.shape, log_relative);
+            mean += weight * f;
+            slope += weight * f * heights.mean * expm1(log_relative);
+        }
+        Self { heights, mean, slope }
+    }
+
+    /// f = -((1 + y) ln(1 + y) - y)/omega, y = z/z_M.
+    fn shape_change(shape: f64, log_relative: f64) -> f64 {
+        let y = expm1(log_relative);
+        (y - (1.0 + y) * log_relative) / shape
+    }
+}
+
+impl Motion for WeibullMotion<'_> {
+    fn above_origin(&self, z: f64) -> [f64; 2] {
+        let f = Self::shape_change(self.heights.shape, self.heights.log_relative(z));
+        [self.heights.mean * (f - self.mean - z * self.slope), 0.0]
+    }
+}
+
+/// ln of heights t^(1/omega) with their weights: the cumulative hazard t is exponentially distributed, and means are summed by
+/// the trapezoidal rule in s = ln t. Its integrand exp(s - e^s) is analytic to a distance of pi/2, so that a step of 3/16
+/// leaves nothing.
+fn hazard_nodes(shape: f64) -> impl Iterator<Item = (f64, f64)> {
+    const STEP: f64 = 0.1875;
+    (-230..=24).map(move |i| {
+        let s = STEP * f64::from(i);
+        (s / shape, STEP * exp(s - exp(s)))
+    })
 }
 
 /// Eq (21), and what standardises the distribution.
@@ -170,16 +220,8 @@ struct Moments {
 }
 
 impl Moments {
-    /// The cumulative hazard t is exponentially distributed, and heights are t^(1/omega): moments by the trapezoidal rule in
-    /// s = ln t. Its integrand exp(s - e^s) is analytic to a distance of pi/2, so that a step of 3/16 leaves nothing.
     fn of(shape: f64) -> Self {
-        const STEP: f64 = 0.1875;
-        let nodes = || {
-            (-230..=24).map(|i| {
-                let s = STEP * f64::from(i);
-                (s / shape, STEP * exp(s - exp(s)))
-            })
-        };
+        let nodes = || hazard_nodes(shape);
         // As differences from 1 and from B_1: heights of large shapes are nearly equal.
         let ln_b1 = log1p(nodes().map(|(log_height, weight)| weight * expm1(log_height)).sum());
         let mut central = [0.0; 3];
@@ -224,6 +266,24 @@ mod tests {
             assert!(near(w.mean, mean, 5e-4), "mean {} at {shape}", w.mean);
             assert!((w.skew - skew).abs() < 6e-4, "skew {} at {shape}", w.skew);
             assert!((w.kurtosis - kurtosis).abs() < 1e-3, "kurtosis {} at {shape}", w.kurtosis);
+        }
+    }
+
+    /// Of a height of fixed hazard, as the shape grows.
+    #[test]
+    fn motions_are_differences_of_heights_of_fixed_hazard() {
+        for shape in [1.0, 1.02, 1.5, 3.602, 40.0, 190.0] {
+            let here = weibull(shape);
+            let motion = here.motion().expect("a motion");
+            for hazard in [1e-6, 0.01, 1.0, 20.0, 600.0] {
+                let moved = |part: f64| Weibull::of_shape(shape * (1.0 + 1e-4 * part)).height_of_hazard(hazard);
+                let [far, near] = [2.0, 1.0].map(|part| (moved(part) - moved(-part)) / (2e-4 * part * shape));
+                let expected = (4.0 * near - far) / 3.0;
+                let [found, none] = motion.above_origin(here.height_of_hazard(hazard));
+                let known = 1e-10 * (1.0 + expected.abs()) + 1e-12 * here.mean / shape;
+                assert!((found - expected).abs() < known, "{shape}, {hazard}: {found}, not {expected}");
+                assert_eq!(none, 0.0);
+            }
         }
     }
 

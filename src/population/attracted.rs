@@ -19,6 +19,16 @@ const SHORTEST_PART: f64 = 1e-8;
 /// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
 const MOST_PANELS: usize = 6000;
 
+/// A range of summits that attract.
+pub(super) struct AttractedRange<'a> {
+    pub law: &'a Attraction,
+    /// Whether attraction sets in at its lower end, with a jump.
+    pub sets_in: bool,
+    /// Its ends, as height and overlap.
+    pub from: (f64, f64),
+    to: (f64, f64),
+}
+
 impl Population {
     /// The attraction of a summit out of contact, where there is one.
     pub(super) fn attraction_at(&self, separation: f64, z: f64) -> Option<Attracted> {
@@ -30,58 +40,46 @@ impl Population {
 
     /// Adds the summits below the edge of contact that attract.
     pub(super) fn add_attractions(&self, sums: &mut Sums, separation: f64, edge: &Edge) {
-        let Some(law) = &self.attraction else { return };
-        let lower = (separation - law.reach).max(self.lower_cut);
-        let upper = edge.point.z.min(self.highest);
-        let Some((lower, upper)) = self.where_attraction_exists(lower, upper) else { return };
-        // Overlaps are small differences of heights: keep the ends that are known as overlaps.
-        let mut start = lower - separation;
-        if lower == separation - law.reach {
-            // At its far end attraction sets in with a jump.
-            start = -law.reach;
-            let g = self.radius.factor(lower);
-            sums.load_slope -= exp(self.heights.log_density(lower)) * law.at(law.circle(start, g), g).load;
+        let Some(range) = self.attracted_range(separation, edge) else { return };
+        let law = range.law;
+        if range.sets_in {
+            let (z, overlap) = range.from;
+            let g = self.radius.factor(z);
+            sums.load_slope -= exp(self.heights.log_density(z)) * law.at(law.circle(overlap, g), g).load;
         }
-        let end = if upper == edge.point.z { edge.point.contact.overlap } else { upper - separation };
-        let (z, overlap) = self.attractions_at_foot(law, sums, lower, start, upper);
-        if !self.add_attraction_panels(law, sums, separation, (z, overlap), end) {
+        let found = self.visit_attracted(&range, separation, |z, overlap, fraction| {
+            let g = self.radius.factor(z);
+            let attracted = law.at(law.circle(overlap, g), g);
+            sums.add_attraction(fraction, attracted.load, attracted.load_by_overlap);
+        });
+        if !found {
             *sums = Sums::unknown();
         }
     }
 
-    fn add_attraction(&self, law: &Attraction, sums: &mut Sums, z: f64, overlap: f64, fraction: f64) {
-        let g = self.radius.factor(z);
-        let attracted = law.at(law.circle(overlap, g), g);
-        sums.add_attraction(fraction, attracted.load, attracted.load_by_overlap);
+    /// Where summits below the edge of contact attract.
+    pub(super) fn attracted_range(&self, separation: f64, edge: &Edge) -> Option<AttractedRange<'_>> {
+        let law = self.attraction.as_ref()?;
+        let lower = (separation - law.reach).max(self.lower_cut);
+        let upper = edge.point.z.min(self.highest);
+        let (lower, upper) = self.where_attraction_exists(lower, upper)?;
+        // Overlaps are small differences of heights: keep the ends that are known as overlaps.
+        let sets_in = lower == separation - law.reach;
+        let from = (lower, if sets_in { -law.reach } else { lower - separation });
+        let to = (upper, if upper == edge.point.z { edge.point.contact.overlap } else { upper - separation });
+        Some(AttractedRange { law, sets_in, from, to })
     }
 
-    /// The first panel where the range begins at a foot at which the density is a power; returns where it ends, as height
-    /// and overlap.
-    fn attractions_at_foot(&self, law: &Attraction, sums: &mut Sums, z: f64, overlap: f64, upper: f64) -> (f64, f64) {
-        let smooth = (overlap + law.reach).min(self.radius.smooth_length(z));
-        let Some(panel) = FootPanel::new(&*self.heights, (PART_AT_FOOT * smooth).min(upper - z))
-            .filter(|_| z <= self.heights.support().0)
-        else {
-            return (z, overlap);
-        };
-        for (v, weight) in quadrature::nodes(0.0, 1.0) {
-            let (rise, rate) = panel.at(v);
-            let fraction = weight * rate * exp(self.heights.log_density(z + rise));
-            self.add_attraction(law, sums, z + rise, overlap + rise, fraction);
-        }
-        (z + panel.length, overlap + panel.length)
-    }
-
-    /// Panels from a height and overlap up to an overlap; `false` if they are more than there may be.
-    fn add_attraction_panels(
+    /// Hands the summits of a range to a visitor, as height, overlap and fraction of all; `false` if that takes more panels
+    /// than there may be.
+    pub(super) fn visit_attracted(
         &self,
-        law: &Attraction,
-        sums: &mut Sums,
+        range: &AttractedRange,
         separation: f64,
-        start: (f64, f64),
-        end: f64,
+        mut visit: impl FnMut(f64, f64, f64),
     ) -> bool {
-        let (mut z, mut overlap) = start;
+        let &AttractedRange { law, from, to: (upper, end), .. } = range;
+        let (mut z, mut overlap) = self.attractions_at_foot(law, from, upper, &mut visit);
         // The smallest summits are attracted within a layer that is thinner than a rounding.
         let shortest = (SHORTEST_PART * (end - overlap)).max(4.0 * f64::EPSILON * overlap.abs());
         for _ in 0..MOST_PANELS {
@@ -102,12 +100,34 @@ impl Population {
             };
             let densities = self.densities(separation, nodes.map(|(rise, _)| (z + rise, overlap + rise)));
             for ((rise, weight), density) in nodes.into_iter().zip(densities) {
-                self.add_attraction(law, sums, z + rise, overlap + rise, weight * density);
+                visit(z + rise, overlap + rise, weight * density);
             }
             z += length;
             overlap += length;
         }
         false
+    }
+
+    /// The first panel where the range begins at a foot at which the density is a power; returns where it ends, as height
+    /// and overlap.
+    fn attractions_at_foot(
+        &self,
+        law: &Attraction,
+        (z, overlap): (f64, f64),
+        upper: f64,
+        visit: &mut impl FnMut(f64, f64, f64),
+    ) -> (f64, f64) {
+        let smooth = (overlap + law.reach).min(self.radius.smooth_length(z));
+        let Some(panel) = FootPanel::new(&*self.heights, (PART_AT_FOOT * smooth).min(upper - z))
+            .filter(|_| z <= self.heights.support().0)
+        else {
+            return (z, overlap);
+        };
+        for (v, weight) in quadrature::nodes(0.0, 1.0) {
+            let (rise, rate) = panel.at(v);
+            visit(z + rise, overlap + rise, weight * rate * exp(self.heights.log_density(z + rise)));
+        }
+        (z + panel.length, overlap + panel.length)
     }
 
     /// The length of a panel, and the circle at its end by the radius at its beginning.

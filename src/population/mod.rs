@@ -2,13 +2,14 @@
 //!
 //! Each sum is an integral over height z of an asperity's law times the height density. `break_away` tells where contact
 //! begins, `panels` integrates over the summits in contact, `attracted` over those that attract below; `node_table` keeps
-//! what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells more of the contacts than their sums, `tangential` what they
-//! resist before they slip.
+//! what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells more of the contacts than
+//! their sums, `tangential` what they resist before they slip, `changes` what the sums change by with each parameter.
 //!
 //! Heights, overlaps and separations are in sigma; sums are per summit, loads in E* b^2, friction in G* b^2, areas in b^2.
 
 mod attracted;
 mod break_away;
+mod changes;
 mod deep;
 mod node_table;
 mod panels;
@@ -17,6 +18,7 @@ mod statistics;
 mod sums;
 mod tangential;
 
+pub use changes::{Change, Changes};
 pub use statistics::Statistics;
 pub use sums::Sums;
 
@@ -303,27 +305,35 @@ impl Population {
 
     /// Hands all summits in contact to a visitor; `false` if that takes more panels than there may be.
     fn visit(&self, separation: f64, edge: &Edge, visitor: &mut impl Visitor) -> bool {
-        let edge_height = edge.point.z;
-        if edge_height >= self.highest {
-            return true;
-        }
-        let start = if edge_height >= self.lower_cut {
-            edge.point
-        } else {
-            let g = self.radius.factor(self.lower_cut);
-            self.at_height(separation, self.lower_cut, self.law.guess(self.lower_cut - separation, g))
-        };
+        let Some(start) = self.lowest_contact(separation, edge) else { return true };
         match &self.nodes {
-            Some(table) => self.walk_table(table, separation, start, edge_height, visitor),
-            None => self.walk(separation, start, edge_height, f64::INFINITY, &mut Progress::default(), visitor),
+            Some(table) => self.walk_table(table, separation, start, edge.point.z, visitor),
+            None => self.walk(separation, start, edge.point.z, f64::INFINITY, &mut Progress::default(), visitor),
         }
+    }
+
+    /// Where sums over the contacts begin; `None` if there are none.
+    fn lowest_contact(&self, separation: f64, edge: &Edge) -> Option<Point> {
+        if edge.point.z >= self.highest {
+            return None;
+        }
+        if edge.point.z >= self.lower_cut {
+            return Some(edge.point);
+        }
+        let g = self.radius.factor(self.lower_cut);
+        Some(self.at_height(separation, self.lower_cut, self.law.guess(self.lower_cut - separation, g)))
+    }
+
+    /// Whether there are summits that break away at a separation.
+    fn has_summits_at(&self, edge: &Edge) -> bool {
+        let (lowest, highest) = self.heights.support();
+        (lowest.max(self.lower_cut)..=highest).contains(&edge.point.z)
     }
 
     /// The slopes' share of a moving edge: what a summit loses there at once, times how fast heights pass it.
     fn add_edge(&self, sums: &mut Sums, separation: f64, edge: &Edge) {
         let z = edge.point.z;
-        let (lowest, highest) = self.heights.support();
-        if z < lowest.max(self.lower_cut) || z > highest {
+        if !self.has_summits_at(edge) {
             return;
         }
         let passing = crate::elementary::exp(self.heights.log_density(z)) / edge.rate;

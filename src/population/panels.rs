@@ -7,6 +7,7 @@
 
 use super::sums::Summit;
 use super::{Point, Population, RADII};
+use crate::asperity::slip::Slip;
 use crate::distribution::panel::{self, FootPanel};
 use crate::elementary::exp;
 use crate::numerics::hermite::Cubic;
@@ -56,6 +57,26 @@ pub trait Visitor {
     fn summits(&mut self, z: f64, fraction: f64, summit: &Summit);
     /// The last summit of a panel.
     fn end_of_panel(&mut self, _end: &Point) {}
+}
+
+/// What the contacts of a walk are handed to, with all that is known of them.
+pub trait ContactVisitor {
+    /// So many contacts, as a fraction of all summits.
+    fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip);
+    /// The last contact of a panel.
+    fn last_contact(&mut self, _end: &Point) {}
+}
+
+impl<V: Visitor> ContactVisitor for V {
+    #[inline]
+    fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip) {
+        self.summits(point.z, fraction, &Summit::new(&point.contact, slip));
+    }
+
+    #[inline]
+    fn last_contact(&mut self, end: &Point) {
+        self.end_of_panel(end);
+    }
 }
 
 /// The variable in which a panel is laid.
@@ -108,7 +129,7 @@ impl Population {
         edge_height: f64,
         end: f64,
         progress: &mut Progress,
-        visitor: &mut impl Visitor,
+        visitor: &mut impl ContactVisitor,
     ) -> bool {
         let mut here = self.above_foot(separation, start, edge_height, end, progress, visitor);
         let mut kink = None;
@@ -143,9 +164,9 @@ impl Population {
             {
                 let fraction = weight * density;
                 progress.add(fraction, point.contact.overlap);
-                visitor.summits(point.z, fraction, &Summit::new(&point.contact, &self.slip));
+                visitor.contacts(fraction, point, &self.slip);
             }
-            visitor.end_of_panel(&panel.to);
+            visitor.last_contact(&panel.to);
             (here, kink) = (panel.to, panel.kink);
         }
         false
@@ -212,7 +233,7 @@ impl Population {
         edge_height: f64,
         end: f64,
         progress: &mut Progress,
-        visitor: &mut impl Visitor,
+        visitor: &mut impl ContactVisitor,
     ) -> Point {
         let (foot, _) = self.heights.support();
         let smooth = (start.z - edge_height).min(self.radius.smooth_length(foot));
@@ -232,7 +253,7 @@ impl Population {
             here = self.at_height(separation, foot + rise, here.contact.parameter);
             let fraction = weight * rate * exp(self.heights.log_density(here.z));
             progress.add(fraction, here.contact.overlap);
-            visitor.summits(here.z, fraction, &Summit::new(&here.contact, &self.slip));
+            visitor.contacts(fraction, &here, &self.slip);
         }
         self.at_height(separation, foot + panel.length, here.contact.parameter)
     }

@@ -1,6 +1,6 @@
 //! Radius of curvature of a summit as a function of its height, eq (3).
 
-use crate::elementary::{exp, hypot};
+use crate::elementary::{exp, hypot, tanh};
 
 /// g(z) = 1 + epsilon tanh(rho z), the local radius over the mean one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,6 +50,17 @@ impl RadiusProfile {
         self.at(z).0
     }
 
+    /// dg/d(epsilon) and dg/d(ln rho) at height z.
+    pub fn changes(&self, z: f64) -> [f64; 2] {
+        if self.at(z).0 <= SMALLEST_FACTOR {
+            return [0.0; 2];
+        }
+        let y = self.rate * (z + self.origin);
+        let tanh = tanh(y);
+        let decay = exp(-2.0 * y.abs());
+        [tanh, self.amplitude * y * 4.0 * decay / ((1.0 + decay) * (1.0 + decay))]
+    }
+
     /// How far above z one smooth piece may reach: the poles of tanh lie at +-i pi/(2 rho).
     pub fn smooth_length(&self, z: f64) -> f64 {
         if self.is_constant() {
@@ -90,6 +101,25 @@ mod tests {
             assert!((g / (2.0 * f64::exp(z)) - 1.0).abs() < 1e-12 && (slope / g - 1.0).abs() < 1e-12, "{g:e} at {z}");
         }
         assert_eq!(vanishing.at(-140.0), (SMALLEST_FACTOR, 0.0));
+    }
+
+    #[test]
+    fn changes_are_those_of_secants() {
+        for (amplitude, rate, origin) in [(0.0, 0.5, 0.0), (0.6, 0.5, 0.0), (-0.9, 2.0, 1.5)] {
+            let factor = |by_amplitude: f64, by_rate: f64, z: f64| {
+                RadiusProfile { amplitude: amplitude + by_amplitude, rate: rate * (1.0 + by_rate), origin }.factor(z)
+            };
+            for z in [-5.0, -1.0, 0.0, 0.3, 4.0] {
+                let secants =
+                    [factor(1e-6, 0.0, z) - factor(-1e-6, 0.0, z), factor(0.0, 1e-6, z) - factor(0.0, -1e-6, z)];
+                let changes = RadiusProfile { amplitude, rate, origin }.changes(z);
+                for (found, secant) in changes.into_iter().zip(secants) {
+                    assert!((found - secant / 2e-6).abs() < 1e-9, "{amplitude} at {z}: {found}, not {}", secant / 2e-6);
+                }
+            }
+        }
+        // Summits that carry nothing go on doing so.
+        assert_eq!(RadiusProfile { amplitude: 1.0, rate: 0.5, origin: 0.0 }.changes(-140.0), [0.0; 2]);
     }
 
     /// Of 16 points, on the integral of g, z + epsilon ln(cosh(rho z))/rho; nor is a panel shorter than it need be.

@@ -65,6 +65,7 @@ static void sizes_and_offsets_do_not_change(void)
     CHECK(sizeof(asperity_params) >= 216, "asperity_params has lost a field");
     CHECK(sizeof(asperity_state) >= 192, "asperity_state has lost a field");
     CHECK(sizeof(asperity_summary) >= 104, "asperity_summary has lost a field");
+    CHECK(sizeof(asperity_sensitivities) >= 152, "asperity_sensitivities has lost a field");
     OFFSET(asperity_params, struct_size, 0);
     OFFSET(asperity_params, composite_modulus, 8);
     OFFSET(asperity_params, asperity_count, 64);
@@ -91,6 +92,12 @@ static void sizes_and_offsets_do_not_change(void)
     OFFSET(asperity_summary, alpha, 8);
     OFFSET(asperity_summary, pull_off_load, 56);
     OFFSET(asperity_summary, table_error, 96);
+    OFFSET(asperity_sensitivities, composite_modulus, 8);
+    OFFSET(asperity_sensitivities, asperity_count, 64);
+    OFFSET(asperity_sensitivities, weibull_shape, 72);
+    OFFSET(asperity_sensitivities, slip_radius_1, 96);
+    OFFSET(asperity_sensitivities, skew, 128);
+    OFFSET(asperity_sensitivities, hardness, 144);
 #undef OFFSET
 }
 
@@ -582,14 +589,20 @@ static asperity_status fill_summary(const asperity_model *model, void *out)
     return asperity_summary_of(model, out);
 }
 
+static asperity_status fill_sensitivities(const asperity_model *model, void *out)
+{
+    return asperity_sensitivities_at_load(model, 1.0, out);
+}
+
 static void outputs_are_written_no_further_than_struct_size(void)
 {
-    fill_call *const calls[] = { fill_state, fill_state_at_separation, fill_summary };
-    const size_t sizes[] = { sizeof(asperity_state), sizeof(asperity_state), sizeof(asperity_summary) };
+    fill_call *const calls[] = { fill_state, fill_state_at_separation, fill_summary, fill_sensitivities };
+    const size_t sizes[] = { sizeof(asperity_state), sizeof(asperity_state), sizeof(asperity_summary),
+                             sizeof(asperity_sensitivities) };
     asperity_model *model = model_of(surface(0));
     union { uint64_t size; unsigned char bytes[ROOM]; } block, filled;
 
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         for (uint64_t size = 16; size <= sizes[k]; size += 8) {
             memset(&block, GUARD, sizeof block);
             block.size = size;
@@ -635,6 +648,35 @@ static void failing_states_say_what_is_wrong(void)
     CHECK(asperity_state_at_separation(model, 1e300, &state) == ASPERITY_OUT_OF_RANGE && says("separation = 1e300: "),
           "'%s'", last_message());
     CHECK(SAME(state, before), "the state was touched by a failing call");
+    asperity_free(model);
+    asperity_free(hertz);
+}
+
+static void failing_sensitivities_say_what_is_wrong(void)
+{
+    asperity_model *model = model_of(surface(0)), *hertz = model_of(surface(1));
+    asperity_summary summary;
+    asperity_sensitivities out, before;
+
+    summary.struct_size = sizeof summary;
+    CHECK(asperity_summary_of(model, &summary) == ASPERITY_OK, "no summary: %s", last_message());
+    memset(&out, GUARD, sizeof out);
+    out.struct_size = sizeof out;
+    before = out;
+#define REFUSED(model, load, status, words)                                                                            \
+    CHECK(asperity_sensitivities_at_load(model, load, &out) == (status) && says(words), "%g: '%s'", (double)(load),    \
+          last_message())
+    REFUSED(model, NAN, ASPERITY_INVALID_LOAD, "load = NaN: ");
+    REFUSED(model, -INFINITY, ASPERITY_INVALID_LOAD, "load = -inf: ");
+    REFUSED(model, -1e9, ASPERITY_SEPARATED, "load = -1000000000: ");
+    REFUSED(model, 1e200, ASPERITY_OUT_OF_RANGE, "load = 1e200: ");
+    REFUSED(model, summary.pull_off_load, ASPERITY_OUT_OF_RANGE, "load = -");
+    REFUSED(hertz, 0.0, ASPERITY_OUT_OF_RANGE, "load = 0: ");
+    REFUSED(hertz, -1.0, ASPERITY_SEPARATED, "load = -1: ");
+#undef REFUSED
+    CHECK(SAME(out, before), "the sensitivities were touched by a failing call");
+    CHECK(asperity_sensitivities_at_load(model, 0.0, &out) == ASPERITY_OK, "at zero load: %s", last_message());
+    CHECK(out.effective_shear_modulus == 1.0 && out.work_of_adhesion > 0.0, "more adhesion, less friction");
     asperity_free(model);
     asperity_free(hertz);
 }
@@ -955,6 +997,7 @@ int main(void)
     tables_are_refused_by_name();
     outputs_are_written_no_further_than_struct_size();
     failing_states_say_what_is_wrong();
+    failing_sensitivities_say_what_is_wrong();
     warnings_of_a_range_are_those_of_its_states();
     loads_without_a_state_have_no_warnings();
     for (int i = 0; i < SURFACES; i++) {

@@ -57,6 +57,7 @@ static void list_specials(void)
 static void evaluate_at(const asperity_model *model, double x)
 {
     asperity_state state;
+    asperity_sensitivities sensitivities;
     double out[2], slope[2], in[2];
     uint64_t warnings;
 
@@ -75,6 +76,9 @@ static void evaluate_at(const asperity_model *model, double x)
     asperity_state_at_load(model, x, &state);
     doing = "asperity_state_at_separation";
     asperity_state_at_separation(model, x, &state);
+    sensitivities.struct_size = sizeof sensitivities;
+    doing = "asperity_sensitivities_at_load";
+    asperity_sensitivities_at_load(model, x, &sensitivities);
     doing = "asperity_check_loads";
     asperity_check_loads(model, x, x, &warnings);
     doing = "between calls";
@@ -237,12 +241,14 @@ static void null_pointers(void)
     asperity_model *model = NULL;
     asperity_state state;
     asperity_summary summary;
+    asperity_sensitivities sensitivities;
     uint64_t warnings;
     double x = 1.0, y = 1.0;
     char message[8];
 
     state.struct_size = sizeof state;
     summary.struct_size = sizeof summary;
+    sensitivities.struct_size = sizeof sensitivities;
     doing = "a call with NULL";
     CHECK(asperity_create(&p, &model) == ASPERITY_OK, "no model");
 #define REFUSES(call) CHECK((call) == ASPERITY_NULL_POINTER, "NULL is not refused")
@@ -271,6 +277,8 @@ static void null_pointers(void)
     REFUSES(asperity_check_loads(model, 1, 2, NULL));
     REFUSES(asperity_summary_of(NULL, &summary));
     REFUSES(asperity_summary_of(model, NULL));
+    REFUSES(asperity_sensitivities_at_load(NULL, 1, &sensitivities));
+    REFUSES(asperity_sensitivities_at_load(model, 1, NULL));
 #undef REFUSES
     CHECK(isnan(asperity_friction_at_load(NULL, 1)), "a NULL model has a friction coefficient");
     CHECK(isnan(asperity_friction_force_at_load(NULL, 1)), "a NULL model has a friction force");

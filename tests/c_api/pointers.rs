@@ -238,6 +238,7 @@ fn null_is_refused_or_skipped() {
             asperity_table_of(null(), null_mut()),
             asperity_tangential_stiffness_at_loads(null(), 1, &1.0, &mut slope),
             asperity_tangential_at_load(null(), 1.0, 1.0, &mut slope, null_mut()),
+            asperity_sensitivities_at_load(null(), 1.0, &mut asperity_sensitivities::empty()),
         ] {
             assert_eq!(refused, NULL_POINTER);
         }
@@ -405,12 +406,15 @@ fn structs(handle: &Handle) {
     let summary_of = |place: &Place| unsafe { asperity_summary_of(handle.0, place.pointer()) };
     // SAFETY: as before.
     let table_of = |place: &Place| unsafe { asperity_table_of(handle.0, place.pointer()) };
+    // SAFETY: as before.
+    let sensitivities = |place: &Place| unsafe { asperity_sensitivities_at_load(handle.0, 1e-3, place.pointer()) };
     type Fill<'a> = &'a dyn Fn(&Place) -> i32;
-    let fills: [(Fill, usize); 4] = [
+    let fills: [(Fill, usize); 5] = [
         (&at_load, size_of::<asperity_state>()),
         (&at_separation, size_of::<asperity_state>()),
         (&summary_of, size_of::<asperity_summary>()),
         (&table_of, size_of::<asperity_table>()),
+        (&sensitivities, size_of::<asperity_sensitivities>()),
     ];
     for (fill, whole) in fills {
         let answers: Vec<Place> = [16, whole, whole + 24]
@@ -449,6 +453,7 @@ fn structs(handle: &Handle) {
         assert_eq!(asperity_check_loads(handle.0, 1.0, 2.0, warnings.pointer()), OK);
         assert_eq!(asperity_summary_of(handle.0, null_mut()), NULL_POINTER);
         assert_eq!(asperity_table_of(handle.0, null_mut()), NULL_POINTER);
+        assert_eq!(asperity_sensitivities_at_load(handle.0, 1.0, null_mut()), NULL_POINTER);
         assert_eq!(asperity_get_params(handle.0, null_mut()), NULL_POINTER);
     }
     // Parameters into memory without values.

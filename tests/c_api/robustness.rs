@@ -622,6 +622,7 @@ fn a_null_output_is_refused_everywhere() {
         refused(asperity_state_at_separation(handle.0, 1.0, null_mut()), "state");
         refused(asperity_check_loads(handle.0, 1.0, 2.0, null_mut()), "warnings");
         refused(asperity_summary_of(handle.0, null_mut()), "summary");
+        refused(asperity_sensitivities_at_load(handle.0, 1.0, null_mut()), "sensitivities");
     }
 }
 

@@ -251,6 +251,18 @@ void johnson_heights_have_a_skew_and_a_kurtosis_of_their_own() {
 
 // ---- The model ----
 
+/// Without adhesion and with one shear strength F = tau A, in which E* takes from F what it adds to the load.
+void sensitivities_are_those_of_the_friction_force() {
+    const Params params = Params().work_of_adhesion(0.0).slip_radius_1(1e6).slip_radius_2(1e7);
+    const Model model(params);
+    const asperity::Sensitivities found = model.sensitivities_at_load(10.0);
+    const asperity::State state = model.state_at_load(10.0);
+    EXPECT(close(found.composite_modulus, -10.0 * state.dforce_dload / state.friction_force, 1e-9));
+    EXPECT(found.effective_shear_modulus == 1.0 && close(found.slip_stress_1, 1.0, 1e-12));
+    EXPECT(found.work_of_adhesion == 0.0 && found.skew == 0.0);
+    EXPECT(thrown_by([&] { model.sensitivities_at_load(0.0); }).status() == ASPERITY_OUT_OF_RANGE);
+}
+
 void a_model_moves_and_does_not_copy() {
     static_assert(!std::is_copy_constructible_v<Model> && !std::is_copy_assignable_v<Model>);
     static_assert(std::is_nothrow_move_constructible_v<Model> && std::is_nothrow_move_assignable_v<Model>);
@@ -578,6 +590,7 @@ int main() {
     dimensionless_groups_come_back_from_the_model();
     skew_chooses_the_weibull_shape();
     johnson_heights_have_a_skew_and_a_kurtosis_of_their_own();
+    sensitivities_are_those_of_the_friction_force();
     a_model_moves_and_does_not_copy();
     parameters_change_all_or_nothing();
     friction_is_that_of_the_reference();

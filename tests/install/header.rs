@@ -24,6 +24,7 @@ fn committed_header_is_what_the_sources_generate() {
         "state",
         "validity",
         "table",
+        "sensitivities",
     ];
     let builder = files
         .iter()

@@ -8,6 +8,7 @@ mod figures;
 mod heights;
 mod published;
 mod reference;
+mod sensitivities;
 mod tangential;
 mod validity;
 mod yielding;

@@ -15,6 +15,8 @@ from .fit import Fit, fit
 from .model import Model
 from .params import Params
 from .results import Hysteresis, State, Summary, ValidityWarning, Warnings
+from .sensitivity import Sensitivities
+from .uncertainty import Uncertainty, uncertainty
 
 __all__ = [
     "Error",
@@ -22,13 +24,16 @@ __all__ = [
     "Hysteresis",
     "Model",
     "Params",
+    "Sensitivities",
     "State",
     "Status",
     "Summary",
+    "Uncertainty",
     "ValidityWarning",
     "Warnings",
     "__version__",
     "fit",
     "materials",
     "surface",
+    "uncertainty",
 ]

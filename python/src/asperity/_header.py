@@ -150,11 +150,36 @@ class asperity_table(Structure):
     ]
 
 
+class asperity_sensitivities(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("composite_modulus", c_double),
+        ("effective_shear_modulus", c_double),
+        ("work_of_adhesion", c_double),
+        ("adhesion_range", c_double),
+        ("burgers_vector", c_double),
+        ("height_std", c_double),
+        ("summit_radius", c_double),
+        ("asperity_count", c_double),
+        ("weibull_shape", c_double),
+        ("radius_amplitude", c_double),
+        ("radius_rate", c_double),
+        ("slip_radius_1", c_double),
+        ("slip_stress_1", c_double),
+        ("slip_radius_2", c_double),
+        ("slip_stress_2", c_double),
+        ("skew", c_double),
+        ("kurtosis", c_double),
+        ("hardness", c_double),
+    ]
+
+
 _model = POINTER(asperity_model)
 _params = POINTER(asperity_params)
 _state = POINTER(asperity_state)
 _summary = POINTER(asperity_summary)
 _table = POINTER(asperity_table)
+_sensitivities = POINTER(asperity_sensitivities)
 _doubles = POINTER(c_double)
 
 # name: (what it returns, what it takes)
@@ -194,4 +219,5 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_check_loads": (asperity_status, [_model, c_double, c_double, POINTER(c_uint64)]),
     "asperity_warning_string": (c_char_p, [c_uint64]),
     "asperity_table_of": (asperity_status, [_model, _table]),
+    "asperity_sensitivities_at_load": (asperity_status, [_model, c_double, _sensitivities]),
 }

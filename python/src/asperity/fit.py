@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 
-# A direction that changes no friction by more than this part of it per unit of the search is lost in that error.
+# A direction that changes no friction by more than this part of it per unit of the search has no effect to be measured.
 _NO_EFFECT = 1e-6
 # Correlations above this are named: the data fix a combination of the two far better than either.
 _CORRELATED = 0.99
@@ -181,7 +181,7 @@ def _judge(search: Search, x: Array, success: bool) -> Fit:
     fitted, residuals = search.friction(x), search.residuals(x)
     chi_square, freedom = float(residuals @ residuals), residuals.size - x.size
     scatter = 1.0 if data.sigma is not None else chi_square / freedom
-    estimate = _Estimate.of(search.jacobian(x), float(np.linalg.norm(fitted * data.weight)), scatter)
+    estimate = _Estimate.of(search.exact_jacobian(x), float(np.linalg.norm(fitted * data.weight)), scatter)
 
     values = search.values(x)
     unit = np.array([name.per_coordinate(value) for name, value in zip(names, values)])

@@ -121,6 +121,13 @@ def free_names(given: Sequence[str], params: Params) -> tuple[FreeName, ...]:
     return names
 
 
+def put_all(names: Sequence[FreeName], params: Params, values: Sequence[float]) -> Params:
+    """Parameters with other values of some names; fields are set before the groups that are made of them."""
+    for name, value in sorted(zip(names, values), key=lambda pair: pair[0].is_group):
+        params = name.put(params, value)
+    return params
+
+
 def _look_up(name: Any, params: Params) -> FreeName:
     field = _SYMBOLS.get(name, name)
     if field not in _KINDS:

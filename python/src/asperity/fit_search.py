@@ -10,9 +10,10 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import Error, Status
-from .fit_names import FreeName
+from .fit_names import FreeName, put_all
 from .model import Model
 from .params import Params
+from .sensitivity import log_slopes
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -113,12 +114,8 @@ class Search:
         return [name.value(float(at), float(origin)) for name, at, origin in zip(self.names, x, self.origin)]
 
     def surfaces(self, x: Array) -> Params:
-        """Parameters at a point of the search; fields are set before the groups that are made of them."""
-        params = self.params
-        pairs = zip(self.names, self.values(x))
-        for name, value in sorted(pairs, key=lambda pair: pair[0].is_group):
-            params = name.put(params, value)
-        return params
+        """Parameters at a point of the search."""
+        return put_all(self.names, self.params, self.values(x))
 
     def friction(self, x: Array) -> Array:
         """What the model has for the data; raises what the library refuses."""
@@ -137,6 +134,15 @@ class Search:
 
     def jacobian(self, x: Array) -> Array:
         return np.stack([self._derivative(x, i) for i in range(x.size)], axis=1)
+
+    def exact_jacobian(self, x: Array) -> Array:
+        """The same by the library's sensitivities. Up to the pull-off load, where they are infinite, data do not count."""
+        load = self.data.load
+        slopes = np.zeros((load.size, x.size))
+        with Model(self.surfaces(x)) as model:
+            counts = load > model.summary().pull_off_load
+            slopes[counts] = log_slopes(self.surfaces, x, self.low, self.high, model, load[counts])
+        return slopes * (self.friction(x) * self.data.weight)[:, None]
 
     def _derivative(self, x: Array, i: int) -> Array:
         """By central differences; beside a bound or surfaces that are refused, of the same order to one side."""

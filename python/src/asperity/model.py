@@ -24,6 +24,7 @@ from ._library import LIBRARY
 from .errors import Error, Status, check
 from .params import Params
 from .results import Hysteresis, State, Summary, ValidityWarning, Warnings
+from .sensitivity import Sensitivities
 
 Loads = Union["npt.NDArray[Any]", "list[Any]", "tuple[Any, ...]"]
 Array = npt.NDArray[np.float64]
@@ -229,6 +230,23 @@ class Model:
         """
         return self._state(LIBRARY.asperity_state_at_separation, "separation", separation)
 
+    def sensitivities(self, load: float) -> Sensitivities:
+        """What the friction force at a load [force] changes by with each parameter: d(ln F)/d(ln p) at constant load.
+
+        `print(model.sensitivities(load).by_size())` lists them, `.plot()` draws them. They grow without limit next to the
+        pull-off load.
+
+        Raises:
+            Error: a load below the pull-off load (status SEPARATED), not finite, or out of range: the pull-off load itself,
+                zero without adhesion, or too heavy.
+            TypeError: not a number; an array takes a loop.
+        """
+        at = _number("load", load, "sensitivities")
+        handle = self._open()
+        struct = _header.asperity_sensitivities(struct_size=ctypes.sizeof(_header.asperity_sensitivities))
+        check(LIBRARY.asperity_sensitivities_at_load(handle.pointer, at, ctypes.byref(struct)))
+        return Sensitivities(at, *_values(struct))
+
     def check(self, lightest: float, heaviest: float) -> Warnings:
         """Whether the model holds for a contact that meets these loads: what fails in any state between.
 
@@ -293,9 +311,7 @@ class Model:
         return handle
 
     def _state(self, call: Any, name: str, at: Any) -> State:
-        if not isinstance(at, numbers.Real):
-            raise TypeError(f"{name} = {at!r}: must be one number; for many, [model.state_at_{name}(x) for x in ...]")
-        return _state(self._open(), call, float(at))
+        return _state(self._open(), call, _number(name, at, f"state_at_{name}"))
 
     def _evaluate(self, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool) -> Any:
         handle = self._open()
@@ -310,6 +326,12 @@ class Model:
         if math.isnan(value):  # quiet, where a comparison of Python's may raise a floating-point exception
             _refuse(handle, float(load))
         return (value, found.value) if slope else value
+
+
+def _number(name: str, at: Any, method: str) -> float:
+    if not isinstance(at, numbers.Real):
+        raise TypeError(f"{name} = {at!r}: must be one number; for many, [model.{method}(x) for x in ...]")
+    return float(at)
 
 
 def _as_array(load: Any) -> Array:

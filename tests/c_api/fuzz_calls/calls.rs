@@ -376,9 +376,11 @@ impl<'a> Calls<'a> {
             assert_eq!(status, expected, "{}: {}", what(), message());
             let at_zero = load == 0.0 && s.pull_off_load == 0.0;
             assert!(expected != OUT_OF_RANGE || at_zero || !model.is_within_range(load), "{}: {}", what(), message());
+            self.sensitivities(model, load, Err(status));
             return;
         }
         check_state(&state, &what);
+        self.sensitivities(model, load, Ok(&state));
         assert!(state.load == load && load >= s.pull_off_load, "{}", what());
         let force = self.force(model, load);
         let difference = (force / state.friction_force - 1.0).abs();
@@ -393,6 +395,43 @@ impl<'a> Calls<'a> {
         if s.table_error > 0.0 && difference > 2e-13 + model.resolution(load) {
             self.tally.table_ratio = self.tally.table_ratio.max(difference / s.table_error);
         }
+    }
+
+    /// The sensitivities at a load of which the state is known, or why there is none.
+    fn sensitivities(&mut self, model: &Model, load: f64, state: Result<&asperity_state, i32>) {
+        let at: Shared = model.handle.0;
+        let mut found = asperity_sensitivities { kurtosis: BEFORE, ..asperity_sensitivities::empty() };
+        let before = bytes(&found).to_vec();
+        let found_at: *mut asperity_sensitivities = &mut found;
+        reset_message();
+        let status = call!(self, model.params, asperity_sensitivities_at_load(at, load, found_at));
+        let what = || format!("sensitivities at load {load:e}: {found:?}; {state:?}; {:?}", model.params);
+        if status != OK {
+            self.documented(status, &[INVALID_LOAD, SEPARATED, OUT_OF_RANGE, NOT_CONVERGED], &what);
+            assert_eq!(bytes(&found), before, "{}: refused, yet they are written", what());
+            match state {
+                Err(of_state) => assert_eq!(status, of_state, "{}: {}", what(), message()),
+                // At pull-off, where the slope may be a rounding, and where nothing touches.
+                Ok(state) => assert!(
+                    status == OUT_OF_RANGE && (state.dforce_dload >= 1e10 || state.friction_force == 0.0),
+                    "{}: {}",
+                    what(),
+                    message()
+                ),
+            }
+            return;
+        }
+        let state = state.unwrap_or_else(|_| panic!("{}: there is no state", what()));
+        assert!(found.values().iter().all(|value| value.is_finite()), "{}", what());
+        // The unit of stress does not matter, nor does that of length.
+        let by_load = load / state.friction_force * state.dforce_dload;
+        let stress = found.composite_modulus + found.work_of_adhesion + by_load;
+        let lengths = [found.adhesion_range, found.burgers_vector, found.height_std, found.summit_radius];
+        let length = lengths.iter().sum::<f64>() + found.work_of_adhesion + 2.0 * by_load - 2.0;
+        let largest = found.values().iter().fold(1.0, |largest: f64, value| largest.max(value.abs()));
+        let is_number = state.friction_force > 1e-250 && load.abs() > 1e-250 || load == 0.0;
+        let off = stress.abs().max(length.abs()) / largest;
+        assert!(!is_number || off < 1e-9, "{}: {stress:e}, {length:e}", what());
     }
 
     /// The warnings of all loads from one to another, against those of the states at both.

@@ -53,7 +53,7 @@ def draw_all(directory: Path) -> list[Path]:
         for figure in (*curves.SKEW_FIGURES, *curves.RADIUS_FIGURES):
             pictures[f"figure-{figure.number}"] = _curve_figure(figure)
         pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes(), "yield": _yield(), "microslip": _microslip()}
-        pictures |= validity.pictures()
+        pictures |= {"sensitivities": _sensitivities(), **validity.pictures()}
         return [_save(picture, directory / f"{name}.svg") for name, picture in pictures.items()]
 
 
@@ -181,6 +181,17 @@ def _shares(shares: list[tuple[str, Array]], labels: tuple[str, str, str]) -> Fi
             axes.tick_params(labelleft=False)
     panels[0].set_ylabel("fraction of the contacts [–]")
     picture.legend(*panels[0].get_legend_handles_labels(), loc="upper center", ncol=3, frameon=False)
+    return picture
+
+
+def _sensitivities() -> Figure:
+    """What friction changes by with each parameter, over the load."""
+    picture, (axes,) = _picture((6.4, 4.4), [(0.12, 0.13, 0.84, 0.79)])
+    axes.set_title(r"$\alpha = 0.01$, $\beta = 1000$, $\gamma = 0.001$", fontsize=10)
+    for number, (symbol, values) in enumerate(zip(curves.SENSITIVE.values(), curves.sensitivities())):
+        _line(axes, number, number, curves.LOADS, values, symbol)
+    axes.set(xlabel=_LOAD, ylabel="sensitivity of the friction [% per %]")
+    axes.legend(handlelength=4, ncol=3)
     return picture
 
 

@@ -25,7 +25,8 @@ def text() -> str:
     """The whole page."""
     parts = [_introduction(), _figure_3(), *map(_skew_figure, curves.SKEW_FIGURES)]
     parts += [_radius_figure(figure) for figure in curves.RADIUS_FIGURES]
-    return "\n\n".join([*parts, _kurtosis(), _regimes(), _yield(), _microslip()]) + "\n"
+    parts += [_kurtosis(), _regimes(), _yield(), _microslip(), _sensitivities()]
+    return "\n\n".join(parts) + "\n"
 
 
 def _introduction() -> str:
@@ -387,6 +388,26 @@ all slip at once, 4 (A − 1) where A > 1:
 | A | Work | Of equal summits |
 |---|---|---|
 {chr(10).join(works)}"""
+
+
+def _sensitivities() -> str:
+    values = curves.sensitivities(_SHOWN)
+    rows = [f"| {symbol} | {_cells(row, '.3f').replace('-', '−')} |" for symbol, row in zip(curves.SENSITIVE.values(), values)]
+    elastic, adhesion, *_, roughness, _ = curves.sensitivities()
+    order = _where(np.abs(roughness) < np.abs(elastic), "E* counts for more than σ")
+    return f"""\
+## What friction depends on
+
+![Sensitivities of the friction to six parameters, over the load](figures/sensitivities.svg)
+
+By how many per cent friction changes, at constant load, if a parameter grows by one per cent and the others stay as they are
+([theory.md](theory.md#sensitivities)). Here {order}; w counts for
+{_pair(adhesion)}. `Model.sensitivities` has all parameters at one load, and `uncertainty`
+makes a band of them ([python.md](python.md#what-friction-depends-on)).
+
+| % per % | {_heads(_SHOWN)} |
+|---|{'---|' * _SHOWN.size}
+{chr(10).join(rows)}"""
 
 
 # ---- Words and cells ----

@@ -1,0 +1,227 @@
+"""How well friction is known where the parameters are known with an error: a curve with a band.
+
+Linear from the sensitivities, or by as many models as are asked for with parameters drawn at random.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from dataclasses import dataclass
+from statistics import NormalDist
+from typing import TYPE_CHECKING, Callable, Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import Error, Status
+from .fit import Fit
+from .fit_names import FreeName, free_names, put_all
+from .model import Model
+from .params import Params
+from .sensitivity import log_slopes
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = npt.NDArray[np.float64]
+
+_LABELS = {"mu": "friction coefficient $F/P$", "force": "friction force $F$"}
+# Surfaces drawn in vain for each one asked for, at most: more are refused where the spread leaves the domain.
+_REFUSED = 2
+
+
+@dataclass(frozen=True, eq=False)
+class Uncertainty:
+    """Friction with its band. Arrays are over the loads.
+
+    Attributes:
+        load: normal loads [force].
+        value: friction coefficient or friction force [force] with the parameters as they are.
+        low: lower end of the band.
+        high: upper end of the band.
+        deviation: standard deviation, relative to `value`.
+        parts: name to the relative standard deviation that it causes alone, by the sensitivities.
+        coverage: the probability that friction lies between `low` and `high`.
+        quantity: "mu" or "force".
+        samples: friction of the surfaces drawn, (surfaces, loads); None for the linear band.
+        refused: surfaces that were drawn and that the library refused; others were drawn in their place.
+    """
+
+    load: Array
+    value: Array
+    low: Array
+    high: Array
+    deviation: Array
+    parts: dict[str, Array]
+    coverage: float
+    quantity: str
+    samples: Array | None
+    refused: int
+
+    def plot(self, file: str | os.PathLike[str] | None = None) -> Figure:
+        """Draws curve and band over the load, below what each parameter contributes, and writes the figure if a file is
+        named.
+
+        Args:
+            file: its ending is its format, for example "band.svg".
+
+        Raises:
+            ImportError: matplotlib is missing.
+        """
+        try:
+            from matplotlib.figure import Figure
+        except ImportError as error:
+            raise ImportError(f"drawing needs matplotlib ({error}): pip install matplotlib") from None
+
+        figure = Figure(figsize=(7, 6), layout="constrained")
+        above, below = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": (2, 1)})
+        if (self.load > 0).all():
+            above.set_xscale("log")
+        above.fill_between(self.load, self.low, self.high, alpha=0.3, label=f"{100 * self.coverage:g} %")
+        above.plot(self.load, self.value, color="C0")
+        above.set_ylabel(_LABELS[self.quantity])
+        above.legend()
+        for name, part in self.parts.items():
+            below.plot(self.load, 100 * part, label=name)
+        below.plot(self.load, 100 * self.deviation, color="black", label="all")
+        below.set(xlabel="normal load $P$", ylabel="standard deviation [%]")
+        below.legend(fontsize="small")
+        for axes in (above, below):
+            axes.grid(True, alpha=0.3)
+        if file is not None:
+            figure.savefig(file)
+        return figure
+
+
+def uncertainty(
+    params: Params | Fit,
+    spread: Mapping[str, float] | None = None,
+    loads: npt.ArrayLike | None = None,
+    *,
+    quantity: str = "mu",
+    samples: int = 0,
+    seed: int = 0,
+    coverage: float = 0.95,
+) -> Uncertainty:
+    """Friction at loads with the band that follows from the spread of the parameters.
+
+    Positive parameters are distributed log-normally, the others normally, each by itself. The linear band is that of
+    ln F by the sensitivities: right where the spread is small. For a wide one ask for samples; 200 take about a second.
+
+    Args:
+        params: the surfaces; or a fit, which brings the spread of its parameters with it, correlations included.
+        spread: name to standard deviation, relative to the value for names that are positive (0.1 is 10 %), absolute for
+            skew and radius_amplitude. The names are those of `fit`, see `asperity.fit_names`.
+        loads: normal loads [force], one-dimensional; > 0 for coefficients. By default those of the fit.
+        quantity: "mu", the friction coefficient, or "force".
+        samples: how many surfaces to draw; 0 for the linear band.
+        seed: of the random numbers.
+        coverage: the probability that the band is to have.
+
+    Raises:
+        ValueError: names, numbers or loads that cannot be used, or a surface that the library refuses (`Error`).
+        TypeError: params is neither.
+    """
+    names, params, covariance, given = _distribution(params, spread)
+    loads = given if loads is None else loads
+    if loads is None:
+        raise ValueError("loads: must be given")
+    load = np.atleast_1d(np.asarray(loads, dtype=np.float64))
+    _check(load, quantity, samples, coverage)
+
+    values = np.array([name.start(params) for name in names])
+    x = np.array([name.coordinate(value, value) for name, value in zip(names, values)])
+    limits = [name.limits(value, None) for name, value in zip(names, values)]
+    ends = [[name.coordinate(end, v) for name, end, v in zip(names, side, values)] for side in zip(*limits)]
+    low, high = np.array(ends[0]), np.array(ends[1])
+
+    def surfaces(at: Array) -> Params:
+        return put_all(names, params, [name.value(float(a), float(v)) for name, a, v in zip(names, at, values)])
+
+    with Model(surfaces(x)) as model:
+        force = model.friction_force_at_load(load)
+        slopes = log_slopes(surfaces, x, low, high, model, load)
+    unit = load if quantity == "mu" else np.ones(load.shape)
+    parts = {name.given: np.abs(slopes[:, i]) * math.sqrt(covariance[i, i]) for i, name in enumerate(names)}
+    drawn, refused = None, 0
+    if samples:
+        random = np.random.default_rng(seed)
+
+        def draw() -> Array | None:
+            at = random.multivariate_normal(x, covariance)
+            return _forces(surfaces, at, load) if ((low <= at) & (at <= high)).all() else None
+
+        forces, refused = _draw(draw, samples)
+        drawn = forces / unit
+        band = np.quantile(drawn, [0.5 - 0.5 * coverage, 0.5 + 0.5 * coverage], axis=0)
+        deviation = np.std(drawn, axis=0) / np.where(force > 0, force / unit, 1)
+    else:
+        deviation = np.sqrt(np.einsum("li,ij,lj->l", slopes, covariance, slopes))
+        reach = NormalDist().inv_cdf(0.5 + 0.5 * coverage) * deviation
+        band = force / unit * np.exp([-reach, reach])
+    return Uncertainty(load, force / unit, band[0], band[1], deviation, parts, coverage, quantity, drawn, refused)
+
+
+def _distribution(
+    params: Params | Fit, spread: Mapping[str, float] | None
+) -> tuple[tuple[FreeName, ...], Params, Array, Array | None]:
+    """Names, parameters and the covariance of their coordinates; the loads of a fit."""
+    if isinstance(params, Fit):
+        if spread is not None:
+            raise ValueError("spread: a fit brings its own; give fit.params for another")
+        names = free_names(params.free, params.params)
+        unit = np.array([name.per_coordinate(params.values[name.given]) for name in names])
+        covariance = params.covariance / np.outer(unit, unit)
+        if not np.isfinite(covariance).all():
+            lost = ", ".join(name for name in params.free if math.isinf(params.errors[name]))
+            raise ValueError(f"the fit does not determine {lost}: friction has no band; fit it without")
+        return names, params.params, covariance, params.load
+    if not isinstance(params, Params):
+        raise TypeError(f"params = {params!r}: must be a Params or a Fit")
+    if not spread:
+        raise ValueError("spread: must name at least one parameter, {name: standard deviation}")
+    for name, deviation in spread.items():
+        if not (math.isfinite(deviation) and deviation >= 0):
+            raise ValueError(f"spread of {name} = {deviation!r}: must be finite and >= 0")
+    names = free_names(tuple(spread), params)
+    return names, params, np.diag([float(deviation) ** 2 for deviation in spread.values()]), None
+
+
+def _check(load: Array, quantity: str, samples: int, coverage: float) -> None:
+    if load.ndim != 1 or load.size == 0:
+        raise ValueError(f"loads: must be one-dimensional and not empty, not of shape {load.shape}")
+    if quantity not in _LABELS:
+        raise ValueError(f"quantity = {quantity!r}: must be 'mu' or 'force'")
+    if quantity == "mu" and not (load > 0).all():
+        raise ValueError('loads: must be > 0 for coefficients, since F/P has no finite value there; quantity="force" has')
+    if samples != int(samples) or samples < 0 or samples == 1:
+        raise ValueError(f"samples = {samples!r}: must be 0, for the linear band, or a whole number from 2 on")
+    if not 0 < coverage < 1:
+        raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
+
+
+def _draw(draw: Callable[[], Array | None], samples: int) -> tuple[Array, int]:
+    """Forces of so many surfaces, and how many were refused on the way."""
+    forces: list[Array] = []
+    refused = 0
+    while len(forces) < samples:
+        found = draw()
+        if found is not None:
+            forces.append(found)
+            continue
+        refused += 1
+        if refused > _REFUSED * samples:
+            raise ValueError(f"spread: {refused} of {refused + len(forces)} surfaces drawn are refused; make it smaller")
+    return np.array(forces), refused
+
+
+def _forces(surfaces: Callable[[Array], Params], at: Array, load: Array) -> Array | None:
+    """Of a surface that was drawn; None if the library refuses it."""
+    try:
+        with Model(surfaces(at)) as model:
+            return model.friction_force_at_load(load)
+    except Error as error:
+        if error.status == Status.INTERNAL:
+            raise
+        return None

@@ -1,0 +1,146 @@
+"""Sensitivities against differences of models, and the bands that follow from them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from asperity import Error, Model, Params, Sensitivities, Status, _header, fit, uncertainty
+
+LOADS = np.geomspace(0.1, 1e4, 9)
+
+
+def log_force(params: Params, load: float) -> float:
+    with Model(params) as model:
+        return math.log(model.state_at_load(load).friction_force)
+
+
+@pytest.mark.parametrize("name", ["composite_modulus", "height_std", "work_of_adhesion", "kurtosis", "slip_stress_1"])
+def test_sensitivities_are_differences_of_models(params: Params, name: str) -> None:
+    johnson = params.replace(skew=0.3, kurtosis=3.5)
+    value = getattr(johnson, name)
+    below, above = (log_force(johnson.replace(**{name: value * math.exp(step)}), 10.0) for step in (-1e-4, 1e-4))
+    with Model(johnson) as model:
+        assert getattr(model.sensitivities(10.0), name) == pytest.approx((above - below) / 2e-4, rel=1e-5)
+
+
+def test_the_struct_has_the_fields() -> None:
+    theirs = [field[0] for field in _header.asperity_sensitivities._fields_[1:]]
+    assert [field.name for field in fields(Sensitivities)] == ["load", *theirs]
+
+
+def test_what_is_not_read_has_none_and_the_rest_is_sorted(model: Model) -> None:
+    found = model.sensitivities(10)
+    assert found.load == 10 and found.effective_shear_modulus == 1
+    assert found.weibull_shape == found.skew == found.kurtosis == found.hardness == found.radius_rate == 0
+    sizes = [abs(value) for value in found.by_size().values()]
+    assert sizes == sorted(sizes, reverse=True) and "skew" not in found.by_size()
+
+
+def test_loads_without_sensitivities_are_refused(model: Model) -> None:
+    pull_off = model.summary().pull_off_load
+    for load, status in ((math.nan, Status.INVALID_LOAD), (-1e9, Status.SEPARATED), (pull_off, Status.OUT_OF_RANGE)):
+        with pytest.raises(Error) as refused:
+            model.sensitivities(load)
+        assert refused.value.status == status
+    with pytest.raises(TypeError, match="must be one number"):
+        model.sensitivities([1.0])  # type: ignore[arg-type]
+
+
+def test_bars_are_drawn(model: Model, tmp_path: Path) -> None:
+    figure = model.sensitivities(10).plot(tmp_path / "bars.svg")
+    labels = [label.get_text() for label in figure.axes[0].get_yticklabels()]
+    assert labels[0] == next(iter(model.sensitivities(10).by_size())) and "radius_amplitude, absolute" in labels
+    assert (tmp_path / "bars.svg").stat().st_size > 1000
+
+
+# ---- Bands ----
+
+
+def test_a_narrow_band_is_the_same_by_sensitivities_and_by_samples(params: Params) -> None:
+    spread = {"sigma": 0.01, "w": 0.02, "epsilon": 0.01}
+    linear = uncertainty(params, spread, LOADS)
+    drawn = uncertainty(params, spread, LOADS, samples=400, seed=1)
+    assert drawn.samples is not None and drawn.samples.shape == (400, LOADS.size) and drawn.refused == 0
+    # The standard error of a standard deviation of 400 is 3.5 %.
+    assert drawn.deviation == pytest.approx(linear.deviation, rel=0.12)
+    with Model(params) as model:
+        assert linear.value.tolist() == model.friction_at_load(LOADS).tolist()
+    assert ((linear.low < linear.value) & (linear.value < linear.high)).all()
+    width = np.log(linear.high / linear.low)
+    assert width == pytest.approx(2 * 1.959964 * linear.deviation, rel=1e-6)
+    assert np.log(drawn.high / drawn.low) == pytest.approx(width, rel=0.25)
+    squares = sum(part**2 for part in linear.parts.values())
+    assert np.sqrt(squares) == pytest.approx(linear.deviation, rel=1e-12)
+
+
+def test_groups_and_symbols_have_a_spread_too(params: Params) -> None:
+    """alpha is (sigma/R)^(1/2): a spread of 1 % is one of 1 % of sigma, against R."""
+    with Model(params) as model:
+        of = model.sensitivities(10.0)
+    found = uncertainty(params, {"alpha": 0.01}, [10.0])
+    assert found.deviation[0] == pytest.approx(0.01 * abs(of.height_std - of.summit_radius), rel=1e-6)
+    assert list(found.parts) == ["alpha"]
+
+
+def test_forces_have_a_band_where_coefficients_have_none(sticky: Params) -> None:
+    with Model(sticky) as model:
+        loads = [0.5 * model.summary().pull_off_load, 0.0, 1.0]
+    found = uncertainty(sticky, {"gamma": 0.05}, loads, quantity="force", coverage=0.68)
+    assert (found.low > 0).all() and found.deviation[0] > found.deviation[1] > found.deviation[2]
+    with pytest.raises(ValueError, match="must be > 0 for coefficients"):
+        uncertainty(sticky, {"gamma": 0.05}, loads)
+    with pytest.raises(Error, match="below the pull-off load"):
+        uncertainty(sticky, {"gamma": 0.05}, [2.1 * loads[0]], quantity="force")
+
+
+def test_a_fit_brings_its_spread_and_correlations_with_it(params: Params) -> None:
+    with Model(params) as model:
+        mu = model.friction_at_load(LOADS)
+    found = fit(LOADS, mu * (1 + 0.003 * np.random.default_rng(2).standard_normal(LOADS.size)), 0.003 * mu,
+                ("gamma", "sigma"), params=params)  # fmt: skip
+    band = uncertainty(found)
+    assert band.load.tolist() == LOADS.tolist() and band.value == pytest.approx(found.fitted, rel=1e-12)
+    # Better known than a point of the data, and than by the two errors alone.
+    assert band.deviation.max() < 0.003
+    alone = np.sqrt(sum(part**2 for part in band.parts.values()))
+    assert (band.deviation < alone).all()
+
+
+def test_spreads_that_leave_the_domain_are_drawn_anew_or_refused(params: Params) -> None:
+    found = uncertainty(params.replace(radius_amplitude=0.9), {"epsilon": 0.1}, [1.0], samples=20)
+    assert found.refused > 0 and found.samples is not None and np.isfinite(found.samples).all()
+    with pytest.raises(ValueError, match="are refused; make it smaller"):
+        uncertainty(params, {"beta": 100.0}, [1.0], samples=2)
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        ({"spread": {}}, "must name at least one"),
+        ({"spread": {"nonsense": 0.1}}, "free name 'nonsense'"),
+        ({"spread": {"sigma": -0.1}}, "spread of sigma = -0.1"),
+        ({"spread": {"sigma": 0.1, "height_std": 0.1}}, "both vary"),
+        ({"loads": None}, "loads: must be given"),
+        ({"loads": [[1.0]]}, "one-dimensional"),
+        ({"quantity": "stress"}, "must be 'mu' or 'force'"),
+        ({"samples": 1}, "from 2 on"),
+        ({"coverage": 1.0}, "between 0 and 1"),
+    ],
+)
+def test_what_cannot_be_used_is_refused(params: Params, arguments: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        uncertainty(params, **({"spread": {"sigma": 0.1}, "loads": [1.0]} | arguments))
+
+
+def test_a_band_is_drawn(params: Params, tmp_path: Path) -> None:
+    figure = uncertainty(params, {"sigma": 0.1, "w": 0.2}, LOADS).plot(tmp_path / "band.svg")
+    legend = figure.axes[1].get_legend()
+    assert legend is not None
+    assert [text.get_text() for text in legend.get_texts()] == ["sigma", "w", "all"]
+    assert (tmp_path / "band.svg").stat().st_size > 1000

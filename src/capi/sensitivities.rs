@@ -1,0 +1,113 @@
+//! Sensitivities of the friction force, as C sees them.
+
+use super::boundary::{self, reference};
+use super::model::asperity_model;
+use super::reserve;
+use super::state::fill;
+use super::status::asperity_status;
+use crate::sensitivity::Sensitivities;
+
+/// What the friction force F at constant load changes by with each parameter p, the others as they are: d(ln F)/d(ln p),
+/// the percentage by which F changes for each percent of p. For `radius_amplitude` and `skew`, which may be 0 or negative, it
+/// is d(ln F)/dp. 0 for a parameter that the model does not read.
+///
+/// A friction coefficient changes as F does, since the load is constant.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct asperity_sensitivities {
+    /// Set by the caller to `sizeof(asperity_sensitivities)`; the library writes no more than that.
+    pub struct_size: u64,
+    /// To E*.
+    pub composite_modulus: f64,
+    /// To G*: 1.
+    pub effective_shear_modulus: f64,
+    /// To w; 0 where w is 0.
+    pub work_of_adhesion: f64,
+    /// To h; 0 where w is 0.
+    pub adhesion_range: f64,
+    /// To b; the slip radii grow with it.
+    pub burgers_vector: f64,
+    /// To sigma.
+    pub height_std: f64,
+    /// To R.
+    pub summit_radius: f64,
+    /// To N.
+    pub asperity_count: f64,
+    /// To omega; 0 unless heights are Weibull's.
+    pub weibull_shape: f64,
+    /// To epsilon: d(ln F)/d(epsilon), also where epsilon is 0; at -1 and 1 the limit from within. 0 where epsilon must be 0,
+    /// since `radius_rate` is not between 1e-6 and 1000.
+    pub radius_amplitude: f64,
+    /// To rho; 0 where epsilon is 0.
+    pub radius_rate: f64,
+    /// To a_1/b.
+    pub slip_radius_1: f64,
+    /// To tau_1/G*.
+    pub slip_stress_1: f64,
+    /// To a_2/b.
+    pub slip_radius_2: f64,
+    /// To tau_2/G*.
+    pub slip_stress_2: f64,
+    /// To the skew at this kurtosis: d(ln F)/d(skew); 0 unless heights are Johnson's.
+    pub skew: f64,
+    /// To the kurtosis at this skew; 0 unless heights are Johnson's.
+    pub kurtosis: f64,
+    /// To H; 0 where contacts are elastic.
+    pub hardness: f64,
+}
+
+impl asperity_sensitivities {
+    fn new(of: &Sensitivities, struct_size: u64) -> Self {
+        Self {
+            struct_size,
+            composite_modulus: of.composite_modulus,
+            effective_shear_modulus: of.effective_shear_modulus,
+            work_of_adhesion: of.work_of_adhesion,
+            adhesion_range: of.adhesion_range,
+            burgers_vector: of.burgers_vector,
+            height_std: of.height_std,
+            summit_radius: of.summit_radius,
+            asperity_count: of.asperity_count,
+            weibull_shape: of.weibull_shape,
+            radius_amplitude: of.radius_amplitude,
+            radius_rate: of.radius_rate,
+            slip_radius_1: of.slip_radius_1,
+            slip_stress_1: of.slip_stress_1,
+            slip_radius_2: of.slip_radius_2,
+            slip_stress_2: of.slip_stress_2,
+            skew: of.skew,
+            kurtosis: of.kurtosis,
+            hardness: of.hardness,
+        }
+    }
+}
+
+/// The sensitivities of the friction force at a load, by integration over the summits, without the table. Takes longer than
+/// an exact state, but far less than a model.
+///
+/// Next to the pull-off load they grow without limit, as dF/dP does. There are none at that load itself and, without
+/// adhesion, at zero load.
+///
+/// @param model          must not be NULL
+/// @param load           normal load [force], above the pull-off load
+/// @param sensitivities  receives them; must not be NULL; its `struct_size` must be set; untouched on failure
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
+///         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE` (too heavy, or none at this load),
+///         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+///
+/// Threads: may share the model.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_sensitivities_at_load(
+    model: *const asperity_model,
+    load: f64,
+    sensitivities: *mut asperity_sensitivities,
+) -> asperity_status {
+    boundary::status(|| {
+        let model = &reference(model, "model")?.model;
+        reserve::held(|| {
+            fill(sensitivities, "sensitivities", |size| {
+                Ok(asperity_sensitivities::new(&model.sensitivities_at_load(load)?, size))
+            })
+        })
+    })
+}

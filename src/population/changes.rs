@@ -1,0 +1,205 @@
+//! What load and friction at a fixed separation change by as the parameters of the surface change.
+//!
+//! Every change is a sum over the summits, as the slopes are: a group changes the law of one summit, a radius parameter its
+//! radius, a parameter of the heights moves it, a slip constant changes its friction. To this comes what moves past the edge
+//! of contact and past where attraction sets in. Nothing is taken by differences.
+
+use super::break_away::Edge;
+use super::panels::{ContactVisitor, Progress};
+use super::radius::RadiusProfile;
+use super::{sums, Point, Population};
+use crate::asperity::slip::Slip;
+use crate::distribution::Motion;
+use crate::elementary::exp;
+use crate::error::Error;
+use crate::groups::GROUPS;
+
+/// An amplitude that changes no radius: with it panels heed how radii would change with height.
+const NO_AMPLITUDE: f64 = 1e-60;
+
+/// A change of the sums per change of a parameter.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Change {
+    /// Of the load, in E* b^2 per summit.
+    pub load: f64,
+    /// Of the friction force, in G* b^2 per summit.
+    pub friction: f64,
+}
+
+/// The changes at one separation from the mean of the heights, or from a point that moves with them.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Changes {
+    /// By the logarithms of the groups.
+    pub by_groups: [Change; GROUPS],
+    /// By epsilon and by ln rho of eq (3).
+    pub by_radius: [Change; 2],
+    /// By the parameters of the heights, as [`Motion`] has them.
+    pub by_heights: [Change; 2],
+    /// Of the friction by the logarithms of the slip constants.
+    pub friction_by_slip: [f64; 4],
+}
+
+impl Change {
+    fn add(&mut self, weight: f64, load: f64, friction: f64) {
+        self.load += weight * load;
+        self.friction += weight * friction;
+    }
+}
+
+/// How heights move at fixed quantiles, where they do.
+struct Heights<'a> {
+    motion: Option<Box<dyn Motion + 'a>>,
+    of_origin: [f64; 2],
+}
+
+impl Heights<'_> {
+    fn above_origin(&self, z: f64) -> [f64; 2] {
+        self.motion.as_ref().map_or([0.0; 2], |motion| motion.above_origin(z))
+    }
+}
+
+/// Adds up what summits in contact contribute.
+struct Adding<'a> {
+    population: &'a Population,
+    heights: &'a Heights<'a>,
+    changes: Changes,
+}
+
+impl ContactVisitor for Adding<'_> {
+    fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip) {
+        let contact = &point.contact;
+        let (g, _) = self.population.radius.at(point.z);
+        let (friction, friction_by_radius) = slip.force(contact.radius);
+        let by_overlap = if contact.overlap_rate > f64::MIN_POSITIVE { 1.0 / contact.overlap_rate } else { 0.0 };
+        let load_by_overlap = contact.load_rate * by_overlap;
+        let friction_by_overlap = friction_by_radius * contact.radius_rate * by_overlap;
+        let changes = &mut self.changes;
+        let of_law = self.population.law.by_groups(contact.parameter, g);
+        for (change, by_group) in changes.by_groups.iter_mut().zip(of_law) {
+            // At fixed overlap.
+            let load = by_group.load - load_by_overlap * by_group.overlap;
+            let friction = friction_by_radius * by_group.radius - friction_by_overlap * by_group.overlap;
+            change.add(fraction, load, friction);
+        }
+        let load_by_g = contact.load_by_g - load_by_overlap * contact.overlap_by_g;
+        let friction_by_g = friction_by_radius * contact.radius_by_g - friction_by_overlap * contact.overlap_by_g;
+        for (change, g_change) in changes.by_radius.iter_mut().zip(self.population.radius.changes(point.z)) {
+            change.add(fraction * g_change, load_by_g, friction_by_g);
+        }
+        if self.heights.motion.is_some() {
+            let moved = self.heights.above_origin(point.z).into_iter().zip(self.heights.of_origin);
+            for (change, (rise, of_origin)) in changes.by_heights.iter_mut().zip(moved) {
+                let g_change = point.g_rate * (rise + of_origin);
+                let load = load_by_overlap * rise + load_by_g * g_change;
+                change.add(fraction, load, friction_by_overlap * rise + friction_by_g * g_change);
+            }
+        }
+        for (change, log_change) in changes.friction_by_slip.iter_mut().zip(slip.log_changes(contact.radius)) {
+            *change += fraction * friction * log_change;
+        }
+    }
+}
+
+impl Population {
+    /// The changes at a separation, by radius and by heights where they are asked for, else 0. The parameters of the heights
+    /// move the origin of heights too, and the separation with it.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] if the sums take more panels than there may be.
+    pub fn changes(&self, separation: f64, with_radius: bool, with_heights: bool) -> Result<Changes, Error> {
+        let heights = match self.heights.motion().filter(|_| with_heights) {
+            Some(motion) => Heights { of_origin: motion.of_origin(), motion: Some(motion) },
+            None => Heights { of_origin: [0.0; 2], motion: None },
+        };
+        let heeds_radius = with_radius && self.radius.is_constant();
+        let amplitude = if heeds_radius { NO_AMPLITUDE } else { self.radius.amplitude };
+        let radius = RadiusProfile { amplitude, ..self.radius };
+        // A table of nodes would cost more than these sums.
+        let varied = Self {
+            law: self.law.clone(),
+            attraction: self.attraction.clone(),
+            slip: self.slip.clone(),
+            heights: self.heights.clone(),
+            radius,
+            nodes: None,
+            deep: None,
+            ..*self
+        };
+        varied.summed_changes(separation, &heights).ok_or_else(|| sums::out_of_panels(separation))
+    }
+
+    fn summed_changes(&self, separation: f64, heights: &Heights) -> Option<Changes> {
+        let edge = self.edge(separation);
+        let mut adding = Adding { population: self, heights, changes: Changes::default() };
+        if let Some(start) = self.lowest_contact(separation, &edge) {
+            let progress = &mut Progress::default();
+            if !self.walk(separation, start, edge.point.z, f64::INFINITY, progress, &mut adding) {
+                return None;
+            }
+        }
+        let mut changes = adding.changes;
+        if !self.add_attraction_changes(&mut changes, separation, &edge, heights) {
+            return None;
+        }
+        if self.has_summits_at(&edge) {
+            self.add_edge_changes(&mut changes, separation, &edge, heights);
+        }
+        Some(changes)
+    }
+
+    /// Adds what summits gain and lose that move past the edge of contact.
+    fn add_edge_changes(&self, changes: &mut Changes, separation: f64, edge: &Edge, heights: &Heights) {
+        let Point { z, g_rate, contact } = edge.point;
+        let below = self.attraction_at(separation, z).map_or(0.0, |attracted| attracted.load);
+        let load = contact.load - below;
+        let friction = self.slip.force(contact.radius).0;
+        let density = exp(self.heights.log_density(z));
+        let add = |change: &mut Change, edge_rise: f64| change.add(-density * edge_rise, load, friction);
+        // At break-away du/ds = 0, so that changes at fixed s are those of the overlap there.
+        let of_law = self.law.by_groups(contact.parameter, self.radius.factor(z));
+        for (change, by_group) in changes.by_groups.iter_mut().zip(of_law) {
+            add(change, by_group.overlap / edge.rate);
+        }
+        for (change, g_change) in changes.by_radius.iter_mut().zip(self.radius.changes(z)) {
+            add(change, contact.overlap_by_g * g_change / edge.rate);
+        }
+        let moved = heights.above_origin(z).into_iter().zip(heights.of_origin);
+        for (change, (rise, of_origin)) in changes.by_heights.iter_mut().zip(moved) {
+            add(change, contact.overlap_by_g * g_rate * of_origin / edge.rate - rise);
+        }
+    }
+
+    /// Adds the summits that attract; `false` if that takes more panels than there may be.
+    fn add_attraction_changes(&self, changes: &mut Changes, separation: f64, edge: &Edge, heights: &Heights) -> bool {
+        let Some(range) = self.attracted_range(separation, edge) else { return true };
+        let law = range.law;
+        let load = |overlap: f64, g: f64| law.at(law.circle(overlap, g), g);
+        if range.sets_in {
+            let (z, overlap) = range.from;
+            let gain = exp(self.heights.log_density(z)) * load(overlap, self.radius.factor(z)).load;
+            for (change, reach_change) in changes.by_groups.iter_mut().zip(law.reach_changes()) {
+                change.load += gain * reach_change;
+            }
+            for (change, rise) in changes.by_heights.iter_mut().zip(heights.above_origin(z)) {
+                change.load += gain * rise;
+            }
+        }
+        self.visit_attracted(&range, separation, |z, overlap, fraction| {
+            let (g, g_rate) = self.radius.at(z);
+            let (by_groups, by_g) = law.load_changes(overlap, g);
+            for (change, by_group) in changes.by_groups.iter_mut().zip(by_groups) {
+                change.load += fraction * by_group;
+            }
+            for (change, g_change) in changes.by_radius.iter_mut().zip(self.radius.changes(z)) {
+                change.load += fraction * by_g * g_change;
+            }
+            if heights.motion.is_some() {
+                let by_overlap = load(overlap, g).load_by_overlap;
+                let moved = heights.above_origin(z).into_iter().zip(heights.of_origin);
+                for (change, (rise, of_origin)) in changes.by_heights.iter_mut().zip(moved) {
+                    change.load += fraction * (by_overlap * rise + by_g * g_rate * (rise + of_origin));
+                }
+            }
+        })
+    }
+}

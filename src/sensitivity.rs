@@ -1,0 +1,107 @@
+//! What the friction force at constant load changes by with each parameter.
+//!
+//! At constant load dF/dp = dF/dp|_d - (dF/dd)/(dP/dd) dP/dp|_d. The changes at fixed separation d are those of the population
+//! by the groups; the parameters in the caller's units act through groups and units alone.
+
+use crate::error::Error;
+use crate::float_bits::finite;
+use crate::params::{HeightFamily, Params, RADIUS_RATES};
+use crate::population::{Change, Changes, Population, Sums};
+
+/// The sensitivities of the friction force F at constant load: d ln F/d ln p, but dF/dp/F for `radius_amplitude` and `skew`,
+/// which may be 0 or negative. 0 for what the model does not read.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Sensitivities {
+    /// To E*.
+    pub composite_modulus: f64,
+    /// To G*: 1.
+    pub effective_shear_modulus: f64,
+    /// To w; 0 without adhesion.
+    pub work_of_adhesion: f64,
+    /// To h; 0 without adhesion.
+    pub adhesion_range: f64,
+    /// To b, with the slip radii growing with it.
+    pub burgers_vector: f64,
+    /// To sigma.
+    pub height_std: f64,
+    /// To R.
+    pub summit_radius: f64,
+    /// To N.
+    pub asperity_count: f64,
+    /// To omega, for Weibull heights.
+    pub weibull_shape: f64,
+    /// To epsilon: d ln F/d(epsilon).
+    pub radius_amplitude: f64,
+    /// To rho; 0 if epsilon is 0.
+    pub radius_rate: f64,
+    /// To a_1.
+    pub slip_radius_1: f64,
+    /// To tau_1.
+    pub slip_stress_1: f64,
+    /// To a_2.
+    pub slip_radius_2: f64,
+    /// To tau_2.
+    pub slip_stress_2: f64,
+    /// To the skew of Johnson's heights, at fixed kurtosis: d ln F/d(skew).
+    pub skew: f64,
+    /// To the kurtosis of Johnson's heights, at fixed skew.
+    pub kurtosis: f64,
+    /// To H; 0 where contacts are elastic.
+    pub hardness: f64,
+}
+
+impl Sensitivities {
+    /// Of a population at a separation with these sums, where the load falls with separation and there is friction.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`].
+    pub(crate) fn of(params: &Params, population: &Population, separation: f64, sums: &Sums) -> Result<Self, Error> {
+        let (weibull, johnson) = match params.heights {
+            HeightFamily::Weibull { shape } => (shape, None),
+            HeightFamily::Johnson { kurtosis, .. } => (0.0, Some(kurtosis)),
+            HeightFamily::Gaussian | HeightFamily::Tabulated { .. } => (0.0, None),
+        };
+        // That of equal radii need not be one that others may have.
+        let with_radius = RADIUS_RATES.contains(&params.radius_rate);
+        let with_heights = weibull > 0.0 || johnson.is_some();
+        let changes = population.changes(separation, with_radius, with_heights)?;
+        let Changes { by_groups, by_radius, by_heights, friction_by_slip } = changes;
+
+        let force_per_load = sums.friction_slope / sums.load_slope;
+        let at_load = |change: Change| (change.friction - force_per_load * change.load) / sums.friction;
+        let by_load = force_per_load * sums.load() / sums.friction;
+        let [alpha, beta, gamma, b_over_h, hardness] = by_groups.map(at_load);
+        let [amplitude, rate] = by_radius.map(at_load);
+        let [first, second] = by_heights.map(at_load);
+        let [slip_radius_1, slip_stress_1, slip_radius_2, slip_stress_2] =
+            friction_by_slip.map(|change| change / sums.friction);
+        Ok(Self {
+            composite_modulus: -by_load - gamma - hardness,
+            effective_shear_modulus: 1.0,
+            work_of_adhesion: gamma,
+            adhesion_range: -b_over_h,
+            burgers_vector: 2.0 * (1.0 - by_load) - beta - gamma + b_over_h,
+            height_std: 0.5 * (beta + alpha),
+            summit_radius: 0.5 * (beta - alpha),
+            asperity_count: 1.0 - by_load,
+            weibull_shape: weibull * first,
+            radius_amplitude: if with_radius { amplitude } else { 0.0 },
+            radius_rate: if params.radius_amplitude == 0.0 { 0.0 } else { rate },
+            slip_radius_1,
+            slip_stress_1,
+            slip_radius_2,
+            slip_stress_2,
+            skew: johnson.map_or(0.0, |_| first),
+            kurtosis: johnson.map_or(0.0, |kurtosis| kurtosis * second),
+            hardness,
+        })
+    }
+
+    /// Whether all are numbers; the others are parts of one.
+    pub(crate) fn are_finite(&self) -> bool {
+        let of_groups = [self.composite_modulus, self.work_of_adhesion, self.adhesion_range, self.burgers_vector];
+        let of_surface = [self.height_std, self.summit_radius, self.asperity_count, self.radius_amplitude];
+        let of_shape = [self.weibull_shape, self.radius_rate, self.skew, self.kurtosis];
+        [of_groups, of_surface, of_shape, [self.hardness; 4]].iter().flatten().all(|&value| finite(value))
+    }
+}
