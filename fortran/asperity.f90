@@ -317,6 +317,19 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_state_at_separation
 
+    ! Single summits, each at an overlap. Every element is filled, then the first offence reported.
+    function asperity_summits_at_overlaps(model, n, overlap, height, load, force, radius) result(status) bind(c)
+      import :: c_int32_t, c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: overlap           ! n real(c_double) [length]
+      type(c_ptr), intent(in), value :: height            ! n real(c_double) [length]; c_null_ptr: the mean height
+      type(c_ptr), intent(in), value :: load              ! receives n real(c_double) [force]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: force             ! receives n real(c_double) [force]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: radius            ! receives n real(c_double) [length]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_summits_at_overlaps
+
     ! The constants of a model.
     function asperity_summary_of(model, summary) result(status) bind(c)
       import :: asperity_summary, c_int32_t, c_ptr
@@ -392,6 +405,7 @@ module asperity
   public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
+  public :: asperity_summits_at_overlaps
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
   public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
 
@@ -475,6 +489,15 @@ module asperity
     !   state  type(asperity_state), intent(inout); as it was on failure
     procedure, public :: state_at_load => model_state_at_load
     procedure, public :: state_at_separation => model_state_at_separation
+
+    ! call law%summits_at_overlaps(overlap, load, force, radius [, height] [, stat] [, errmsg])    single summits
+    !   overlap  real(c_double), intent(in) [length], (n): the height of a summit less the separation
+    !   load     real(c_double), intent(out) [force], (n); negative where a summit pulls
+    !   force    real(c_double), intent(out) [force], (n): the friction force, 0 out of contact
+    !   radius   real(c_double), intent(out) [length], (n): of the contact, 0 out of contact
+    !   height   real(c_double), intent(in), optional [length], (n): from the mean of the summit heights, on which radii
+    !            depend where radius_amplitude is not 0; by default the mean height
+    procedure, public :: summits_at_overlaps => model_summits_at_overlaps
 
     ! call law%summary(constants [, stat] [, errmsg])
     !   constants  type(asperity_summary), intent(inout); as it was on failure
@@ -700,6 +723,23 @@ contains
     if (.not. is_created(self, stat, errmsg)) return
     call report(asperity_state_at_separation(self%handle, separation, state), stat, errmsg)
   end subroutine model_state_at_separation
+
+  subroutine model_summits_at_overlaps(self, overlap, load, force, radius, height, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), contiguous, target :: overlap(:)
+    real(c_double), intent(out), contiguous, target :: load(:), force(:), radius(:)
+    real(c_double), intent(in), optional, contiguous, target :: height(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call require_same_shape(shape(overlap), shape(load))
+    call require_same_shape(shape(overlap), shape(force))
+    call require_same_shape(shape(overlap), shape(radius))
+    if (present(height)) call require_same_shape(shape(overlap), shape(height))
+    if (.not. is_created(self, stat, errmsg)) return
+    call report(asperity_summits_at_overlaps(self%handle, size(overlap, kind=c_size_t), address(overlap), &
+                                             address(height), address(load), address(force), address(radius)), &
+                stat, errmsg)
+  end subroutine model_summits_at_overlaps
 
   subroutine model_summary(self, constants, stat, errmsg)
     class(friction_model), intent(in), target :: self

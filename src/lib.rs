@@ -32,5 +32,5 @@ pub mod spectrum;
 mod unit_slips;
 
 pub use error::{Error, Value};
-pub use model::{Model, State, Summary, WARNING_PLASTIC};
+pub use model::{Model, State, Summary, SummitState, WARNING_PLASTIC};
 pub use params::{HeightFamily, Params};

@@ -10,7 +10,7 @@ use crate::float_bits::finite;
 use crate::groups::Groups;
 use crate::law::{Law, Scales, Table, Unfollowed};
 use crate::params::Params;
-use crate::population::{Population, Statistics, Sums};
+use crate::population::{OneSummit, Population, Statistics, Sums};
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
@@ -25,7 +25,7 @@ const YIELD_PRESSURE: f64 = 0.4;
 const PLASTIC_INDEX: f64 = 1.0;
 /// Set in [`State::warnings`] where the elastic assumption fails.
 pub const WARNING_PLASTIC: u64 = 1;
-/// Separations beyond this many sigma are out of range.
+/// Separations, overlaps and heights beyond this many sigma are out of range.
 const FARTHEST_SEPARATION: f64 = 1e50;
 
 /// The friction law of a surface pair. Immutable: threads may share it.
@@ -118,6 +118,17 @@ pub struct State {
     pub plasticity_index: f64,
     /// [`WARNING_PLASTIC`], or 0.
     pub warnings: u64,
+}
+
+/// One summit at an overlap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SummitState {
+    /// Load; negative where it pulls [force].
+    pub load: f64,
+    /// Friction force; 0 out of contact [force].
+    pub friction_force: f64,
+    /// Contact radius; 0 out of contact [length].
+    pub contact_radius: f64,
 }
 
 /// Constants of a model.
@@ -366,24 +377,38 @@ impl Model {
     /// # Errors
     /// [`Error::InvalidParameter`] for a separation that is not finite, [`Error::OutOfRange`].
     pub fn state_at_separation(&self, separation: f64) -> Result<State, Error> {
-        if !finite(separation) {
-            return Err(Error::InvalidParameter {
-                name: "separation",
-                value: separation.into(),
-                allowed: "must be finite",
-            });
-        }
-        if separation.abs() > FARTHEST_SEPARATION * self.units.length {
-            return Err(Error::OutOfRange {
-                name: "separation",
-                value: separation.into(),
-                allowed: "must be within 1e50 height_std of zero",
-            });
-        }
-        let dimensionless = separation / self.units.length - self.branch.population().heights().origin();
+        let dimensionless = self.in_sigma("separation", separation)? - self.branch.population().heights().origin();
         let sums = self.branch.population().at_separation(dimensionless);
         let load = sums.load() * self.units.load;
         self.state(load, dimensionless, &sums)
+    }
+
+    /// One summit of a height above the mean, at an overlap: its height less the separation. By the law that the sums over
+    /// all summits are made of, in contact down to break-away.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] for a number that is not finite, [`Error::OutOfRange`].
+    pub fn summit_at_overlap(&self, overlap: f64, height: f64) -> Result<SummitState, Error> {
+        let population = self.branch.population();
+        let z = self.in_sigma("height", height)? - population.heights().origin();
+        let OneSummit { load, friction, radius } = population.one_summit(self.in_sigma("overlap", overlap)?, z);
+        Ok(SummitState {
+            load: load * self.units.load / self.units.count,
+            friction_force: friction * self.units.force / self.units.count,
+            contact_radius: radius * self.params.burgers_vector,
+        })
+    }
+
+    /// A length in sigma.
+    fn in_sigma(&self, name: &'static str, length: f64) -> Result<f64, Error> {
+        let value = length.into();
+        if !finite(length) {
+            return Err(Error::InvalidParameter { name, value, allowed: "must be finite" });
+        }
+        if length.abs() > FARTHEST_SEPARATION * self.units.length {
+            return Err(Error::OutOfRange { name, value, allowed: "must be within 1e50 height_std of zero" });
+        }
+        Ok(length / self.units.length)
     }
 
     /// The constants of the model.

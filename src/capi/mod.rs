@@ -20,6 +20,7 @@ mod setters;
 mod slope;
 mod state;
 mod status;
+mod summits;
 mod table;
 mod version;
 
@@ -32,5 +33,6 @@ pub use setters::*;
 pub use slope::*;
 pub use state::*;
 pub use status::*;
+pub use summits::*;
 pub use table::*;
 pub use version::*;

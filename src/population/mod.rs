@@ -2,7 +2,8 @@
 //!
 //! Each sum is an integral over height z of an asperity's law times the height density. `break_away` tells where contact
 //! begins, `panels` integrates over the summits in contact, `attracted` over those that attract below; `node_table` keeps
-//! what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells more of the contacts than their sums.
+//! what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells more of the contacts than their sums,
+//! `one_summit` gives the law of a single one.
 //!
 //! Heights, overlaps and separations are in sigma; sums are per summit, loads in E* b^2, friction in G* b^2, areas in b^2.
 
@@ -10,11 +11,13 @@ mod attracted;
 mod break_away;
 mod deep;
 mod node_table;
+mod one_summit;
 mod panels;
 pub mod radius;
 mod statistics;
 mod sums;
 
+pub use one_summit::OneSummit;
 pub use statistics::Statistics;
 pub use sums::Sums;
 
@@ -272,7 +275,7 @@ impl Population {
             return;
         }
         let passing = crate::elementary::exp(self.heights.log_density(z)) / edge.rate;
-        let below = self.attraction_at(separation, z).map_or(0.0, |attracted| attracted.load);
+        let below = self.attraction_at(z - separation, z).map_or(0.0, |attracted| attracted.load);
         sums.load_slope -= passing * (edge.point.contact.load - below);
         sums.friction_slope -= passing * self.slip.force(edge.point.contact.radius).0;
     }

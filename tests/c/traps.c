@@ -57,7 +57,7 @@ static void list_specials(void)
 static void evaluate_at(const asperity_model *model, double x)
 {
     asperity_state state;
-    double out[2], slope[2], in[2];
+    double out[2], slope[2], radius[2], in[2];
 
     memcpy(&in[0], &x, sizeof x);
     in[1] = 1.0;
@@ -74,6 +74,8 @@ static void evaluate_at(const asperity_model *model, double x)
     asperity_state_at_load(model, x, &state);
     doing = "asperity_state_at_separation";
     asperity_state_at_separation(model, x, &state);
+    doing = "asperity_summits_at_overlaps";
+    asperity_summits_at_overlaps(model, 2, in, in, out, slope, radius);
     doing = "between calls";
 }
 
@@ -258,6 +260,8 @@ static void null_pointers(void)
     REFUSES(asperity_state_at_load(NULL, 1, &state));
     REFUSES(asperity_state_at_load(model, 1, NULL));
     REFUSES(asperity_state_at_separation(NULL, 1, &state));
+    REFUSES(asperity_summits_at_overlaps(NULL, 1, &x, NULL, &y, NULL, NULL));
+    REFUSES(asperity_summits_at_overlaps(model, 1, NULL, NULL, &y, NULL, NULL));
     REFUSES(asperity_state_at_separation(model, 1, NULL));
     REFUSES(asperity_summary_of(NULL, &summary));
     REFUSES(asperity_summary_of(model, NULL));

@@ -8,3 +8,4 @@ mod figures;
 mod heights;
 mod published;
 mod reference;
+mod single_summits;

@@ -174,5 +174,6 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_state_at_load": (asperity_status, [_model, c_double, _state]),
     "asperity_state_at_separation": (asperity_status, [_model, c_double, _state]),
     "asperity_summary_of": (asperity_status, [_model, _summary]),
+    "asperity_summits_at_overlaps": (asperity_status, [_model, c_size_t, *5 * [_doubles]]),
     "asperity_table_of": (asperity_status, [_model, _table]),
 }
