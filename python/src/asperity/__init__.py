@@ -13,20 +13,24 @@ from ._header import ASPERITY_VERSION as __version__
 from .errors import Error, Status
 from .fit import Fit, fit
 from .model import Model
+from .pads import Pads, pads
 from .params import Params
-from .results import State, Summary, Warnings
+from .results import State, Summary, SummitStates, Warnings
 
 __all__ = [
     "Error",
     "Fit",
     "Model",
+    "Pads",
     "Params",
     "State",
     "Status",
     "Summary",
+    "SummitStates",
     "Warnings",
     "__version__",
     "fit",
     "materials",
+    "pads",
     "surface",
 ]
