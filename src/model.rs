@@ -28,6 +28,12 @@ pub const WARNING_PLASTIC: u64 = 1;
 /// Separations, overlaps and heights beyond this many sigma are out of range.
 const FARTHEST_SEPARATION: f64 = 1e50;
 
+/// Why there is no state at zero load where the pull-off load is 0.
+const NO_ADHESION: &str = "without adhesion the surfaces part at zero load, at no finite separation; must be > 0";
+const PULL_OFF_UNDERFLOWS: &str =
+    "the surfaces adhere, but the pull-off load of so rough ones is too small for a number and \
+    counts as 0; must be > 0, or sum single summits (asperity_summits_at_overlaps; asperity.pads in Python)";
+
 /// The friction law of a surface pair. Immutable: threads may share it.
 #[derive(Debug, Clone)]
 pub struct Model {
@@ -359,11 +365,8 @@ impl Model {
                 return Ok((point.separation, self.branch.population().at_separation(point.separation)));
             }
         } else if load == 0.0 {
-            return Err(Error::OutOfRange {
-                name: "load",
-                value: load.into(),
-                allowed: "without adhesion the surfaces part at zero load, at no finite separation; must be > 0",
-            });
+            let allowed = if self.params.work_of_adhesion > 0.0 { PULL_OFF_UNDERFLOWS } else { NO_ADHESION };
+            return Err(Error::OutOfRange { name: "load", value: load.into(), allowed });
         }
         // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
         let log_excess = log(load - pull_off) - log(self.units.load);
@@ -662,6 +665,19 @@ mod tests {
         let pressed = model.state_at_separation(pull_off + model.units.length).expect("a state");
         assert!(pressed.load > 300.0 && summary.pull_off_load < 0.0, "{pressed:?}");
         assert_eq!(pressed.friction_coefficient, pressed.friction_force / pressed.load);
+    }
+
+    #[test]
+    fn zero_load_without_a_state_says_whether_the_surfaces_adhere() {
+        for (params, reason) in [
+            (Params { work_of_adhesion: 0.0, ..Params::default() }, "without adhesion"),
+            (Params { height_std: 40.0 * Params::default().height_std, ..Params::default() }, "the surfaces adhere"),
+        ] {
+            let model = Model::new(&params).expect("a model");
+            assert_eq!(model.summary().pull_off_load, 0.0);
+            let error = model.state_at_load(0.0).expect_err("no state").to_string();
+            assert!(error.starts_with(&format!("load = 0: {reason}")), "{error}");
+        }
     }
 
     /// In units of which none is 1, with heights that are not measured from their mean.
