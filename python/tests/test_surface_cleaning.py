@@ -165,7 +165,7 @@ def test_the_recommended_cutoff_is_the_shortest_that_the_map_resolves(self_affin
     found = surface.cutoffs(self_affine, 1e-4, 5e-9, **MATERIAL)
     width, points = 2 * found.contact_radius / 5e-9, found.cutoff / 5e-9
     good = (width >= 4) & (points >= 6)
-    assert found.recommended == found.cutoff[good][0] and not good.all()
+    assert found.recommended is not None and found.recommended == found.cutoff[good][0] and not good.all()
     assert f"recommended: {found.recommended:.3g}, mu = " in str(found) and len(str(found).splitlines()) == points.size + 2
     at = int(np.nonzero(good)[0][0])
     again = surface.summits(surface.filter(self_affine, found.recommended, 5e-9))

@@ -11,7 +11,7 @@ The Rust library `libasperity` does the work; it is inside the package, unless A
 from . import materials, surface
 from ._header import ASPERITY_VERSION as __version__
 from .errors import Error, Status
-from .fit import Fit, fit
+from .fit import Fit, Prediction, fit
 from .model import Model
 from .pads import Pads, pads
 from .params import Params
@@ -23,6 +23,7 @@ __all__ = [
     "Model",
     "Pads",
     "Params",
+    "Prediction",
     "State",
     "Status",
     "Summary",
