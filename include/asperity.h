@@ -117,11 +117,44 @@
 #define ASPERITY_HEIGHTS_TABULATED 3
 
 /**
- * Bit of `warnings`: contacts yield, so that the elastic model does not hold. Set if the mean asperity pressure is at
- * least 0.4 of the hardness (yield sets in below the contact) or the plasticity index is above 1 (contacts flow at any
- * load). Never set if no hardness is given.
+ * Elastic summits, with adhesion after Maugis; without adhesion Hertz' law.
+ */
+#define ASPERITY_CONTACT_MAUGIS 0
+
+/**
+ * Summits that yield, after Zhao, Maietta and Chang (2000): needs `hardness` > 0 and `work_of_adhesion` = 0.
+ */
+#define ASPERITY_CONTACT_ELASTIC_PLASTIC 1
+
+/**
+ * Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
+ * hardness (yield sets in below the contact) or the plasticity index above 1 (contacts flow at any load). Never set if no
+ * hardness is given, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding.
  */
 #define ASPERITY_WARNING_PLASTIC 1
+
+/**
+ * Bit of `warnings`: summits do not act alone. Set if more than 10 % of them touch, or if the real area is more than 10 %
+ * of `nominal_area`, where that is given.
+ */
+#define ASPERITY_WARNING_CROWDED 2
+
+/**
+ * Bit of `warnings`: contacts are not small. Set if their radii are more than a tenth of those of their summits, on
+ * average.
+ */
+#define ASPERITY_WARNING_STEEP 4
+
+/**
+ * Bit of `warnings`: contacts have few atoms. Set if their mean radius is below `burgers_vector`.
+ */
+#define ASPERITY_WARNING_ATOMIC 8
+
+/**
+ * Bit of `warnings`: the sums are no means over surfaces at this load. Set if fewer than 20 summits touch; never if
+ * `asperity_count` is 1, whose loads are those of a mean summit.
+ */
+#define ASPERITY_WARNING_FEW 16
 
 /**
  * Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
@@ -257,6 +290,25 @@ typedef struct asperity_params {
    * Number of heights in the table, 3 to 256. 0 by default.
    */
   uint64_t table_length;
+  /**
+   * G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick.
+   * `asperity_params_set_materials` sets it. 0, the default, stands for E* G* / (2 (E* + G*)), which is exact for two
+   * bodies of one material and for one rigid body.
+   */
+  double tangential_modulus;
+  /**
+   * Nominal area of contact [length^2], >= 0, with which warnings compare the real area.
+   * `asperity_params_set_spectral_moments` sets it. 0, the default, means not known.
+   */
+  double nominal_area;
+  /**
+   * Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default.
+   */
+  int32_t contact_law;
+  /**
+   * Must be 0, the default.
+   */
+  int32_t reserved;
 } asperity_params;
 
 /**
@@ -350,6 +402,18 @@ typedef struct asperity_state {
    * Bits `ASPERITY_WARNING_...`: assumptions of the model that fail in this state; 0 if none is known to fail.
    */
   uint64_t warnings;
+  /**
+   * K_t [force/length]: tangential force by displacement while all contacts stick.
+   */
+  double tangential_stiffness;
+  /**
+   * Fraction of the contacts below first yield; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness.
+   */
+  double fraction_elastic;
+  /**
+   * Fraction of the contacts that are fully plastic.
+   */
+  double fraction_flowing;
 } asperity_state;
 
 /**
@@ -598,7 +662,8 @@ asperity_status asperity_params_init_unset_sized(struct asperity_params *params,
  * Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
  *
  * In the paper's units b = 1, G = 1, N = 1: E* = 2/(1 - nu), G* = 2, sigma = alpha beta, R = beta/alpha,
- * w = gamma E*, h = 1/(b/h). Loads are then P/(N G b^2). The other parameters stay as they are.
+ * w = gamma E*, h = 1/(b/h). Loads are then P/(N G b^2). `tangential_modulus` becomes 0, its default, which is exact
+ * here. The other parameters stay as they are.
  *
  * @param params    initialised parameters; must not be NULL; untouched on failure
  * @param alpha     (sigma/R)^(1/2) > 0, surface roughness
@@ -618,9 +683,10 @@ asperity_status asperity_params_set_dimensionless(struct asperity_params *params
                                                   double poisson);
 
 /**
- * Sets E* and G* from Young's modulus and Poisson's ratio of the two bodies.
+ * Sets E*, G* and `tangential_modulus` from Young's modulus and Poisson's ratio of the two bodies.
  *
- * 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 and G* = 2 G1 G2/(G1 + G2) with G = E/(2 (1 + nu)).
+ * 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, G* = 2 G1 G2/(G1 + G2) and 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2 with
+ * G = E/(2 (1 + nu)).
  *
  * @param params  initialised parameters; must not be NULL; untouched on failure
  * @param E1,E2   Young's moduli [stress] > 0; INFINITY is a rigid body, which at most one may be
@@ -636,7 +702,7 @@ asperity_status asperity_params_set_materials(struct asperity_params *params,
                                               double nu2);
 
 /**
- * Sets the roughness from the spectral moments of the profiles of an isotropic Gaussian surface.
+ * Sets the roughness and `nominal_area` from the spectral moments of the profiles of an isotropic Gaussian surface.
  *
  * m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile, which isotropy makes
  * the same in every direction. Two rough surfaces: add their moments. With the bandwidth alpha = m0 m4/m2^2, after
@@ -911,6 +977,68 @@ double asperity_slip_force(const struct asperity_model *model,
                            double *dforce_dslip_rate);
 
 /**
+ * Tangential stiffness K_t at a load: tangential force by displacement of the surfaces while all contacts stick.
+ *
+ * K_t = 8 G^ times the sum of the contact radii. The friction force over K_t is the length before gross slip: what
+ * solvers call bristle deflection or elastic slip. At a constant load the tangential force is `asperity_tangential_at_load`.
+ *
+ * @param model  a model
+ * @param load   normal load [force]
+ * @return K_t [force/length], positive also at zero and negative load down to pull-off; 0 below pull-off and, without
+ *         adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a
+ *         NULL model
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_tangential_stiffness_at_load(const struct asperity_model *model,
+                                             double load);
+
+/**
+ * Tangential stiffnesses at many loads.
+ *
+ * Every element has the bits that `asperity_tangential_stiffness_at_load` gives. All elements are filled; then the first
+ * load that is not in order, if any, is reported, and `asperity_last_error` names its index.
+ *
+ * @param model      must not be NULL
+ * @param n          number of loads; may be 0
+ * @param load       n loads [force]; must not be NULL unless n = 0
+ * @param stiffness  receives n stiffnesses [force/length]; NULL to skip; may be `load` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+ *         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the stiffness is NaN)
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_tangential_stiffness_at_loads(const struct asperity_model *model,
+                                                       size_t n,
+                                                       const double *load,
+                                                       double *stiffness);
+
+/**
+ * The tangential force T at a load and a displacement, by integration over the summits, without the table.
+ *
+ * Each contact sticks with its stiffness until its force is its strength, then slips: T rises from K_t times the
+ * displacement to the friction force F, with small contacts slipping first. From a surface pair without tangential force,
+ * at constant load. After a reversal at displacement r, where the force is T_r, Masing's rule gives
+ * T = T_r - 2 T((r - displacement)/2).
+ *
+ * @param model         must not be NULL
+ * @param load          normal load [force], from the pull-off load upwards
+ * @param displacement  of the surfaces along each other [length]; T is an odd function of it
+ * @param force         receives T [force]; NULL to skip; untouched on failure
+ * @param stiffness     receives dT/d(displacement) [force/length]; NULL to skip; untouched on failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a displacement that is not finite),
+ *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
+ *         `ASPERITY_OUT_OF_MEMORY`
+ *
+ * Threads: may share the model.
+ */
+asperity_status asperity_tangential_at_load(const struct asperity_model *model,
+                                            double load,
+                                            double displacement,
+                                            double *force,
+                                            double *stiffness);
+
+/**
  * The exact state at a load, by integration over the summits, without the table.
  *
  * @param model  must not be NULL
@@ -952,6 +1080,37 @@ asperity_status asperity_state_at_separation(const struct asperity_model *model,
  */
 asperity_status asperity_summary_of(const struct asperity_model *model,
                                     struct asperity_summary *summary);
+
+/**
+ * The warnings of all states from one load to another: whether the law holds for a contact that meets these loads.
+ *
+ * It looks at some hundred exact states, in milliseconds: for the start of a run, not for its inner loop.
+ *
+ * @param model     must not be NULL
+ * @param lightest  normal load [force], from the pull-off load upwards; without adhesion above 0, where nothing touches
+ * @param heaviest  normal load [force], not below `lightest`
+ * @param warnings  receives every bit `ASPERITY_WARNING_...` that is set in a state between; 0 if nothing is known to
+ *                  fail; must not be NULL; untouched on failure
+ * @return `ASPERITY_OK`, also if there are warnings; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`lightest` is
+ *         above `heaviest`), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`,
+ *         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+ *
+ * Threads: may share the model.
+ */
+asperity_status asperity_check_loads(const struct asperity_model *model,
+                                     double lightest,
+                                     double heaviest,
+                                     uint64_t *warnings);
+
+/**
+ * Says of one warning what fails and what to do about it.
+ *
+ * @param warning  one bit `ASPERITY_WARNING_...`
+ * @return a constant string, never NULL; "no warning" for 0, "unknown warning" for a number that is not one known bit
+ *
+ * Threads: any.
+ */
+const char *asperity_warning_string(uint64_t warning);
 
 /**
  * Load, friction force and contact radius of single summits, by the law that all sums of the model are made of.

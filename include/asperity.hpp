@@ -57,6 +57,9 @@ inline std::uint32_t abi_version() noexcept { return asperity_abi_version(); }
 /// What a status means, in a few words; a constant string.
 inline const char *status_string(Status status) noexcept { return asperity_status_string(status); }
 
+/// What a single bit ASPERITY_WARNING_ says: what fails and what to do about it; a constant string.
+inline const char *warning_string(std::uint64_t warning) noexcept { return asperity_warning_string(warning); }
+
 /// Why a call failed: the status, and in what() a message that names parameter, value and what is allowed.
 class Error : public std::runtime_error {
 public:
@@ -161,6 +164,12 @@ enum class Heights : std::int32_t {
     tabulated = ASPERITY_HEIGHTS_TABULATED, ///< a measured density, see Params::table
 };
 
+/// Laws of one summit in contact.
+enum class ContactLaw : std::int32_t {
+    maugis = ASPERITY_CONTACT_MAUGIS,                   ///< elastic, with adhesion; the default
+    elastic_plastic = ASPERITY_CONTACT_ELASTIC_PLASTIC, ///< summits that yield: needs hardness, and no adhesion
+};
+
 /// Two rough elastic surfaces, in one consistent system of units of your choice.
 ///
 /// A value. Each parameter has a reader and a setter of its name; setters can be chained and check nothing, Model does.
@@ -205,7 +214,7 @@ public:
         return *this;
     }
 
-    /// Sets E* and G* from Young's moduli [stress] and Poisson's ratios of the two bodies; infinity is a rigid body.
+    /// Sets E*, G* and the tangential modulus from Young's moduli [stress] and Poisson's ratios of the two bodies; infinity is a rigid body.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_materials(double E1, double nu1, double E2, double nu2) {
@@ -213,7 +222,7 @@ public:
         return *this;
     }
 
-    /// Sets height_std, summit_radius and asperity_count from the variances of height [length^2], slope and curvature
+    /// Sets height_std, summit_radius, asperity_count and nominal_area from the variances of height [length^2], slope and curvature
     /// [1/length^2] along a profile of an isotropic Gaussian surface; those of two surfaces add.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
@@ -336,6 +345,21 @@ public:
     double hardness() const noexcept { return c_.hardness; }
     /// Sets H [stress].
     Params &hardness(double value) noexcept { return set(c_.hardness, value); }
+
+    /// G^ [stress]: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for contacts that stick; 0 is E* G* / (2 (E* + G*)).
+    double tangential_modulus() const noexcept { return c_.tangential_modulus; }
+    /// Sets G^ [stress].
+    Params &tangential_modulus(double value) noexcept { return set(c_.tangential_modulus, value); }
+
+    /// Nominal area of contact [length^2], with which warnings compare the real area; 0 is not known.
+    double nominal_area() const noexcept { return c_.nominal_area; }
+    /// Sets the nominal area [length^2].
+    Params &nominal_area(double value) noexcept { return set(c_.nominal_area, value); }
+
+    /// Law of one summit in contact.
+    ContactLaw contact_law() const noexcept { return static_cast<ContactLaw>(c_.contact_law); }
+    /// Sets the law of one summit in contact.
+    Params &contact_law(ContactLaw value) noexcept { return set(c_.contact_law, static_cast<std::int32_t>(value)); }
 
     /// The heights of the table; none by default.
     Span<const double> table_height() const noexcept {
@@ -552,6 +576,47 @@ public:
         return result;
     }
 
+    /// Tangential stiffness K_t [force/length] at a normal load [force]: force by displacement while all contacts stick.
+    ///
+    /// Positive down to pull-off; 0 below and, without adhesion, at zero load; a quiet NaN for a NaN or infinite load.
+    double tangential_stiffness_at_load(double load) const noexcept {
+        return asperity_tangential_stiffness_at_load(handle_.get(), load);
+    }
+
+    /// Tangential stiffnesses at many loads, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as tangential_stiffness_at_load gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param loads      normal loads [force]
+    /// @param stiffness  receives as many stiffnesses [force/length]; may be `loads` itself
+    /// @return as for coefficients
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    Status tangential_stiffness_at_load(Span<const double> loads, Span<double> stiffness) const {
+        return many(stiffnesses, loads, stiffness, {});
+    }
+
+    /// Tangential stiffnesses [force/length] at many loads.
+    ///
+    /// 0 below pull-off, where the contact is open. Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_OUT_OF_RANGE) that names
+    /// the first load that is NaN, infinite or too heavy to be evaluated.
+    std::vector<double> tangential_stiffness_at_load(Span<const double> loads) const {
+        std::vector<double> stiffness(loads.size());
+        answered(stiffnesses, loads, stiffness, {});
+        return stiffness;
+    }
+
+    /// The tangential force T [force] at a load and a displacement [length], and dT/d(displacement) [force/length], exact.
+    ///
+    /// T rises from K_t times the displacement to the friction force: small contacts slip first. It is an odd function of
+    /// the displacement. After a reversal at displacement r: T = T_r - 2 T((r - displacement)/2).
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE,
+    /// ASPERITY_NOT_CONVERGED).
+    ValueAndSlope tangential_at_load(double load, double displacement) const {
+        ValueAndSlope force;
+        check(asperity_tangential_at_load(handle_.get(), load, displacement, &force.value, &force.slope));
+        return force;
+    }
+
     /// The exact state at a load [force], from the pull-off load upwards: integrates the model, uses no table.
     ///
     /// Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
@@ -570,6 +635,16 @@ public:
         state.struct_size = sizeof state;
         check(asperity_state_at_separation(handle_.get(), separation, &state));
         return state;
+    }
+
+    /// The bits ASPERITY_WARNING_ of all states from one load [force] to a heavier one: whether the law holds for a contact
+    /// that meets these loads; 0 if nothing is known to fail.
+    ///
+    /// Takes milliseconds. Throws Error as state_at_load, and ASPERITY_INVALID_PARAMETER if lightest is above heaviest.
+    std::uint64_t check_loads(double lightest, double heaviest) const {
+        std::uint64_t warnings = 0;
+        check(asperity_check_loads(handle_.get(), lightest, heaviest, &warnings));
+        return warnings;
     }
 
     /// Single summits at overlaps [length], by the law that all sums of the model are made of.
@@ -616,6 +691,11 @@ private:
     struct Free {
         void operator()(asperity_model *model) const noexcept { asperity_free(model); }
     };
+
+    static asperity_status stiffnesses(const asperity_model *model, std::size_t n, const double *load,
+                                       double *stiffness, double *) {
+        return asperity_tangential_stiffness_at_loads(model, n, load, stiffness);
+    }
 
     Status many(Batch batch, Span<const double> loads, Span<double> value, Span<double> slope) const {
         require_size("values", value.size(), loads.size());

@@ -40,6 +40,15 @@ pub enum HeightFamily {
     },
 }
 
+/// The law of one summit in contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactLawKind {
+    /// Elastic, with adhesion after Maugis; without adhesion Hertz' law. Eqs (4)-(10).
+    Maugis,
+    /// Summits that yield, after Zhao, Maietta and Chang (2000): needs a hardness, and no adhesion.
+    ElasticPlastic,
+}
+
 /// Two rough elastic surfaces, as the equivalent rough surface against a flat.
 ///
 /// All quantities are in one consistent system of units. Loads, forces and areas are totals over
@@ -76,6 +85,13 @@ pub struct Params {
     pub max_friction_coefficient: f64,
     /// H [stress], indentation hardness of the softer body, to judge whether contacts are elastic; 0 if not known.
     pub hardness: f64,
+    /// G^ [stress]: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0 stands for
+    /// E* G* / (2 (E* + G*)), which is exact for two bodies of one material and for one rigid body.
+    pub tangential_modulus: f64,
+    /// Nominal area of contact [length^2], to judge whether summits crowd; 0 if not known.
+    pub nominal_area: f64,
+    /// The law of one summit in contact.
+    pub contact_law: ContactLawKind,
 }
 
 impl Default for Params {
@@ -97,6 +113,9 @@ impl Default for Params {
             slip: SlipConstants::default(),
             max_friction_coefficient: 1000.0,
             hardness: 0.0,
+            tangential_modulus: 0.0,
+            nominal_area: 0.0,
+            contact_law: ContactLawKind::Maugis,
         };
         params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
         params
@@ -137,7 +156,8 @@ impl Params {
         ]
     }
 
-    /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8).
+    /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8). The tangential
+    /// modulus becomes its default, which is that of this case.
     ///
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`]; the parameters are then as before.
@@ -163,6 +183,7 @@ impl Params {
     fn write_dimensionless(&mut self, alpha: f64, beta: f64, gamma: f64, b_over_h: f64, poisson: f64) {
         self.composite_modulus = 2.0 / (1.0 - poisson);
         self.effective_shear_modulus = 2.0;
+        self.tangential_modulus = 0.0;
         self.burgers_vector = 1.0;
         self.asperity_count = 1.0;
         self.height_std = alpha * beta;
@@ -171,7 +192,7 @@ impl Params {
         self.adhesion_range = 1.0 / b_over_h;
     }
 
-    /// E* and G* of two isotropic bodies; an infinite Young's modulus is a rigid body.
+    /// E*, G* and the tangential modulus of two isotropic bodies; an infinite Young's modulus is a rigid body.
     ///
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`]; the parameters are then as before.
@@ -198,11 +219,14 @@ impl Params {
             1.0 / (compliance(young_1, 1.0 - poisson_1 * poisson_1) + compliance(young_2, 1.0 - poisson_2 * poisson_2));
         self.effective_shear_modulus =
             1.0 / (compliance(young_1, 1.0 + poisson_1) + compliance(young_2, 1.0 + poisson_2));
+        let tangential = |poisson: f64| 2.0 * (1.0 + poisson) * (2.0 - poisson);
+        self.tangential_modulus =
+            1.0 / (compliance(young_1, tangential(poisson_1)) + compliance(young_2, tangential(poisson_2)));
         Ok(())
     }
 
-    /// Summits of an isotropic Gaussian surface: `height_std`, `summit_radius` and `asperity_count` from the spectral
-    /// moments of its profiles and its area.
+    /// Summits of an isotropic Gaussian surface: `height_std`, `summit_radius`, `asperity_count` and `nominal_area` from
+    /// the spectral moments of its profiles and its area.
     ///
     /// # Errors
     /// [`Error::InvalidParameter`], also for moments that no such surface has, or [`Error::OutOfRange`]; the parameters
@@ -222,6 +246,7 @@ impl Params {
         self.height_std = moments.summit_height_std();
         self.summit_radius = moments.summit_radius();
         self.asperity_count = moments.summit_density() * nominal_area;
+        self.nominal_area = nominal_area;
         Ok(())
     }
 
@@ -261,15 +286,24 @@ impl Params {
         if !infinite(self.max_friction_coefficient) {
             magnitude("max_friction_coefficient", self.max_friction_coefficient, "must be > 0; INFINITY is no cap")?;
         }
-        if self.hardness.to_bits() << 1 != 0 {
-            magnitude("hardness", self.hardness, "must be finite and >= 0; 0 is not known")?;
+        for (name, value, allowed) in [
+            ("hardness", self.hardness, "must be finite and >= 0; 0 is not known"),
+            ("tangential_modulus", self.tangential_modulus, "must be finite and >= 0; 0 is E* G* / (2 (E* + G*))"),
+            ("nominal_area", self.nominal_area, "must be finite and >= 0; 0 is not known"),
+        ] {
+            if value.to_bits() << 1 != 0 {
+                magnitude(name, value, allowed)?;
+            }
         }
+        self.check_contact_law()?;
 
         let groups = Groups {
             alpha: (self.height_std / self.summit_radius).sqrt(),
             beta: (self.height_std * self.summit_radius).sqrt() / self.burgers_vector,
             gamma: self.work_of_adhesion / (self.composite_modulus * self.burgers_vector),
             b_over_h: self.burgers_vector / self.adhesion_range,
+            hardness: if self.hardness > 0.0 { self.hardness / self.composite_modulus } else { f64::INFINITY },
+            yields: self.contact_law == ContactLawKind::ElasticPlastic,
         };
         check_groups(&groups)?;
         unit_slips::check(self)?;
@@ -296,6 +330,39 @@ impl Params {
             });
         }
         Ok(RadiusProfile { amplitude, rate, origin })
+    }
+
+    /// What summits that yield need.
+    fn check_contact_law(&self) -> Result<(), Error> {
+        let yields = self.contact_law == ContactLawKind::ElasticPlastic;
+        if yields && self.hardness == 0.0 {
+            return Err(Error::InvalidParameter {
+                name: "hardness",
+                value: self.hardness.into(),
+                allowed: "must be > 0 where contact_law is ASPERITY_CONTACT_ELASTIC_PLASTIC (1): summits yield at a \
+                          part of it",
+            });
+        }
+        if yields && self.work_of_adhesion != 0.0 {
+            return Err(Error::InvalidParameter {
+                name: "work_of_adhesion",
+                value: self.work_of_adhesion.into(),
+                allowed:
+                    "must be 0 where contact_law is ASPERITY_CONTACT_ELASTIC_PLASTIC (1): adhesion of summits that \
+                          yield is not modelled; set it to 0, or contact_law to ASPERITY_CONTACT_MAUGIS (0)",
+            });
+        }
+        Ok(())
+    }
+
+    /// G^: that given, or its default E* G*/(2 (E* + G*)).
+    pub(crate) fn effective_tangential_modulus(&self) -> f64 {
+        let (composite, shear) = (self.composite_modulus, self.effective_shear_modulus);
+        if self.tangential_modulus > 0.0 {
+            self.tangential_modulus
+        } else {
+            0.5 * composite * shear / (composite + shear)
+        }
     }
 
     fn check_slip(&self) -> Result<(), Error> {
@@ -404,6 +471,7 @@ fn poisson_ratio(name: &'static str, value: f64) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::float_bits::Neighbours;
 
     /// What a change of the default case is refused for, if it is: whether it has a meaning, and the offence's name.
     fn refused(change: impl FnOnce(&mut Params)) -> Option<(bool, &'static str)> {
@@ -423,7 +491,7 @@ mod tests {
 
     /// Refused next to an interval and taken at its ends, by a change of the default case.
     fn assert_interval(name: &'static str, has_meaning: bool, [from, to]: [f64; 2], change: impl Fn(&mut Params, f64)) {
-        for (value, next) in [(from, from.next_down()), (to, to.next_up())] {
+        for (value, next) in [(from, from.below()), (to, to.above())] {
             assert_eq!(refused(|params| change(params, value)), None, "{name} = {value:e}");
             assert_eq!(refused(|params| change(params, next)), Some((has_meaning, name)), "{name} = {next:e}");
         }
@@ -548,7 +616,7 @@ mod tests {
             ];
             outcomes.map(|outcome| outcome.is_ok())
         };
-        for (nu, outcome) in [(-1.0, false), ((-1.0_f64).next_up(), true), (0.5, true), (0.5_f64.next_up(), false)] {
+        for (nu, outcome) in [(-1.0, false), ((-1.0_f64).above(), true), (0.5, true), (0.5_f64.above(), false)] {
             assert_eq!(allowed(nu), [outcome; 3], "{nu}");
         }
         assert_eq!(allowed(f64::NAN), [false; 3]);

@@ -95,7 +95,7 @@ contains
     call check('a size beyond the type is refused', &
                asperity_params_init_sized(p, int(c_sizeof(p), c_int64_t) + 8) == ASPERITY_INVALID_PARAMETER)
     call check_text('... with a message', asperity_error_message(), &
-                    'struct_size = 200: must be at most 192: the header is newer than the library')
+                    'struct_size = 224: must be at most 216: the header is newer than the library')
   end subroutine sizes_of_parameters
 
   subroutine dimensionless_parameters

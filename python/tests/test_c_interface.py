@@ -109,6 +109,10 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.state_at_separation(model, separation, state) == Status.OK
     assert math.isclose(state.load, 50.0, rel_tol=1e-9)
 
+    # Two summits at overlaps, pressed and far apart.
+    assert lib.summits_at_overlaps(model, 2, doubles(5.0, -1e6), None, load := doubles(0.0, 1.0), None, None) == Status.OK
+    assert load[0] > 0 and load[1] == 0
+
     summary = _header.asperity_summary(struct_size=ctypes.sizeof(_header.asperity_summary))
     assert lib.summary_of(model, summary) == Status.OK
     assert abs(summary.skew) < 1e-9
@@ -129,13 +133,15 @@ def test_parameters_reach_the_library_unchanged() -> None:
         composite_modulus=1.1e11, effective_shear_modulus=6.5e10, work_of_adhesion=0.06, adhesion_range=4e-10,
         burgers_vector=3e-10, height_std=5e-9, summit_radius=1e-6, asperity_count=1.5e5, attraction=False,
         height_distribution="weibull", weibull_shape=2.5, radius_amplitude=-0.3, radius_rate=0.7, slip_radius_1=30.0,
-        slip_stress_1=0.02, slip_radius_2=7e4, slip_stress_2=8e-4, max_friction_coefficient=12.0, hardness=9e9,
+        slip_stress_1=0.02, slip_radius_2=7e4, slip_stress_2=8e-4, max_friction_coefficient=12.0, hardness=9e9, nominal_area=2e-8,
+            tangential_modulus=3e10,
     )  # fmt: skip
     with Model(params) as model:
         back = parameters_of(model)
     found = {field[0]: getattr(back, field[0]) for field in back._fields_[1:]}
     assert not found.pop("table_height") and not found.pop("table_density") and found.pop("table_length") == 0
-    expected = dict(vars(params), height_distribution=_header.ASPERITY_HEIGHTS_WEIBULL, attraction=0)
+    assert found.pop("reserved") == 0
+    expected = dict(vars(params), height_distribution=_header.ASPERITY_HEIGHTS_WEIBULL, attraction=0, contact_law=0)
     del expected["table_height"], expected["table_density"]
     assert found == expected
 

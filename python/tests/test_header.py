@@ -111,7 +111,7 @@ def test_sizes_offsets_and_constants_agree_with_a_c_compiler(
 
 @pytest.mark.parametrize("python, c", list(zip((Params, State, Summary), STRUCTS)))
 def test_dataclasses_have_the_fields_of_the_structs(python: Any, c: str) -> None:
-    theirs = [name for name, _ in getattr(_header, c)._fields_ if name not in ("struct_size", "table_length")]
+    theirs = [name for name, _ in getattr(_header, c)._fields_ if name not in ("struct_size", "table_length", "reserved")]
     assert [field.name.rstrip("_") for field in fields(python)] == theirs
 
 
@@ -121,5 +121,5 @@ def test_warnings_are_those_of_the_header(header: str) -> None:
 
 
 def test_statuses_are_those_of_the_header(header: str) -> None:
-    names = [name for name in constants(header) if not re.search("VERSION|HEIGHTS|TABLE|WARNING", name)]
+    names = [name for name in constants(header) if not re.search("VERSION|HEIGHTS|CONTACT|TABLE|WARNING", name)]
     assert [f"ASPERITY_{status.name}" for status in Status] == names

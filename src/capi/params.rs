@@ -4,7 +4,7 @@ use super::boundary::{wrong_struct_size, Failure};
 use crate::asperity::slip::SlipConstants;
 use crate::distribution::tabulated;
 use crate::error::{Error, Value};
-use crate::params::{HeightFamily, Params};
+use crate::params::{ContactLawKind, HeightFamily, Params};
 use std::mem::{offset_of, size_of};
 use std::sync::Arc;
 
@@ -16,6 +16,11 @@ pub const ASPERITY_HEIGHTS_WEIBULL: i32 = 1;
 pub const ASPERITY_HEIGHTS_JOHNSON: i32 = 2;
 /// Heights of a measured density: with `table_height`, `table_density` and `table_length`.
 pub const ASPERITY_HEIGHTS_TABULATED: i32 = 3;
+
+/// Elastic summits, with adhesion after Maugis; without adhesion Hertz' law.
+pub const ASPERITY_CONTACT_MAUGIS: i32 = 0;
+/// Summits that yield, after Zhao, Maietta and Chang (2000): needs `hardness` > 0 and `work_of_adhesion` = 0.
+pub const ASPERITY_CONTACT_ELASTIC_PLASTIC: i32 = 1;
 
 /// Two rough elastic surfaces, as the equivalent rough surface against a flat.
 ///
@@ -86,6 +91,17 @@ pub struct asperity_params {
     pub table_density: *const f64,
     /// Number of heights in the table, 3 to 256. 0 by default.
     pub table_length: u64,
+    /// G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick.
+    /// `asperity_params_set_materials` sets it. 0, the default, stands for E* G* / (2 (E* + G*)), which is exact for two
+    /// bodies of one material and for one rigid body.
+    pub tangential_modulus: f64,
+    /// Nominal area of contact [length^2], >= 0, with which warnings compare the real area.
+    /// `asperity_params_set_spectral_moments` sets it. 0, the default, means not known.
+    pub nominal_area: f64,
+    /// Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default.
+    pub contact_law: i32,
+    /// Must be 0, the default.
+    pub reserved: i32,
 }
 
 /// Size of the first version.
@@ -96,6 +112,8 @@ const SIZE: u64 = size_of::<asperity_params>() as u64;
 const JOHNSON_END: u64 = offset_of!(asperity_params, hardness) as u64;
 /// Where the hardness ends.
 const HARDNESS_END: u64 = offset_of!(asperity_params, table_height) as u64;
+/// Where the fields that tabulated heights read end.
+const TABLE_END: u64 = offset_of!(asperity_params, tangential_modulus) as u64;
 
 impl asperity_params {
     /// The parameters of a caller, from a struct of any version, with defaults for what it lacks.
@@ -135,7 +153,7 @@ impl asperity_params {
     pub(super) fn end_of_heights(&self) -> u64 {
         match self.height_distribution {
             ASPERITY_HEIGHTS_JOHNSON => JOHNSON_END,
-            ASPERITY_HEIGHTS_TABULATED => SIZE,
+            ASPERITY_HEIGHTS_TABULATED => TABLE_END,
             _ => FIRST_SIZE,
         }
     }
@@ -168,6 +186,13 @@ impl asperity_params {
             table_height: std::ptr::null(),
             table_density: std::ptr::null(),
             table_length: 0,
+            tangential_modulus: params.tangential_modulus,
+            nominal_area: params.nominal_area,
+            contact_law: match params.contact_law {
+                ContactLawKind::Maugis => ASPERITY_CONTACT_MAUGIS,
+                ContactLawKind::ElasticPlastic => ASPERITY_CONTACT_ELASTIC_PLASTIC,
+            },
+            reserved: 0,
         };
         match &params.heights {
             HeightFamily::Gaussian => {}
@@ -211,6 +236,20 @@ impl asperity_params {
             1 => true,
             other => return Err(invalid("attraction", other.into(), "must be 0 or 1")),
         };
+        let contact_law = match self.contact_law {
+            ASPERITY_CONTACT_MAUGIS => ContactLawKind::Maugis,
+            ASPERITY_CONTACT_ELASTIC_PLASTIC => ContactLawKind::ElasticPlastic,
+            other => {
+                return Err(invalid(
+                    "contact_law",
+                    other.into(),
+                    "must be one of ASPERITY_CONTACT_: MAUGIS (0), ELASTIC_PLASTIC (1)",
+                ))
+            }
+        };
+        if self.reserved != 0 {
+            return Err(invalid("reserved", self.reserved.into(), "must be 0, as asperity_params_init sets it"));
+        }
         Ok(Params {
             composite_modulus: self.composite_modulus,
             effective_shear_modulus: self.effective_shear_modulus,
@@ -232,6 +271,9 @@ impl asperity_params {
             },
             max_friction_coefficient: self.max_friction_coefficient,
             hardness: self.hardness,
+            tangential_modulus: self.tangential_modulus,
+            nominal_area: self.nominal_area,
+            contact_law,
         })
     }
 
@@ -255,14 +297,14 @@ impl asperity_params {
 
 /// The size of a caller's struct, if it is one of a version up to today's.
 pub(super) fn checked_size(size: u64) -> Result<u64, Failure> {
-    const _: () = assert!(FIRST_SIZE == 144 && SIZE == 192);
+    const _: () = assert!(FIRST_SIZE == 144 && TABLE_END == 192 && SIZE == 216);
     if size > SIZE {
-        return Err(wrong_struct_size(size, "must be at most 192: the header is newer than the library"));
+        return Err(wrong_struct_size(size, "must be at most 216: the header is newer than the library"));
     }
-    if size < FIRST_SIZE || !size.is_multiple_of(8) {
+    if size < FIRST_SIZE || size % 8 != 0 {
         return Err(wrong_struct_size(
             size,
-            "must be sizeof(asperity_params), 144 to 192 in steps of 8; call asperity_params_init first",
+            "must be sizeof(asperity_params), 144 to 216 in steps of 8; call asperity_params_init first",
         ));
     }
     Ok(size)

@@ -17,8 +17,8 @@ unsafe fn change(
     let mut changed = Params::default();
     set(&mut changed)?;
     take(&mut whole, &asperity_params::from_params(&changed));
-    // Setters change fields of the first version only, which every caller has.
-    whole.write(params, FIRST_SIZE);
+    // Fields that the caller's struct lacks stay unset.
+    whole.write(params, checked_size(params.cast::<u64>().read())?);
     Ok(())
 }
 
@@ -99,7 +99,8 @@ unsafe fn initialise(params: *mut asperity_params, size: u64, with: &Params) -> 
 /// Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
 ///
 /// In the paper's units b = 1, G = 1, N = 1: E* = 2/(1 - nu), G* = 2, sigma = alpha beta, R = beta/alpha,
-/// w = gamma E*, h = 1/(b/h). Loads are then P/(N G b^2). The other parameters stay as they are.
+/// w = gamma E*, h = 1/(b/h). Loads are then P/(N G b^2). `tangential_modulus` becomes 0, its default, which is exact
+/// here. The other parameters stay as they are.
 ///
 /// @param params    initialised parameters; must not be NULL; untouched on failure
 /// @param alpha     (sigma/R)^(1/2) > 0, surface roughness
@@ -132,14 +133,16 @@ pub unsafe extern "C" fn asperity_params_set_dimensionless(
                 params.height_std = changed.height_std;
                 params.summit_radius = changed.summit_radius;
                 params.asperity_count = changed.asperity_count;
+                params.tangential_modulus = changed.tangential_modulus;
             },
         )
     })
 }
 
-/// Sets E* and G* from Young's modulus and Poisson's ratio of the two bodies.
+/// Sets E*, G* and `tangential_modulus` from Young's modulus and Poisson's ratio of the two bodies.
 ///
-/// 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 and G* = 2 G1 G2/(G1 + G2) with G = E/(2 (1 + nu)).
+/// 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, G* = 2 G1 G2/(G1 + G2) and 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2 with
+/// G = E/(2 (1 + nu)).
 ///
 /// @param params  initialised parameters; must not be NULL; untouched on failure
 /// @param E1,E2   Young's moduli [stress] > 0; INFINITY is a rigid body, which at most one may be
@@ -163,12 +166,13 @@ pub unsafe extern "C" fn asperity_params_set_materials(
             |params, changed| {
                 params.composite_modulus = changed.composite_modulus;
                 params.effective_shear_modulus = changed.effective_shear_modulus;
+                params.tangential_modulus = changed.tangential_modulus;
             },
         )
     })
 }
 
-/// Sets the roughness from the spectral moments of the profiles of an isotropic Gaussian surface.
+/// Sets the roughness and `nominal_area` from the spectral moments of the profiles of an isotropic Gaussian surface.
 ///
 /// m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile, which isotropy makes
 /// the same in every direction. Two rough surfaces: add their moments. With the bandwidth alpha = m0 m4/m2^2, after
@@ -202,6 +206,7 @@ pub unsafe extern "C" fn asperity_params_set_spectral_moments(
                 params.height_std = changed.height_std;
                 params.summit_radius = changed.summit_radius;
                 params.asperity_count = changed.asperity_count;
+                params.nominal_area = changed.nominal_area;
             },
         )
     })

@@ -5,15 +5,8 @@ use super::model::asperity_model;
 use super::reserve;
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::model::{State, Summary, WARNING_PLASTIC};
+use crate::model::{State, Summary};
 use std::mem::size_of;
-
-/// Bit of `warnings`: contacts yield, so that the elastic model does not hold. Set if the mean asperity pressure is at
-/// least 0.4 of the hardness (yield sets in below the contact) or the plasticity index is above 1 (contacts flow at any
-/// load). Never set if no hardness is given.
-pub const ASPERITY_WARNING_PLASTIC: u64 = 1;
-
-const _: () = assert!(ASPERITY_WARNING_PLASTIC == WARNING_PLASTIC);
 
 /// The exact state of the contact; all quantities in the units of the parameters.
 #[repr(C)]
@@ -64,6 +57,12 @@ pub struct asperity_state {
     pub plasticity_index: f64,
     /// Bits `ASPERITY_WARNING_...`: assumptions of the model that fail in this state; 0 if none is known to fail.
     pub warnings: u64,
+    /// K_t [force/length]: tangential force by displacement while all contacts stick.
+    pub tangential_stiffness: f64,
+    /// Fraction of the contacts below first yield; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness.
+    pub fraction_elastic: f64,
+    /// Fraction of the contacts that are fully plastic.
+    pub fraction_flowing: f64,
 }
 
 /// Constants of a model, in the units of the parameters.
@@ -123,6 +122,9 @@ impl asperity_state {
             mean_asperity_pressure: state.mean_asperity_pressure,
             plasticity_index: state.plasticity_index,
             warnings: state.warnings,
+            tangential_stiffness: state.tangential_stiffness,
+            fraction_elastic: state.fraction_elastic,
+            fraction_flowing: state.fraction_flowing,
         }
     }
 }

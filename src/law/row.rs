@@ -89,10 +89,11 @@ pub fn polynomial(c: &[f64; COEFFICIENTS], t: f64) -> (f64, f64) {
     (value, slope)
 }
 
-/// The relative error of a value, if it and its slope are good enough to be kept.
-pub fn error_within_tolerance((value, rate): (f64, f64), (exact, slope): (f64, f64)) -> Option<f64> {
+/// The relative error of a value, if it and its slope are good enough to be kept; the slope may miss by so many times the
+/// tolerance.
+pub fn error_within_tolerance((value, rate): (f64, f64), (exact, slope): (f64, f64), slope_slack: f64) -> Option<f64> {
     let error = (value / exact - 1.0).abs();
-    (error <= VALUE_TOLERANCE && (rate / slope - 1.0).abs() <= SLOPE_TOLERANCE).then_some(error)
+    (error <= VALUE_TOLERANCE && (rate / slope - 1.0).abs() <= slope_slack * SLOPE_TOLERANCE).then_some(error)
 }
 
 /// Turns what determines a row into coefficients.
@@ -184,6 +185,7 @@ impl PieceBasis {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::float_bits::Neighbours;
 
     const C: [f64; COEFFICIENTS] = [3.0, -2.0, 0.5, 1.25, -0.75, 2.5, -1.5, 0.375];
 
@@ -206,7 +208,7 @@ mod tests {
     #[test]
     fn what_is_kept_is_good_in_value_and_in_slope() {
         let with = |error: f64, slope_error: f64| {
-            error_within_tolerance((2.0 * (1.0 + error), -3.0 * (1.0 + slope_error)), (2.0, -3.0))
+            error_within_tolerance((2.0 * (1.0 + error), -3.0 * (1.0 + slope_error)), (2.0, -3.0), 1.0)
         };
         for sign in [1.0, -1.0] {
             let error = with(0.9 * sign * VALUE_TOLERANCE, 0.9 * sign * SLOPE_TOLERANCE).expect("it is good");
@@ -214,6 +216,8 @@ mod tests {
             assert_eq!(with(1.1 * sign * VALUE_TOLERANCE, 0.0), None);
             assert_eq!(with(0.0, 1.1 * sign * SLOPE_TOLERANCE), None);
         }
+        let slack = error_within_tolerance((2.0, -3.0 * (1.0 + 90.0 * SLOPE_TOLERANCE)), (2.0, -3.0), 100.0);
+        assert_eq!(slack, Some(0.0));
         assert_eq!(with(f64::NAN, 0.0), None);
         assert_eq!(with(0.0, f64::NAN), None);
     }
@@ -240,7 +244,7 @@ mod tests {
         assert!(link.is_link() && !link.is_left_out() && Row::LEFT_OUT.is_left_out() && !Row(C).is_link());
         for (t, part) in [
             (0.0, (300, None)),
-            (0.1_f64.next_down(), (300, None)),
+            (0.1_f64.below(), (300, None)),
             (0.1, (301, Some(0.1))),
             (0.13, (302, Some(0.125))),
             (0.249, (303, Some(0.2))),

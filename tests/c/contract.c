@@ -62,8 +62,8 @@ static void sizes_and_offsets_do_not_change(void)
     CHECK(offsetof(type, field) == (expected), "offset of " #field)
     printf("sizeof(asperity_params) = %zu, asperity_state %zu, asperity_summary %zu\n", sizeof(asperity_params),
            sizeof(asperity_state), sizeof(asperity_summary));
-    CHECK(sizeof(asperity_params) >= 192, "asperity_params has lost a field");
-    CHECK(sizeof(asperity_state) >= 168, "asperity_state has lost a field");
+    CHECK(sizeof(asperity_params) >= 216, "asperity_params has lost a field");
+    CHECK(sizeof(asperity_state) >= 192, "asperity_state has lost a field");
     CHECK(sizeof(asperity_summary) >= 104, "asperity_summary has lost a field");
     OFFSET(asperity_params, struct_size, 0);
     OFFSET(asperity_params, composite_modulus, 8);
@@ -76,12 +76,18 @@ static void sizes_and_offsets_do_not_change(void)
     OFFSET(asperity_params, hardness, 160);
     OFFSET(asperity_params, table_height, 168);
     OFFSET(asperity_params, table_length, 184);
+    OFFSET(asperity_params, tangential_modulus, 192);
+    OFFSET(asperity_params, nominal_area, 200);
+    OFFSET(asperity_params, contact_law, 208);
+    OFFSET(asperity_params, reserved, 212);
     OFFSET(asperity_state, load, 8);
     OFFSET(asperity_state, friction_force, 24);
     OFFSET(asperity_state, attraction_load, 88);
     OFFSET(asperity_state, mean_contact_radius, 96);
     OFFSET(asperity_state, fraction_in_contact, 136);
     OFFSET(asperity_state, warnings, 160);
+    OFFSET(asperity_state, tangential_stiffness, 168);
+    OFFSET(asperity_state, fraction_flowing, 184);
     OFFSET(asperity_summary, alpha, 8);
     OFFSET(asperity_summary, pull_off_load, 56);
     OFFSET(asperity_summary, table_error, 96);
@@ -114,6 +120,22 @@ static void every_status_has_its_own_words(void)
     CHECK(strcmp(asperity_status_string(8), "unknown status") == 0, "%s", asperity_status_string(8));
 }
 
+static void every_warning_says_what_fails_and_what_to_do(void)
+{
+    const uint64_t all = ASPERITY_WARNING_PLASTIC | ASPERITY_WARNING_CROWDED | ASPERITY_WARNING_STEEP |
+                         ASPERITY_WARNING_ATOMIC | ASPERITY_WARNING_FEW;
+    for (int bit = 0; bit < 64; bit++) {
+        const uint64_t warning = UINT64_C(1) << bit;
+        const char *text = asperity_warning_string(warning);
+        CHECK((strcmp(text, "unknown warning") != 0) == ((all & warning) != 0), "bit %d: '%s'", bit, text);
+        CHECK((strstr(text, "; use ") != NULL) == ((all & warning) != 0), "bit %d: '%s'", bit, text);
+        for (int k = 0; (all & warning) != 0 && k < bit; k++)
+            CHECK(strcmp(text, asperity_warning_string(UINT64_C(1) << k)) != 0, "bits %d and %d agree", bit, k);
+    }
+    CHECK(strcmp(asperity_warning_string(0), "no warning") == 0, "%s", asperity_warning_string(0));
+    CHECK(strcmp(asperity_warning_string(3), "unknown warning") == 0, "%s", asperity_warning_string(3));
+}
+
 /* ---- Parameters ---- */
 
 static void init_sets_the_default_case_of_the_paper(void)
@@ -133,6 +155,8 @@ static void init_sets_the_default_case_of_the_paper(void)
     CHECK(p.max_friction_coefficient == 1000, "cap %g", p.max_friction_coefficient);
     CHECK(p.skew == 0 && p.kurtosis == 3 && p.hardness == 0, "appended numbers");
     CHECK(p.table_height == NULL && p.table_density == NULL && p.table_length == 0, "no table");
+    CHECK(p.tangential_modulus == 0 && p.nominal_area == 0 && p.contact_law == ASPERITY_CONTACT_MAUGIS && p.reserved == 0,
+          "what the second version appended");
 }
 
 static void what_was_never_set_is_named(void)
@@ -269,6 +293,8 @@ static void setters_set_what_they_say_and_nothing_else(void)
     CHECK(close_to(p.height_std, 10, 1e-15) && close_to(p.summit_radius, 25000, 1e-15), "sigma, R");
     CHECK(close_to(p.work_of_adhesion, 0.0075, 1e-15) && p.adhesion_range == 2, "w, h");
     CHECK(p.burgers_vector == 1 && p.asperity_count == 1, "b, N");
+    CHECK(p.tangential_modulus == 0, "G^ is the default again");
+    p.tangential_modulus = expected.tangential_modulus;
     CHECK(memcmp(&p.height_distribution, &expected.height_distribution,
                  sizeof p - offsetof(asperity_params, height_distribution)) == 0, "the rest changed");
 
@@ -278,9 +304,11 @@ static void setters_set_what_they_say_and_nothing_else(void)
     {
         const double g1 = 200e9 / 2.6, g2 = 70e9 / 2.68;
         CHECK(close_to(p.effective_shear_modulus, 2 * g1 * g2 / (g1 + g2), 1e-14), "G*");
+        CHECK(close_to(p.tangential_modulus, 1 / ((2 - 0.3) / g1 + (2 - 0.34) / g2), 1e-14), "G^");
     }
     expected.composite_modulus = p.composite_modulus;
     expected.effective_shear_modulus = p.effective_shear_modulus;
+    expected.tangential_modulus = p.tangential_modulus;
     CHECK(SAME(p, expected), "set_materials changed another field");
     CHECK(asperity_params_set_materials(&p, 200e9, 0.3, INFINITY, 0.3) == ASPERITY_OK, "%s", last_message());
     CHECK(close_to(p.composite_modulus, 200e9 / 0.91, 1e-14), "E* against a rigid body");
@@ -294,6 +322,8 @@ static void setters_set_what_they_say_and_nothing_else(void)
     expected.height_std = p.height_std;
     expected.summit_radius = p.summit_radius;
     expected.asperity_count = p.asperity_count;
+    CHECK(p.nominal_area == 11, "the area");
+    expected.nominal_area = 11;
     CHECK(SAME(p, expected), "set_spectral_moments changed another field");
 
     expected = p;
@@ -372,6 +402,8 @@ static const refused REFUSED[] = {
     { FIELD(max_friction_coefficient), 0, ASPERITY_INVALID_PARAMETER, "max_friction_coefficient = 0: must be > 0" },
     { FIELD(hardness), -1, ASPERITY_INVALID_PARAMETER, "hardness = -1: must be finite and >= 0" },
     { FIELD(hardness), NAN, ASPERITY_INVALID_PARAMETER, "hardness = NaN: must be finite and >= 0" },
+    { FIELD(tangential_modulus), -1, ASPERITY_INVALID_PARAMETER, "tangential_modulus = -1: must be finite and >= 0" },
+    { FIELD(nominal_area), NAN, ASPERITY_INVALID_PARAMETER, "nominal_area = NaN: must be finite and >= 0" },
     { FIELD(hardness), 1e41, ASPERITY_OUT_OF_RANGE, "hardness = 1e41: must be between 1e-40 and 1e40" },
     { FIELD(summit_radius), 1e-3, ASPERITY_OUT_OF_RANGE, "alpha = 100: " },
     { FIELD(work_of_adhesion), 1e3, ASPERITY_OUT_OF_RANGE, "gamma = " },
@@ -607,6 +639,76 @@ static void failing_states_say_what_is_wrong(void)
     asperity_free(hertz);
 }
 
+/* ---- Warnings ---- */
+
+static uint64_t warnings_between(const asperity_model *model, double lightest, double heaviest)
+{
+    uint64_t warnings = ~UINT64_C(0);
+    CHECK(asperity_check_loads(model, lightest, heaviest, &warnings) == ASPERITY_OK, "%g to %g: %s", lightest, heaviest,
+          last_message());
+    return warnings;
+}
+
+static void warnings_of_a_range_are_those_of_its_states(void)
+{
+    asperity_params p = surface(0);
+    asperity_model *model;
+    asperity_state state;
+    uint64_t seen = 0;
+
+    p.asperity_count = 1e4;
+    p.hardness = 0.05 * p.composite_modulus;
+    p.nominal_area = 1e10;
+    model = model_of(p);
+    state.struct_size = sizeof state;
+    for (double load = 1; load <= 1e7; load *= 1.5) {
+        CHECK(asperity_state_at_load(model, load, &state) == ASPERITY_OK, "%s", last_message());
+        CHECK(warnings_between(model, load, load) == state.warnings, "at %g", load);
+        seen |= state.warnings;
+        CHECK(warnings_between(model, 1, load) == seen, "up to %g: not %llu", load, (unsigned long long)seen);
+    }
+    CHECK(seen == (ASPERITY_WARNING_CROWDED | ASPERITY_WARNING_FEW), "%llu", (unsigned long long)seen);
+    asperity_free(model);
+
+    p.asperity_count = 1;
+    model = model_of(p);
+    CHECK((warnings_between(model, 1e-4, 1) & ASPERITY_WARNING_FEW) == 0, "few, though the load is that of a summit");
+    asperity_free(model);
+
+    /* The area alone. */
+    p.asperity_count = 1e4;
+    p.nominal_area = 0;
+    model = model_of(p);
+    CHECK(warnings_between(model, 1e6, 1e6) == 0, "%llu", (unsigned long long)warnings_between(model, 1e6, 1e6));
+    CHECK(asperity_state_at_load(model, 1e6, &state) == ASPERITY_OK, "%s", last_message());
+    p.nominal_area = 9 * state.real_area;
+    CHECK(asperity_set_params(model, &p) == ASPERITY_OK, "%s", last_message());
+    CHECK(warnings_between(model, 1e6, 1e6) == ASPERITY_WARNING_CROWDED, "a ninth of the area is not crowded");
+    asperity_free(model);
+}
+
+static void loads_without_a_state_have_no_warnings(void)
+{
+    asperity_model *model = model_of(surface(0)), *hertz = model_of(surface(1));
+    const uint64_t before = UINT64_C(0xa5a5a5a5a5a5a5a5);
+    uint64_t warnings = before;
+
+    CHECK(asperity_check_loads(NULL, 1, 2, &warnings) == ASPERITY_NULL_POINTER && says("model is NULL"), "no model");
+    CHECK(asperity_check_loads(model, 1, 2, NULL) == ASPERITY_NULL_POINTER && says("warnings is NULL"), "no output");
+    CHECK(asperity_check_loads(model, 2, 1, &warnings) == ASPERITY_INVALID_PARAMETER &&
+          says("lightest = 2: must not be above heaviest"), "'%s'", last_message());
+    CHECK(asperity_check_loads(model, NAN, 1, &warnings) == ASPERITY_INVALID_LOAD && says("load = NaN: "), "NaN");
+    CHECK(asperity_check_loads(model, 1, NAN, &warnings) == ASPERITY_INVALID_LOAD, "NaN as the heaviest");
+    CHECK(asperity_check_loads(model, 1, INFINITY, &warnings) == ASPERITY_INVALID_LOAD, "infinity");
+    CHECK(asperity_check_loads(model, -1e9, 1, &warnings) == ASPERITY_SEPARATED && says("load = -1000000000: "),
+          "'%s'", last_message());
+    CHECK(asperity_check_loads(model, 1, 1e200, &warnings) == ASPERITY_OUT_OF_RANGE && says("load = 1e200: "), "1e200");
+    CHECK(asperity_check_loads(hertz, 0, 1, &warnings) == ASPERITY_OUT_OF_RANGE && says("load = 0: "), "Hertz at 0");
+    CHECK(warnings == before, "warnings were touched by a failing call");
+    asperity_free(model);
+    asperity_free(hertz);
+}
+
 /* ---- Friction ---- */
 
 static int quiet_nan(double x)
@@ -838,6 +940,7 @@ int main(void)
     sizes_and_offsets_do_not_change();
     versions_agree_with_the_header();
     every_status_has_its_own_words();
+    every_warning_says_what_fails_and_what_to_do();
     init_sets_the_default_case_of_the_paper();
     what_was_never_set_is_named();
     a_slip_of_units_is_told();
@@ -852,6 +955,8 @@ int main(void)
     tables_are_refused_by_name();
     outputs_are_written_no_further_than_struct_size();
     failing_states_say_what_is_wrong();
+    warnings_of_a_range_are_those_of_its_states();
+    loads_without_a_state_have_no_warnings();
     for (int i = 0; i < SURFACES; i++) {
         friction_at_zero_negative_and_separated_loads(i);
         mu_is_force_over_load_and_the_table_is_as_good_as_it_says(i);

@@ -31,7 +31,7 @@ pub trait TestParams: Sized {
     /// Those with a unit, and the number of summits.
     fn quantities(&mut self) -> [&mut f64; 8];
     /// All numbers: the quantities, those of the first version that have no unit, those that were appended.
-    fn numbers(&mut self) -> [&mut f64; 19];
+    fn numbers(&mut self) -> [&mut f64; 21];
 }
 
 impl TestParams for asperity_params {
@@ -98,7 +98,7 @@ impl TestParams for asperity_params {
         ]
     }
 
-    fn numbers(&mut self) -> [&mut f64; 19] {
+    fn numbers(&mut self) -> [&mut f64; 21] {
         [
             &mut self.composite_modulus,
             &mut self.effective_shear_modulus,
@@ -119,6 +119,8 @@ impl TestParams for asperity_params {
             &mut self.skew,
             &mut self.kurtosis,
             &mut self.hardness,
+            &mut self.tangential_modulus,
+            &mut self.nominal_area,
         ]
     }
 }

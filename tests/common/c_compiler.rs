@@ -165,6 +165,8 @@ impl Program {
         let mut paths = vec![library_folder()];
         paths.extend(std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default()));
         command.env("PATH", std::env::join_paths(paths).expect("paths")).current_dir(root());
+        // cargo names the folder above first, where a library of an earlier build may lie.
+        command.env_remove("LD_LIBRARY_PATH").env_remove("DYLD_LIBRARY_PATH");
         command
     }
 

@@ -20,7 +20,9 @@ fn committed_header_is_what_the_sources_generate() {
         "model",
         "evaluate",
         "slope",
+        "tangential",
         "state",
+        "validity",
         "summits",
         "table",
     ];

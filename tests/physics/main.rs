@@ -9,3 +9,6 @@ mod heights;
 mod published;
 mod reference;
 mod single_summits;
+mod tangential;
+mod validity;
+mod yielding;

@@ -15,11 +15,12 @@ from .fit import Fit, Prediction, fit
 from .model import Model
 from .pads import Pads, pads
 from .params import Params
-from .results import State, Summary, SummitStates, Warnings
+from .results import Hysteresis, State, Summary, SummitStates, ValidityWarning, Warnings
 
 __all__ = [
     "Error",
     "Fit",
+    "Hysteresis",
     "Model",
     "Pads",
     "Params",
@@ -28,6 +29,7 @@ __all__ = [
     "Status",
     "Summary",
     "SummitStates",
+    "ValidityWarning",
     "Warnings",
     "__version__",
     "fit",

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from .model import Model
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -45,6 +47,10 @@ def draw(fit: Fit, file: str | os.PathLike[str] | None, units: str | None) -> Fi
     named = "\n".join(
         f"  {name} = {fit.values[name]:.4g} ± {fit.errors[name]:.1g}{unit(fit.dimensions[name])}" for name in fit.free
     )
+    pressing = load[load > 0]
+    if pressing.size:
+        with Model(fit.params) as model:
+            model.warn(float(pressing.min()), float(pressing.max()))
     curve, deviation = fit.predict(load)
     if np.isfinite(deviation).all():
         above.fill_between(load, curve - 2 * deviation, curve + 2 * deviation, color="C0", alpha=0.25, lw=0,

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
         slip_radius_2: float
         slip_stress_2: float
         max_friction_coefficient: float
+        tangential_modulus: float
+        contact_law: Literal["maugis", "elastic-plastic"]
 
     class Contact(Options, total=False):
         """What `si` takes beside the roughness."""
@@ -55,6 +57,10 @@ _DISTRIBUTIONS = {
     "weibull": _header.ASPERITY_HEIGHTS_WEIBULL,
     "johnson": _header.ASPERITY_HEIGHTS_JOHNSON,
     "tabulated": _header.ASPERITY_HEIGHTS_TABULATED,
+}
+_CONTACT_LAWS = {
+    "maugis": _header.ASPERITY_CONTACT_MAUGIS,
+    "elastic-plastic": _header.ASPERITY_CONTACT_ELASTIC_PLASTIC,
 }
 # What a field means for the heights, where no height_distribution is given with it. A skew alone is one of Weibull's.
 _CHOOSES = {"weibull_shape": "weibull", "kurtosis": "johnson", "table_height": "tabulated", "table_density": "tabulated"}
@@ -102,6 +108,10 @@ class Params:
             is judged by; 0 where it is not known.
         table_height: summit heights, increasing, in any unit and from any origin; read only for "tabulated".
         table_density: as many densities >= 0, of any scale.
+        tangential_modulus: G^ [stress] >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for contacts that stick; 0 stands for
+            E* G* / (2 (E* + G*)), which is exact for two bodies of one material and for one rigid body.
+        nominal_area: [length^2] >= 0, what warnings compare the real area with; 0 where it is not known.
+        contact_law: "maugis", elastic with adhesion, or "elastic-plastic", which needs a hardness and no adhesion.
     """
 
     composite_modulus: float
@@ -127,6 +137,9 @@ class Params:
     hardness: float = _DEFAULT.hardness
     table_height: Sequence[float] = ()
     table_density: Sequence[float] = ()
+    tangential_modulus: float = _DEFAULT.tangential_modulus
+    nominal_area: float = _DEFAULT.nominal_area
+    contact_law: Literal["maugis", "elastic-plastic"] = "maugis"
 
     def __post_init__(self) -> None:
         for field in fields(self):
@@ -191,7 +204,8 @@ class Params:
         """Physical parameters, in SI units (any other consistent system serves as well).
 
         Stiffness is either `composite_modulus` and `effective_shear_modulus`, or the two bodies `E1`, `nu1`, `E2`,
-        `nu2`. The number of summits is either `asperity_count`, or `summit_density` and `nominal_area`.
+        `nu2`. The number of summits is either `asperity_count`, with `nominal_area` if that is known, or
+        `summit_density` and `nominal_area`.
 
         Args:
             work_of_adhesion: w [J/m^2] >= 0.
@@ -219,11 +233,13 @@ class Params:
         bodies = {"E1": E1, "nu1": nu1, "E2": E2, "nu2": nu2}
         if _one_of(moduli, bodies) is bodies:
             moduli = _moduli(bodies)
-        count = {"asperity_count": asperity_count}
-        surface = {"summit_density": summit_density, "nominal_area": nominal_area}
-        if _one_of(count, surface) is surface:
+        if asperity_count is not None and summit_density is None:
+            summits = {"asperity_count": asperity_count} | ({} if nominal_area is None else {"nominal_area": nominal_area})
+        else:
+            surface = {"summit_density": summit_density, "nominal_area": nominal_area}
+            _one_of({"asperity_count": asperity_count}, surface)
             density, area = (_positive(name, value) for name, value in surface.items())
-            count = {"asperity_count": density * area}
+            summits = {"asperity_count": density * area, "nominal_area": area}
         named: dict[str, Any] = {
             "work_of_adhesion": work_of_adhesion,
             "adhesion_range": adhesion_range,
@@ -231,7 +247,7 @@ class Params:
             "height_std": height_std,
             "summit_radius": summit_radius,
         }
-        return cls(**(moduli | named | count | _options(options)))
+        return cls(**(moduli | named | summits | _options(options)))
 
     @classmethod
     def from_spectral_moments(
@@ -257,7 +273,8 @@ class Params:
         moments = {"m0": m0, "m2": m2, "m4": m4, "nominal_area": nominal_area}
         values = [_real(name, value) for name, value in moments.items()]
         check(LIBRARY.asperity_params_set_spectral_moments(ctypes.byref(struct), *values))
-        summits = {name: getattr(struct, name) for name in ("height_std", "summit_radius", "asperity_count")}
+        set_by_moments = ("height_std", "summit_radius", "asperity_count", "nominal_area")
+        summits = {name: getattr(struct, name) for name in set_by_moments}
         return cls.si(**summits, **contact)
 
     @classmethod
@@ -369,6 +386,8 @@ class Params:
             value = getattr(self, field.name)
             if field.name == "height_distribution":
                 value = _DISTRIBUTIONS[value]
+            elif field.name == "contact_law":
+                value = _CONTACT_LAWS[value]
             elif isinstance(value, tuple):
                 value = (ctypes.c_double * len(value))(*value)  # the struct keeps it alive
             setattr(struct, field.name, value)
@@ -419,6 +438,7 @@ def _moduli(bodies: dict[str, Any]) -> dict[str, float | None]:
     return {
         "composite_modulus": struct.composite_modulus,
         "effective_shear_modulus": struct.effective_shear_modulus,
+        "tangential_modulus": struct.tangential_modulus,
     }
 
 
@@ -449,9 +469,16 @@ def _positive(name: str, value: Any) -> float:
 
 
 def _distribution(name: str, value: Any) -> str:
-    if value not in _DISTRIBUTIONS:
-        allowed = ", ".join(map(repr, _DISTRIBUTIONS))
-        raise Error(f"{name} = {value!r}: must be one of {allowed}", Status.INVALID_PARAMETER)
+    return _one_word_of(_DISTRIBUTIONS, name, value)
+
+
+def _contact_law(name: str, value: Any) -> str:
+    return _one_word_of(_CONTACT_LAWS, name, value)
+
+
+def _one_word_of(words: dict[str, int], name: str, value: Any) -> str:
+    if value not in words:
+        raise Error(f"{name} = {value!r}: must be one of {', '.join(map(repr, words))}", Status.INVALID_PARAMETER)
     return str(value)
 
 
@@ -470,6 +497,7 @@ _CHECKS: dict[str, Any] = {
     "attraction": _flag,
     "table_height": _column,
     "table_density": _column,
+    "contact_law": _contact_law,
 }
 
 

@@ -2,6 +2,7 @@
 //! where it is refused, no floating-point flag raised, no call longer than a second, answers that agree with each other.
 
 use super::TABLE_AT;
+use crate::common::neighbours::Neighbours;
 use crate::common::processor_time::processor_time;
 use crate::interface::*;
 use std::collections::BTreeMap;
@@ -36,6 +37,9 @@ const UNRESOLVED: f64 = 1e5;
 const LIGHTEST: f64 = 1e-250;
 /// What outputs hold before a call.
 const BEFORE: f64 = -7.25;
+
+/// What bits hold before a call.
+const UNSET: u64 = u64::MAX;
 
 type Shared = *const asperity_model;
 
@@ -367,6 +371,37 @@ impl<'a> Calls<'a> {
         }
     }
 
+    /// The warnings of all loads from one to another, against those of the states at both.
+    pub fn check_loads(&mut self, model: &Model, one: f64, other: f64) {
+        let at: Shared = model.handle.0;
+        let mut warnings = UNSET;
+        let out: *mut u64 = &mut warnings;
+        reset_message();
+        let what = || format!("check_loads({one:e}, {other:e}); {:?}", model.params);
+        // It evaluates some hundred states, each of which may take a tenth of what a call may.
+        let status = self.watch_many("asperity_check_loads", 10, what, || {
+            // SAFETY: the model lives, as does the output.
+            unsafe { black_box(asperity_check_loads as unsafe extern "C" fn(_, _, _, _) -> _)(at, one, other, out) }
+        });
+        let states = [one, other].map(|load| {
+            let mut state = asperity_state::empty();
+            let state_at: *mut asperity_state = &mut state;
+            let status = call!(self, model.params, asperity_state_at_load(at, load, state_at));
+            (status, state.warnings)
+        });
+        if status != OK {
+            self.documented(status, &[INVALID_PARAMETER, INVALID_LOAD, SEPARATED, OUT_OF_RANGE, NOT_CONVERGED], &what);
+            assert_eq!(warnings, UNSET, "{}: refused, yet the warnings are written", what());
+            let falls = status == INVALID_PARAMETER;
+            assert!(falls || states.iter().any(|state| state.0 == status), "{}: {states:?}, {}", what(), message());
+            assert!(!falls || one > other, "{}: {}", what(), message());
+            return;
+        }
+        let ends = states[0].1 | states[1].1;
+        assert!(one <= other && warnings & ends == ends, "{}: {warnings:b}, {states:?}", what());
+        assert!(warnings < 2 * ASPERITY_WARNING_FEW, "{}: {warnings:b}", what());
+    }
+
     pub fn separation(&mut self, model: &Model, separation: f64) {
         let at: Shared = model.handle.0;
         let mut state = asperity_state { load: BEFORE, attraction_load: BEFORE, ..asperity_state::empty() };
@@ -439,7 +474,7 @@ impl<'a> Calls<'a> {
             return;
         }
         let (lighter, heavier) = if one <= other { (one, other) } else { (other, one) };
-        for (lighter, heavier) in [(lighter, heavier), (heavier, heavier.next_up()), (heavier, heavier * 1.000_001)] {
+        for (lighter, heavier) in [(lighter, heavier), (heavier, heavier.above()), (heavier, heavier * 1.000_001)] {
             let (less, more) = (self.force(model, lighter), self.force(model, heavier));
             if lighter > heavier || !model.is_within_range(heavier) || less <= more {
                 continue;
@@ -490,7 +525,7 @@ impl<'a> Calls<'a> {
     pub fn structs(&mut self, model: &Model, size: u64) {
         let (at, p): (Shared, _) = (model.handle.0, model.params);
         let words = 64;
-        let valid = size >= 16 && size.is_multiple_of(8) && size <= 8 * words as u64;
+        let valid = size >= 16 && size % 8 == 0 && size <= 8 * words as u64;
         let filled = [0x5eed_5eed_u64; 64];
         type Fill = unsafe extern "C" fn(Shared, *mut u64) -> i32;
         // SAFETY: the functions read the size, and write no more than it says.
@@ -515,7 +550,7 @@ impl<'a> Calls<'a> {
         for (name, fill, whole) in fills {
             let mut out = filled;
             // A size beyond the room given here must not be claimed, unless it is one that is refused.
-            out[0] = if size > 8 * words as u64 && size.is_multiple_of(8) { size | 1 } else { size };
+            out[0] = if size > 8 * words as u64 && size % 8 == 0 { size | 1 } else { size };
             let before = out;
             reset_message();
             let fill = black_box(fill);
@@ -577,6 +612,11 @@ impl<'a> Calls<'a> {
             // SAFETY: a constant string.
             let text = unsafe { CStr::from_ptr(asperity_status_string(code)) };
             assert!(!text.is_empty(), "status {code}");
+        }
+        for warning in [0, 1, 2, 3, 4, 8, 16, 32, length as u64] {
+            // SAFETY: a constant string.
+            let text = unsafe { CStr::from_ptr(asperity_warning_string(warning)) };
+            assert!(!text.is_empty(), "warning {warning}");
         }
         let whole = message();
         let mut buffer = [0x55_u8; 257];

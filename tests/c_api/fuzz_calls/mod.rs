@@ -8,6 +8,7 @@
 
 mod calls;
 
+use crate::common::neighbours::Neighbours;
 use crate::interface::*;
 pub use calls::{Calls, Tally};
 use std::mem::offset_of;
@@ -167,14 +168,14 @@ impl Bytes<'_> {
             },
             4 => [
                 pull_off,
-                pull_off.next_up(),
-                pull_off.next_down(),
+                pull_off.above(),
+                pull_off.below(),
                 0.0,
                 -0.0,
                 summary.min_table_load,
-                summary.min_table_load.next_down(),
+                summary.min_table_load.below(),
                 summary.max_table_load,
-                summary.max_table_load.next_up(),
+                summary.max_table_load.above(),
             ][self.below(9)],
             _ => pull_off + self.log_between(nearest, farthest),
         }
@@ -237,7 +238,8 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
             1 => 2.4 * bytes.part() - 1.2,
             _ => bytes.log_between(1e-6, 1e12),
         })),
-        250..=254 => calls.messages(bytes.below(256)),
+        250..=253 => calls.messages(bytes.below(256)),
+        254 => calls.check_loads(model, bytes.load(summary), bytes.load(summary)),
         255 => {
             let other = bytes.params();
             calls.set_params(model, &other);

@@ -37,7 +37,9 @@ static const field PARAMS[] = {
     FIELD(asperity_params, max_friction_coefficient), FIELD(asperity_params, skew),
     FIELD(asperity_params, kurtosis),           FIELD(asperity_params, hardness),
     FIELD(asperity_params, table_height),       FIELD(asperity_params, table_density),
-    FIELD(asperity_params, table_length),
+    FIELD(asperity_params, table_length),       FIELD(asperity_params, tangential_modulus),
+    FIELD(asperity_params, nominal_area),       FIELD(asperity_params, contact_law),
+    FIELD(asperity_params, reserved),
 };
 
 static const field STATE[] = {
@@ -51,7 +53,8 @@ static const field STATE[] = {
     FIELD(asperity_state, fraction_below_slip_radius_1), FIELD(asperity_state, fraction_between_slip_radii),
     FIELD(asperity_state, fraction_above_slip_radius_2), FIELD(asperity_state, fraction_in_contact),
     FIELD(asperity_state, mean_asperity_pressure), FIELD(asperity_state, plasticity_index),
-    FIELD(asperity_state, warnings),
+    FIELD(asperity_state, warnings),            FIELD(asperity_state, tangential_stiffness),
+    FIELD(asperity_state, fraction_elastic),    FIELD(asperity_state, fraction_flowing),
 };
 
 static const field SUMMARY[] = {
