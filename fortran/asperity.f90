@@ -402,6 +402,19 @@ module asperity
       type(c_ptr) :: text
     end function asperity_warning_string
 
+    ! Single summits, each at an overlap. Every element is filled, then the first offence reported.
+    function asperity_summits_at_overlaps(model, n, overlap, height, load, force, radius) result(status) bind(c)
+      import :: c_int32_t, c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: overlap           ! n real(c_double) [length]
+      type(c_ptr), intent(in), value :: height            ! n real(c_double) [length]; c_null_ptr: the mean height
+      type(c_ptr), intent(in), value :: load              ! receives n real(c_double) [force]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: force             ! receives n real(c_double) [force]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: radius            ! receives n real(c_double) [length]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_summits_at_overlaps
+
     ! The constants of a model.
     function asperity_summary_of(model, summary) result(status) bind(c)
       import :: asperity_summary, c_int32_t, c_ptr
@@ -488,6 +501,7 @@ module asperity
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
   public :: asperity_sensitivities_at_load
   public :: asperity_check_loads, asperity_warning_string
+  public :: asperity_summits_at_overlaps
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
   public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
   public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
@@ -594,6 +608,15 @@ module asperity
     !   warnings            integer(c_int64_t), intent(inout): the bits ASPERITY_WARNING_ of all states between, 0 if
     !                       nothing is known to fail; as it was on failure
     procedure, public :: check_loads => model_check_loads
+
+    ! call law%summits_at_overlaps(overlap, load, force, radius [, height] [, stat] [, errmsg])    single summits
+    !   overlap  real(c_double), intent(in) [length], (n): the height of a summit less the separation
+    !   load     real(c_double), intent(out) [force], (n); negative where a summit pulls
+    !   force    real(c_double), intent(out) [force], (n): the friction force, 0 out of contact
+    !   radius   real(c_double), intent(out) [length], (n): of the contact, 0 out of contact
+    !   height   real(c_double), intent(in), optional [length], (n): from the mean of the summit heights, on which radii
+    !            depend where radius_amplitude is not 0; by default the mean height
+    procedure, public :: summits_at_overlaps => model_summits_at_overlaps
 
     ! call law%summary(constants [, stat] [, errmsg])
     !   constants  type(asperity_summary), intent(inout); as it was on failure
@@ -848,6 +871,23 @@ contains
     if (.not. is_created(self, stat, errmsg)) return
     call report(asperity_check_loads(self%handle, lightest, heaviest, warnings), stat, errmsg)
   end subroutine model_check_loads
+
+  subroutine model_summits_at_overlaps(self, overlap, load, force, radius, height, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), contiguous, target :: overlap(:)
+    real(c_double), intent(out), contiguous, target :: load(:), force(:), radius(:)
+    real(c_double), intent(in), optional, contiguous, target :: height(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call require_same_shape(shape(overlap), shape(load))
+    call require_same_shape(shape(overlap), shape(force))
+    call require_same_shape(shape(overlap), shape(radius))
+    if (present(height)) call require_same_shape(shape(overlap), shape(height))
+    if (.not. is_created(self, stat, errmsg)) return
+    call report(asperity_summits_at_overlaps(self%handle, size(overlap, kind=c_size_t), address(overlap), &
+                                             address(height), address(load), address(force), address(radius)), &
+                stat, errmsg)
+  end subroutine model_summits_at_overlaps
 
   subroutine model_summary(self, constants, stat, errmsg)
     class(friction_model), intent(in), target :: self

@@ -1200,6 +1200,36 @@ asperity_status asperity_check_loads(const struct asperity_model *model,
 const char *asperity_warning_string(uint64_t warning);
 
 /**
+ * Load, friction force and contact radius of single summits, by the law that all sums of the model are made of.
+ *
+ * For pads of so few contacts that their summits count one by one. A summit stays in contact down to the overlap at
+ * which it breaks away, which is negative with adhesion; below that it may attract without contact. All elements are
+ * filled; then the first overlap or height that is not in order, if any, is reported, and `asperity_last_error` names its
+ * index.
+ *
+ * @param model    must not be NULL
+ * @param n        number of summits; may be 0
+ * @param overlap  n overlaps [length]: the height of the summit less the separation, negative for a gap; must not be NULL
+ *                 unless n = 0
+ * @param height   n heights from the mean of the summit heights [length], on which radii of summits depend where
+ *                 `radius_amplitude` is not 0; NULL: all summits have the mean height
+ * @param load     receives n loads [force], negative where a summit pulls; NULL to skip; may be `overlap` itself
+ * @param force    receives n friction forces [force], 0 out of contact; NULL to skip; may be `overlap` itself
+ * @param radius   receives n contact radii [length], 0 out of contact; NULL to skip; may be `overlap` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (an overlap or height that is not finite),
+ *         `ASPERITY_OUT_OF_RANGE` (one beyond 1e50 `height_std`); the three numbers of such a summit are NaN
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_summits_at_overlaps(const struct asperity_model *model,
+                                             size_t n,
+                                             const double *overlap,
+                                             const double *height,
+                                             double *load,
+                                             double *force,
+                                             double *radius);
+
+/**
  * Gives a view of the compiled law of a model.
  *
  * @param model  must not be NULL

@@ -143,6 +143,13 @@ struct SlipForce {
     double dforce_dslip_rate;
 };
 
+/// Single summits, each at its overlap.
+struct Summits {
+    std::vector<double> load;   ///< [force], negative where a summit pulls
+    std::vector<double> force;  ///< friction forces [force], 0 out of contact
+    std::vector<double> radius; ///< contact radii [length], 0 out of contact
+};
+
 /// Friction coefficients or forces at many loads, and their derivatives with respect to the load.
 struct ValuesAndSlopes {
     std::vector<double> value;
@@ -653,6 +660,23 @@ public:
         return warnings;
     }
 
+    /// Single summits at overlaps [length], by the law that all sums of the model are made of.
+    ///
+    /// @param overlaps  height of a summit less the separation; negative for a gap
+    /// @param heights   from the mean of the summit heights [length], on which radii depend where radius_amplitude is not
+    ///                  0; the mean height by default
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE).
+    Summits summits_at_overlaps(Span<const double> overlaps, Span<const double> heights = {}) const {
+        const std::size_t n = overlaps.size();
+        if (heights.data() != nullptr) {
+            require_size("heights", heights.size(), n, "overlaps");
+        }
+        Summits found{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+        check(asperity_summits_at_overlaps(handle_.get(), n, overlaps.data(), heights.data(), found.load.data(),
+                                           found.force.data(), found.radius.data()));
+        return found;
+    }
+
     /// The constants of the model: dimensionless groups, pull-off, extent and error of the compiled law.
     Summary summary() const {
         Summary summary;
@@ -722,10 +746,11 @@ private:
         return bits << 1 > std::uint64_t{0x7ff} << 53;
     }
 
-    static void require_size(const char *name, std::size_t size, std::size_t loads) {
-        if (size != loads) {
+    static void require_size(const char *name, std::size_t size, std::size_t count, const char *of = "loads") {
+        if (size != count) {
             throw Error(ASPERITY_INVALID_PARAMETER, std::string("size of ") + name + " = " + std::to_string(size) +
-                                                        ": must be the number of loads, " + std::to_string(loads));
+                                                        ": must be the number of " + of + ", " +
+                                                        std::to_string(count));
         }
     }
 

@@ -10,7 +10,7 @@ use crate::float_bits::{finite, Neighbours};
 use crate::groups::Groups;
 use crate::law::{Law, Quantity, Table, Unfollowed};
 use crate::params::Params;
-use crate::population::{Population, Statistics, Sums};
+use crate::population::{OneSummit, Population, Statistics, Sums};
 use crate::sensitivity::Sensitivities;
 use crate::validity::{warnings_between, Measures};
 
@@ -24,8 +24,14 @@ const MOST_MINIMA: usize = 8;
 /// smaller none does.
 const LARGEST_DISPLACEMENT: f64 = 1e200;
 const SMALLEST_DISPLACEMENT: f64 = 1e-200;
-/// Separations beyond this many sigma are out of range.
+/// Separations, overlaps and heights beyond this many sigma are out of range.
 const FARTHEST_SEPARATION: f64 = 1e50;
+
+/// Why there is no state at zero load where the pull-off load is 0.
+const NO_ADHESION: &str = "without adhesion the surfaces part at zero load, at no finite separation; must be > 0";
+const PULL_OFF_UNDERFLOWS: &str =
+    "the surfaces adhere, but the pull-off load of so rough ones is too small for a number and \
+    counts as 0; must be > 0, or sum single summits (asperity_summits_at_overlaps; asperity.pads in Python)";
 
 /// The friction law of a surface pair. Immutable: threads may share it.
 #[derive(Debug, Clone)]
@@ -127,6 +133,17 @@ pub struct State {
     pub fraction_elastic: f64,
     /// Fraction of the contacts that are fully plastic.
     pub fraction_flowing: f64,
+}
+
+/// One summit at an overlap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SummitState {
+    /// Load; negative where it pulls [force].
+    pub load: f64,
+    /// Friction force; 0 out of contact [force].
+    pub friction_force: f64,
+    /// Contact radius; 0 out of contact [length].
+    pub contact_radius: f64,
 }
 
 /// Constants of a model.
@@ -406,11 +423,8 @@ impl Model {
                 return Ok((point.separation, self.branch.population().at_separation(point.separation)));
             }
         } else if load == 0.0 {
-            return Err(Error::OutOfRange {
-                name: "load",
-                value: load.into(),
-                allowed: "without adhesion the surfaces part at zero load, at no finite separation; must be > 0",
-            });
+            let allowed = if self.params.work_of_adhesion > 0.0 { PULL_OFF_UNDERFLOWS } else { NO_ADHESION };
+            return Err(Error::OutOfRange { name: "load", value: load.into(), allowed });
         }
         // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
         let log_excess = log(load - pull_off) - log(self.units.load);
@@ -484,24 +498,38 @@ impl Model {
     /// # Errors
     /// [`Error::InvalidParameter`] for a separation that is not finite, [`Error::OutOfRange`].
     pub fn state_at_separation(&self, separation: f64) -> Result<State, Error> {
-        if !finite(separation) {
-            return Err(Error::InvalidParameter {
-                name: "separation",
-                value: separation.into(),
-                allowed: "must be finite",
-            });
-        }
-        if separation.abs() > FARTHEST_SEPARATION * self.units.length {
-            return Err(Error::OutOfRange {
-                name: "separation",
-                value: separation.into(),
-                allowed: "must be within 1e50 height_std of zero",
-            });
-        }
-        let dimensionless = separation / self.units.length - self.branch.population().heights().origin();
+        let dimensionless = self.in_sigma("separation", separation)? - self.branch.population().heights().origin();
         let sums = self.branch.population().at_separation(dimensionless);
         let load = sums.load() * self.units.load;
         self.state(load, dimensionless, &sums)
+    }
+
+    /// One summit of a height above the mean, at an overlap: its height less the separation. By the law that the sums over
+    /// all summits are made of, in contact down to break-away.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] for a number that is not finite, [`Error::OutOfRange`].
+    pub fn summit_at_overlap(&self, overlap: f64, height: f64) -> Result<SummitState, Error> {
+        let population = self.branch.population();
+        let z = self.in_sigma("height", height)? - population.heights().origin();
+        let OneSummit { load, friction, radius } = population.one_summit(self.in_sigma("overlap", overlap)?, z);
+        Ok(SummitState {
+            load: load * self.units.load / self.units.count,
+            friction_force: friction * self.units.force / self.units.count,
+            contact_radius: radius * self.params.burgers_vector,
+        })
+    }
+
+    /// A length in sigma.
+    fn in_sigma(&self, name: &'static str, length: f64) -> Result<f64, Error> {
+        let value = length.into();
+        if !finite(length) {
+            return Err(Error::InvalidParameter { name, value, allowed: "must be finite" });
+        }
+        if length.abs() > FARTHEST_SEPARATION * self.units.length {
+            return Err(Error::OutOfRange { name, value, allowed: "must be within 1e50 height_std of zero" });
+        }
+        Ok(length / self.units.length)
     }
 
     /// The constants of the model.
@@ -760,6 +788,19 @@ mod tests {
         let pressed = model.state_at_separation(pull_off + model.units.length).expect("a state");
         assert!(pressed.load > 300.0 && summary.pull_off_load < 0.0, "{pressed:?}");
         assert_eq!(pressed.friction_coefficient, pressed.friction_force / pressed.load);
+    }
+
+    #[test]
+    fn zero_load_without_a_state_says_whether_the_surfaces_adhere() {
+        for (params, reason) in [
+            (Params { work_of_adhesion: 0.0, ..Params::default() }, "without adhesion"),
+            (Params { height_std: 40.0 * Params::default().height_std, ..Params::default() }, "the surfaces adhere"),
+        ] {
+            let model = Model::new(&params).expect("a model");
+            assert_eq!(model.summary().pull_off_load, 0.0);
+            let error = model.state_at_load(0.0).expect_err("no state").to_string();
+            assert!(error.starts_with(&format!("load = 0: {reason}")), "{error}");
+        }
     }
 
     /// In units of which none is 1, with heights that are not measured from their mean.

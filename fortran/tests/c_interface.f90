@@ -468,6 +468,8 @@ contains
   !   n = N/2 erfc(t/sqrt 2)    A = pi N R sigma (phi(t) - t n/N)    F = tau_1 A    t = d/sigma
   subroutine hertzian_states
     real(c_double), parameter :: T(3) = [-0.5_c_double, 1.0_c_double, 3.0_c_double]
+    real(c_double), target :: overlap(3) = [0.1_c_double, 2.0_c_double, 8.0_c_double]
+    real(c_double), target :: load(3), radius(3)
     real(c_double) :: fraction, area
     type(asperity_params) :: p
     type(asperity_state) :: state, at_load
@@ -515,6 +517,14 @@ contains
                        -state%dforce_dload * state%load / state%friction_force, 1e-8_c_double)
       call check_close('F = tau_1 A', sensitivities%slip_stress_1, 1.0_c_double, 1e-12_c_double)
       call check('without adhesion none is read', identical(sensitivities%work_of_adhesion, 0.0_c_double))
+    end do
+    call check('single summits are evaluated', &
+               asperity_summits_at_overlaps(model, 3_c_size_t, c_loc(overlap), c_null_ptr, c_loc(load), c_null_ptr, &
+                                            c_loc(radius)) == ASPERITY_OK)
+    do i = 1, 3
+      call check_close('a^2 = R u', radius(i)**2, p%summit_radius * overlap(i), 1e-13_c_double)
+      call check_close('P = 4/3 E* a^3/R', load(i), 4 * p%composite_modulus * radius(i)**3 / (3 * p%summit_radius), &
+                       1e-13_c_double)
     end do
     call check('without adhesion there is no contact at negative load', &
                asperity_state_at_load(model, -1.0_c_double, state) == ASPERITY_SEPARATED)

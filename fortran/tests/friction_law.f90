@@ -21,6 +21,7 @@ program friction_law
   call tables
   call states
   call warnings_of_a_range
+  call single_summits
   call error_reports
   call many_contacts
   call parameters
@@ -318,6 +319,25 @@ contains
     call law%check_loads(1.0_c_double, 2.0_c_double, warnings, stat, message)
     call check('without a model nothing is checked', stat == ASPERITY_NULL_POINTER .and. warnings == 77)
   end subroutine warnings_of_a_range
+
+  subroutine single_summits
+    type(friction_model) :: law
+    type(asperity_params) :: p
+    real(c_double) :: overlap(2), load(2), force(2), radius(2), taller(2)
+    integer :: stat
+    p = default_parameters()
+    p%radius_amplitude = -0.5_c_double
+    call law%create(p)
+    overlap = [-1e3_c_double, 1.0_c_double] * p%height_std
+    call law%summits_at_overlaps(overlap, load, force, radius)
+    call check('far apart a summit does nothing', all(abs([load(1), force(1), radius(1)]) <= 0))
+    call check('pressed it carries load and has friction', load(2) > 0 .and. force(2) > 0 .and. radius(2) > 0)
+    call law%summits_at_overlaps(overlap, load, force, taller, height=[2.0_c_double, 2.0_c_double] * p%height_std)
+    call check('a taller, sharper summit has a smaller contact', taller(2) < radius(2))
+    overlap(2) = nan()
+    call law%summits_at_overlaps(overlap, load, force, radius, stat=stat)
+    call check('an overlap that is NaN is refused', stat == ASPERITY_INVALID_PARAMETER)
+  end subroutine single_summits
 
   subroutine error_reports
     type(friction_model) :: law

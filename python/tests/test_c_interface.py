@@ -115,6 +115,19 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.state_at_separation(model, separation, state) == Status.OK
     assert math.isclose(state.load, 50.0, rel_tol=1e-9)
 
+    # Before slip: force by displacement, which grows to the friction force. Whether the law holds at these loads.
+    stiffness = lib.tangential_stiffness_at_load(model, 50.0)
+    assert lib.tangential_stiffness_at_loads(model, 1, doubles(50.0), one) == Status.OK and one[0] == stiffness > 0
+    assert lib.tangential_at_load(model, 50.0, 1e-6, one, other) == Status.OK
+    assert math.isclose(one[0], 1e-6 * stiffness, rel_tol=1e-3)
+    bits = ctypes.c_uint64()
+    assert lib.check_loads(model, 1.0, 50.0, ctypes.byref(bits)) == Status.OK
+    assert lib.warning_string(0) == b"no warning"
+
+    # Two summits at overlaps, pressed and far apart.
+    assert lib.summits_at_overlaps(model, 2, doubles(5.0, -1e6), None, load := doubles(0.0, 1.0), None, None) == Status.OK
+    assert load[0] > 0 and load[1] == 0
+
     summary = _header.asperity_summary(struct_size=ctypes.sizeof(_header.asperity_summary))
     assert lib.summary_of(model, summary) == Status.OK
     assert abs(summary.skew) < 1e-9

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -62,6 +63,83 @@ def test_known_parameters_come_back_within_their_errors(
     # Scaled by the scatter of the residuals, the deviations are F distributed, whose mean is a little larger.
     mean = 1.0 if weighted else freedom / (freedom - 2)
     assert 0.001 < chi2.sf(deviations / mean, len(SEEDS) * len(free)) < 0.999
+
+
+# ---- Bands, outliers, several starts ----
+
+
+def test_the_band_of_a_prediction_is_that_of_the_spread_between_fits(params: Params) -> None:
+    """Between the loads measured and beyond them."""
+    loads = np.array([0.3, 30.0, 3e3, 1e6])
+    fits = [fit(LOADS, *measured(params, seed, 0.003), ("gamma", "sigma"), params=params) for seed in range(20)]
+    found = [one.predict(loads) for one in fits]
+    with Model(params) as model:
+        off = np.array([one.friction for one in found]) - model.friction_at_load(loads)
+    scores = off / np.array([one.error for one in found])
+    for k in range(loads.size):
+        assert 0.001 < chi2.sf(float(scores[:, k] @ scores[:, k]), 20) < 0.999, loads[k]
+    assert fits[0].predict(LOADS).friction == pytest.approx(fits[0].fitted, rel=1e-12)
+    with pytest.raises(ValueError, match=r"load\[1\] = 0: must be > 0"):
+        fits[0].predict([1.0, 0.0])
+
+
+def test_a_prediction_knows_what_the_data_did_not_tell(params: Params) -> None:
+    """Contacts wider than slip_radius_2 are not among the data, but under heavier loads."""
+    wide = params.replace(slip_radius_2=2000.0, slip_stress_2=1 / 500)
+    light = np.geomspace(1e-4, 1e-2, 12)
+    with Model(wide) as model:
+        mu = model.friction_at_load(light)
+    found = fit(light, mu, 0.01 * mu, ("gamma", "slip_radius_2", "slip_stress_2"), params=wide)
+    assert "slip_radius_2" in found.unidentifiable
+    near, far = found.predict([1e-3]), found.predict([1e6])
+    assert math.isfinite(near.error[0]) and math.isinf(far.error[0])
+
+
+@pytest.mark.parametrize("loss", ["huber", "soft_l1", "cauchy"])
+@pytest.mark.parametrize("weighted", [True, False])
+def test_points_far_off_do_not_move_a_robust_fit(params: Params, loss: str, weighted: bool) -> None:
+    deviations, plain = [], []
+    for seed in range(4):
+        mu, sigma = measured(params, seed, 0.003)
+        if not weighted:  # the same noise at all loads
+            mu = friction(params) + 0.005 * (mu - friction(params)) / sigma
+        mu[[3, 12, 20]] *= 1.3
+        errors = sigma if weighted else None
+        one = fit(LOADS, mu, errors, ("sigma",), params=params, loss=loss)
+        deviations.append((one.values["sigma"] - 10) / one.errors["sigma"])
+        plain.append(fit(LOADS, mu, errors, ("sigma",), params=params).values["sigma"] - 10)
+        far = re.search(f"loss {loss}: (\\d) points are more than 4 standard errors off", one.message)
+        assert far is not None and 3 <= int(far[1]) <= (3 if weighted else 5)
+        assert one.errors["sigma"] < 0.02
+    assert np.mean(np.square(deviations)) < 4 and np.abs(plain).min() > 0.05
+
+
+def test_a_robust_fit_of_good_points_costs_little(params: Params) -> None:
+    mu, sigma = measured(params, 4, 0.003)
+    plain, robust = (fit(LOADS, mu, sigma, ("sigma",), params=params, loss=loss) for loss in ("linear", "huber"))
+    assert robust.values["sigma"] == pytest.approx(plain.values["sigma"], abs=plain.errors["sigma"])
+    assert robust.errors["sigma"] == pytest.approx(plain.errors["sigma"], rel=0.35)
+
+
+def test_several_starts_are_searched_from_and_the_best_end_is_taken(params: Params) -> None:
+    mu, sigma = measured(params, 3, 0.003)
+    far = params.replace(work_of_adhesion=40 * params.work_of_adhesion, height_std=80.0)
+    found = fit(LOADS, mu, sigma, ("gamma", "sigma"), params=far, starts=4, seed=2)
+    best = fit(LOADS, mu, sigma, ("gamma", "sigma"), params=params)
+    assert found.chi_square == pytest.approx(best.chi_square, rel=1e-4)
+    assert " of 4 starts end here" in found.message
+    with pytest.raises(ValueError, match="starts = 0: must be 1 or more"):
+        fit(LOADS, mu, sigma, ("gamma",), params=params, starts=0)
+    with pytest.raises(ValueError, match="loss = 'l2': must be one of 'linear', 'huber', 'soft_l1', 'cauchy'"):
+        fit(LOADS, mu, sigma, ("gamma",), params=params, loss="l2")
+
+
+def test_without_sigma_there_is_no_reduced_chi_square(params: Params) -> None:
+    mu, _ = measured(params, 3, 0.01)
+    found = fit(LOADS, mu, None, ("sigma",), params=params)
+    assert found.reduced_chi_square is None and "chi-square" not in found.message
+    assert found.scatter == pytest.approx(math.sqrt(found.chi_square / 24), rel=1e-12)
+    assert f"residuals scatter by {found.scatter:.3g}, 24 degrees of freedom" in found.message
 
 
 def test_errors_and_covariance_tell_the_same(params: Params) -> None:
@@ -300,7 +378,14 @@ def test_the_figure_shows_data_fit_and_residuals(found: Fit, tmp_path: Path) -> 
         assert curve.get_ydata() == pytest.approx(model.friction_at_load(np.asarray(curve.get_xdata())))
     assert below.lines[-1].get_ydata() == pytest.approx(found.residuals)
     legend = above.get_legend()
-    assert legend is not None and any("gamma = " in text.get_text() for text in legend.get_texts())
+    texts = "\n".join(text.get_text() for text in legend.get_texts()) if legend is not None else ""
+    assert "gamma = " in texts and "two standard errors" in texts and f"sigma = {found.values['sigma']:.4g}" in texts
+    assert texts.count("[length]") == 1 and below.get_xlabel() == "normal load $P$ [force]"
+    above, below = found.plot(units="SI").axes
+    legend = above.get_legend()
+    assert legend is not None and any("[m]" in text.get_text() for text in legend.get_texts()) and below.get_xlabel().endswith("[N]")
+    with pytest.raises(ValueError, match="units = 'cgs': must be 'SI'"):
+        found.plot(units="cgs")  # type: ignore[arg-type]
 
 
 def test_the_figure_of_forces_reaches_negative_loads(sticky: Params) -> None:
@@ -310,7 +395,7 @@ def test_the_figure_of_forces_reaches_negative_loads(sticky: Params) -> None:
     with pytest.warns(ValidityWarning, match="CROWDED"):
         figure = fit(load, force=force, free=("N",), params=sticky).plot()
     above = figure.axes[0]
-    assert above.get_ylabel() == "friction force $F$, in the unit of the data"
+    assert above.get_ylabel() == "friction force $F$ [force]"
     assert above.get_xscale() == "symlog" and np.min(np.asarray(above.lines[-1].get_xdata())) == load[0]
 
 

@@ -69,7 +69,7 @@ def test_summits_of_a_file_are_those_of_its_surface(tmp_path: Path, synthetic: A
 def test_points_not_measured_are_nan_and_summits_names_them(tmp_path: Path) -> None:
     measured = surface.read(sdf(tmp_path / "map.sdf", last="BAD"))
     assert np.isnan(measured.height_map[2, 3]) and np.isfinite(measured.height_map).sum() == 11
-    with pytest.raises(ValueError, match=r"1 of 12 heights are not finite, the first is nan at \[2, 3\]"):
+    with pytest.raises(ValueError, match=r"1 of 12 heights are masked or not finite, the first is nan at \[2, 3\]"):
         surface.summits(*measured)
 
 

@@ -7,6 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from asperity import Error, Model, Params
@@ -33,6 +34,17 @@ def test_works_of_adhesion_lie_in_their_ranges_and_are_what_they_are_estimated_f
     assert within(pair.work_of_adhesion, pair.work_of_adhesion_range)
     if pair.hamaker is not None:
         assert pair.work_of_adhesion == pytest.approx(pair.hamaker / (12 * math.pi * 0.165e-9**2), rel=0.02)
+
+
+def test_the_range_of_maugis_has_the_work_and_the_largest_stress_of_lennard_jones_forces(root: Path) -> None:
+    """In units of w and of the distance D at rest; the integral by the trapezoidal rule in ln z."""
+    z = np.exp(np.linspace(0, 12, 200_001))
+    stress = 8 / 3 * (z**-3 - z**-9)
+    products = stress * z
+    work = float(((products[1:] + products[:-1]) / 2).sum() * 12 / 200_000)
+    assert work == pytest.approx(1, rel=1e-8)
+    assert 1 / stress.max() == pytest.approx(9 * math.sqrt(3) / 16, rel=1e-8) == pytest.approx(0.974, abs=1e-3)
+    assert "9√3/16 · D = 0.97 D" in (root / "docs" / "materials.md").read_text(encoding="utf-8")
 
 
 def test_a_name_that_is_not_there_is_answered_with_the_nearest() -> None:

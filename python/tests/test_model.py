@@ -408,3 +408,11 @@ def as_array(model: Model, loads: npt.NDArray[np.float64]) -> npt.NDArray[np.flo
     pair: tuple[float, float] = model.friction_force_at_load(1.0, slope=True)
     values, slopes = model.friction_at_load(loads, slope=True)
     return values * number + slopes * pair[1]
+
+
+def test_zero_load_without_a_state_says_whether_the_surfaces_adhere(params: Params) -> None:
+    for changes, reason in (({"work_of_adhesion": 0.0}, "without adhesion"), ({"height_std": 400.0}, "the surfaces adhere")):
+        with Model(params.replace(**changes)) as model:
+            assert model.summary().pull_off_load == 0
+            with pytest.raises(Error, match=f"load = 0: {reason}"):
+                model.state_at_load(0.0)

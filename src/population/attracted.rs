@@ -30,11 +30,10 @@ pub(super) struct AttractedRange<'a> {
 }
 
 impl Population {
-    /// The attraction of a summit out of contact, where there is one.
-    pub(super) fn attraction_at(&self, separation: f64, z: f64) -> Option<Attracted> {
+    /// The attraction of a summit of height z out of contact, where there is one.
+    pub(super) fn attraction_at(&self, overlap: f64, z: f64) -> Option<Attracted> {
         let g = self.radius.factor(z);
         let law = self.attraction.as_ref().filter(|_| self.lambda_cubed * g < ATTRACTION_LAMBDA_CUBED)?;
-        let overlap = z - separation;
         (overlap >= -law.reach).then(|| law.at(law.circle(overlap, g), g))
     }
 

@@ -2,8 +2,9 @@
 //!
 //! Each sum is an integral over height z of an asperity's law times the height density. `break_away` tells where contact
 //! begins, `panels` integrates over the summits in contact, `attracted` over those that attract below; `node_table` keeps
-//! what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells more of the contacts than
-//! their sums, `tangential` what they resist before they slip, `changes` what the sums change by with each parameter.
+//! what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells more of the
+//! contacts than their sums, `tangential` what they resist before they slip, `changes` what the sums change by with each
+//! parameter, `one_summit` gives the law of a single one.
 //!
 //! Heights, overlaps and separations are in sigma; sums are per summit, loads in E* b^2, friction in G* b^2, areas in b^2.
 
@@ -12,6 +13,7 @@ mod break_away;
 mod changes;
 mod deep;
 mod node_table;
+mod one_summit;
 mod panels;
 pub mod radius;
 mod statistics;
@@ -19,6 +21,7 @@ mod sums;
 mod tangential;
 
 pub use changes::{Change, Changes};
+pub use one_summit::OneSummit;
 pub use statistics::Statistics;
 pub use sums::Sums;
 
@@ -337,7 +340,7 @@ impl Population {
             return;
         }
         let passing = crate::elementary::exp(self.heights.log_density(z)) / edge.rate;
-        let below = self.attraction_at(separation, z).map_or(0.0, |attracted| attracted.load);
+        let below = self.attraction_at(z - separation, z).map_or(0.0, |attracted| attracted.load);
         sums.load_slope -= passing * (edge.point.contact.load - below);
         sums.friction_slope -= passing * self.slip.force(edge.point.contact.radius).0;
         sums.radius_slope -= passing * edge.point.contact.radius;

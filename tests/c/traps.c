@@ -58,7 +58,7 @@ static void evaluate_at(const asperity_model *model, double x)
 {
     asperity_state state;
     asperity_sensitivities sensitivities;
-    double out[2], slope[2], in[2];
+    double out[2], slope[2], radius[2], in[2];
     uint64_t warnings;
 
     memcpy(&in[0], &x, sizeof x);
@@ -81,6 +81,8 @@ static void evaluate_at(const asperity_model *model, double x)
     asperity_sensitivities_at_load(model, x, &sensitivities);
     doing = "asperity_check_loads";
     asperity_check_loads(model, x, x, &warnings);
+    doing = "asperity_summits_at_overlaps";
+    asperity_summits_at_overlaps(model, 2, in, in, out, slope, radius);
     doing = "between calls";
 }
 
@@ -272,6 +274,8 @@ static void null_pointers(void)
     REFUSES(asperity_state_at_load(NULL, 1, &state));
     REFUSES(asperity_state_at_load(model, 1, NULL));
     REFUSES(asperity_state_at_separation(NULL, 1, &state));
+    REFUSES(asperity_summits_at_overlaps(NULL, 1, &x, NULL, &y, NULL, NULL));
+    REFUSES(asperity_summits_at_overlaps(model, 1, NULL, NULL, &y, NULL, NULL));
     REFUSES(asperity_state_at_separation(model, 1, NULL));
     REFUSES(asperity_check_loads(NULL, 1, 2, &warnings));
     REFUSES(asperity_check_loads(model, 1, 2, NULL));

@@ -234,6 +234,7 @@ fn null_is_refused_or_skipped() {
             asperity_state_at_load(null(), 1.0, &mut state),
             asperity_state_at_separation(null(), 1.0, &mut state),
             asperity_check_loads(null(), 1.0, 2.0, &mut 0),
+            asperity_summits_at_overlaps(null(), 1, &1.0, null(), &mut slope, null_mut(), null_mut()),
             asperity_summary_of(null(), &mut summary),
             asperity_table_of(null(), null_mut()),
             asperity_tangential_stiffness_at_loads(null(), 1, &1.0, &mut slope),
@@ -282,6 +283,7 @@ fn a_model_answers_to_every_place_and_from_every_thread() {
     one_contact(&handle);
     batches(&handle);
     stiffnesses(&handle);
+    summits(&handle);
     structs(&handle);
     the_table_is_the_law(&handle);
     threads_share_it(&handle);
@@ -389,6 +391,44 @@ fn batches(handle: &Handle) {
                 assert_eq!(load.words(n), slope.words(n));
             }
         }
+    }
+}
+
+/// Single summits: outputs to places of their own, in place, or nowhere; heights told or not.
+fn summits(handle: &Handle) {
+    let sigma = asperity_params::of(handle).height_std;
+    let overlaps = [-4.0, 0.0, 0.1, 3.0].map(|u| u * sigma);
+    let n = overlaps.len();
+    for odd in [0, 1] {
+        let overlap = Place::of(bits(&overlaps), odd);
+        let [load, force, radius] = [0, 1, 2].map(|_| Place::numbers(n, odd));
+        let at = |height: *const f64, load: *mut f64, force: *mut f64, radius: *mut f64| {
+            // SAFETY: n elements each, or NULL; the input may be an output.
+            unsafe { asperity_summits_at_overlaps(handle.0, n, overlap.pointer(), height, load, force, radius) }
+        };
+        assert_eq!(at(null(), load.pointer(), force.pointer(), radius.pointer()), OK);
+        let expected = load.words(n);
+        assert!(f64::from_bits(expected[3]) > 0.0 && f64::from_bits(radius.word(3)) > 0.0);
+        assert_eq!(f64::from_bits(force.word(0)), 0.0);
+        assert_eq!(at(null(), null_mut(), null_mut(), null_mut()), OK);
+        // Radii are equal here: heights change nothing.
+        assert_eq!(at(overlap.pointer(), load.pointer(), null_mut(), null_mut()), OK);
+        assert_eq!(load.words(n), expected);
+        assert_eq!(at(null(), overlap.pointer(), null_mut(), null_mut()), OK);
+        assert_eq!(overlap.words(n), expected);
+    }
+    let (odd_one, load) = (Place::of(bits(&[1.0, f64::NAN, 1e300]), 0), Place::numbers(3, 0));
+    // SAFETY: three elements each; nothing is read of none; NULL is refused.
+    unsafe {
+        let at = asperity_summits_at_overlaps;
+        assert_eq!(
+            at(handle.0, 3, odd_one.pointer(), null(), load.pointer(), null_mut(), null_mut()),
+            INVALID_PARAMETER
+        );
+        assert_eq!(message(), "element 1: overlap = NaN: must be finite");
+        assert!(f64::from_bits(load.word(0)) > 0.0 && [1, 2].iter().all(|&i| f64::from_bits(load.word(i)).is_nan()));
+        assert_eq!(at(handle.0, 0, null(), null(), null_mut(), null_mut(), null_mut()), OK);
+        assert_eq!(at(handle.0, 1, null(), null(), null_mut(), null_mut(), null_mut()), NULL_POINTER);
     }
 }
 

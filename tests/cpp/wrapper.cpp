@@ -346,6 +346,24 @@ void a_range_of_loads_warns_of_what_fails_in_it() {
     EXPECT(std::strcmp(asperity::warning_string(3), "unknown warning") == 0);
 }
 
+/// By Hertz' closed forms, without adhesion: a^2 = R u, P = 4/3 E* R^(1/2) u^(3/2).
+void single_summits_are_those_of_hertz() {
+    const Params params = Params().work_of_adhesion(0.0);
+    const Model model(params);
+    const std::vector<double> overlaps{-1.0, 2.0, 8.0}, heights{0.0, 20.0};
+    const asperity::Summits found = model.summits_at_overlaps(overlaps);
+    EXPECT(found.load[0] == 0.0 && found.force[0] == 0.0 && found.radius[0] == 0.0);
+    for (std::size_t i = 1; i < overlaps.size(); ++i) {
+        const double radius = std::sqrt(params.summit_radius() * overlaps[i]);
+        EXPECT(close(found.radius[i], radius, 1e-13));
+        EXPECT(close(found.load[i], 4.0 / 3.0 * params.composite_modulus() * radius * overlaps[i], 1e-13));
+        EXPECT(found.force[i] > 0.0);
+    }
+    EXPECT(thrown_by([&] { model.summits_at_overlaps(overlaps, heights); }).status() == ASPERITY_INVALID_PARAMETER);
+    const std::vector<double> none{1.0, NOT_A_NUMBER};
+    EXPECT(thrown_by([&] { model.summits_at_overlaps(none); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
 void friction_is_defined_at_every_load() {
     const Model model;
     const double pull_off = model.summary().pull_off_load;
@@ -596,6 +614,7 @@ int main() {
     friction_is_that_of_the_reference();
     states_are_those_of_the_reference();
     a_range_of_loads_warns_of_what_fails_in_it();
+    single_summits_are_those_of_hertz();
     friction_is_defined_at_every_load();
     pressure_is_load_per_area_of_the_summits();
     slip_gives_the_force_a_smooth_sign();

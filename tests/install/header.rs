@@ -23,6 +23,7 @@ fn committed_header_is_what_the_sources_generate() {
         "tangential",
         "state",
         "validity",
+        "summits",
         "table",
         "sensitivities",
     ];

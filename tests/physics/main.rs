@@ -9,6 +9,7 @@ mod heights;
 mod published;
 mod reference;
 mod sensitivities;
+mod single_summits;
 mod tangential;
 mod validity;
 mod yielding;

@@ -11,10 +11,11 @@ The Rust library `libasperity` does the work; it is inside the package, unless A
 from . import materials, surface
 from ._header import ASPERITY_VERSION as __version__
 from .errors import Error, Status
-from .fit import Fit, fit
+from .fit import Fit, Prediction, fit
 from .model import Model
+from .pads import Pads, pads
 from .params import Params
-from .results import Hysteresis, State, Summary, ValidityWarning, Warnings
+from .results import Hysteresis, State, Summary, SummitStates, ValidityWarning, Warnings
 from .sensitivity import Sensitivities
 from .uncertainty import Uncertainty, uncertainty
 
@@ -23,17 +24,21 @@ __all__ = [
     "Fit",
     "Hysteresis",
     "Model",
+    "Pads",
     "Params",
+    "Prediction",
     "Sensitivities",
     "State",
     "Status",
     "Summary",
+    "SummitStates",
     "Uncertainty",
     "ValidityWarning",
     "Warnings",
     "__version__",
     "fit",
     "materials",
+    "pads",
     "surface",
     "uncertainty",
 ]

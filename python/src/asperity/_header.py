@@ -218,6 +218,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_summary_of": (asperity_status, [_model, _summary]),
     "asperity_check_loads": (asperity_status, [_model, c_double, c_double, POINTER(c_uint64)]),
     "asperity_warning_string": (c_char_p, [c_uint64]),
+    "asperity_summits_at_overlaps": (asperity_status, [_model, c_size_t, *5 * [_doubles]]),
     "asperity_table_of": (asperity_status, [_model, _table]),
     "asperity_sensitivities_at_load": (asperity_status, [_model, c_double, _sensitivities]),
 }

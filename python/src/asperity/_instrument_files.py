@@ -99,7 +99,16 @@ def _in_metres(name: str, channel: Any, unit: str | None, sizes: tuple[float, fl
     if sizes is not None and not (np.shape(sizes) == (2,) and np.all(np.isfinite(sizes)) and np.min(sizes) > 0):
         raise ValueError(f"physical_sizes = {sizes}: must be two finite numbers > 0, along x and y")
     given = {"unit": unit, "physical_sizes": sizes}
-    topography = channel.topography(**{key: value for key, value in given.items() if value is not None}).to_unit("m")
+    topography = channel.topography(**{key: value for key, value in given.items() if value is not None})
+    return of_topography(topography)
+
+
+def of_topography(topography: Any) -> HeightMap:
+    """The map of a `SurfaceTopography.Topography`, in metres if it has a unit, else in its own."""
+    if getattr(topography, "dim", None) != 2:
+        raise ValueError("height_map: this topography is no map of heights over x and y")
+    if topography.unit is not None:
+        topography = topography.to_unit("m")
     # SurfaceTopography's first axis is x.
     masked: Any = topography.heights()
     heights: Array = np.ma.filled(np.ma.asarray(masked, dtype=np.float64), np.nan)

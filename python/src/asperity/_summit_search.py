@@ -30,16 +30,23 @@ class Found(NamedTuple):
 def without_polynomial(heights: Array, degree: int) -> Array:
     """Heights less the polynomial in x and y of this total degree that fits them best (least squares)."""
     # On a grid, products of polynomials that are orthonormal along each axis are orthonormal.
-    rows, columns = (_orthonormal(length, degree) for length in heights.shape)
+    rows, columns = (basis(length, degree) for length in heights.shape)
     coefficients = rows.T @ heights @ columns
     powers = np.arange(degree + 1)
     coefficients[powers[:, None] + powers > degree] = 0.0
     fitted: Array = rows @ coefficients @ columns.T
-    return heights - fitted
+    np.subtract(heights, fitted, out=fitted)
+    return fitted
 
 
-def _orthonormal(length: int, degree: int) -> Array:
+def basis(length: int, degree: int) -> Array:
+    """Polynomials up to a degree, orthonormal over so many points: shape (length, degree + 1)."""
     return np.linalg.qr(np.polynomial.legendre.legvander(np.linspace(-1.0, 1.0, length), degree))[0]
+
+
+def products_of(polynomials: Array) -> Array:
+    """The products of each two columns: shape (length, count^2)."""
+    return np.asarray((polynomials[:, :, None] * polynomials[:, None, :]).reshape(len(polynomials), -1))
 
 
 def find(raw: Array, level: Array, dx: float, dy: float) -> Found:

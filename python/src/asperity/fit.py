@@ -7,14 +7,16 @@
 from __future__ import annotations
 
 import math
+import operator
 import os
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import combinations
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Iterable, Literal, Mapping, NamedTuple, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
+from . import fit_robust
 from .fit_names import free_names
 from .fit_search import STEP, Data, Search
 from .model import Model
@@ -38,6 +40,25 @@ _IMPROBABLE = 1e-3
 _STEPS = 200
 
 
+# Ends of searches whose losses differ by less than this part are one minimum.
+_SAME = 1e-3
+# Scales of residuals that a robust fit goes through at most, and the least: those of a perfect fit have none.
+_SCALES, _LEAST_SCALE = 30, 1e-300
+
+
+class Prediction(NamedTuple):
+    """Friction of a fit at loads, and how well the data fix it.
+
+    Attributes:
+        friction: coefficient or force, as was fitted.
+        error: its standard error, from those of the parameters and their correlations; infinite where it depends on what
+            the data do not determine.
+    """
+
+    friction: Array
+    error: Array
+
+
 @dataclass(frozen=True, eq=False)
 class Fit:
     """What `fit` found. Arrays follow the order of `free`; `str` of it is a table.
@@ -59,6 +80,8 @@ class Fit:
         fitted: the same of the model with `params`.
         sigma: standard errors of the data; None if they were not given.
         quantity: "mu" or "force": what was fitted.
+        loss: of the residuals, see `fit`.
+        dimensions: of the values: "length", "stress", "force/length", or "" for numbers.
     """
 
     params: Params
@@ -77,11 +100,38 @@ class Fit:
     fitted: Array
     sigma: Array | None
     quantity: str
+    loss: str
+    dimensions: dict[str, str]
+    _end: _End = field(repr=False)
 
     @property
-    def reduced_chi_square(self) -> float:
-        """chi_square/degrees_of_freedom: about 1 for a good fit; without sigma, the variance of the residuals."""
-        return self.chi_square / self.degrees_of_freedom
+    def reduced_chi_square(self) -> float | None:
+        """chi_square/degrees_of_freedom: about 1 for a good fit. None without sigma: nothing says then how good it can be."""
+        return None if self.sigma is None else self.chi_square / self.degrees_of_freedom
+
+    @property
+    def scatter(self) -> float:
+        """Standard deviation of the measured friction from the fitted, in its unit."""
+        difference = self.measured - self.fitted
+        return math.sqrt(float(difference @ difference) / self.degrees_of_freedom)
+
+    def predict(self, load: npt.ArrayLike) -> Prediction:
+        """The fitted friction at loads, with its standard error: a band around the curve.
+
+        The errors of the parameters are carried on linearly. They are those of the curve, not of a new measurement, whose own
+        error comes on top; and they hold if the model does, the more so outside the loads that were measured.
+
+        Args:
+            load: normal loads [force], one-dimensional; > 0 for friction coefficients.
+
+        Raises:
+            ValueError: loads that cannot be used.
+        """
+        some = np.ones(np.shape(load))
+        data = Data.of(load, some, None, None) if self.quantity == "mu" else Data.of(load, None, some, None)
+        search = self._end.search.at_loads(data.load)
+        friction = search.friction(self._end.x)
+        return Prediction(friction, self._end.estimate.error_of(search.jacobian(self._end.x), friction))
 
     @property
     def correlation(self) -> Array:
@@ -94,18 +144,20 @@ class Fit:
         difference = self.measured - self.fitted
         return difference if self.sigma is None else difference / self.sigma
 
-    def plot(self, file: str | os.PathLike[str] | None = None) -> Figure:
-        """Draws data and fit over the load, the residuals below, and writes the figure if a file is named.
+    def plot(self, file: str | os.PathLike[str] | None = None, *, units: Literal["SI"] | None = None) -> Figure:
+        """Draws data and fit over the load with its band of two standard errors, the residuals below.
 
         Args:
-            file: its ending is its format, for example "fit.svg".
+            file: to write the figure to; its ending is its format, for example "fit.svg".
+            units: "SI" if loads and parameters are in SI units, which are named then; without, legend and axes say of
+                which dimension each number is.
 
         Raises:
             ImportError: matplotlib is missing.
         """
         from .fit_plot import draw
 
-        return draw(self, file)
+        return draw(self, file, units)
 
     def __str__(self) -> str:
         lines = [f"{name} = {_with_error(self.values[name], self.errors[name])}" for name in self.free]
@@ -121,12 +173,15 @@ def fit(
     params: Params,
     force: npt.ArrayLike | None = None,
     bounds: Mapping[str, tuple[float, float]] | None = None,
+    loss: str = "linear",
+    starts: int = 1,
+    seed: int = 0,
 ) -> Fit:
     """Fits parameters of two surfaces to measured friction, by weighted least squares.
 
     The search starts at `params` and goes by trust regions (SciPy's `least_squares`), in the logarithm of all names
     that are positive. Trial surfaces that the library refuses are stepped back from. It finds the minimum near the
-    start: where curves have several, start from what is known of the surface.
+    start: where there may be several, start from what is known of the surface, or from several places.
 
     A name counts as not identifiable if a change of it, alone or with others that make up for it, does not change the
     friction; or if its standard error is at least its value (names searched in the logarithm), or at least the
@@ -144,6 +199,12 @@ def fit(
         force: measured friction forces F >= 0 [force], instead of `mu`.
         bounds: lowest and highest value for some of the free names. By default a positive name stays within a factor
             of 1000 of its start, the others in their domains.
+        loss: "linear" for least squares; "soft_l1", "huber" or "cauchy" where some points are far off for reasons of their
+            own: residuals beyond about one sigma then count less and less, in this order. Without sigma that of most
+            residuals is taken. Errors are those of the loss.
+        starts: how many places the search begins at: `params`, and others at random, within a factor of 10 of it for
+            positive names. The best end is taken; the message says how many came to it.
+        seed: of the random places.
 
     Returns:
         The fit. Read its `message`, or print it: it says what the data do not determine.
@@ -168,19 +229,56 @@ def fit(
         )
     search = Search.of(names, params, data, bounds or {})
     search.friction(search.start)  # the library's own message if it refuses the start
+    fit_robust.checked(loss)
+    if operator.index(starts) < 1:
+        raise ValueError(f"starts = {starts}: must be 1 or more")
 
-    found = least_squares(
-        search.residuals, search.start, search.jacobian, (search.low, search.high), method="trf", max_nfev=_STEPS
-    )
-    return _judge(search, found.x, bool(found.success))
+    def minimum(start: Array, loss: str, unit: float) -> Any:
+        ends = (search.low, search.high)
+        return least_squares(
+            search.residuals, start, search.jacobian, ends, method="trf", loss=loss, f_scale=unit, max_nfev=_STEPS
+        )
+
+    found, tried = _best(minimum, search, starts, np.random.default_rng(seed))
+    unit = 1.0
+    if loss != "linear" and data.sigma is not None:
+        found = minimum(found.x, loss, unit)
+    elif loss != "linear":
+        # The scale is that of most residuals, which a better fit makes smaller: in turns, until it stays.
+        for _ in range(_SCALES):
+            last, unit = unit, max(fit_robust.scale(search.residuals(found.x)), _LEAST_SCALE)
+            if abs(unit - last) < 0.01 * unit:
+                break
+            found = minimum(found.x, loss, unit)
+    return _judge(search, found.x, bool(found.success), loss, unit, tried)
 
 
-def _judge(search: Search, x: Array, success: bool) -> Fit:
+def _best(minimum: Any, search: Search, starts: int, random: np.random.Generator) -> tuple[Any, list[float]]:
+    """The best end of searches from several places, and the sums of squares of all ends."""
+    best, ends = None, []
+    for i in range(starts):
+        try:
+            found = minimum(search.start if i == 0 else search.random_start(random), "linear", 1.0)
+        except ValueError:  # a random place of surfaces that the library refuses
+            if i == 0:
+                raise
+            ends.append(math.inf)
+            continue
+        ends.append(2 * float(found.cost))
+        if best is None or found.cost < best.cost:
+            best = found
+    return best, ends
+
+
+def _judge(search: Search, x: Array, success: bool, loss: str, scale: float, ends: list[float]) -> Fit:
     """Values, errors and what is to be said against them, at the end of a search."""
     data, names = search.data, search.names
     fitted, residuals = search.friction(x), search.residuals(x)
     chi_square, freedom = float(residuals @ residuals), residuals.size - x.size
-    scatter = 1.0 if data.sigma is not None else chi_square / freedom
+    if loss == "linear":
+        scatter = 1.0 if data.sigma is not None else chi_square / freedom
+    else:
+        scatter = fit_robust.variance(loss, residuals, scale, x.size)
     estimate = _Estimate.of(search.exact_jacobian(x), float(np.linalg.norm(fitted * data.weight)), scatter)
 
     values = search.values(x)
@@ -208,14 +306,19 @@ def _judge(search: Search, x: Array, success: bool) -> Fit:
         fitted=fitted,
         sigma=data.sigma,
         quantity=data.quantity,
+        loss=loss,
+        dimensions={name.given: name.dimension for name in names},
+        _end=_End(search, x, estimate),
     )
-    return replace(fit, message="\n".join(_remarks(fit, estimate)))
+    far = int(np.count_nonzero(np.abs(residuals) > fit_robust.FAR * scale)) if loss != "linear" else 0
+    return replace(fit, message="\n".join([*_remarks(fit, estimate), *_remarks_on_search(loss, far, ends)]))
 
 
 @dataclass(frozen=True, eq=False)
 class _Estimate:
     """What the Jacobian at the minimum tells, in the coordinates of the search."""
 
+    effective: Array  # the covariance without the directions that have no effect
     covariance: Array  # infinite for a name that has a part in a direction without effect
     ineffective: Array  # (directions, names): unit vectors along which the friction does not change
 
@@ -230,7 +333,13 @@ class _Estimate:
         lost = (np.abs(ineffective) > _SHARE).any(axis=0)
         covariance[lost, :] = covariance[:, lost] = np.nan
         covariance[lost, lost] = np.inf
-        return cls(covariance, ineffective)
+        return cls(scatter * (scaled.T @ scaled), covariance, ineffective)
+
+    def error_of(self, jacobian: Array, friction: Array) -> Array:
+        """The standard error of friction with this Jacobian."""
+        error: Array = np.sqrt(np.einsum("ki,ij,kj->k", jacobian, self.effective, jacobian))
+        unknown = (np.abs(jacobian @ self.ineffective.T) > 10 * _NO_EFFECT * friction[:, None]).any(axis=1)
+        return np.where(unknown, np.inf, error)
 
     def partners(self, names: tuple[str, ...], name: str) -> str:
         """The others that make up for a change of a name, in words."""
@@ -243,9 +352,36 @@ class _Estimate:
         return _and(other for other, is_one in zip(names, one) if is_one and other != name)
 
 
+@dataclass(frozen=True, eq=False)
+class _End:
+    """Where a search ended."""
+
+    search: Search
+    x: Array
+    estimate: _Estimate
+
+
+def _remarks_on_search(loss: str, far: int, ends: list[float]) -> list[str]:
+    """Of points far off, and of several starts."""
+    remarks = []
+    if loss != "linear":
+        remarks.append(f"loss {loss}: {far} points are more than {fit_robust.FAR:g} standard errors off and count little")
+    if len(ends) > 1:
+        best = min(ends)
+        reached = sum(end <= best * (1 + _SAME) + 1e-300 for end in ends)
+        others = sorted({f"{end:.3g}" for end in ends if end > best * (1 + _SAME) + 1e-300 and math.isfinite(end)}, key=float)
+        remarks.append(
+            f"{reached} of {len(ends)} starts end here"
+            + (f"; others at minima that fit worse, with sums of squares {', '.join(others[:5])} for {best:.3g}" if others else "")
+        )
+    return remarks
+
+
 def _remarks(fit: Fit, estimate: _Estimate) -> list[str]:
     """How the search ended, and then what is to be said against the result."""
-    spread = f"reduced chi-square {fit.reduced_chi_square:.3g}, {fit.degrees_of_freedom} degrees of freedom"
+    reduced = fit.reduced_chi_square
+    spread = f"residuals scatter by {fit.scatter:.3g}" if reduced is None else f"reduced chi-square {reduced:.3g}"
+    spread += f", {fit.degrees_of_freedom} degrees of freedom"
     remarks = [f"{'converged' if fit.success else f'not converged in {_STEPS} steps'}; {spread}"]
     for name in fit.unidentifiable:
         others = estimate.partners(fit.free, name)
@@ -262,7 +398,7 @@ def _remarks(fit: Fit, estimate: _Estimate) -> list[str]:
             remarks.append(f"correlated by {correlation:.4f}: {one} and {other}; a combination of them is known better")
     for name in fit.at_bound:
         remarks.append(f"at a bound: {name} = {fit.values[name]:.6g}; the data would have it beyond")
-    if fit.sigma is not None and _improbable(fit):
+    if fit.sigma is not None and fit.loss == "linear" and _improbable(fit):
         remarks.append("the residuals are larger than sigma explains: the model, or sigma, is wrong")
     with Model(fit.params) as model:
         pull_off = model.summary().pull_off_load

@@ -65,6 +65,11 @@ class FreeName:
         return self.domain == _POSITIVE
 
     @property
+    def dimension(self) -> str:
+        """Of its value: "stress", "force/length", "length", or "" for a number."""
+        return _DIMENSIONS.get(self.field, "")
+
+    @property
     def is_group(self) -> bool:
         return self.field in _GROUPS
 
@@ -192,6 +197,11 @@ _SYMBOLS = {
     "omega": "weibull_shape",
     "epsilon": _EPSILON,
     "rho": "radius_rate",
+}
+_DIMENSIONS = {
+    **dict.fromkeys(("composite_modulus", "effective_shear_modulus"), "stress"),
+    "work_of_adhesion": "force/length",
+    **dict.fromkeys(("adhesion_range", "burgers_vector", "height_std", "summit_radius"), "length"),
 }
 _SLIP = ("slip_radius_1", "slip_stress_1", "slip_radius_2", "slip_stress_2")
 _FIELDS = (*_SYMBOLS.values(), *_SLIP)

@@ -17,11 +17,17 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 
-_LABELS = {"mu": "friction coefficient $F/P$", "force": "friction force $F$, in the unit of the data"}
+_SI = {"stress": "Pa", "force/length": "N/m", "length": "m", "force": "N"}
 
 
-def draw(fit: Fit, file: str | os.PathLike[str] | None) -> Figure:
+def draw(fit: Fit, file: str | os.PathLike[str] | None, units: str | None) -> Figure:
     """Draws it, and writes it if a file is named."""
+    if units not in (None, "SI"):
+        raise ValueError(f"units = {units!r}: must be 'SI', or None if they are others")
+
+    def unit(dimension: str) -> str:
+        return f" [{dimension if units is None else _SI[dimension]}]" if dimension else ""
+
     try:
         from matplotlib.figure import Figure
     except ImportError as error:
@@ -38,19 +44,24 @@ def draw(fit: Fit, file: str | os.PathLike[str] | None) -> Figure:
         above.set_yscale("log" if fit.quantity == "force" else "linear")
     above.errorbar(fit.load, fit.measured, yerr=fit.sigma, fmt="o", ms=4, mfc="none", color="black", label="measured")
     load = _loads(fit.load, linear_to)
-    with Model(fit.params) as model:
-        force = model.friction_force_at_load(load)
-        pressing = load[load > 0]
-        if pressing.size:
+    named = "\n".join(
+        f"  {name} = {fit.values[name]:.4g} ± {fit.errors[name]:.1g}{unit(fit.dimensions[name])}" for name in fit.free
+    )
+    pressing = load[load > 0]
+    if pressing.size:
+        with Model(fit.params) as model:
             model.warn(float(pressing.min()), float(pressing.max()))
-    named = "\n".join(f"  {name} = {fit.values[name]:.4g} ± {fit.errors[name]:.1g}" for name in fit.free)
-    above.plot(load, force / load if fit.quantity == "mu" else force, color="C0", label=f"fitted\n{named}")
-    above.set_ylabel(_LABELS[fit.quantity])
+    curve, deviation = fit.predict(load)
+    if np.isfinite(deviation).all():
+        above.fill_between(load, curve - 2 * deviation, curve + 2 * deviation, color="C0", alpha=0.25, lw=0,
+                           label="two standard errors of the fit")  # fmt: skip
+    above.plot(load, curve, color="C0", label=f"fitted\n{named}")
+    above.set_ylabel("friction coefficient $F/P$" if fit.quantity == "mu" else f"friction force $F${unit('force')}")
     above.legend()
 
     below.axhline(0, color="C0")
     below.plot(fit.load, fit.residuals, "o", ms=4, mfc="none", color="black")
-    below.set(xlabel="normal load $P$, in the unit of the data", ylabel="residual" if fit.sigma is None else r"residual/$\sigma$")
+    below.set(xlabel=f"normal load $P${unit('force')}", ylabel="residual" if fit.sigma is None else r"residual/$\sigma$")
     for axes in (above, below):
         axes.grid(True, alpha=0.3)
     if file is not None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numbers
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Mapping
 
 import numpy as np
@@ -21,6 +21,8 @@ Mask = npt.NDArray[np.bool_]
 # Of central differences: the compiled law is smooth to 1e-10, so that (1e-10)^(1/3) about balances its error against
 # that of the difference; the derivative is then right to some 1e-7 of the friction.
 STEP = 1e-3
+# Further starts of a search lie within this factor of the first.
+_SPREAD = 10.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,6 +124,16 @@ class Search:
         with Model(self.surfaces(x)) as model:
             force = model.friction_force_at_load(self.data.load)
         return force / self.data.load if self.data.quantity == "mu" else force
+
+    def at_loads(self, load: Array) -> Search:
+        """The same at other loads, where nothing was measured: its residuals are the friction, its Jacobian that of it."""
+        return replace(self, data=Data(load, np.zeros_like(load), None, self.data.quantity))
+
+    def random_start(self, random: np.random.Generator) -> Array:
+        """Another start: within a factor of `_SPREAD` for positive names, for others within a tenth of their bounds."""
+        positive = np.array([name.positive for name in self.names])
+        span = np.where(positive, np.log(_SPREAD), 0.1 * (self.high - self.low))
+        return np.clip(self.start + random.uniform(-1, 1, self.start.size) * span, self.low, self.high)
 
     def residuals(self, x: Array) -> Array:
         """NaN for surfaces that the library refuses: the search then shortens its step."""

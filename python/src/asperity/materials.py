@@ -93,8 +93,10 @@ class Pair:
     def contact(self) -> dict[str, Any]:
         """What `Params.si` and the other ways to make parameters take beside the roughness.
 
-        The Burgers vector is the longer of the two, the range of adhesion is taken equal to it, and the hardness is that
-        of the softer body, left out if one of them has none here. A measured `slip_stress_1` is among it.
+        The Burgers vector is the longer of the two, the range of adhesion is taken equal to it as in the paper, and the
+        hardness is that of the softer body, left out if one of them has none here. The range that goes with a work of
+        adhesion A/(12 pi D^2) is shorter, 0.97 D = 0.16 nm, by Maugis' rule of the same largest stress: docs/materials.md.
+        A measured `slip_stress_1` is among it.
         """
         burgers_vector = max(self.first.burgers_vector, self.second.burgers_vector)
         contact: dict[str, Any] = {

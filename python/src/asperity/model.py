@@ -23,7 +23,7 @@ from . import _header
 from ._library import LIBRARY
 from .errors import Error, Status, check
 from .params import Params
-from .results import Hysteresis, State, Summary, ValidityWarning, Warnings
+from .results import Hysteresis, State, Summary, SummitStates, ValidityWarning, Warnings
 from .sensitivity import Sensitivities
 
 Loads = Union["npt.NDArray[Any]", "list[Any]", "tuple[Any, ...]"]
@@ -278,6 +278,29 @@ class Model:
                 handle.warned |= kind
                 warnings.warn(f"between the loads {lightest:g} and {heaviest:g}: {kind}", ValidityWarning, stacklevel=3)
 
+    def summits_at_overlaps(self, overlap: npt.ArrayLike, height: npt.ArrayLike | None = None) -> SummitStates:
+        """Load, friction force and contact radius of single summits, by the law that all sums are made of.
+
+        A summit stays in contact down to the overlap at which it breaks away, below 0 with adhesion; out of contact it may
+        still attract. `asperity.pads` makes pads of few contacts of them.
+
+        Args:
+            overlap: height of a summit less the separation [length]; an array of any shape.
+            height: of each from the mean of the summit heights [length], on which radii depend where `radius_amplitude` is
+                not 0; without, the mean height.
+
+        Raises:
+            Error: an overlap or height that is not finite, or out of range; the message names its index.
+        """
+        overlaps = _as_array("overlap", overlap)
+        heights = None if height is None else np.ascontiguousarray(np.broadcast_to(_as_array("height", height), overlaps.shape))
+        found = SummitStates(*(np.empty(overlaps.shape) for _ in range(3)))
+        outputs = [_data(one) for one in found]
+        pointer = self._open().pointer
+        data = None if heights is None else _data(heights)
+        check(LIBRARY.asperity_summits_at_overlaps(pointer, overlaps.size, _data(overlaps), data, *outputs))
+        return found
+
     def summary(self) -> Summary:
         """The constants of the model: dimensionless groups, pull-off load, range and error of the compiled law."""
         handle = self._open()
@@ -316,7 +339,7 @@ class Model:
     def _evaluate(self, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool) -> Any:
         handle = self._open()
         if not isinstance(load, numbers.Real):
-            return _evaluate_array(handle, many, _as_array(load), slope)
+            return _evaluate_array(handle, many, _as_array("load", load), slope)
         found = ctypes.c_double()
         value: float
         if slope:
@@ -334,10 +357,10 @@ def _number(name: str, at: Any, method: str) -> float:
     return float(at)
 
 
-def _as_array(load: Any) -> Array:
-    array = np.asarray(load)
+def _as_array(name: str, values: Any) -> Array:
+    array = np.asarray(values)
     if array.dtype.kind not in "iuf" and array.size > 0:
-        raise TypeError(f"load: must be real numbers, not an array of {array.dtype}")
+        raise TypeError(f"{name}: must be real numbers, not an array of {array.dtype}")
     return np.asarray(array, dtype=np.float64, order="C")
 
 

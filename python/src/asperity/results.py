@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntFlag
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
 
 import numpy as np
 import numpy.typing as npt
@@ -125,6 +129,20 @@ class Hysteresis:
     displacement: npt.NDArray[np.float64]
     force: npt.NDArray[np.float64]
     work: float
+
+
+class SummitStates(NamedTuple):
+    """Single summits, in the units of the parameters; arrays of the shape of the overlaps.
+
+    Attributes:
+        load: of each summit [force], negative where it pulls.
+        friction_force: [force]; 0 out of contact.
+        contact_radius: [length]; 0 out of contact.
+    """
+
+    load: npt.NDArray[np.float64]
+    friction_force: npt.NDArray[np.float64]
+    contact_radius: npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)

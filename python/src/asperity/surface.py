@@ -2,34 +2,64 @@
 
     from asperity import Params, surface
 
-    summits = surface.summits(*surface.read("scan.x3p"))
+    cleaned = surface.clean(surface.read("scan.x3p"))
+    summits = surface.summits(surface.filter(cleaned.map, cutoff=0.2e-6))
     params = Params.from_topography(summits, E1=160e9, ...)
 
 The search is in `_summit_search`, standard errors in `_tile_errors`, eq (3) in `_radius_trend`, files in
-`_instrument_files`. Needs the extra `topography`, for SciPy and for the files.
+`_instrument_files`, what speaks against a map in `_map_warnings`, friction against the cutoff in `_map_cutoffs`. Needs the
+extra `topography`, for SciPy and for the files.
 """
 
 from __future__ import annotations
 
 import math
-import numbers
+import warnings
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any, Callable
 
 import numpy as np
 import numpy.typing as npt
 
+from . import _map_warnings
 from ._instrument_files import HeightMap, read
+from ._map_cleaning import Cleaned, clean
+from ._map_cutoffs import Cutoffs, cutoffs
+from ._map_filter import filter
+from ._map_input import checked, degree
+from ._map_spikes import spikes
+from ._map_warnings import MapWarning, unresolved
+from ._progress import Progress, teller
 from ._radius_trend import RadiusTrend, fit
 from ._summit_search import Found, find, without_polynomial
 from ._tile_errors import Estimate, estimates, tiles
 
-__all__ = ["Estimate", "HeightMap", "Iso25178", "RadiusTrend", "SpectralMoments", "Summits", "read", "summits"]
+if TYPE_CHECKING:
+    from .results import State
+
+__all__ = [
+    "Cleaned",
+    "Cutoffs",
+    "Estimate",
+    "HeightMap",
+    "Iso25178",
+    "MapWarning",
+    "RadiusTrend",
+    "SpectralMoments",
+    "Summits",
+    "clean",
+    "cutoffs",
+    "filter",
+    "read",
+    "summits",
+]
 
 Array = npt.NDArray[np.float64]
 
 MIN_SUMMITS = 10
 MIN_BINS, MAX_BINS = 4, 254
+# Slopes are summed over so many rows at a time, which fit the processor's cache.
+_BAND = 128
 
 
 @dataclass(frozen=True)
@@ -99,6 +129,9 @@ class Summits:
         isotropy: lesser over greater principal mean square slope, 1 for isotropic, 0 for grooves. The model, as all
             that take one radius for a summit, is of isotropic surfaces.
         nominal_area: of the map [length^2].
+        dx: distance of columns [length].
+        dy: distance of rows [length].
+        warnings: what of the map speaks against these numbers, in words; `summits` warns of them too.
     """
 
     x: Array = field(repr=False)
@@ -116,6 +149,17 @@ class Summits:
     iso: Iso25178
     isotropy: float
     nominal_area: float
+    dx: float
+    dy: float
+    warnings: tuple[str, ...]
+
+    def warnings_at(self, state: State) -> tuple[str, ...]:
+        """What speaks against friction in a state, in words: `warnings`, and contacts that the map does not resolve.
+
+        Args:
+            state: of a model made of these summits, in the same unit of length: `model.state_at_load(load)`.
+        """
+        return self.warnings + unresolved(state.mean_contact_radius, max(self.dx, self.dy))
 
     @property
     def count(self) -> int:
@@ -140,7 +184,9 @@ class Summits:
         return height, np.concatenate([[0.0], density, [0.0]])
 
 
-def summits(height_map: npt.ArrayLike, dx: float, dy: float, *, detrend: int = 1) -> Summits:
+def summits(
+    height_map: Any, dx: float | None = None, dy: float | None = None, *, detrend: int = 1, progress: Progress = None
+) -> Summits:
     """Finds the summits of a height map: the points higher than their 8 neighbours.
 
     Neighbours of equal height are one summit, with the mean of their places and curvatures, if all around is lower.
@@ -150,42 +196,53 @@ def summits(height_map: npt.ArrayLike, dx: float, dy: float, *, detrend: int = 1
     Two rough surfaces are one rough surface against a flat: add their maps.
 
     Args:
-        height_map: heights in one unit of length, shape (rows along y, columns along x), each at least 3; float64 or
-            what becomes it. All must be finite: crop the map, or fill what the instrument did not see.
-        dx: distance of columns > 0, in the same unit.
-        dy: distance of rows > 0.
+        height_map: a `HeightMap` as `read`, `filter` and `clean(...).map` give it; a `SurfaceTopography.Topography`, which
+            counts in metres; or heights in one unit of length, shape (rows along y, columns along x), each at least 3;
+            float64 or what becomes it. All must be known: `clean` fills what the instrument did not see.
+        dx: distance of columns > 0, in the same unit; not for maps that have it.
+        dy: distance of rows > 0; by default dx.
         detrend: degree of the polynomial in x and y that is subtracted, by least squares: 0 the mean, 1 a plane (tilt
             of the sample), 2 a paraboloid (its form).
+        progress: whether to tell what is being done, on the error stream, or a function of the part done, 0 to 1, and of
+            what is being done; by default it is told for maps of more than 2 million points.
 
     Raises:
         ValueError: what the map, its distances or the degree may not be; fewer than 10 summits.
-        TypeError: no real numbers.
+        TypeError: no real numbers; distances missing, or given twice.
         ImportError: SciPy is not installed.
+
+    Warns:
+        MapWarning: spikes, noise, a direction: what `Summits.warnings` says.
 
     Source of the definitions: Greenwood and Williamson, Proc. R. Soc. A 295 (1966), 300; Nayak (1971).
     """
     _require_scipy()
-    raw = _checked_map(height_map)
-    dx, dy = _checked_length("dx", dx), _checked_length("dy", dy)
-    if isinstance(detrend, bool) or detrend not in (0, 1, 2):
-        raise ValueError(f"detrend = {detrend!r}: must be 0, 1 or 2")
+    raw, dx, dy = checked(height_map, dx, dy)
+    tell = teller(progress, raw.size)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore", under="ignore"):
-        level = without_polynomial(raw, detrend)
-        if np.ptp(level) <= 1e4 * np.finfo(float).eps * np.abs(raw).max():
+        tell(0.0, f"levelling {raw.shape[0]} x {raw.shape[1]} points")
+        level = without_polynomial(raw, degree(detrend))
+        if np.ptp(level) <= 1e4 * np.finfo(float).eps * max(abs(raw.min()), abs(raw.max())):
             raise ValueError("height_map: flat but for rounding: must be rough, beyond what detrend takes away")
+        tell(0.2, "looking for summits")
         found = find(raw, level, dx, dy)
         if found.height.size < MIN_SUMMITS:
             raise ValueError(
                 f"height_map: has {found.height.size} summits on {raw.shape[0]} x {raw.shape[1]} points: "
                 f"must have at least {MIN_SUMMITS}"
             )
-        return _statistics(found, level, dx, dy)
+        statistics = _statistics(found, level, dx, dy, tell)
+    tell(1.0, f"found {statistics.count} summits")
+    for warning in statistics.warnings:
+        warnings.warn(warning, MapWarning, stacklevel=2)
+    return statistics
 
 
-def _statistics(found: Found, level: Array, dx: float, dy: float) -> Summits:
+def _statistics(found: Found, level: Array, dx: float, dy: float, tell: Callable[[float, str], None]) -> Summits:
     ny, nx = level.shape
     curvature = (found.first_curvature + found.second_curvature) / 2
-    moments, sdq, gradient_moments = _of_slopes(level, dx, dy)
+    tell(0.4, f"slopes and curvatures beside {found.height.size} summits")
+    moments, sdq, gradient_moments, skewness, kurtosis_of_all = _of_heights(level, dx, dy)
     area = nx * dx * ny * dy
     for number in (area, moments.m0, moments.m2, moments.m4, curvature.min(), curvature.max()):
         if not 1e-300 < number < 1e300:
@@ -200,7 +257,11 @@ def _statistics(found: Found, level: Array, dx: float, dy: float) -> Summits:
     density, height_mean, height_std, skew, kurtosis, radius = estimates(scaled, curvature / unit, tile, areas)
     density = density.scaled(1 / ((ny - 2) * dy * (nx - 2) * dx))
     radius = radius.scaled(1 / unit)
-    surface = level / math.sqrt(moments.m0)
+    isotropy = max(float(lesser / greater), 0.0)
+    tell(0.6, "looking for spikes and noise")
+    up = int(np.count_nonzero(spikes(level) & (level > 0)))
+    said = _map_warnings.remarks(up, level.size, _map_warnings.differences(level), isotropy, height_std.scaled(std).value)
+    tell(0.9, "fitting radius against height")
     arrays = (found.column * dx, found.row * dy, found.height)
     curvatures = np.stack([found.first_curvature, found.second_curvature], axis=1)
     for array in (*arrays, curvatures):
@@ -218,58 +279,42 @@ def _statistics(found: Found, level: Array, dx: float, dy: float) -> Summits:
         moments=moments,
         iso=Iso25178(
             Sq=math.sqrt(moments.m0),
-            Ssk=float((surface**3).mean()),
-            Sku=float((surface**4).mean()),
+            Ssk=skewness,
+            Sku=kurtosis_of_all,
             Sdq=sdq,
             Sds=density.value,
             Ssc=1 / radius.value,
         ),
-        isotropy=max(float(lesser / greater), 0.0),
+        isotropy=isotropy,
         nominal_area=area,
+        dx=dx,
+        dy=dy,
+        warnings=said,
     )
 
 
-def _of_slopes(level: Array, dx: float, dy: float) -> tuple[SpectralMoments, float, Array]:
-    """Spectral moments, root mean square gradient, mean of the gradient times itself (2 x 2)."""
-    along_x, along_y = np.diff(level, axis=1) / dx, np.diff(level, axis=0) / dy
-    m2_x, m2_y = float((along_x**2).mean()), float((along_y**2).mean())
-    m4_x = float(((np.diff(along_x, axis=1) / dx) ** 2).mean())
-    m4_y = float(((np.diff(along_y, axis=0) / dy) ** 2).mean())
-    moments = SpectralMoments(float((level**2).mean()), (m2_x + m2_y) / 2, (m4_x + m4_y) / 2)
-    # In the middle of four points, where both slopes are known.
-    gradient = np.stack([(along_x[1:] + along_x[:-1]).ravel(), (along_y[:, 1:] + along_y[:, :-1]).ravel()]) / 2
-    return moments, math.sqrt(m2_x + m2_y), np.asarray(gradient @ gradient.T) / gradient.shape[1]
-
-
-def _checked_map(height_map: Any) -> Array:
-    if np.ma.is_masked(height_map):
-        missing = int(np.ma.getmaskarray(height_map).sum())
-        raise ValueError(f"height_map: {missing} heights are masked: all must be known; crop the map or fill them")
-    array = np.asarray(height_map)
-    if array.dtype.kind not in "iuf":
-        raise TypeError(f"height_map: must be real numbers, not an array of {array.dtype}")
-    if array.ndim != 2 or min(array.shape) < 3:
-        raise ValueError(f"height_map: has shape {array.shape}: must be 2-D, with at least 3 rows and 3 columns")
-    array = np.asarray(array, dtype=np.float64)
-    bad = ~np.isfinite(array)
-    if bad.any():
-        row, column = (int(index) for index in np.unravel_index(int(np.argmax(bad)), bad.shape))
-        raise ValueError(
-            f"height_map: {int(bad.sum())} of {bad.size} heights are not finite, the first is "
-            f"{array[row, column]} at [{row}, {column}]: all must be; crop the map or fill them"
-        )
-    if array.min() == array.max():
-        raise ValueError(f"height_map: constant at {array[0, 0]}: must be rough")
-    return array
-
-
-def _checked_length(name: str, value: Any) -> float:
-    if not isinstance(value, numbers.Real):
-        raise TypeError(f"{name} = {value!r}: must be a real number")
-    length = float(value)
-    if not (math.isfinite(length) and length > 0):
-        raise ValueError(f"{name} = {length}: must be finite and > 0")
-    return length
+def _of_heights(level: Array, dx: float, dy: float) -> tuple[SpectralMoments, float, Array, float, float]:
+    """Spectral moments, root mean square gradient, mean of the gradient times itself (2 x 2), skewness and kurtosis."""
+    ny, nx = level.shape
+    unit = np.abs([level.min(), level.max()]).max()
+    sums, slopes = np.zeros(7), np.zeros((2, 2))
+    for first in range(0, ny, _BAND):
+        heights = level[first : first + _BAND + 2] / unit  # two more rows, for differences along y
+        band = heights[:_BAND]
+        x, y, square = np.diff(heights[: _BAND + 1], axis=1), np.diff(heights[: _BAND + 1], axis=0), band * band
+        parts = (band, x[: len(band)], y, np.diff(x[: len(band)], axis=1), np.diff(heights, 2, axis=0), square)
+        sums += [*((one * one).sum() for one in parts), (square * band).sum()]
+        # In the middle of four points, where both slopes are known.
+        middle = x[1:] + x[:-1], y[:, 1:] + y[:, :-1]
+        slopes += [[(one * other).sum() / 4 for other in middle] for one in middle]
+    counts = [ny * nx, ny * (nx - 1), (ny - 1) * nx, ny * (nx - 2), (ny - 2) * nx, ny * nx, ny * nx]
+    m0, m2_x, m2_y, m4_x, m4_y, fourths, cubes = sums / counts
+    m2_x, m2_y = m2_x * (unit / dx) ** 2, m2_y * (unit / dy) ** 2
+    m4 = (m4_x * (unit / dx / dx) ** 2 + m4_y * (unit / dy / dy) ** 2) / 2
+    moments = SpectralMoments(float(m0 * unit**2), float(m2_x + m2_y) / 2, float(m4))
+    steps = np.array([unit / dx, unit / dy])
+    gradients = slopes * np.outer(steps, steps) / ((ny - 1) * (nx - 1))
+    return moments, math.sqrt(m2_x + m2_y), gradients, float(cubes / m0**1.5), float(fourths / m0**2)
 
 
 def _require_scipy() -> None:

@@ -1,0 +1,130 @@
+"""A measured map made ready for the search of summits: levelled, without spikes, with missing points filled."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ._instrument_files import HeightMap
+from ._map_input import checked, degree
+from ._map_spikes import MOST, spikes
+from ._progress import Progress, teller
+from ._summit_search import basis, products_of
+
+Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+
+
+class Cleaned(NamedTuple):
+    """What `clean` made of a map.
+
+    Attributes:
+        map: the levelled map with its distances; `summits` and `filter` take it as it is.
+        missing: how many points were not known.
+        spikes: how many points stood out and were taken for spikes.
+        filled: where heights were replaced, of the shape of the map.
+    """
+
+    map: HeightMap
+    missing: int
+    spikes: int
+    filled: Mask
+
+    def __str__(self) -> str:
+        rows, columns = self.filled.shape
+        part = self.filled.mean()
+        return f"{rows} x {columns} points, {self.missing} missing and {self.spikes} spikes filled, {part:.2g} of all"
+
+
+def clean(
+    height_map: Any, dx: float | None = None, dy: float | None = None, *, detrend: int = 1, progress: Progress = None
+) -> Cleaned:
+    """Levels a map, replaces spikes and fills missing points.
+
+    A spike is a point that differs from the median of the 5 x 5 points around it by more than 10 times what is usual in
+    the map, and by more than 5 times what is usual among these (1.4826 times the median of such differences). Missing points and spikes are filled with the heights of a
+    stretched membrane, each the mean of its 4 neighbours: that makes no summits, so the density is low by the part filled.
+
+    Args:
+        height_map: as for `summits`; points that the instrument did not see are NaN, infinite or masked.
+        dx: distance of columns, where the map has none.
+        dy: distance of rows; by default dx.
+        detrend: degree of the polynomial that is subtracted, fitted to the points that are neither missing nor spikes.
+        progress: as for `summits`.
+
+    Raises:
+        ValueError: as `summits`; more than half of the points missing; more than 1 % of them stand out, which are no
+            spikes but what the surface is.
+        TypeError: no real numbers.
+        ImportError: SciPy is not installed.
+    """
+    raw, dx, dy = checked(height_map, dx, dy, missing=True)
+    degree(detrend)
+    tell = teller(progress, raw.size)
+    unknown = np.isnan(raw)
+    missing = int(unknown.sum())
+    if 2 * missing > raw.size:
+        raise ValueError(f"height_map: {missing} of {raw.size} heights are missing: at most half may be; crop the map")
+    tell(0.0, "levelling the known points")
+    level = _level(raw, unknown, detrend)
+    tell(0.2, "looking for spikes")
+    found = spikes(level)
+    count = int(found.sum())
+    if count > MOST * raw.size:
+        raise ValueError(
+            f"height_map: {count} of {raw.size} points stand out from those around them: too many for spikes, so the "
+            "surface is like that, or the map is mostly noise; filter it without cleaning, or measure again"
+        )
+    bad = unknown | found
+    level = _level(raw, bad, detrend)
+    tell(0.7, f"filling {missing} missing points and {count} spikes")
+    level[bad] = _membrane(level, bad)
+    tell(1.0, "cleaned")
+    return Cleaned(HeightMap(level, dx, dy), missing, count, bad)
+
+
+def _level(raw: Array, bad: Mask, detrend: int) -> Array:
+    """Heights less the polynomial that fits best those that are not bad."""
+    rows, columns = (basis(length, detrend) for length in raw.shape)
+    good = ~bad
+    heights = np.where(good, raw, 0.0)
+    powers = [(i, j) for i in range(detrend + 1) for j in range(detrend + 1 - i)]
+    # Sums over the points of products of two of the polynomials.
+    weights = products_of(rows).T @ good @ products_of(columns)
+    size = detrend + 1
+    gram = np.array([[weights[i * size + k, j * size + m] for k, m in powers] for i, j in powers])
+    found = rows.T @ heights @ columns
+    values = np.linalg.lstsq(gram, np.array([found[i, j] for i, j in powers]), rcond=None)[0]
+    coefficients = np.zeros((size, size))
+    for (i, j), value in zip(powers, values):
+        coefficients[i, j] = value
+    level: Array = raw - rows @ coefficients @ columns.T
+    return level
+
+
+def _membrane(level: Array, bad: Mask) -> Array:
+    """Heights at the bad points, each the mean of its neighbours along rows and columns (Laplace's equation)."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.linalg import spsolve
+
+    count = int(bad.sum())
+    if count == 0:
+        return np.empty(0)
+    number = np.full(level.shape, -1, dtype=np.intp)
+    number[bad] = np.arange(count)
+    row, column = np.nonzero(bad)
+    own, other, known, neighbours = [], [], np.zeros(count), np.zeros(count)
+    for i, j in ((-1, 0), (1, 0), (0, -1), (0, 1)):
+        inside = (row + i >= 0) & (row + i < level.shape[0]) & (column + j >= 0) & (column + j < level.shape[1])
+        here, there = np.nonzero(inside)[0], (row[inside] + i, column[inside] + j)
+        neighbours[here] += 1
+        unknown = bad[there]
+        own.append(here[unknown])
+        other.append(number[there][unknown])
+        known[here[~unknown]] += level[there][~unknown]
+    places = np.concatenate([np.arange(count), *own]), np.concatenate([np.arange(count), *other])
+    values = np.concatenate([neighbours, -np.ones(places[0].size - count)])
+    matrix = coo_array((values, places), shape=(count, count)).tocsc()
+    return np.asarray(spsolve(matrix, known), dtype=np.float64).reshape(count)

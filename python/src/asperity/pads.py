@@ -1,0 +1,185 @@
+"""Pads of few contacts: friction of single pads of N summits, their mean and how they scatter.
+
+    from asperity import Params, pads
+
+    found = pads(params, loads, 200)
+    found.plot("pads.svg")
+
+The sums of the model are means over summits at a given separation. At a given load a pad stands on the summits that it
+happens to have: where few touch, its friction differs from that of the model, and from that of the next pad.
+Heights at random are in `_pad_heights`, the equilibrium of a pad in `_pad_equilibrium`.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+import os
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._pad_equilibrium import OneSummitLaw, descend
+from ._pad_heights import TailHeights
+from .model import Model
+from .params import Params
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = npt.NDArray[np.float64]
+
+# The search for the separation of a pad begins where at least so many summits touch on average, and where the load is above
+# the heaviest one by this many of its standard deviations, or by what those would be if all summits pressed alike.
+_FIRST_CONTACTS, _DEVIATIONS = 40, 8.0
+
+
+@dataclass(frozen=True, eq=False)
+class Pads:
+    """Pads of one surface, under load control on the branch of unloading. Arrays of pads have the shape (pads, loads).
+
+    Attributes:
+        params: the surface; `asperity_count` is the number of summits of each pad.
+        load: the loads [force], as they were given.
+        friction_force: of each pad at each load [force]; 0 where it is apart.
+        contacting: summits in contact.
+        apart: whether the load is below the pull-off load of the pad.
+        model_force: the friction force of the model at the loads [force].
+        seed: of the random numbers.
+    """
+
+    params: Params
+    load: Array
+    friction_force: Array
+    contacting: npt.NDArray[np.intp]
+    apart: npt.NDArray[np.bool_]
+    model_force: Array
+    seed: int
+
+    @property
+    def count(self) -> int:
+        """How many pads there are."""
+        return len(self.friction_force)
+
+    @property
+    def mean_force(self) -> Array:
+        """Mean friction force over the pads [force], shape (loads,)."""
+        return np.asarray(self.friction_force.mean(axis=0))
+
+    @property
+    def scatter(self) -> Array:
+        """Standard deviation of the friction force from pad to pad over its mean, shape (loads,); NaN where that is 0."""
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.asarray(self.friction_force.std(axis=0, ddof=1) / self.mean_force)
+
+    @property
+    def bias(self) -> Array:
+        """Mean friction force over that of the model, shape (loads,); NaN or infinite where that is 0."""
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.asarray(self.mean_force / self.model_force)
+
+    @property
+    def bias_error(self) -> Array:
+        """Standard error of `bias` for this number of pads, shape (loads,)."""
+        return np.asarray(self.bias * self.scatter / math.sqrt(self.count))
+
+    def plot(self, file: str | os.PathLike[str] | None = None) -> Figure:
+        """Draws the mean of the pads with their scatter as a band, and the curve of the model.
+
+        The friction coefficient where all loads press, else the friction force.
+
+        Args:
+            file: its ending is its format, for example "pads.svg".
+
+        Raises:
+            ImportError: matplotlib is missing.
+        """
+        from ._pad_plot import draw
+
+        return draw(self, file)
+
+    def __str__(self) -> str:
+        lines = [f"{self.count} pads of {round(self.params.asperity_count)} summits", "load  contacts  mean/model  scatter"]
+        contacts = self.contacting.mean(axis=0)
+        for row in zip(self.load, contacts, self.bias, self.bias_error, self.scatter):
+            lines.append("{:.3g}  {:.3g}  {:.3g} +- {:.1g}  {:.0%}".format(*row))
+        return "\n".join(lines)
+
+
+def pads(params: Params, loads: npt.ArrayLike, count: int = 100, *, seed: int = 0) -> Pads:
+    """Friction of pads whose summits are drawn at random from the heights of the surface.
+
+    Each pad has `asperity_count` summits, of which only the tallest are drawn; each obeys the exact law of one summit, in
+    contact and out of it. A pad is unloaded from heavy load: at each load it stands at the nearest separation at which its
+    load has fallen to that, so that it jumps over states that could not hold. Below the least load of all it is apart.
+
+    Args:
+        params: the surface, with its true number of summits.
+        loads: normal loads [force], one-dimensional, in any order; also 0 and, with adhesion, negative ones.
+        count: number of pads, 2 or more. The mean is known to its scatter over the root of this.
+        seed: of the random numbers, >= 0: the same pads for the same seed and the same loads.
+
+    Raises:
+        ValueError: what loads, count, seed or the number of summits may not be; `Error` for what the library refuses.
+        TypeError: no `Params`, or no whole numbers.
+    """
+    if not isinstance(params, Params):
+        raise TypeError(f"params = {params!r}: must be a Params")
+    load = _checked_loads(loads)
+    count, seed = _checked_whole("count", count, 2), _checked_whole("seed", seed, 0)
+    if params.asperity_count < 2:
+        raise ValueError(
+            f"asperity_count = {params.asperity_count:g}: pads need the true number of summits, 2 or more: "
+            "params.replace(asperity_count=...)"
+        )
+    order = np.argsort(-load)
+    force, contacting = np.zeros((count, load.size)), np.zeros((count, load.size), dtype=np.intp)
+    apart = np.zeros((count, load.size), dtype=bool)
+    random = np.random.default_rng(seed)
+    heights = TailHeights(params)
+    with Model(params) as model:
+        model_force = model.friction_force_at_load(load)
+        law = OneSummitLaw(model, heights.highest)
+        start = _start(model, law, heights, float(load.max()))
+        lowest = start - law.farthest
+        for pad in range(count):
+            found = descend(law, heights.sample(random, lowest), start, load[order])
+            force[pad, order], contacting[pad, order], apart[pad, order] = found
+    for array in (load, force, contacting, apart, model_force):
+        array.setflags(write=False)
+    return Pads(params, load, force, contacting, apart, model_force, seed)
+
+
+def _start(model: Model, law: OneSummitLaw, heights: TailHeights, heaviest: float) -> float:
+    """A separation at which the load of any pad is above the heaviest one, in all likelihood."""
+    separation, step = heights.exceeded_by(min(_FIRST_CONTACTS, heights.count / 2)), model.params.height_std / 16
+    while True:
+        state = model.state_at_separation(separation)
+        summits = state.contacting + state.attracted
+        one = law.least + (state.load - state.attraction_load) / max(state.contacting, 1.0)
+        if state.load - max(heaviest, 0.0) > _DEVIATIONS * one * math.sqrt(summits):
+            return separation
+        separation -= step
+
+
+def _checked_loads(loads: npt.ArrayLike) -> Array:
+    array = np.asarray(loads)
+    if array.ndim != 1 or array.size == 0 or array.dtype.kind not in "iuf":
+        raise ValueError("loads: must be a one-dimensional array of one or more real numbers")
+    load = np.array(array, dtype=np.float64)
+    if not np.isfinite(load).all():
+        index = int(np.argmin(np.isfinite(load)))
+        raise ValueError(f"loads[{index}] = {load[index]}: must be finite")
+    return load
+
+
+def _checked_whole(name: str, value: Any, least: int) -> int:
+    try:
+        whole = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} = {value!r}: must be a whole number") from None
+    if whole < least:
+        raise ValueError(f"{name} = {value}: must be {least} or more")
+    return whole

@@ -1,0 +1,236 @@
+"""Measured maps made ready: levelling, spikes, missing points, the filter, friction against its cutoff, and warnings."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from random_surfaces import GaussianSurface
+
+from asperity import Model, Params, _instrument_files, surface
+from asperity._map_spikes import spikes
+
+Array = npt.NDArray[np.float64]
+
+PIXEL, SIGMA = 20e-9, 5e-9
+MATERIAL: dict[str, Any] = dict(
+    E1=160e9, nu1=0.22, E2=160e9, nu2=0.22, work_of_adhesion=0.063, adhesion_range=0.384e-9, burgers_vector=0.384e-9
+)
+
+
+@pytest.fixture(scope="module")
+def plain() -> Array:
+    """A surface whose shortest waves have 12 points."""
+    return SIGMA * GaussianSurface(256, 12).map(3)
+
+
+@pytest.fixture(scope="module")
+def self_affine() -> Array:
+    """Of Hurst exponent 0.8, down to two points a wave."""
+    return 50e-9 * GaussianSurface(256, 2, 0.02, 3.6).map(3)
+
+
+def spiked(height: Array, count: int = 30) -> tuple[Array, npt.NDArray[np.bool_]]:
+    """With spikes up and down, 20 times as high as the surface is rough."""
+    random = np.random.default_rng(0)
+    where = np.zeros(height.shape, dtype=bool)
+    where.ravel()[random.choice(height.size, count, replace=False)] = True
+    return height + np.where(where, random.choice([-1, 1], height.shape) * 20 * height.std(), 0.0), where
+
+
+def friction(summits: surface.Summits) -> float:
+    with Model(Params.from_topography(summits, nominal_area=1e-8, **MATERIAL)) as model:
+        return model.friction_at_load(1e-3)
+
+
+# ---- clean ----
+
+
+def test_spikes_are_replaced_and_friction_is_that_of_the_surface(plain: Array) -> None:
+    bad, where = spiked(plain)
+    with pytest.warns(surface.MapWarning, match=r"points \(.* of all\) stand out .*: surface.clean replaces them"):
+        spoilt = surface.summits(bad, PIXEL)
+    cleaned = surface.clean(bad, PIXEL)
+    assert (cleaned.missing, cleaned.spikes) == (0, 30) and np.array_equal(cleaned.filled, where)
+    expected = friction(surface.summits(plain, PIXEL))
+    assert friction(surface.summits(cleaned.map)) == pytest.approx(expected, rel=0.01)
+    assert friction(spoilt) < 0.5 * expected
+    assert str(cleaned) == "256 x 256 points, 0 missing and 30 spikes filled, 0.00046 of all"
+
+
+@pytest.mark.parametrize("fall, shortest", [(0.0, 12), (0.0, 4), (3.6, 2), (3.6, 8), (2.4, 2)])
+def test_surfaces_without_spikes_have_none(fall: float, shortest: float) -> None:
+    assert not any(spikes(GaussianSurface(256, shortest, 0.02 if fall else 0.0, fall).map(seed)).any() for seed in range(3))
+
+
+def test_grooves_are_no_spikes() -> None:
+    assert not spikes(np.sin(np.arange(256) / 8)[:, None] + 0.01 * GaussianSurface(256, 12).map(0)).any()
+
+
+def test_missing_points_are_filled_like_a_membrane_and_make_no_summits(plain: Array) -> None:
+    y, x = np.mgrid[0:256, 0:256]
+    holes = plain + 3e-9 * x - 2e-9 * y + 7.0
+    holes[100:110, 50:90], holes[0, 0:20], holes[200, 200] = np.nan, np.inf, np.nan
+    cleaned = surface.clean(holes, PIXEL)
+    assert cleaned.missing == 421 and cleaned.spikes == 0
+    height = cleaned.map.height_map
+    inner = height[101:109, 51:89]
+    around = (height[100:108, 51:89] + height[102:110, 51:89] + height[101:109, 50:88] + height[101:109, 52:90]) / 4
+    np.testing.assert_allclose(inner, around, atol=1e-6 * SIGMA)
+    # The plane is that of the known points.
+    known = ~cleaned.filled
+    planes = np.stack([np.ones(known.sum()), x[known], y[known]])
+    np.testing.assert_allclose(planes @ height[known], 0, atol=1e-6)
+    found, whole = surface.summits(cleaned.map), surface.summits(plain, PIXEL)
+    assert whole.count - 5 <= found.count <= whole.count
+    masked = np.ma.masked_invalid(holes)
+    assert np.array_equal(surface.clean(masked, PIXEL).map.height_map, height)
+
+
+def test_what_cannot_be_cleaned_is_refused(plain: Array) -> None:
+    missing = np.where(np.random.default_rng(0).random(plain.shape) < 0.6, np.nan, plain)
+    with pytest.raises(ValueError, match="of 65536 heights are missing: at most half may be; crop the map"):
+        surface.clean(missing, PIXEL)
+    bad, _ = spiked(plain, 1000)
+    with pytest.raises(ValueError, match="too many for spikes"):
+        surface.clean(bad, PIXEL)
+    with pytest.raises(ValueError, match="height_map: without a known height: must be rough"):
+        surface.clean(np.full((9, 9), np.nan), 1.0)
+
+
+# ---- filter ----
+
+
+def test_half_of_a_wave_as_long_as_the_cutoff_passes() -> None:
+    x = np.arange(400)
+    for length, cutoff in ((40, 40), (80, 40), (20, 40)):
+        wave = np.tile(np.cos(2 * np.pi * (x - 199.5) / length), (400, 1))
+        filtered = surface.filter(wave, cutoff, 1.0)
+        middle = np.s_[150:250, 160:240]
+        expected = math.exp(-math.log(2) * (cutoff / length) ** 2)
+        assert expected == pytest.approx({40: 0.5, 80: 0.5**0.25, 20: 0.5**4}[length])
+        np.testing.assert_allclose(filtered.height_map[middle], expected * wave[middle], atol=2e-3)
+
+
+def test_distances_of_rows_and_columns_count_each_for_itself(plain: Array) -> None:
+    one = surface.filter(plain, 6 * PIXEL, PIXEL, 2 * PIXEL).height_map
+    other = surface.filter(plain.T, 6 * PIXEL, 2 * PIXEL, PIXEL).height_map
+    np.testing.assert_allclose(one, other.T, atol=1e-9 * SIGMA)
+
+
+@pytest.mark.parametrize("cutoff", [1.9, 257.0, 0.0, math.nan])
+def test_cutoffs_that_a_map_does_not_have_are_refused(plain: Array, cutoff: float) -> None:
+    with pytest.raises(ValueError, match="cutoff = .*: must be (from two points, 2, to the side of the map, 256|finite)"):
+        surface.filter(plain, cutoff, 1.0)
+
+
+# ---- Warnings ----
+
+
+def test_noise_is_warned_of_and_its_size_is_told(plain: Array) -> None:
+    noisy = plain + 0.4e-9 * np.random.default_rng(0).standard_normal(plain.shape)
+    with pytest.warns(surface.MapWarning, match="noise of 4.[0-3]e-10") as caught:
+        found = surface.summits(noisy, PIXEL)
+    assert len(caught) == 1 and len(found.warnings) == 1
+    assert surface.summits(surface.filter(noisy, 8 * PIXEL, PIXEL)).warnings == ()
+    with pytest.warns(surface.MapWarning, match="noise"):
+        surface.summits(np.random.default_rng(0).standard_normal((128, 128)), 1.0)
+
+
+def test_no_warning_where_none_is_due(plain: Array, self_affine: Array) -> None:
+    assert surface.summits(plain, PIXEL).warnings == surface.summits(self_affine, PIXEL).warnings == ()
+
+
+def test_grooves_are_warned_of(plain: Array) -> None:
+    with pytest.warns(surface.MapWarning, match=r"isotropy 0\.\d+: the surface has grooves"):
+        surface.summits(plain + 10 * SIGMA * np.sin(np.arange(256) / 16)[:, None], PIXEL)
+
+
+def test_contacts_smaller_than_a_point_are_warned_of(plain: Array) -> None:
+    found = surface.summits(plain, PIXEL)
+    with Model(Params.from_topography(found, nominal_area=1e-8, **MATERIAL)) as model:
+        light, heavy = (found.warnings_at(model.state_at_load(load)) for load in (1e-4, 1.0))
+    assert heavy == ()
+    assert len(light) == 1 and "is below the distance of the points, 2e-08" in light[0]
+
+
+# ---- Friction against the cutoff ----
+
+
+def test_the_recommended_cutoff_is_the_shortest_that_the_map_resolves(self_affine: Array, tmp_path: Path) -> None:
+    found = surface.cutoffs(self_affine, 1e-4, 5e-9, **MATERIAL)
+    width, points = 2 * found.contact_radius / 5e-9, found.cutoff / 5e-9
+    good = (width >= 4) & (points >= 6)
+    assert found.recommended is not None and found.recommended == found.cutoff[good][0] and not good.all()
+    assert f"recommended: {found.recommended:.3g}, mu = " in str(found) and len(str(found).splitlines()) == points.size + 2
+    at = int(np.nonzero(good)[0][0])
+    again = surface.summits(surface.filter(self_affine, found.recommended, 5e-9))
+    with Model(Params.from_topography(again, **MATERIAL)) as model:
+        assert found.friction[at] == pytest.approx(model.friction_at_load(1e-4), rel=1e-9)
+    assert found.count[at] == again.count and np.all(np.diff(found.count) < 0)
+    above, below = found.plot(tmp_path / "cutoffs.svg").axes
+    assert (tmp_path / "cutoffs.svg").read_text(encoding="utf-8").startswith("<?xml")
+    assert above.lines[0].get_ydata() == pytest.approx(found.friction)
+    assert below.lines[0].get_ydata() == pytest.approx(2 * found.contact_radius)
+    legend = above.get_legend()
+    assert legend is not None and any("recommended" in text.get_text() for text in legend.get_texts())
+
+
+def test_where_no_cutoff_will_do_none_is_recommended(plain: Array) -> None:
+    with pytest.warns(surface.MapWarning, match="no cutoff is recommended: contacts under this load are 4 points wide at none"):
+        found = surface.cutoffs(plain, 1e-4, PIXEL, nominal_area=1e-8, cutoff=[6 * PIXEL, 4 * PIXEL], **MATERIAL)
+    assert found.recommended is None and found.cutoff.tolist() == [4 * PIXEL, 6 * PIXEL]
+    # The surface has no waves that these take away.
+    assert found.friction[1] == pytest.approx(found.friction[0], rel=0.08)
+    with pytest.raises(ValueError, match="load = 0.0: must be finite and > 0"):
+        surface.cutoffs(plain, 0.0, PIXEL, **MATERIAL)
+    with pytest.raises(ValueError, match=r"cutoff\[0\] = -1.0: must be finite and > 0"):
+        surface.cutoffs(plain, 1.0, PIXEL, cutoff=[-1.0], **MATERIAL)
+
+
+# ---- What a map may be given as ----
+
+
+def test_maps_bring_their_distances(plain: Array) -> None:
+    given = surface.HeightMap(plain, PIXEL, 1.2 * PIXEL)
+    found, same = surface.summits(given), surface.summits(plain, PIXEL, 1.2 * PIXEL)
+    assert found.radius == same.radius and (found.dx, found.dy) == (PIXEL, 1.2 * PIXEL)
+    with pytest.raises(TypeError, match="dx, dy: must not be given with a map that has them"):
+        surface.summits(given, PIXEL)
+    with pytest.raises(TypeError, match="give dx, the distance of columns, and dy"):
+        surface.summits(plain)
+
+
+def test_topographies_of_surfacetopography_are_taken(plain: Array) -> None:
+    library = _instrument_files._library()  # without its warning that mpi4py is missing
+    Topography = library.Topography
+    micrometres = Topography(plain.T * 1e6, (256 * PIXEL * 1e6, 0.9 * 256 * PIXEL * 1e6), unit="µm")
+    found, same = surface.summits(micrometres), surface.summits(plain, PIXEL, 0.9 * PIXEL)
+    assert found.radius.value == pytest.approx(same.radius.value, rel=1e-9)
+    assert surface.clean(micrometres).map.dy == pytest.approx(0.9 * PIXEL)
+    unitless = Topography(plain.T, (256 * PIXEL, 0.9 * 256 * PIXEL))
+    assert surface.summits(unitless).count == same.count
+    holes = np.ma.masked_greater(plain.T, 2 * SIGMA)
+    assert surface.clean(Topography(holes, (1.0, 1.0))).missing == holes.mask.sum() > 0
+    with pytest.raises(ValueError, match="this topography is no map of heights over x and y"):
+        surface.summits(library.UniformLineScan(plain[0], 1.0))
+
+
+# ---- Progress ----
+
+
+def test_progress_is_told(plain: Array, capsys: pytest.CaptureFixture[str]) -> None:
+    for call in (surface.summits, surface.clean):
+        told: list[tuple[float, str]] = []
+        call(plain, PIXEL, progress=lambda part, doing: told.append((part, doing)))
+        parts = [part for part, _ in told]
+        assert parts == sorted(parts) and parts[0] == 0 and parts[-1] == 1 and len(parts) >= 4
+    assert capsys.readouterr().err == ""
+    surface.summits(plain, PIXEL, progress=True)
+    assert "asperity.surface:   0% levelling 256 x 256 points\n" in capsys.readouterr().err
+    surface.summits(plain, PIXEL)
+    assert capsys.readouterr().err == ""

@@ -1,0 +1,68 @@
+//! The law of single summits, as C sees it.
+
+use super::boundary::{self, reference, Failure};
+use super::model::asperity_model;
+use super::status::asperity_status;
+use crate::error::Error;
+use crate::model::{Model, SummitState};
+
+/// Load, friction force and contact radius of single summits, by the law that all sums of the model are made of.
+///
+/// For pads of so few contacts that their summits count one by one. A summit stays in contact down to the overlap at
+/// which it breaks away, which is negative with adhesion; below that it may attract without contact. All elements are
+/// filled; then the first overlap or height that is not in order, if any, is reported, and `asperity_last_error` names its
+/// index.
+///
+/// @param model    must not be NULL
+/// @param n        number of summits; may be 0
+/// @param overlap  n overlaps [length]: the height of the summit less the separation, negative for a gap; must not be NULL
+///                 unless n = 0
+/// @param height   n heights from the mean of the summit heights [length], on which radii of summits depend where
+///                 `radius_amplitude` is not 0; NULL: all summits have the mean height
+/// @param load     receives n loads [force], negative where a summit pulls; NULL to skip; may be `overlap` itself
+/// @param force    receives n friction forces [force], 0 out of contact; NULL to skip; may be `overlap` itself
+/// @param radius   receives n contact radii [length], 0 out of contact; NULL to skip; may be `overlap` itself
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (an overlap or height that is not finite),
+///         `ASPERITY_OUT_OF_RANGE` (one beyond 1e50 `height_std`); the three numbers of such a summit are NaN
+///
+/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_summits_at_overlaps(
+    model: *const asperity_model,
+    n: usize,
+    overlap: *const f64,
+    height: *const f64,
+    load: *mut f64,
+    force: *mut f64,
+    radius: *mut f64,
+) -> asperity_status {
+    boundary::status(|| {
+        let model = &reference(model, "model")?.model;
+        if n > 0 && overlap.is_null() {
+            return Err(Failure::Null("overlap"));
+        }
+        let mut offence = None;
+        for i in 0..n {
+            let z = if height.is_null() { 0.0 } else { height.add(i).read_unaligned() };
+            let summit = one(model, overlap.add(i).read_unaligned(), z, i, &mut offence);
+            write(load, i, summit.load);
+            write(force, i, summit.friction_force);
+            write(radius, i, summit.contact_radius);
+        }
+        offence.map_or(Ok(()), |(index, error)| Err(Failure::Element(index, error)))
+    })
+}
+
+/// A summit, or no numbers and what is wrong with the first such one.
+fn one(model: &Model, overlap: f64, height: f64, i: usize, offence: &mut Option<(usize, Error)>) -> SummitState {
+    model.summit_at_overlap(overlap, height).unwrap_or_else(|error| {
+        offence.get_or_insert((i, error));
+        SummitState { load: f64::NAN, friction_force: f64::NAN, contact_radius: f64::NAN }
+    })
+}
+
+unsafe fn write(out: *mut f64, i: usize, value: f64) {
+    if !out.is_null() {
+        out.add(i).write_unaligned(value);
+    }
+}

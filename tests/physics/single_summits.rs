@@ -1,0 +1,79 @@
+//! Single summits: added up over the heights they give the sums of the model, and their law is continuous where it must be.
+
+use crate::common::assert_near;
+use crate::common::surfaces::model;
+use asperity::{Error, Params};
+use std::f64::consts::PI;
+
+/// Without adhesion; with attraction out of contact; with a fold, where contact breaks at a > 0; with radii that vary.
+fn surfaces() -> [Params; 4] {
+    let paper = Params { asperity_count: 40.0, burgers_vector: 0.8, ..Params::default() };
+    let adhesion = |times: f64| Params { work_of_adhesion: times * paper.work_of_adhesion, ..paper.clone() };
+    [adhesion(0.0), adhesion(1.0), adhesion(10.0), Params { radius_amplitude: -0.6, radius_rate: 0.8, ..adhesion(0.3) }]
+}
+
+#[test]
+fn single_summits_add_up_to_the_sums_over_all() {
+    const STEPS: usize = 200_000;
+    for (i, params) in surfaces().iter().enumerate() {
+        let model = model(params);
+        for d in [-0.5, 1.0, 2.5] {
+            let step = 16.0 / STEPS as f64;
+            let (mut sums, mut magnitude) = ([0.0; 4], 0.0);
+            for k in 0..STEPS {
+                let z = -8.0 + (k as f64 + 0.5) * step;
+                let weight = step * (-0.5 * z * z).exp() / (2.0 * PI).sqrt() * params.asperity_count;
+                let one =
+                    model.summit_at_overlap((z - d) * params.height_std, z * params.height_std).expect("a summit");
+                let radius = one.contact_radius;
+                let touches = f64::from(u8::from(radius > 0.0));
+                let area = PI * radius * radius;
+                magnitude += weight * one.load.abs();
+                for (sum, value) in sums.iter_mut().zip([one.load, one.friction_force, area, touches]) {
+                    *sum += weight * value;
+                }
+            }
+            let state = model.state_at_separation(d * params.height_std).expect("a state");
+            let expected = [state.load, state.friction_force, state.real_area, state.contacting];
+            // Pushing and pulling summits cancel in the load.
+            let scales = [magnitude, state.friction_force, state.real_area, state.contacting];
+            for (k, name) in ["P", "F", "A", "n"].iter().enumerate() {
+                // An edge falls anywhere within a step.
+                let error = (sums[k] - expected[k]).abs() / scales[k];
+                assert!(error < 3e-4, "{name} of surface {i} at {d}: {}, not {}", sums[k], expected[k]);
+            }
+        }
+    }
+}
+
+/// Where lambda is below 0.655 attraction goes over into contact: eq (11) meets eq (5) where a = 0.
+#[test]
+fn attraction_goes_over_into_contact_without_a_jump() {
+    let params = &surfaces()[1];
+    let model = model(params);
+    assert!(model.summary().lambda < 0.655);
+    let at = |overlap: f64| model.summit_at_overlap(overlap, 0.0).expect("a summit");
+    let (mut apart, mut touching) = (-params.adhesion_range, 0.0);
+    while touching - apart > 1e-14 * params.adhesion_range {
+        let middle = 0.5 * (apart + touching);
+        *if at(middle).contact_radius > 0.0 { &mut touching } else { &mut apart } = middle;
+    }
+    assert_near(at(apart).load, at(touching).load, 1e-6, "load at break-away");
+    assert!(at(apart).load < 0.0 && at(apart).friction_force == 0.0);
+    assert_eq!(at(-1.001 * params.adhesion_range).load, 0.0);
+    // Along the branch of unloading the load falls to its minimum.
+    assert!(at(0.0).load < at(params.adhesion_range).load);
+}
+
+#[test]
+fn what_is_no_overlap_or_height_is_refused() {
+    let model = model(&surfaces()[1]);
+    for (overlap, height, message) in [
+        (f64::NAN, 0.0, "overlap = NaN: must be finite"),
+        (0.0, f64::INFINITY, "height = inf: must be finite"),
+        (1e60, 0.0, "overlap = 1e60: must be within 1e50 height_std of zero"),
+    ] {
+        let error: Error = model.summit_at_overlap(overlap, height).expect_err("refused");
+        assert_eq!(error.to_string(), message);
+    }
+}
