@@ -11,8 +11,19 @@ fn committed_header_is_what_the_sources_generate() {
     let path = root.join("include/asperity.h");
     let config = cbindgen::Config::from_file(root.join("cbindgen.toml")).expect("cbindgen.toml");
     // The C interface alone, a file per subject, in the order in which a reader needs them.
-    let files =
-        ["version", "status", "last_error", "params", "setters", "model", "evaluate", "slope", "state", "table"];
+    let files = [
+        "version",
+        "status",
+        "last_error",
+        "params",
+        "setters",
+        "names",
+        "model",
+        "evaluate",
+        "slope",
+        "state",
+        "table",
+    ];
     let builder = files
         .iter()
         .fold(cbindgen::Builder::new(), |builder, file| builder.with_src(root.join(format!("src/capi/{file}.rs"))));
