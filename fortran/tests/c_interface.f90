@@ -195,6 +195,8 @@ contains
       call asperity_params_set(copied, asperity_params_name_text(i), asperity_params_get(p, asperity_params_name_text(i)))
       i = i + 1
     end do
+    call check('the C function lists them', c_associated(asperity_params_name(23_c_size_t)) .and. &
+               .not. c_associated(asperity_params_name(24_c_size_t)))
     call check('every number has a name', i == 25 .and. asperity_params_name_text(0) == '')
     call check('names copy the heights', copied%height_distribution == p%height_distribution)
     call check_close('... their shape', copied%weibull_shape, p%weibull_shape, 0.0_c_double)

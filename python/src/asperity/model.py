@@ -241,9 +241,8 @@ def _refuse(handle: _Handle, load: float, index: tuple[Any, ...] = ()) -> None:
 def _state(handle: _Handle, call: Any, at: float) -> State:
     struct = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
     check(call(handle.pointer, at, ctypes.byref(struct)))
-    values = _values(struct)
-    values[-1] = Warnings(values[-1])
-    return State(*values)
+    values = {field[0]: getattr(struct, field[0]) for field in struct._fields_[1:]}
+    return State(**{**values, "warnings": Warnings(values["warnings"])})
 
 
 def _values(struct: ctypes.Structure) -> list[Any]:

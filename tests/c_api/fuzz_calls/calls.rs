@@ -586,7 +586,7 @@ impl<'a> Calls<'a> {
             for several in [true, false] {
                 params = before;
                 let status = if several {
-                    call!(self, x, asperity_params_set_values(at, 5, names_at, values))
+                    call!(self, x, asperity_params_set_values(at, 5_usize, names_at, values))
                 } else {
                     call!(self, x, asperity_params_set_value(at, name, x[0]))
                 };
