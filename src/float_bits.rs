@@ -14,9 +14,34 @@ pub fn nan(x: f64) -> bool {
     x.to_bits() << 1 > 0x7ff << 53
 }
 
+/// The numbers next to a number. The standard library has them from Rust 1.86 on.
+pub trait Neighbours {
+    /// The next larger one.
+    #[cfg(test)]
+    fn above(self) -> Self;
+    /// The next smaller one.
+    fn below(self) -> Self;
+}
+
+impl Neighbours for f64 {
+    #[cfg(test)]
+    fn above(self) -> f64 {
+        libm::nextafter(self, f64::INFINITY)
+    }
+    fn below(self) -> f64 {
+        libm::nextafter(self, f64::NEG_INFINITY)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn neighbours_are_one_bit_away() {
+        assert_eq!((1.0.above(), 1.0.below()), (1.0 + f64::EPSILON, 1.0 - 0.5 * f64::EPSILON));
+        assert_eq!((0.0.above(), 0.0.below(), f64::MAX.above()), (5e-324, -5e-324, f64::INFINITY));
+    }
 
     #[test]
     fn numbers_are_told_apart_by_their_bits() {

@@ -6,7 +6,7 @@
 use crate::elementary::{cbrt, log};
 use crate::equilibrium::Branch;
 use crate::error::Error;
-use crate::float_bits::finite;
+use crate::float_bits::{finite, Neighbours};
 use crate::groups::Groups;
 use crate::law::{Law, Scales, Table, Unfollowed};
 use crate::params::Params;
@@ -198,7 +198,9 @@ impl Model {
             None => ((0.0, lightest_slope), (0.0, lightest_slope), lightest_slope),
         };
         let light_slope = (light_force - at_pull_off.0) / (lightest - table.pull_off);
-        Known { at_pull_off, at_zero, apart, light_slope, heavy_force: at(end.next_down()).0, heaviest }
+        // The next load below: the table's end is not of it.
+        let heaviest_tabulated = end.below();
+        Known { at_pull_off, at_zero, apart, light_slope, heavy_force: at(heaviest_tabulated).0, heaviest }
     }
 
     /// The parameters that the model was made from.
@@ -586,11 +588,11 @@ mod tests {
         let separation = FARTHEST_SEPARATION * model.units.length;
         for (outcome, refused) in [
             (model.state_at_load(load), false),
-            (model.state_at_load(load.next_up()), true),
+            (model.state_at_load(load.above()), true),
             (model.state_at_separation(separation), false),
-            (model.state_at_separation(separation.next_up()), true),
+            (model.state_at_separation(separation.above()), true),
             (model.state_at_separation(-separation), false),
-            (model.state_at_separation((-separation).next_down()), true),
+            (model.state_at_separation((-separation).below()), true),
         ] {
             assert_eq!(matches!(outcome, Err(Error::OutOfRange { .. })), refused, "{outcome:?}");
         }

@@ -448,6 +448,7 @@ fn poisson_ratio(name: &'static str, value: f64) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::float_bits::Neighbours;
 
     /// What a change of the default case is refused for, if it is: whether it has a meaning, and the offence's name.
     fn refused(change: impl FnOnce(&mut Params)) -> Option<(bool, &'static str)> {
@@ -467,7 +468,7 @@ mod tests {
 
     /// Refused next to an interval and taken at its ends, by a change of the default case.
     fn assert_interval(name: &'static str, has_meaning: bool, [from, to]: [f64; 2], change: impl Fn(&mut Params, f64)) {
-        for (value, next) in [(from, from.next_down()), (to, to.next_up())] {
+        for (value, next) in [(from, from.below()), (to, to.above())] {
             assert_eq!(refused(|params| change(params, value)), None, "{name} = {value:e}");
             assert_eq!(refused(|params| change(params, next)), Some((has_meaning, name)), "{name} = {next:e}");
         }
@@ -592,7 +593,7 @@ mod tests {
             ];
             outcomes.map(|outcome| outcome.is_ok())
         };
-        for (nu, outcome) in [(-1.0, false), ((-1.0_f64).next_up(), true), (0.5, true), (0.5_f64.next_up(), false)] {
+        for (nu, outcome) in [(-1.0, false), ((-1.0_f64).above(), true), (0.5, true), (0.5_f64.above(), false)] {
             assert_eq!(allowed(nu), [outcome; 3], "{nu}");
         }
         assert_eq!(allowed(f64::NAN), [false; 3]);

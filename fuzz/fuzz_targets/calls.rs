@@ -9,10 +9,12 @@
 mod fuzz_calls;
 #[path = "../../tests/c_api/interface.rs"]
 mod interface;
+#[path = "../../tests/common/neighbours.rs"]
+mod neighbours;
 #[path = "../../tests/common/processor_time.rs"]
 mod processor_time;
 mod common {
-    pub(crate) use crate::processor_time;
+    pub(crate) use crate::{neighbours, processor_time};
 }
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {

@@ -301,7 +301,7 @@ pub(super) fn checked_size(size: u64) -> Result<u64, Failure> {
     if size > SIZE {
         return Err(wrong_struct_size(size, "must be at most 216: the header is newer than the library"));
     }
-    if size < FIRST_SIZE || !size.is_multiple_of(8) {
+    if size < FIRST_SIZE || size % 8 != 0 {
         return Err(wrong_struct_size(
             size,
             "must be sizeof(asperity_params), 144 to 216 in steps of 8; call asperity_params_init first",

@@ -115,6 +115,7 @@ mod avx2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::float_bits::Neighbours;
     use crate::params::Params;
 
     /// The function of this processor and that of any, within the table, beyond it, and where friction is capped.
@@ -144,7 +145,7 @@ mod tests {
             let model = Model::new(&Params { max_friction_coefficient, ..Params::default() }).expect("a model");
             let is_capped = |load: f64| load <= model.friction_force_at_load(load) * model.inverse_cap();
             let (mut capped, mut other) = (1e-3, 1e6);
-            while other > f64::next_up(capped) {
+            while other > capped.above() {
                 let middle = 0.5 * (capped + other);
                 *if is_capped(middle) { &mut capped } else { &mut other } = middle;
             }

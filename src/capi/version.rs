@@ -18,6 +18,7 @@ const _: () = assert!(
         && is_number(env!("CARGO_PKG_VERSION_PATCH"), ASPERITY_VERSION_PATCH)
 );
 
+#[allow(dead_code)] // as Rust before 1.86 takes it to be
 const fn is_number(text: &str, number: i32) -> bool {
     let bytes = text.as_bytes();
     let mut value = 0;

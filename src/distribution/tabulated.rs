@@ -285,6 +285,7 @@ fn pieces(height: &[f64], density: &[f64]) -> Vec<Piece> {
 mod tests {
     use super::*;
     use crate::error::Value;
+    use crate::float_bits::Neighbours;
 
     fn near(a: f64, b: f64, tolerance: f64) -> bool {
         (a - b).abs() <= tolerance * b.abs()
@@ -392,8 +393,8 @@ mod tests {
         }
         let high = |highest: f64| Tabulated::new(&[-LARGEST_HEIGHT, 0.0, highest], &[1.0; 3]).is_ok();
         let low = |lowest: f64| Tabulated::new(&[lowest, 0.0, LARGEST_HEIGHT], &[1.0; 3]).is_ok();
-        assert!(high(LARGEST_HEIGHT) && !high(LARGEST_HEIGHT.next_up()));
-        assert!(low(-LARGEST_HEIGHT) && !low((-LARGEST_HEIGHT).next_down()));
+        assert!(high(LARGEST_HEIGHT) && !high(LARGEST_HEIGHT.above()));
+        assert!(low(-LARGEST_HEIGHT) && !low((-LARGEST_HEIGHT).below()));
         // The message names the one that is too large.
         let far = Tabulated::new(&[-2.0 * LARGEST_HEIGHT, 0.0, LARGEST_HEIGHT], &[1.0; 3]);
         assert!(

@@ -199,6 +199,7 @@ impl Moments {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::float_bits::Neighbours;
 
     fn near(a: f64, b: f64, tolerance: f64) -> bool {
         (a - b).abs() <= tolerance * b.abs()
@@ -308,7 +309,7 @@ mod tests {
 
     #[test]
     fn skews_are_taken_up_to_the_limits_and_no_further() {
-        for skew in [2.0 + 1e-9, weibull(200.0).skew - 1e-9, SKEW_LIMIT.next_up()] {
+        for skew in [2.0 + 1e-9, weibull(200.0).skew - 1e-9, SKEW_LIMIT.above()] {
             assert!(matches!(Weibull::shape_of_skew(skew), Err(Error::OutOfRange { name: "skew", .. })), "{skew}");
         }
         for skew in [SKEW_LIMIT, f64::NAN, f64::INFINITY] {
@@ -318,7 +319,7 @@ mod tests {
 
     #[test]
     fn shapes_are_taken_up_to_the_limits_and_no_further() {
-        for shape in [1.0_f64.next_down(), 200.0_f64.next_up()] {
+        for shape in [1.0_f64.below(), 200.0_f64.above()] {
             assert!(matches!(Weibull::new(shape), Err(Error::OutOfRange { .. })), "{shape}");
         }
         for shape in [0.0, -1.0, f64::NAN, f64::INFINITY] {

@@ -64,7 +64,7 @@ impl<'a, S: Source> Filling<'a, S> {
         let mut left = points_of(table.base - 1)[7];
         for row in table.base..table.base + count as u64 {
             // In the next binade the same part of a row is twice as long.
-            if row.is_multiple_of(per_binade) {
+            if row % per_binade == 0 {
                 left.1 *= 2.0;
             }
             let points = points_of(row);

@@ -149,6 +149,7 @@ fn divide(source: &mut impl fill::Source, scales: Scales, table: &mut Table) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::float_bits::Neighbours;
     use crate::params::Params;
 
     /// The paper's default case with another surface energy.
@@ -187,7 +188,7 @@ mod tests {
             for (load, answers) in [
                 (lightest, true),
                 (pull_off + (lightest - pull_off) * (1.0 - 1e-3), false),
-                (heaviest.next_down(), true),
+                (heaviest.below(), true),
                 (heaviest, false),
             ] {
                 assert_eq!(table.at_load(load).is_some(), answers, "{load:e}");

@@ -184,6 +184,7 @@ impl PieceBasis {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::float_bits::Neighbours;
 
     const C: [f64; COEFFICIENTS] = [3.0, -2.0, 0.5, 1.25, -0.75, 2.5, -1.5, 0.375];
 
@@ -240,7 +241,7 @@ mod tests {
         assert!(link.is_link() && !link.is_left_out() && Row::LEFT_OUT.is_left_out() && !Row(C).is_link());
         for (t, part) in [
             (0.0, (300, None)),
-            (0.1_f64.next_down(), (300, None)),
+            (0.1_f64.below(), (300, None)),
             (0.1, (301, Some(0.1))),
             (0.13, (302, Some(0.125))),
             (0.249, (303, Some(0.2))),

@@ -2,6 +2,7 @@
 //!
 //! Batches of fewer than four loads take the scalar path on every processor, longer ones that of its vectors.
 
+use crate::common::neighbours::Neighbours;
 use crate::common::splitmix::SplitMix;
 use crate::interface::*;
 use std::ptr::{null, null_mut};
@@ -56,14 +57,14 @@ fn mixed_loads(random: &mut SplitMix, summary: &asperity_summary, count: usize) 
         f64::MIN_POSITIVE,
         1e-200,
         pull_off,
-        pull_off.next_up(),
-        pull_off.next_down(),
+        pull_off.above(),
+        pull_off.below(),
         2.0 * pull_off - 1e-30,
         -f64::MAX,
         summary.min_table_load,
-        summary.min_table_load.next_down(),
+        summary.min_table_load.below(),
         summary.max_table_load,
-        summary.max_table_load.next_down(),
+        summary.max_table_load.below(),
         2.0 * summary.max_table_load,
         1e300,
     ];
@@ -371,7 +372,7 @@ fn a_load_that_is_not_a_number_gives_a_quiet_nan_and_one_below_pull_off_zero() {
                 }
             }
             for n in [1, 16] {
-                let load = vec![pull_off.next_down(); n];
+                let load = vec![pull_off.below(); n];
                 let (mut value, mut slope) = (vec![1.0_f64; n], vec![1.0_f64; n]);
                 // SAFETY: n elements each.
                 let status = unsafe { batch(handle.0, n, load.as_ptr(), value.as_mut_ptr(), slope.as_mut_ptr()) };

@@ -3,6 +3,7 @@
 #![allow(dead_code)]
 
 pub mod c_compiler;
+pub mod neighbours;
 pub mod processor_time;
 pub mod reference_rows;
 pub mod second_evaluation;

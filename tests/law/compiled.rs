@@ -1,5 +1,6 @@
 //! The compiled law is the exact model: values, slopes, joints between rows, the pull-off point, on random surfaces.
 
+use crate::common::neighbours::Neighbours;
 use crate::common::splitmix::SplitMix;
 use crate::common::surfaces::{dimensionless, model};
 use asperity::{Error, HeightFamily, Model, Params};
@@ -143,12 +144,12 @@ fn the_table_agrees_with_exact_evaluation() {
 fn around(pull_off: f64, x: f64) -> (f64, f64) {
     let mut load = pull_off + x;
     while load - pull_off >= x {
-        load = load.next_down();
+        load = load.below();
     }
-    while load.next_up() - pull_off < x {
-        load = load.next_up();
+    while load.above() - pull_off < x {
+        load = load.above();
     }
-    (load, load.next_up())
+    (load, load.above())
 }
 
 /// Whether the answer at a load is that of exact evaluation, to the bit: the table has no row there.
@@ -243,7 +244,7 @@ fn friction_force_grows_across_the_joints_of_rows() {
 fn a_heavier_pull_than_pull_off_leaves_no_friction() {
     for model in random_models(SEED ^ 5, 24) {
         let pull_off = model.summary().pull_off_load;
-        for load in [pull_off.next_down(), 2.0 * pull_off - 1e-300, -1e300, -f64::MAX] {
+        for load in [pull_off.below(), 2.0 * pull_off - 1e-300, -1e300, -f64::MAX] {
             let (force, slope) = model.friction_force_and_slope(load);
             assert!(force == 0.0 && slope.is_finite(), "load {load:e}, {:?}", model.params());
             assert_eq!(slope == 0.0, pull_off < 0.0, "load {load:e}, {:?}", model.params());
@@ -270,8 +271,8 @@ fn friction_at_pull_off_is_that_of_the_summary_with_infinite_slope() {
         failures.claim(slope == f64::INFINITY, || format!("slope {slope:e} at pull-off {pull_off:e}; {params:?}"));
         // Towards pull-off the force falls to that, as the root of the distance; the slope grows, finite.
         let loads = [
-            pull_off.next_up(),
-            pull_off.next_up().next_up(),
+            pull_off.above(),
+            pull_off.above().above(),
             pull_off * (1.0 - 1e-12),
             pull_off * (1.0 - 1e-9),
             pull_off * (1.0 - 1e-6),

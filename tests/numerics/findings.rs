@@ -1,5 +1,6 @@
 //! What fuzzing and the sweep over the box of parameters found, each kept as a case.
 
+use crate::common::neighbours::Neighbours;
 use crate::common::processor_time::processor_time;
 use crate::common::surfaces::dimensionless;
 use asperity::{HeightFamily, Model, Params};
@@ -321,7 +322,7 @@ fn friction_rises_with_load_in_the_last_bits_of_the_pull_off_load() {
         let model = Model::new(&params).expect("a model");
         let mut load = model.summary().pull_off_load;
         for _ in 0..40 {
-            load = load.next_up();
+            load = load.above();
             let (state, (_, slope)) =
                 (model.state_at_load(load).expect("a state"), model.friction_force_and_slope(load));
             assert!(slope > 0.0 && slope.is_finite(), "{slope:e}");

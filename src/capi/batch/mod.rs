@@ -6,7 +6,8 @@
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", has_avx512))]
+#[allow(clippy::incompatible_msrv)] // left out where the compiler has no AVX-512
 mod avx512;
 #[cfg(target_arch = "x86_64")]
 mod lanes;
@@ -100,13 +101,14 @@ unsafe fn one(
 /// As many elements as fill vectors; how many those are.
 #[cfg(target_arch = "x86_64")]
 unsafe fn vectors(model: &Model, quantity: Quantity, arrays: Arrays, offence: &mut Option<(usize, f64)>) -> usize {
+    #[cfg(has_avx512)]
     if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
-        avx512::evaluate(model, quantity, arrays, offence)
-    } else if is_x86_feature_detected!("avx2") {
-        avx2::evaluate(model, quantity, arrays, offence)
-    } else {
-        0
+        return avx512::evaluate(model, quantity, arrays, offence);
     }
+    if is_x86_feature_detected!("avx2") {
+        return avx2::evaluate(model, quantity, arrays, offence);
+    }
+    0
 }
 
 #[cfg(not(target_arch = "x86_64"))]
@@ -129,6 +131,7 @@ mod tests {
             if is_x86_feature_detected!("avx2") {
                 paths.extend([("the one chosen", vectors as Path), ("AVX2", avx2::evaluate)]);
             }
+            #[cfg(has_avx512)]
             if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
                 paths.push(("AVX-512", avx512::evaluate));
             }

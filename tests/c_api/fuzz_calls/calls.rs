@@ -2,6 +2,7 @@
 //! where it is refused, no floating-point flag raised, no call longer than a second, answers that agree with each other.
 
 use super::TABLE_AT;
+use crate::common::neighbours::Neighbours;
 use crate::common::processor_time::processor_time;
 use crate::interface::*;
 use std::collections::BTreeMap;
@@ -439,7 +440,7 @@ impl<'a> Calls<'a> {
             return;
         }
         let (lighter, heavier) = if one <= other { (one, other) } else { (other, one) };
-        for (lighter, heavier) in [(lighter, heavier), (heavier, heavier.next_up()), (heavier, heavier * 1.000_001)] {
+        for (lighter, heavier) in [(lighter, heavier), (heavier, heavier.above()), (heavier, heavier * 1.000_001)] {
             let (less, more) = (self.force(model, lighter), self.force(model, heavier));
             if lighter > heavier || !model.is_within_range(heavier) || less <= more {
                 continue;
@@ -490,7 +491,7 @@ impl<'a> Calls<'a> {
     pub fn structs(&mut self, model: &Model, size: u64) {
         let (at, p): (Shared, _) = (model.handle.0, model.params);
         let words = 64;
-        let valid = size >= 16 && size.is_multiple_of(8) && size <= 8 * words as u64;
+        let valid = size >= 16 && size % 8 == 0 && size <= 8 * words as u64;
         let filled = [0x5eed_5eed_u64; 64];
         type Fill = unsafe extern "C" fn(Shared, *mut u64) -> i32;
         // SAFETY: the functions read the size, and write no more than it says.
@@ -515,7 +516,7 @@ impl<'a> Calls<'a> {
         for (name, fill, whole) in fills {
             let mut out = filled;
             // A size beyond the room given here must not be claimed, unless it is one that is refused.
-            out[0] = if size > 8 * words as u64 && size.is_multiple_of(8) { size | 1 } else { size };
+            out[0] = if size > 8 * words as u64 && size % 8 == 0 { size | 1 } else { size };
             let before = out;
             reset_message();
             let fill = black_box(fill);

@@ -8,6 +8,7 @@
 
 mod calls;
 
+use crate::common::neighbours::Neighbours;
 use crate::interface::*;
 pub use calls::{Calls, Tally};
 use std::mem::offset_of;
@@ -167,14 +168,14 @@ impl Bytes<'_> {
             },
             4 => [
                 pull_off,
-                pull_off.next_up(),
-                pull_off.next_down(),
+                pull_off.above(),
+                pull_off.below(),
                 0.0,
                 -0.0,
                 summary.min_table_load,
-                summary.min_table_load.next_down(),
+                summary.min_table_load.below(),
                 summary.max_table_load,
-                summary.max_table_load.next_up(),
+                summary.max_table_load.above(),
             ][self.below(9)],
             _ => pull_off + self.log_between(nearest, farthest),
         }

@@ -1,0 +1,18 @@
+//! The numbers next to a number, which the standard library has from Rust 1.86 on.
+
+/// Steps by one unit in the last place.
+pub trait Neighbours {
+    /// The next larger one.
+    fn above(self) -> Self;
+    /// The next smaller one.
+    fn below(self) -> Self;
+}
+
+impl Neighbours for f64 {
+    fn above(self) -> f64 {
+        libm::nextafter(self, f64::INFINITY)
+    }
+    fn below(self) -> f64 {
+        libm::nextafter(self, f64::NEG_INFINITY)
+    }
+}
