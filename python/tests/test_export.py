@@ -127,6 +127,12 @@ def test_the_number_of_rows_goes_with_the_tolerance(surface: Path, tolerance: st
     assert len(rows) <= most
 
 
+def test_the_page_tells_the_numbers_of_rows(surface: Path, root: Path) -> None:
+    counts = [len(exported(surface, "csv", "--range", "1e3:70e6", "--tolerance", x)) for x in ("1e-2", "1e-3")]
+    page = " ".join((root / "docs" / "export.md").read_text(encoding="utf-8").split())
+    assert f"{counts[0]} rows at 1e-2, {counts[1]} at 1e-3" in page
+
+
 def test_pressures_are_in_the_unit_that_is_asked_for(surface: Path) -> None:
     rows = exported(surface, "abaqus", "--range", "1e3:70e6", "--pressure-unit", "1e6")
     assert (rows[0][0], rows[-1][0]) == (1e-3, 70.0)

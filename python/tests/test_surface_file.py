@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 from typing import Any, Callable
 
@@ -140,6 +141,11 @@ def test_a_file_in_another_encoding_is_refused(tmp_path: Path) -> None:
     path.write_bytes(b'height_distribution = "gau\xdfian"\n')
     with pytest.raises(Error, match="UTF-8"):
         Params.from_toml(path)
+
+
+def test_the_page_has_this_surface(surface_file: SurfaceFile, root: Path) -> None:
+    blocks = re.findall(r"```toml\n(.*?)```", (root / "docs" / "surface-file.md").read_text(encoding="utf-8"), re.DOTALL)
+    assert [Params.from_toml(surface_file(block)) for block in blocks] == [FIELDS]
 
 
 def test_the_example_is_in_the_domain_of_the_model(surface_file: SurfaceFile) -> None:

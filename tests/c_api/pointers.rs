@@ -178,6 +178,11 @@ fn parameters_of_every_size_are_set() {
             assert_eq!(asperity_params_set_materials(params, 2e11, 0.3, f64::INFINITY, 0.2), OK);
             assert_eq!(asperity_params_set_spectral_moments(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
             assert_eq!(asperity_params_set_skew(params, 0.5), OK);
+            // Names that may lie anywhere, and a number that may.
+            let (name, mut value) = (asperity_params_name(0), 0.0);
+            assert_eq!(asperity_params_set_value(params, name, 3e11), OK);
+            assert_eq!(asperity_params_set_values(params, 2, [name; 2].as_ptr(), [1e11, 2e11].as_ptr()), OK);
+            assert_eq!((asperity_params_get_value(params, name, &mut value), value), (OK, 2e11));
             // Refused: the memory stays as it is.
             let before = place.words(size / 8);
             assert_eq!(asperity_params_set_dimensionless(params, -1.0, 4.0, 1e-3, 1.0, 0.3), INVALID_PARAMETER);
