@@ -1,13 +1,14 @@
-/* Friction coefficient of a polysilicon MEMS contact over eight decades of normal load, in SI units.
+/* Friction coefficient of a polysilicon MEMS contact against normal load, in SI units.
  *
  * usage: friction_curve [FIGURE [LOADS [LOWEST [HIGHEST]]]]
  *   FIGURE   SVG file to draw the curve in; "-" or nothing for none
  *   LOADS    number of loads, 2 to 100000 (33)
- *   LOWEST   lowest load [N], > 0 (1e-8)
- *   HIGHEST  highest load [N], > LOWEST (1)
+ *   LOWEST   lowest load [N], > 0 (2e-4)
+ *   HIGHEST  highest load [N], > LOWEST (0.1)
  *
- * The table goes to standard output, one load a line, messages to standard error. Contacts and area are means over
- * many such pairs of surfaces, so at the lightest loads there is less than one contact.
+ * The table goes to standard output, one load a line, messages to standard error. Among these are warnings if the model
+ * does not hold somewhere between the two loads; at those that are taken if none is given it holds. The figure begins
+ * farther below, and is grey where fewer than 20 summits touch: there one pair of surfaces differs from another.
  * Exit status: 0, 1 if the library or a file refuses, 2 for a wrong command line. */
 
 #include <asperity.h>
@@ -35,6 +36,7 @@ typedef struct row {
  *
  * E, nu: 152 to 164 GPa for films of four makers (Sharpe, Jackson, Coles and LaVan, IMECE 2000, MEMS, 255-259);
  *   0.22 (Sharpe, Yuan, Vaidyanathan and Edwards, Proc. IEEE MEMS 1997, 424-429). Both bodies are of it.
+ * H: 12 GPa, at which silicon changes phase (Domnich, Aratyn, Kriven and Gogotsi, Rev. Adv. Mater. Sci. 17 (2008), 33).
  * b: silicon slips along <110>/2, 0.5431 nm/sqrt 2 (Hirth and Lothe, Theory of Dislocations).
  * w: van der Waals attraction of the oxide skins, A/(12 pi D^2) with A = 6.5e-20 J, silica, and D = 0.165 nm
  *   (Israelachvili, Intermolecular and Surface Forces). That van der Waals forces hold such surfaces together was
@@ -48,6 +50,7 @@ typedef struct row {
  * a device of your own, measure them at the scale of the contacts, and replace these. */
 static const double E = 160e9;              /* [Pa] */
 static const double NU = 0.22;
+static const double HARDNESS = 12e9;        /* H [Pa] */
 static const double BURGERS = 0.384e-9;     /* [m] */
 static const double ADHESION = 0.063;       /* w [J/m^2] */
 static const double SIGMA = 5e-9;           /* [m] */
@@ -78,6 +81,8 @@ static int make_contact(asperity_model **model)
     params.height_std = SIGMA;
     params.summit_radius = RADIUS;
     params.asperity_count = DENSITY * NOMINAL_AREA;
+    params.nominal_area = NOMINAL_AREA; /* this and the hardness are for warnings alone */
+    params.hardness = HARDNESS;
     if (asperity_create(&params, model) != ASPERITY_OK)
         return library_failed("asperity_create");
     return 0;
@@ -107,6 +112,19 @@ static int evaluate(const asperity_model *model, const options *o, row *rows)
     return 0;
 }
 
+/* Says what of the model does not hold at the loads of the table, and what to do about it. */
+static int print_warnings(const asperity_model *model, const options *o)
+{
+    uint64_t warnings;
+
+    if (asperity_check_loads(model, o->lowest, o->highest, &warnings) != ASPERITY_OK)
+        return library_failed("asperity_check_loads");
+    for (uint64_t bit = 1; bit <= warnings; bit *= 2)
+        if (warnings & bit)
+            fprintf(stderr, "friction_curve: warning: %s\n", asperity_warning_string(bit));
+    return 0;
+}
+
 static int print_table(const row *rows, int n)
 {
     printf("# load [N], mu, friction force [N], real area [m^2], contacts\n");
@@ -123,6 +141,8 @@ static int print_table(const row *rows, int n)
 /* ---- The figure ---- */
 
 enum { WIDTH = 760, HEIGHT = 480, LEFT = 80, RIGHT = 730, TOP = 50, BOTTOM = 410 };
+enum { EXTRA_LOADS = 20 }; /* below LOWEST, in the figure alone */
+static const double BELOW_LOWEST = 1.0 / 20; /* where they begin, over LOWEST */
 
 typedef struct axes {
     int first_decade, last_decade;
@@ -190,10 +210,22 @@ static void draw_axes(FILE *svg, const axes *a)
                  "100 &#181;m &#215; 100 &#181;m</text>\n", (LEFT + RIGHT) / 2, TOP - 18);
 }
 
-static void draw_curves(FILE *svg, const axes *a, const row *rows, int n, double constant)
+/* Grey from the left up to the load from which enough summits touch. */
+static void draw_too_few(FILE *svg, const axes *a, double enough)
 {
-    fprintf(svg, "<path class=\"constant\" d=\"M%d %.2f H%d\"/>\n", LEFT, y_of(a, constant), RIGHT);
-    fprintf(svg, "<path class=\"law\" d=\"");
+    const double right = fmin(x_of(a, enough), RIGHT);
+
+    if (right <= LEFT)
+        return;
+    fprintf(svg, "<rect x=\"%d\" y=\"%d\" width=\"%.2f\" height=\"%d\" fill=\"#e6e6e6\"/>\n", LEFT, TOP, right - LEFT,
+            BOTTOM - TOP);
+    fprintf(svg, "<text x=\"%d\" y=\"%d\" font-size=\"13\">fewer than 20 contacts:</text>\n", LEFT + 8, BOTTOM - 28);
+    fprintf(svg, "<text x=\"%d\" y=\"%d\" font-size=\"13\">pads differ</text>\n", LEFT + 8, BOTTOM - 10);
+}
+
+static void draw_curve(FILE *svg, const axes *a, const char *class, const row *rows, int n)
+{
+    fprintf(svg, "<path class=\"%s\" d=\"", class);
     for (int i = 0; i < n; i++)
         fprintf(svg, "%s%.2f %.2f", i == 0 ? "M" : " L", x_of(a, rows[i].load), y_of(a, rows[i].mu));
     fprintf(svg, "\"/>\n");
@@ -211,34 +243,67 @@ static void draw_legend(FILE *svg, double constant, double middle)
             middle);
 }
 
-static void draw(FILE *svg, const row *rows, int n, double constant, double middle)
+/* The first EXTRA_LOADS rows are those below LOWEST. */
+static void draw(FILE *svg, const row *rows, int n, double enough, double constant, double middle)
 {
     const axes a = choose_axes(rows, n, constant);
 
     fprintf(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
                  "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"15\">\n", WIDTH, HEIGHT, WIDTH, HEIGHT);
     fprintf(svg, "<style>path { fill: none } .grid { stroke: #ddd } .law { stroke: #1b4f8a; stroke-width: 2.5 } "
+                 ".below { stroke: #1b4f8a; stroke-width: 1.2 } "
                  ".constant { stroke: #b5442c; stroke-width: 2; stroke-dasharray: 9 6 }</style>\n");
     fprintf(svg, "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n");
+    draw_too_few(svg, &a, enough);
     draw_axes(svg, &a);
-    draw_curves(svg, &a, rows, n, constant);
+    fprintf(svg, "<path class=\"constant\" d=\"M%d %.2f H%d\"/>\n", LEFT, y_of(&a, constant), RIGHT);
+    draw_curve(svg, &a, "below", rows, EXTRA_LOADS + 1);
+    draw_curve(svg, &a, "law", rows + EXTRA_LOADS, n - EXTRA_LOADS);
     draw_legend(svg, constant, middle);
     fprintf(svg, "</svg>\n");
 }
 
+/* The lightest load, from `lowest` to `highest`, at which enough summits touch for a mean. */
+static int find_enough(const asperity_model *model, double lowest, double highest, double *enough)
+{
+    double few = lowest;
+    asperity_state state;
+
+    *enough = lowest;
+    for (int i = 0; i < 60; i++) {
+        state.struct_size = sizeof state;
+        if (asperity_state_at_load(model, *enough, &state) != ASPERITY_OK)
+            return library_failed("asperity_state_at_load");
+        if (i == 0 && !(state.warnings & ASPERITY_WARNING_FEW))
+            return 0;
+        if (state.warnings & ASPERITY_WARNING_FEW)
+            few = *enough;
+        else
+            highest = *enough;
+        *enough = sqrt(few) * sqrt(highest);
+    }
+    return 0;
+}
+
 /* Beside the law the figure has what a solver takes today: one number. It is chosen fairly, as the law's own
  * coefficient at the middle of the loads on the logarithmic axis, so that both agree there. */
-static int write_figure(const asperity_model *model, const options *o, const row *rows)
+static int draw_in_file(const asperity_model *model, const options *o, row *rows)
 {
     const double middle = sqrt(o->lowest) * sqrt(o->highest);
-    FILE *svg = fopen(o->figure, "w");
+    const options below = { NULL, EXTRA_LOADS + 1, BELOW_LOWEST * o->lowest, o->lowest };
+    double enough;
+    FILE *svg;
     int failed;
 
+    if (evaluate(model, &below, rows) != 0 || evaluate(model, o, rows + EXTRA_LOADS) != 0 ||
+        find_enough(model, below.lowest, o->highest, &enough) != 0)
+        return FAILED;
+    svg = fopen(o->figure, "w");
     if (svg == NULL) {
         fprintf(stderr, "friction_curve: cannot write %s: %s\n", o->figure, strerror(errno));
         return FAILED;
     }
-    draw(svg, rows, o->loads, asperity_friction_at_load(model, middle), middle);
+    draw(svg, rows, EXTRA_LOADS + o->loads, enough, asperity_friction_at_load(model, middle), middle);
     failed = ferror(svg);
     if (fclose(svg) != 0 || failed) {
         fprintf(stderr, "friction_curve: cannot write %s: %s\n", o->figure, strerror(errno));
@@ -297,7 +362,7 @@ static int read_options(int argc, char **argv, options *o)
 
 static int run(const asperity_model *model, const options *o)
 {
-    row *rows = malloc((size_t)o->loads * sizeof *rows);
+    row *rows = malloc(((size_t)EXTRA_LOADS + (size_t)o->loads) * sizeof *rows);
     int status;
 
     if (rows == NULL) {
@@ -307,15 +372,17 @@ static int run(const asperity_model *model, const options *o)
     status = evaluate(model, o, rows);
     if (status == 0)
         status = print_table(rows, o->loads);
+    if (status == 0)
+        status = print_warnings(model, o);
     if (status == 0 && o->figure != NULL)
-        status = write_figure(model, o, rows);
+        status = draw_in_file(model, o, rows);
     free(rows);
     return status;
 }
 
 int main(int argc, char **argv)
 {
-    options o = { NULL, 33, 1e-8, 1.0 };
+    options o = { NULL, 33, 2e-4, 0.1 };
     asperity_model *model = NULL;
     int status = read_options(argc, argv, &o);
 

@@ -1,15 +1,17 @@
-// Friction coefficient of a polysilicon MEMS contact over eight decades of normal load, in SI units: the twin of
-// friction_curve.c, where the sources of the parameters are named. Both print the same table, to the digit.
+// Friction coefficient of a polysilicon MEMS contact against normal load, in SI units: the twin of
+// friction_curve.c, where the sources of the parameters are named. Both print the same table, to the digit, and the same
+// warnings if the model does not hold somewhere between the two loads.
 //
 // usage: friction_curve [LOADS [LOWEST [HIGHEST]]]
 //   LOADS    number of loads, 2 to 100000 (33)
-//   LOWEST   lowest load [N], > 0 (1e-8)
-//   HIGHEST  highest load [N], > LOWEST (1)
+//   LOWEST   lowest load [N], > 0 (2e-4)
+//   HIGHEST  highest load [N], > LOWEST (0.1)
 // Exit status: 0, 1 if the library refuses or the table cannot be written, 2 for a wrong command line.
 
 #include <asperity.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -22,7 +24,7 @@ constexpr int MAX_LOADS = 100000;
 
 struct Options {
     int loads = 33;
-    double lowest = 1e-8, highest = 1.0;
+    double lowest = 2e-4, highest = 0.1;
 };
 
 /// Two polysilicon surfaces that touch over a nominal area of 100 um x 100 um.
@@ -38,6 +40,7 @@ asperity::Params polysilicon() {
     params.height_std(5e-9);                // [m]
     params.summit_radius(1e-6);             // [m]
     params.asperity_count(density * nominal_area);
+    params.nominal_area(nominal_area).hardness(12e9); // [Pa]; these two are for warnings alone
     return params;
 }
 
@@ -62,6 +65,16 @@ void print_table(const asperity::Model &model, const std::vector<double> &loads)
     }
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
         throw std::runtime_error("cannot write the table");
+    }
+}
+
+/// Says what of the model does not hold at these loads, and what to do about it.
+void print_warnings(const asperity::Model &model, double lightest, double heaviest) {
+    const std::uint64_t warnings = model.check_loads(lightest, heaviest);
+    for (std::uint64_t bit = 1; bit <= warnings; bit *= 2) {
+        if ((warnings & bit) != 0) {
+            std::fprintf(stderr, "friction_curve: warning: %s\n", asperity::warning_string(bit));
+        }
     }
 }
 
@@ -111,7 +124,9 @@ Options read_options(const std::vector<std::string> &arguments) {
 int main(int argc, char **argv) {
     try {
         const Options options = read_options({argv + 1, argv + argc});
-        print_table(asperity::Model(polysilicon()), loads_of(options));
+        const asperity::Model model(polysilicon());
+        print_table(model, loads_of(options));
+        print_warnings(model, options.lowest, options.highest);
         return 0;
     } catch (const std::invalid_argument &error) {
         std::fprintf(stderr, "friction_curve: %s\nusage: friction_curve [LOADS [LOWEST [HIGHEST]]]\n", error.what());

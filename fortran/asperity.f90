@@ -43,7 +43,12 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_CONTACT_MAUGIS = 0           ! elastic, with adhesion
   integer(c_int32_t), parameter, public :: ASPERITY_CONTACT_ELASTIC_PLASTIC = 1  ! summits yield; needs hardness, no adhesion
 
-  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! contacts yield: the model does not hold
+  ! Bits of warnings; asperity_warning_text tells what to do about each.
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! summits yield, the contact law is elastic
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_CROWDED = 2  ! summits do not act alone
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_STEEP = 4    ! contacts too large for their summits
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ATOMIC = 8   ! contacts too small for continuum mechanics
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW = 16     ! too few contacts for a mean over surfaces
 
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1     ! compare with asperity_table%layout_version
 
@@ -345,6 +350,35 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_friction_force_at_loads
 
+    ! Tangential stiffness [force/length] at a load [force]: force by displacement while all contacts stick.
+    function asperity_tangential_stiffness_at_load(model, load) result(stiffness) bind(c)
+      import :: c_double, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load
+      real(c_double) :: stiffness
+    end function asperity_tangential_stiffness_at_load
+
+    ! Tangential stiffnesses at many loads. Every element is filled, then the first offence reported.
+    function asperity_tangential_stiffness_at_loads(model, n, load, stiffness) result(status) bind(c)
+      import :: c_int32_t, c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: load              ! n real(c_double) [force]
+      type(c_ptr), intent(in), value :: stiffness         ! receives n real(c_double) [force/length]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_tangential_stiffness_at_loads
+
+    ! Tangential force at a load and a displacement, by integration over the summits.
+    function asperity_tangential_at_load(model, load, displacement, force, stiffness) result(status) bind(c)
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load           ! [force]
+      real(c_double), intent(in), value :: displacement   ! [length]
+      type(c_ptr), intent(in), value :: force             ! receives a real(c_double) [force]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: stiffness         ! receives a real(c_double) [force/length]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_tangential_at_load
+
     ! The exact state at a load [force], from the pull-off load upwards.
     function asperity_state_at_load(model, load, state) result(status) bind(c)
       import :: asperity_state, c_double, c_int32_t, c_ptr
@@ -362,6 +396,22 @@ module asperity
       type(asperity_state), intent(inout) :: state        ! untouched on failure
       integer(c_int32_t) :: status
     end function asperity_state_at_separation
+
+    ! The warnings of all states from one load [force] to a heavier one.
+    function asperity_check_loads(model, lightest, heaviest, warnings) result(status) bind(c)
+      import :: c_double, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: lightest, heaviest
+      integer(c_int64_t), intent(inout) :: warnings       ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_check_loads
+
+    ! What one warning says, a C string; asperity_warning_text is easier.
+    function asperity_warning_string(warning) result(text) bind(c)
+      import :: c_int64_t, c_ptr
+      integer(c_int64_t), intent(in), value :: warning
+      type(c_ptr) :: text
+    end function asperity_warning_string
 
     ! The constants of a model.
     function asperity_summary_of(model, summary) result(status) bind(c)
@@ -439,8 +489,10 @@ module asperity
   public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
+  public :: asperity_check_loads, asperity_warning_string
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
   public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
+  public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
 
   ! ---- The Fortran interface ----
 
@@ -517,11 +569,29 @@ module asperity
     !   dforce_dslip_rate  real(c_double), intent(out), optional [force time/length]
     procedure, public :: slip_force => model_slip_force
 
+    ! stiffness = law%tangential_stiffness_at_load(load [, stat] [, errmsg])
+    !   load       real(c_double), intent(in), rank 0 or 1 [force]
+    !   stiffness  real(c_double), of the shape of load [force/length]: tangential force by displacement while all
+    !              contacts stick; 0 below pull-off. Errors as for friction_at_load
+    ! call law%tangential_at_load(load, displacement, force [, slope] [, stat] [, errmsg])
+    !   displacement  real(c_double), intent(in) [length]
+    !   force         real(c_double), intent(inout) [force]: exact; as it was on failure
+    !   slope         real(c_double), intent(inout), optional [force/length]: d(force)/d(displacement)
+    ! The force rises from stiffness times displacement to the friction force; it is odd in the displacement.
+    generic, public :: tangential_stiffness_at_load => stiffness_rank_0, stiffness_rank_1
+    procedure, public :: tangential_at_load => model_tangential_at_load
+
     ! call law%state_at_load(load, state [, stat] [, errmsg])                the exact state at a load [force]
     ! call law%state_at_separation(separation, state [, stat] [, errmsg])    the same at a separation [length]
     !   state  type(asperity_state), intent(inout); as it was on failure
     procedure, public :: state_at_load => model_state_at_load
     procedure, public :: state_at_separation => model_state_at_separation
+
+    ! call law%check_loads(lightest, heaviest, warnings [, stat] [, errmsg])
+    !   lightest, heaviest  real(c_double), intent(in) [force]
+    !   warnings            integer(c_int64_t), intent(inout): the bits ASPERITY_WARNING_ of all states between, 0 if
+    !                       nothing is known to fail; as it was on failure
+    procedure, public :: check_loads => model_check_loads
 
     ! call law%summary(constants [, stat] [, errmsg])
     !   constants  type(asperity_summary), intent(inout); as it was on failure
@@ -538,6 +608,7 @@ module asperity
     procedure, private :: copy_model
     procedure, private :: friction_rank_0, friction_rank_1, friction_rank_2, friction_rank_3
     procedure, private :: force_rank_0, force_rank_1, force_rank_2, force_rank_3
+    procedure, private :: stiffness_rank_0, stiffness_rank_1
     final :: finalise_model
   end type friction_model
 
@@ -547,6 +618,7 @@ module asperity
 
   public :: asperity_params_set, asperity_params_get, asperity_params_name_text
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
+  public :: asperity_warning_text
 
   abstract interface
     function batch_function(model, n, load, value, slope) result(status) bind(c)
@@ -716,6 +788,13 @@ contains
     text = fortran_text(asperity_status_string(status))
   end function asperity_status_text
 
+  ! What one bit of warnings says: what fails and what to do about it.
+  function asperity_warning_text(warning) result(text)
+    integer(c_int64_t), intent(in) :: warning
+    character(:), allocatable :: text
+    text = fortran_text(asperity_warning_string(warning))
+  end function asperity_warning_text
+
   ! The version of the library loaded, 'major.minor.patch'.
   function asperity_version_text() result(text)
     character(:), allocatable :: text
@@ -823,6 +902,16 @@ contains
     if (.not. is_created(self, stat, errmsg)) return
     call report(asperity_state_at_separation(self%handle, separation, state), stat, errmsg)
   end subroutine model_state_at_separation
+
+  subroutine model_check_loads(self, lightest, heaviest, warnings, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in) :: lightest, heaviest
+    integer(c_int64_t), intent(inout) :: warnings
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. is_created(self, stat, errmsg)) return
+    call report(asperity_check_loads(self%handle, lightest, heaviest, warnings), stat, errmsg)
+  end subroutine model_check_loads
 
   subroutine model_summary(self, constants, stat, errmsg)
     class(friction_model), intent(in), target :: self
@@ -991,6 +1080,54 @@ contains
     call evaluate(asperity_friction_force_at_loads, self, size(load, kind=c_size_t), address(load), &
                   address(force), address(slope), stat, errmsg)
   end function force_rank_3
+
+  function stiffness_rank_0(self, load, stat, errmsg) result(stiffness)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), target :: load
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: stiffness
+    if (owns(self) .and. .not. present(stat)) then
+      stiffness = asperity_tangential_stiffness_at_load(self%handle, load)
+      if (.not. is_nan(stiffness)) return
+    end if
+    call evaluate(stiffnesses, self, 1_c_size_t, c_loc(load), c_loc(stiffness), c_null_ptr, stat, errmsg, &
+                  tells_open=.true.)
+  end function stiffness_rank_0
+
+  function stiffness_rank_1(self, load, stat, errmsg) result(stiffness)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), contiguous, target :: load(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: stiffness(size(load))
+    call evaluate(stiffnesses, self, size(load, kind=c_size_t), address(load), address(stiffness), c_null_ptr, &
+                  stat, errmsg)
+  end function stiffness_rank_1
+
+  ! The stiffness has no slope.
+  function stiffnesses(model, n, load, value, slope) result(status) bind(c, name='')
+    type(c_ptr), intent(in), value :: model
+    integer(c_size_t), intent(in), value :: n
+    type(c_ptr), intent(in), value :: load, value, slope
+    integer(c_int32_t) :: status
+    if (c_associated(slope)) call stop_with('friction_model: the stiffness has no slope')
+    status = asperity_tangential_stiffness_at_loads(model, n, load, value)
+  end function stiffnesses
+
+  subroutine model_tangential_at_load(self, load, displacement, force, slope, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in) :: load, displacement
+    real(c_double), intent(inout), target :: force
+    real(c_double), intent(inout), optional, target :: slope
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(c_ptr) :: at_slope
+    if (.not. is_created(self, stat, errmsg)) return
+    at_slope = c_null_ptr
+    if (present(slope)) at_slope = c_loc(slope)
+    call report(asperity_tangential_at_load(self%handle, load, displacement, c_loc(force), at_slope), stat, errmsg)
+  end subroutine model_tangential_at_load
 
   ! Every rank ends here, as the array that it is in memory.
   subroutine evaluate(batch, self, n, load, value, slope, stat, errmsg, tells_open)

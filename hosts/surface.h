@@ -3,8 +3,8 @@
 #ifndef HOSTS_SURFACE_H
 #define HOSTS_SURFACE_H
 
+#include <stdint.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "asperity.h"
 
@@ -25,36 +25,24 @@ static inline asperity_status set_surface(asperity_params *params, double nomina
     return ASPERITY_OK;
 }
 
-/* NULL where the model holds at this load; otherwise what of it does not. The state is written where there is one.
- * area_ratio: nominal area of the contact over that of the model, which is 1 unless the load is one per area. */
-static inline const char *surface_fault(const asperity_model *model, double load, double area_ratio,
-                                        asperity_state *state) {
-    asperity_params params;
-    state->struct_size = sizeof *state;
-    if (asperity_get_params(model, &params) != ASPERITY_OK) return "there is no model";
-    if (asperity_state_at_load(model, load, state) != ASPERITY_OK) return "there is no state";
-    if (!(state->contacting * area_ratio >= 20)) return "fewer than 20 summits touch: too few for a mean";
-    if (!(state->fraction_in_contact <= 0.1)) return "more than 10 % of the summits touch: they feel each other";
-    if (!(state->mean_contact_radius <= 0.1 * params.summit_radius)) return "contacts too large for Hertz: a > R/10";
-    if (!(state->mean_contact_radius > params.burgers_vector)) return "contacts are smaller than the Burgers vector";
-    if (!(params.hardness > 0)) return "the hardness is not given";
-    if (!(state->mean_asperity_pressure < 0.4 * params.hardness) || state->warnings != 0) return "summits yield";
-    return NULL;
-}
-
-/* Says on stdout how the surface is in contact at two loads, and whether the model holds there. */
+/* Says on stdout whether the model holds at all loads between two, and what to do where it does not. A surface of unknown
+ * hardness is refused: it may yield. */
 static inline int surface_holds(const asperity_model *model, double lightest, double heaviest) {
-    const double loads[2] = {lightest, heaviest};
-    int holds = 1;
-    for (int i = 0; i < 2; i++) {
-        asperity_state state;
-        memset(&state, 0, sizeof state);
-        const char *fault = surface_fault(model, loads[i], 1, &state);
-        printf("surface at %.4g: %.2g %% of the summits touch, %.2g contacts%s%s\n", loads[i],
-               100 * state.fraction_in_contact, state.contacting, fault ? ": " : "", fault ? fault : "");
-        if (fault) holds = 0;
+    char message[512];
+    asperity_params params;
+    uint64_t warnings = 0;
+    if (asperity_get_params(model, &params) != ASPERITY_OK ||
+        asperity_check_loads(model, lightest, heaviest, &warnings) != ASPERITY_OK) {
+        asperity_last_error(message, sizeof message);
+        printf("surface: %s\n", message);
+        return 0;
     }
-    return holds;
+    for (uint64_t bit = 1; bit <= warnings; bit *= 2)
+        if (warnings & bit) printf("surface from %.4g to %.4g: %s\n", lightest, heaviest, asperity_warning_string(bit));
+    if (!(params.hardness > 0)) printf("surface: the hardness is not given: whether summits yield is not known\n");
+    if (warnings != 0 || !(params.hardness > 0)) return 0;
+    printf("surface: the model holds from %.4g to %.4g\n", lightest, heaviest);
+    return 1;
 }
 
 #endif

@@ -23,32 +23,15 @@ def surface(nominal_area, metre=1.0, pascal=1.0):
     )
 
 
-def fault(model, load, area_ratio=1):
-    """What of the model does not hold at this load; None where all does. area_ratio: nominal area of the contact over
-    that of the model, which is 1 unless the load is one per area."""
-    state, params = model.state_at_load(load), model.params
-    if not state.contacting * area_ratio >= 20:
-        return "fewer than 20 summits touch: too few for a mean"
-    if not state.fraction_in_contact <= 0.1:
-        return "more than 10 % of the summits touch: they feel each other"
-    if not state.mean_contact_radius <= 0.1 * params.summit_radius:
-        return "contacts too large for Hertz: a > R/10"
-    if not state.mean_contact_radius > params.burgers_vector:
-        return "contacts are smaller than the Burgers vector"
-    if not params.hardness > 0:
-        return "the hardness is not given"
-    if not state.mean_asperity_pressure < 0.4 * params.hardness or state.warnings:
-        return "summits yield"
-    return None
-
-
-def demand(model, lightest, heaviest, area_ratio=1):
-    """Prints how the surface is in contact at two loads; raises RuntimeError where the model does not hold there."""
-    for load in (lightest, heaviest):
-        state, found = model.state_at_load(load), fault(model, load, area_ratio)
-        print(
-            f"  surface at {load:.4g}: {state.fraction_in_contact:.2%} of the summits touch, "
-            f"{state.contacting * area_ratio:.2g} contacts"
-        )
-        if found:
-            raise RuntimeError(f"the model does not hold for this surface at {load:.4g}: {found}")
+def demand(model, lightest, heaviest, fewest_summits=None):
+    """Raises RuntimeError unless the model holds at all loads between two. fewest_summits: how many of the model's summits
+    lie on the smallest contact, where loads are loads per area; the warning of too few contacts is about all of them."""
+    if not model.params.hardness > 0:
+        raise RuntimeError("the hardness of the surface is not given: whether summits yield is not known")
+    warnings = model.check(lightest, heaviest)
+    if warnings:
+        raise RuntimeError(f"the model does not hold for this surface from {lightest:.4g} to {heaviest:.4g}: {warnings}")
+    touching = model.state_at_load(lightest).fraction_in_contact * (fewest_summits or model.params.asperity_count)
+    if touching < 20:
+        raise RuntimeError(f"at {lightest:.4g} {touching:.2g} summits touch: too few for a mean")
+    print(f"  the model holds for this surface from {lightest:.4g} to {heaviest:.4g}, with {touching:.2g} contacts or more")

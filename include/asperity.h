@@ -127,11 +127,34 @@
 #define ASPERITY_CONTACT_ELASTIC_PLASTIC 1
 
 /**
- * Bit of `warnings`: contacts yield, so that the elastic model does not hold. Set if the mean asperity pressure is at
- * least 0.4 of the hardness (yield sets in below the contact) or the plasticity index is above 1 (contacts flow at any
- * load). Never set if no hardness is given.
+ * Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
+ * hardness (yield sets in below the contact) or the plasticity index above 1 (contacts flow at any load). Never set if no
+ * hardness is given, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding.
  */
 #define ASPERITY_WARNING_PLASTIC 1
+
+/**
+ * Bit of `warnings`: summits do not act alone. Set if more than 10 % of them touch, or if the real area is more than 10 %
+ * of `nominal_area`, where that is given.
+ */
+#define ASPERITY_WARNING_CROWDED 2
+
+/**
+ * Bit of `warnings`: contacts are not small. Set if their radii are more than a tenth of those of their summits, on
+ * average.
+ */
+#define ASPERITY_WARNING_STEEP 4
+
+/**
+ * Bit of `warnings`: contacts have few atoms. Set if their mean radius is below `burgers_vector`.
+ */
+#define ASPERITY_WARNING_ATOMIC 8
+
+/**
+ * Bit of `warnings`: the sums are no means over surfaces at this load. Set if fewer than 20 summits touch; never if
+ * `asperity_count` is 1, whose loads are those of a mean summit.
+ */
+#define ASPERITY_WARNING_FEW 16
 
 /**
  * Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
@@ -1023,6 +1046,68 @@ double asperity_slip_force(const struct asperity_model *model,
                            double *dforce_dslip_rate);
 
 /**
+ * Tangential stiffness K_t at a load: tangential force by displacement of the surfaces while all contacts stick.
+ *
+ * K_t = 8 G^ times the sum of the contact radii. The friction force over K_t is the length before gross slip: what
+ * solvers call bristle deflection or elastic slip. At a constant load the tangential force is `asperity_tangential_at_load`.
+ *
+ * @param model  a model
+ * @param load   normal load [force]
+ * @return K_t [force/length], positive also at zero and negative load down to pull-off; 0 below pull-off and, without
+ *         adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a
+ *         NULL model
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_tangential_stiffness_at_load(const struct asperity_model *model,
+                                             double load);
+
+/**
+ * Tangential stiffnesses at many loads.
+ *
+ * Every element has the bits that `asperity_tangential_stiffness_at_load` gives. All elements are filled; then the first
+ * load that is not in order, if any, is reported, and `asperity_last_error` names its index.
+ *
+ * @param model      must not be NULL
+ * @param n          number of loads; may be 0
+ * @param load       n loads [force]; must not be NULL unless n = 0
+ * @param stiffness  receives n stiffnesses [force/length]; NULL to skip; may be `load` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+ *         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the stiffness is NaN)
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_tangential_stiffness_at_loads(const struct asperity_model *model,
+                                                       size_t n,
+                                                       const double *load,
+                                                       double *stiffness);
+
+/**
+ * The tangential force T at a load and a displacement, by integration over the summits, without the table.
+ *
+ * Each contact sticks with its stiffness until its force is its strength, then slips: T rises from K_t times the
+ * displacement to the friction force F, with small contacts slipping first. From a surface pair without tangential force,
+ * at constant load. After a reversal at displacement r, where the force is T_r, Masing's rule gives
+ * T = T_r - 2 T((r - displacement)/2).
+ *
+ * @param model         must not be NULL
+ * @param load          normal load [force], from the pull-off load upwards
+ * @param displacement  of the surfaces along each other [length]; T is an odd function of it
+ * @param force         receives T [force]; NULL to skip; untouched on failure
+ * @param stiffness     receives dT/d(displacement) [force/length]; NULL to skip; untouched on failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a displacement that is not finite),
+ *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
+ *         `ASPERITY_OUT_OF_MEMORY`
+ *
+ * Threads: may share the model.
+ */
+asperity_status asperity_tangential_at_load(const struct asperity_model *model,
+                                            double load,
+                                            double displacement,
+                                            double *force,
+                                            double *stiffness);
+
+/**
  * The exact state at a load, by integration over the summits, without the table.
  *
  * @param model  must not be NULL
@@ -1064,6 +1149,37 @@ asperity_status asperity_state_at_separation(const struct asperity_model *model,
  */
 asperity_status asperity_summary_of(const struct asperity_model *model,
                                     struct asperity_summary *summary);
+
+/**
+ * The warnings of all states from one load to another: whether the law holds for a contact that meets these loads.
+ *
+ * It looks at some hundred exact states, in milliseconds: for the start of a run, not for its inner loop.
+ *
+ * @param model     must not be NULL
+ * @param lightest  normal load [force], from the pull-off load upwards; without adhesion above 0, where nothing touches
+ * @param heaviest  normal load [force], not below `lightest`
+ * @param warnings  receives every bit `ASPERITY_WARNING_...` that is set in a state between; 0 if nothing is known to
+ *                  fail; must not be NULL; untouched on failure
+ * @return `ASPERITY_OK`, also if there are warnings; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`lightest` is
+ *         above `heaviest`), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`,
+ *         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+ *
+ * Threads: may share the model.
+ */
+asperity_status asperity_check_loads(const struct asperity_model *model,
+                                     double lightest,
+                                     double heaviest,
+                                     uint64_t *warnings);
+
+/**
+ * Says of one warning what fails and what to do about it.
+ *
+ * @param warning  one bit `ASPERITY_WARNING_...`
+ * @return a constant string, never NULL; "no warning" for 0, "unknown warning" for a number that is not one known bit
+ *
+ * Threads: any.
+ */
+const char *asperity_warning_string(uint64_t warning);
 
 /**
  * Gives a view of the compiled law of a model.

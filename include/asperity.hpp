@@ -57,6 +57,9 @@ inline std::uint32_t abi_version() noexcept { return asperity_abi_version(); }
 /// What a status means, in a few words; a constant string.
 inline const char *status_string(Status status) noexcept { return asperity_status_string(status); }
 
+/// What a single bit ASPERITY_WARNING_ says: what fails and what to do about it; a constant string.
+inline const char *warning_string(std::uint64_t warning) noexcept { return asperity_warning_string(warning); }
+
 /// Why a call failed: the status, and in what() a message that names parameter, value and what is allowed.
 class Error : public std::runtime_error {
 public:
@@ -605,6 +608,47 @@ public:
         return result;
     }
 
+    /// Tangential stiffness K_t [force/length] at a normal load [force]: force by displacement while all contacts stick.
+    ///
+    /// Positive down to pull-off; 0 below and, without adhesion, at zero load; a quiet NaN for a NaN or infinite load.
+    double tangential_stiffness_at_load(double load) const noexcept {
+        return asperity_tangential_stiffness_at_load(handle_.get(), load);
+    }
+
+    /// Tangential stiffnesses at many loads, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as tangential_stiffness_at_load gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param loads      normal loads [force]
+    /// @param stiffness  receives as many stiffnesses [force/length]; may be `loads` itself
+    /// @return as for coefficients
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    Status tangential_stiffness_at_load(Span<const double> loads, Span<double> stiffness) const {
+        return many(stiffnesses, loads, stiffness, {});
+    }
+
+    /// Tangential stiffnesses [force/length] at many loads.
+    ///
+    /// 0 below pull-off, where the contact is open. Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_OUT_OF_RANGE) that names
+    /// the first load that is NaN, infinite or too heavy to be evaluated.
+    std::vector<double> tangential_stiffness_at_load(Span<const double> loads) const {
+        std::vector<double> stiffness(loads.size());
+        answered(stiffnesses, loads, stiffness, {});
+        return stiffness;
+    }
+
+    /// The tangential force T [force] at a load and a displacement [length], and dT/d(displacement) [force/length], exact.
+    ///
+    /// T rises from K_t times the displacement to the friction force: small contacts slip first. It is an odd function of
+    /// the displacement. After a reversal at displacement r: T = T_r - 2 T((r - displacement)/2).
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE,
+    /// ASPERITY_NOT_CONVERGED).
+    ValueAndSlope tangential_at_load(double load, double displacement) const {
+        ValueAndSlope force;
+        check(asperity_tangential_at_load(handle_.get(), load, displacement, &force.value, &force.slope));
+        return force;
+    }
+
     /// The exact state at a load [force], from the pull-off load upwards: integrates the model, uses no table.
     ///
     /// Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
@@ -623,6 +667,16 @@ public:
         state.struct_size = sizeof state;
         check(asperity_state_at_separation(handle_.get(), separation, &state));
         return state;
+    }
+
+    /// The bits ASPERITY_WARNING_ of all states from one load [force] to a heavier one: whether the law holds for a contact
+    /// that meets these loads; 0 if nothing is known to fail.
+    ///
+    /// Takes milliseconds. Throws Error as state_at_load, and ASPERITY_INVALID_PARAMETER if lightest is above heaviest.
+    std::uint64_t check_loads(double lightest, double heaviest) const {
+        std::uint64_t warnings = 0;
+        check(asperity_check_loads(handle_.get(), lightest, heaviest, &warnings));
+        return warnings;
     }
 
     /// The constants of the model: dimensionless groups, pull-off, extent and error of the compiled law.
@@ -652,6 +706,11 @@ private:
     struct Free {
         void operator()(asperity_model *model) const noexcept { asperity_free(model); }
     };
+
+    static asperity_status stiffnesses(const asperity_model *model, std::size_t n, const double *load,
+                                       double *stiffness, double *) {
+        return asperity_tangential_stiffness_at_loads(model, n, load, stiffness);
+    }
 
     Status many(Batch batch, Span<const double> loads, Span<double> value, Span<double> slope) const {
         require_size("values", value.size(), loads.size());

@@ -17,14 +17,12 @@ pub fn nan(x: f64) -> bool {
 /// The numbers next to a number. The standard library has them from Rust 1.86 on.
 pub trait Neighbours {
     /// The next larger one.
-    #[cfg(test)]
     fn above(self) -> Self;
     /// The next smaller one.
     fn below(self) -> Self;
 }
 
 impl Neighbours for f64 {
-    #[cfg(test)]
     fn above(self) -> f64 {
         libm::nextafter(self, f64::INFINITY)
     }

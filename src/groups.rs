@@ -13,6 +13,10 @@ pub struct Groups {
     pub gamma: f64,
     /// Burgers vector over the range of adhesion, b/h.
     pub b_over_h: f64,
+    /// Hardness over composite modulus, H/E*; infinite where it is not known.
+    pub hardness: f64,
+    /// Whether summits yield.
+    pub yields: bool,
 }
 
 impl Groups {

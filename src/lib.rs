@@ -30,7 +30,9 @@ pub mod population;
 pub mod regularised;
 pub mod spectrum;
 mod unit_slips;
+mod validity;
 
 pub use error::{Error, Value};
-pub use model::{Model, State, Summary, WARNING_PLASTIC};
+pub use model::{Model, State, Summary};
 pub use params::{ContactLawKind, HeightFamily, Params};
+pub use validity::{WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP};

@@ -8,9 +8,10 @@ use crate::equilibrium::Branch;
 use crate::error::Error;
 use crate::float_bits::{finite, Neighbours};
 use crate::groups::Groups;
-use crate::law::{Law, Scales, Table, Unfollowed};
+use crate::law::{Law, Quantity, Table, Unfollowed};
 use crate::params::Params;
 use crate::population::{Population, Statistics, Sums};
+use crate::validity::{warnings_between, Measures};
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
@@ -18,13 +19,10 @@ const HEAVIEST_LOAD: f64 = 1e80;
 const LARGEST_COEFFICIENT: f64 = 1e140;
 /// No load curve has more minima than this.
 const MOST_MINIMA: usize = 8;
-/// The mean pressure of an elastic contact, over the hardness, at which yield sets in below its surface: 1.1 of the
-/// yield stress, of which the hardness is 2.8 (Johnson, Contact Mechanics, 1985, sections 6.1 and 6.2).
-const YIELD_PRESSURE: f64 = 0.4;
-/// The plasticity index above which contacts flow at any load (Greenwood and Williamson, Proc. R. Soc. A 295, 1966).
-const PLASTIC_INDEX: f64 = 1.0;
-/// Set in [`State::warnings`] where the elastic assumption fails.
-pub const WARNING_PLASTIC: u64 = 1;
+/// Displacements, as force over radius of a contact that sticks, in G* b: from the larger on all contacts slip, below the
+/// smaller none does.
+const LARGEST_DISPLACEMENT: f64 = 1e200;
+const SMALLEST_DISPLACEMENT: f64 = 1e-200;
 /// Separations beyond this many sigma are out of range.
 const FARTHEST_SEPARATION: f64 = 1e50;
 
@@ -38,24 +36,24 @@ pub struct Model {
     units: Units,
     /// 1 / max_friction_coefficient, of a finite one.
     inverse_cap: f64,
-    known: Known,
+    known: [Known; Quantity::COUNT],
+    /// The heaviest load that can be evaluated.
+    heaviest: f64,
 }
 
-/// Friction at loads beside the table, found when the model is made.
+/// Friction force or tangential stiffness at loads beside its table, found when the model is made.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Known {
-    /// Force and slope at the pull-off load.
+    /// Value and slope at the pull-off load.
     pub at_pull_off: (f64, f64),
-    /// Force and slope at zero load.
+    /// Value and slope at zero load.
     pub at_zero: (f64, f64),
-    /// Slope of the force below the pull-off load.
+    /// Slope below the pull-off load.
     pub apart: f64,
-    /// What force gains by load on a straight line from pull-off to the table's first row.
+    /// What is gained by load on a straight line from pull-off to the table's first row.
     pub light_slope: f64,
-    /// Force at the heavy end of the table.
-    pub heavy_force: f64,
-    /// The heaviest load that can be evaluated.
-    pub heaviest: f64,
+    /// Value at the heavy end of the table.
+    pub heavy: f64,
 }
 
 /// Factors from sums per summit to the caller's units.
@@ -65,6 +63,8 @@ struct Units {
     load: f64,
     /// N G* b^2.
     force: f64,
+    /// 8 G^ N b: stiffness, of a mean contact radius in b.
+    stiffness: f64,
     /// N b^2.
     area: f64,
     /// sigma.
@@ -116,7 +116,9 @@ pub struct State {
     pub mean_asperity_pressure: f64,
     /// Greenwood and Williamson's plasticity index E* (sigma/R)^(1/2)/H, the same in every state; 0 without a hardness.
     pub plasticity_index: f64,
-    /// [`WARNING_PLASTIC`], or 0.
+    /// Mean of the contact radii over the radii of their summits.
+    pub mean_steepness: f64,
+    /// Bits `WARNING_...`, for example [`WARNING_FEW`](crate::WARNING_FEW): what the model assumes and this state lacks.
     pub warnings: u64,
     /// K_t [force/length]: force by displacement along the surfaces while all contacts stick.
     pub tangential_stiffness: f64,
@@ -165,14 +167,14 @@ impl Model {
         let (groups, heights, radius) = params.surface()?;
         let units = Units::new(params);
         let population = Population::new(&groups, params.slip, heights, radius, params.attraction)?;
-        let scales = Scales { load: units.load, force: units.force };
+        let compile = |branch: &Branch| Law::new(branch, units.load, [units.force, units.stiffness]);
         let mut branch = Branch::new(population)?;
-        let mut law = Law::new(&branch, scales);
+        let mut law = compile(&branch);
         for _ in 0..MOST_MINIMA {
             let Err(Unfollowed { separation }) = law else { break };
             // Following the branch found an earlier minimum than the search did.
             branch = branch.ending_near(separation)?;
-            law = Law::new(&branch, scales);
+            law = compile(&branch);
         }
         let law = law.map_err(|Unfollowed { separation }| Error::NotConverged {
             what: "load on the branch at separation",
@@ -180,27 +182,34 @@ impl Model {
         })?;
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(LARGEST_COEFFICIENT);
         let heaviest = (HEAVIEST_LOAD * units.load).min(f64::MAX);
-        let mut model =
-            Self { params: params.clone(), groups, branch, law, units, inverse_cap, known: Known::default() };
-        model.known = model.find_known(heaviest);
+        let params = params.clone();
+        let known = [Known::default(); Quantity::COUNT];
+        let mut model = Self { params, groups, branch, law, units, inverse_cap, known, heaviest };
+        model.known = Quantity::ALL.map(|quantity| model.find_known(quantity));
         Ok(model)
     }
 
-    /// Finds the friction at loads beside the table.
-    fn find_known(&self, heaviest: f64) -> Known {
-        let at = |load: f64| self.tabulated_force(load).unwrap_or_else(|| self.computed_force(load));
-        let table = self.law.table();
+    /// Finds a quantity at loads beside its table.
+    fn find_known(&self, quantity: Quantity) -> Known {
+        let at = |load: f64| self.tabulated(quantity, load).unwrap_or_else(|| self.computed(quantity, load));
+        let table = self.law.table(quantity);
         let (lightest, end) = table.range();
-        let (light_force, lightest_slope) = at(lightest);
+        let (light, lightest_slope) = at(lightest);
         let (at_pull_off, at_zero, apart) = match self.branch.pull_off() {
-            Some(point) => ((point.friction * self.units.force, f64::INFINITY), at(0.0), 0.0),
-            // Friction vanishes with load, and has no slope there but that next to it.
+            Some(point) => {
+                let value = match quantity {
+                    Quantity::Friction => point.friction * self.units.force,
+                    Quantity::Radius => point.radius * self.units.stiffness,
+                };
+                ((value, f64::INFINITY), at(0.0), 0.0)
+            }
+            // Both vanish with load, and have no slope there but that next to it.
             None => ((0.0, lightest_slope), (0.0, lightest_slope), lightest_slope),
         };
-        let light_slope = (light_force - at_pull_off.0) / (lightest - table.pull_off);
+        let light_slope = (light - at_pull_off.0) / (lightest - table.pull_off);
         // The next load below: the table's end is not of it.
         let heaviest_tabulated = end.below();
-        Known { at_pull_off, at_zero, apart, light_slope, heavy_force: at(heaviest_tabulated).0, heaviest }
+        Known { at_pull_off, at_zero, apart, light_slope, heavy: at(heaviest_tabulated).0 }
     }
 
     /// The parameters that the model was made from.
@@ -228,38 +237,49 @@ impl Model {
     /// Friction force and its slope dF/dP, which is infinite at the pull-off load itself and 0 below it. Without
     /// adhesion the slope at zero load and below is that of the lightest load of the table.
     pub fn friction_force_and_slope(&self, load: f64) -> (f64, f64) {
-        let answer = self.tabulated_force(load).or_else(|| self.known_force(load));
-        answer.unwrap_or_else(|| self.computed_force(load))
+        self.value_and_slope(Quantity::Friction, load)
     }
 
-    /// Friction force and slope where the compiled law answers.
+    /// Tangential stiffness K_t, the force by displacement along the surfaces while all contacts stick [force/length]; 0
+    /// below pull-off; NaN for a load that is not finite or too heavy.
+    pub fn tangential_stiffness_at_load(&self, load: f64) -> f64 {
+        self.value_and_slope(Quantity::Radius, load).0
+    }
+
+    /// Friction force or stiffness, and its slope.
+    fn value_and_slope(&self, quantity: Quantity, load: f64) -> (f64, f64) {
+        let answer = self.tabulated(quantity, load).or_else(|| self.known_value(quantity, load));
+        answer.unwrap_or_else(|| self.computed(quantity, load))
+    }
+
+    /// The same where the compiled law answers.
     #[inline]
-    pub(crate) fn tabulated_force(&self, load: f64) -> Option<(f64, f64)> {
+    pub(crate) fn tabulated(&self, quantity: Quantity, load: f64) -> Option<(f64, f64)> {
         // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
         if !finite(load) {
             return None;
         }
-        self.law.table().at_load(load)
+        self.law.table(quantity).at_load(load)
     }
 
     /// Friction coefficient and slope where the compiled law answers.
     #[inline]
     pub(crate) fn tabulated_coefficient(&self, load: f64) -> Option<(f64, f64)> {
-        let (force, slope) = self.tabulated_force(load)?;
+        let (force, slope) = self.tabulated(Quantity::Friction, load)?;
         Some(self.coefficient_and_slope(load, force, slope))
     }
 
-    /// Friction force and slope where they are known without a computation.
+    /// Friction force or stiffness and slope where they are known without a computation.
     #[inline]
-    pub(crate) fn known_force(&self, load: f64) -> Option<(f64, f64)> {
-        if !finite(load) || load > self.known.heaviest {
+    pub(crate) fn known_value(&self, quantity: Quantity, load: f64) -> Option<(f64, f64)> {
+        if !finite(load) || load > self.heaviest {
             return Some((f64::NAN, f64::NAN));
         }
-        let pull_off = self.law.table().pull_off;
+        let (known, pull_off) = (&self.known[quantity as usize], self.law.table(quantity).pull_off);
         match load {
-            _ if load < pull_off => Some((0.0, self.known.apart)),
-            _ if load == pull_off => Some(self.known.at_pull_off),
-            _ if load == 0.0 => Some(self.known.at_zero),
+            _ if load < pull_off => Some((0.0, known.apart)),
+            _ if load == pull_off => Some(known.at_pull_off),
+            _ if load == 0.0 => Some(known.at_zero),
             _ => None,
         }
     }
@@ -267,33 +287,37 @@ impl Model {
     /// Friction coefficient and slope where they are known without a computation.
     #[inline]
     pub(crate) fn known_coefficient(&self, load: f64) -> Option<(f64, f64)> {
-        if !finite(load) || load > self.known.heaviest {
+        if !finite(load) || load > self.heaviest {
             return Some((f64::NAN, f64::NAN));
         }
         match load {
-            _ if load < self.law.table().pull_off => Some((0.0, 0.0)),
+            _ if load < self.law.table(Quantity::Friction).pull_off => Some((0.0, 0.0)),
             _ if load <= 0.0 => Some((self.params.max_friction_coefficient, 0.0)),
             _ => None,
         }
     }
 
-    /// Friction force and slope at a finite load above pull-off that has no row: from the curve, or else exactly.
-    pub(crate) fn computed_force(&self, load: f64) -> (f64, f64) {
-        self.law.interpolated(load).unwrap_or_else(|| self.exact_force(load))
+    /// Friction force or stiffness and slope at a finite load above pull-off that has no row: from the curve, or else
+    /// exactly.
+    pub(crate) fn computed(&self, quantity: Quantity, load: f64) -> (f64, f64) {
+        self.law.interpolated(quantity, load).unwrap_or_else(|| self.exact(quantity, load))
     }
 
     /// Friction coefficient and slope at such a load.
     pub(crate) fn computed_coefficient(&self, load: f64) -> (f64, f64) {
-        let (force, slope) = self.computed_force(load);
+        let (force, slope) = self.computed(Quantity::Friction, load);
         self.coefficient_and_slope(load, force, slope)
     }
 
-    /// Friction force and slope without the compiled law.
-    fn exact_force(&self, load: f64) -> (f64, f64) {
-        match self.equilibrium_at(load) {
-            Ok((separation, sums)) => (sums.friction * self.units.force, self.force_slope(separation, &sums)),
-            Err(_) => (f64::NAN, f64::NAN),
-        }
+    /// Friction force or stiffness and slope without the compiled law.
+    fn exact(&self, quantity: Quantity, load: f64) -> (f64, f64) {
+        let Ok((separation, sums)) = self.equilibrium_at(load) else { return (f64::NAN, f64::NAN) };
+        let unit = match quantity {
+            Quantity::Friction => self.units.force,
+            Quantity::Radius => self.units.stiffness,
+        };
+        let (value, slope) = quantity.of(&sums);
+        (value * unit, self.slope(separation, slope * unit, &sums))
     }
 
     /// What is wrong with a load, if anything: not finite, below pull-off, or too heavy.
@@ -305,7 +329,7 @@ impl Model {
         if load < pull_off {
             return Some(Error::Separated { load, pull_off });
         }
-        (load > self.known.heaviest).then_some(Error::OutOfRange {
+        (load > self.heaviest).then_some(Error::OutOfRange {
             name: "load",
             value: load.into(),
             allowed: "must be below 1e80 composite_modulus burgers_vector^2 asperity_count",
@@ -321,9 +345,9 @@ impl Model {
         }
     }
 
-    /// Friction at loads beside the table.
-    pub(crate) fn known(&self) -> Known {
-        self.known
+    /// Friction force or stiffness at loads beside its table.
+    pub(crate) fn known(&self, quantity: Quantity) -> Known {
+        self.known[quantity as usize]
     }
 
     /// The exact state at a load, without the compiled law.
@@ -369,6 +393,66 @@ impl Model {
         self.branch.at_log_excess(log_excess, guess).or_else(|_| self.branch.at_log_excess(log_excess, None))
     }
 
+    /// The tangential force T at a load and a displacement along the surfaces, and dT/d(displacement), without the compiled
+    /// law. The force is an odd function of the displacement, from a surface pair that bears none.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] for a displacement that is not finite, and as [`Model::state_at_load`], but no error at
+    /// zero load.
+    pub fn tangential_at_load(&self, load: f64, displacement: f64) -> Result<(f64, f64), Error> {
+        if !finite(displacement) {
+            return Err(Error::InvalidParameter {
+                name: "displacement",
+                value: displacement.into(),
+                allowed: "must be finite",
+            });
+        }
+        if load == 0.0 && self.branch.pull_off().is_none() {
+            return Ok((0.0, 0.0));
+        }
+        let (separation, sums) = self.equilibrium_at(load)?;
+        let stiffness = sums.radius * self.units.stiffness;
+        let force = sums.friction * self.units.force;
+        // 8 G^ delta a over G* b^2 and a/b.
+        let unit = self.units.stiffness / self.units.force;
+        let force_over_radius = displacement.abs().min(LARGEST_DISPLACEMENT / unit) * unit;
+        if force_over_radius < SMALLEST_DISPLACEMENT {
+            return Ok((stiffness * displacement, stiffness));
+        }
+        let slipping = self.branch.population().microslip(separation, force_over_radius)?;
+        if slipping.radius == 0.0 {
+            return Ok((0.0, 0.0));
+        }
+        // Of loads so light that the state is one of a heavier load, scaled down, so is this.
+        let part = sums.radius / slipping.radius;
+        let tangential = (slipping.force * part * self.units.force).min(force);
+        Ok((tangential.copysign(displacement), slipping.sticking / slipping.radius * stiffness))
+    }
+
+    /// The warnings of all states between two loads, both included.
+    ///
+    /// # Errors
+    /// Those of [`Model::state_at_load`], and [`Error::InvalidParameter`] if `lightest` is above `heaviest`.
+    pub fn check_loads(&self, lightest: f64, heaviest: f64) -> Result<u64, Error> {
+        let (farthest, light) = self.equilibrium_at(lightest)?;
+        let (nearest, heavy) = self.equilibrium_at(heaviest)?;
+        if lightest > heaviest {
+            return Err(Error::InvalidParameter {
+                name: "lightest",
+                value: lightest.into(),
+                allowed: "must not be above heaviest",
+            });
+        }
+        let measures = |separation: f64, sums: &Sums| -> Result<Measures, Error> {
+            // None looks at the largest contact.
+            let contacts = self.contacts(separation, sums, (sums.contacting * self.units.count).min(1.0))?;
+            Ok(Measures::new(&self.params, &self.state_of(sums.load() * self.units.load, separation, sums, &contacts)))
+        };
+        let ends = measures(farthest, &light)?.warnings() | measures(nearest, &heavy)?.warnings();
+        let population = self.branch.population();
+        Ok(ends | warnings_between(nearest, farthest, |d| measures(d, &population.at_separation(d)))?)
+    }
+
     /// The exact state at a separation, in contact or not, on the branch of load control or beyond it.
     ///
     /// # Errors
@@ -407,9 +491,9 @@ impl Model {
             pull_off_load: self.pull_off_load(),
             pull_off_friction_force: pull_off.map_or(0.0, |point| point.friction * self.units.force),
             zero_load_friction_force: self.friction_force_at_load(0.0),
-            min_table_load: self.law.table().range().0,
-            max_table_load: self.law.table().range().1,
-            table_error: self.law.error(),
+            min_table_load: self.law.table(Quantity::Friction).range().0,
+            max_table_load: self.law.table(Quantity::Friction).range().1,
+            table_error: self.law.error(Quantity::Friction),
         }
     }
 
@@ -422,9 +506,10 @@ impl Model {
         self.inverse_cap
     }
 
-    /// The compiled law.
-    pub(crate) fn table(&self) -> &Table {
-        self.law.table()
+    /// The compiled law of a quantity.
+    #[inline]
+    pub(crate) fn table(&self, quantity: Quantity) -> &Table {
+        self.law.table(quantity)
     }
 
     /// F/P from the force at a load not below pull-off, capped.
@@ -444,15 +529,15 @@ impl Model {
         (mu, if load <= force * self.inverse_cap { 0.0 } else { ratio(slope - mu, load) })
     }
 
-    /// d(friction force)/d(load).
-    fn force_slope(&self, separation: f64, sums: &Sums) -> f64 {
+    /// The slope by load of what has a slope by separation.
+    fn slope(&self, separation: f64, by_separation: f64, sums: &Sums) -> f64 {
         if sums.load_slope == 0.0 {
             0.0
         } else if sums.load_slope > 0.0 && self.is_on_branch(separation) {
             // So near to pull-off that the sign is rounding.
             f64::MAX
         } else {
-            self.units.force / self.units.load * (sums.friction_slope / sums.load_slope)
+            by_separation / self.units.load / sums.load_slope
         }
     }
 
@@ -461,10 +546,23 @@ impl Model {
     }
 
     fn state(&self, load: f64, separation: f64, sums: &Sums) -> Result<State, Error> {
-        let sums = &sums.known(separation)?;
+        let contacts = self.contacts(separation, sums, sums.contacting * self.units.count)?;
+        Ok(self.state_of(load, separation, sums, &contacts))
+    }
+
+    /// The contacts behind the sums, and the largest of so many.
+    fn contacts(&self, separation: f64, sums: &Sums, number: f64) -> Result<Statistics, Error> {
+        sums.known(separation)?;
+        match number > 0.0 {
+            true => self.branch.population().statistics(separation, number),
+            false => Ok(Statistics::default()),
+        }
+    }
+
+    fn state_of(&self, load: f64, separation: f64, sums: &Sums, contacts: &Statistics) -> State {
         let units = &self.units;
         let friction_force = sums.friction * units.force;
-        let dforce_dload = self.force_slope(separation, sums);
+        let dforce_dload = self.slope(separation, sums.friction_slope * units.force, sums);
         // Beyond pull-off no load is in equilibrium: a pulling one has no coefficient.
         let on_branch = self.is_on_branch(separation);
         let load_slope = if on_branch { sums.load_slope.min(0.0) } else { sums.load_slope };
@@ -473,16 +571,10 @@ impl Model {
         } else {
             (0.0, 0.0)
         };
-        let contacting = sums.contacting * units.count;
-        let contacts = match contacting > 0.0 {
-            true => self.branch.population().statistics(separation, contacting)?,
-            false => Statistics::default(),
-        };
         let [below, between, above] = contacts.by_regime;
         let mean_asperity_pressure =
             if sums.area > 0.0 { sums.load_contacting / sums.area * self.params.composite_modulus } else { 0.0 };
-        let plasticity_index = self.plasticity_index();
-        Ok(State {
+        let mut state = State {
             load,
             separation: (separation + self.branch.population().heights().origin()) * units.length,
             friction_force,
@@ -491,7 +583,7 @@ impl Model {
             dmu_dload,
             dload_dseparation: load_slope * units.load / units.length,
             real_area: sums.area * units.area,
-            contacting,
+            contacting: sums.contacting * units.count,
             attracted: sums.attracted * units.count,
             attraction_load: sums.load_attracted * units.load,
             mean_contact_radius: contacts.mean_radius * self.params.burgers_vector,
@@ -501,12 +593,15 @@ impl Model {
             fraction_above_slip_radius_2: above,
             fraction_in_contact: sums.contacting,
             mean_asperity_pressure,
-            plasticity_index,
-            warnings: self.warnings(mean_asperity_pressure, plasticity_index),
-            tangential_stiffness: 0.0,
-            fraction_elastic: 1.0,
-            fraction_flowing: 0.0,
-        })
+            plasticity_index: self.plasticity_index(),
+            mean_steepness: contacts.mean_steepness * self.params.burgers_vector / self.params.summit_radius,
+            warnings: 0,
+            tangential_stiffness: sums.radius * units.stiffness,
+            fraction_elastic: contacts.elastic,
+            fraction_flowing: contacts.flowing,
+        };
+        state.warnings = Measures::new(&self.params, &state).warnings();
+        state
     }
 
     /// E* (sigma/R)^(1/2)/H; 0 where the hardness is not known.
@@ -515,16 +610,6 @@ impl Model {
             self.params.composite_modulus / self.params.hardness * self.groups.alpha
         } else {
             0.0
-        }
-    }
-
-    fn warnings(&self, mean_pressure: f64, plasticity_index: f64) -> u64 {
-        let hardness = self.params.hardness;
-        let yields = hardness > 0.0 && mean_pressure >= YIELD_PRESSURE * hardness;
-        if yields || plasticity_index > PLASTIC_INDEX {
-            WARNING_PLASTIC
-        } else {
-            0
         }
     }
 }
@@ -545,6 +630,7 @@ impl Units {
         Self {
             load: params.composite_modulus * area,
             force: params.effective_shear_modulus * area,
+            stiffness: 8.0 * params.effective_tangential_modulus() * params.burgers_vector * params.asperity_count,
             area,
             length: params.height_std,
             count: params.asperity_count,
@@ -681,7 +767,7 @@ mod tests {
             assert!(near(state.dforce_dload, slope, 1e-7), "{}, not {slope}", state.dforce_dload);
             let again = model.state_at_load(state.load).expect("a state");
             assert!(near(again.separation, separation, 1e-10), "{}", again.separation);
-            let (force, slope) = model.exact_force(state.load);
+            let (force, slope) = model.exact(Quantity::Friction, state.load);
             assert!(near(force, state.friction_force, 1e-10) && near(slope, state.dforce_dload, 1e-8), "{force}");
         }
         let (summary, point) = (model.summary(), model.branch.pull_off().expect("a pull-off point"));

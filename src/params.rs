@@ -302,6 +302,8 @@ impl Params {
             beta: (self.height_std * self.summit_radius).sqrt() / self.burgers_vector,
             gamma: self.work_of_adhesion / (self.composite_modulus * self.burgers_vector),
             b_over_h: self.burgers_vector / self.adhesion_range,
+            hardness: if self.hardness > 0.0 { self.hardness / self.composite_modulus } else { f64::INFINITY },
+            yields: self.contact_law == ContactLawKind::ElasticPlastic,
         };
         check_groups(&groups)?;
         unit_slips::check(self)?;
@@ -330,15 +332,36 @@ impl Params {
         Ok(RadiusProfile { amplitude, rate, origin })
     }
 
-    /// No law but that of Maugis is there yet.
+    /// What summits that yield need.
     fn check_contact_law(&self) -> Result<(), Error> {
-        match self.contact_law {
-            ContactLawKind::Maugis => Ok(()),
-            ContactLawKind::ElasticPlastic => Err(Error::InvalidParameter {
-                name: "contact_law",
-                value: 1_i32.into(),
-                allowed: "must be ASPERITY_CONTACT_MAUGIS (0)",
-            }),
+        let yields = self.contact_law == ContactLawKind::ElasticPlastic;
+        if yields && self.hardness == 0.0 {
+            return Err(Error::InvalidParameter {
+                name: "hardness",
+                value: self.hardness.into(),
+                allowed: "must be > 0 where contact_law is ASPERITY_CONTACT_ELASTIC_PLASTIC (1): summits yield at a \
+                          part of it",
+            });
+        }
+        if yields && self.work_of_adhesion != 0.0 {
+            return Err(Error::InvalidParameter {
+                name: "work_of_adhesion",
+                value: self.work_of_adhesion.into(),
+                allowed:
+                    "must be 0 where contact_law is ASPERITY_CONTACT_ELASTIC_PLASTIC (1): adhesion of summits that \
+                          yield is not modelled; set it to 0, or contact_law to ASPERITY_CONTACT_MAUGIS (0)",
+            });
+        }
+        Ok(())
+    }
+
+    /// G^: that given, or its default E* G*/(2 (E* + G*)).
+    pub(crate) fn effective_tangential_modulus(&self) -> f64 {
+        let (composite, shear) = (self.composite_modulus, self.effective_shear_modulus);
+        if self.tangential_modulus > 0.0 {
+            self.tangential_modulus
+        } else {
+            0.5 * composite * shear / (composite + shear)
         }
     }
 

@@ -1,12 +1,13 @@
-! Friction coefficient of a polysilicon MEMS contact over eight decades of normal load, in SI units: the twin of
-! c_examples/friction_curve.c, where the sources of the numbers are named. Both print the same table, to the digit.
+! Friction coefficient of a polysilicon MEMS contact against normal load, in SI units: the twin of
+! c_examples/friction_curve.c, where the sources of the numbers are named. Both print the same table, to the digit, and
+! the same warnings if the model does not hold somewhere between the two loads.
 !
 ! usage: friction_curve [LOADS [LOWEST [HIGHEST]]]
 !   LOADS    number of loads, 2 to 100000 (33)
-!   LOWEST   lowest load [N], > 0 (1e-8)
-!   HIGHEST  highest load [N], > LOWEST (1)
+!   LOWEST   lowest load [N], > 0 (2e-4)
+!   HIGHEST  highest load [N], > LOWEST (0.1)
 program friction_curve
-  use, intrinsic :: iso_c_binding, only: c_double
+  use, intrinsic :: iso_c_binding, only: c_double, c_int64_t
   use, intrinsic :: iso_fortran_env, only: error_unit
   use asperity
   implicit none
@@ -14,6 +15,7 @@ program friction_curve
   integer, parameter :: MAX_LOADS = 100000
   real(c_double), parameter :: E = 160e9_c_double             ! [Pa]
   real(c_double), parameter :: NU = 0.22_c_double
+  real(c_double), parameter :: HARDNESS = 12e9_c_double       ! H [Pa]
   real(c_double), parameter :: BURGERS = 0.384e-9_c_double    ! [m]
   real(c_double), parameter :: ADHESION = 0.063_c_double      ! w [J/m^2]
   real(c_double), parameter :: SIGMA = 5e-9_c_double          ! [m]
@@ -28,6 +30,7 @@ program friction_curve
   call read_options(loads, lowest, highest)
   call law%create(polysilicon())
   call print_table
+  call print_warnings
   call law%free()
 
 contains
@@ -37,6 +40,8 @@ contains
     params = asperity_params_of(E1=E, nu1=NU, E2=E, nu2=NU, work_of_adhesion=ADHESION, adhesion_range=BURGERS, &
                                 burgers_vector=BURGERS, height_std=SIGMA, summit_radius=RADIUS, &
                                 asperity_count=DENSITY * NOMINAL_AREA)
+    params%nominal_area = NOMINAL_AREA  ! this and the hardness are for warnings alone
+    params%hardness = HARDNESS
   end function polysilicon
 
   ! Loads are evenly spaced in the logarithm.
@@ -53,6 +58,18 @@ contains
                        as_c_prints(state%contacting)
     end do
   end subroutine print_table
+
+  ! Says what of the model does not hold at the loads of the table, and what to do about it.
+  subroutine print_warnings
+    integer(c_int64_t) :: warnings
+    integer :: bit
+    warnings = 0
+    call law%check_loads(lowest, highest, warnings)
+    do bit = 0, 62
+      if (btest(warnings, bit)) &
+        write (error_unit, '(a)') 'friction_curve: warning: ' // asperity_warning_text(shiftl(1_c_int64_t, bit))
+    end do
+  end subroutine print_warnings
 
   ! C's %.9e: an exponent of two digits, or of three where it needs them.
   function as_c_prints(x) result(text)
@@ -73,8 +90,8 @@ contains
     real(c_double), intent(out) :: lowest, highest
     real(c_double) :: number
     number = 33
-    lowest = 1e-8_c_double
-    highest = 1
+    lowest = 2e-4_c_double
+    highest = 0.1_c_double
     if (command_argument_count() > 3) call refuse('more than three arguments')
     call read_number(1, 'LOADS', number)
     call read_number(2, 'LOWEST', lowest)

@@ -183,7 +183,8 @@ def check(model, states):
     print(f"  slipping nodes of {nodes} after each step: {slipping}")
     print(f"  solutions that each step took: {[s['rounds'] for s in states]}")
     pressures = np.concatenate([s["pressure"] for s in states])
-    surface.demand(model, pressures.min(), pressures.max(), states[0]["area"].min())
+    smallest = states[0]["area"].min()  # mm^2, of which the model has one
+    surface.demand(model, pressures.min(), pressures.max(), model.params.asperity_count * smallest)
     return float(np.max([error for error, _ in results]))
 
 

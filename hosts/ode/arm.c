@@ -149,6 +149,8 @@ int main(int count, char **arguments) {
     dInitODE2(0);
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
     asperity_model *model = coated_pads();
+    if (!surface_holds(model, 0.1 * normal_force, 10 * normal_force))
+        fail("the model does not hold for the surface at these loads");
     for (int i = 0; i < CASES; i++) {
         arm_case *c = &cases[i];
         run_arm(model, c->gain, 1, c->lagged);

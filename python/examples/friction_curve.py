@@ -1,14 +1,13 @@
-"""Friction coefficient of a polysilicon MEMS contact over eight decades of normal load, in SI units.
+"""Friction coefficient of a polysilicon MEMS contact against normal load, in SI units.
 
 usage: friction_curve.py [FIGURE [LOADS [LOWEST [HIGHEST]]]]
   FIGURE   file to draw the curve in, its ending is its format; "-" or nothing for none
   LOADS    number of loads, 2 to 100000 (33)
-  LOWEST   lowest load [N], > 0 (1e-8)
-  HIGHEST  highest load [N], > LOWEST (1)
+  LOWEST   lowest load [N], > 0 (2e-4)
+  HIGHEST  highest load [N], > LOWEST (0.1)
 
 The table is that of c_examples/friction_curve.c, where the sources of the parameters are, to the last digit. It goes
-to standard output. Contacts and area are means over many such pairs of surfaces, so at the lightest loads there is
-less than one contact. Exit status: 0, 1 if the library or a file refuses, 2 for a wrong command line.
+to standard output; warnings go to standard error if the model does not hold somewhere between the two loads. Exit status: 0, 1 if the library or a file refuses, 2 for a wrong command line.
 """
 
 from __future__ import annotations
@@ -31,6 +30,7 @@ POLYSILICON = Params.si(
     summit_radius=1e-6,  # [m]
     summit_density=1e13,  # [1/m^2]
     nominal_area=1e-8,  # [m^2]
+    hardness=12e9,  # [Pa]
 )
 
 
@@ -53,6 +53,12 @@ def print_table(model: Model, loads: list[float]) -> None:
         print(" ".join(f"{number:.9e}" for number in row))
 
 
+def print_warnings(model: Model, lowest: float, highest: float) -> None:
+    """Says what of the model does not hold at these loads, and what to do about it."""
+    for warning in model.check(lowest, highest).kinds:
+        print(f"friction_curve: warning: {warning.description}", file=sys.stderr)
+
+
 def draw(file: str, model: Model, loads: list[float]) -> None:
     """Beside the law, the one number that a solver takes today: the law's own at the middle of the loads."""
     from matplotlib.figure import Figure
@@ -71,7 +77,7 @@ def draw(file: str, model: Model, loads: list[float]) -> None:
 def read_arguments(arguments: list[str]) -> tuple[str, int, float, float]:
     given = dict(zip(("figure", "loads", "lowest", "highest"), arguments))
     figure, count = given.get("figure", "-"), int(given.get("loads", 33))
-    lowest, highest = float(given.get("lowest", 1e-8)), float(given.get("highest", 1.0))
+    lowest, highest = float(given.get("lowest", 2e-4)), float(given.get("highest", 0.1))
     if len(arguments) > 4 or not (2 <= count <= 100000 and 0 < lowest < highest and math.isfinite(highest / lowest)):
         raise ValueError("2 to 100000 loads, LOWEST > 0 and HIGHEST > LOWEST are needed")
     return figure, count, lowest, highest
@@ -87,6 +93,7 @@ def main(arguments: list[str]) -> int:
         model = Model(POLYSILICON)
         loads = loads_between(lowest, highest, count)
         print_table(model, loads)
+        print_warnings(model, lowest, highest)
         if figure != "-":
             draw(figure, model, loads)
     except (ImportError, OSError, ValueError) as error:

@@ -72,7 +72,7 @@ def test_physical_parameters() -> None:
     )  # fmt: skip
     unit = params.asperity_count * params.composite_modulus * params.burgers_vector**2
     assert len(rows) == 33
-    assert (rows[0][0], rows[-1][0]) == pytest.approx((1e-4 * unit, 1e4 * unit), rel=1e-8)
+    assert (rows[0][0], rows[-1][0]) == pytest.approx((1e-4 * unit, 1e2 * unit), rel=1e-8)
     with Model(params) as model:
         assert rows[16][1] == pytest.approx(model.friction_at_load(rows[16][0]), rel=1e-8)
 
@@ -83,6 +83,12 @@ def test_the_figure_is_drawn(tmp_path: Path, ending: str, start: bytes) -> None:
     assert (done.returncode, done.stderr) == (0, f"asperity: the curve is drawn in curve.{ending}\n")
     assert (tmp_path / f"curve.{ending}").read_bytes().startswith(start)
     assert len(table(done.stdout)) == 5
+
+
+def test_loads_at_which_the_model_does_not_hold_are_warned_of() -> None:
+    done = asperity("curve --figure - --highest 1e4 --count 3")
+    assert done.returncode == 0 and len(table(done.stdout)) == 3
+    assert done.stderr.startswith("asperity: warning: between the loads 0.000285714 and 10000: CROWDED: summits do not")
 
 
 def test_the_figure_has_a_name_unless_one_is_given(tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from asperity import Error, Model, Params, State, Status, Summary, Warnings
+from asperity import Error, Model, Params, State, Status, Summary, ValidityWarning, Warnings
 from asperity._library import LIBRARY
 
 METHODS = ["friction_at_load", "friction_force_at_load"]
@@ -184,12 +184,43 @@ def test_a_state_takes_one_number(model: Model, at: Any) -> None:
     assert model.state_at_load(single) == model.state_at_load(1)
 
 
-def test_warnings_say_what_they_are(params: Params) -> None:
+def test_warnings_say_what_fails_and_what_to_do(params: Params) -> None:
     with Model(params.replace(hardness=0.001)) as soft, Model(params) as model:
         warnings = soft.state_at_load(10.0).warnings
-        assert f"{warnings}" == str(warnings) == "PLASTIC (contacts yield)" and f"{warnings:d}" == "1"
+        assert f"{warnings}" == str(warnings) and f"{warnings:d}" == "1"
+        assert str(warnings).startswith("PLASTIC: summits yield: ") and "; use the elastic-plastic" in str(warnings)
         assert str(model.state_at_load(10.0).warnings) == "none"
-    assert str(Warnings(0x101)) == "PLASTIC (contacts yield), bits 0x100"
+    several = Warnings(0x112)
+    assert several.kinds == [Warnings.CROWDED, Warnings.FEW, Warnings(0x100)]
+    lines = str(several).split("\n")
+    assert [line.split(":")[0] for line in lines] == ["CROWDED", "FEW", "bit 0x100"]
+
+
+def test_a_range_of_loads_is_checked_as_a_whole(params: Params) -> None:
+    with Model(params.replace(asperity_count=1e5)) as model:
+        assert model.check(1e5, 1e6) == 0 and not model.check(1e5, 1e6)
+        assert model.check(1e-2, 1e9) == Warnings.FEW | Warnings.CROWDED
+        seen = Warnings(0)
+        for load in np.geomspace(1e-2, 1e9, 30):
+            seen |= model.state_at_load(load).warnings
+        assert seen == model.check(1e-2, 1e9)
+        with pytest.raises(Error, match="^lightest = 2: must not be above heaviest$"):
+            model.check(2.0, 1.0)
+        with pytest.raises(Error, match="^load = NaN: must be finite$"):
+            model.check(math.nan, 1.0)
+
+
+def test_each_kind_of_warning_is_issued_once_per_model(params: Params) -> None:
+    few = params.replace(asperity_count=1e5)
+    for _ in range(2):
+        with Model(few) as model:
+            model.warn(1e5, 1e6)  # which warns of nothing: warnings are errors here
+            with pytest.warns(ValidityWarning, match="between the loads 0.01 and 1e\\+06: FEW: fewer than 20") as issued:
+                model.warn(1e-2, 1e6)
+                model.warn(1e-2, 1e6)
+            with pytest.warns(ValidityWarning, match="CROWDED") as more:
+                model.warn(1e-2, 1e9)
+            assert len(issued) == len(more) == 1
 
 
 def test_the_cap_is_a_parameter(params: Params) -> None:

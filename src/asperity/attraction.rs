@@ -96,7 +96,8 @@ mod tests {
     /// Eq (10): the gap at the edge of the circle, deformed by the constant stress within, is h.
     #[test]
     fn the_gap_at_the_circle_is_the_range_of_adhesion() {
-        let groups = Groups { alpha: 0.02, beta: 300.0, gamma: 0.004, b_over_h: 0.5 };
+        let groups =
+            Groups { alpha: 0.02, beta: 300.0, gamma: 0.004, b_over_h: 0.5, hardness: f64::INFINITY, yields: false };
         let law = Attraction::new(&groups);
         assert!(near(law.reach, groups.reach(), 1e-15) && near(groups.reach(), 1.0 / (0.02 * 300.0 * 0.5), 1e-15));
         for g in [0.4, 1.0, 1.7] {

@@ -93,9 +93,19 @@ pub trait ContactLaw: std::fmt::Debug + Send + Sync {
     /// A guess of the parameter at an overlap.
     fn guess(&self, overlap: f64, g: f64) -> f64;
 
-    /// Distance from a parameter to the nearest point, real or complex, where the states are not analytic in it.
-    fn distance_to_singularity(&self, parameter: f64) -> f64;
+    /// Distance from a parameter to the nearest point, real or complex, where the states are not analytic in it, but for
+    /// the kinks.
+    fn distance_to_singularity(&self, parameter: f64, g: f64) -> f64;
+
+    /// Overlaps over g at which states are continuous and their rates jump, infinite where there are fewer. A summit that
+    /// keeps its shape at any scale has them there; most laws have none.
+    fn kinks(&self) -> [f64; KINKS] {
+        [f64::INFINITY; KINKS]
+    }
 }
+
+/// The most kinks of a law of contact.
+pub const KINKS: usize = 2;
 
 #[cfg(test)]
 pub(crate) mod tests {

@@ -51,7 +51,7 @@ impl ContactLaw for Hertz {
         overlap.max(0.0).sqrt()
     }
 
-    fn distance_to_singularity(&self, _parameter: f64) -> f64 {
+    fn distance_to_singularity(&self, _parameter: f64, _g: f64) -> f64 {
         f64::INFINITY
     }
 }
@@ -64,7 +64,8 @@ mod tests {
     #[test]
     fn load_and_radius_are_those_of_hertz() {
         let (alpha, beta) = (0.02, 300.0);
-        let law = Hertz::new(&Groups { alpha, beta, gamma: 0.0, b_over_h: 1.0 });
+        let law =
+            Hertz::new(&Groups { alpha, beta, gamma: 0.0, b_over_h: 1.0, hardness: f64::INFINITY, yields: false });
         for g in [0.3, 1.0, 1.8] {
             for overlap in [1e-200, 1e-3, 0.5, 40.0] {
                 let contact = law.at_overlap(overlap, g, 0.0);
@@ -80,7 +81,14 @@ mod tests {
 
     #[test]
     fn rates_are_slopes_of_secants() {
-        let law = Hertz::new(&Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0 });
+        let law = Hertz::new(&Groups {
+            alpha: 0.02,
+            beta: 300.0,
+            gamma: 0.0,
+            b_over_h: 1.0,
+            hardness: f64::INFINITY,
+            yields: false,
+        });
         assert_rates_are_secants(&law, &[0.1, 1.0, 30.0]);
     }
 }

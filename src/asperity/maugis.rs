@@ -44,7 +44,7 @@ pub struct Maugis {
 impl Maugis {
     /// The contact law of a surface's groups, of which gamma > 0.
     pub fn new(groups: &Groups) -> Self {
-        let Groups { alpha, beta, gamma, b_over_h } = *groups;
+        let Groups { alpha, beta, gamma, b_over_h, .. } = *groups;
         Self {
             bracket_2: alpha * b_over_h / (PI * beta),
             bracket_1: 4.0 * gamma * b_over_h * b_over_h / PI,
@@ -166,7 +166,7 @@ impl ContactLaw for Maugis {
     }
 
     /// The first bracket of eq (4) vanishes at theta = 2.2467.
-    fn distance_to_singularity(&self, parameter: f64) -> f64 {
+    fn distance_to_singularity(&self, parameter: f64, _g: f64) -> f64 {
         SINGULAR_BEFORE + parameter
     }
 }
@@ -268,7 +268,16 @@ mod tests {
 
     /// With little adhesion and with much.
     fn laws() -> [Maugis; 2] {
-        [1e-4, 0.02].map(|gamma| Maugis::new(&Groups { alpha: 0.01, beta: 1e3, gamma, b_over_h: 0.7 }))
+        [1e-4, 0.02].map(|gamma| {
+            Maugis::new(&Groups {
+                alpha: 0.01,
+                beta: 1e3,
+                gamma,
+                b_over_h: 0.7,
+                hardness: f64::INFINITY,
+                yields: false,
+            })
+        })
     }
 
     const FACTORS: [f64; 3] = [0.3, 1.0, 1.8];

@@ -2,6 +2,7 @@
 
 pub mod attraction;
 pub mod contact;
+pub mod elastic_plastic;
 pub mod hertz;
 pub mod maugis;
 pub mod slip;

@@ -46,6 +46,18 @@ impl Slip {
         [self.constants.radius_1, self.constants.radius_2]
     }
 
+    /// The contact radii at which the friction force is this times the radius, one in each regime, infinite where there is
+    /// none.
+    pub fn radii_at_force_over_radius(&self, ratio: f64) -> [f64; 3] {
+        let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.constants;
+        let (below, above) = (ratio / (PI * stress_1), ratio / (PI * stress_2));
+        // F/a = pi a_1 tau_1 (a/a_1)^(1 + M)
+        let between = radius_1 * exp(log(below / radius_1) / (1.0 + self.exponent));
+        let within =
+            |radius: f64, from: f64, to: f64| if radius > from && radius < to { radius } else { f64::INFINITY };
+        [within(below, 0.0, radius_1), within(between, radius_1, radius_2), within(above, radius_2, f64::INFINITY)]
+    }
+
     /// Friction force at contact radius `a`, and dF/da.
     #[inline]
     pub fn force(&self, a: f64) -> (f64, f64) {
@@ -65,5 +77,35 @@ impl Slip {
         };
         let force_over_a = PI * a * stress;
         (force_over_a * a, power * force_over_a)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where strength grows with radius faster than stiffness, and where between the two radii it does not.
+    #[test]
+    fn contacts_whose_force_is_a_given_one_over_the_radius_are_found_in_each_regime() {
+        let falling = SlipConstants { radius_1: 10.0, stress_1: 0.1, radius_2: 100.0, stress_2: 0.002 };
+        for (constants, ratio, number) in [
+            (SlipConstants::default(), 1.0, 1),
+            (SlipConstants::default(), 20.0, 1),
+            (SlipConstants::default(), 300.0, 1),
+            (falling, 0.5, 1),
+            (falling, 1.0, 3),
+            (falling, 5.0, 1),
+        ] {
+            let slip = Slip::new(constants);
+            let radii = slip.radii_at_force_over_radius(ratio);
+            let found = radii.into_iter().filter(|radius| radius.is_finite());
+            assert_eq!(found.clone().count(), number, "{constants:?}, {ratio}: {radii:?}");
+            for radius in found {
+                assert!(
+                    (slip.force(radius).0 / radius / ratio - 1.0).abs() < 1e-13,
+                    "{constants:?}, {ratio}: {radii:?}"
+                );
+            }
+        }
     }
 }

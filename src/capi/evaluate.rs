@@ -92,7 +92,7 @@ pub unsafe extern "C" fn asperity_friction_force_at_loads(
     })
 }
 
-unsafe fn evaluate(
+pub(super) unsafe fn evaluate(
     model: &Model,
     quantity: Quantity,
     n: usize,

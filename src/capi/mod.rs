@@ -22,6 +22,8 @@ mod slope;
 mod state;
 mod status;
 mod table;
+mod tangential;
+mod validity;
 mod version;
 
 // For C through the header, for the tests of this crate as items; no part of the Rust interface.
@@ -35,4 +37,6 @@ pub use slope::*;
 pub use state::*;
 pub use status::*;
 pub use table::*;
+pub use tangential::*;
+pub use validity::*;
 pub use version::*;

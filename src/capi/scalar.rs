@@ -1,4 +1,4 @@
-//! Friction at one load, one number: the table's answer in as few instructions as there are, or else the exact model's.
+//! Friction or stiffness at one load, one number: the table's answer in as few instructions as there are, or else the exact model's.
 //!
 //! A table cannot panic and its answer needs no stack frame; exact evaluation is out of line, and guarded. A model keeps
 //! the addresses of the functions that suit the processor, so that a call does not look for them.
@@ -16,6 +16,21 @@ pub struct ScalarCalls {
     pub coefficient: unsafe extern "C" fn(&Model, f64) -> f64,
     /// Friction force at a load.
     pub force: unsafe extern "C" fn(&Model, f64) -> f64,
+    /// Tangential stiffness at a load.
+    pub stiffness: unsafe extern "C" fn(&Model, f64) -> f64,
+}
+
+/// The quantities, as constants of functions.
+const COEFFICIENT: u8 = Quantity::Coefficient as u8;
+const FORCE: u8 = Quantity::Force as u8;
+const STIFFNESS: u8 = Quantity::Stiffness as u8;
+
+const fn quantity(of: u8) -> Quantity {
+    match of {
+        COEFFICIENT => Quantity::Coefficient,
+        FORCE => Quantity::Force,
+        _ => Quantity::Stiffness,
+    }
 }
 
 impl ScalarCalls {
@@ -23,54 +38,58 @@ impl ScalarCalls {
     pub fn new() -> Self {
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("bmi2") {
-            return Self { coefficient: avx2::value_at::<true>, force: avx2::value_at::<false> };
+            return Self {
+                coefficient: avx2::value_at::<COEFFICIENT>,
+                force: avx2::value_at::<FORCE>,
+                stiffness: avx2::value_at::<STIFFNESS>,
+            };
         }
-        Self { coefficient: value_at::<true>, force: value_at::<false> }
+        Self { coefficient: value_at::<COEFFICIENT>, force: value_at::<FORCE>, stiffness: value_at::<STIFFNESS> }
     }
 }
 
 /// # Safety
 /// None is needed; the functions of other processors ask for their instructions.
-unsafe extern "C" fn value_at<const COEFFICIENT: bool>(model: &Model, load: f64) -> f64 {
-    tabulated::<COEFFICIENT>(model, load, |row, t| polynomial(&row.0, t).0)
+unsafe extern "C" fn value_at<const QUANTITY: u8>(model: &Model, load: f64) -> f64 {
+    tabulated::<QUANTITY>(model, load, |row, t| polynomial(&row.0, t).0)
 }
 
 #[inline(always)]
-fn tabulated<const COEFFICIENT: bool>(model: &Model, load: f64, force: impl FnOnce(&Row, f64) -> f64) -> f64 {
-    let table = model.table();
+fn tabulated<const QUANTITY: u8>(model: &Model, load: f64, force: impl FnOnce(&Row, f64) -> f64) -> f64 {
+    let table = model.table(quantity(QUANTITY).tabulated());
     // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
     if !finite(load) {
-        return beside_rows::<COEFFICIENT>(model, load);
+        return beside_rows::<QUANTITY>(model, load);
     }
     let x = load - table.pull_off;
     let Some(index) = table.index_of(x) else {
-        return beside_rows::<COEFFICIENT>(model, load);
+        return beside_rows::<QUANTITY>(model, load);
     };
     // SAFETY: a table has at least as many rows as are found from x.
     let row = unsafe { table.rows.get_unchecked(index) };
     let t = table.within(x);
     let force = force(row, t);
-    if !COEFFICIENT {
-        return if force.is_nan() { in_part::<COEFFICIENT>(model, load, row, t) } else { force };
+    if QUANTITY != COEFFICIENT {
+        return if force.is_nan() { in_part::<QUANTITY>(model, load, row, t) } else { force };
     }
     // Not for the NaN of a link either.
     if load > force * model.inverse_cap() {
         return force / load;
     }
     if force.is_nan() {
-        return in_part::<COEFFICIENT>(model, load, row, t);
+        return in_part::<QUANTITY>(model, load, row, t);
     }
     model.params().max_friction_coefficient
 }
 
 /// What a link leads to.
 #[inline(never)]
-extern "C" fn in_part<const COEFFICIENT: bool>(model: &Model, load: f64, row: &Row, t: f64) -> f64 {
-    let Some((part, t)) = model.table().part_at(row, t) else {
-        return beside_rows::<COEFFICIENT>(model, load);
+extern "C" fn in_part<const QUANTITY: u8>(model: &Model, load: f64, row: &Row, t: f64) -> f64 {
+    let Some((part, t)) = model.table(quantity(QUANTITY).tabulated()).part_at(row, t) else {
+        return beside_rows::<QUANTITY>(model, load);
     };
     let force = polynomial(&part.0, t).0;
-    if COEFFICIENT {
+    if QUANTITY == COEFFICIENT {
         model.coefficient(load, force)
     } else {
         force
@@ -80,9 +99,8 @@ extern "C" fn in_part<const COEFFICIENT: bool>(model: &Model, load: f64, row: &R
 /// What no row answers by itself.
 #[cold]
 #[inline(never)]
-extern "C" fn beside_rows<const COEFFICIENT: bool>(model: &Model, load: f64) -> f64 {
-    let quantity = if COEFFICIENT { Quantity::Coefficient } else { Quantity::Force };
-    boundary::fast_value(|| quantity.at(model, load).0)
+extern "C" fn beside_rows<const QUANTITY: u8>(model: &Model, load: f64) -> f64 {
+    boundary::fast_value(|| quantity(QUANTITY).at(model, load).0)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -94,8 +112,8 @@ mod avx2 {
     /// # Safety
     /// The processor has the instructions.
     #[target_feature(enable = "avx2,bmi2")]
-    pub unsafe extern "C" fn value_at<const COEFFICIENT: bool>(model: &Model, load: f64) -> f64 {
-        super::tabulated::<COEFFICIENT>(model, load, |row, t| unsafe { polynomial(row, t) })
+    pub unsafe extern "C" fn value_at<const QUANTITY: u8>(model: &Model, load: f64) -> f64 {
+        super::tabulated::<QUANTITY>(model, load, |row, t| unsafe { polynomial(row, t) })
     }
 
     /// [`crate::law::polynomial`], its four lines side by side: the same operations in the same order.
@@ -128,9 +146,21 @@ mod tests {
             let excess = 1e-12 * 1e20_f64.powf(f64::from(i) / 400.0);
             for load in [summary.pull_off_load * (1.0 - excess), excess, -excess, f64::NAN, f64::INFINITY] {
                 // SAFETY: the functions of this processor, or of any.
-                let found = unsafe { [value_at::<true>(&model, load), value_at::<false>(&model, load)] };
-                let chosen = unsafe { [(calls.coefficient)(&model, load), (calls.force)(&model, load)] };
-                let exact = [model.friction_at_load(load), model.friction_force_at_load(load)];
+                let found = unsafe {
+                    [
+                        value_at::<COEFFICIENT>(&model, load),
+                        value_at::<FORCE>(&model, load),
+                        value_at::<STIFFNESS>(&model, load),
+                    ]
+                };
+                let chosen = unsafe {
+                    [(calls.coefficient)(&model, load), (calls.force)(&model, load), (calls.stiffness)(&model, load)]
+                };
+                let exact = [
+                    model.friction_at_load(load),
+                    model.friction_force_at_load(load),
+                    model.tangential_stiffness_at_load(load),
+                ];
                 assert_eq!(found.map(f64::to_bits), exact.map(f64::to_bits), "{load:e}: {found:?}, not {exact:?}");
                 assert_eq!(chosen.map(f64::to_bits), exact.map(f64::to_bits), "{load:e}: {chosen:?}, not {exact:?}");
             }
@@ -151,7 +181,7 @@ mod tests {
             }
             for load in [capped, other] {
                 // SAFETY: the function of any processor.
-                let found = unsafe { value_at::<true>(&model, load) };
+                let found = unsafe { value_at::<COEFFICIENT>(&model, load) };
                 assert_eq!(found, model.friction_at_load(load), "{load:e} {max_friction_coefficient}");
             }
         }

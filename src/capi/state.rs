@@ -5,15 +5,8 @@ use super::model::asperity_model;
 use super::reserve;
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::model::{State, Summary, WARNING_PLASTIC};
+use crate::model::{State, Summary};
 use std::mem::size_of;
-
-/// Bit of `warnings`: contacts yield, so that the elastic model does not hold. Set if the mean asperity pressure is at
-/// least 0.4 of the hardness (yield sets in below the contact) or the plasticity index is above 1 (contacts flow at any
-/// load). Never set if no hardness is given.
-pub const ASPERITY_WARNING_PLASTIC: u64 = 1;
-
-const _: () = assert!(ASPERITY_WARNING_PLASTIC == WARNING_PLASTIC);
 
 /// The exact state of the contact; all quantities in the units of the parameters.
 #[repr(C)]

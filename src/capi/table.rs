@@ -5,6 +5,7 @@ use super::boundary::reference;
 use super::model::asperity_model;
 use super::state::fill;
 use super::status::asperity_status;
+use crate::law::Quantity;
 use std::mem::size_of;
 
 /// Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
@@ -73,7 +74,7 @@ pub unsafe extern "C" fn asperity_table_of(
 ) -> asperity_status {
     boundary::status(|| {
         let model = &reference(model, "model")?.model;
-        let (view, known) = (model.table(), model.known());
+        let (view, known) = (model.table(Quantity::Friction), model.known(Quantity::Friction));
         fill(table, "table", |struct_size| {
             Ok(asperity_table {
                 struct_size,
@@ -91,7 +92,7 @@ pub unsafe extern "C" fn asperity_table_of(
                 zero_force: known.at_zero.0,
                 zero_slope: known.at_zero.1,
                 separated_slope: known.apart,
-                heavy_force: known.heavy_force,
+                heavy_force: known.heavy,
             })
         })
     })

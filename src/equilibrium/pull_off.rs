@@ -32,6 +32,8 @@ pub struct PullOff {
     pub load: f64,
     /// In G* b^2 per summit.
     pub friction: f64,
+    /// Sum of contact radii, in b per summit.
+    pub radius: f64,
 }
 
 /// The end of the branch: where the load has its first minimum, or where nothing is left.
@@ -94,7 +96,7 @@ impl End {
             });
         }
         let is_number = log(-sums.load()) >= SMALLEST_LOG_LOAD;
-        let pull_off = PullOff { separation, load: sums.load(), friction: sums.friction };
+        let pull_off = PullOff { separation, load: sums.load(), friction: sums.friction, radius: sums.radius };
         Ok(Self { pull_off: is_number.then_some(pull_off), farthest: separation })
     }
 }

@@ -2,12 +2,13 @@
 //!
 //! The coordinate is s = arsinh((x/|pull-off|)^(1/2)) with x = load - pull-off: near pull-off, where load has its
 //! minimum over separation, it is linear in separation, far from it logarithmic in load; without adhesion it is
-//! ln(x)/2. In it ln F is smooth between the kinks of the branch. Panels of exact states, each with its slope, are joined
-//! by Hermite interpolation; a panel that misses the exact states between its nodes is tried again shorter.
+//! ln(x)/2. In it ln F is smooth between the kinks of the branch, and so is the logarithm of the stiffness. Panels of exact
+//! states, each with its slopes, are joined by Hermite interpolation; a panel that misses the exact states between its nodes
+//! is tried again shorter.
 
 use super::fill::Source;
 use super::steps::{Steps, Stretch};
-use super::CONDITIONS;
+use super::{Quantity, CONDITIONS};
 use crate::elementary::{cos, exp, exp_each, log, log1p, sinh};
 use crate::equilibrium::{Branch, BranchPoint};
 use std::f64::consts::LN_2;
@@ -19,7 +20,7 @@ const NODES: usize = CONDITIONS / 2;
 const CLOSEST: f64 = -5e8;
 /// The branch is followed from at least this much above the pull-off load, in ln(load).
 const LOG_ABOVE_PULL_OFF: f64 = 9.0;
-/// Largest error of ln F, and of its slope relative to the slope, at which a panel is good.
+/// Largest error of a logarithm, and of its slope relative to the slope, at which a panel is good.
 const VALUE_TOLERANCE: f64 = 1e-11;
 const SLOPE_TOLERANCE: f64 = 1e-9;
 /// Up to this s the slope of the load is a difference of integrals that nearly cancel, and so many times the tolerance is
@@ -29,7 +30,7 @@ const NOISE: f64 = 4.0;
 /// No more than about this many exact states are spent where kinks do not ask for more, and no more than half of them
 /// to resolve loads so heavy that all summits are deep in contact; what they do not reach is evaluated exactly.
 const MOST_SAMPLES: usize = 1000;
-/// In panels that span less than this of s, differences of ln F have lost the digits that its slopes have.
+/// In panels that span less than this of s, differences of logarithms have lost the digits that its slopes have.
 const NARROW: f64 = 2e-4;
 
 /// At this separation the load rises already, or cannot be had: the branch ends before.
@@ -43,9 +44,12 @@ pub struct Unfollowed {
 struct Coordinate {
     /// ln |pull-off load|, if there is one.
     log_pull_off: Option<f64>,
-    /// The force whose logarithm is taken relative to: that at pull-off, where small changes must be resolved.
-    force: f64,
+    /// What logarithms are taken relative to: the quantities at pull-off, where small changes must be resolved.
+    reference: PerQuantity,
 }
+
+/// A number for each quantity.
+type PerQuantity = [f64; Quantity::COUNT];
 
 /// An exact state on the branch.
 #[derive(Debug, Clone, Copy)]
@@ -54,14 +58,14 @@ pub struct Sample {
     /// ln(load - pull-off load).
     pub log_excess: f64,
     pub s: f64,
-    /// ln F over the reference force of the curve.
-    log_force: f64,
-    /// F itself: differences of ln F lose fewer digits with it.
-    friction: f64,
-    /// d(ln F)/ds.
-    slope: f64,
-    /// d(ln F)/d(ln x).
-    pub log_slope: f64,
+    /// ln of the quantities over the references of the curve.
+    log_value: PerQuantity,
+    /// The quantities themselves: differences of logarithms lose fewer digits with them.
+    value: PerQuantity,
+    /// Slopes of the logarithms by s.
+    slope: PerQuantity,
+    /// By ln x.
+    log_slope: PerQuantity,
 }
 
 /// A stretch of the curve, with s falling as separation grows.
@@ -70,15 +74,15 @@ struct Panel {
     /// s at its ends.
     lowest: f64,
     highest: f64,
-    /// ln F at the first node, to which the others are relative.
-    reference: f64,
+    /// The logarithms at the first node, to which the others are relative.
+    reference: PerQuantity,
     nodes: [f64; NODES],
-    /// ln F in Newton's form, each node twice.
-    log_force: [f64; CONDITIONS],
+    /// The logarithms in Newton's form, each node twice.
+    log_value: [[f64; CONDITIONS]; Quantity::COUNT],
     /// The position of the separation, as [`Steps::position`], in Newton's form, each node once.
     position: [f64; NODES],
-    /// Whether it meets the exact states between its nodes.
-    good: bool,
+    /// Whether its quantities meet the exact states between its nodes.
+    good: [bool; Quantity::COUNT],
 }
 
 /// A panel with the exact states that it was compared with.
@@ -86,7 +90,7 @@ struct Attempt {
     panel: Panel,
     between: [Sample; 2],
     end: Sample,
-    /// The largest error over its tolerance.
+    /// The largest error over its tolerance of any quantity.
     excess: f64,
 }
 
@@ -142,10 +146,10 @@ impl Curve {
     /// [`Unfollowed`].
     pub fn new(branch: &Branch, log_range: impl Fn(f64) -> f64, check: &mut Vec<Sample>) -> Result<Self, Unfollowed> {
         let log_pull_off = branch.pull_off().map(|point| log(-point.load));
-        let force = branch.pull_off().map_or(1.0, |point| point.friction);
+        let reference = branch.pull_off().map_or([1.0; Quantity::COUNT], |point| [point.friction, point.radius]);
         let mut steps = Steps::new(branch);
         let mut curve = Self {
-            coordinate: Coordinate { log_pull_off, force },
+            coordinate: Coordinate { log_pull_off, reference },
             steps: steps.clone(),
             panels: Vec::new(),
             samples: 0,
@@ -180,7 +184,7 @@ impl Curve {
             }
             curve.panels.push(attempt.panel);
             check.extend(attempt.between);
-            if attempt.end.slope.is_finite() {
+            if attempt.end.slope[0].is_finite() {
                 check.push(attempt.end);
             }
             from = attempt.end;
@@ -206,8 +210,11 @@ impl Curve {
         let sparse = steps.separation(panel.position_at(panel.sparsest())).max(first).min(last);
         let sparse = self.sample(branch, sparse)?;
         self.samples += NODES + 3;
-        let excess = [from, between, sparse, end].iter().map(|sample| panel.excess(sample)).fold(0.0, largest);
-        panel.good = excess <= 1.0;
+        let samples = [from, between, sparse, end];
+        let excess = Quantity::ALL
+            .map(|quantity| samples.iter().map(|sample| panel.excess(quantity, sample)).fold(0.0, largest));
+        panel.good = excess.map(|excess| excess <= 1.0);
+        let excess = excess.into_iter().fold(0.0, f64::max);
         Ok(Attempt { panel, between: [between, sparse], end, excess })
     }
 
@@ -217,7 +224,7 @@ impl Curve {
         let between = self.sample(branch, 0.5 * (from.separation + end.separation))?;
         let mut panel = Panel::bridge(&from, &end, |sample| self.steps.position(sample.separation));
         self.samples += 2;
-        panel.good = panel.excess(&between) <= 1.0;
+        panel.good = Quantity::ALL.map(|quantity| panel.excess(quantity, &between) <= 1.0);
         Ok(Attempt { panel, between: [between, between], end, excess: 0.0 })
     }
 
@@ -231,10 +238,10 @@ impl Curve {
             separation: to,
             log_excess: f64::NEG_INFINITY,
             s: 0.0,
-            log_force: 0.0,
-            friction: self.coordinate.force,
-            slope: unknown,
-            log_slope: unknown,
+            log_value: [0.0; Quantity::COUNT],
+            value: self.coordinate.reference,
+            slope: [unknown; Quantity::COUNT],
+            log_slope: [unknown; Quantity::COUNT],
         })
     }
 
@@ -249,14 +256,15 @@ impl Curve {
             return Err(Unfollowed { separation });
         }
         let (s, s_rate) = self.coordinate.at(log_excess);
-        let log_slope = sums.friction_slope / sums.friction / rate;
+        let sums = Quantity::ALL.map(|quantity| quantity.of(&sums));
+        let log_slope = sums.map(|(value, slope)| slope / value / rate);
         Ok(Sample {
             separation,
             log_excess,
             s,
-            log_force: log(sums.friction / self.coordinate.force),
-            friction: sums.friction,
-            slope: log_slope / s_rate,
+            log_value: std::array::from_fn(|i| log(sums[i].0 / self.coordinate.reference[i])),
+            value: sums.map(|(value, _)| value),
+            slope: log_slope.map(|log_slope| log_slope / s_rate),
             log_slope,
         })
     }
@@ -274,35 +282,37 @@ impl Curve {
         self.steps.is_resolved()
     }
 
-    /// F and d(ln F)/d(ln x) at neighbouring ln x; NaN where the curve is not known to be good.
-    fn at_each<const N: usize>(&self, log_excess: [f64; N]) -> [(f64, f64); N] {
+    /// A quantity and the slope of its logarithm by ln x at neighbouring ln x; NaN where the curve is not known to be good.
+    fn at_each<const N: usize>(&self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
         let coordinates = self.coordinate.at_each(log_excess);
         let s = coordinates.map(|(s, _)| s);
         // Mostly one panel holds all: then they are evaluated side by side.
         let panel = self.panel(s[0]);
-        let log_force = if s.iter().all(|&s| std::ptr::eq(self.panel(s), panel)) {
-            panel.log_force_at(s)
+        let logs = if s.iter().all(|&s| std::ptr::eq(self.panel(s), panel)) {
+            panel.log_value_at(quantity, s)
         } else {
-            s.map(|s| self.panel(s).log_force_at([s])[0])
+            s.map(|s| self.panel(s).log_value_at(quantity, [s])[0])
         };
-        let force = exp_each(log_force.map(|(log_force, _)| log_force));
-        std::array::from_fn(|i| (self.coordinate.force * force[i], log_force[i].1 * coordinates[i].1))
+        let value = exp_each(logs.map(|(log_value, _)| log_value));
+        let reference = self.coordinate.reference[quantity as usize];
+        std::array::from_fn(|i| (reference * value[i], logs[i].1 * coordinates[i].1))
     }
 
     /// The same at one ln x, of which the curve covers or not.
-    pub fn within(&self, log_excess: f64) -> Option<(f64, f64)> {
+    pub fn within(&self, quantity: Quantity, log_excess: f64) -> Option<(f64, f64)> {
         let (s, rate) = self.coordinate.at(log_excess);
         let panel = self.panel(s);
-        if !(panel.good && s >= panel.lowest && s <= panel.highest) {
+        if !(panel.good[quantity as usize] && s >= panel.lowest && s <= panel.highest) {
             return None;
         }
-        let [(log_force, slope)] = panel.interpolated([s]);
-        Some((self.coordinate.force * exp(log_force), slope * rate))
+        let [(log_value, slope)] = panel.interpolated(quantity, [s]);
+        Some((self.coordinate.reference[quantity as usize] * exp(log_value), slope * rate))
     }
 
-    /// F of an exact state.
-    pub fn force_of(&self, sample: &Sample) -> f64 {
-        self.coordinate.force * exp(sample.log_force)
+    /// A quantity of an exact state, and the slope of its logarithm by ln x.
+    pub fn at_sample(&self, quantity: Quantity, sample: &Sample) -> (f64, f64) {
+        let i = quantity as usize;
+        (self.coordinate.reference[i] * exp(sample.log_value[i]), sample.log_slope[i])
     }
 
     /// The separation at ln x, to a few digits, where the curve covers it.
@@ -318,13 +328,17 @@ impl Curve {
     }
 }
 
-impl Source for Curve {
+/// One quantity of a curve.
+pub struct Along<'a>(pub &'a Curve, pub Quantity);
+
+impl Source for Along<'_> {
     fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
-        self.at_each(log_excess)
+        self.0.at_each(self.1, log_excess)
     }
 
     fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
-        let joints = self.panels.iter().rev().map(|panel| self.coordinate.log_excess(panel.lowest));
+        let curve = self.0;
+        let joints = curve.panels.iter().rev().map(|panel| curve.coordinate.log_excess(panel.lowest));
         joints.filter(|&joint| joint > lower && joint < upper).collect()
     }
 }
@@ -332,67 +346,71 @@ impl Source for Curve {
 impl Panel {
     fn new(highest: f64, lowest: f64, samples: &[Sample; NODES], position: impl Fn(&Sample) -> f64) -> Self {
         let nodes = samples.map(|sample| sample.s);
-        let slopes = samples.map(|sample| sample.slope);
-        let reference = samples[0].log_force;
-        let values = match highest - lowest < NARROW {
-            true => integrals(&nodes, slopes),
-            false => samples.map(|sample| log(sample.friction / samples[0].friction)),
-        };
-        // Divided differences; between the two copies of a node they are the slope.
-        let mut log_force: [f64; CONDITIONS] = std::array::from_fn(|i| values[i / 2]);
-        for order in 1..CONDITIONS {
-            for i in (order..CONDITIONS).rev() {
-                let (a, b) = (nodes[(i - order) / 2], nodes[i / 2]);
-                log_force[i] =
-                    if order == 1 && i % 2 == 1 { slopes[i / 2] } else { (log_force[i] - log_force[i - 1]) / (b - a) };
-            }
-        }
+        let log_value = std::array::from_fn(|quantity| {
+            let slopes = samples.map(|sample| sample.slope[quantity]);
+            let values = match highest - lowest < NARROW {
+                true => integrals(&nodes, slopes),
+                false => samples.map(|sample| log(sample.value[quantity] / samples[0].value[quantity])),
+            };
+            hermite(&nodes, values, slopes)
+        });
         let position = differences(&nodes, std::array::from_fn(|i| position(&samples[i])));
-        Self { lowest, highest, reference, nodes, log_force, position, good: false }
+        Self {
+            lowest,
+            highest,
+            reference: samples[0].log_value,
+            nodes,
+            log_value,
+            position,
+            good: [false; Quantity::COUNT],
+        }
     }
 
     /// The cubic between two states.
     fn bridge(from: &Sample, to: &Sample, position: impl Fn(&Sample) -> f64) -> Self {
         let width = to.s - from.s;
-        // The integral of slopes, of which the third and fourth coefficient follow.
-        let mean = 0.5 * (from.slope + to.slope);
         let mut nodes = [to.s; NODES];
         nodes[0] = from.s;
-        let mut log_force = [0.0; CONDITIONS];
-        (log_force[1], log_force[2]) = (from.slope, (mean - from.slope) / width);
+        let log_value = std::array::from_fn(|quantity| {
+            let (start, end) = (from.slope[quantity], to.slope[quantity]);
+            let mut log_value = [0.0; CONDITIONS];
+            (log_value[1], log_value[2]) = (start, (0.5 * (start + end) - start) / width);
+            log_value
+        });
         let mut stretch = [0.0; NODES];
         (stretch[0], stretch[1]) = (position(from), (position(to) - position(from)) / width);
         Self {
             lowest: to.s,
             highest: from.s,
-            reference: from.log_force,
+            reference: from.log_value,
             nodes,
-            log_force,
+            log_value,
             position: stretch,
-            good: false,
+            good: [false; Quantity::COUNT],
         }
     }
 
-    /// ln F and its derivative by s; NaN where the panel is not known to be good.
-    fn log_force_at<const N: usize>(&self, s: [f64; N]) -> [(f64, f64); N] {
-        if !self.good {
+    /// The logarithm of a quantity and its derivative by s; NaN where the panel is not known to be good.
+    fn log_value_at<const N: usize>(&self, quantity: Quantity, s: [f64; N]) -> [(f64, f64); N] {
+        if !self.good[quantity as usize] {
             return [(f64::NAN, f64::NAN); N];
         }
-        self.interpolated(s)
+        self.interpolated(quantity, s)
     }
 
-    /// ln F and its derivative by s, good or not.
-    fn interpolated<const N: usize>(&self, s: [f64; N]) -> [(f64, f64); N] {
-        let mut value = [self.log_force[CONDITIONS - 1]; N];
+    /// The same, good or not.
+    fn interpolated<const N: usize>(&self, quantity: Quantity, s: [f64; N]) -> [(f64, f64); N] {
+        let log_value = &self.log_value[quantity as usize];
+        let mut value = [log_value[CONDITIONS - 1]; N];
         let mut slope = [0.0; N];
         for i in (0..CONDITIONS - 1).rev() {
             for k in 0..N {
                 let distance = s[k] - self.nodes[i / 2];
                 slope[k] = slope[k] * distance + value[k];
-                value[k] = value[k] * distance + self.log_force[i];
+                value[k] = value[k] * distance + log_value[i];
             }
         }
-        std::array::from_fn(|k| (self.reference + value[k], slope[k]))
+        std::array::from_fn(|k| (self.reference[quantity as usize] + value[k], slope[k]))
     }
 
     fn position_at(&self, s: f64) -> f64 {
@@ -407,15 +425,32 @@ impl Panel {
     }
 
     /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number.
-    fn excess(&self, sample: &Sample) -> f64 {
-        let [(value, slope)] = self.interpolated([sample.s]);
-        let value_excess = (value - sample.log_force).abs() / VALUE_TOLERANCE;
-        if sample.slope.is_nan() {
+    fn excess(&self, quantity: Quantity, sample: &Sample) -> f64 {
+        let [(value, slope)] = self.interpolated(quantity, [sample.s]);
+        let exact = sample.slope[quantity as usize];
+        let value_excess = (value - sample.log_value[quantity as usize]).abs() / VALUE_TOLERANCE;
+        if exact.is_nan() {
             return value_excess; // at pull-off itself
         }
         let tolerance = if sample.s < NEAR_PULL_OFF { NOISE * SLOPE_TOLERANCE } else { SLOPE_TOLERANCE };
-        largest(value_excess, (slope / sample.slope - 1.0).abs() / tolerance)
+        largest(value_excess, (slope / exact - 1.0).abs() / (quantity.slope_slack() * tolerance))
     }
+}
+
+/// The coefficients of Newton's form of the polynomial with these values and slopes at the nodes.
+fn hermite(nodes: &[f64; NODES], values: [f64; NODES], slopes: [f64; NODES]) -> [f64; CONDITIONS] {
+    // Divided differences; between the two copies of a node they are the slope.
+    let mut coefficients: [f64; CONDITIONS] = std::array::from_fn(|i| values[i / 2]);
+    for order in 1..CONDITIONS {
+        for i in (order..CONDITIONS).rev() {
+            let (a, b) = (nodes[(i - order) / 2], nodes[i / 2]);
+            coefficients[i] = match order == 1 && i % 2 == 1 {
+                true => slopes[i / 2],
+                false => (coefficients[i] - coefficients[i - 1]) / (b - a),
+            };
+        }
+    }
+    coefficients
 }
 
 /// The coefficients of Newton's form of the polynomial with these values at the nodes.
@@ -459,8 +494,9 @@ fn largest(a: f64, b: f64) -> f64 {
 #[cfg(test)]
 impl Sample {
     /// Another force and slope at the same load.
-    pub fn moved(self, log_force: f64, log_slope: f64) -> Self {
-        Self { log_force: self.log_force + log_force, log_slope: self.log_slope * (1.0 + log_slope), ..self }
+    pub fn moved(self, log_value: f64, log_slope: f64) -> Self {
+        let log_value = self.log_value.map(|value| value + log_value);
+        Self { log_value, log_slope: self.log_slope.map(|slope| slope * (1.0 + log_slope)), ..self }
     }
 }
 
@@ -476,7 +512,7 @@ mod tests {
 
     #[test]
     fn the_coordinate_is_arsinh_of_the_root_of_load_over_pull_off() {
-        let pull_off = Coordinate { log_pull_off: Some(-7.0), force: 1.0 };
+        let pull_off = Coordinate { log_pull_off: Some(-7.0), reference: [1.0; 2] };
         for log_excess in [-40.0, -20.0, -7.0, -3.0, 10.0, 30.0, 34.4, 34.5, 60.0, 700.0] {
             let (s, rate) = pull_off.at(log_excess);
             let root = (0.5 * (log_excess + 7.0)).exp();
@@ -484,9 +520,9 @@ mod tests {
             assert!(near(rate, 0.5 * root / root.hypot(1.0), 1e-14), "{log_excess}: {rate}");
         }
         // Of a pull-off load next to the smallest number and a load next to the largest.
-        let (s, rate) = Coordinate { log_pull_off: Some(-640.0), force: 1.0 }.at(700.0);
+        let (s, rate) = Coordinate { log_pull_off: Some(-640.0), reference: [1.0; 2] }.at(700.0);
         assert!(near(s, 670.0 + LN_2, 1e-15) && rate == 0.5, "{s}, {rate}");
-        assert_eq!(Coordinate { log_pull_off: None, force: 1.0 }.at(-8.0), (-4.0, 0.5));
+        assert_eq!(Coordinate { log_pull_off: None, reference: [1.0; 2] }.at(-8.0), (-4.0, 0.5));
     }
 
     #[test]
@@ -506,15 +542,23 @@ mod tests {
                     "{found}, not {}",
                     state.separation
                 );
-                let [(force, slope)] = curve.at_each([state.log_excess]);
-                assert!(near(force, curve.force_of(state), 1e-10), "{force}");
-                assert!(near(slope, state.log_slope, 1e-8), "{slope}");
+                for quantity in Quantity::ALL {
+                    let [(value, slope)] = curve.at_each(quantity, [state.log_excess]);
+                    let (exact, exact_slope) = curve.at_sample(quantity, state);
+                    assert!(
+                        near(value, exact, 1e-10) && near(slope, exact_slope, 1e-8),
+                        "{quantity:?}: {value}, {slope}"
+                    );
+                }
             }
             assert_eq!(curve.separation(upper + 1e-9), None);
             assert_eq!(curve.separation(lower.max(-1e3) - 1e-9).is_some(), lower == f64::NEG_INFINITY);
             // Side by side as one by one, also where panels meet.
             let several: [f64; 8] = std::array::from_fn(|i| lower.max(upper - 40.0) + 2.5 * i as f64 + 0.1);
-            assert_eq!(curve.at_each(several), several.map(|log_excess| curve.at_each([log_excess])[0]));
+            for quantity in Quantity::ALL {
+                let one_by_one = several.map(|log_excess| curve.at_each(quantity, [log_excess])[0]);
+                assert_eq!(curve.at_each(quantity, several), one_by_one);
+            }
         }
     }
 
@@ -587,29 +631,33 @@ mod tests {
             for i in 0..300 {
                 let state = curve.sample(&branch, -6410.0 + 0.1 * f64::from(i)).expect("a state");
                 // But next to the foot of the second heights' density.
-                let Some((force, slope)) = curve.within(state.log_excess) else { continue };
+                let Some((force, slope)) = curve.within(Quantity::Friction, state.log_excess) else { continue };
                 covered += 1;
-                assert!(near(force, curve.force_of(&state), 2e-11), "{state:?}: {force:e}");
-                assert!(near(slope, state.log_slope, 3e-9), "{state:?}: {slope}");
+                let (exact, exact_slope) = curve.at_sample(Quantity::Friction, &state);
+                assert!(near(force, exact, 2e-11), "{state:?}: {force:e}");
+                assert!(near(slope, exact_slope, 3e-9), "{state:?}: {slope}");
             }
             assert!(covered > 295, "{covered}");
         }
     }
 
-    /// ln F = 2 + 3 s + s^2/2 at separations 1 - s.
+    /// The logarithms are 2 + 3 s + s^2/2 and s^2 at separations 1 - s.
     fn parabola() -> Panel {
-        let sample = |s: f64| Sample {
-            separation: 1.0 - s,
-            log_excess: 2.0 * s,
-            s,
-            log_force: 2.0 + 3.0 * s + 0.5 * s * s,
-            friction: (2.0 + 3.0 * s + 0.5 * s * s).exp(),
-            slope: 3.0 + s,
-            log_slope: f64::NAN,
+        let sample = |s: f64| {
+            let log_value = [2.0 + 3.0 * s + 0.5 * s * s, s * s];
+            Sample {
+                separation: 1.0 - s,
+                log_excess: 2.0 * s,
+                s,
+                log_value,
+                value: log_value.map(f64::exp),
+                slope: [3.0 + s, 2.0 * s],
+                log_slope: [f64::NAN; 2],
+            }
         };
         let node = |j: usize| 0.1 + (1.0 + (std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64).cos()).powf(1.2);
         Panel {
-            good: true,
+            good: [true; Quantity::COUNT],
             ..Panel::new(2.5, 0.1, &std::array::from_fn(|j| sample(node(j))), |sample| sample.separation)
         }
     }
@@ -631,31 +679,47 @@ mod tests {
             separation: -0.2,
             log_excess: 2.4,
             s: 1.2,
-            log_force: 6.32,
-            friction: unknown,
-            slope: 4.2,
-            log_slope: unknown,
+            log_value: [6.32, 1.44],
+            value: [unknown; 2],
+            slope: [4.2, 2.4],
+            log_slope: [unknown; 2],
         };
         assert!(near(panel.position_at(1.2), -0.2, 1e-13));
-        let [(value, slope)] = panel.log_force_at([1.2]);
-        assert!(near(value, 6.32, 1e-13) && near(slope, 4.2, 1e-11), "{value}, {slope}");
-        assert!(Panel { good: false, ..panel.clone() }.log_force_at([1.2])[0].0.is_nan());
+        for (quantity, expected) in [(Quantity::Friction, (6.32, 4.2)), (Quantity::Radius, (1.44, 2.4))] {
+            let [(value, slope)] = panel.log_value_at(quantity, [1.2]);
+            assert!(near(value, expected.0, 1e-13) && near(slope, expected.1, 1e-11), "{value}, {slope}");
+            assert!(Panel { good: [false; 2], ..panel.clone() }.log_value_at(quantity, [1.2])[0].0.is_nan());
+        }
         let gaps: Vec<[f64; 2]> =
             panel.nodes.windows(2).map(|pair| [pair[0] - pair[1], 0.5 * (pair[0] + pair[1])]).collect();
         let widest = gaps.iter().fold([0.0; 2], |widest, &gap| if gap[0] > widest[0] { gap } else { widest });
         assert!(near(panel.sparsest(), widest[1], 1e-15), "{}, not {widest:?} of {gaps:?}", panel.sparsest());
-        let off = |value: f64, slope: f64| {
-            panel.excess(&Sample { log_force: exact.log_force + value, slope: exact.slope * (1.0 + slope), ..exact })
-        };
-        for sign in [1.0, -1.0] {
-            assert!(near(off(sign * 20.0 * VALUE_TOLERANCE, 0.0), 20.0, 0.1), "{}", off(20.0 * VALUE_TOLERANCE, 0.0));
-            assert!(near(off(0.0, sign * 20.0 * SLOPE_TOLERANCE), 20.0, 0.1), "{}", off(0.0, 20.0 * SLOPE_TOLERANCE));
+        for quantity in Quantity::ALL {
+            let off = |value: f64, slope: f64| {
+                let mut off = exact;
+                off.log_value[quantity as usize] += value;
+                off.slope[quantity as usize] *= 1.0 + quantity.slope_slack() * slope;
+                panel.excess(quantity, &off)
+            };
+            for sign in [1.0, -1.0] {
+                assert!(
+                    near(off(sign * 20.0 * VALUE_TOLERANCE, 0.0), 20.0, 0.1),
+                    "{}",
+                    off(20.0 * VALUE_TOLERANCE, 0.0)
+                );
+                assert!(
+                    near(off(0.0, sign * 20.0 * SLOPE_TOLERANCE), 20.0, 0.1),
+                    "{}",
+                    off(0.0, 20.0 * SLOPE_TOLERANCE)
+                );
+            }
+            assert!(off(0.0, 0.0) < 0.1);
+            assert_eq!(off(f64::NAN, 0.0), f64::INFINITY);
         }
-        assert!(off(0.0, 0.0) < 0.1);
         // At pull-off itself there is no slope; a value that is none is as far as can be.
-        let at_pull_off = Sample { slope: f64::NAN, log_force: exact.log_force + 5.0 * VALUE_TOLERANCE, ..exact };
-        assert!(near(panel.excess(&at_pull_off), 5.0, 0.1));
-        assert_eq!(panel.excess(&Sample { log_force: f64::NAN, ..exact }), f64::INFINITY);
+        let log_value = exact.log_value.map(|value| value + 5.0 * VALUE_TOLERANCE);
+        let at_pull_off = Sample { slope: [f64::NAN; 2], log_value, ..exact };
+        assert!(near(panel.excess(Quantity::Friction, &at_pull_off), 5.0, 0.1));
         assert_eq!(largest(1.0, f64::NAN), f64::INFINITY);
         assert_eq!(largest(f64::NAN, 1.0), f64::INFINITY);
         assert_eq!(largest(1.0, 2.0), 2.0);

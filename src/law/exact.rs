@@ -4,6 +4,7 @@
 
 use super::curve::Curve;
 use super::fill::Source;
+use super::Quantity;
 use crate::elementary::exp;
 use crate::equilibrium::{Branch, BranchPoint};
 
@@ -14,37 +15,33 @@ const MOST_STEPS: usize = 8;
 /// How far from a state another is evaluated, in sigma, where there is none to extrapolate from.
 const BESIDE: f64 = 1e-3;
 
-/// An exact state: ln x, separation, d(ln x)/d(separation), F, d(ln F)/d(ln x).
+/// An exact state: ln x, separation, d(ln x)/d(separation), a quantity, and the slope of its logarithm by ln x.
 #[derive(Debug, Clone, Copy)]
 struct State {
     log_excess: f64,
     separation: f64,
     rate: f64,
-    force: f64,
+    value: f64,
     slope: f64,
 }
 
-/// The law by exact states.
+/// One quantity of the law by exact states.
 pub struct ExactStates<'a> {
     branch: &'a Branch,
     curve: &'a Curve,
+    quantity: Quantity,
     last: Option<[State; 2]>,
 }
 
 impl<'a> ExactStates<'a> {
-    pub fn new(branch: &'a Branch, curve: &'a Curve) -> Self {
-        Self { branch, curve, last: None }
+    pub fn new(branch: &'a Branch, curve: &'a Curve, quantity: Quantity) -> Self {
+        Self { branch, curve, quantity, last: None }
     }
 
     fn evaluate(&self, separation: f64) -> Option<State> {
         let BranchPoint { log_excess, rate, sums } = self.branch.log_excess(separation);
-        (rate < 0.0 && sums.friction > 0.0).then(|| State {
-            log_excess,
-            separation,
-            rate,
-            force: sums.friction,
-            slope: sums.friction_slope / sums.friction / rate,
-        })
+        let (value, slope) = self.quantity.of(&sums);
+        (rate < 0.0 && value > 0.0).then(|| State { log_excess, separation, rate, value, slope: slope / value / rate })
     }
 
     /// The state at ln x.
@@ -56,7 +53,7 @@ impl<'a> ExactStates<'a> {
                 let carried = State {
                     log_excess,
                     separation: state.separation + missing / state.rate,
-                    force: state.force * exp(state.slope * missing),
+                    value: state.value * exp(state.slope * missing),
                     ..state
                 };
                 let before = match self.last {
@@ -86,7 +83,7 @@ impl<'a> ExactStates<'a> {
 impl Source for ExactStates<'_> {
     fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
         log_excess.map(|log_excess| match self.state(log_excess) {
-            Some(state) => (state.force, state.slope),
+            Some(state) => (state.value, state.slope),
             None => {
                 self.last = None;
                 (f64::NAN, f64::NAN)
@@ -101,6 +98,7 @@ impl Source for ExactStates<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::curve::Along;
     use super::super::tests::branch;
     use super::*;
 
@@ -108,16 +106,18 @@ mod tests {
     fn exact_states_are_those_of_the_curve_where_the_law_is_smooth() {
         for gamma in [0.0, 0.001] {
             let branch = branch(gamma);
-            let mut curve = Curve::new(&branch, |_| 60.0, &mut Vec::new()).expect("a curve");
+            let curve = Curve::new(&branch, |_| 60.0, &mut Vec::new()).expect("a curve");
             let loads: [f64; 40] = std::array::from_fn(|i| 9.0 + 0.07 * i as f64);
-            let expected = curve.at(loads);
-            let found = ExactStates::new(&branch, &curve).at(loads);
-            for ((found, expected), load) in found.into_iter().zip(expected).zip(loads) {
-                assert!((found.0 / expected.0 - 1.0).abs() < 1e-10, "{load}: {found:?}, not {expected:?}");
-                assert!((found.1 / expected.1 - 1.0).abs() < 1e-8, "{load}: {found:?}, not {expected:?}");
+            for quantity in Quantity::ALL {
+                let expected = Along(&curve, quantity).at(loads);
+                let found = ExactStates::new(&branch, &curve, quantity).at(loads);
+                for ((found, expected), load) in found.into_iter().zip(expected).zip(loads) {
+                    assert!((found.0 / expected.0 - 1.0).abs() < 1e-10, "{load}: {found:?}, not {expected:?}");
+                    assert!((found.1 / expected.1 - 1.0).abs() < 1e-8, "{load}: {found:?}, not {expected:?}");
+                }
             }
             // Beyond the curve nothing is known.
-            let beyond = ExactStates::new(&branch, &curve).at([curve.log_range().1 + 3.0]);
+            let beyond = ExactStates::new(&branch, &curve, Quantity::Friction).at([curve.log_range().1 + 3.0]);
             assert!(beyond[0].0.is_nan());
         }
     }

@@ -5,7 +5,7 @@ use super::row::{
     OF_PIECE,
 };
 use super::table::Table;
-use super::Scales;
+use super::Scale;
 use crate::elementary::{exp, log, log1p};
 use std::f64::consts::LN_2;
 
@@ -16,8 +16,8 @@ const MOST_PIECES: usize = (DIVISIONS + 1) * (DIVISIONS + 1);
 /// No piece is shorter than this part of its row: x has few digits more.
 const SHORTEST_PIECE: f64 = 1e-9;
 
-/// The law, as rows are filled from it: F and d(ln F)/d(ln x) at ln x, NaN where they are not known. The loads of a call
-/// are near to each other.
+/// The law, as rows are filled from it: a quantity and the slope of its logarithm by ln x, NaN where they are not known. The
+/// loads of a call are near to each other.
 pub trait Source {
     fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N];
     /// ln x between two of them where the law is not smooth, rising.
@@ -27,7 +27,7 @@ pub trait Source {
 /// What rows are filled from.
 pub struct Filling<'a, S> {
     pub source: &'a mut S,
-    pub scales: Scales,
+    pub scale: Scale,
     /// Rows per binade and the part of a mantissa that each takes.
     per_binade: u64,
     width: f64,
@@ -38,9 +38,9 @@ pub struct Filling<'a, S> {
 type Piece = (f64, Row);
 
 impl<'a, S: Source> Filling<'a, S> {
-    pub fn new(source: &'a mut S, scales: Scales, fraction: u32) -> Self {
+    pub fn new(source: &'a mut S, scale: Scale, fraction: u32) -> Self {
         let per_binade = 1_u64 << fraction;
-        Self { source, scales, per_binade, width: 1.0 / per_binade as f64, log_load: log(scales.load) }
+        Self { source, scale, per_binade, width: 1.0 / per_binade as f64, log_load: log(scale.load) }
     }
 
     /// Fills as many rows of a table; those that miss the law are left out. The largest error of the others.
@@ -49,13 +49,13 @@ impl<'a, S: Source> Filling<'a, S> {
         // ln(mantissa), the same in every binade.
         let mantissas: Vec<[f64; PARTS.len()]> =
             (0..self.per_binade).map(|row| PARTS.map(|part| log1p((row as f64 + part) * self.width))).collect();
-        let (per_binade, width, log_load, scales) = (self.per_binade, self.width, self.log_load, self.scales);
+        let (per_binade, width, log_load, scale) = (self.per_binade, self.width, self.log_load, self.scale);
         let mut points_of = |row: u64| {
             let within = row % per_binade;
             let log_binade = log_binade(row / per_binade) - log_load;
             let mut points = self.source.at(mantissas[within as usize].map(|log| log + log_binade));
             for (point, part) in points.iter_mut().zip(PARTS) {
-                let force = scales.force * point.0;
+                let force = scale.value * point.0;
                 *point = (force, force * point.1 * width / (1.0 + (within as f64 + part) * width));
             }
             points
@@ -71,7 +71,7 @@ impl<'a, S: Source> Filling<'a, S> {
             let interior = [points[0].0, points[1].0, points[2].0, points[3].0];
             let coefficients = basis.coefficients(left, points[7], interior);
             let compared = BETWEEN.into_iter().zip(&points[4..7]);
-            match error_of(&coefficients, compared) {
+            match error_of(&coefficients, compared, scale.slope_slack) {
                 Some(error) => {
                     worst = worst.max(error);
                     table.rows.push(scaled(coefficients, width));
@@ -148,14 +148,14 @@ impl<'a, S: Source> Filling<'a, S> {
         let mantissas = parts.map(|part| begin + part * length);
         let law = self.source.at(mantissas.map(|mantissa| log1p(mantissa) + log_binade));
         let points: [(f64, f64); ALL] = std::array::from_fn(|i| {
-            let force = self.scales.force * law[i].0;
+            let force = self.scale.value * law[i].0;
             (force, force * law[i].1 * length / (1.0 + mantissas[i]))
         });
         let slopes = std::array::from_fn(|i| points[i].1);
         let coefficients = basis.coefficients(points[0].0, slopes);
         let end = (1.0, &points[OF_PIECE.len() - 1]);
         let compared = BETWEEN_OF_PIECE.into_iter().zip(&points[OF_PIECE.len()..]).chain([end]);
-        error_of(&coefficients, compared).map(|error| (scaled(coefficients, length), error))
+        error_of(&coefficients, compared, self.scale.slope_slack).map(|error| (scaled(coefficients, length), error))
     }
 }
 
@@ -173,13 +173,17 @@ fn log_binade(bits: u64) -> f64 {
 }
 
 /// The largest error of a polynomial where it is compared, if it is good in all of these places.
-fn error_of<'a>(coefficients: &[f64; 8], compared: impl Iterator<Item = (f64, &'a (f64, f64))>) -> Option<f64> {
+fn error_of<'a>(
+    coefficients: &[f64; 8],
+    compared: impl Iterator<Item = (f64, &'a (f64, f64))>,
+    slope_slack: f64,
+) -> Option<f64> {
     if coefficients.iter().any(|coefficient| coefficient.is_nan()) {
         return None;
     }
     let mut worst = 0.0_f64;
     for (part, exact) in compared {
-        worst = worst.max(error_within_tolerance(polynomial(coefficients, part), *exact)?);
+        worst = worst.max(error_within_tolerance(polynomial(coefficients, part), *exact, slope_slack)?);
     }
     Some(worst)
 }
@@ -198,7 +202,7 @@ fn scaled(coefficients: [f64; 8], length: f64) -> Row {
 mod tests {
     use super::*;
 
-    const SCALES: Scales = Scales { load: 3.0, force: 0.5 };
+    const SCALE: Scale = Scale { load: 3.0, value: 0.5, slope_slack: 1.0 };
 
     /// F = x^(2/3), of which the slope falls from a load on.
     struct Broken {
@@ -221,7 +225,7 @@ mod tests {
     fn filled(at: f64, start: f64, count: usize) -> Table {
         let mut source = Broken { at };
         let mut table = Table::new(2, start.to_bits() >> Table::shift_of(2), 0.0);
-        let mut filling = Filling::new(&mut source, SCALES, 2);
+        let mut filling = Filling::new(&mut source, SCALE, 2);
         let error = filling.rows(&mut table, count);
         assert!(error > 1e-17 && error < 5e-11, "{error:e}");
         for row in 0..count {
@@ -235,15 +239,15 @@ mod tests {
     #[test]
     fn rows_lie_on_the_law_and_a_row_with_a_kink_has_two_parts() {
         // Over three binades, with a kink in the sixth row.
-        let table = filled((1.3 * 1.1 / SCALES.load).ln(), 0.5, 12);
+        let table = filled((1.3 * 1.1 / SCALE.load).ln(), 0.5, 12);
         assert_eq!((table.row_count, table.rows.len()), (12, 14));
         let links: Vec<usize> = (0..12).filter(|&row| table.rows[row].is_link()).collect();
         assert_eq!(links, [5]);
         for i in 0..3000 {
             let x = 0.5 * 8_f64.powf(f64::from(i) / 3000.0);
             let (force, slope) = table.at_load(x).expect("it answers");
-            let [(exact, power)] = Broken { at: (1.3 * 1.1 / SCALES.load).ln() }.at([(x / SCALES.load).ln()]);
-            let exact = SCALES.force * exact;
+            let [(exact, power)] = Broken { at: (1.3 * 1.1 / SCALE.load).ln() }.at([(x / SCALE.load).ln()]);
+            let exact = SCALE.value * exact;
             assert!((force / exact - 1.0).abs() < 5e-11, "{x}: {force}, not {exact}");
             assert!((slope * x / exact / power - 1.0).abs() < 5e-9, "{x}: slope {slope}");
         }
@@ -274,7 +278,7 @@ mod tests {
         let table = |per_row: f64, room: usize| {
             let mut source = Wiggly { per_row };
             let mut table = Table::new(2, 1_f64.to_bits() >> Table::shift_of(2), 0.0);
-            let mut filling = Filling::new(&mut source, Scales { load: 1.0, force: 1.0 }, 2);
+            let mut filling = Filling::new(&mut source, Scale { load: 1.0, value: 1.0, slope_slack: 1.0 }, 2);
             filling.rows(&mut table, 1);
             assert!(table.rows[0].is_left_out());
             filling.divide(&mut table, 0, room);

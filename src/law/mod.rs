@@ -1,6 +1,7 @@
-//! The compiled law: friction force as a function of load, in the caller's units, at the price of one polynomial.
+//! The compiled law: friction force and tangential stiffness as functions of load, in the caller's units, at the price of
+//! one polynomial.
 //!
-//! In x = load - pull-off the force has its only nearby singularity at x = 0. The table has a row for each fraction
+//! In x = load - pull-off each has its only nearby singularity at x = 0. A table has a row for each fraction
 //! of a binade of x, found from the bits of x without log or search; a row is a polynomial in the mantissa. Value and slope
 //! agree where rows meet. A row across which the law has a kink is a link to several polynomials. Loads that are lighter
 //! than the table's are interpolated by the curve that it was filled from; others are evaluated exactly.
@@ -14,7 +15,8 @@ mod table;
 
 use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
-use curve::{Curve, Sample};
+use crate::population::Sums;
+use curve::{Along, Curve, Sample};
 use exact::ExactStates;
 use fill::Filling;
 
@@ -24,7 +26,7 @@ pub use table::Table;
 
 /// Interpolation conditions per panel of the curve: value and slope at each of its exact states.
 const CONDITIONS: usize = 20;
-/// Rows of one table at most, without and with the parts of rows: 80 KiB of the 128 that a model may have.
+/// Rows of one table at most, without and with the parts of rows: 80 KiB.
 const MOST_ROWS: usize = 1024;
 const MOST_ROWS_AND_PARTS: usize = 1280;
 /// Rows per binade, as a power of two: so many that nearly all are good.
@@ -38,93 +40,109 @@ const LOG_RANGE_WITHOUT_PULL_OFF: f64 = 87.0;
 /// What is lighter than the rows reach, but not by more than this in ln(load - pull-off), is left to the curve if that
 /// leads it to pull-off.
 const LOG_RANGE_OF_CURVE: f64 = 30.0;
-/// The largest relative error of the force, and of its slope, of a row against an exact state.
+/// The largest relative error of a quantity, and of its slope, of a row against an exact state.
 const VALUE_TOLERANCE: f64 = 1e-10;
 const SLOPE_TOLERANCE: f64 = 1e-8;
 
-/// Friction force against load.
+/// What is compiled.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Quantity {
+    /// The friction force.
+    Friction,
+    /// The sum of contact radii, to which the tangential stiffness is proportional.
+    Radius,
+}
+
+impl Quantity {
+    pub const COUNT: usize = 2;
+    pub const ALL: [Self; Self::COUNT] = [Self::Friction, Self::Radius];
+
+    /// By how much the slopes of the compiled quantity may miss more than those of friction. Nobody is told the slope of the
+    /// stiffness: it is good where values are.
+    fn slope_slack(self) -> f64 {
+        match self {
+            Self::Friction => 1.0,
+            Self::Radius => 1e3,
+        }
+    }
+
+    /// The quantity of a state, and its slope by separation.
+    #[inline]
+    pub fn of(self, sums: &Sums) -> (f64, f64) {
+        match self {
+            Self::Friction => (sums.friction, sums.friction_slope),
+            Self::Radius => (sums.radius, sums.radius_slope),
+        }
+    }
+}
+
+/// Friction force and tangential stiffness against load.
 #[derive(Debug, Clone)]
 pub struct Law {
-    table: Table,
-    scales: Scales,
-    error: f64,
+    compiled: [Compiled; Quantity::COUNT],
     curve: Curve,
 }
 
-/// The caller's units of load and friction force.
+/// One quantity against load.
+#[derive(Debug, Clone)]
+struct Compiled {
+    table: Table,
+    scale: Scale,
+    error: f64,
+}
+
+/// The caller's units of load and of a quantity.
 #[derive(Debug, Clone, Copy)]
-pub struct Scales {
+pub struct Scale {
     /// The load that is 1 in the dimensionless model.
     pub load: f64,
-    /// The friction force that is.
-    pub force: f64,
+    /// What the quantity is in the caller's units where it is 1 in the model.
+    pub value: f64,
+    /// By how much slopes may miss more than those of friction.
+    pub slope_slack: f64,
 }
 
 impl Law {
-    /// Compiles the law.
+    /// Compiles the law in units of load and of each quantity.
     ///
     /// # Errors
     /// [`Unfollowed`] where the load rises with separation already: the branch ends before.
-    pub fn new(branch: &Branch, scales: Scales) -> Result<Self, Unfollowed> {
+    pub fn new(branch: &Branch, load: f64, units: [f64; Quantity::COUNT]) -> Result<Self, Unfollowed> {
         let mut samples = Vec::new();
         let nearest = log(-branch.pull_off_load() * NEAREST_TO_PULL_OFF);
         let reaches_pull_off = |heaviest: f64| heaviest - nearest <= LOG_RANGE + LOG_RANGE_OF_CURVE;
         let log_range = |heaviest: f64| if reaches_pull_off(heaviest) { f64::MAX } else { LOG_RANGE_WITHOUT_PULL_OFF };
-        let mut curve = Curve::new(branch, log_range, &mut samples)?;
+        let curve = Curve::new(branch, log_range, &mut samples)?;
         let (lower, upper) = curve.log_range();
-        let lower = nearest.max(lower).max(upper - log_range(upper).min(LOG_RANGE)) + log(scales.load);
-        let upper = upper + log(scales.load);
-        let shift = Table::shift_of(FRACTION);
-        // The last whole row before the end, and the first.
-        let end = exp(upper.min(700.0)).to_bits() >> shift;
-        let base = ((exp(lower.max(-700.0)).to_bits() >> shift) + 1).min(end);
-        let mut table = Table::new(FRACTION, base, branch.pull_off_load() * scales.load);
-        let count = ((end - base) as usize).min(MOST_ROWS);
-        let mut error = Filling::new(&mut curve, scales, FRACTION).rows(&mut table, count);
-        if curve.is_resolved() {
-            error = error.max(divide(&mut curve, scales, &mut table));
-        } else {
-            error = error.max(divide(&mut ExactStates::new(branch, &curve), scales, &mut table));
-        }
-        let mut law = Self { table, scales, error, curve };
-        law.certify(&samples);
-        Ok(law)
+        let lower = nearest.max(lower).max(upper - log_range(upper).min(LOG_RANGE));
+        let compiled = Quantity::ALL.map(|quantity| {
+            let scale = Scale { load, value: units[quantity as usize], slope_slack: quantity.slope_slack() };
+            let mut compiled = Compiled::new(branch, &curve, quantity, scale, (lower, upper));
+            compiled.certify(&curve, quantity, &samples);
+            compiled
+        });
+        Ok(Self { compiled, curve })
     }
 
-    /// Measures the table against the exact states that did not make it; leaves a row out that misses one.
-    fn certify(&mut self, samples: &[Sample]) {
-        for sample in samples {
-            let x = exp(sample.log_excess + log(self.scales.load));
-            let (Some(row), Some((force, slope))) = (self.table.index_of(x), self.table.at_excess(x)) else { continue };
-            let exact = self.scales.force * self.curve.force_of(sample);
-            let error = (force / exact - 1.0).abs();
-            let slope_error = (slope / (exact * sample.log_slope / x) - 1.0).abs();
-            if error > VALUE_TOLERANCE || slope_error > SLOPE_TOLERANCE {
-                self.table.rows[row].leave_out();
-            } else {
-                self.error = self.error.max(error);
-            }
-        }
-    }
-
-    /// The table.
+    /// The table of a quantity.
     #[inline]
-    pub fn table(&self) -> &Table {
-        &self.table
+    pub fn table(&self, quantity: Quantity) -> &Table {
+        &self.compiled[quantity as usize].table
     }
 
-    /// Friction force and dF/d(load) at a load above pull-off that the table does not answer; `None` where the curve
-    /// does not know it either.
-    pub fn interpolated(&self, load: f64) -> Option<(f64, f64)> {
-        let x = load - self.table.pull_off;
-        let (force, log_slope) = self.curve.within(log(x) - log(self.scales.load))?;
-        let force = self.scales.force * force;
-        Some((force, force / x * log_slope))
+    /// A quantity and its slope at a load above pull-off that its table does not answer; `None` where the curve does not
+    /// know it either.
+    pub fn interpolated(&self, quantity: Quantity, load: f64) -> Option<(f64, f64)> {
+        let Compiled { table, scale, .. } = &self.compiled[quantity as usize];
+        let x = load - table.pull_off;
+        let (value, log_slope) = self.curve.within(quantity, log(x) - log(scale.load))?;
+        let value = scale.value * value;
+        Some((value, value / x * log_slope))
     }
 
-    /// The largest relative error of the friction force found when the table was built.
-    pub fn error(&self) -> f64 {
-        self.error
+    /// The largest relative error found when the table of a quantity was built.
+    pub fn error(&self, quantity: Quantity) -> f64 {
+        self.compiled[quantity as usize].error
     }
 
     /// The separation at ln(load - pull-off), dimensionless, to a few digits.
@@ -133,9 +151,46 @@ impl Law {
     }
 }
 
+impl Compiled {
+    /// Fills the table from the curve, within a range of ln(load - pull-off) in the model's units.
+    fn new(branch: &Branch, curve: &Curve, quantity: Quantity, scale: Scale, (lower, upper): (f64, f64)) -> Self {
+        let (lower, upper) = (lower + log(scale.load), upper + log(scale.load));
+        let shift = Table::shift_of(FRACTION);
+        // The last whole row before the end, and the first.
+        let end = exp(upper.min(700.0)).to_bits() >> shift;
+        let base = ((exp(lower.max(-700.0)).to_bits() >> shift) + 1).min(end);
+        let mut table = Table::new(FRACTION, base, branch.pull_off_load() * scale.load);
+        let count = ((end - base) as usize).min(MOST_ROWS);
+        let mut error = Filling::new(&mut Along(curve, quantity), scale, FRACTION).rows(&mut table, count);
+        if curve.is_resolved() {
+            error = error.max(divide(&mut Along(curve, quantity), scale, &mut table));
+        } else {
+            error = error.max(divide(&mut ExactStates::new(branch, curve, quantity), scale, &mut table));
+        }
+        Self { table, scale, error }
+    }
+
+    /// Measures the table against the exact states that did not make it; leaves a row out that misses one.
+    fn certify(&mut self, curve: &Curve, quantity: Quantity, samples: &[Sample]) {
+        for sample in samples {
+            let x = exp(sample.log_excess + log(self.scale.load));
+            let (Some(row), Some((value, slope))) = (self.table.index_of(x), self.table.at_excess(x)) else { continue };
+            let (exact, log_slope) = curve.at_sample(quantity, sample);
+            let exact = self.scale.value * exact;
+            let error = (value / exact - 1.0).abs();
+            let slope_error = (slope / (exact * log_slope / x) - 1.0).abs();
+            if error > VALUE_TOLERANCE || slope_error > self.scale.slope_slack * SLOPE_TOLERANCE {
+                self.table.rows[row].leave_out();
+            } else {
+                self.error = self.error.max(error);
+            }
+        }
+    }
+}
+
 /// Divides the rows that are left out into pieces, as far as there is room; the largest error of these.
-fn divide(source: &mut impl fill::Source, scales: Scales, table: &mut Table) -> f64 {
-    let mut filling = Filling::new(source, scales, FRACTION);
+fn divide(source: &mut impl fill::Source, scale: Scale, table: &mut Table) -> f64 {
+    let mut filling = Filling::new(source, scale, FRACTION);
     let mut worst = 0.0_f64;
     for row in (0..table.row_count).rev() {
         if table.rows[row].is_left_out() {
@@ -159,25 +214,32 @@ mod tests {
         Branch::new(crate::population::tests::of(&params)).expect("a branch")
     }
 
-    const SCALES: Scales = Scales { load: 3.0, force: 0.5 };
+    const LOAD: f64 = 3.0;
+    const UNITS: [f64; 2] = [0.5, 7.0];
 
     #[test]
     fn every_row_of_the_default_case_answers_from_next_to_pull_off_to_any_load_of_a_solver() {
         for gamma in [0.0, 0.001] {
             let branch = branch(gamma);
-            let law = Law::new(&branch, SCALES).expect("a law");
-            let table = law.table();
-            assert!(!table.rows.iter().any(Row::is_left_out) && table.rows.len() > table.row_count);
-            assert!(law.error() > 1e-16 && law.error() < 5e-11, "{:e}", law.error());
+            let law = Law::new(&branch, LOAD, UNITS).expect("a law");
+            for quantity in Quantity::ALL {
+                let table = law.table(quantity);
+                assert!(!table.rows.iter().any(Row::is_left_out), "{quantity:?}");
+                let error = law.error(quantity);
+                assert!(error > 1e-16 && error < 5e-11, "{quantity:?}: {error:e}");
+            }
+            // Friction has kinks.
+            let table = law.table(Quantity::Friction);
+            assert!(table.rows.len() > table.row_count);
             for log_excess in [-3.0, 0.0, 4.0, 25.0] {
                 let separation = law.separation(log_excess).expect("it is covered");
                 let found = branch.log_excess(separation).log_excess;
                 assert!((found - log_excess).abs() < 1e-4, "{found}, not {log_excess}");
             }
             let (lightest, heaviest) = table.range();
-            let half = branch.population().at_separation(0.0).load() * SCALES.load;
+            let half = branch.population().at_separation(0.0).load() * LOAD;
             assert!(heaviest > 1e12 * half, "{heaviest:e}, half the summits touch at {half:e}");
-            let pull_off = branch.pull_off_load() * SCALES.load;
+            let pull_off = branch.pull_off_load() * LOAD;
             if gamma > 0.0 {
                 let nearest = -pull_off * NEAREST_TO_PULL_OFF;
                 assert!(lightest - pull_off >= nearest && lightest - pull_off < 1.6 * nearest, "{lightest}");
@@ -203,20 +265,21 @@ mod tests {
             let mut params = Params::default();
             params.set_dimensionless(0.01, beta, 0.001, 1.0, 0.3).expect("a surface");
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
-            let law = Law::new(&branch, SCALES).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS).expect("a law");
+            let table = law.table(Quantity::Friction);
             let kinks = branch.kinks();
             let [.., first, last] = kinks[..] else { panic!("{kinks:?}") };
             let (mut parts, mut misses) = (0, 0);
             for i in 0..200 {
                 let separation = first + (last - first) * (f64::from(i) / 180.0 - 0.05);
                 let point = branch.log_excess(separation);
-                let x = SCALES.load * point.sums.load() - law.table.pull_off;
-                let (force, slope) = law.table.at_excess(x).expect("the table answers");
-                let exact = SCALES.force * point.sums.friction;
-                let exact_slope = SCALES.force * point.sums.friction_slope / (SCALES.load * point.sums.load_slope);
+                let x = LOAD * point.sums.load() - table.pull_off;
+                let (force, slope) = table.at_excess(x).expect("the table answers");
+                let exact = UNITS[0] * point.sums.friction;
+                let exact_slope = UNITS[0] * point.sums.friction_slope / (LOAD * point.sums.load_slope);
                 assert!((force / exact - 1.0).abs() < 1e-10, "{separation}: {force:e}, not {exact:e}");
                 misses += usize::from((slope / exact_slope - 1.0).abs() > 1e-8);
-                parts += usize::from(law.table.rows[law.table.index_of(x).expect("a row")].is_link());
+                parts += usize::from(table.rows[table.index_of(x).expect("a row")].is_link());
             }
             // Now and then the exact slope has fewer digits, so far below the heights.
             assert!(parts > 150 && misses <= 4, "{parts} in parts, {misses} missed");
@@ -227,37 +290,42 @@ mod tests {
     #[test]
     fn loads_next_to_pull_off_are_interpolated() {
         let branch = branch(0.001);
-        let law = Law::new(&branch, SCALES).expect("a law");
-        let pull_off = law.table.pull_off;
-        for part in [1e-10, 1e-12, 1e-14] {
-            let load = pull_off * (1.0 - part);
-            assert!(law.table.at_load(load).is_none());
-            let (force, slope) = law.interpolated(load).expect("the curve covers it");
-            let at_pull_off = SCALES.force * branch.pull_off().expect("adhesion").friction;
-            // As the root of the distance.
-            let rise = 2.0 * slope * (load - pull_off);
-            assert!(
-                force > at_pull_off && (force - at_pull_off - rise).abs() < 0.01 * rise,
-                "{part}: {force}, {slope}"
-            );
+        let law = Law::new(&branch, LOAD, UNITS).expect("a law");
+        let point = branch.pull_off().expect("adhesion");
+        for (quantity, at_pull_off) in
+            Quantity::ALL.into_iter().zip([UNITS[0] * point.friction, UNITS[1] * point.radius])
+        {
+            let table = law.table(quantity);
+            for part in [1e-10, 1e-12, 1e-14] {
+                let load = table.pull_off * (1.0 - part);
+                assert!(table.at_load(load).is_none());
+                let (value, slope) = law.interpolated(quantity, load).expect("the curve covers it");
+                // As the root of the distance.
+                let rise = 2.0 * slope * (load - table.pull_off);
+                assert!(
+                    value > at_pull_off && (value - at_pull_off - rise).abs() < 0.01 * rise,
+                    "{quantity:?}, {part}: {value}, {slope}"
+                );
+            }
+            assert_eq!(law.interpolated(quantity, table.range().1 * 1e3), None);
         }
-        assert_eq!(law.interpolated(law.table.range().1 * 1e3), None);
     }
 
     #[test]
     fn a_row_is_left_out_where_it_misses_an_exact_state_and_only_there() {
         let branch = branch(0.001);
-        let law = Law::new(&branch, SCALES).expect("a law");
+        let law = Law::new(&branch, LOAD, UNITS).expect("a law");
         let mut states = Vec::new();
-        Curve::new(&branch, |_| LOG_RANGE, &mut states).expect("a curve");
+        let curve = Curve::new(&branch, |_| LOG_RANGE, &mut states).expect("a curve");
         let state = states[states.len() / 2];
-        let row = law.table.index_of(state.log_excess.exp() * SCALES.load).expect("a row");
-        let certified = |log_force: f64, slope: f64| {
-            let mut law = Law { error: 0.0, ..law.clone() };
-            law.certify(&[state.moved(log_force, slope)]);
-            let left_out: Vec<usize> =
-                (0..law.table.row_count).filter(|&row| law.table.rows[row].is_left_out()).collect();
-            (left_out, law.error)
+        let compiled = &law.compiled[0];
+        let row = compiled.table.index_of(state.log_excess.exp() * LOAD).expect("a row");
+        let certified = |log_value: f64, slope: f64| {
+            let mut compiled = Compiled { error: 0.0, ..compiled.clone() };
+            compiled.certify(&curve, Quantity::Friction, &[state.moved(log_value, slope)]);
+            let table = compiled.table;
+            let left_out: Vec<usize> = (0..table.row_count).filter(|&row| table.rows[row].is_left_out()).collect();
+            (left_out, compiled.error)
         };
         for sign in [1.0, -1.0] {
             assert_eq!(certified(3.0 * sign * VALUE_TOLERANCE, 0.0), (vec![row], 0.0));

@@ -6,7 +6,7 @@
 
 use super::sums::{Summit, Sums};
 use super::Population;
-use crate::asperity::contact::Contact;
+use crate::asperity::contact::{Contact, KINKS};
 use crate::asperity::slip::Slip;
 use crate::distribution::panel::{self, FootPanel};
 use crate::distribution::HeightDistribution;
@@ -34,6 +34,8 @@ pub struct DeepRule {
     /// The smallest overlap at which a contact holds, and those at the radii of the slip law.
     break_away: f64,
     kinks: [f64; 2],
+    /// Those at which the law of contact itself is not smooth.
+    kinks_of_contact: [f64; KINKS],
 }
 
 impl DeepRule {
@@ -56,13 +58,15 @@ impl DeepRule {
         let break_away = population.law.break_away(1.0).overlap;
         let kinks =
             population.slip.kinks().map(|radius| population.overlap_at_radius(radius, 1.0).unwrap_or(break_away));
-        Self { lowest, highest, heights, weights: std::array::from_fn(weight), break_away, kinks }
+        let kinks_of_contact = population.kinks_of_contact;
+        Self { lowest, highest, heights, weights: std::array::from_fn(weight), break_away, kinks, kinks_of_contact }
     }
 
     /// Whether the rule is good at a separation.
     pub fn covers(&self, separation: f64) -> bool {
         let clearance = self.lowest - separation - self.break_away;
-        clearance > LEAST_CLEARANCE * (self.highest - self.lowest)
+        let is_within = |kink: &f64| (self.lowest..self.highest).contains(&(separation + kink));
+        clearance > LEAST_CLEARANCE * (self.highest - self.lowest) && !self.kinks_of_contact.iter().any(is_within)
     }
 
     /// The sums at a separation that the rule covers.

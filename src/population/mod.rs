@@ -2,7 +2,8 @@
 //!
 //! Each sum is an integral over height z of an asperity's law times the height density. `break_away` tells where contact
 //! begins, `panels` integrates over the summits in contact, `attracted` over those that attract below; `node_table` keeps
-//! what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells more of the contacts than their sums.
+//! what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells more of the contacts than their sums, `tangential` what they
+//! resist before they slip.
 //!
 //! Heights, overlaps and separations are in sigma; sums are per summit, loads in E* b^2, friction in G* b^2, areas in b^2.
 
@@ -14,12 +15,14 @@ mod panels;
 pub mod radius;
 mod statistics;
 mod sums;
+mod tangential;
 
 pub use statistics::Statistics;
 pub use sums::Sums;
 
 use crate::asperity::attraction::Attraction;
-use crate::asperity::contact::{Contact, ContactLaw};
+use crate::asperity::contact::{Contact, ContactLaw, KINKS};
+use crate::asperity::elastic_plastic::{first_yield, ElasticPlastic};
 use crate::asperity::hertz::Hertz;
 use crate::asperity::maugis::Maugis;
 use crate::asperity::slip::{Slip, SlipConstants};
@@ -49,6 +52,9 @@ const LAST_STEP: f64 = 1e-13;
 /// Newton's method takes some three steps.
 const MOST_STEPS: u32 = 20;
 
+/// The most contact radii at which what is summed has a kink: two of the slip law, and three where summits begin to slip.
+const RADII: usize = 5;
+
 /// A population of summits pressed against a flat.
 #[derive(Debug, Clone)]
 pub struct Population {
@@ -58,6 +64,12 @@ pub struct Population {
     heights: Arc<dyn HeightDistribution>,
     radius: RadiusProfile,
     lambda_cubed: f64,
+    /// The contact radii at which what is summed has a kink, infinite where there are fewer.
+    radius_kinks: [f64; RADII],
+    /// The overlaps over g at which the law of contact has.
+    kinks_of_contact: [f64; KINKS],
+    /// The overlaps over g at which summits begin to yield, and to flow, infinite where they do not.
+    yields: [f64; KINKS],
     /// No summit in contact has a smaller overlap.
     deepest: f64,
     /// What lies below this height is negligible.
@@ -124,18 +136,29 @@ impl Population {
         radius: RadiusProfile,
         attract: bool,
     ) -> Result<Self, Error> {
-        let law: Arc<dyn ContactLaw> =
-            if groups.gamma > 0.0 { Arc::new(Maugis::new(groups)) } else { Arc::new(Hertz::new(groups)) };
+        let law: Arc<dyn ContactLaw> = match groups {
+            _ if groups.yields => Arc::new(ElasticPlastic::new(groups)),
+            _ if groups.gamma > 0.0 => Arc::new(Maugis::new(groups)),
+            _ => Arc::new(Hertz::new(groups)),
+        };
         let lower_cut = panel::lower_cut(&*heights);
         let highest = highest(&*heights);
         let deepest = break_away::deepest(&*law, &radius, lower_cut, highest)?;
+        let slip = Slip::new(slip);
+        let [first, second] = slip.kinks();
+        let kinks_of_contact = law.kinks();
+        // Elastic summits are told where they would yield, but not from where they would flow.
+        let yields = if groups.yields { kinks_of_contact } else { [first_yield(groups), f64::INFINITY] };
         let mut population = Self {
             law,
             attraction: (attract && groups.gamma > 0.0).then(|| Attraction::new(groups)),
-            slip: Slip::new(slip),
+            slip,
             heights,
             radius,
             lambda_cubed: groups.lambda_cubed(),
+            radius_kinks: [first, second, f64::INFINITY, f64::INFINITY, f64::INFINITY],
+            kinks_of_contact,
+            yields,
             deepest,
             lower_cut,
             highest,
@@ -212,6 +235,7 @@ impl Population {
         let mut passings = vec![z - edge.overlap];
         passings.extend(self.attraction.as_ref().map(|law| z + law.reach));
         passings.extend(self.slip.kinks().iter().filter_map(|&radius| Some(z - self.overlap_at_radius(radius, g)?)));
+        passings.extend(self.kinks_of_contact.iter().map(|kink| z - kink * g).filter(|passing| passing.is_finite()));
         passings
     }
 
@@ -239,6 +263,21 @@ impl Population {
         }
         self.add_edge(&mut sums, separation, &edge);
         sums
+    }
+
+    /// The same population summed in panels that end at other kinks too.
+    fn with_kinks(&self, radius_kinks: [f64; RADII], kinks_of_contact: [f64; KINKS]) -> Self {
+        Self {
+            law: self.law.clone(),
+            attraction: None,
+            slip: self.slip.clone(),
+            heights: self.heights.clone(),
+            radius_kinks,
+            kinks_of_contact,
+            nodes: None,
+            deep: None,
+            ..*self
+        }
     }
 
     /// The height at which summits just break away.
@@ -275,6 +314,7 @@ impl Population {
         let below = self.attraction_at(separation, z).map_or(0.0, |attracted| attracted.load);
         sums.load_slope -= passing * (edge.point.contact.load - below);
         sums.friction_slope -= passing * self.slip.force(edge.point.contact.radius).0;
+        sums.radius_slope -= passing * edge.point.contact.radius;
     }
 
     /// The summit of a height, from a guess of its parameter.

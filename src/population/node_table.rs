@@ -28,7 +28,6 @@ struct TablePanel {
 /// A node without the density of heights.
 #[derive(Debug, Clone, Copy)]
 struct Node {
-    overlap: f64,
     weight: f64,
     summit: Summit,
 }
@@ -50,11 +49,8 @@ impl NodeTable {
 
 impl TablePanel {
     fn new(population: &Population, panel: &Panel) -> Self {
-        let node = |(weight, point): (f64, Point)| Node {
-            overlap: point.contact.overlap,
-            weight,
-            summit: Summit::new(&point.contact, &population.slip),
-        };
+        let node =
+            |(weight, point): (f64, Point)| Node { weight, summit: Summit::new(&point.contact, &population.slip) };
         Self { from: panel.from, to: panel.to, nodes: population.nodes(0.0, panel).map(node) }
     }
 }
@@ -84,12 +80,14 @@ impl Population {
                     return false;
                 }
             } else {
-                let heights = panel.nodes.map(|node| separation + node.overlap);
-                let densities =
-                    self.densities(separation, panel.nodes.map(|node| (separation + node.overlap, node.overlap)));
+                let heights = panel.nodes.map(|node| separation + node.summit.overlap);
+                let densities = self.densities(
+                    separation,
+                    panel.nodes.map(|node| (separation + node.summit.overlap, node.summit.overlap)),
+                );
                 for ((node, density), z) in panel.nodes.iter().zip(densities).zip(heights) {
                     let fraction = node.weight * density;
-                    progress.add(fraction, node.overlap);
+                    progress.add(fraction, node.summit.overlap);
                     visitor.summits(z, fraction, &node.summit);
                 }
                 visitor.end_of_panel(&panel.to.raised(separation));

@@ -2,10 +2,11 @@
 //!
 //! Near break-away panels are laid in the parameter of the law of contact, in which the edge and the fold are smooth: the
 //! height follows. Far from it they are laid in height, and the contact follows. Panels end where the density of heights is
-//! not smooth, and where a contact radius is one at which the slip law has a kink.
+//! not smooth, and at the kinks of the laws: where a contact radius is one of the slip law's, or an overlap one of the law of
+//! contact's.
 
 use super::sums::Summit;
-use super::{Point, Population};
+use super::{Point, Population, RADII};
 use crate::distribution::panel::{self, FootPanel};
 use crate::elementary::exp;
 use crate::numerics::hermite::Cubic;
@@ -68,7 +69,7 @@ pub struct Panel {
     pub axis: Axis,
     pub from: Point,
     pub to: Point,
-    /// Which radius of the slip law it ends at.
+    /// Which kink it ends at: the radii first, then those of the law of contact.
     pub kink: Option<usize>,
 }
 
@@ -168,7 +169,15 @@ impl Population {
     pub(super) fn stop_above(&self, z: f64) -> f64 {
         let breakpoints = self.heights.breakpoints();
         let next = breakpoints.partition_point(|&breakpoint| breakpoint <= z);
-        breakpoints.get(next).copied().unwrap_or(f64::INFINITY).min(self.heights.support().1)
+        let next = breakpoints.get(next).copied().unwrap_or(f64::INFINITY).min(self.heights.support().1);
+        // Where radii change fastest.
+        let turn = -self.radius.origin;
+        let is_stop = turn > z && !self.radius.is_constant() && self.kinks_of_contact[0].is_finite();
+        if is_stop {
+            next.min(turn)
+        } else {
+            next
+        }
     }
 
     /// The first panel where the range begins at a foot of the distribution at which the density is a power; returns where
@@ -239,7 +248,7 @@ impl Population {
     /// where the height does not follow from the parameter.
     fn parameter_panel_end(&self, separation: f64, here: &Point, reach: f64, stop: f64) -> Option<Point> {
         let s = here.contact.parameter;
-        let mut step = PARAMETER_RATIO * self.law.distance_to_singularity(s);
+        let mut step = PARAMETER_RATIO * self.law.distance_to_singularity(s, self.radius.factor(here.z));
         // Between the slip law's radii friction is a fractional power of the radius, which is 0 at s = 0.
         if here.contact.radius > 0.999_999 * self.slip.kinks()[0] {
             step = step.min(PARAMETER_RATIO * s);
@@ -273,36 +282,49 @@ impl Population {
         None
     }
 
-    /// The same panel, or its first part up to a kink of the slip law. Where radii vary with height it ends at an extremum of
-    /// the contact radius too, so that each kink within shows at its ends.
-    fn cut_at_kink(&self, separation: f64, mut panel: Panel, start_kink: Option<usize>) -> Panel {
-        let from = panel.variable(&panel.from);
+    /// The same panel, or its first part up to a kink. Where radii vary with height it ends at an extremum of the contact
+    /// radius too, so that each radius within shows at its ends.
+    fn cut_at_kink(&self, separation: f64, panel: Panel, start_kink: Option<usize>) -> Panel {
+        let mut panel = self.cut_at_kink_of_contact(separation, panel, start_kink);
         if !self.radius.is_constant() {
             if let Some(turn) = panel.between_extrema() {
                 panel.to = self.on_panel(separation, &panel, turn);
+                panel.kink = None;
             }
-            let to = panel.variable(&panel.to);
-            if (panel.from.radius_rate() > 0.0) != (panel.to.radius_rate() > 0.0) {
-                let rate = |x: f64| self.on_panel(separation, &panel, x).radius_rate();
-                let extremum = root::bracketed(rate, from, to);
-                if is_inside(extremum, from, to) {
-                    panel.to = self.on_panel(separation, &panel, extremum);
-                }
-            }
+            self.cut_where(separation, &mut panel, Point::radius_rate, None);
         }
-        for (index, kink) in self.slip.kinks().into_iter().enumerate() {
-            let excess = |point: &Point| point.contact.radius - kink;
-            if start_kink == Some(index) || (excess(&panel.from) < 0.0) == (excess(&panel.to) < 0.0) {
-                continue;
+        for (index, kink) in self.radius_kinks.into_iter().enumerate().filter(|&(index, _)| start_kink != Some(index)) {
+            self.cut_where(separation, &mut panel, |point| point.contact.radius - kink, Some(index));
+        }
+        panel
+    }
+
+    /// The same for the kinks of the law of contact, which move with the radius: where a summit is nearest to or farthest
+    /// from one a panel ends too. There is no more than one such place as far as radii change ever faster or ever slower.
+    fn cut_at_kink_of_contact(&self, separation: f64, mut panel: Panel, start_kink: Option<usize>) -> Panel {
+        for (index, kink) in self.kinks_of_contact.into_iter().enumerate().filter(|(_, kink)| kink.is_finite()) {
+            if !self.radius.is_constant() {
+                self.cut_where(separation, &mut panel, |point| 1.0 - kink * point.g_rate, None);
             }
-            let end = panel.variable(&panel.to);
-            let at_kink = root::bracketed(|x| excess(&self.on_panel(separation, &panel, x)), from, end);
-            if is_inside(at_kink, from, end) {
-                panel.to = self.on_panel(separation, &panel, at_kink);
-                panel.kink = Some(index);
+            if start_kink != Some(RADII + index) {
+                let excess = |point: &Point| point.contact.overlap - kink * self.radius.factor(point.z);
+                self.cut_where(separation, &mut panel, excess, Some(RADII + index));
             }
         }
         panel
+    }
+
+    /// Ends a panel where a function of its summits changes sign.
+    fn cut_where(&self, separation: f64, panel: &mut Panel, f: impl Fn(&Point) -> f64, kink: Option<usize>) {
+        if (f(&panel.from) < 0.0) == (f(&panel.to) < 0.0) {
+            return;
+        }
+        let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
+        let root = root::bracketed(|x| f(&self.on_panel(separation, panel, x)), from, to);
+        if is_inside(root, from, to) {
+            panel.to = self.on_panel(separation, panel, root);
+            panel.kink = kink;
+        }
     }
 
     /// The summits at the nodes of a panel, with their weights in height.

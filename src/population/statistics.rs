@@ -1,5 +1,5 @@
 //! More of the summits in contact at a separation than their sums: the mean of their contact radii, the largest, and how many
-//! there are in each regime of slip.
+//! there are in each regime of slip and of yield.
 //!
 //! For exact states only: the sums that a law is compiled from need none of this.
 
@@ -20,28 +20,42 @@ const NEGLIGIBLE: f64 = 1e-19;
 pub struct Statistics {
     /// Mean contact radius.
     pub mean_radius: f64,
+    /// Mean of the contact radius over g, that of the summit over the mean one.
+    pub mean_steepness: f64,
     /// Contact radius of the tallest of so many summits as there are; not below the mean.
     pub largest_radius: f64,
     /// Fractions of the contacts up to the first kink of the slip law, between the two, and from the second on.
     pub by_regime: [f64; 3],
+    /// Fraction of the contacts below first yield.
+    pub elastic: f64,
+    /// Fraction of the contacts that are fully plastic.
+    pub flowing: f64,
 }
 
 /// Counts contacts, and keeps every contact radius that it sees with its height.
-struct Counting {
-    kinks: [f64; 2],
+struct Counting<'a> {
+    population: &'a Population,
     count: f64,
     radius: f64,
+    steepness: f64,
     by_regime: [f64; 3],
+    elastic: f64,
+    flowing: f64,
     seen: Vec<(f64, f64)>,
 }
 
-impl Visitor for Counting {
+impl Visitor for Counting<'_> {
     fn summits(&mut self, z: f64, fraction: f64, summit: &Summit) {
-        let [first, second] = self.kinks;
+        let [first, second] = self.population.slip.kinks();
         let regime = usize::from(summit.radius > first) + usize::from(summit.radius >= second);
+        let g = self.population.radius.factor(z);
+        let [yields, flows] = self.population.yields.map(|overlap| overlap * g);
         self.count += fraction;
         self.radius += fraction * summit.radius;
+        self.steepness += fraction * summit.radius / g;
         self.by_regime[regime] += fraction;
+        self.elastic += if summit.overlap <= yields { fraction } else { 0.0 };
+        self.flowing += if summit.overlap >= flows { fraction } else { 0.0 };
         self.seen.push((z, summit.radius));
     }
 
@@ -57,12 +71,25 @@ impl Population {
     /// [`Error::NotConverged`] if they cannot be counted in as many panels as there may be.
     pub fn statistics(&self, separation: f64, number: f64) -> Result<Statistics, Error> {
         let edge = self.edge(separation);
-        let mut counting =
-            Counting { kinks: self.slip.kinks(), count: 0.0, radius: 0.0, by_regime: [0.0; 3], seen: Vec::new() };
-        if !self.visit(separation, &edge, &mut counting) {
+        let mut counting = Counting {
+            population: self,
+            count: 0.0,
+            radius: 0.0,
+            steepness: 0.0,
+            by_regime: [0.0; 3],
+            elastic: 0.0,
+            flowing: 0.0,
+            seen: Vec::new(),
+        };
+        let is_done = if self.yields == self.kinks_of_contact {
+            self.visit(separation, &edge, &mut counting)
+        } else {
+            self.with_kinks(self.radius_kinks, self.yields).visit(separation, &edge, &mut counting)
+        };
+        if !is_done {
             return Err(sums::out_of_panels(separation));
         }
-        let Counting { count, radius, by_regime, seen, .. } = counting;
+        let Counting { count, radius, steepness, by_regime, elastic, flowing, seen, .. } = counting;
         if count == 0.0 {
             return Ok(Statistics::default());
         }
@@ -76,7 +103,14 @@ impl Population {
             let below = seen.iter().filter(|(z, _)| *z <= tallest).map(|(_, radius)| *radius);
             largest_radius = below.chain([there]).fold(mean_radius, f64::max);
         }
-        Ok(Statistics { mean_radius, largest_radius, by_regime: by_regime.map(|fraction| fraction / count) })
+        Ok(Statistics {
+            mean_radius,
+            mean_steepness: steepness / count,
+            largest_radius,
+            by_regime: by_regime.map(|fraction| fraction / count),
+            elastic: elastic / count,
+            flowing: flowing / count,
+        })
     }
 
     /// The height above another that this fraction of all summits exceeds.

@@ -16,6 +16,8 @@ pub struct Sums {
     pub friction: f64,
     /// Real area of contact, in b^2.
     pub area: f64,
+    /// Contact radius, in b.
+    pub radius: f64,
     /// Fraction of summits in contact.
     pub contacting: f64,
     /// Fraction of summits that attract without contact.
@@ -24,6 +26,8 @@ pub struct Sums {
     pub load_slope: f64,
     /// d(friction)/d(separation).
     pub friction_slope: f64,
+    /// d(contact radius)/d(separation).
+    pub radius_slope: f64,
 }
 
 impl Sums {
@@ -51,10 +55,12 @@ impl Sums {
             load_attracted: factor * self.load_attracted,
             friction: factor * self.friction,
             area: factor * self.area,
+            radius: factor * self.radius,
             contacting: factor * self.contacting,
             attracted: factor * self.attracted,
             load_slope: factor * self.load_slope,
             friction_slope: factor * self.friction_slope,
+            radius_slope: factor * self.radius_slope,
         }
     }
 
@@ -70,8 +76,10 @@ impl Sums {
         self.load_contacting += weight * summit.load;
         self.friction += weight * summit.friction;
         self.area += weight * summit.area;
+        self.radius += weight * summit.radius;
         self.load_slope -= weight * summit.load_by_overlap;
         self.friction_slope -= weight * summit.friction_by_overlap;
+        self.radius_slope -= weight * summit.radius_by_overlap;
     }
 
     /// Adds one attracted summit, `weight` times.
@@ -91,12 +99,14 @@ pub(super) fn out_of_panels(separation: f64) -> Error {
 /// What one contact contributes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Summit {
+    pub overlap: f64,
     pub radius: f64,
     pub load: f64,
     pub friction: f64,
     pub area: f64,
     pub load_by_overlap: f64,
     pub friction_by_overlap: f64,
+    pub radius_by_overlap: f64,
 }
 
 impl Summit {
@@ -116,12 +126,14 @@ impl Summit {
     fn with_friction(contact: &Contact, (friction, friction_by_radius): (f64, f64)) -> Self {
         let by_overlap = if contact.overlap_rate > f64::MIN_POSITIVE { 1.0 / contact.overlap_rate } else { 0.0 };
         Self {
+            overlap: contact.overlap,
             radius: contact.radius,
             load: contact.load,
             friction,
             area: PI * contact.radius * contact.radius,
             load_by_overlap: contact.load_rate * by_overlap,
             friction_by_overlap: friction_by_radius * contact.radius_rate * by_overlap,
+            radius_by_overlap: contact.radius_rate * by_overlap,
         }
     }
 }

@@ -120,6 +120,22 @@ static void every_status_has_its_own_words(void)
     CHECK(strcmp(asperity_status_string(8), "unknown status") == 0, "%s", asperity_status_string(8));
 }
 
+static void every_warning_says_what_fails_and_what_to_do(void)
+{
+    const uint64_t all = ASPERITY_WARNING_PLASTIC | ASPERITY_WARNING_CROWDED | ASPERITY_WARNING_STEEP |
+                         ASPERITY_WARNING_ATOMIC | ASPERITY_WARNING_FEW;
+    for (int bit = 0; bit < 64; bit++) {
+        const uint64_t warning = UINT64_C(1) << bit;
+        const char *text = asperity_warning_string(warning);
+        CHECK((strcmp(text, "unknown warning") != 0) == ((all & warning) != 0), "bit %d: '%s'", bit, text);
+        CHECK((strstr(text, "; use ") != NULL) == ((all & warning) != 0), "bit %d: '%s'", bit, text);
+        for (int k = 0; (all & warning) != 0 && k < bit; k++)
+            CHECK(strcmp(text, asperity_warning_string(UINT64_C(1) << k)) != 0, "bits %d and %d agree", bit, k);
+    }
+    CHECK(strcmp(asperity_warning_string(0), "no warning") == 0, "%s", asperity_warning_string(0));
+    CHECK(strcmp(asperity_warning_string(3), "unknown warning") == 0, "%s", asperity_warning_string(3));
+}
+
 /* ---- Parameters ---- */
 
 static void init_sets_the_default_case_of_the_paper(void)
@@ -786,6 +802,76 @@ static void failing_states_say_what_is_wrong(void)
     asperity_free(hertz);
 }
 
+/* ---- Warnings ---- */
+
+static uint64_t warnings_between(const asperity_model *model, double lightest, double heaviest)
+{
+    uint64_t warnings = ~UINT64_C(0);
+    CHECK(asperity_check_loads(model, lightest, heaviest, &warnings) == ASPERITY_OK, "%g to %g: %s", lightest, heaviest,
+          last_message());
+    return warnings;
+}
+
+static void warnings_of_a_range_are_those_of_its_states(void)
+{
+    asperity_params p = surface(0);
+    asperity_model *model;
+    asperity_state state;
+    uint64_t seen = 0;
+
+    p.asperity_count = 1e4;
+    p.hardness = 0.05 * p.composite_modulus;
+    p.nominal_area = 1e10;
+    model = model_of(p);
+    state.struct_size = sizeof state;
+    for (double load = 1; load <= 1e7; load *= 1.5) {
+        CHECK(asperity_state_at_load(model, load, &state) == ASPERITY_OK, "%s", last_message());
+        CHECK(warnings_between(model, load, load) == state.warnings, "at %g", load);
+        seen |= state.warnings;
+        CHECK(warnings_between(model, 1, load) == seen, "up to %g: not %llu", load, (unsigned long long)seen);
+    }
+    CHECK(seen == (ASPERITY_WARNING_CROWDED | ASPERITY_WARNING_FEW), "%llu", (unsigned long long)seen);
+    asperity_free(model);
+
+    p.asperity_count = 1;
+    model = model_of(p);
+    CHECK((warnings_between(model, 1e-4, 1) & ASPERITY_WARNING_FEW) == 0, "few, though the load is that of a summit");
+    asperity_free(model);
+
+    /* The area alone. */
+    p.asperity_count = 1e4;
+    p.nominal_area = 0;
+    model = model_of(p);
+    CHECK(warnings_between(model, 1e6, 1e6) == 0, "%llu", (unsigned long long)warnings_between(model, 1e6, 1e6));
+    CHECK(asperity_state_at_load(model, 1e6, &state) == ASPERITY_OK, "%s", last_message());
+    p.nominal_area = 9 * state.real_area;
+    CHECK(asperity_set_params(model, &p) == ASPERITY_OK, "%s", last_message());
+    CHECK(warnings_between(model, 1e6, 1e6) == ASPERITY_WARNING_CROWDED, "a ninth of the area is not crowded");
+    asperity_free(model);
+}
+
+static void loads_without_a_state_have_no_warnings(void)
+{
+    asperity_model *model = model_of(surface(0)), *hertz = model_of(surface(1));
+    const uint64_t before = UINT64_C(0xa5a5a5a5a5a5a5a5);
+    uint64_t warnings = before;
+
+    CHECK(asperity_check_loads(NULL, 1, 2, &warnings) == ASPERITY_NULL_POINTER && says("model is NULL"), "no model");
+    CHECK(asperity_check_loads(model, 1, 2, NULL) == ASPERITY_NULL_POINTER && says("warnings is NULL"), "no output");
+    CHECK(asperity_check_loads(model, 2, 1, &warnings) == ASPERITY_INVALID_PARAMETER &&
+          says("lightest = 2: must not be above heaviest"), "'%s'", last_message());
+    CHECK(asperity_check_loads(model, NAN, 1, &warnings) == ASPERITY_INVALID_LOAD && says("load = NaN: "), "NaN");
+    CHECK(asperity_check_loads(model, 1, NAN, &warnings) == ASPERITY_INVALID_LOAD, "NaN as the heaviest");
+    CHECK(asperity_check_loads(model, 1, INFINITY, &warnings) == ASPERITY_INVALID_LOAD, "infinity");
+    CHECK(asperity_check_loads(model, -1e9, 1, &warnings) == ASPERITY_SEPARATED && says("load = -1000000000: "),
+          "'%s'", last_message());
+    CHECK(asperity_check_loads(model, 1, 1e200, &warnings) == ASPERITY_OUT_OF_RANGE && says("load = 1e200: "), "1e200");
+    CHECK(asperity_check_loads(hertz, 0, 1, &warnings) == ASPERITY_OUT_OF_RANGE && says("load = 0: "), "Hertz at 0");
+    CHECK(warnings == before, "warnings were touched by a failing call");
+    asperity_free(model);
+    asperity_free(hertz);
+}
+
 /* ---- Friction ---- */
 
 static int quiet_nan(double x)
@@ -1017,6 +1103,7 @@ int main(void)
     sizes_and_offsets_do_not_change();
     versions_agree_with_the_header();
     every_status_has_its_own_words();
+    every_warning_says_what_fails_and_what_to_do();
     init_sets_the_default_case_of_the_paper();
     what_was_never_set_is_named();
     a_slip_of_units_is_told();
@@ -1037,6 +1124,8 @@ int main(void)
     tables_are_refused_by_name();
     outputs_are_written_no_further_than_struct_size();
     failing_states_say_what_is_wrong();
+    warnings_of_a_range_are_those_of_its_states();
+    loads_without_a_state_have_no_warnings();
     for (int i = 0; i < SURFACES; i++) {
         friction_at_zero_negative_and_separated_loads(i);
         mu_is_force_over_load_and_the_table_is_as_good_as_it_says(i);

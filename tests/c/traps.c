@@ -58,6 +58,7 @@ static void evaluate_at(const asperity_model *model, double x)
 {
     asperity_state state;
     double out[2], slope[2], in[2];
+    uint64_t warnings;
 
     memcpy(&in[0], &x, sizeof x);
     in[1] = 1.0;
@@ -74,6 +75,8 @@ static void evaluate_at(const asperity_model *model, double x)
     asperity_state_at_load(model, x, &state);
     doing = "asperity_state_at_separation";
     asperity_state_at_separation(model, x, &state);
+    doing = "asperity_check_loads";
+    asperity_check_loads(model, x, x, &warnings);
     doing = "between calls";
 }
 
@@ -95,6 +98,10 @@ static void evaluate(const asperity_model *model)
             summary.max_table_load, nextafter(summary.max_table_load, INFINITY),
             summary.max_table_load < 1e300 ? 2 * summary.max_table_load : 1e300,
         };
+        uint64_t warnings;
+        doing = "asperity_check_loads";
+        asperity_check_loads(model, pull_off < 0 ? pull_off : summary.min_table_load, summary.max_table_load, &warnings);
+        asperity_check_loads(model, 2, 1, &warnings);
         feclearexcept(FE_ALL_EXCEPT);
         for (size_t i = 0; i < sizeof edges / sizeof *edges; i++)
             evaluate_at(model, edges[i]);
@@ -237,6 +244,7 @@ static void null_pointers(void)
     asperity_model *model = NULL;
     asperity_state state;
     asperity_summary summary;
+    uint64_t warnings;
     double x = 1.0, y = 1.0;
     char message[8];
 
@@ -273,6 +281,8 @@ static void null_pointers(void)
     REFUSES(asperity_state_at_load(model, 1, NULL));
     REFUSES(asperity_state_at_separation(NULL, 1, &state));
     REFUSES(asperity_state_at_separation(model, 1, NULL));
+    REFUSES(asperity_check_loads(NULL, 1, 2, &warnings));
+    REFUSES(asperity_check_loads(model, 1, 2, NULL));
     REFUSES(asperity_summary_of(NULL, &summary));
     REFUSES(asperity_summary_of(model, NULL));
 #undef REFUSES

@@ -14,3 +14,4 @@ mod pressure_and_slip;
 #[cfg(not(miri))]
 mod programs;
 mod robustness;
+mod tangential;

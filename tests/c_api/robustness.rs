@@ -10,6 +10,8 @@ use std::sync::{mpsc, Arc, Mutex};
 use std::time::Duration;
 
 const SEED: u64 = 0x5eed_c0de;
+/// Every bit that a state may warn with.
+const ALL_WARNINGS: u64 = 2 * ASPERITY_WARNING_FEW - 1;
 /// No call may take longer.
 const LONGEST_CALL: Duration = Duration::from_secs(1);
 /// A surface whose calls together take longer hangs, or nearly so.
@@ -197,7 +199,7 @@ fn is_sound(state: &asperity_state) -> bool {
     (if state.contacting > 0.0 { touching } else { apart })
         && radii.iter().chain(&contacts).chain(&fractions).all(|x| x.is_finite())
         && fractions.iter().all(|&x| x >= 0.0)
-        && state.warnings <= 1
+        && state.warnings <= ALL_WARNINGS
         && finite.iter().all(|x| x.is_finite())
         && !rates.iter().any(|x| x.is_nan())
         && positive.iter().all(|&x| x >= 0.0)
@@ -594,6 +596,7 @@ fn a_null_handle_is_refused_everywhere() {
         assert_eq!(asperity_get_params_sized(null_mut(), &mut params, params.struct_size), NULL_POINTER);
         assert_eq!(asperity_state_at_load(null_mut(), 1.0, &mut state), NULL_POINTER);
         assert_eq!(asperity_state_at_separation(null_mut(), 1.0, &mut state), NULL_POINTER);
+        assert_eq!(asperity_check_loads(null_mut(), 1.0, 2.0, &mut 0), NULL_POINTER);
         assert_eq!(asperity_summary_of(null_mut(), &mut summary), NULL_POINTER);
         asperity_free(null_mut());
     }
@@ -617,6 +620,7 @@ fn a_null_output_is_refused_everywhere() {
         refused(asperity_get_params_sized(handle.0, null_mut(), size), "params");
         refused(asperity_state_at_load(handle.0, 1.0, null_mut()), "state");
         refused(asperity_state_at_separation(handle.0, 1.0, null_mut()), "state");
+        refused(asperity_check_loads(handle.0, 1.0, 2.0, null_mut()), "warnings");
         refused(asperity_summary_of(handle.0, null_mut()), "summary");
     }
 }

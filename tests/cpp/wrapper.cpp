@@ -334,13 +334,24 @@ void states_are_those_of_the_reference() {
     EXPECT(close(state.attraction_load, -2.1044486779808658 * (2.0 / 0.7), 1e-6));
 
     EXPECT(close(state.mean_asperity_pressure, (state.load - state.attraction_load) / state.real_area, 1e-12));
-    EXPECT(state.plasticity_index == 0.0 && state.warnings == 0);
+    // 18 % of the summits touch.
+    EXPECT(state.plasticity_index == 0.0 && state.warnings == ASPERITY_WARNING_CROWDED);
     const Model soft(Params().hardness(0.01));
-    EXPECT(soft.state_at_load(state.load).warnings == ASPERITY_WARNING_PLASTIC);
+    EXPECT(soft.state_at_load(state.load).warnings == (ASPERITY_WARNING_CROWDED | ASPERITY_WARNING_PLASTIC));
 
     const asperity::State same = model.state_at_load(state.load);
     EXPECT(close(same.separation, state.separation, 1e-9));
     EXPECT(close(same.friction_force, state.friction_force, 1e-9));
+}
+
+void a_range_of_loads_warns_of_what_fails_in_it() {
+    const Model model;
+    EXPECT(model.check_loads(1.0, 100.0) == 0);
+    EXPECT(model.check_loads(1.0, REFERENCE_LOAD) == ASPERITY_WARNING_CROWDED);
+    EXPECT(thrown_by([&] { (void)model.check_loads(2.0, 1.0); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { (void)model.check_loads(NOT_A_NUMBER, 1.0); }).status() == ASPERITY_INVALID_LOAD);
+    EXPECT(std::strstr(asperity::warning_string(ASPERITY_WARNING_CROWDED), "summits do not act alone") != nullptr);
+    EXPECT(std::strcmp(asperity::warning_string(3), "unknown warning") == 0);
 }
 
 void friction_is_defined_at_every_load() {
@@ -557,6 +568,7 @@ int main() {
     parameters_change_all_or_nothing();
     friction_is_that_of_the_reference();
     states_are_those_of_the_reference();
+    a_range_of_loads_warns_of_what_fails_in_it();
     friction_is_defined_at_every_load();
     pressure_is_load_per_area_of_the_summits();
     slip_gives_the_force_a_smooth_sign();

@@ -21,7 +21,9 @@ fn committed_header_is_what_the_sources_generate() {
         "model",
         "evaluate",
         "slope",
+        "tangential",
         "state",
+        "validity",
         "table",
     ];
     let builder = files

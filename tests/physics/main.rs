@@ -8,3 +8,6 @@ mod figures;
 mod heights;
 mod published;
 mod reference;
+mod tangential;
+mod validity;
+mod yielding;

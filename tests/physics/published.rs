@@ -77,7 +77,7 @@ fn weibull_moments_have_the_closed_forms_of_exponential_and_rayleigh() {
 fn groups_of_lambda(lambda: f64) -> Groups {
     let (alpha, beta) = (0.01, 1000.0);
     let gamma = (lambda.powi(3) * 2.0 * PI * alpha / (9.0 * beta)).sqrt();
-    Groups { alpha, beta, gamma, b_over_h: 1.0 }
+    Groups { alpha, beta, gamma, b_over_h: 1.0, hardness: f64::INFINITY, yields: false }
 }
 
 /// pi w R' in E* b^2, for a summit of radius g R.
@@ -153,7 +153,7 @@ fn contacts_of_large_lambda_lie_on_the_curve_of_jkr() {
 /// Hertz: a^2 = R u, P = 4/3 E* R^(1/2) u^(3/2); without adhesion on any radius factor g.
 #[test]
 fn without_adhesion_a_contact_is_that_of_hertz() {
-    let groups = Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0 };
+    let groups = Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0, hardness: f64::INFINITY, yields: false };
     let hertz = Hertz::new(&groups);
     let sigma = groups.alpha * groups.beta;
     for g in [0.05, 1.0, 1.95] {
@@ -170,7 +170,7 @@ fn without_adhesion_a_contact_is_that_of_hertz() {
 /// Where c = a m ends as a -> 0: the quadratic equation that eq (4) becomes at theta = pi/2, where the parameter is 0.
 #[test]
 fn contact_ends_with_a_finite_circle_of_adhesion() {
-    let Groups { alpha, beta, gamma, b_over_h } = groups_of_lambda(0.5);
+    let Groups { alpha, beta, gamma, b_over_h, .. } = groups_of_lambda(0.5);
     let maugis = Maugis::new(&groups_of_lambda(0.5));
     let overlap = maugis.at(0.0, 1.0).overlap;
     let c = -overlap * alpha * beta / (2.0 * gamma * b_over_h);

@@ -6,7 +6,7 @@ module measures
   use asperity_surfaces, only: state_surface
   implicit none
   private
-  public :: check, difference, finish, largest, patch_friction, patch_law, worse
+  public :: check, check_pressures, difference, finish, largest, patch_friction, patch_law, worse
 
   ! The patch is this many of the areas that surfaces.f90 states: what a pressure does must not depend on how many. A
   ! power of two, so that the tables of both models are the same but for their exponents.
@@ -57,6 +57,22 @@ contains
     model = c_null_ptr
     call asperity_check(asperity_create(params, model))
   end function patch_law
+
+  ! Whether the law holds for a surface at all pressures between two [MPa].
+  subroutine check_pressures(surface, lightest, heaviest)
+    integer, intent(in) :: surface
+    real(c_double), intent(in) :: lightest, heaviest
+    type(c_ptr) :: patch
+    integer(c_int64_t) :: warnings
+    integer :: bit
+    warnings = 0
+    patch = patch_law(surface)
+    call asperity_check(asperity_check_loads(patch, lightest * patch_area, heaviest * patch_area, warnings))
+    call asperity_free(patch)
+    do bit = 0, 62
+      if (btest(warnings, bit)) call check(asperity_warning_text(shiftl(1_c_int64_t, bit)), .false.)
+    end do
+  end subroutine check_pressures
 
   function patch_friction(model, pressure) result(mu)
     type(c_ptr), intent(in) :: model

@@ -12,7 +12,9 @@ program standard_host
 
   integer, parameter :: STICKING_OR_SLIPPING = 0, OPEN = 2
   real(c_double), parameter :: STIFFNESS = 2e5_c_double   ! of sticking [MPa/mm]
-  real(c_double), parameter :: NO_PRESSURE(1) = 1
+  ! The law holds for the surfaces up to here, for the first from the lightest pressure on [MPa].
+  real(c_double), parameter :: LIGHTEST = 0.01_c_double, HEAVIEST(2) = [50.0_c_double, 0.8_c_double]
+  real(c_double), parameter :: ANY_PRESSURE(1) = 1
   external :: uexternaldb, ask_fric_coef
   real(c_double) :: time(2), mu(1), slope(1)
   character(20) :: provoked
@@ -23,12 +25,14 @@ program standard_host
   if (provoked /= 'unmade') call uexternaldb(0, 0, time, 0d0, 1, 0)
   select case (provoked)
   case ('unmade')
-    call ask_fric_coef(1d0, NO_PRESSURE, 1, mu, slope, untouched)
+    call ask_fric_coef(1d0, ANY_PRESSURE, 1, mu, slope, untouched)
   case ('surface')
-    call ask_fric_coef(3d0, NO_PRESSURE, 1, mu, slope, untouched)
+    call ask_fric_coef(3d0, ANY_PRESSURE, 1, mu, slope, untouched)
   case ('stiffness')
     call slide_once(-1d0)
   case default
+    call check_pressures(1, LIGHTEST, HEAVIEST(1))
+    call check_pressures(2, 0d0, HEAVIEST(2))
     call coefficients
     call tractions
     call tangents
@@ -48,11 +52,11 @@ contains
     type(c_ptr) :: patch
     integer :: surface, i, k
     logical :: untouched
-    pressure = [(1e-4_c_double * 1.6_c_double**i, i=1, N)]
     mu_error = 0
     slope_error = 0
     do surface = 1, 2
       patch = patch_law(surface)
+      pressure = [(HEAVIEST(surface) * 1.2_c_double**(-i), i=1, N)]
       call ask_fric_coef(dble(surface), pressure, N, mu, slope, untouched)
       call check('FRIC_COEF leaves alone what is not its own', untouched)
       do i = 1, N
@@ -78,7 +82,7 @@ contains
     do surface = 1, 2
       patch = patch_law(surface)
       do i = 1, 30
-        pressure = 0.05_c_double * 1.5_c_double**i
+        pressure = HEAVIEST(surface) * 1.25_c_double**(-i)
         tau = 0
         lm = 1
         call point(2, surface, STIFFNESS * pressure, pressure, SLIP, lm, tau, ddtddg, ddtddp)
@@ -100,7 +104,7 @@ contains
     sticking = 0
     slipping = 0
     do i = 1, 24
-      pressure = 0.1_c_double * 1.4_c_double**i
+      pressure = 0.1_c_double * 1.25_c_double**i
       before = 0.1_c_double * pressure * [cos(0.9_c_double * i), sin(0.9_c_double * i)]
       reach = pressure / STIFFNESS * merge(0.05_c_double, 4.0_c_double, mod(i, 2) == 0)
       slip = reach * [cos(2.3_c_double * i), sin(2.3_c_double * i)]
@@ -164,18 +168,18 @@ contains
     tau = 0
     call point(1, 1, STIFFNESS, 1d0, SLIP, lm, tau, ddtddg, ddtddp)
     call check('a point that was open stays without friction for the increment', lm == OPEN .and. abs(tau(1)) <= 0)
-    patch = patch_law(1)
+    patch = patch_law(2)
     lm = 0
-    call point(1, 1, STIFFNESS, 0d0, SLIP, lm, tau, ddtddg, ddtddp)
+    call point(1, 2, STIFFNESS, 0d0, SLIP, lm, tau, ddtddg, ddtddp)
     call check('adhesion gives friction at no pressure', &
                abs(tau(1) * patch_area / asperity_friction_force_at_load(patch, 0d0) - 1) < 1e-12_c_double)
     call asperity_free(patch)
     lm = 0
-    call point(1, 1, STIFFNESS, -1d6, SLIP, lm, tau, ddtddg, ddtddp)
+    call point(1, 2, STIFFNESS, -1d6, SLIP, lm, tau, ddtddg, ddtddp)
     call check('below pull-off there is none', lm == OPEN)
     lm = 0
-    call point(1, 2, STIFFNESS, 0d0, SLIP, lm, tau, ddtddg, ddtddp)
-    call check('without adhesion there is none at no pressure', lm == OPEN)
+    call point(1, 1, STIFFNESS, 0d0, SLIP, lm, tau, ddtddg, ddtddp)
+    call check('rough surfaces have none at no pressure', lm == OPEN)
   end subroutine ends
 
   ! A node that is pressed and dragged through springs, one of them inclined, so that its pressure depends on where it
@@ -273,7 +277,7 @@ contains
     real(c_double) :: answer(2), tau(1), ddtddg(1, 1), ddtddp(1), pressure(1), mu(1), slope(1)
     integer :: lm
     logical :: untouched
-    pressure = 0.01_c_double * 1.005_c_double**i
+    pressure = HEAVIEST(1 + mod(i, 2)) * 1.004_c_double**(-i)
     tau = 0
     lm = 0
     call point(1, 1 + mod(i, 2), STIFFNESS, pressure(1), [1d-1], lm, tau, ddtddg, ddtddp)

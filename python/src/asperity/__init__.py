@@ -14,16 +14,18 @@ from .errors import Error, Status
 from .fit import Fit, fit
 from .model import Model
 from .params import Params
-from .results import State, Summary, Warnings
+from .results import Hysteresis, State, Summary, ValidityWarning, Warnings
 
 __all__ = [
     "Error",
     "Fit",
+    "Hysteresis",
     "Model",
     "Params",
     "State",
     "Status",
     "Summary",
+    "ValidityWarning",
     "Warnings",
     "__version__",
     "fit",

@@ -11,6 +11,7 @@ import argparse
 import math
 import os
 import sys
+import warnings
 from pathlib import Path
 
 from . import Model, Params, __version__, _export_command, _fit_command, _fmu_command, _header, _library, _surface_options
@@ -50,7 +51,7 @@ def _parser() -> argparse.ArgumentParser:
 def _add_loads(curve: argparse.ArgumentParser) -> None:
     loads = curve.add_argument_group("loads, evenly spaced in the logarithm, and the figure")
     loads.add_argument("--lowest", type=float, metavar="P", help="lowest load [force] > 0 (1e-4 N E* b^2)")
-    loads.add_argument("--highest", type=float, metavar="P", help="highest load [force] (1e4 N E* b^2)")
+    loads.add_argument("--highest", type=float, metavar="P", help="highest load [force] (1e2 N E* b^2)")
     loads.add_argument("--count", type=int, default=33, metavar="K", help="number of loads, 2 or more (33)")
     loads.add_argument(
         "--figure",
@@ -63,7 +64,7 @@ def _add_loads(curve: argparse.ArgumentParser) -> None:
 def _loads(parser: argparse.ArgumentParser, options: argparse.Namespace, params: Params) -> list[float]:
     unit = params.asperity_count * params.composite_modulus * params.burgers_vector**2
     lowest = 1e-4 * unit if options.lowest is None else options.lowest
-    highest = 1e4 * unit if options.highest is None else options.highest
+    highest = 1e2 * unit if options.highest is None else options.highest
     if options.count < 2:
         parser.error(f"--count {options.count}: must be 2 or more")
     if not (math.isfinite(lowest) and lowest > 0):
@@ -115,6 +116,7 @@ def _curve(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
     loads = _loads(parser, options, params)
     with Model(params) as model:
         coefficients = _print_table(model, loads)
+        model.warn(loads[0], loads[-1])
     if options.figure != "-":
         _draw(options.figure, loads, coefficients)
 
@@ -130,7 +132,9 @@ def main(arguments: list[str] | None = None) -> int:
     parser = _parser()
     options = parser.parse_args(arguments)
     try:
-        options.run(parser, options)
+        with warnings.catch_warnings():
+            warnings.showwarning = lambda message, *_: print(f"asperity: warning: {message}", file=sys.stderr)
+            options.run(parser, options)
     except BrokenPipeError:
         # The reader of the output has seen enough; what is still buffered must not fail at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -33,6 +33,10 @@ ASPERITY_CONTACT_MAUGIS = 0
 ASPERITY_CONTACT_ELASTIC_PLASTIC = 1
 
 ASPERITY_WARNING_PLASTIC = 1
+ASPERITY_WARNING_CROWDED = 2
+ASPERITY_WARNING_STEEP = 4
+ASPERITY_WARNING_ATOMIC = 8
+ASPERITY_WARNING_FEW = 16
 
 ASPERITY_TABLE_LAYOUT = 1
 
@@ -185,8 +189,13 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_friction_at_pressure": (c_double, [_model, c_double, c_double, _doubles]),
     "asperity_shear_stress_at_pressure": (c_double, [_model, c_double, c_double, _doubles]),
     "asperity_slip_force": (c_double, [_model, c_double, c_double, c_double, _doubles, _doubles]),
+    "asperity_tangential_stiffness_at_load": (c_double, [_model, c_double]),
+    "asperity_tangential_stiffness_at_loads": (asperity_status, [_model, c_size_t, _doubles, _doubles]),
+    "asperity_tangential_at_load": (asperity_status, [_model, c_double, c_double, _doubles, _doubles]),
     "asperity_state_at_load": (asperity_status, [_model, c_double, _state]),
     "asperity_state_at_separation": (asperity_status, [_model, c_double, _state]),
     "asperity_summary_of": (asperity_status, [_model, _summary]),
+    "asperity_check_loads": (asperity_status, [_model, c_double, c_double, POINTER(c_uint64)]),
+    "asperity_warning_string": (c_char_p, [c_uint64]),
     "asperity_table_of": (asperity_status, [_model, _table]),
 }

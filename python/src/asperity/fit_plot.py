@@ -40,6 +40,9 @@ def draw(fit: Fit, file: str | os.PathLike[str] | None) -> Figure:
     load = _loads(fit.load, linear_to)
     with Model(fit.params) as model:
         force = model.friction_force_at_load(load)
+        pressing = load[load > 0]
+        if pressing.size:
+            model.warn(float(pressing.min()), float(pressing.max()))
     named = "\n".join(f"  {name} = {fit.values[name]:.4g} ± {fit.errors[name]:.1g}" for name in fit.free)
     above.plot(load, force / load if fit.quantity == "mu" else force, color="C0", label=f"fitted\n{named}")
     above.set_ylabel(_LABELS[fit.quantity])

@@ -10,7 +10,9 @@ from __future__ import annotations
 import ctypes
 import math
 import numbers
+import warnings
 import weakref
+from dataclasses import replace
 from types import TracebackType
 from typing import Any, Literal, Union, overload
 
@@ -21,7 +23,7 @@ from . import _header
 from ._library import LIBRARY
 from .errors import Error, Status, check
 from .params import Params
-from .results import State, Summary, Warnings
+from .results import Hysteresis, State, Summary, ValidityWarning, Warnings
 
 Loads = Union["npt.NDArray[Any]", "list[Any]", "tuple[Any, ...]"]
 Array = npt.NDArray[np.float64]
@@ -34,6 +36,7 @@ class _Handle:
 
     def __init__(self, params: Params) -> None:
         self.params = params
+        self.warned = Warnings(0)
         self.pointer = ctypes.POINTER(_header.asperity_model)()
         check(LIBRARY.asperity_create(ctypes.byref(params._as_struct()), ctypes.byref(self.pointer)))
         # At exit a daemon thread may still be inside a call: the system takes the memory then.
@@ -128,6 +131,84 @@ class Model:
         one, one_with_slope = LIBRARY.asperity_friction_force_at_load, LIBRARY.asperity_friction_force_and_slope_at_load
         return self._evaluate(one, one_with_slope, LIBRARY.asperity_friction_force_at_loads, load, slope)
 
+    @overload
+    def tangential_stiffness_at_load(self, load: float) -> float: ...
+    @overload
+    def tangential_stiffness_at_load(self, load: Loads) -> Array: ...
+
+    def tangential_stiffness_at_load(self, load: Any) -> Any:
+        """Tangential stiffness K_t at a load, or at many: tangential force by displacement while all contacts stick.
+
+        F/K_t is the length before gross slip, which solvers ask for as bristle deflection or elastic slip.
+
+        Args:
+            load: normal load [force], as for `friction_at_load`.
+
+        Returns:
+            K_t [force/length], 0 below the pull-off load: a float for a number, an array of the same shape for an array.
+
+        Raises:
+            Error: a load that is NaN, infinite, or too heavy; the class tells more.
+        """
+
+        def many(model: Any, n: int, loads: Any, values: Any, _slopes: None) -> int:
+            return int(LIBRARY.asperity_tangential_stiffness_at_loads(model, n, loads, values))
+
+        return self._evaluate(LIBRARY.asperity_tangential_stiffness_at_load, None, many, load, False)
+
+    def tangential(self, load: npt.ArrayLike, displacement: npt.ArrayLike) -> tuple[Any, Any]:
+        """The tangential force T at a load and a displacement, and dT/d(displacement), integrated without the compiled law.
+
+        Each contact sticks with its stiffness until its force is its strength, then slips: T rises from K_t times the
+        displacement to the friction force. It is odd in the displacement.
+
+        Args:
+            load: normal load [force]; a number or an array.
+            displacement: of the surfaces along each other [length]; a number or an array. The two are broadcast.
+
+        Returns:
+            (T [force], slope [force/length]): floats for two numbers, else arrays.
+
+        Raises:
+            Error: a load as for `state_at_load`, or a displacement that is not finite.
+        """
+        pointer = self._open().pointer
+        pairs = np.broadcast(np.asarray(load, dtype=np.float64), np.asarray(displacement, dtype=np.float64))
+        found = np.empty((2, pairs.size))
+        force, slope = ctypes.c_double(), ctypes.c_double()
+        for i, (at, by) in enumerate(pairs):
+            check(LIBRARY.asperity_tangential_at_load(pointer, at, by, ctypes.byref(force), ctypes.byref(slope)))
+            found[:, i] = force.value, slope.value
+        if pairs.ndim == 0:
+            return float(found[0, 0]), float(found[1, 0])
+        return found[0].reshape(pairs.shape), found[1].reshape(pairs.shape)
+
+    def hysteresis(self, load: float, amplitude: float, *, points: int = 201) -> Hysteresis:
+        """The loop of tangential force against displacement between -amplitude and amplitude, at a constant load.
+
+        After the first loading, T, Masing's rule gives both branches: from a reversal at displacement r, where the force is
+        T_r, the force is T_r - 2 T((r - displacement)/2).
+
+        Args:
+            load: normal load [force].
+            amplitude: of the displacement [length], > 0.
+            points: of each branch; the work is that of the polygon through them.
+
+        Raises:
+            Error: a load as for `state_at_load`.
+            ValueError: an amplitude that is not finite and > 0, or fewer than two points.
+        """
+        if not (math.isfinite(amplitude) and amplitude > 0):
+            raise ValueError(f"amplitude = {amplitude}: must be finite and > 0")
+        if points < 2:
+            raise ValueError(f"points = {points}: must be at least 2")
+        first = np.linspace(0.0, amplitude, points)
+        loading = self.tangential(load, first)[0]
+        back = amplitude - 2.0 * first
+        returning = loading[-1] - 2.0 * loading
+        work = float(np.sum((loading[1:] + loading[:-1]) * np.diff(first)) * 4.0 - 4.0 * amplitude * loading[-1])
+        return Hysteresis(np.concatenate([back, -back]), np.concatenate([returning, -returning]), max(work, 0.0))
+
     def state_at_load(self, load: float) -> State:
         """The exact state at a load [force], integrated without the compiled law.
 
@@ -147,6 +228,37 @@ class Model:
             Error: a separation that is not finite, or out of range.
         """
         return self._state(LIBRARY.asperity_state_at_separation, "separation", separation)
+
+    def check(self, lightest: float, heaviest: float) -> Warnings:
+        """Whether the model holds for a contact that meets these loads: what fails in any state between.
+
+        It evaluates some hundred exact states: once for a run, not for each load.
+
+        Args:
+            lightest: normal load [force], from the pull-off load upwards; without adhesion above 0.
+            heaviest: normal load [force], not below `lightest`.
+
+        Returns:
+            `Warnings`, false where nothing is known to fail; printed, it says what fails and what to do about it.
+
+        Raises:
+            Error: `lightest` is above `heaviest`, or one of them has no state, as in `state_at_load`.
+        """
+        bits = ctypes.c_uint64()
+        handle = self._open()
+        check(LIBRARY.asperity_check_loads(handle.pointer, float(lightest), float(heaviest), ctypes.byref(bits)))
+        return Warnings(bits.value)
+
+    def warn(self, lightest: float, heaviest: float) -> None:
+        """Issues a `ValidityWarning` for each assumption that fails between two loads, once per model and assumption.
+
+        For code that draws or tabulates the law; arguments and errors are those of `check`.
+        """
+        handle = self._open()
+        for kind in self.check(lightest, heaviest).kinds:
+            if not kind & handle.warned:
+                handle.warned |= kind
+                warnings.warn(f"between the loads {lightest:g} and {heaviest:g}: {kind}", ValidityWarning, stacklevel=3)
 
     def summary(self) -> Summary:
         """The constants of the model: dimensionless groups, pull-off load, range and error of the compiled law."""

@@ -5,28 +5,55 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import IntFlag
 
+import numpy as np
+import numpy.typing as npt
+
 from . import _header
+from ._library import LIBRARY
 
 
 class Warnings(IntFlag):
-    """Bits of `State.warnings`.
+    """What the model assumes and a state, or the states of a range of loads, lack: bits, of which none is set where
+    nothing is known to fail. `str` tells what fails and what to do about it, a line for each.
 
-    `PLASTIC`: contacts yield. The mean asperity pressure is at least 0.4 of the hardness, or the plasticity index is
-    above 1. Never where the hardness is not given.
+    `PLASTIC`: summits yield, but their law is elastic. The mean asperity pressure is above 0.4 of the hardness, or the
+    plasticity index above 1. Never where the hardness is not given.
+    `CROWDED`: summits do not act alone. More than 10 % of them touch, or the real area is more than 10 % of the nominal.
+    `STEEP`: contacts are too large for their summits, above a tenth of their radius on average.
+    `ATOMIC`: contacts are too small for continuum mechanics, below the Burgers vector on average.
+    `FEW`: fewer than 20 summits touch, too few for a mean over surfaces. Never where `asperity_count` is 1.
     """
 
     PLASTIC = _header.ASPERITY_WARNING_PLASTIC
+    CROWDED = _header.ASPERITY_WARNING_CROWDED
+    STEEP = _header.ASPERITY_WARNING_STEEP
+    ATOMIC = _header.ASPERITY_WARNING_ATOMIC
+    FEW = _header.ASPERITY_WARNING_FEW
+
+    @property
+    def kinds(self) -> list[Warnings]:
+        """The warnings that are set, one by one."""
+        return [Warnings(1 << bit) for bit in range(64) if self & (1 << bit)]
+
+    @property
+    def description(self) -> str:
+        """What a single warning says, in the library's words: what fails and what to do about it."""
+        text: bytes = LIBRARY.asperity_warning_string(self)
+        return text.decode()
 
     def __str__(self) -> str:
-        known = [f"{flag.name} ({text})" for flag, text in _MEANINGS.items() if flag & self]
-        unknown = int(self) & ~sum(_MEANINGS)
-        return ", ".join(known + [f"bits {unknown:#x}"] * (unknown != 0)) or "none"
+        return "\n".join(f"{_name(kind)}: {kind.description}" for kind in self.kinds) or "none"
 
     def __format__(self, spec: str) -> str:
         return format(int(self), spec) if spec else str(self)
 
 
-_MEANINGS = {Warnings.PLASTIC: "contacts yield"}
+class ValidityWarning(UserWarning):
+    """The law is drawn or tabulated at loads at which its model does not hold."""
+
+
+def _name(kind: Warnings) -> str:
+    return f"{kind.name}" if kind in set(Warnings) else f"bit {int(kind):#x}"
 
 
 @dataclass(frozen=True)
@@ -83,6 +110,21 @@ class State:
     tangential_stiffness: float
     fraction_elastic: float
     fraction_flowing: float
+
+
+@dataclass(frozen=True)
+class Hysteresis:
+    """A closed loop of tangential force against displacement, in the units of the parameters.
+
+    Attributes:
+        displacement: from the greatest to the least, and back [length].
+        force: the tangential force there [force].
+        work: dissipated in one cycle, the area of the loop [force length].
+    """
+
+    displacement: npt.NDArray[np.float64]
+    force: npt.NDArray[np.float64]
+    work: float
 
 
 @dataclass(frozen=True)

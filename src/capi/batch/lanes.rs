@@ -102,9 +102,9 @@ pub unsafe fn evaluate<L: Lanes>(
     arrays: Arrays,
     offence: &mut Option<(usize, f64)>,
 ) -> usize {
-    let table = model.table();
+    let table = model.table(quantity.tabulated());
     let cap = model.params().max_friction_coefficient;
-    let limits = Limits { table, known: model.known(), cap, inverse_cap: model.inverse_cap() };
+    let limits = Limits { table, known: model.known(quantity.tabulated()), cap, inverse_cap: model.inverse_cap() };
     let with_slope = !arrays.slope.is_null();
     let vectors = arrays.n / L::COUNT;
     let mut block = [MaybeUninit::<Found<L>>::uninit(); BLOCK];
@@ -120,7 +120,7 @@ pub unsafe fn evaluate<L: Lanes>(
             let mut answers = force::<L>(table, found, found.t, found.offset, with_slope);
             let closed = match quantity {
                 Quantity::Coefficient => closed::<L>(&limits, found.load, answers.value),
-                Quantity::Force => answers.slow,
+                _ => answers.slow,
             };
             if L::lanes_of(L::or_mask(answers.slow, closed)) == 0 {
                 if quantity == Quantity::Coefficient {
@@ -185,7 +185,7 @@ unsafe fn find<L: Lanes>(table: &Table, loads: L) -> Found<L> {
     Found { load, t: t.or_where(slow, L::splat(f64::NAN)), offset: L::or_bits_where(offset, slow, L::splat_bits(0)) }
 }
 
-/// Force and slope from the table; lanes that it does not answer are slow, and have zeros.
+/// Values and slopes from the table; lanes that it does not answer are slow, and have zeros.
 #[inline(always)]
 unsafe fn force<L: Lanes>(table: &Table, found: &Found<L>, t: L, offset: L::Bits, with_slope: bool) -> Answers<L> {
     // Loading whole rows and transposing them takes half the time of gather instructions.

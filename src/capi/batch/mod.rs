@@ -15,6 +15,7 @@ mod lanes;
 use super::boundary::Failure;
 use super::fp_environment;
 use crate::float_bits::nan;
+use crate::law::Quantity as Tabulated;
 use crate::model::Model;
 
 /// Which law is asked for.
@@ -24,15 +25,26 @@ pub enum Quantity {
     Coefficient,
     /// Friction force.
     Force,
+    /// Tangential stiffness.
+    Stiffness,
 }
 
 impl Quantity {
+    /// What its table has.
+    #[inline]
+    pub const fn tabulated(self) -> Tabulated {
+        match self {
+            Self::Coefficient | Self::Force => Tabulated::Friction,
+            Self::Stiffness => Tabulated::Radius,
+        }
+    }
+
     /// The quantity at one load and its slope.
     #[inline]
     pub fn at(self, model: &Model, load: f64) -> (f64, f64) {
         let answer = match self {
             Quantity::Coefficient => model.tabulated_coefficient(load).or_else(|| model.known_coefficient(load)),
-            Quantity::Force => model.tabulated_force(load).or_else(|| model.known_force(load)),
+            _ => model.tabulated(self.tabulated(), load).or_else(|| model.known_value(self.tabulated(), load)),
         };
         answer.unwrap_or_else(|| self.computed(model, load))
     }
@@ -41,7 +53,7 @@ impl Quantity {
     fn computed(self, model: &Model, load: f64) -> (f64, f64) {
         fp_environment::held(|| match self {
             Quantity::Coefficient => model.computed_coefficient(load),
-            Quantity::Force => model.computed_force(load),
+            _ => model.computed(self.tabulated(), load),
         })
     }
 }
@@ -145,7 +157,7 @@ mod tests {
         let summary = model.summary();
         let (pull_off, heaviest) = (summary.pull_off_load, summary.max_table_load);
         let mut loads: Vec<f64> = (0..1000).map(|i| heaviest * 1e-40_f64.powf(f64::from(i) / 1000.0)).collect();
-        let table = model.table();
+        let table = model.table(Tabulated::Friction);
         for row in (0..table.row_count).filter(|&row| table.rows[row].is_link()) {
             let (begin, end) = (table.begin_of(row), table.begin_of(row + 1));
             loads.extend((0..200).map(|i| pull_off + begin + (end - begin) * f64::from(i) / 200.0));
@@ -190,7 +202,7 @@ mod tests {
             let (load, values, slopes) = (loads.as_ptr(), value.as_mut_ptr(), slope.as_mut_ptr());
             let arrays = Arrays { n: loads.len(), load, value: values, slope: slopes };
             for (name, path) in paths() {
-                for quantity in [Quantity::Coefficient, Quantity::Force] {
+                for quantity in [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness] {
                     for arrays in [arrays, Arrays { slope: std::ptr::null_mut(), ..arrays }] {
                         let mut offence = None;
                         // SAFETY: the arrays have so many elements.
@@ -221,7 +233,7 @@ mod tests {
             (loads[21], loads[22], loads[50]) = (first, second, apart);
             let mut value = [0.0; 64];
             let arrays = Arrays { n: 64, load: loads.as_ptr(), value: value.as_mut_ptr(), slope: std::ptr::null_mut() };
-            for quantity in [Quantity::Coefficient, Quantity::Force] {
+            for quantity in [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness] {
                 // SAFETY: the arrays have so many elements.
                 let error = unsafe { evaluate(&model, quantity, arrays) }.expect_err("an offence");
                 let of_first = model.offence(first).expect("an offence");

@@ -38,6 +38,9 @@ const LIGHTEST: f64 = 1e-250;
 /// What outputs hold before a call.
 const BEFORE: f64 = -7.25;
 
+/// What bits hold before a call.
+const UNSET: u64 = u64::MAX;
+
 type Shared = *const asperity_model;
 
 /// What was called, and the worst that was seen.
@@ -368,6 +371,37 @@ impl<'a> Calls<'a> {
         }
     }
 
+    /// The warnings of all loads from one to another, against those of the states at both.
+    pub fn check_loads(&mut self, model: &Model, one: f64, other: f64) {
+        let at: Shared = model.handle.0;
+        let mut warnings = UNSET;
+        let out: *mut u64 = &mut warnings;
+        reset_message();
+        let what = || format!("check_loads({one:e}, {other:e}); {:?}", model.params);
+        // It evaluates some hundred states, each of which may take a tenth of what a call may.
+        let status = self.watch_many("asperity_check_loads", 10, what, || {
+            // SAFETY: the model lives, as does the output.
+            unsafe { black_box(asperity_check_loads as unsafe extern "C" fn(_, _, _, _) -> _)(at, one, other, out) }
+        });
+        let states = [one, other].map(|load| {
+            let mut state = asperity_state::empty();
+            let state_at: *mut asperity_state = &mut state;
+            let status = call!(self, model.params, asperity_state_at_load(at, load, state_at));
+            (status, state.warnings)
+        });
+        if status != OK {
+            self.documented(status, &[INVALID_PARAMETER, INVALID_LOAD, SEPARATED, OUT_OF_RANGE, NOT_CONVERGED], &what);
+            assert_eq!(warnings, UNSET, "{}: refused, yet the warnings are written", what());
+            let falls = status == INVALID_PARAMETER;
+            assert!(falls || states.iter().any(|state| state.0 == status), "{}: {states:?}, {}", what(), message());
+            assert!(!falls || one > other, "{}: {}", what(), message());
+            return;
+        }
+        let ends = states[0].1 | states[1].1;
+        assert!(one <= other && warnings & ends == ends, "{}: {warnings:b}, {states:?}", what());
+        assert!(warnings < 2 * ASPERITY_WARNING_FEW, "{}: {warnings:b}", what());
+    }
+
     pub fn separation(&mut self, model: &Model, separation: f64) {
         let at: Shared = model.handle.0;
         let mut state = asperity_state { load: BEFORE, attraction_load: BEFORE, ..asperity_state::empty() };
@@ -611,6 +645,11 @@ impl<'a> Calls<'a> {
             // SAFETY: a constant string.
             let text = unsafe { CStr::from_ptr(asperity_status_string(code)) };
             assert!(!text.is_empty(), "status {code}");
+        }
+        for warning in [0, 1, 2, 3, 4, 8, 16, 32, length as u64] {
+            // SAFETY: a constant string.
+            let text = unsafe { CStr::from_ptr(asperity_warning_string(warning)) };
+            assert!(!text.is_empty(), "warning {warning}");
         }
         let whole = message();
         let mut buffer = [0x55_u8; 257];

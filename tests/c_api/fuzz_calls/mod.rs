@@ -242,7 +242,8 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
             1 => 2.4 * bytes.part() - 1.2,
             _ => bytes.log_between(1e-6, 1e12),
         })),
-        250..=254 => calls.messages(bytes.below(256)),
+        250..=253 => calls.messages(bytes.below(256)),
+        254 => calls.check_loads(model, bytes.load(summary), bytes.load(summary)),
         255 => {
             let other = bytes.params();
             calls.set_params(model, &other);

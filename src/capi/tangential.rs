@@ -1,0 +1,88 @@
+//! Contacts before they slip: tangential stiffness and microslip.
+
+use super::batch::Quantity;
+use super::boundary::{self, reference};
+use super::evaluate::evaluate;
+use super::model::asperity_model;
+use super::reserve;
+use super::status::asperity_status;
+
+/// Tangential stiffness K_t at a load: tangential force by displacement of the surfaces while all contacts stick.
+///
+/// K_t = 8 G^ times the sum of the contact radii. The friction force over K_t is the length before gross slip: what
+/// solvers call bristle deflection or elastic slip. At a constant load the tangential force is `asperity_tangential_at_load`.
+///
+/// @param model  a model
+/// @param load   normal load [force]
+/// @return K_t [force/length], positive also at zero and negative load down to pull-off; 0 below pull-off and, without
+///         adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a
+///         NULL model
+///
+/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_tangential_stiffness_at_load(model: *const asperity_model, load: f64) -> f64 {
+    model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls.stiffness)(&handle.model, load))
+}
+
+/// Tangential stiffnesses at many loads.
+///
+/// Every element has the bits that `asperity_tangential_stiffness_at_load` gives. All elements are filled; then the first
+/// load that is not in order, if any, is reported, and `asperity_last_error` names its index.
+///
+/// @param model      must not be NULL
+/// @param n          number of loads; may be 0
+/// @param load       n loads [force]; must not be NULL unless n = 0
+/// @param stiffness  receives n stiffnesses [force/length]; NULL to skip; may be `load` itself
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+///         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the stiffness is NaN)
+///
+/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_tangential_stiffness_at_loads(
+    model: *const asperity_model,
+    n: usize,
+    load: *const f64,
+    stiffness: *mut f64,
+) -> asperity_status {
+    boundary::fast_status(|| {
+        let model = &reference(model, "model")?.model;
+        evaluate(model, Quantity::Stiffness, n, load, stiffness, std::ptr::null_mut())
+    })
+}
+
+/// The tangential force T at a load and a displacement, by integration over the summits, without the table.
+///
+/// Each contact sticks with its stiffness until its force is its strength, then slips: T rises from K_t times the
+/// displacement to the friction force F, with small contacts slipping first. From a surface pair without tangential force,
+/// at constant load. After a reversal at displacement r, where the force is T_r, Masing's rule gives
+/// T = T_r - 2 T((r - displacement)/2).
+///
+/// @param model         must not be NULL
+/// @param load          normal load [force], from the pull-off load upwards
+/// @param displacement  of the surfaces along each other [length]; T is an odd function of it
+/// @param force         receives T [force]; NULL to skip; untouched on failure
+/// @param stiffness     receives dT/d(displacement) [force/length]; NULL to skip; untouched on failure
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a displacement that is not finite),
+///         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
+///         `ASPERITY_OUT_OF_MEMORY`
+///
+/// Threads: may share the model.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_tangential_at_load(
+    model: *const asperity_model,
+    load: f64,
+    displacement: f64,
+    force: *mut f64,
+    stiffness: *mut f64,
+) -> asperity_status {
+    boundary::status(|| {
+        let model = &reference(model, "model")?.model;
+        let found = reserve::held(|| Ok(model.tangential_at_load(load, displacement)?))?;
+        for (out, value) in [(force, found.0), (stiffness, found.1)] {
+            if !out.is_null() {
+                out.write(value);
+            }
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,57 @@
+//! Friction before gross slip: the tangential force of the contacts at a displacement.
+//!
+//! A contact sticks with the stiffness 8 G^ a (Mindlin) until its force reaches its strength, F = pi a^2 tau (eq 15), then
+//! it slips at that. Small contacts slip first.
+
+use super::panels::Visitor;
+use super::sums::{self, Summit};
+use super::Population;
+use crate::error::Error;
+
+/// The tangential force of the contacts, and what it is made of, per summit of the surface.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Microslip {
+    /// In G* b^2.
+    pub force: f64,
+    /// Sum of the radii of the contacts that stick, in b: what the stiffness is proportional to.
+    pub sticking: f64,
+    /// Of all contacts.
+    pub radius: f64,
+}
+
+/// Adds up the forces at one displacement.
+struct Displaced {
+    /// Force over contact radius of a contact that sticks, in G* b.
+    force_over_radius: f64,
+    sums: Microslip,
+}
+
+impl Visitor for Displaced {
+    fn summits(&mut self, _z: f64, fraction: f64, summit: &Summit) {
+        let force = self.force_over_radius * summit.radius;
+        self.sums.radius += fraction * summit.radius;
+        if force < summit.friction {
+            self.sums.force += fraction * force;
+            self.sums.sticking += fraction * summit.radius;
+        } else {
+            self.sums.force += fraction * summit.friction;
+        }
+    }
+}
+
+impl Population {
+    /// The contacts at a separation, displaced so far that one that sticks bears this force times its radius.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] if that takes more panels than there may be.
+    pub fn microslip(&self, separation: f64, force_over_radius: f64) -> Result<Microslip, Error> {
+        let [first, second] = self.slip.kinks();
+        let [a, b, c] = self.slip.radii_at_force_over_radius(force_over_radius);
+        let population = self.with_kinks([first, second, a, b, c], self.kinks_of_contact);
+        let mut displaced = Displaced { force_over_radius, sums: Microslip::default() };
+        match population.visit(separation, &population.edge(separation), &mut displaced) {
+            true => Ok(displaced.sums),
+            false => Err(sums::out_of_panels(separation)),
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! Contacts before they slip: stiffness and microslip, against reference values and what their definition says.
+
+use super::yielding::cases;
+use crate::common::assert_near;
+use crate::common::surfaces::{dimensionless, johnson, model};
+use asperity::{Error, HeightFamily, Params};
+
+/// With adhesion at zero and pulling load too, and where contacts break at a finite radius.
+fn surfaces() -> Vec<Params> {
+    let mut surfaces: Vec<Params> = cases().iter().step_by(5).map(|case| case.params.params()).collect();
+    surfaces.extend([
+        dimensionless(0.01, 1000.0, 1e-3, 1.0),
+        dimensionless(0.01, 1000.0, 0.02, 1.0),
+        Params { radius_amplitude: 0.6, ..dimensionless(0.01, 1000.0, 0.0, 1.0) },
+        Params { heights: johnson(0.5, 4.0), ..dimensionless(0.02, 300.0, 1e-3, 0.5) },
+    ]);
+    surfaces
+}
+
+#[test]
+fn reference_values_are_reproduced() {
+    let (mut compared, mut worst) = (0, 0.0_f64);
+    for case in cases() {
+        let model = model(&case.params.params());
+        for row in &case.rows {
+            // The load of a separation is known to rounding, and forces move with it.
+            let known = |error: f64| error < 1e-11;
+            let stiffness = model.tangential_stiffness_at_load(row.load) / row.tangential_stiffness - 1.0;
+            assert!(stiffness.abs() < 1e-10, "{:?} at {}: {stiffness:e}", case.params, row.load);
+            for &[displacement, force, slope] in &row.tangential {
+                let found = model.tangential_at_load(row.load, displacement).expect("a force");
+                let errors = [(found.0 - force).abs() / force, (found.1 - slope).abs() / row.tangential_stiffness];
+                worst = worst.max(errors[0]).max(errors[1]);
+                assert!(
+                    errors.into_iter().all(known),
+                    "{:?} at {}: {found:?}, not {force:e}, {slope:e}",
+                    case.params,
+                    row.load
+                );
+                compared += 1;
+            }
+        }
+    }
+    println!("{compared} forces, worst {worst:e}");
+    assert_eq!(compared, 4 * 54);
+}
+
+#[test]
+fn force_rises_from_stiffness_times_displacement_to_the_friction_force() {
+    for params in surfaces() {
+        let model = model(&params);
+        let pull_off = model.summary().pull_off_load;
+        for load in [0.9 * pull_off, 0.0, 1e-3, 1.0, 1e4].into_iter().filter(|&load| load > 0.0 || pull_off < 0.0) {
+            let state = model.state_at_load(load).expect("a state");
+            let (friction, stiffness) = (state.friction_force, state.tangential_stiffness);
+            let at = |displacement: f64| model.tangential_at_load(load, displacement).expect("a force");
+            let length = friction / stiffness;
+            let what = format!("{params:?} at {load}");
+            assert_near(at(1e-9 * length).0, 1e-9 * friction, 1e-6, &what);
+            assert_near(at(0.0).1, stiffness, 1e-15, &what);
+            assert_eq!(at(0.0).0, 0.0);
+            for far in [1e4 * length, 1e200, f64::MAX] {
+                assert_near(at(far).0, friction, 1e-14, &what);
+                assert_eq!(at(far).1, 0.0, "{what}");
+            }
+            let mut last = (0.0, stiffness * (1.0 + 1e-12));
+            for i in 1..60 {
+                let displacement = 0.1 * f64::from(i) * length;
+                let here = at(displacement);
+                let rises = here.0 >= last.0 * (1.0 - 1e-13) && here.0 <= friction && here.1 <= last.1;
+                assert!(rises, "{what}: {here:?} after {last:?}");
+                let back = at(-displacement);
+                assert_eq!(back, (-here.0, here.1), "{what}");
+                let step = 1e-6 * length;
+                let secant = (at(displacement + step).0 - at(displacement - step).0) / (2.0 * step);
+                assert!((secant - here.1).abs() < 1e-5 * stiffness, "{what}: {secant}, not {}", here.1);
+                last = here;
+            }
+        }
+    }
+}
+
+/// Far below the heights all summits are of one size: they stick, and then all slip.
+#[test]
+fn equal_summits_stick_and_slip_as_one() {
+    let model = model(&Params { tangential_modulus: 0.7, ..dimensionless(0.01, 1000.0, 0.0, 1.0) });
+    let state = model.state_at_separation(-1e9 * 10.0).expect("a state");
+    let [friction, stiffness] = [state.friction_force, state.tangential_stiffness];
+    let length = friction / stiffness;
+    let at = |part: f64| model.tangential_at_load(state.load, part * length).expect("a force");
+    for part in [1e-3, 0.5, 1.0 - 1e-7] {
+        assert_near(at(part).0, part * friction, 1e-9, "sticking");
+        assert_near(at(part).1, stiffness, 1e-9, "sticking");
+    }
+    for part in [1.0 + 1e-7, 2.0] {
+        assert_near(at(part).0, friction, 1e-12, "slipping");
+        assert_eq!(at(part).1, 0.0);
+    }
+    // 8 G^ a for each of N summits.
+    assert_near(stiffness, 8.0 * 0.7 * state.mean_contact_radius * state.contacting, 1e-12, "stiffness");
+}
+
+#[test]
+fn the_default_of_the_tangential_modulus_is_that_of_one_material_and_of_a_rigid_body() {
+    for (second, nu_2) in [(200.0, 0.3), (f64::INFINITY, 0.2)] {
+        let mut params = dimensionless(0.01, 1000.0, 0.0, 1.0);
+        params.set_materials(200.0, 0.3, second, nu_2).expect("materials");
+        let default = model(&Params { tangential_modulus: 0.0, ..params.clone() });
+        let given = model(&params);
+        for load in [1e-3, 10.0] {
+            let [a, b] = [&default, &given].map(|model| model.tangential_stiffness_at_load(load));
+            assert_near(a, b, 1e-14, "stiffness");
+        }
+    }
+}
+
+/// Compiled against exact, down to pull-off.
+#[test]
+fn compiled_stiffness_is_exact_to_1e_10() {
+    for params in surfaces() {
+        let model = model(&params);
+        let summary = model.summary();
+        let pull_off = summary.pull_off_load;
+        for i in 0..100 {
+            let part = (f64::from(i) + 0.21) / 100.0;
+            let lightest = summary.min_table_load - pull_off;
+            let load = pull_off + lightest * ((summary.max_table_load - pull_off) / lightest).powf(part);
+            let state = model.state_at_load(load).expect("a state");
+            let found = model.tangential_stiffness_at_load(load);
+            // Next to pull-off a load that is rounded is another.
+            let known = f64::EPSILON * load.abs() / (load - pull_off);
+            assert_near(found, state.tangential_stiffness, 1e-10 + known, &format!("{params:?} at {load:e}"));
+        }
+        let at_pull_off = model.tangential_stiffness_at_load(pull_off);
+        if pull_off < 0.0 {
+            let state = model.state_at_load(pull_off).expect("a state");
+            assert_eq!(at_pull_off, state.tangential_stiffness);
+            assert_eq!(model.tangential_stiffness_at_load(1.1 * pull_off), 0.0);
+            assert!(model.tangential_stiffness_at_load(0.0) > at_pull_off);
+        } else {
+            assert_eq!((at_pull_off, model.tangential_stiffness_at_load(-1.0)), (0.0, 0.0));
+        }
+        for load in [f64::NAN, f64::INFINITY, 1e300] {
+            assert!(model.tangential_stiffness_at_load(load).is_nan());
+        }
+    }
+}
+
+#[test]
+fn bad_loads_and_displacements_are_refused() {
+    let model = model(&Params { heights: HeightFamily::Gaussian, ..dimensionless(0.01, 1000.0, 1e-3, 1.0) });
+    let pull_off = model.summary().pull_off_load;
+    for displacement in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let error = model.tangential_at_load(1.0, displacement).expect_err("no force");
+        assert_eq!(
+            error.to_string(),
+            format!("displacement = {}: must be finite", asperity::Value::from(displacement))
+        );
+    }
+    assert!(matches!(model.tangential_at_load(2.0 * pull_off, 1.0), Err(Error::Separated { .. })));
+    assert!(matches!(model.tangential_at_load(f64::NAN, 1.0), Err(Error::InvalidLoad { .. })));
+    assert!(matches!(model.tangential_at_load(1e300, 1.0), Err(Error::OutOfRange { .. })));
+    // Without adhesion nothing touches at zero load, and nothing resists.
+    let hertz = super::tangential::model(&dimensionless(0.01, 1000.0, 0.0, 1.0));
+    assert_eq!(hertz.tangential_at_load(0.0, 1.0), Ok((0.0, 0.0)));
+    assert!(matches!(hertz.tangential_at_load(-1.0, 1.0), Err(Error::Separated { .. })));
+    // As light as loads can be.
+    let (force, stiffness) = hertz.tangential_at_load(1e-305, 1e-3).expect("a force");
+    assert!(force > 0.0 && stiffness >= 0.0 && force <= hertz.friction_force_at_load(1e-305) * (1.0 + 1e-10));
+}

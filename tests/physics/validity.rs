@@ -1,0 +1,197 @@
+//! What states warn of: each warning at its bound, and the warnings of a range of loads against many states in it.
+
+use crate::common::surfaces::{johnson, model, table};
+use asperity::{
+    Error, HeightFamily, Model, Params, State, WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC,
+    WARNING_STEEP,
+};
+
+/// Summits of 10 to a radius of 1000, without adhesion, and all in order where 0.6 % of them touch.
+fn in_order() -> Params {
+    Params {
+        composite_modulus: 1.0,
+        effective_shear_modulus: 0.8,
+        work_of_adhesion: 0.0,
+        burgers_vector: 0.1,
+        height_std: 1.0,
+        summit_radius: 1000.0,
+        asperity_count: 1e6,
+        hardness: 1.0,
+        ..Params::default()
+    }
+}
+
+fn at(params: &Params, separation: f64) -> State {
+    model(params).state_at_separation(separation * params.height_std).expect("a state")
+}
+
+/// Fails unless a warning is all that is set on one side of its bound, and nothing on the other.
+fn sets_in(warning: u64, name: &str, fine: &State, bad: &State) {
+    assert_eq!((fine.warnings, bad.warnings), (0, warning), "{name}: {fine:?}, {bad:?}");
+}
+
+#[test]
+fn each_assumption_has_its_warning() {
+    let params = in_order();
+    let state = at(&params, 2.5);
+    assert_eq!(state.warnings, 0, "{state:?}");
+
+    // A tenth of Gaussian heights lies above 1.2815516 sigma (Abramowitz and Stegun, table 26.5).
+    sets_in(WARNING_CROWDED, "summits", &at(&params, 1.2816), &at(&params, 1.2815));
+
+    let of_area = |part: f64| Params { nominal_area: state.real_area / part, ..in_order() };
+    sets_in(WARNING_CROWDED, "area", &at(&of_area(0.099_999), 2.5), &at(&of_area(0.100_001), 2.5));
+
+    let of_radius = |factor: f64, radius: f64| Params { burgers_vector: radius * factor, ..in_order() };
+    let radius = state.mean_contact_radius;
+    sets_in(WARNING_ATOMIC, "b", &at(&of_radius(0.999_999, radius), 2.5), &at(&of_radius(1.000_001, radius), 2.5));
+
+    // a/R goes like (sigma/R)^(1/2).
+    let of_steepness = |factor: f64| Params {
+        summit_radius: 1000.0 * (state.mean_contact_radius / 1000.0 / (0.1 * factor)).powi(2),
+        hardness: 0.0,
+        ..in_order()
+    };
+    sets_in(WARNING_STEEP, "a/R", &at(&of_steepness(0.999_999), 2.5), &at(&of_steepness(1.000_001), 2.5));
+
+    let of_number = |number: f64| Params { asperity_count: number / state.fraction_in_contact, ..in_order() };
+    sets_in(WARNING_FEW, "20 contacts", &at(&of_number(20.000_01), 2.5), &at(&of_number(19.999_99), 2.5));
+    assert_eq!(at(&Params { asperity_count: 1.0, ..in_order() }, 2.5).warnings, 0, "the loads of a mean summit");
+    assert_eq!(at(&params, 100.0).warnings, WARNING_FEW, "nothing touches");
+    assert_eq!(at(&Params { asperity_count: 1.0, ..in_order() }, 100.0).warnings, 0);
+
+    // The plasticity index; contacts.rs has the pressure.
+    let of_hardness = |factor: f64| Params { hardness: (1.0_f64 / 1000.0).sqrt() * factor, ..in_order() };
+    sets_in(WARNING_PLASTIC, "psi", &at(&of_hardness(1.000_001), 2.5), &at(&of_hardness(0.999_999), 2.5));
+}
+
+/// Where radii change with height, a/R is that of each summit.
+#[test]
+fn sharp_summits_are_steep_at_their_own_radius() {
+    // All that touches is above the bend of g: taller summits have a fifth of the mean radius.
+    let sharp = Params { radius_amplitude: -0.8, radius_rate: 8.0, summit_radius: 100.0, ..in_order() };
+    let state = at(&sharp, 2.0);
+    let own = state.mean_contact_radius / (0.2 * sharp.summit_radius);
+    assert!((state.mean_steepness / own - 1.0).abs() < 1e-9, "{}, not {own}", state.mean_steepness);
+}
+
+/// All heights in the tests below are in contact at some load; all surfaces differ in what changes with load.
+fn surfaces() -> Vec<(&'static str, Params)> {
+    let with = |heights: HeightFamily| Params { heights, ..in_order() };
+    let two_humped = table(&[-0.4, -0.3, -0.2, 3.0, 3.5, 4.0], &[0.0, 1.0, 0.0, 0.0, 0.004, 0.0]);
+    vec![
+        ("Gaussian", in_order()),
+        ("Weibull", with(HeightFamily::Weibull { shape: 1.5 })),
+        ("Johnson", with(johnson(1.0, 6.0))),
+        ("two humps", with(two_humped.clone())),
+        ("two humps that adhere", Params { work_of_adhesion: 1e-6, ..with(two_humped) }),
+        ("sharp tall summits", Params { radius_amplitude: -0.9, ..in_order() }),
+        ("sharp low summits", Params { radius_amplitude: 0.999, radius_rate: 3.0, ..in_order() }),
+        ("adhesive", Params { work_of_adhesion: 1e-5, adhesion_range: 0.1, ..in_order() }),
+    ]
+}
+
+/// Loads spaced evenly in separation, from where one summit in 1e4 touches to where all do.
+fn states(model: &Model) -> Vec<State> {
+    let sigma = model.params().height_std;
+    let state = |i: i32| model.state_at_separation((-6.0 + 0.01 * f64::from(i)) * sigma).expect("a state");
+    let pull_off = model.summary().pull_off_load;
+    let mut states: Vec<State> = (0..1000).map(state).take_while(|s| s.fraction_in_contact > 1e-4).collect();
+    states.retain(|state| state.load > pull_off.max(-f64::MAX) && state.dload_dseparation < 0.0);
+    states.sort_by(|a, b| b.load.total_cmp(&a.load));
+    states
+}
+
+/// Fails unless the check of all loads of the states finds a warning that is set in one of them alone.
+fn finds(name: &str, params: &Params, warning: u64, wanted: bool) {
+    let model = model(params);
+    let states = states(&model);
+    let (heaviest, lightest) = (states[0].load, states[states.len() - 1].load);
+    let found = model.check_loads(lightest, heaviest).expect("warnings");
+    let seen = states.iter().fold(0, |bits, state| bits | state.warnings);
+    assert_eq!(seen & !found, 0, "{name}: states warn of {seen:b}, their range of {found:b}");
+    assert_eq!(found & warning != 0, wanted, "{name}: {found:b}, warning {warning:b}");
+}
+
+/// Each bound is moved to just below and just above the largest value among many states, wherever that is.
+#[test]
+fn the_largest_pressure_and_steepness_and_the_smallest_radius_between_two_loads_are_found() {
+    let mut inside = 0;
+    for (name, params) in surfaces() {
+        let states = states(&model(&params));
+        let values = |value: fn(&State) -> f64| states.iter().map(value).collect::<Vec<f64>>();
+        let pressures = values(|state| state.mean_asperity_pressure);
+        let radii = values(|state| state.mean_contact_radius);
+        let steepness = values(|state| state.mean_steepness);
+        let [pressure, steep] = [&pressures, &steepness].map(|all| all.iter().fold(0.0_f64, |a, &b| a.max(b)));
+        let radius = radii.iter().fold(f64::MAX, |a, &b| a.min(b));
+        inside += usize::from(radii[radii.len() - 1] > radius) + usize::from(steepness[0] < steep);
+        for (factor, wanted) in [(1.0 - 1e-5, true), (1.0 + 1e-3, false)] {
+            let hardness = pressure / 0.4 * factor;
+            let yields = Params { hardness, ..params.clone() };
+            // A rough surface yields at any load, whatever its pressure.
+            if params.composite_modulus / hardness * (params.height_std / params.summit_radius).sqrt() < 0.99 {
+                finds(name, &yields, WARNING_PLASTIC, wanted);
+            }
+            if params.work_of_adhesion == 0.0 {
+                finds(name, &Params { burgers_vector: radius / factor, ..params.clone() }, WARNING_ATOMIC, wanted);
+                let summit_radius = params.summit_radius * (steep * factor / 0.1).powi(2);
+                finds(name, &Params { summit_radius, ..params.clone() }, WARNING_STEEP, wanted);
+            }
+        }
+    }
+    assert!(inside >= 2, "no more than {inside} of these values lie between the ends of the range");
+}
+
+#[test]
+fn numbers_of_contacts_are_worst_at_the_ends_of_the_range() {
+    for (name, params) in surfaces() {
+        let whole = model(&params);
+        let states = states(&whole);
+        let load = |fraction: f64| {
+            let next = states.iter().find(|state| state.fraction_in_contact <= fraction).expect("a state");
+            next.load
+        };
+        let found = whole.check_loads(load(0.05), load(0.099)).expect("warnings");
+        assert_eq!(found & (WARNING_CROWDED | WARNING_FEW), 0, "{name}");
+        let found = whole.check_loads(load(0.05), load(0.2)).expect("warnings");
+        assert_eq!(found & (WARNING_CROWDED | WARNING_FEW), WARNING_CROWDED, "{name}");
+        let few = Params { asperity_count: 100.0, ..params.clone() };
+        let heavy = load(0.05) * 1e-4;
+        let light = model(&few).check_loads(0.1 * heavy, heavy).expect("warnings");
+        assert_eq!(light & (WARNING_CROWDED | WARNING_FEW), WARNING_FEW, "{name}");
+    }
+}
+
+#[test]
+fn one_load_has_the_warnings_of_its_state() {
+    for (name, params) in surfaces() {
+        let model = model(&params);
+        for state in states(&model).iter().step_by(97) {
+            let exact = model.state_at_load(state.load).expect("a state").warnings;
+            assert_eq!(model.check_loads(state.load, state.load), Ok(exact), "{name} at {}", state.load);
+        }
+    }
+}
+
+/// From the pull-off load to the heaviest that can be evaluated.
+#[test]
+fn the_whole_range_of_loads_can_be_checked() {
+    let adhesive = Params { work_of_adhesion: 1e-5, adhesion_range: 0.1, ..in_order() };
+    let model = model(&adhesive);
+    let all = model.check_loads(model.summary().pull_off_load, 1e84);
+    assert_eq!(all, Ok(WARNING_PLASTIC | WARNING_CROWDED | WARNING_STEEP | WARNING_FEW));
+}
+
+#[test]
+fn loads_that_have_no_state_cannot_be_checked() {
+    let adhesive = model(&Params { work_of_adhesion: 1e-5, adhesion_range: 0.1, ..in_order() });
+    let below = 1.1 * adhesive.summary().pull_off_load;
+    assert!(matches!(adhesive.check_loads(below, 1.0), Err(Error::Separated { .. })));
+    assert!(matches!(adhesive.check_loads(f64::NAN, 1.0), Err(Error::InvalidLoad { .. })));
+    assert!(matches!(adhesive.check_loads(1.0, f64::INFINITY), Err(Error::InvalidLoad { .. })));
+    assert!(matches!(adhesive.check_loads(1.0, 1e300), Err(Error::OutOfRange { .. })));
+    let falling = adhesive.check_loads(2.0, 1.0).expect_err("loads that fall");
+    assert_eq!(falling.to_string(), "lightest = 2: must not be above heaviest");
+    assert!(matches!(model(&in_order()).check_loads(0.0, 1.0), Err(Error::OutOfRange { .. })), "nothing touches");
+}
