@@ -12,7 +12,7 @@
 ! older than the type of today.
 module asperity
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_loc, &
-                                         c_null_ptr, c_ptr, c_size_t, c_sizeof
+                                         c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
   use, intrinsic :: iso_fortran_env, only: error_unit
   implicit none
   private
@@ -270,6 +270,41 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_params_set_skew
 
+    ! Sets one parameter by its name, which ends in c_null_char; asperity_params_set takes names of Fortran.
+    function asperity_params_set_value(params, name, value) result(status) bind(c)
+      import :: asperity_params, c_double, c_int32_t, c_ptr
+      type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      real(c_double), intent(in), value :: value
+      integer(c_int32_t) :: status
+    end function asperity_params_set_value
+
+    ! Sets parameters by their names, all or none; asperity_params_set takes names of Fortran.
+    function asperity_params_set_values(params, count, names, values) result(status) bind(c)
+      import :: asperity_params, c_int32_t, c_ptr, c_size_t
+      type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
+      integer(c_size_t), intent(in), value :: count
+      type(c_ptr), intent(in), value :: names             ! c_loc of so many c_ptr, each to characters
+      type(c_ptr), intent(in), value :: values            ! c_loc of so many real(c_double)
+      integer(c_int32_t) :: status
+    end function asperity_params_set_values
+
+    ! Reads one parameter by its name, which ends in c_null_char; asperity_params_get takes names of Fortran.
+    function asperity_params_get_value(params, name, value) result(status) bind(c)
+      import :: asperity_params, c_int32_t, c_ptr
+      type(asperity_params), intent(in) :: params         ! initialised
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      type(c_ptr), intent(in), value :: value             ! c_loc of a real(c_double); untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_params_get_value
+
+    ! The names of the parameters that are one number, index from 0; asperity_params_name_text gives it as characters.
+    function asperity_params_name(index) result(name) bind(c)
+      import :: c_ptr, c_size_t
+      integer(c_size_t), intent(in), value :: index
+      type(c_ptr) :: name                                 ! c_null_ptr after the last
+    end function asperity_params_name
+
     ! Makes a model; free it with asperity_free.
     function asperity_create(params, model) result(status) bind(c)
       import :: asperity_params, c_int32_t, c_ptr
@@ -496,6 +531,7 @@ module asperity
   public :: asperity_params_init, asperity_params_init_sized, asperity_params_init_unset
   public :: asperity_params_init_unset_sized, asperity_params_set_dimensionless
   public :: asperity_params_set_materials, asperity_params_set_spectral_moments, asperity_params_set_skew
+  public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
   public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
@@ -637,6 +673,11 @@ module asperity
     final :: finalise_model
   end type friction_model
 
+  interface asperity_params_set
+    module procedure set_by_name, set_by_names
+  end interface asperity_params_set
+
+  public :: asperity_params_set, asperity_params_get, asperity_params_name_text
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
   public :: asperity_warning_text
 
@@ -700,6 +741,77 @@ contains
     params%asperity_count = asperity_count
     call report(status, stat, errmsg)
   end function asperity_params_of
+
+  ! Sets one parameter by its name: call asperity_params_set(params, 'hardness', 9.8e9_c_double). Integers too.
+  subroutine set_by_name(params, name, value, stat, errmsg)
+    type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
+    character(*), intent(in) :: name                      ! one of asperity_params_name_text
+    real(c_double), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call set_by_names(params, [name], [value], stat, errmsg)
+  end subroutine set_by_name
+
+  ! Sets parameters by their names, in any order, all or none; E1, nu1, E2 and nu2 go together, and m0, m2 and m4.
+  subroutine set_by_names(params, names, values, stat, errmsg)
+    type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
+    character(*), intent(in) :: names(:)
+    real(c_double), intent(in) :: values(:)               ! as many
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: text(len(names) + 1, size(names))
+    type(c_ptr), target :: first(size(names))
+    real(c_double), target :: numbers(size(values))
+    integer :: i
+    if (size(names) /= size(values)) then
+      call report_message(ASPERITY_INVALID_PARAMETER, 'values: must be as many as names', stat, errmsg)
+      return
+    end if
+    do i = 1, size(names)
+      text(:, i) = c_string(names(i), size(text, 1))
+      first(i) = c_loc(text(1, i))
+    end do
+    numbers = values
+    call report(asperity_params_set_values(params, size(names, kind=c_size_t), c_loc(first), c_loc(numbers)), stat, errmsg)
+  end subroutine set_by_names
+
+  ! A parameter by its name.
+  function asperity_params_get(params, name, stat, errmsg) result(number)
+    type(asperity_params), intent(in) :: params           ! initialised
+    character(*), intent(in) :: name
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double) :: number                              ! 0 on failure
+    real(c_double), target :: found
+    character(kind=c_char), target :: text(len(name) + 1)
+    text = c_string(name, size(text))
+    found = 0
+    call report(asperity_params_get_value(params, c_loc(text), c_loc(found)), stat, errmsg)
+    number = found
+  end function asperity_params_get
+
+  ! The names of the parameters that are one number; empty after the last.
+  function asperity_params_name_text(index) result(text)
+    integer, intent(in) :: index                          ! from 1
+    character(:), allocatable :: text
+    type(c_ptr) :: name
+    text = ''
+    if (index < 1) return
+    name = asperity_params_name(int(index - 1, c_size_t))
+    if (c_associated(name)) text = fortran_text(name)
+  end function asperity_params_name_text
+
+  ! So many characters, of which those after the text are c_null_char.
+  pure function c_string(text, length) result(characters)
+    character(*), intent(in) :: text
+    integer, intent(in) :: length
+    character(kind=c_char) :: characters(length)
+    integer :: i
+    characters = c_null_char
+    do i = 1, len_trim(text)
+      characters(i) = text(i:i)
+    end do
+  end function c_string
 
   ! Copies the parameters of a model out. Pointers to a table are those of the model's own copy, valid until the model
   ! is changed or freed.

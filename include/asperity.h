@@ -828,6 +828,75 @@ asperity_status asperity_params_set_skew(struct asperity_params *params,
                                          double skew);
 
 /**
+ * Sets one parameter by its name.
+ *
+ * The same as `asperity_params_set_values` with one name: see there. Names that go together need that call.
+ *
+ * @param params  initialised parameters; must not be NULL; untouched on failure
+ * @param name    a name of `asperity_params_name`; must not be NULL; at most 64 bytes are read
+ * @param value   the number; a whole one for `attraction`, `contact_law` and `height_distribution`
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
+ *         nearest; a number that is not whole), `ASPERITY_OUT_OF_RANGE`
+ *
+ * Threads: any, on different structs.
+ */
+asperity_status asperity_params_set_value(struct asperity_params *params,
+                                          const char *name,
+                                          double value);
+
+/**
+ * Sets parameters by their names, in any order, all or none.
+ *
+ * The names are those of the fields of `asperity_params` that are one number, and of two setters: `E1`, `nu1`, `E2` and
+ * `nu2` together are `asperity_params_set_materials`; `m0`, `m2` and `m4` together, with a `nominal_area` that is given
+ * here or earlier, are `asperity_params_set_spectral_moments`. A field is set after them and as it is: what it may be is
+ * for `asperity_create` to say.
+ *
+ * Three names choose the heights: `weibull_shape` Weibull's, `kurtosis` Johnson's. `skew` is that of Johnson's heights if
+ * they are chosen or `kurtosis` is given too, else it is `asperity_params_set_skew`. `height_distribution`, if given,
+ * has the last word.
+ *
+ * @param params  initialised parameters; must not be NULL; untouched on failure
+ * @param count   how many names; may be 0
+ * @param names   so many strings, of which at most 64 bytes are read; not NULL unless `count` is 0
+ * @param values  so many numbers; of a name given twice the last counts; not NULL unless `count` is 0
+ * @return as `asperity_params_set_value`
+ *
+ * Threads: any, on different structs.
+ */
+asperity_status asperity_params_set_values(struct asperity_params *params,
+                                           size_t count,
+                                           const char *const *names,
+                                           const double *values);
+
+/**
+ * Reads one parameter by its name.
+ *
+ * @param params  initialised parameters; must not be NULL
+ * @param name    a name of `asperity_params_name`; must not be NULL; at most 64 bytes are read
+ * @param value   receives the number; must not be NULL; untouched on failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name; a name that is no field,
+ *         as `E1`: the struct does not keep it)
+ *
+ * Threads: any.
+ */
+asperity_status asperity_params_get_value(const struct asperity_params *params,
+                                          const char *name,
+                                          double *value);
+
+/**
+ * Lists the names of the parameters that are one number, for messages and to copy them.
+ *
+ * To set one after another, in this order, what `asperity_params_get_value` read of other parameters copies those.
+ *
+ * @param index  from 0
+ * @return a constant string; NULL after the last
+ *
+ * Threads: any.
+ */
+const char *asperity_params_name(size_t index);
+
+/**
  * Makes a model: checks the parameters, finds the pull-off load, compiles the law.
  *
  * Free it with `asperity_free`. The parameters are copied.

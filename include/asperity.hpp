@@ -241,127 +241,166 @@ public:
         return *this;
     }
 
+    /// Sets a parameter by its name, one of names(), as asperity_params_set_value does.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
+    Params &set(const std::string &name, double value) {
+        check(asperity_params_set_value(&c_, name.c_str(), value));
+        return *this;
+    }
+
+    /// Sets parameters by their names, in any order, all or none, as asperity_params_set_values does: the way to set those
+    /// that go together, params.set({{"E1", 160e9}, {"nu1", 0.22}, {"E2", 160e9}, {"nu2", 0.22}}).
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
+    Params &set(const std::vector<std::pair<std::string, double>> &parameters) {
+        std::vector<const char *> names;
+        std::vector<double> values;
+        for (const auto &[name, value] : parameters) {
+            names.push_back(name.c_str());
+            values.push_back(value);
+        }
+        check(asperity_params_set_values(&c_, names.size(), names.data(), values.data()));
+        return *this;
+    }
+
+    /// A parameter by its name. Throws Error (ASPERITY_INVALID_PARAMETER).
+    double get(const std::string &name) const {
+        double value = 0.0;
+        check(asperity_params_get_value(&c_, name.c_str(), &value));
+        return value;
+    }
+
+    /// The names of the parameters that are one number. Setting them in this order copies those of other parameters.
+    static std::vector<std::string> names() {
+        std::vector<std::string> all;
+        while (const char *name = asperity_params_name(all.size())) {
+            all.emplace_back(name);
+        }
+        return all;
+    }
+
     /// E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
     double composite_modulus() const noexcept { return c_.composite_modulus; }
     /// Sets E* [stress].
-    Params &composite_modulus(double value) noexcept { return set(c_.composite_modulus, value); }
+    Params &composite_modulus(double value) noexcept { return assign(c_.composite_modulus, value); }
 
     /// G* [stress], > 0: 2 G1 G2/(G1 + G2).
     double effective_shear_modulus() const noexcept { return c_.effective_shear_modulus; }
     /// Sets G* [stress].
-    Params &effective_shear_modulus(double value) noexcept { return set(c_.effective_shear_modulus, value); }
+    Params &effective_shear_modulus(double value) noexcept { return assign(c_.effective_shear_modulus, value); }
 
     /// w [force/length], >= 0: work of adhesion; 0 is Hertzian contact.
     double work_of_adhesion() const noexcept { return c_.work_of_adhesion; }
     /// Sets w [force/length].
-    Params &work_of_adhesion(double value) noexcept { return set(c_.work_of_adhesion, value); }
+    Params &work_of_adhesion(double value) noexcept { return assign(c_.work_of_adhesion, value); }
 
     /// h [length], > 0: range of adhesion.
     double adhesion_range() const noexcept { return c_.adhesion_range; }
     /// Sets h [length].
-    Params &adhesion_range(double value) noexcept { return set(c_.adhesion_range, value); }
+    Params &adhesion_range(double value) noexcept { return assign(c_.adhesion_range, value); }
 
     /// b [length], > 0: Burgers vector.
     double burgers_vector() const noexcept { return c_.burgers_vector; }
     /// Sets b [length].
-    Params &burgers_vector(double value) noexcept { return set(c_.burgers_vector, value); }
+    Params &burgers_vector(double value) noexcept { return assign(c_.burgers_vector, value); }
 
     /// sigma [length], > 0: standard deviation of summit heights.
     double height_std() const noexcept { return c_.height_std; }
     /// Sets sigma [length].
-    Params &height_std(double value) noexcept { return set(c_.height_std, value); }
+    Params &height_std(double value) noexcept { return assign(c_.height_std, value); }
 
     /// R [length], > 0: mean radius of curvature of the summits.
     double summit_radius() const noexcept { return c_.summit_radius; }
     /// Sets R [length].
-    Params &summit_radius(double value) noexcept { return set(c_.summit_radius, value); }
+    Params &summit_radius(double value) noexcept { return assign(c_.summit_radius, value); }
 
     /// N, > 0: number of summits, summit density times nominal area; need not be whole.
     double asperity_count() const noexcept { return c_.asperity_count; }
     /// Sets N.
-    Params &asperity_count(double value) noexcept { return set(c_.asperity_count, value); }
+    Params &asperity_count(double value) noexcept { return assign(c_.asperity_count, value); }
 
     /// Family of the summit heights.
     Heights height_distribution() const noexcept { return static_cast<Heights>(c_.height_distribution); }
     /// Sets the family of the summit heights.
     Params &height_distribution(Heights value) noexcept {
-        return set(c_.height_distribution, static_cast<std::int32_t>(value));
+        return assign(c_.height_distribution, static_cast<std::int32_t>(value));
     }
 
     /// Whether summits out of contact attract.
     bool attraction() const noexcept { return c_.attraction != 0; }
     /// Sets whether summits out of contact attract.
-    Params &attraction(bool value) noexcept { return set(c_.attraction, value ? 1 : 0); }
+    Params &attraction(bool value) noexcept { return assign(c_.attraction, value ? 1 : 0); }
 
     /// omega > 0: shape of the Weibull heights; read only for those.
     double weibull_shape() const noexcept { return c_.weibull_shape; }
     /// Sets omega.
-    Params &weibull_shape(double value) noexcept { return set(c_.weibull_shape, value); }
+    Params &weibull_shape(double value) noexcept { return assign(c_.weibull_shape, value); }
 
     /// epsilon, -1 to 1: how much the radius grows with height, eq (3).
     double radius_amplitude() const noexcept { return c_.radius_amplitude; }
     /// Sets epsilon.
-    Params &radius_amplitude(double value) noexcept { return set(c_.radius_amplitude, value); }
+    Params &radius_amplitude(double value) noexcept { return assign(c_.radius_amplitude, value); }
 
     /// rho > 0: how fast it does.
     double radius_rate() const noexcept { return c_.radius_rate; }
     /// Sets rho.
-    Params &radius_rate(double value) noexcept { return set(c_.radius_rate, value); }
+    Params &radius_rate(double value) noexcept { return assign(c_.radius_rate, value); }
 
     /// a_1/b > 0: up to this contact radius the shear strength is slip_stress_1, eq (13).
     double slip_radius_1() const noexcept { return c_.slip_radius_1; }
     /// Sets a_1/b.
-    Params &slip_radius_1(double value) noexcept { return set(c_.slip_radius_1, value); }
+    Params &slip_radius_1(double value) noexcept { return assign(c_.slip_radius_1, value); }
 
     /// tau_1/G* > 0.
     double slip_stress_1() const noexcept { return c_.slip_stress_1; }
     /// Sets tau_1/G*.
-    Params &slip_stress_1(double value) noexcept { return set(c_.slip_stress_1, value); }
+    Params &slip_stress_1(double value) noexcept { return assign(c_.slip_stress_1, value); }
 
     /// a_2/b > a_1/b: from this contact radius on the shear strength is slip_stress_2.
     double slip_radius_2() const noexcept { return c_.slip_radius_2; }
     /// Sets a_2/b.
-    Params &slip_radius_2(double value) noexcept { return set(c_.slip_radius_2, value); }
+    Params &slip_radius_2(double value) noexcept { return assign(c_.slip_radius_2, value); }
 
     /// tau_2/G* > 0.
     double slip_stress_2() const noexcept { return c_.slip_stress_2; }
     /// Sets tau_2/G*.
-    Params &slip_stress_2(double value) noexcept { return set(c_.slip_stress_2, value); }
+    Params &slip_stress_2(double value) noexcept { return assign(c_.slip_stress_2, value); }
 
     /// Cap on every friction coefficient returned, > 0; may be infinite.
     double max_friction_coefficient() const noexcept { return c_.max_friction_coefficient; }
     /// Sets the cap.
-    Params &max_friction_coefficient(double value) noexcept { return set(c_.max_friction_coefficient, value); }
+    Params &max_friction_coefficient(double value) noexcept { return assign(c_.max_friction_coefficient, value); }
 
     /// Skew of Johnson's heights; read only for those.
     double skew() const noexcept { return c_.skew; }
     /// Sets the skew of Johnson's heights.
-    Params &skew(double value) noexcept { return set(c_.skew, value); }
+    Params &skew(double value) noexcept { return assign(c_.skew, value); }
 
     /// Kurtosis of Johnson's heights, > skew^2 + 1; read only for those.
     double kurtosis() const noexcept { return c_.kurtosis; }
     /// Sets the kurtosis of Johnson's heights.
-    Params &kurtosis(double value) noexcept { return set(c_.kurtosis, value); }
+    Params &kurtosis(double value) noexcept { return assign(c_.kurtosis, value); }
 
     /// H [stress]: hardness of the softer body, to judge whether contacts are elastic; 0 is not known.
     double hardness() const noexcept { return c_.hardness; }
     /// Sets H [stress].
-    Params &hardness(double value) noexcept { return set(c_.hardness, value); }
+    Params &hardness(double value) noexcept { return assign(c_.hardness, value); }
 
     /// G^ [stress]: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for contacts that stick; 0 is E* G* / (2 (E* + G*)).
     double tangential_modulus() const noexcept { return c_.tangential_modulus; }
     /// Sets G^ [stress].
-    Params &tangential_modulus(double value) noexcept { return set(c_.tangential_modulus, value); }
+    Params &tangential_modulus(double value) noexcept { return assign(c_.tangential_modulus, value); }
 
     /// Nominal area of contact [length^2], with which warnings compare the real area; 0 is not known.
     double nominal_area() const noexcept { return c_.nominal_area; }
     /// Sets the nominal area [length^2].
-    Params &nominal_area(double value) noexcept { return set(c_.nominal_area, value); }
+    Params &nominal_area(double value) noexcept { return assign(c_.nominal_area, value); }
 
     /// Law of one summit in contact.
     ContactLaw contact_law() const noexcept { return static_cast<ContactLaw>(c_.contact_law); }
     /// Sets the law of one summit in contact.
-    Params &contact_law(ContactLaw value) noexcept { return set(c_.contact_law, static_cast<std::int32_t>(value)); }
+    Params &contact_law(ContactLaw value) noexcept { return assign(c_.contact_law, static_cast<std::int32_t>(value)); }
 
     /// The heights of the table; none by default.
     Span<const double> table_height() const noexcept {
@@ -397,7 +436,7 @@ public:
 
 private:
     template <class T>
-    Params &set(T &field, T value) noexcept {
+    Params &assign(T &field, T value) noexcept {
         field = value;
         return *this;
     }

@@ -66,7 +66,7 @@ def cargo_build():
 
 
 class BuildWithLibrary(build_py):
-    """Adds the library to the modules; an editable install keeps it among the sources."""
+    """Adds the library and its C header to the modules; an editable install keeps it among the sources."""
 
     def run(self):
         super().run()
@@ -74,6 +74,7 @@ class BuildWithLibrary(build_py):
         package = HERE / "src" / "asperity" if self.editable_mode else Path(self.build_lib) / "asperity"
         package.mkdir(parents=True, exist_ok=True)
         shutil.copy2(library, package)
+        shutil.copy2(CRATE / "include" / "asperity.h", package)
 
 
 class PlatformWheel(bdist_wheel):

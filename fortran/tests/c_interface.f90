@@ -16,6 +16,7 @@ program c_interface
   call material_parameters
   call spectral_moments
   call skewed_heights
+  call names
   call johnson_heights
   call tabulated_heights
   call life_of_a_model
@@ -161,6 +162,56 @@ contains
     call check('skew -1.2 is outside the family', &
                asperity_params_set_skew(p, -1.2_c_double) == ASPERITY_INVALID_PARAMETER)
   end subroutine skewed_heights
+
+  subroutine names
+    character(11), parameter :: BODIES(4) = [character(11) :: 'nu2', 'E1', 'nu1', 'E2']
+    character(kind=c_char), target :: name(9) = ['h', 'a', 'r', 'd', 'n', 'e', 's', 's', c_null_char]
+    type(c_ptr), target :: first(1)
+    type(asperity_params) :: p, expected, copied
+    real(c_double), target :: found(1)
+    character(200) :: message
+    integer :: i, status
+    call asperity_check(asperity_params_init(p))
+    expected = p
+    call asperity_check(asperity_params_set_materials(expected, 160e9_c_double, 0.3_c_double, 70e9_c_double, 0.22_c_double))
+    call asperity_params_set(p, BODIES, [0.22_c_double, 160e9_c_double, 0.3_c_double, 70e9_c_double])
+    call check_close('bodies by name', p%composite_modulus, expected%composite_modulus, 0.0_c_double)
+    call asperity_params_set(p, 'hardness ', 3.0_c_double)
+    call check_close('a field by name', p%hardness, 3.0_c_double, 0.0_c_double)
+    call asperity_params_set(p, 'skew', -0.5_c_double)
+    call check('a skew by name is one of Weibull heights', p%height_distribution == ASPERITY_HEIGHTS_WEIBULL)
+
+    call asperity_check(asperity_params_set_value(p, c_loc(name), 4.0_c_double))
+    call asperity_check(asperity_params_get_value(p, c_loc(name), c_loc(found)))
+    call check_close('the C functions take and give it', found(1), 4.0_c_double, 0.0_c_double)
+    first = c_loc(name)
+    found = 5
+    call asperity_check(asperity_params_set_values(p, 1_c_size_t, c_loc(first), c_loc(found)))
+    call check_close('... several of them too', p%hardness, 5.0_c_double, 0.0_c_double)
+
+    call asperity_check(asperity_params_init_unset(copied))
+    i = 1
+    do while (asperity_params_name_text(i) /= '')
+      call asperity_params_set(copied, asperity_params_name_text(i), asperity_params_get(p, asperity_params_name_text(i)))
+      i = i + 1
+    end do
+    call check('the C function lists them', c_associated(asperity_params_name(23_c_size_t)) .and. &
+               .not. c_associated(asperity_params_name(24_c_size_t)))
+    call check('every number has a name', i == 25 .and. asperity_params_name_text(0) == '')
+    call check('names copy the heights', copied%height_distribution == p%height_distribution)
+    call check_close('... their shape', copied%weibull_shape, p%weibull_shape, 0.0_c_double)
+    call check_close('... the hardness', copied%hardness, p%hardness, 0.0_c_double)
+    call check_close('... the first input', copied%composite_modulus, p%composite_modulus, 0.0_c_double)
+
+    call asperity_params_set(p, 'hardnes', 1.0_c_double, status, message)
+    call check('an unknown name', status == ASPERITY_INVALID_PARAMETER .and. &
+               message == 'hardnes: no parameter has this name; the nearest is hardness')
+    call check('... reads as 0', &
+               .not. abs(asperity_params_get(p, 'E1', status, message)) > 0 .and. status == ASPERITY_INVALID_PARAMETER)
+    call asperity_params_set(p, BODIES, [1.0_c_double], status, message)
+    call check('as many numbers as names', message == 'values: must be as many as names')
+    call check_close('what is refused changes nothing', p%hardness, 5.0_c_double, 0.0_c_double)
+  end subroutine names
 
   function weibull_skew(omega) result(skew)
     real(c_double), intent(in) :: omega

@@ -37,6 +37,8 @@ VALUE_TYPES = {
     "const double *": "type(c_ptr), value",
     "double *": "type(c_ptr), value",
     "char *": "type(c_ptr), value",
+    "const char *": "type(c_ptr), value",
+    "const char *const *": "type(c_ptr), value",
     "const struct asperity_model *": "type(c_ptr), value",
     "struct asperity_model *": "type(c_ptr), value",
     "struct asperity_model **": "type(c_ptr)",

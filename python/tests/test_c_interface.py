@@ -67,6 +67,13 @@ def test_every_function_of_the_header_works() -> None:
     assert params.height_distribution == _header.ASPERITY_HEIGHTS_WEIBULL
     assert abs(params.weibull_shape - 3.602) < 5e-4  # Table 1 of the paper
 
+    assert lib.params_name(0) == b"composite_modulus"
+    assert lib.params_set_value(params, b"hardness", 3.0) == Status.OK
+    names = (ctypes.POINTER(ctypes.c_char) * 1)(ctypes.create_string_buffer(b"hardness"))
+    assert lib.params_set_values(params, 1, names, (ctypes.c_double * 1)(0.0)) == Status.OK
+    found = ctypes.c_double(-1.0)
+    assert lib.params_get_value(params, b"hardness", found) == Status.OK and found.value == 0.0
+
     assert lib.params_set_skew(params, -2.0) == Status.INVALID_PARAMETER
     text = ctypes.create_string_buffer(200)
     assert lib.last_error(text, 200) == len(text.value)

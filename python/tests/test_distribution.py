@@ -62,7 +62,7 @@ def test_the_wheel_contains_the_package_and_one_library(root: Path, wheel: Path)
         library = archive.read(f"asperity/{Path(_library.PATH).name}")
     source = root / "python" / "src"
     modules = {file.relative_to(source).as_posix() for file in (source / "asperity").rglob("*.py")}
-    assert inside == modules | {f"asperity/{name}" for name in ("py.typed", Path(_library.PATH).name)}
+    assert inside == modules | {f"asperity/{name}" for name in ("py.typed", "_fmu.c", "asperity.h", Path(_library.PATH).name)}
     assert library[:4] == b"\x7fELF" or sys.platform != "linux"
 
 

@@ -1,6 +1,9 @@
 //! What every entry point passes through: no panic crosses it, and every failure leaves a message.
 
-use super::status::{asperity_status, ASPERITY_INTERNAL, ASPERITY_NULL_POINTER, ASPERITY_OK, ASPERITY_OUT_OF_MEMORY};
+use super::status::{
+    asperity_status, ASPERITY_INTERNAL, ASPERITY_INVALID_PARAMETER, ASPERITY_NULL_POINTER, ASPERITY_OK,
+    ASPERITY_OUT_OF_MEMORY,
+};
 use super::{fp_environment, last_error};
 use crate::error::{Error, Value};
 use std::panic::{catch_unwind, AssertUnwindSafe};
@@ -15,6 +18,10 @@ pub enum Failure {
     Element(usize, Error),
     /// The system refuses memory.
     OutOfMemory,
+    /// What is wrong about a parameter that is named.
+    Name { name: &'static str, says: &'static str },
+    /// A name that no parameter has, as many bytes of it as `length`, and the nearest that one has.
+    UnknownName { name: [u8; 64], length: usize, nearest: &'static str },
 }
 
 impl From<Error> for Failure {
@@ -30,6 +37,11 @@ impl std::fmt::Display for Failure {
             Failure::Error(error) => write!(f, "{error}"),
             Failure::Element(index, error) => write!(f, "element {index}: {error}"),
             Failure::OutOfMemory => write!(f, "out of memory: nothing was made or changed; free some and call again"),
+            Failure::Name { name, says } => write!(f, "{name}: {says}"),
+            Failure::UnknownName { name, length, nearest } => {
+                let name = name[..*length].escape_ascii();
+                write!(f, "{name}: no parameter has this name; the nearest is {nearest}")
+            }
         }
     }
 }
@@ -40,6 +52,7 @@ impl Failure {
             Failure::Null(_) => ASPERITY_NULL_POINTER,
             Failure::Error(error) | Failure::Element(_, error) => error.status(),
             Failure::OutOfMemory => ASPERITY_OUT_OF_MEMORY,
+            Failure::Name { .. } | Failure::UnknownName { .. } => ASPERITY_INVALID_PARAMETER,
         }
     }
 }
@@ -128,6 +141,8 @@ mod tests {
         }
         assert_eq!(fast_status(|| Err(Failure::Null(""))), 1);
         assert_eq!(fast_status(|| Err(Failure::OutOfMemory)), 7);
+        assert_eq!(fast_status(|| Err(Failure::Name { name: "", says: "" })), 2);
+        assert_eq!(fast_status(|| Err(Failure::UnknownName { name: [0; 64], length: 0, nearest: "" })), 2);
         assert_eq!(fast_status(|| Ok(())), 0);
     }
 }

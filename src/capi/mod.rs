@@ -12,6 +12,7 @@ mod evaluate;
 mod fp_environment;
 mod last_error;
 mod model;
+mod names;
 mod params;
 #[cfg_attr(not(feature = "memory-reserve"), allow(dead_code))]
 mod reserve;
@@ -31,6 +32,7 @@ mod version;
 pub use evaluate::*;
 pub use last_error::asperity_last_error;
 pub use model::*;
+pub use names::*;
 pub use params::*;
 pub use sensitivities::*;
 pub use setters::*;

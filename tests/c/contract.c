@@ -377,6 +377,169 @@ static void failing_setters_touch_nothing(void)
     }
 }
 
+/* ---- Parameters by name ---- */
+
+static double value_of(const asperity_params *p, const char *name)
+{
+    double value = -99;
+    CHECK(asperity_params_get_value(p, name, &value) == ASPERITY_OK, "%s: %s", name, last_message());
+    return value;
+}
+
+static void names_are_those_of_the_fields(void)
+{
+    asperity_params p = surface(8);
+    size_t count = 0;
+
+    while (asperity_params_name(count) != NULL)
+        count++;
+    CHECK(count == 24, "%d names", (int)count);
+    CHECK(asperity_params_name(count + 1) == NULL && asperity_params_name(SIZE_MAX) == NULL, "names after the last");
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = 0; k < i; k++)
+            CHECK(strcmp(asperity_params_name(i), asperity_params_name(k)) != 0, "%s twice", asperity_params_name(i));
+#define NAMES(field)                                                                                                   \
+    CHECK(value_of(&p, #field) == p.field, #field);                                                                    \
+    CHECK(asperity_params_set_value(&p, #field, 2) == ASPERITY_OK && p.field == 2, #field ": %s", last_message())
+    NAMES(composite_modulus);
+    NAMES(effective_shear_modulus);
+    NAMES(work_of_adhesion);
+    NAMES(adhesion_range);
+    NAMES(burgers_vector);
+    NAMES(height_std);
+    NAMES(summit_radius);
+    NAMES(asperity_count);
+    NAMES(attraction);
+    NAMES(radius_amplitude);
+    NAMES(radius_rate);
+    NAMES(slip_radius_1);
+    NAMES(slip_stress_1);
+    NAMES(slip_radius_2);
+    NAMES(slip_stress_2);
+    NAMES(max_friction_coefficient);
+    NAMES(hardness);
+    NAMES(tangential_modulus);
+    NAMES(nominal_area);
+    NAMES(contact_law);
+    NAMES(weibull_shape);
+    NAMES(height_distribution);
+    NAMES(kurtosis);
+    NAMES(skew);
+#undef NAMES
+}
+
+/* Whatever heights the other surface has, and whatever heights this one had. */
+static void setting_all_names_in_their_order_copies_a_surface(void)
+{
+    for (int from = 0; from < SURFACES; from++) {
+        for (int to = 0; to < SURFACES; to++) {
+            const asperity_params source = surface(from);
+            asperity_params one_by_one = surface(to), at_once = one_by_one;
+            const char *names[24];
+            double values[24];
+            for (int i = 0; i < 24; i++) {
+                names[23 - i] = asperity_params_name((size_t)i);
+                values[23 - i] = value_of(&source, names[23 - i]);
+                CHECK(asperity_params_set_value(&one_by_one, names[23 - i], values[23 - i]) == ASPERITY_OK, "%s",
+                      last_message());
+            }
+            CHECK(asperity_params_set_values(&at_once, 24, names, values) == ASPERITY_OK, "%s", last_message());
+            CHECK(SAME(one_by_one, source) && SAME(at_once, source), "%d is not copied to %d", from, to);
+        }
+    }
+}
+
+static void names_that_go_together_are_as_the_setters(void)
+{
+    const char *names[] = { "nu2", "E1", "m4", "m0", "m2", "nominal_area", "nu1", "E2", "hardness" };
+    const double values[] = { 0.34, 200e9, 0.7, 3, 0.5, 11, 0.3, 70e9, 7e9 };
+    asperity_params p = surface(0), expected = p;
+
+    CHECK(asperity_params_set_materials(&expected, 200e9, 0.3, 70e9, 0.34) == ASPERITY_OK, "%s", last_message());
+    CHECK(asperity_params_set_spectral_moments(&expected, 3, 0.5, 0.7, 11) == ASPERITY_OK, "%s", last_message());
+    expected.hardness = 7e9;
+    CHECK(asperity_params_set_values(&p, 9, names, values) == ASPERITY_OK, "%s", last_message());
+    CHECK(SAME(p, expected), "another surface than the setters make");
+    CHECK(asperity_params_set_values(&p, 3, names + 2, values + 2) == ASPERITY_OK, "the area is known: %s",
+          last_message());
+    CHECK(asperity_params_set_values(&p, 0, NULL, NULL) == ASPERITY_OK && SAME(p, expected), "no names, yet a change");
+}
+
+static void names_of_heights_choose_them(void)
+{
+    const char *both[] = { "skew", "kurtosis" }, *all[] = { "height_distribution", "weibull_shape", "kurtosis" };
+    const double two[] = { -2, 12 }, three[] = { ASPERITY_HEIGHTS_GAUSSIAN, 2, 5 };
+    asperity_params p = surface(0), expected = p;
+
+    CHECK(asperity_params_set_skew(&expected, -0.5) == ASPERITY_OK, "%s", last_message());
+    CHECK(asperity_params_set_value(&p, "skew", -0.5) == ASPERITY_OK && SAME(p, expected), "skew is not set_skew");
+    CHECK(asperity_params_set_values(&p, 2, both, two) == ASPERITY_OK, "%s", last_message());
+    CHECK(p.height_distribution == ASPERITY_HEIGHTS_JOHNSON && p.skew == -2 && p.kurtosis == 12, "Johnson's heights");
+    CHECK(asperity_params_set_value(&p, "skew", 1) == ASPERITY_OK && p.skew == 1, "the skew of Johnson's heights");
+    CHECK(p.height_distribution == ASPERITY_HEIGHTS_JOHNSON, "Johnson's heights are lost");
+    CHECK(asperity_params_set_value(&p, "weibull_shape", 3) == ASPERITY_OK && p.weibull_shape == 3, "Weibull's shape");
+    CHECK(p.height_distribution == ASPERITY_HEIGHTS_WEIBULL, "Weibull's heights");
+    CHECK(asperity_params_set_values(&p, 3, all, three) == ASPERITY_OK, "%s", last_message());
+    CHECK(p.height_distribution == ASPERITY_HEIGHTS_GAUSSIAN && p.weibull_shape == 2 && p.kurtosis == 5, "last word");
+}
+
+static void names_are_refused_with_the_nearest_and_nothing_changes(void)
+{
+    const asperity_params before = surface(8);
+    asperity_params p = before;
+    char endless[64], longest[80];
+    const char *names[] = { "hardness", "E1", "nu1", "nu2" }, *missing[] = { "hardness", NULL };
+    const double values[] = { 1, 2e11, 0.3, 0.3 };
+    double value = 5;
+
+    memset(endless, 'x', sizeof endless);
+    memset(longest, 'x', sizeof longest);
+    longest[sizeof longest - 1] = '\0';
+#define FAILS(call, status, text)                                                                                      \
+    CHECK((call) == (status), "another status than " #status ": %s", last_message());                                  \
+    CHECK(says(text), "'%s' does not say '%s'", last_message(), text);                                                 \
+    CHECK(SAME(p, before), "the parameters changed")
+    FAILS(asperity_params_set_value(&p, "sumit_radius", 1), ASPERITY_INVALID_PARAMETER,
+          "sumit_radius: no parameter has this name; the nearest is summit_radius");
+    FAILS(asperity_params_set_value(&p, "e1", 1), ASPERITY_INVALID_PARAMETER, "the nearest is E1");
+    FAILS(asperity_params_set_value(&p, "Height_Std", 1), ASPERITY_INVALID_PARAMETER, "the nearest is height_std");
+    FAILS(asperity_params_set_value(&p, "struct_size", 1), ASPERITY_INVALID_PARAMETER, "no parameter has this name");
+    FAILS(asperity_params_set_value(&p, "reserved", 1), ASPERITY_INVALID_PARAMETER, "no parameter has this name");
+    FAILS(asperity_params_set_value(&p, "", 1), ASPERITY_INVALID_PARAMETER, ": no parameter has this name");
+    FAILS(asperity_params_set_value(&p, "a\n\xff", 1), ASPERITY_INVALID_PARAMETER, "a\\n\\xff: no parameter");
+    FAILS(asperity_params_set_value(&p, endless, 1), ASPERITY_INVALID_PARAMETER, "xxx: no parameter has this name");
+    FAILS(asperity_params_set_value(&p, longest, 1), ASPERITY_INVALID_PARAMETER, "xxx: no parameter has this name");
+    FAILS(asperity_params_set_value(&p, "E1", 2e11), ASPERITY_INVALID_PARAMETER, "nu1: must be given too: E1, nu1, E2");
+    FAILS(asperity_params_set_values(&p, 4, names, values), ASPERITY_INVALID_PARAMETER, "E2: must be given too");
+    FAILS(asperity_params_set_value(&p, "m2", 2), ASPERITY_INVALID_PARAMETER, "m0: must be given too");
+    FAILS(asperity_params_set_value(&p, "attraction", 0.5), ASPERITY_INVALID_PARAMETER, "attraction = 0.5: must be a whole");
+    FAILS(asperity_params_set_value(&p, "contact_law", NAN), ASPERITY_INVALID_PARAMETER, "contact_law = NaN: ");
+    FAILS(asperity_params_set_value(&p, "contact_law", 1e300), ASPERITY_INVALID_PARAMETER, "contact_law = 1e300: ");
+    FAILS(asperity_params_set_values(&p, 2, missing, values), ASPERITY_NULL_POINTER, "name is NULL");
+    FAILS(asperity_params_set_values(&p, 1, NULL, values), ASPERITY_NULL_POINTER, "names is NULL");
+    FAILS(asperity_params_set_values(&p, 1, names, NULL), ASPERITY_NULL_POINTER, "values is NULL");
+    FAILS(asperity_params_get_value(&p, "hardnes", &value), ASPERITY_INVALID_PARAMETER, "the nearest is hardness");
+    FAILS(asperity_params_get_value(&p, "E1", &value), ASPERITY_INVALID_PARAMETER, "E1: is not kept");
+    FAILS(asperity_params_get_value(&p, "skew", NULL), ASPERITY_NULL_POINTER, "value is NULL");
+    CHECK(value == 5, "a value in spite of the error");
+#undef FAILS
+    CHECK(asperity_params_set_value(&p, "height_std", NAN) == ASPERITY_OK && isnan(p.height_std), "%s", last_message());
+}
+
+static void names_beyond_a_short_struct_are_refused(void)
+{
+    asperity_params p, before;
+    memset(&p, 0, sizeof p);
+    CHECK(asperity_params_init_sized(&p, offsetof(asperity_params, skew)) == ASPERITY_OK, "%s", last_message());
+    before = p;
+    CHECK(asperity_params_set_value(&p, "hardness", 1) == ASPERITY_INVALID_PARAMETER, "a hardness in a short struct");
+    CHECK(says("struct_size = 144: "), "'%s'", last_message());
+    CHECK(asperity_params_set_value(&p, "kurtosis", 4) == ASPERITY_INVALID_PARAMETER, "a kurtosis in a short struct");
+    CHECK(SAME(p, before) && value_of(&p, "hardness") == 0, "a short struct");
+    CHECK(asperity_params_set_value(&p, "max_friction_coefficient", 3) == ASPERITY_OK, "%s", last_message());
+    CHECK(p.max_friction_coefficient == 3, "the last field of a short struct");
+}
+
 /* ---- Making and changing models ---- */
 
 typedef struct refused {
@@ -990,6 +1153,12 @@ int main(void)
     every_size_of_a_version_is_taken();
     setters_set_what_they_say_and_nothing_else();
     failing_setters_touch_nothing();
+    names_are_those_of_the_fields();
+    setting_all_names_in_their_order_copies_a_surface();
+    names_that_go_together_are_as_the_setters();
+    names_of_heights_choose_them();
+    names_are_refused_with_the_nearest_and_nothing_changes();
+    names_beyond_a_short_struct_are_refused();
     create_refuses_by_name_and_leaves_the_pointer();
     failing_set_params_leaves_the_model_bit_for_bit();
     set_params_makes_the_model_that_create_makes();

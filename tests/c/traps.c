@@ -232,6 +232,13 @@ static void special_setter_arguments(void)
             doing = "asperity_params_set_skew";
             asperity_params_set_skew(&p, specials[i]);
         }
+        for (size_t name = 0; asperity_params_name(name) != NULL; name++) {
+            asperity_params p = surface(0);
+            doing = "asperity_params_set_value";
+            asperity_params_set_value(&p, asperity_params_name(name), specials[i]);
+            doing = "asperity_params_get_value";
+            asperity_params_get_value(&p, asperity_params_name(name), x);
+        }
     }
     doing = "between calls";
 }
@@ -260,6 +267,13 @@ static void null_pointers(void)
     REFUSES(asperity_params_set_dimensionless(NULL, 0.01, 1000, 0.001, 1, 0.3));
     REFUSES(asperity_params_set_materials(NULL, 1, 0.3, 1, 0.3));
     REFUSES(asperity_params_set_skew(NULL, 0));
+    REFUSES(asperity_params_set_value(NULL, "skew", 0));
+    REFUSES(asperity_params_set_value(&p, NULL, 0));
+    REFUSES(asperity_params_set_values(NULL, 0, NULL, NULL));
+    REFUSES(asperity_params_set_values(&p, 1, NULL, &x));
+    REFUSES(asperity_params_get_value(NULL, "skew", &x));
+    REFUSES(asperity_params_get_value(&p, NULL, &x));
+    REFUSES(asperity_params_get_value(&p, "skew", NULL));
     REFUSES(asperity_create(NULL, &model));
     REFUSES(asperity_create(&p, NULL));
     REFUSES(asperity_create(NULL, NULL));

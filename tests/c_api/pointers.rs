@@ -181,6 +181,11 @@ fn parameters_of_every_size_are_set() {
             assert_eq!(asperity_params_set_materials(params, 2e11, 0.3, f64::INFINITY, 0.2), OK);
             assert_eq!(asperity_params_set_spectral_moments(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
             assert_eq!(asperity_params_set_skew(params, 0.5), OK);
+            // Names that may lie anywhere, and a number that may.
+            let (name, mut value) = (asperity_params_name(0), 0.0);
+            assert_eq!(asperity_params_set_value(params, name, 3e11), OK);
+            assert_eq!(asperity_params_set_values(params, 2, [name; 2].as_ptr(), [1e11, 2e11].as_ptr()), OK);
+            assert_eq!((asperity_params_get_value(params, name, &mut value), value), (OK, 2e11));
             // Refused: the memory stays as it is.
             let before = place.words(size / 8);
             assert_eq!(asperity_params_set_dimensionless(params, -1.0, 4.0, 1e-3, 1.0, 0.3), INVALID_PARAMETER);
@@ -226,6 +231,13 @@ fn null_is_refused_or_skipped() {
             asperity_params_set_materials(null_mut(), 1.0, 0.3, 1.0, 0.3),
             asperity_params_set_spectral_moments(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
             asperity_params_set_skew(null_mut(), 0.0),
+            asperity_params_set_value(null_mut(), c"skew".as_ptr(), 0.0),
+            asperity_params_set_value(&mut params, null(), 0.0),
+            asperity_params_set_values(&mut params, 1, null(), &slope),
+            asperity_params_set_values(&mut params, 1, &c"hardness".as_ptr(), null()),
+            asperity_params_get_value(null(), c"skew".as_ptr(), &mut slope),
+            asperity_params_get_value(&params, null(), &mut slope),
+            asperity_params_get_value(&params, c"skew".as_ptr(), null_mut()),
             asperity_create(null(), &mut model),
             asperity_create(&params, null_mut()),
             asperity_set_params(null_mut(), &params),

@@ -229,6 +229,26 @@ void dimensionless_groups_come_back_from_the_model() {
     EXPECT(params.radius_amplitude() == 0.5);
 }
 
+void parameters_are_set_and_read_by_name() {
+    Params params;
+    EXPECT(params.set("hardness", 3.0).get("hardness") == 3.0);
+    EXPECT(params.hardness() == 3.0);
+    params.set({{"nu2", 0.22}, {"E1", 160e9}, {"nu1", 0.3}, {"E2", 70e9}, {"skew", -0.5}});
+    EXPECT(params.composite_modulus() == Params().set_materials(160e9, 0.3, 70e9, 0.22).composite_modulus());
+    EXPECT(params.weibull_shape() == Params().set_skew(-0.5).weibull_shape());
+    Params copy = Params::unset();
+    for (const std::string &name : Params::names()) {
+        copy.set(name, params.get(name));
+    }
+    EXPECT(std::memcmp(&copy.c(), &params.c(), sizeof(asperity_params)) == 0);
+    const Error error = thrown_by([&] { params.set("hardnes", 4.0); });
+    EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(std::string(error.what()) == "hardnes: no parameter has this name; the nearest is hardness");
+    EXPECT(begins(thrown_by([&] { params.set("E1", 4.0); }).what(), "nu1: must be given too"));
+    EXPECT(begins(thrown_by([&] { params.get("E1"); }).what(), "E1: is not kept"));
+    EXPECT(params.hardness() == 3.0);
+}
+
 void skew_chooses_the_weibull_shape() {
     // Table 1 of the paper: no skew at omega = 3.602. Rayleigh's distribution, omega = 2, has the skew
     // 2 pi^(1/2) (pi - 3)/(4 - pi)^(3/2).
@@ -606,6 +626,7 @@ int main() {
     materials_give_the_moduli_of_both_bodies();
     spectral_moments_give_the_summits();
     dimensionless_groups_come_back_from_the_model();
+    parameters_are_set_and_read_by_name();
     skew_chooses_the_weibull_shape();
     johnson_heights_have_a_skew_and_a_kurtosis_of_their_own();
     sensitivities_are_those_of_the_friction_force();

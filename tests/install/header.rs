@@ -17,6 +17,7 @@ fn committed_header_is_what_the_sources_generate() {
         "last_error",
         "params",
         "setters",
+        "names",
         "model",
         "evaluate",
         "slope",

@@ -1,5 +1,6 @@
 """The command line: `python -m asperity curve` prints friction over a range of loads and draws the curve, `fit` finds
-parameters from measured friction, `figures` draws the paper's figures.
+parameters from measured friction, `export` and `fmu` write tables and mock-up units for hosts, `figures` draws the
+paper's figures.
 
 Exit status: 0; 1 if the library, a file or a missing package stands in the way; 2 for a wrong command line.
 """
@@ -13,7 +14,7 @@ import sys
 import warnings
 from pathlib import Path
 
-from . import Model, Params, __version__, _fit_command, _header, _library, _surface_options
+from . import Model, Params, __version__, _export_command, _fit_command, _fmu_command, _header, _library, _surface_options
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -33,6 +34,8 @@ def _parser() -> argparse.ArgumentParser:
     _add_loads(curve)
     curve.set_defaults(run=_curve)
     _fit_command.add(commands)
+    _export_command.add(commands)
+    _fmu_command.add(commands)
     figures = commands.add_parser(
         "figures",
         help="draw the figures of the paper, and compare them with its text, and those of what the law is good for",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import math
 import numbers
+import os
 from dataclasses import MISSING, dataclass, fields
 from typing import TYPE_CHECKING, Any, Literal, Sequence
 
@@ -368,6 +369,24 @@ class Params:
         if trending:
             surface["radius_rate"] = law.rate
         return cls.si(**surface, **_heights_of(summits, heights), **contact)
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> Params:
+        """The surface that a TOML file describes: docs/surface-file.md has its keys, in SI units.
+
+        Raises:
+            Error: a key or a value that has no meaning; the message names the file, the key and what is allowed.
+            OSError: a file that cannot be read.
+        """
+        from ._surface_file import read
+
+        return read(path)
+
+    def to_toml(self, path: str | os.PathLike[str]) -> None:
+        """Writes a file of which `from_toml` makes equal parameters; fields that have their defaults are left out."""
+        from ._surface_file import write
+
+        write(self, path)
 
     def replace(self, **changes: Any) -> Params:
         """A copy with some fields changed, understood as the options of `si`; Johnson's heights keep to a new `skew`."""

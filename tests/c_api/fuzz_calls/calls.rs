@@ -670,6 +670,39 @@ impl<'a> Calls<'a> {
         }
     }
 
+    /// Numbers by name: what is set reads back as it was given, what is refused changes nothing.
+    pub fn names(&mut self, mut text: [u8; 65], which: [usize; 5], x: [f64; 5]) {
+        text[64] = 0;
+        let before = asperity_params::initial();
+        let (any, values): (*const c_char, *const f64) = (text.as_ptr().cast(), x.as_ptr());
+        for names in [which.map(|which| asperity_params_name(which % 24)), [any; 5]] {
+            let (mut params, mut back) = (before, 0.0);
+            let (at, names_at): (*mut asperity_params, *const *const c_char) = (&mut params, names.as_ptr());
+            let (name, back_at): (*const c_char, *mut f64) = (names[0], &mut back);
+            let what = || format!("{which:?} or {text:?} = {x:?}");
+            reset_message();
+            for several in [true, false] {
+                params = before;
+                let status = if several {
+                    call!(self, x, asperity_params_set_values(at, 5_usize, names_at, values))
+                } else {
+                    call!(self, x, asperity_params_set_value(at, name, x[0]))
+                };
+                if status != OK {
+                    self.documented(status, &[INVALID_PARAMETER, OUT_OF_RANGE], &what);
+                    assert_eq!(bytes(&params), bytes(&before), "{}: refused, yet the parameters are changed", what());
+                } else if !several {
+                    let read_only: *const asperity_params = at;
+                    let read = call!(self, x, asperity_params_get_value(read_only, name, back_at));
+                    // The skew of Weibull heights is kept as their shape, and an integer has no sign of zero.
+                    let as_shape = params.weibull_shape != before.weibull_shape && params.skew == before.skew;
+                    let same = back.to_bits() == x[0].to_bits() || back == x[0] || as_shape;
+                    assert!(read == OK && same, "{}: reads back as {back:e}", what());
+                }
+            }
+        }
+    }
+
     pub fn messages(&mut self, length: usize) {
         for code in [-1, 0, 1, 2, 3, 4, 5, 6, 7, 255, length as i32] {
             // SAFETY: a constant string.

@@ -232,7 +232,11 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
             let (area, rate) = (bytes.log_between(1e-12, 1e6), bytes.any_float());
             calls.by_pressure_and_slip(model, bytes.load(summary), area, rate);
         }
-        240..=244 => calls.structs(model, bytes.word() >> bytes.below(64)),
+        240..=242 => calls.structs(model, bytes.word() >> bytes.below(64)),
+        243..=244 => {
+            let text = std::array::from_fn(|_| bytes.byte());
+            calls.names(text, std::array::from_fn(|_| bytes.below(24)), std::array::from_fn(|_| bytes.any_float()));
+        }
         245..=249 => calls.setters(std::array::from_fn(|_| match bytes.below(3) {
             0 => bytes.any_float(),
             1 => 2.4 * bytes.part() - 1.2,

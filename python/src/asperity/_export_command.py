@@ -1,0 +1,73 @@
+"""`python -m asperity export`: friction against pressure for hosts that read a table."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from pathlib import Path
+from typing import Any
+
+from . import _header
+from ._export_formats import FORMATS, written
+from ._pressure_table import friction_at_pressure, pressure_table
+from .model import Model
+from .params import Params
+
+
+def add(commands: Any) -> None:
+    """Adds the command to those of the parser."""
+    command = commands.add_parser(
+        "export",
+        help="write friction against pressure for a host that reads a table",
+        description="Writes friction coefficients against pressure in the language of a host. Rows are chosen so that "
+        "straight lines between them keep to a relative tolerance.",
+        allow_abbrev=False,
+    )
+    command.set_defaults(run=_run)
+    command.add_argument("surface", metavar="SURFACE.toml", help="the surface, with its nominal_area")
+    command.add_argument("--format", required=True, choices=sorted(FORMATS), help="language of the host")
+    command.add_argument("--range", required=True, metavar="LOW:HIGH", help="lowest and highest pressure [Pa]")
+    command.add_argument("--tolerance", type=float, default=1e-3, metavar="X", help="1e-6 to 0.1 (%(default)g)")
+    command.add_argument(
+        "--pressure-unit", type=float, default=1.0, metavar="PA", help="unit of the table in Pa: 1e6 for MPa (%(default)g)"
+    )
+    command.add_argument("-o", "--output", metavar="FILE", help="where to (standard output)")
+
+
+def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    lowest, highest = _range(parser, options.range)
+    if not 1e-6 <= options.tolerance <= 0.1:
+        parser.error(f"--tolerance {options.tolerance:g}: must be 1e-6 to 0.1")
+    if not (math.isfinite(options.pressure_unit) and options.pressure_unit > 0):
+        parser.error(f"--pressure-unit {options.pressure_unit:g}: must be finite and > 0")
+    with Model(Params.from_toml(options.surface)) as model:
+        table = pressure_table(friction_at_pressure(model), lowest, highest, options.tolerance)
+        area = model.params.nominal_area
+        states = [(pressure, model.state_at_load(pressure * area)) for pressure in (lowest, highest)]
+    name = Path(options.output).stem if options.output else "Friction"
+    unit = options.pressure_unit
+    title = (
+        f"Friction coefficient of {Path(options.surface).name} against pressure in "
+        f"{'Pa' if unit == 1 else f'{unit:g} Pa'}, asperity {_header.ASPERITY_VERSION}, tolerance {options.tolerance:g}"
+    )
+    text = written(options.format, table, pascal=unit, name=name, title=title)
+    if options.output:
+        Path(options.output).write_text(text, encoding="utf-8")
+    else:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    print(f"asperity: {len(table.pressure)} rows, largest error between them {table.error:.1e}", file=sys.stderr)
+    for pressure, state in states:
+        if state.warnings:
+            print(f"asperity: at {pressure:g} Pa: {state.warnings}", file=sys.stderr)
+
+
+def _range(parser: argparse.ArgumentParser, text: str) -> tuple[float, float]:
+    try:
+        lowest, highest = map(float, text.split(":"))
+    except ValueError:
+        parser.error(f"--range {text}: must be two pressures in Pa, as 0.1e6:1e9")
+    if not (0 < lowest < highest < math.inf):
+        parser.error(f"--range {text}: must be two pressures > 0, the lower first, as 0.1e6:1e9")
+    return lowest, highest

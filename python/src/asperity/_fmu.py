@@ -1,0 +1,170 @@
+"""A surface as a functional mock-up unit (FMI 2.0): description, C sources and a binary for Linux in one archive."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import platform
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import uuid
+import zipfile
+from pathlib import Path
+from xml.sax.saxutils import quoteattr
+
+from . import _header, _library
+from .model import Model
+from .params import Params
+
+_PHYSICAL = {
+    "composite_modulus": "E* [stress]",
+    "effective_shear_modulus": "G* [stress]",
+    "work_of_adhesion": "w [force/length]",
+    "adhesion_range": "h [length]",
+    "burgers_vector": "b [length]",
+    "height_std": "sigma [length], standard deviation of summit heights",
+    "summit_radius": "R [length], mean radius of curvature of the summits",
+    "asperity_count": "N, number of summits",
+    "radius_amplitude": "epsilon, growth of the radius with height",
+    "radius_rate": "rho, how fast it grows",
+    "slip_radius_1": "a_1/b",
+    "slip_stress_1": "tau_1/G*",
+    "slip_radius_2": "a_2/b",
+    "slip_stress_2": "tau_2/G*",
+    "max_friction_coefficient": "cap on the friction coefficient",
+}
+_HEIGHTS = {
+    "weibull": {"weibull_shape": "omega of the Weibull heights"},
+    "johnson": {"skew": "of the summit heights", "kurtosis": "of the summit heights"},
+}
+_OUTPUTS = {
+    "friction_force": "F [force]",
+    "friction_coefficient": "F/load, capped",
+    "slope": "dF/d(load)",
+}
+_PARAMETERS = 4  # the first value reference of a parameter, as in _fmu.c
+
+
+def build(params: Params, file: Path, *, start_load: float) -> None:
+    """Writes a unit; `ImportError` if there is no compiler or this system is not Linux on x86-64."""
+    if sys.platform != "linux" or platform.machine() != "x86_64":
+        raise ImportError("a unit is made on Linux on x86-64: its binary is for that system")
+    with Model(params) as model:  # refuses what no unit could be initialised with
+        model.friction_force_at_load(start_load)
+    name = re.sub(r"\W", "_", file.stem, flags=re.ASCII)
+    name = name if re.match(r"[A-Za-z_]", name) else f"_{name}"
+    parameters = _parameters(params)
+    surface = _surface(params, parameters, start_load)
+    guid = f"{{{uuid.UUID(bytes=hashlib.sha256((name + surface).encode()).digest()[:16])}}}"
+    surface += f"#define GUID {json.dumps(guid)}\n"
+    with tempfile.TemporaryDirectory(prefix="asperity-fmu-") as made:
+        sources, binaries = Path(made, "sources"), Path(made, "binaries", "linux64")
+        sources.mkdir()
+        binaries.mkdir(parents=True)
+        (sources / "surface.h").write_text(surface, encoding="utf-8")
+        shutil.copy(Path(__file__).with_name("_fmu.c"), sources / "asperity_fmu.c")
+        shutil.copy(_c_header(), sources / "asperity.h")
+        shutil.copy(_library.PATH, binaries / "libasperity.so")
+        _compile(sources, binaries, name)
+        description = _description(name, guid, params, parameters, start_load)
+        Path(made, "modelDescription.xml").write_text(description, encoding="utf-8")
+        with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+            for path in sorted(Path(made).rglob("*")):
+                if path.is_file():
+                    archive.write(path, path.relative_to(made))
+
+
+def _parameters(params: Params) -> dict[str, str]:
+    """The numbers that this surface reads, with what they mean."""
+    parameters = _PHYSICAL | _HEIGHTS.get(params.height_distribution, {})
+    if params.contact_law == "elastic-plastic":
+        parameters["hardness"] = "H [stress]"
+    return parameters
+
+
+def _surface(params: Params, parameters: dict[str, str], start_load: float) -> str:
+    """A header that sets the parameters, with all their digits."""
+    struct = params._as_struct()
+    lines = ["/* The surface of this unit, and the names of its parameters. */", "#include <math.h>", ""]
+    lines += ["static const char *const PARAMETER_NAMES[] = {"]
+    lines += [f'    "{name}",' for name in parameters]
+    lines += ["};", f"enum {{ PARAMETER_COUNT = {len(parameters)} }};", f"#define START_LOAD {start_load.hex()}", ""]
+    tables = {"table_height": params.table_height, "table_density": params.table_density}
+    if params.table_height:
+        for name, table in tables.items():
+            lines.append(f"static const double {name}[] = {{ {', '.join(map(float.hex, table))} }};")
+    lines += ["", "static asperity_status surface(asperity_params *params)", "{"]
+    lines += ["    const asperity_status status = asperity_params_init(params);"]
+    for field in (declared[0] for declared in _header.asperity_params._fields_):
+        value = getattr(struct, field)
+        if field in tables:
+            value = field if params.table_height else "NULL"
+        elif isinstance(value, float):
+            value = value.hex() if value != float("inf") else "INFINITY"
+        if field not in ("struct_size", "reserved"):
+            lines.append(f"    params->{field} = {value};")
+    lines += ["    return status;", "}", ""]
+    return "\n".join(lines)
+
+
+def _c_header() -> Path:
+    """`asperity.h`: in the package, or in the checkout whose sources these are."""
+    packed = Path(__file__).with_name("asperity.h")
+    return packed if packed.exists() else Path(__file__).parents[3] / "include" / "asperity.h"
+
+
+def _compile(sources: Path, binaries: Path, name: str) -> None:
+    compiler = os.environ.get("CC", "cc")
+    if shutil.which(compiler) is None:
+        raise ImportError(f"making a unit needs a C compiler, and there is no {compiler}: apt-get install gcc libc6-dev")
+    command = [compiler, "-std=c99", "-O2", "-Wall", "-Wextra", "-shared", "-fPIC", "-fvisibility=hidden", "-I."]
+    command += ["asperity_fmu.c", "-o", str(binaries / f"{name}.so"), f"-L{binaries}", "-l:libasperity.so"]
+    command += ["-Wl,-rpath,$ORIGIN", "-Wl,--no-undefined"]
+    done = subprocess.run(command, cwd=sources, capture_output=True, text=True, check=False)
+    if done.returncode != 0 or done.stderr:
+        raise ImportError(f"{compiler} does not take the C source of the unit:\n{done.stderr}")
+
+
+def _description(name: str, guid: str, params: Params, parameters: dict[str, str], start_load: float) -> str:
+    unit = f'modelIdentifier="{name}" canNotUseMemoryManagementFunctions="true" providesDirectionalDerivative="true"'
+    files = "<SourceFiles><File name=\"asperity_fmu.c\"/></SourceFiles>"
+    variables = [
+        f'<ScalarVariable name="load" valueReference="0" causality="input" variability="continuous" '
+        f'description="normal load [force]"><Real start="{start_load!r}"/></ScalarVariable>'
+    ]
+    for reference, (output, meaning) in enumerate(_OUTPUTS.items(), 1):
+        variables.append(
+            f'<ScalarVariable name="{output}" valueReference="{reference}" causality="output" variability="continuous" '
+            f'initial="calculated" description={quoteattr(meaning)}><Real/></ScalarVariable>'
+        )
+    for reference, (parameter, meaning) in enumerate(parameters.items(), _PARAMETERS):
+        start = getattr(params, parameter)
+        start = start if start != float("inf") else "INF"
+        variables.append(
+            f'<ScalarVariable name="{parameter}" valueReference="{reference}" causality="parameter" variability="tunable" '
+            f'description={quoteattr(meaning)}><Real start="{start}"/></ScalarVariable>'
+        )
+    outputs = "".join(f'<Unknown index="{i}" dependencies="1" dependenciesKind="dependent"/>' for i in (2, 3, 4))
+    initial = "".join(f'<Unknown index="{i}"/>' for i in (2, 3, 4))
+    listed = "\n    ".join(variables)
+    return f"""<?xml version="1.0" encoding="UTF-8"?>
+<fmiModelDescription fmiVersion="2.0" modelName="{name}" guid="{guid}" numberOfEventIndicators="0"
+    description="Friction of two rough surfaces as a function of the normal load"
+    generationTool="asperity {_header.ASPERITY_VERSION}" variableNamingConvention="flat">
+  <ModelExchange {unit}>{files}</ModelExchange>
+  <CoSimulation {unit} canHandleVariableCommunicationStepSize="true">{files}</CoSimulation>
+  <LogCategories><Category name="logStatusError"/><Category name="logStatusDiscard"/></LogCategories>
+  <DefaultExperiment startTime="0" stopTime="1"/>
+  <ModelVariables>
+    {listed}
+  </ModelVariables>
+  <ModelStructure>
+    <Outputs>{outputs}</Outputs>
+    <InitialUnknowns>{initial}</InitialUnknowns>
+  </ModelStructure>
+</fmiModelDescription>
+"""

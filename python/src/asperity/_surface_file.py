@@ -1,0 +1,184 @@
+"""Surfaces as TOML files: fields of `Params` in SI units, or the materials and the roughness that they are made from."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import sys
+from dataclasses import MISSING, fields
+from pathlib import Path
+from typing import Any, Iterable, Union
+
+from .errors import Error, Status
+from .materials import MATERIALS, PAIRS, Material
+from .params import Params
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+FileName = Union[str, "os.PathLike[str]"]
+
+_FIELDS = {field.name: field for field in fields(Params)}
+_REQUIRED = [name for name, field in _FIELDS.items() if field.default is MISSING]
+_WORDS = ("height_distribution", "contact_law")
+_ARRAYS = ("table_height", "table_density")
+_MATERIALS = ("first", "second", "E1", "nu1", "E2", "nu2")
+_MOMENTS = ("m0", "m2", "m4")
+_ISO = ("Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku")
+
+
+def read(file: FileName) -> Params:
+    """The surface that a file describes; `Error` names the file, the key and what is allowed."""
+    try:
+        with open(file, "rb") as stream:
+            found = tomllib.load(stream)
+        return _params(found)
+    except tomllib.TOMLDecodeError as error:
+        raise Error(f"{file}: no TOML: {error}", Status.INVALID_PARAMETER) from None
+    except UnicodeDecodeError as error:
+        raise Error(f"{file}: must be UTF-8: {error}", Status.INVALID_PARAMETER) from None
+    except Error as error:
+        raise Error(f"{file}: {error}", error.status) from None
+    except (TypeError, KeyError) as error:
+        raise Error(f"{file}: {error.args[0]}", Status.INVALID_PARAMETER) from None
+
+
+def write(params: Params, file: FileName) -> None:
+    """Writes the fields that are not defaults; `read` makes equal parameters of them."""
+    lines = ["# Two rough surfaces in contact, for asperity: SI units, names as in asperity_params."]
+    chosen = {"height_distribution"} if params.height_distribution != "gaussian" or _chooses(params) else set()
+    for name, field in _FIELDS.items():
+        value = getattr(params, name)
+        if value != field.default or name in chosen:
+            lines.append(f"{name} = {_literal(value)}")
+    Path(file).write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def _chooses(params: Params) -> bool:
+    """Whether a field of heights is set that would choose a family of them."""
+    names = ("weibull_shape", "skew", "kurtosis", "table_height")
+    return any(getattr(params, name) != _FIELDS[name].default for name in names)
+
+
+def _literal(value: Any) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, str):
+        return f'"{value}"'
+    if isinstance(value, tuple):
+        return f"[{', '.join(map(_literal, value))}]"
+    return repr(value)  # of a float: TOML reads all that Python writes, inf and nan too
+
+
+def _params(found: dict[str, Any]) -> Params:
+    materials = _table(found, "materials", _MATERIALS)
+    roughness = _table(found, "roughness", (*_MOMENTS, *_ISO))
+    _check(found, (*_FIELDS, "materials", "roughness"), "")
+    given = {name: value for name, value in found.items() if name not in ("materials", "roughness")}
+    if materials:
+        _exclude(given, ("composite_modulus", "effective_shear_modulus", "tangential_modulus"), "materials")
+        given = _contact(materials) | given
+    if roughness:
+        _exclude(given, ("height_std", "summit_radius", "asperity_count"), "roughness")
+        if "nominal_area" not in given:
+            raise Error("nominal_area: must be set, [roughness] tells the summits per area", Status.INVALID_PARAMETER)
+        _one_kind(roughness)
+        make: Any = Params.from_iso25178 if roughness.keys() & set(_ISO) else Params.from_spectral_moments
+        return _made(make, given, roughness)
+    return _made(_of_fields, given, {})
+
+
+def _made(make: Any, given: dict[str, Any], roughness: dict[str, Any]) -> Params:
+    contact = ("work_of_adhesion", "adhesion_range", "burgers_vector")
+    if make is not _of_fields:
+        _demand(given, contact)
+        if "E1" not in given:
+            _demand(given, ("composite_modulus", "effective_shear_modulus"))
+    # Heights that the file names are taken with all their fields; else those fields choose them, as in Params.si.
+    named = {name: given.pop(name) for name in _heights() if name in given and "height_distribution" in given}
+    tangential = {name: given.pop(name) for name in ("tangential_modulus",) if name in given}
+    params: Params = make(**given, **roughness)
+    changed = {field: getattr(params, field) for field in _FIELDS} | named | tangential
+    return Params(**changed)
+
+
+def _heights() -> tuple[str, ...]:
+    return ("weibull_shape", "skew", "kurtosis", *_ARRAYS, "height_distribution")
+
+
+def _of_fields(**given: Any) -> Params:
+    if "E1" not in given:
+        _demand(given, _REQUIRED)
+        return Params.si(**given)
+    _demand(given, _REQUIRED[2:])
+    return Params.si(**given)
+
+
+def _contact(materials: dict[str, Any]) -> dict[str, Any]:
+    """Two bodies, by name or by their elasticity; what is known of a named pair comes with it."""
+    bodies: list[Material | None] = []
+    contact: dict[str, Any] = {}
+    for body, name in enumerate(("first", "second"), 1):
+        young, poisson = f"E{body}", f"nu{body}"
+        if name not in materials:
+            _demand(materials, (young, poisson), f"[materials] gives no name as `{name}`, so {{}} must be set there")
+            contact |= {young: materials[young], poisson: materials[poisson]}
+            bodies.append(None)
+            continue
+        _exclude(materials, (young, poisson), name)
+        if not isinstance(materials[name], str):
+            raise Error(f"{name} = {materials[name]!r}: must be the name of a material", Status.INVALID_PARAMETER)
+        material = MATERIALS[materials[name]]
+        contact |= {young: material.young, poisson: material.poisson}
+        bodies.append(material)
+    one, other = bodies
+    if one and other:
+        for pair in (f"{one.name}/{other.name}", f"{other.name}/{one.name}"):
+            if pair in PAIRS:
+                return PAIRS[pair].contact | contact
+        contact["burgers_vector"] = contact["adhesion_range"] = max(one.burgers_vector, other.burgers_vector)
+        if one.hardness is not None and other.hardness is not None:
+            contact["hardness"] = min(one.hardness, other.hardness)
+    return contact
+
+
+def _table(found: dict[str, Any], name: str, known: Iterable[str]) -> dict[str, Any]:
+    table = found.get(name, {})
+    if not isinstance(table, dict):
+        raise Error(f"{name} = {table!r}: must be a table, [{name}]", Status.INVALID_PARAMETER)
+    _check(table, known, f"[{name}] ")
+    return table
+
+
+def _check(table: dict[str, Any], known: Iterable[str], where: str) -> None:
+    """Refuses names that are none, and numbers that are none: TOML's true is one of Python's."""
+    known = tuple(known)
+    for name, value in table.items():
+        if name not in known:
+            spelled = {one.lower(): one for one in known}
+            nearest = difflib.get_close_matches(name.lower(), spelled, n=1, cutoff=0.0)
+            message = f"{where}{name}: no such key; the nearest is {spelled[nearest[0]]}"
+            raise Error(message, Status.INVALID_PARAMETER)
+        if isinstance(value, bool) and name != "attraction":
+            raise Error(f"{where}{name} = {str(value).lower()}: must be a number", Status.INVALID_PARAMETER)
+
+
+def _one_kind(roughness: dict[str, Any]) -> None:
+    moments, iso = (sorted(roughness.keys() & set(kind)) for kind in (_MOMENTS, _ISO))
+    if moments and iso:
+        raise Error(f"[roughness] {iso[0]}: is not for spectral moments, as {moments[0]} is", Status.INVALID_PARAMETER)
+    _demand(roughness, ("Sq", "Sdq") if iso else _MOMENTS, "[roughness] {}: must be set")
+
+
+def _exclude(given: dict[str, Any], names: Iterable[str], by: str) -> None:
+    for name in names:
+        if name in given:
+            raise Error(f"{name}: is told by {by} already, leave one out", Status.INVALID_PARAMETER)
+
+
+def _demand(given: dict[str, Any], names: Iterable[str], message: str = "{}: must be set") -> None:
+    for name in names:
+        if name not in given:
+            raise Error(message.format(name), Status.INVALID_PARAMETER)

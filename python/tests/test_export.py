@@ -1,0 +1,181 @@
+"""Every exported table, read and interpolated as its host does, is the exact state to the tolerance."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Callable
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+
+from asperity import Model, Params
+from asperity.__main__ import main
+from asperity._export_formats import FORMATS
+
+# Hard carbon on hard carbon, as in docs/hosts.md.
+SURFACE = """nominal_area = 2e-6
+work_of_adhesion = 0.06
+adhesion_range = 0.25e-9
+burgers_vector = 0.25e-9
+hardness = 51e9
+[materials]
+E1 = 493e9
+nu1 = 0.25
+E2 = 493e9
+nu2 = 0.25
+[roughness]
+m0 = 9.604e-17
+m2 = 1.8e-3
+m4 = 3.3736e11
+"""
+Array = npt.NDArray[np.float64]
+Rows = list[tuple[float, float]]
+
+
+@pytest.fixture
+def surface(tmp_path: Path) -> Path:
+    path = tmp_path / "hard carbon.toml"
+    path.write_text(SURFACE, encoding="utf-8")
+    return path
+
+
+def read_csv(text: str) -> Rows:
+    head, *lines = text.splitlines()
+    assert head == "pressure,friction_coefficient"
+    return [(float(p), float(mu)) for p, mu in (line.split(",") for line in lines)]
+
+
+def read_abaqus(text: str) -> Rows:
+    """Comments begin with **, a keyword with *; fields are separated by commas, and one may be blank."""
+    lines = [line for line in text.splitlines() if not line.startswith("**")]
+    assert lines.pop(0) == "*FRICTION"
+    fields = [[field.strip() for field in line.split(",")] for line in lines]
+    assert all(len(line) == 3 and line[1] == "" for line in fields)
+    return [(float(pressure), float(mu)) for mu, _, pressure in fields]
+
+
+def read_ansys(text: str) -> Rows:
+    """TBFIELD keeps the value for the TBDATA that follow."""
+    commands = [line.split(",") for line in text.splitlines() if not line.startswith("!")]
+    assert commands.pop(0) == ["TB", "FRIC", "ARG1", "", "", "ISO"]
+    rows = []
+    for field, data in zip(commands[::2], commands[1::2]):
+        assert field[:2] == ["TBFIELD", "NPRES"] and data[:2] == ["TBDATA", "1"]
+        rows.append((float(field[2]), float(data[2])))
+    return rows
+
+
+def read_moose(text: str) -> Rows:
+    assert re.search(r"^\[Functions\]\n  \[table\]\n    type = PiecewiseLinear\n    axis = x$", text, re.MULTILINE)
+    columns = [re.search(rf"^    {axis} = '(.*)'$", text, re.MULTILINE) for axis in "xy"]
+    x, y = (list(map(float, column[1].split())) for column in columns if column)
+    assert len(x) == len(y)
+    return list(zip(x, y))
+
+
+def read_modelica(text: str) -> Rows:
+    table = re.search(r"table=\[([^]]*)\]\);\nend table;\n$", text)
+    assert table and text.startswith('block table "')
+    return [(float(p), float(mu)) for p, mu in (row.split(",") for row in table[1].split(";"))]
+
+
+# All of these hosts interpolate linearly in the pressure, and keep the end values beyond, as np.interp does.
+READERS: dict[str, Callable[[str], Rows]] = {
+    "abaqus": read_abaqus,
+    "ansys": read_ansys,
+    "csv": read_csv,
+    "modelica": read_modelica,
+    "moose": read_moose,
+}
+
+
+def test_every_format_is_read_here() -> None:
+    assert READERS.keys() == FORMATS.keys()
+
+
+def exported(surface: Path, kind: str, *options: str) -> Rows:
+    file = surface.with_name("table.txt")
+    assert main(["export", str(surface), "--format", kind, "-o", str(file), *options]) == 0
+    return READERS[kind](file.read_text(encoding="utf-8"))
+
+
+def largest_error(surface: Path, rows: Rows, pascal: float) -> float:
+    """Against exact states, between all rows."""
+    pressures = np.concatenate([np.linspace(p, q, 7) for (p, _), (q, _) in zip(rows, rows[1:])])
+    found = np.interp(pressures, *np.array(rows).T)
+    with Model(Params.from_toml(surface)) as model:
+        exact = np.array([model.state_at_load(p * pascal * 2e-6).friction_coefficient for p in pressures])
+    return float(np.max(abs(found / exact - 1)))
+
+
+@pytest.mark.parametrize("kind", sorted(READERS))
+def test_a_table_read_back_is_the_exact_state_to_the_tolerance(surface: Path, kind: str) -> None:
+    rows = exported(surface, kind, "--range", "1e3:70e6", "--tolerance", "1e-3")
+    assert (rows[0][0], rows[-1][0]) == (1e3, 70e6)
+    assert all(p < q for (p, _), (q, _) in zip(rows, rows[1:]))
+    # No finer than the tolerance asks for: each stretch uses it up.
+    assert 5e-4 < largest_error(surface, rows, 1.0) <= 1e-3
+    assert 20 < len(rows) < 60
+
+
+@pytest.mark.parametrize("tolerance, most", [("1e-2", 15), ("1e-4", 110)])
+def test_the_number_of_rows_goes_with_the_tolerance(surface: Path, tolerance: str, most: int) -> None:
+    rows = exported(surface, "csv", "--range", "1e3:70e6", "--tolerance", tolerance)
+    assert largest_error(surface, rows, 1.0) <= float(tolerance)
+    assert len(rows) <= most
+
+
+def test_the_page_tells_the_numbers_of_rows(surface: Path, root: Path) -> None:
+    counts = [len(exported(surface, "csv", "--range", "1e3:70e6", "--tolerance", x)) for x in ("1e-2", "1e-3")]
+    page = " ".join((root / "docs" / "export.md").read_text(encoding="utf-8").split())
+    assert f"{counts[0]} rows at 1e-2, {counts[1]} at 1e-3" in page
+
+
+def test_pressures_are_in_the_unit_that_is_asked_for(surface: Path) -> None:
+    rows = exported(surface, "abaqus", "--range", "1e3:70e6", "--pressure-unit", "1e6")
+    assert (rows[0][0], rows[-1][0]) == (1e-3, 70.0)
+    assert largest_error(surface, rows, 1e6) <= 1e-3
+
+
+def test_without_a_file_the_table_is_printed(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["export", str(surface), "--format", "csv", "--range", "1e6:2e6"]) == 0
+    printed = capsys.readouterr()
+    assert read_csv(printed.out)[0][0] == 1e6
+    assert re.fullmatch(r"asperity: \d+ rows, largest error between them \d\.\de-0\d\n", printed.err)
+
+
+def test_pressures_that_the_surface_does_not_bear_are_told(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    surface.write_text(SURFACE.replace("51e9", "5e9"), encoding="utf-8")
+    assert main(["export", str(surface), "--format", "csv", "--range", "1e6:1e9"]) == 0
+    assert "asperity: at 1e+09 Pa: " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        (["--range", "1e6"], "--range 1e6: must be two pressures"),
+        (["--range", "2e6:1e6"], "the lower first"),
+        (["--range", "0:1e6"], "must be two pressures > 0"),
+        (["--range", "1:nan"], "must be two pressures > 0"),
+        (["--range", "1:2", "--tolerance", "1e-9"], "--tolerance 1e-09: must be 1e-6 to 0.1"),
+        (["--range", "1:2", "--pressure-unit", "0"], "--pressure-unit 0: must be finite"),
+    ],
+)
+def test_a_wrong_command_line_is_refused(
+    surface: Path, capsys: pytest.CaptureFixture[str], options: list[str], message: str
+) -> None:
+    with pytest.raises(SystemExit):
+        main(["export", str(surface), "--format", "csv", *options])
+    assert message in capsys.readouterr().err
+
+
+def test_a_surface_without_an_area_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "surface.toml"
+    Params.from_spectral_moments(
+        m0=9.604e-17, m2=1.8e-3, m4=3.3736e11, nominal_area=1e-6, E1=493e9, nu1=0.25, E2=493e9, nu2=0.25,
+        work_of_adhesion=0.06, adhesion_range=0.25e-9, burgers_vector=0.25e-9,
+    ).replace(nominal_area=0.0).to_toml(path)  # fmt: skip
+    assert main(["export", str(path), "--format", "csv", "--range", "1e6:2e6"]) == 1
+    assert "nominal_area = 0: must be set" in capsys.readouterr().err

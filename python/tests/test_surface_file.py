@@ -1,0 +1,155 @@
+"""A surface file makes the parameters that its keys say, and says by name what is wrong with it."""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+from typing import Any, Callable
+
+import pytest
+
+from asperity import Error, Model, Params
+from asperity.materials import MATERIALS, PAIRS
+
+SurfaceFile = Callable[[str], Path]
+
+# Hard carbon on hard carbon, as in docs/hosts.md.
+CONTACT: dict[str, Any] = {
+    "work_of_adhesion": 0.06,
+    "adhesion_range": 0.25e-9,
+    "burgers_vector": 0.25e-9,
+    "hardness": 51e9,
+}
+BODIES: dict[str, Any] = {"E1": 493e9, "nu1": 0.25, "E2": 493e9, "nu2": 0.25}
+MOMENTS: dict[str, Any] = {"m0": 9.604e-17, "m2": 1.8e-3, "m4": 3.3736e11}
+
+
+def toml(table: dict[str, Any]) -> str:
+    return "".join(f"{name} = {value!r}\n" for name, value in table.items())
+
+
+WHOLE = f"nominal_area = 1e-6\n{toml(CONTACT)}[materials]\n{toml(BODIES)}[roughness]\n{toml(MOMENTS)}"
+FIELDS = Params.from_spectral_moments(**MOMENTS, **BODIES, **CONTACT, nominal_area=1e-6)
+
+
+@pytest.fixture
+def surface_file(tmp_path: Path) -> SurfaceFile:
+    def written(text: str) -> Path:
+        path = tmp_path / "surface.toml"
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return written
+
+
+def test_materials_and_moments_are_those_of_the_setters(surface_file: SurfaceFile) -> None:
+    path = surface_file(WHOLE)
+    assert Params.from_toml(path) == Params.from_toml(str(path)) == FIELDS
+
+
+def test_iso_values_are_those_of_from_iso25178(surface_file: SurfaceFile) -> None:
+    iso: dict[str, Any] = {"Sq": 9.8e-9, "Sdq": 0.06, "Sds": 6e12, "Ssk": 0.1, "Sku": 3.2}
+    text = f"nominal_area = 1e-6\n{toml(CONTACT)}[materials]\n{toml(BODIES)}[roughness]\n{toml(iso)}"
+    expected = Params.from_iso25178(**iso, **BODIES, **CONTACT, nominal_area=1e-6)
+    assert Params.from_toml(surface_file(text)) == expected
+    assert expected.height_distribution == "johnson"
+
+
+def test_named_materials_bring_what_is_known_of_the_pair(surface_file: SurfaceFile) -> None:
+    rough = f"[roughness]\n{toml(MOMENTS)}"
+    found = Params.from_toml(surface_file(f'nominal_area = 1e-6\n[materials]\nfirst = "Si"\nsecond = "Si"\n{rough}'))
+    assert found == Params.from_spectral_moments(**MOMENTS, **PAIRS["Si/Si"].contact, nominal_area=1e-6)
+    text = f'nominal_area = 1e-6\nwork_of_adhesion = 0.1\n[materials]\nfirst = "Si3N4"\nsecond = "mica"\n{rough}'
+    found = Params.from_toml(surface_file(text))  # either order; the file has the last word
+    assert (found.work_of_adhesion, found.burgers_vector) == (0.1, MATERIALS["mica"].burgers_vector)
+    # No such pair is in the table: the bodies are known, their adhesion is not.
+    text = f'nominal_area = 1e-6\nwork_of_adhesion = 0\n[materials]\nfirst = "Si"\nsecond = "Au"\n{rough}'
+    found = Params.from_toml(surface_file(text))
+    assert found.hardness == min(MATERIALS[name].hardness or 0 for name in ("Si", "Au"))
+    assert found.burgers_vector == max(MATERIALS[name].burgers_vector for name in ("Si", "Au"))
+    with pytest.raises(Error, match="work_of_adhesion: must be set"):
+        Params.from_toml(surface_file(text.replace("work_of_adhesion = 0\n", "")))
+    # A name for one body, numbers for the other, which is rigid.
+    text = f'nominal_area = 1e-6\n{toml(CONTACT)}[materials]\nfirst = "Si"\nE2 = inf\nnu2 = 0.3\n{rough}'
+    silicon = MATERIALS["Si"]
+    assert Params.from_toml(surface_file(text)) == Params.from_spectral_moments(
+        **MOMENTS, **CONTACT, E1=silicon.young, nu1=silicon.poisson, E2=math.inf, nu2=0.3, nominal_area=1e-6
+    )
+
+
+@pytest.mark.parametrize(
+    "params",
+    [
+        FIELDS,
+        FIELDS.replace(skew=-0.5),
+        FIELDS.replace(skew=-0.5, kurtosis=4.0),
+        FIELDS.replace(table_height=(-1.0, 0.0, 2.0), table_density=(0.0, 1.0, 0.25)),
+        FIELDS.replace(skew=-0.5).replace(height_distribution="gaussian"),
+        FIELDS.replace(max_friction_coefficient=math.inf, attraction=False, radius_amplitude=0.1 + 0.2),
+        FIELDS.replace(work_of_adhesion=0.0, contact_law="elastic-plastic", tangential_modulus=1e11),
+        Params(**{**FIELDS.__dict__, "skew": 0.3, "height_distribution": "weibull"}),
+    ],
+)
+def test_a_file_that_was_written_reads_as_equal_parameters(params: Params, tmp_path: Path) -> None:
+    path = tmp_path / "surface.toml"
+    params.to_toml(path)
+    assert Params.from_toml(path) == params
+
+
+def test_heights_are_chosen_as_in_si(surface_file: SurfaceFile) -> None:
+    assert Params.from_toml(surface_file("skew = -0.5\n" + WHOLE)) == FIELDS.replace(skew=-0.5)
+    both = "skew = -0.5\nkurtosis = 4\n"
+    assert Params.from_toml(surface_file(both + WHOLE)) == FIELDS.replace(skew=-0.5, kurtosis=4.0)
+    named = Params.from_toml(surface_file('height_distribution = "gaussian"\n' + both + WHOLE))
+    assert (named.height_distribution, named.skew, named.kurtosis) == ("gaussian", -0.5, 4.0)
+
+
+@pytest.mark.parametrize(
+    "text, message",
+    [
+        (WHOLE.replace("hardness", "hardnes"), "hardnes: no such key; the nearest is hardness"),
+        (WHOLE.replace("E2", "e2"), r"\[materials\] e2: no such key; the nearest is E2"),
+        (WHOLE.replace("m4", "M_4"), r"\[roughness\] M_4: no such key; the nearest is m4"),
+        (WHOLE.replace("[roughness]", "[roughnes]"), "roughnes: no such key; the nearest is roughness"),
+        (WHOLE.replace("nominal_area = 1e-6\n", ""), "nominal_area: must be set"),
+        (WHOLE.replace("m4", "Sq"), r"\[roughness\] Sq: is not for spectral moments, as m0 is"),
+        (WHOLE.replace("m4 = ", "# "), r"\[roughness\] m4: must be set"),
+        (WHOLE.replace("nu2 = 0.25\n", ""), "so nu2 must be set there"),
+        (WHOLE.replace("nu2 = 0.25", "nu2 = 0.6"), "nu2 = 0.6: must be > -1 and <= 0.5"),
+        (WHOLE.replace("51000000000.0", "true"), "hardness = true: must be a number"),
+        (WHOLE.replace("51000000000.0", '"hard"'), "hardness = 'hard': must be a real number"),
+        ("height_std = 1e-9\n" + WHOLE, "height_std: is told by roughness already"),
+        ("composite_modulus = 1e11\n" + WHOLE, "composite_modulus: is told by materials already"),
+        ("contact_law = \"plastic\"\n" + WHOLE, "contact_law = 'plastic': must be one of 'maugis'"),
+        (WHOLE.replace("E1 = 493000000000.0\n", 'first = "Stahl"\n').replace("nu1", "# "), "'Stahl' is not known"),
+        (WHOLE.replace("E1 =", 'first = "Si"\nE1 ='), "E1: is told by first already"),
+        ("materials = 3\n", r"materials = 3: must be a table, \[materials\]"),
+        ("height_std = 1e-9\n", "composite_modulus: must be set"),
+        ("height_std = \n", "no TOML: "),
+    ],
+)
+def test_what_is_wrong_is_named_with_the_file(surface_file: SurfaceFile, text: str, message: str) -> None:
+    path = surface_file(text)
+    with pytest.raises(Error, match=message) as caught:
+        Params.from_toml(path)
+    assert str(caught.value).startswith(f"{path}: ")
+
+
+def test_a_file_in_another_encoding_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "surface.toml"
+    path.write_bytes(b'height_distribution = "gau\xdfian"\n')
+    with pytest.raises(Error, match="UTF-8"):
+        Params.from_toml(path)
+
+
+def test_the_page_has_this_surface(surface_file: SurfaceFile, root: Path) -> None:
+    blocks = re.findall(r"```toml\n(.*?)```", (root / "docs" / "surface-file.md").read_text(encoding="utf-8"), re.DOTALL)
+    assert [Params.from_toml(surface_file(block)) for block in blocks] == [FIELDS]
+
+
+def test_the_example_is_in_the_domain_of_the_model(surface_file: SurfaceFile) -> None:
+    with Model(Params.from_toml(surface_file(WHOLE))) as model:
+        for pressure in (1e3, 70e6):
+            state = model.state_at_load(pressure * 1e-6)
+            assert state.contacting >= 20 and state.fraction_in_contact < 0.1 and not state.warnings
