@@ -210,9 +210,12 @@ impl Curve {
         let sparse = steps.separation(panel.position_at(panel.sparsest())).max(first).min(last);
         let sparse = self.sample(branch, sparse)?;
         self.samples += NODES + 3;
-        let samples = [from, between, sparse, end];
-        let excess = Quantity::ALL
-            .map(|quantity| samples.iter().map(|sample| panel.excess(quantity, sample)).fold(0.0, largest));
+        let excess = Quantity::ALL.map(|quantity| {
+            // Where a panel ends there may be a kink; between the nodes it is slopes that tell how far values are off.
+            let slack = quantity.slope_slack();
+            let compared = [(&from, slack), (&between, 1.0), (&sparse, 1.0), (&end, slack)];
+            compared.map(|(sample, slack)| panel.excess(quantity, sample, slack)).into_iter().fold(0.0, largest)
+        });
         panel.good = excess.map(|excess| excess <= 1.0);
         let excess = excess.into_iter().fold(0.0, f64::max);
         Ok(Attempt { panel, between: [between, sparse], end, excess })
@@ -224,7 +227,7 @@ impl Curve {
         let between = self.sample(branch, 0.5 * (from.separation + end.separation))?;
         let mut panel = Panel::bridge(&from, &end, |sample| self.steps.position(sample.separation));
         self.samples += 2;
-        panel.good = Quantity::ALL.map(|quantity| panel.excess(quantity, &between) <= 1.0);
+        panel.good = Quantity::ALL.map(|quantity| panel.excess(quantity, &between, quantity.slope_slack()) <= 1.0);
         Ok(Attempt { panel, between: [between, between], end, excess: 0.0 })
     }
 
@@ -424,8 +427,9 @@ impl Panel {
         widest.map_or(self.lowest, |pair| 0.5 * (pair[0] + pair[1]))
     }
 
-    /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number.
-    fn excess(&self, quantity: Quantity, sample: &Sample) -> f64 {
+    /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number. The
+    /// slope may miss by so many times its tolerance.
+    fn excess(&self, quantity: Quantity, sample: &Sample, slope_slack: f64) -> f64 {
         let [(value, slope)] = self.interpolated(quantity, [sample.s]);
         let exact = sample.slope[quantity as usize];
         let value_excess = (value - sample.log_value[quantity as usize]).abs() / VALUE_TOLERANCE;
@@ -433,7 +437,7 @@ impl Panel {
             return value_excess; // at pull-off itself
         }
         let tolerance = if sample.s < NEAR_PULL_OFF { NOISE * SLOPE_TOLERANCE } else { SLOPE_TOLERANCE };
-        largest(value_excess, (slope / exact - 1.0).abs() / (quantity.slope_slack() * tolerance))
+        largest(value_excess, (slope / exact - 1.0).abs() / (slope_slack * tolerance))
     }
 }
 
@@ -698,8 +702,8 @@ mod tests {
             let off = |value: f64, slope: f64| {
                 let mut off = exact;
                 off.log_value[quantity as usize] += value;
-                off.slope[quantity as usize] *= 1.0 + quantity.slope_slack() * slope;
-                panel.excess(quantity, &off)
+                off.slope[quantity as usize] *= 1.0 + 5.0 * slope;
+                panel.excess(quantity, &off, 5.0)
             };
             for sign in [1.0, -1.0] {
                 assert!(
@@ -719,7 +723,7 @@ mod tests {
         // At pull-off itself there is no slope; a value that is none is as far as can be.
         let log_value = exact.log_value.map(|value| value + 5.0 * VALUE_TOLERANCE);
         let at_pull_off = Sample { slope: [f64::NAN; 2], log_value, ..exact };
-        assert!(near(panel.excess(Quantity::Friction, &at_pull_off), 5.0, 0.1));
+        assert!(near(panel.excess(Quantity::Friction, &at_pull_off, 1.0), 5.0, 0.1));
         assert_eq!(largest(1.0, f64::NAN), f64::INFINITY);
         assert_eq!(largest(f64::NAN, 1.0), f64::INFINITY);
         assert_eq!(largest(1.0, 2.0), 2.0);

@@ -71,7 +71,7 @@ impl<'a, S: Source> Filling<'a, S> {
             let interior = [points[0].0, points[1].0, points[2].0, points[3].0];
             let coefficients = basis.coefficients(left, points[7], interior);
             let compared = BETWEEN.into_iter().zip(&points[4..7]);
-            match error_of(&coefficients, compared, scale.slope_slack) {
+            match error_of(&coefficients, compared) {
                 Some(error) => {
                     worst = worst.max(error);
                     table.rows.push(scaled(coefficients, width));
@@ -155,7 +155,7 @@ impl<'a, S: Source> Filling<'a, S> {
         let coefficients = basis.coefficients(points[0].0, slopes);
         let end = (1.0, &points[OF_PIECE.len() - 1]);
         let compared = BETWEEN_OF_PIECE.into_iter().zip(&points[OF_PIECE.len()..]).chain([end]);
-        error_of(&coefficients, compared, self.scale.slope_slack).map(|error| (scaled(coefficients, length), error))
+        error_of(&coefficients, compared).map(|error| (scaled(coefficients, length), error))
     }
 }
 
@@ -173,17 +173,13 @@ fn log_binade(bits: u64) -> f64 {
 }
 
 /// The largest error of a polynomial where it is compared, if it is good in all of these places.
-fn error_of<'a>(
-    coefficients: &[f64; 8],
-    compared: impl Iterator<Item = (f64, &'a (f64, f64))>,
-    slope_slack: f64,
-) -> Option<f64> {
+fn error_of<'a>(coefficients: &[f64; 8], compared: impl Iterator<Item = (f64, &'a (f64, f64))>) -> Option<f64> {
     if coefficients.iter().any(|coefficient| coefficient.is_nan()) {
         return None;
     }
     let mut worst = 0.0_f64;
     for (part, exact) in compared {
-        worst = worst.max(error_within_tolerance(polynomial(coefficients, part), *exact, slope_slack)?);
+        worst = worst.max(error_within_tolerance(polynomial(coefficients, part), *exact)?);
     }
     Some(worst)
 }
@@ -202,7 +198,7 @@ fn scaled(coefficients: [f64; 8], length: f64) -> Row {
 mod tests {
     use super::*;
 
-    const SCALE: Scale = Scale { load: 3.0, value: 0.5, slope_slack: 1.0 };
+    const SCALE: Scale = Scale { load: 3.0, value: 0.5 };
 
     /// F = x^(2/3), of which the slope falls from a load on.
     struct Broken {
@@ -278,7 +274,7 @@ mod tests {
         let table = |per_row: f64, room: usize| {
             let mut source = Wiggly { per_row };
             let mut table = Table::new(2, 1_f64.to_bits() >> Table::shift_of(2), 0.0);
-            let mut filling = Filling::new(&mut source, Scale { load: 1.0, value: 1.0, slope_slack: 1.0 }, 2);
+            let mut filling = Filling::new(&mut source, Scale { load: 1.0, value: 1.0 }, 2);
             filling.rows(&mut table, 1);
             assert!(table.rows[0].is_left_out());
             filling.divide(&mut table, 0, room);
