@@ -150,7 +150,7 @@ impl Population {
     /// Adds what summits gain and lose that move past the edge of contact.
     fn add_edge_changes(&self, changes: &mut Changes, separation: f64, edge: &Edge, heights: &Heights) {
         let Point { z, g_rate, contact } = edge.point;
-        let below = self.attraction_at(separation, z).map_or(0.0, |attracted| attracted.load);
+        let below = self.attraction_at(z - separation, z).map_or(0.0, |attracted| attracted.load);
         let load = contact.load - below;
         let friction = self.slip.force(contact.radius).0;
         let density = exp(self.heights.log_density(z));

@@ -59,7 +59,7 @@ impl Population {
             [1.0, contact.load, area, friction, 0.0].map(|value| 2.0 * t * density(z) * value)
         };
         let attracted = |z: f64| {
-            let exists = self.attraction_at(separation, z).is_some();
+            let exists = self.attraction_at(z - separation, z).is_some();
             [0.0, 0.0, 0.0, 0.0, if exists { density(z) } else { 0.0 }]
         };
         let top = self.highest;
