@@ -563,6 +563,13 @@ contains
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
       call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)
       call check_close('... and so is its friction', at_load%friction_force, state%friction_force, 1e-9_c_double)
+      load(1) = state%load
+      call check_close('the stiffness is that of the state', asperity_tangential_stiffness_at_load(model, load(1)), &
+                       state%tangential_stiffness, 1e-9_c_double)
+      call asperity_check(asperity_tangential_stiffness_at_loads(model, 1_c_size_t, c_loc(load), c_loc(radius)))
+      call check('... and so is that of many', identical(radius(1), asperity_tangential_stiffness_at_load(model, load(1))))
+      call asperity_check(asperity_tangential_at_load(model, load(1), 1e9_c_double, c_loc(radius), c_null_ptr))
+      call check_close('far displaced all contacts slip', radius(1), state%friction_force, 1e-9_c_double)
       call asperity_check(asperity_sensitivities_at_load(model, state%load, sensitivities))
       call check_close('F = tau A: E* takes from F what it adds to the load', sensitivities%composite_modulus, &
                        -state%dforce_dload * state%load / state%friction_force, 1e-8_c_double)

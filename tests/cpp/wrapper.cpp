@@ -147,6 +147,9 @@ void each_setter_sets_its_own_field() {
     FIELD(skew, 0.5);
     FIELD(kurtosis, 4.0);
     FIELD(hardness, 9e9);
+    FIELD(tangential_modulus, 3e10);
+    FIELD(nominal_area, 1e-8);
+    FIELD(contact_law, asperity::ContactLaw::elastic_plastic);
 }
 
 void a_table_is_copied_and_shared() {
