@@ -99,7 +99,8 @@ impl End {
         let slope = |separation: f64| population.at_separation(separation).load_slope;
         let separation = root::bracketed(slope, lower, upper);
         let sums = sums_at(population, separation)?;
-        if sums.load() >= 0.0 {
+        let is_number = sums.load() != 0.0 && log(sums.load().abs()) >= SMALLEST_LOG_LOAD;
+        if is_number && sums.load() > 0.0 {
             return Err(Error::OutOfRange {
                 name: "pull-off load",
                 value: sums.load().into(),
@@ -108,7 +109,6 @@ impl End {
                           a second maximum",
             });
         }
-        let is_number = log(-sums.load()) >= SMALLEST_LOG_LOAD;
         let pull_off = PullOff { separation, load: sums.load(), friction: sums.friction, radius: sums.radius };
         Ok(Self { pull_off: is_number.then_some(pull_off), farthest: separation })
     }
