@@ -98,6 +98,16 @@ pub unsafe fn reference_mut<'a, T>(pointer: *mut T, name: &'static str) -> Resul
     pointer.as_mut().ok_or(Failure::Null(name))
 }
 
+/// Writes an element of an output of the caller, which may be NULL and need not be aligned.
+///
+/// # Safety
+/// `out` is NULL or has more than `index` elements.
+pub unsafe fn write(out: *mut f64, index: usize, value: f64) {
+    if !out.is_null() {
+        out.add(index).write_unaligned(value);
+    }
+}
+
 /// The error of a struct whose `struct_size` is not one this library knows.
 pub fn wrong_struct_size(size: u64, allowed: &'static str) -> Failure {
     let value = Value::Integer(i64::try_from(size).unwrap_or(i64::MAX));

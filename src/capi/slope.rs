@@ -1,7 +1,7 @@
 //! Value and slope of one contact in one call: by load, by pressure, and with a smooth sign of the slip rate.
 
 use super::batch::Quantity;
-use super::boundary;
+use super::boundary::{self, write};
 use super::fp_environment;
 use super::model::asperity_model;
 use crate::float_bits::finite;
@@ -28,7 +28,7 @@ pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
 ) -> f64 {
     boundary::fast_value(|| {
         let (mu, slope) = at(model, Quantity::Coefficient, load);
-        write(dmu_dload, slope);
+        write(dmu_dload, 0, slope);
         mu
     })
 }
@@ -51,7 +51,7 @@ pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
 ) -> f64 {
     boundary::fast_value(|| {
         let (force, slope) = at(model, Quantity::Force, load);
-        write(dforce_dload, slope);
+        write(dforce_dload, 0, slope);
         force
     })
 }
@@ -82,7 +82,7 @@ pub unsafe extern "C" fn asperity_friction_at_pressure(
         };
         // A slope of 1e300 or more is a saturated one already. Tested by bits: comparing a NaN may raise a flag.
         let moderate = slope.to_bits() & !(1 << 63) < 1e200_f64.to_bits();
-        write(dmu_dpressure, slope * if moderate { nominal_area } else { 1.0 });
+        write(dmu_dpressure, 0, slope * if moderate { nominal_area } else { 1.0 });
         mu
     })
 }
@@ -106,11 +106,11 @@ pub unsafe extern "C" fn asperity_shear_stress_at_pressure(
 ) -> f64 {
     boundary::fast_value(|| {
         let Some(load) = load_of(pressure, nominal_area) else {
-            write(dstress_dpressure, f64::NAN);
+            write(dstress_dpressure, 0, f64::NAN);
             return f64::NAN;
         };
         let (force, slope) = at(model, Quantity::Force, load);
-        write(dstress_dpressure, slope);
+        write(dstress_dpressure, 0, slope);
         force / nominal_area
     })
 }
@@ -142,27 +142,21 @@ pub unsafe extern "C" fn asperity_slip_force(
 ) -> f64 {
     boundary::fast_value(|| {
         if !finite(slip_rate) || !is_allowed(transition_rate) {
-            write(dforce_dload, f64::NAN);
-            write(dforce_dslip_rate, f64::NAN);
+            write(dforce_dload, 0, f64::NAN);
+            write(dforce_dslip_rate, 0, f64::NAN);
             return f64::NAN;
         }
         let (force, slope) = at(model, Quantity::Force, load);
         let (sign, sign_rate) = fp_environment::held(|| smooth_sign(slip_rate, transition_rate));
         // At pull-off the slope is infinite; times a sign of zero it is zero, and the product must not be formed ahead.
-        write(dforce_dload, sign * if sign == 0.0 { 0.0 } else { slope });
-        write(dforce_dslip_rate, force * sign_rate);
+        write(dforce_dload, 0, sign * if sign == 0.0 { 0.0 } else { slope });
+        write(dforce_dslip_rate, 0, force * sign_rate);
         force * sign
     })
 }
 
 unsafe fn at(model: *const asperity_model, quantity: Quantity, load: f64) -> (f64, f64) {
     model.as_ref().map_or((f64::NAN, f64::NAN), |handle| quantity.at(&handle.model, load))
-}
-
-unsafe fn write(out: *mut f64, value: f64) {
-    if !out.is_null() {
-        out.write_unaligned(value);
-    }
 }
 
 fn load_of(pressure: f64, nominal_area: f64) -> Option<f64> {

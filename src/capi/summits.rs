@@ -1,6 +1,6 @@
 //! The law of single summits, as C sees it.
 
-use super::boundary::{self, reference, Failure};
+use super::boundary::{self, reference, write, Failure};
 use super::model::asperity_model;
 use super::status::asperity_status;
 use crate::error::Error;
@@ -59,10 +59,4 @@ fn one(model: &Model, overlap: f64, height: f64, i: usize, offence: &mut Option<
         offence.get_or_insert((i, error));
         SummitState { load: f64::NAN, friction_force: f64::NAN, contact_radius: f64::NAN }
     })
-}
-
-unsafe fn write(out: *mut f64, i: usize, value: f64) {
-    if !out.is_null() {
-        out.add(i).write_unaligned(value);
-    }
 }

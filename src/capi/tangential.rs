@@ -1,7 +1,7 @@
 //! Contacts before they slip: tangential stiffness and microslip.
 
 use super::batch::Quantity;
-use super::boundary::{self, reference};
+use super::boundary::{self, reference, write};
 use super::evaluate::evaluate;
 use super::model::asperity_model;
 use super::reserve;
@@ -78,11 +78,8 @@ pub unsafe extern "C" fn asperity_tangential_at_load(
     boundary::status(|| {
         let model = &reference(model, "model")?.model;
         let found = reserve::held(|| Ok(model.tangential_at_load(load, displacement)?))?;
-        for (out, value) in [(force, found.0), (stiffness, found.1)] {
-            if !out.is_null() {
-                out.write_unaligned(value);
-            }
-        }
+        write(force, 0, found.0);
+        write(stiffness, 0, found.1);
         Ok(())
     })
 }

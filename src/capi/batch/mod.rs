@@ -12,7 +12,7 @@ mod avx512;
 #[cfg(target_arch = "x86_64")]
 mod lanes;
 
-use super::boundary::Failure;
+use super::boundary::{write, Failure};
 use super::fp_environment;
 use crate::float_bits::nan;
 use crate::law::Quantity as Tabulated;
@@ -102,12 +102,8 @@ unsafe fn one(
     if offence.is_none() && (nan(value) || model.offence(load).is_some()) {
         *offence = Some((index, load));
     }
-    if !arrays.value.is_null() {
-        arrays.value.add(index).write_unaligned(value);
-    }
-    if !arrays.slope.is_null() {
-        arrays.slope.add(index).write_unaligned(slope);
-    }
+    write(arrays.value, index, value);
+    write(arrays.slope, index, slope);
 }
 
 /// As many elements as fill vectors; how many those are.
