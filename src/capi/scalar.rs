@@ -1,4 +1,5 @@
-//! Friction or stiffness at one load, one number: the table's answer in as few instructions as there are, or else the exact model's.
+//! Friction or stiffness at one load, one number: the table's answer in as few instructions as there are, or else the
+//! exact model's.
 //!
 //! A table cannot panic and its answer needs no stack frame; exact evaluation is out of line, and guarded. A model keeps
 //! the addresses of the functions that suit the processor, so that a call does not look for them.

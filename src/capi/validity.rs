@@ -76,7 +76,8 @@ pub extern "C" fn asperity_warning_string(warning: u64) -> *const c_char {
         }
         ASPERITY_WARNING_CROWDED => {
             c"summits do not act alone: more than 10 % of them touch, or more than 10 % of nominal_area; use \
-              lighter loads, or check height_std and asperity_count: surfaces that are taken too smooth or too small are the usual cause"
+              lighter loads, or check height_std and asperity_count: surfaces that are taken too smooth or too small are \
+              the usual cause"
         }
         ASPERITY_WARNING_STEEP => {
             c"contacts are too large for their summits: a/R is above 0.1 on average; use lighter loads, or check \
