@@ -185,7 +185,7 @@ impl Model {
         let (groups, heights, radius) = params.surface()?;
         let units = Units::new(params);
         let population = Population::new(&groups, params.slip, heights, radius, params.attraction)?;
-        let compile = |branch: &Branch| Law::new(branch, units.load, [units.force, units.stiffness]);
+        let compile = |branch: &Branch| Law::new(branch, units.load, Quantity::ALL.map(|quantity| units.of(quantity)));
         let mut branch = Branch::new(population)?;
         let mut law = compile(&branch);
         for _ in 0..MOST_MINIMA {
@@ -215,10 +215,7 @@ impl Model {
         let (light, lightest_slope) = at(lightest);
         let (at_pull_off, at_zero, apart) = match self.branch.pull_off() {
             Some(point) => {
-                let value = match quantity {
-                    Quantity::Friction => point.friction * self.units.force,
-                    Quantity::Radius => point.radius * self.units.stiffness,
-                };
+                let value = quantity.at_pull_off(&point) * self.units.of(quantity);
                 ((value, f64::INFINITY), at(0.0), 0.0)
             }
             // Both vanish with load, and have no slope there but that next to it.
@@ -330,10 +327,7 @@ impl Model {
     /// Friction force or stiffness and slope without the compiled law.
     fn exact(&self, quantity: Quantity, load: f64) -> (f64, f64) {
         let Ok((separation, sums)) = self.equilibrium_at(load) else { return (f64::NAN, f64::NAN) };
-        let unit = match quantity {
-            Quantity::Friction => self.units.force,
-            Quantity::Radius => self.units.stiffness,
-        };
+        let unit = self.units.of(quantity);
         let (value, slope) = quantity.of(&sums);
         (value * unit, self.slope(separation, slope * unit, &sums))
     }
@@ -688,6 +682,14 @@ impl Units {
             area,
             length: params.height_std,
             count: params.asperity_count,
+        }
+    }
+
+    /// That of a quantity.
+    fn of(&self, quantity: Quantity) -> f64 {
+        match quantity {
+            Quantity::Friction => self.force,
+            Quantity::Radius => self.stiffness,
         }
     }
 }

@@ -146,7 +146,8 @@ impl Curve {
     /// [`Unfollowed`].
     pub fn new(branch: &Branch, log_range: impl Fn(f64) -> f64, check: &mut Vec<Sample>) -> Result<Self, Unfollowed> {
         let log_pull_off = branch.pull_off().map(|point| log(-point.load));
-        let reference = branch.pull_off().map_or([1.0; Quantity::COUNT], |point| [point.friction, point.radius]);
+        let reference =
+            Quantity::ALL.map(|quantity| branch.pull_off().map_or(1.0, |point| quantity.at_pull_off(&point)));
         let mut steps = Steps::new(branch);
         let mut curve = Self {
             coordinate: Coordinate { log_pull_off, reference },

@@ -14,7 +14,7 @@ mod steps;
 mod table;
 
 use crate::elementary::{exp, log};
-use crate::equilibrium::Branch;
+use crate::equilibrium::{Branch, PullOff};
 use crate::population::Sums;
 use curve::{Along, Curve, Sample};
 use exact::ExactStates;
@@ -72,6 +72,14 @@ impl Quantity {
         match self {
             Self::Friction => (sums.friction, sums.friction_slope),
             Self::Radius => (sums.radius, sums.radius_slope),
+        }
+    }
+
+    /// The quantity where the surfaces part.
+    pub fn at_pull_off(self, point: &PullOff) -> f64 {
+        match self {
+            Self::Friction => point.friction,
+            Self::Radius => point.radius,
         }
     }
 }
@@ -290,9 +298,8 @@ mod tests {
         let branch = branch(0.001);
         let law = Law::new(&branch, LOAD, UNITS).expect("a law");
         let point = branch.pull_off().expect("adhesion");
-        for (quantity, at_pull_off) in
-            Quantity::ALL.into_iter().zip([UNITS[0] * point.friction, UNITS[1] * point.radius])
-        {
+        for quantity in Quantity::ALL {
+            let at_pull_off = UNITS[quantity as usize] * quantity.at_pull_off(&point);
             let table = law.table(quantity);
             for part in [1e-10, 1e-12, 1e-14] {
                 let load = table.pull_off * (1.0 - part);
