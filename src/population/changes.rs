@@ -115,16 +115,7 @@ impl Population {
         let amplitude = if heeds_radius { NO_AMPLITUDE } else { self.radius.amplitude };
         let radius = RadiusProfile { amplitude, ..self.radius };
         // A table of nodes would cost more than these sums.
-        let varied = Self {
-            law: self.law.clone(),
-            attraction: self.attraction.clone(),
-            slip: self.slip.clone(),
-            heights: self.heights.clone(),
-            radius,
-            nodes: None,
-            deep: None,
-            ..*self
-        };
+        let varied = Self { radius, ..self.without_tables() };
         varied.summed_changes(separation, &heights).ok_or_else(|| sums::out_of_panels(separation))
     }
 

@@ -286,19 +286,22 @@ impl Population {
         sums
     }
 
-    /// The same population summed in panels that end at other kinks too.
-    fn with_kinks(&self, radius_kinks: [f64; RADII], kinks_of_contact: [f64; KINKS]) -> Self {
+    /// The same population without what is tabulated of it, which would not follow another law, other radii or other kinks.
+    fn without_tables(&self) -> Self {
         Self {
             law: self.law.clone(),
-            attraction: None,
+            attraction: self.attraction.clone(),
             slip: self.slip.clone(),
             heights: self.heights.clone(),
-            radius_kinks,
-            kinks_of_contact,
             nodes: None,
             deep: None,
             ..*self
         }
+    }
+
+    /// The same population summed in panels that end at other kinks too.
+    fn with_kinks(&self, radius_kinks: [f64; RADII], kinks_of_contact: [f64; KINKS]) -> Self {
+        Self { radius_kinks, kinks_of_contact, ..self.without_tables() }
     }
 
     /// The height at which summits just break away.
@@ -353,8 +356,8 @@ impl Population {
         Point { z, g_rate, contact: self.law.at_overlap(z - separation, g, guess) }
     }
 
-    /// The summit of a parameter, from a guess of its height: the root of z - d - u(s, g(z)). `None` if Newton's method does not
-    /// find it.
+    /// The summit of a parameter, from a guess of its height: the root of z - d - u(s, g(z)). `None` if Newton's method does
+    /// not find it.
     #[inline]
     fn on_branch(&self, separation: f64, parameter: f64, guess: f64) -> Option<Point> {
         if self.radius.is_constant() {
