@@ -79,10 +79,16 @@ impl Attraction {
         }
     }
 
+    /// The attracted asperity at an overlap.
+    #[inline]
+    pub fn at_overlap(&self, overlap: f64, g: f64) -> Attracted {
+        self.at(self.circle(overlap, g), g)
+    }
+
     /// What the load at an overlap changes by: by the logarithm of each group, in the order of [`Groups`], and by g.
     pub fn load_changes(&self, overlap: f64, g: f64) -> ([f64; GROUPS], f64) {
         let depth = (self.reach + overlap).max(0.0);
-        let Attracted { circle, load, .. } = self.at(self.circle(overlap, g), g);
+        let Attracted { circle, load, .. } = self.at_overlap(overlap, g);
         let relative = circle / (self.radius * g) - self.strain;
         // The powers of each group in radius, sigma_over_radius, reach, strain and stress.
         let (alpha, beta) = ([-1.0, 2.0, -1.0, 0.0], [1.0, 0.0, -1.0, 0.0]);
@@ -150,7 +156,7 @@ mod tests {
         let groups =
             Groups { alpha: 0.02, beta: 300.0, gamma: 0.004, b_over_h: 0.5, hardness: f64::INFINITY, yields: false };
         let law = Attraction::new(&groups);
-        let load = |law: &Attraction, overlap: f64, g: f64| law.at(law.circle(overlap, g), g).load;
+        let load = |law: &Attraction, overlap: f64, g: f64| law.at_overlap(overlap, g).load;
         for (part, g) in [(-0.99, 0.4), (-0.5, 1.0), (-0.01, 1.7)] {
             let overlap = part * law.reach;
             let (by_groups, by_g) = law.load_changes(overlap, g);

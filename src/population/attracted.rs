@@ -34,7 +34,7 @@ impl Population {
     pub(super) fn attraction_at(&self, overlap: f64, z: f64) -> Option<Attracted> {
         let g = self.radius.factor(z);
         let law = self.attraction.as_ref().filter(|_| self.lambda_cubed * g < ATTRACTION_LAMBDA_CUBED)?;
-        (overlap >= -law.reach).then(|| law.at(law.circle(overlap, g), g))
+        (overlap >= -law.reach).then(|| law.at_overlap(overlap, g))
     }
 
     /// Adds the summits below the edge of contact that attract.
@@ -44,11 +44,11 @@ impl Population {
         if range.sets_in {
             let (z, overlap) = range.from;
             let g = self.radius.factor(z);
-            sums.load_slope -= exp(self.heights.log_density(z)) * law.at(law.circle(overlap, g), g).load;
+            sums.load_slope -= exp(self.heights.log_density(z)) * law.at_overlap(overlap, g).load;
         }
         let found = self.visit_attracted(&range, separation, |z, overlap, fraction| {
             let g = self.radius.factor(z);
-            let attracted = law.at(law.circle(overlap, g), g);
+            let attracted = law.at_overlap(overlap, g);
             sums.add_attraction(fraction, attracted.load, attracted.load_by_overlap);
         });
         if !found {
@@ -87,7 +87,7 @@ impl Population {
             }
             let smooth = panel::panel_length(&*self.heights, z).min(self.radius.smooth_length(z)).min(end - overlap);
             let g = self.radius.factor(z);
-            let here = law.at(law.circle(overlap, g), g);
+            let here = law.at_overlap(overlap, g);
             let (length, circle_end) = self.attraction_panel(law, &here, g, smooth, shortest);
             let nodes: [_; quadrature::POINTS] = {
                 let mut nodes = quadrature::nodes(here.circle, circle_end);

@@ -164,10 +164,9 @@ impl Population {
     fn add_attraction_changes(&self, changes: &mut Changes, separation: f64, edge: &Edge, heights: &Heights) -> bool {
         let Some(range) = self.attracted_range(separation, edge) else { return true };
         let law = range.law;
-        let load = |overlap: f64, g: f64| law.at(law.circle(overlap, g), g);
         if range.sets_in {
             let (z, overlap) = range.from;
-            let gain = exp(self.heights.log_density(z)) * load(overlap, self.radius.factor(z)).load;
+            let gain = exp(self.heights.log_density(z)) * law.at_overlap(overlap, self.radius.factor(z)).load;
             for (change, reach_change) in changes.by_groups.iter_mut().zip(law.reach_changes()) {
                 change.load += gain * reach_change;
             }
@@ -185,7 +184,7 @@ impl Population {
                 change.load += fraction * by_g * g_change;
             }
             if heights.motion.is_some() {
-                let by_overlap = load(overlap, g).load_by_overlap;
+                let by_overlap = law.at_overlap(overlap, g).load_by_overlap;
                 let moved = heights.above_origin(z).into_iter().zip(heights.of_origin);
                 for (change, (rise, of_origin)) in changes.by_heights.iter_mut().zip(moved) {
                     change.load += fraction * (by_overlap * rise + by_g * g_rate * (rise + of_origin));
