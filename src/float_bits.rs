@@ -14,26 +14,10 @@ pub fn nan(x: f64) -> bool {
     x.to_bits() << 1 > 0x7ff << 53
 }
 
-/// The numbers next to a number. The standard library has them from Rust 1.86 on.
-pub trait Neighbours {
-    /// The next larger one.
-    fn above(self) -> Self;
-    /// The next smaller one.
-    fn below(self) -> Self;
-}
-
-impl Neighbours for f64 {
-    fn above(self) -> f64 {
-        libm::nextafter(self, f64::INFINITY)
-    }
-    fn below(self) -> f64 {
-        libm::nextafter(self, f64::NEG_INFINITY)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::neighbours::Neighbours;
 
     #[test]
     fn neighbours_are_one_bit_away() {

@@ -24,6 +24,7 @@ mod float_bits;
 pub mod groups;
 mod law;
 mod model;
+mod neighbours;
 pub mod numerics;
 mod params;
 pub mod population;

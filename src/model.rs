@@ -6,9 +6,10 @@
 use crate::elementary::{cbrt, log};
 use crate::equilibrium::Branch;
 use crate::error::Error;
-use crate::float_bits::{finite, Neighbours};
+use crate::float_bits::finite;
 use crate::groups::Groups;
 use crate::law::{Law, Quantity, Table, Unfollowed};
+use crate::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::{OneSummit, Population, Statistics, Sums};
 use crate::sensitivity::Sensitivities;

@@ -474,7 +474,7 @@ fn poisson_ratio(name: &'static str, value: f64) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::float_bits::Neighbours;
+    use crate::neighbours::Neighbours;
 
     /// What a change of the default case is refused for, if it is: whether it has a meaning, and the offence's name.
     fn refused(change: impl FnOnce(&mut Params)) -> Option<(bool, &'static str)> {

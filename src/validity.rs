@@ -2,8 +2,8 @@
 //! such states. The sources of the bounds are in docs/theory.md, "Is the model valid here?".
 
 use crate::error::Error;
-use crate::float_bits::Neighbours;
 use crate::model::State;
+use crate::neighbours::Neighbours;
 use crate::params::{ContactLawKind, Params};
 
 /// Set in [`State::warnings`](crate::State::warnings) where summits yield, though their law is elastic.

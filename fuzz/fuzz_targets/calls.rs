@@ -9,7 +9,7 @@
 mod fuzz_calls;
 #[path = "../../tests/c_api/interface.rs"]
 mod interface;
-#[path = "../../tests/common/neighbours.rs"]
+#[path = "../../src/neighbours.rs"]
 mod neighbours;
 #[path = "../../tests/common/processor_time.rs"]
 mod processor_time;

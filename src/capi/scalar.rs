@@ -134,7 +134,7 @@ mod avx2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::float_bits::Neighbours;
+    use crate::neighbours::Neighbours;
     use crate::params::Params;
 
     /// The function of this processor and that of any, within the table, beyond it, and where friction is capped.

@@ -285,7 +285,7 @@ fn pieces(height: &[f64], density: &[f64]) -> Vec<Piece> {
 mod tests {
     use super::*;
     use crate::error::Value;
-    use crate::float_bits::Neighbours;
+    use crate::neighbours::Neighbours;
 
     fn near(a: f64, b: f64, tolerance: f64) -> bool {
         (a - b).abs() <= tolerance * b.abs()

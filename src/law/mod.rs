@@ -210,7 +210,7 @@ fn divide(source: &mut impl fill::Source, scale: Scale, table: &mut Table) -> f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::float_bits::Neighbours;
+    use crate::neighbours::Neighbours;
     use crate::params::Params;
 
     /// The paper's default case with another surface energy.

@@ -184,7 +184,7 @@ impl PieceBasis {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::float_bits::Neighbours;
+    use crate::neighbours::Neighbours;
 
     const C: [f64; COEFFICIENTS] = [3.0, -2.0, 0.5, 1.25, -0.75, 2.5, -1.5, 0.375];
 

@@ -245,7 +245,7 @@ struct At {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::float_bits::Neighbours;
+    use crate::neighbours::Neighbours;
 
     fn curve(skew: f64, kurtosis: f64) -> Johnson {
         check(skew, kurtosis).expect("a curve of the domain");

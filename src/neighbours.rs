@@ -1,10 +1,11 @@
-//! The numbers next to a number, which the standard library has from Rust 1.86 on.
+//! The numbers next to a number, which the standard library has from Rust 1.86 on. The tests and the fuzzing include this
+//! file too.
 
 /// Steps by one unit in the last place.
 pub trait Neighbours {
-    /// The next larger one.
+    /// The next larger number.
     fn above(self) -> Self;
-    /// The next smaller one.
+    /// The next smaller number.
     fn below(self) -> Self;
 }
 
