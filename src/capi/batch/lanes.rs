@@ -117,55 +117,76 @@ pub unsafe fn evaluate<L: Lanes>(
         for (vector, found) in block[..in_block].iter().enumerate() {
             let i = (begin + vector) * L::COUNT;
             let found = found.assume_init_ref();
-            let mut answers = force::<L>(table, found, found.t, found.offset, with_slope);
+            let answers = force::<L>(table, found, found.t, found.offset, with_slope);
             let closed = match quantity {
                 Quantity::Coefficient => closed::<L>(&limits, found.load, answers.value),
                 _ => answers.slow,
             };
             if L::lanes_of(L::or_mask(answers.slow, closed)) == 0 {
+                let answers = match quantity {
+                    Quantity::Coefficient => divided::<L>(answers, found.load, with_slope),
+                    _ => answers,
+                };
+                write::<L>(&answers, arrays, i);
+            } else {
+                let mut answers = beside_rows::<L>(&limits, found, with_slope, answers);
                 if quantity == Quantity::Coefficient {
-                    answers.value = answers.value.div(found.load);
-                    if with_slope {
-                        answers.slope = answers.slope.sub(answers.value).div(found.load);
-                    }
+                    answers = coefficient::<L>(&limits, found.load, with_slope, answers);
                 }
-                if !arrays.value.is_null() {
-                    answers.value.write(arrays.value.add(i));
-                }
-                if with_slope {
-                    answers.slope.write(arrays.slope.add(i));
-                }
-                continue;
-            }
-            answers = beside_rows::<L>(&limits, found, with_slope, answers);
-            if quantity == Quantity::Coefficient {
-                answers = coefficient::<L>(&limits, found.load, with_slope, answers);
-            }
-            // The input, before an output that may be the same array is written.
-            let mut kept = [0.0; 8];
-            let (slow, apart) = (L::lanes_of(answers.slow), L::lanes_of(answers.apart));
-            if slow | apart != 0 {
-                L::read(arrays.load.add(i)).write(kept.as_mut_ptr());
-            }
-            if !arrays.value.is_null() {
-                answers.value.write(arrays.value.add(i));
-            }
-            if with_slope {
-                answers.slope.write(arrays.slope.add(i));
-            }
-            if slow != 0 || (apart != 0 && offence.is_none()) {
-                for (lane, &load) in kept.iter().enumerate().take(L::COUNT) {
-                    if slow >> lane & 1 != 0 {
-                        one(model, quantity, arrays, i + lane, load, offence);
-                    } else if apart >> lane & 1 != 0 && offence.is_none() {
-                        *offence = Some((i + lane, load));
-                    }
-                }
+                write_and_ask::<L>(&answers, model, quantity, arrays, i, offence);
             }
         }
         begin += in_block;
     }
     vectors * L::COUNT
+}
+
+/// Coefficients from forces, where all lanes are ordinary.
+#[inline(always)]
+unsafe fn divided<L: Lanes>(answers: Answers<L>, load: L, with_slope: bool) -> Answers<L> {
+    let value = answers.value.div(load);
+    let slope = if with_slope { answers.slope.sub(value).div(load) } else { answers.slope };
+    Answers { value, slope, ..answers }
+}
+
+/// Writes the answers to the elements from the i-th on.
+#[inline(always)]
+unsafe fn write<L: Lanes>(answers: &Answers<L>, arrays: Arrays, i: usize) {
+    if !arrays.value.is_null() {
+        answers.value.write(arrays.value.add(i));
+    }
+    if !arrays.slope.is_null() {
+        answers.slope.write(arrays.slope.add(i));
+    }
+}
+
+/// The same, but asks the scalar call for those that are left to it, and keeps the first offence.
+#[inline(always)]
+unsafe fn write_and_ask<L: Lanes>(
+    answers: &Answers<L>,
+    model: &Model,
+    quantity: Quantity,
+    arrays: Arrays,
+    i: usize,
+    offence: &mut Option<(usize, f64)>,
+) {
+    let (slow, apart) = (L::lanes_of(answers.slow), L::lanes_of(answers.apart));
+    // The input, before an output that may be the same array is written.
+    let mut kept = [0.0; 8];
+    if slow | apart != 0 {
+        L::read(arrays.load.add(i)).write(kept.as_mut_ptr());
+    }
+    write::<L>(answers, arrays, i);
+    if slow == 0 && (apart == 0 || offence.is_some()) {
+        return;
+    }
+    for (lane, &load) in kept.iter().enumerate().take(L::COUNT) {
+        if slow >> lane & 1 != 0 {
+            one(model, quantity, arrays, i + lane, load, offence);
+        } else if apart >> lane & 1 != 0 {
+            offence.get_or_insert((i + lane, load));
+        }
+    }
 }
 
 /// Finds the rows.
