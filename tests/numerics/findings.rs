@@ -332,3 +332,23 @@ fn friction_rises_with_load_in_the_last_bits_of_the_pull_off_load() {
         }
     }
 }
+
+/// Adhesion of silicon on glass at a roughness of 20 nm pulls with 6e-305 units per summit, of which rounding gives the sign: a
+/// positive one was refused as that of heights with a second maximum.
+#[test]
+fn a_pull_off_load_too_small_for_a_number_is_none_whatever_its_sign() {
+    let mut params = Params {
+        work_of_adhesion: 0.1,
+        adhesion_range: 0.384e-9,
+        burgers_vector: 0.384e-9,
+        height_std: 20e-9,
+        summit_radius: 1e-6,
+        asperity_count: 1e5,
+        ..Params::default()
+    };
+    params.set_materials(160e9, 0.22, 72e9, 0.17).expect("materials");
+    for part in [0.99, 0.995, 1.0, 1.005, 1.01] {
+        let model = Model::new(&Params { height_std: part * params.height_std, ..params.clone() }).expect("a model");
+        assert_eq!(model.summary().pull_off_load, 0.0, "{part}");
+    }
+}
