@@ -201,6 +201,8 @@ impl Population {
     #[inline]
     pub(super) fn densities(&self, separation: f64, nodes: [(f64, f64); POINTS]) -> [f64; POINTS] {
         let slope = self.heights.log_density_slope(nodes[POINTS / 2].0);
+        // At the end of the heights itself it is no number; nothing lies so near.
+        let slope = if slope.is_finite() { slope } else { 0.0 };
         let mut densities = self.heights.densities(nodes.map(|(z, _)| z));
         for (density, (z, overlap)) in densities.iter_mut().zip(nodes) {
             let rounding = overlap - (z - separation);

@@ -1,6 +1,7 @@
 //! The sums against integrals over heights by another rule, and surfaces for unit tests.
 
 use super::*;
+use crate::neighbours::Neighbours;
 use crate::numerics::quadrature;
 use crate::params::{HeightFamily, Params};
 
@@ -112,6 +113,24 @@ fn sums_are_integrals_over_heights() {
                     off <= 1e-10 * expected[i].abs() + 1e-14,
                     "{name} of {params:?} at {separation}: {found:?}, {expected:?}"
                 );
+            }
+        }
+    }
+}
+
+/// Where a foot of the heights, or another breakpoint, passes an overlap at which the law is not smooth, to the last bit.
+#[test]
+fn sums_are_numbers_at_every_kink_and_next_to_it() {
+    let mut surfaces = surfaces();
+    surfaces.push(surface([0.01, 100.0, 1e-8, 1e-3], HeightFamily::Weibull { shape: 8.0 }, [0.0, 1.0]));
+    for params in surfaces {
+        let population = of(&params);
+        for kink in population.kinks() {
+            for separation in [kink.below().below(), kink.below(), kink, kink.above(), kink.above().above()] {
+                let sums = population.at_separation(separation);
+                let is_known =
+                    sums.load().is_finite() && sums.load_slope.is_finite() && sums.friction_slope.is_finite();
+                assert!(is_known, "{params:?} at {separation}: {sums:?}");
             }
         }
     }
