@@ -29,8 +29,6 @@ pub struct Attraction {
 /// One attracted asperity.
 #[derive(Debug, Clone, Copy)]
 pub struct Attracted {
-    /// Overlap in sigma: minus the gap.
-    pub overlap: f64,
     /// Radius c of the circle of interaction, in b.
     pub circle: f64,
     /// Load, negative, in E* b^2.
@@ -39,6 +37,24 @@ pub struct Attracted {
     pub load_by_overlap: f64,
     /// du/dc at fixed g.
     pub overlap_rate: f64,
+    /// d2u/dc2 at fixed g, the same for all circles.
+    pub overlap_bend: f64,
+}
+
+impl Attracted {
+    /// By how much a circle is larger where the overlap is larger by `rise`. Not as a difference: beside the reach of
+    /// attraction the rise may be small.
+    #[inline]
+    pub fn span(&self, rise: f64) -> f64 {
+        let rate = self.overlap_rate;
+        2.0 * rise / (rate + (rate * rate + 2.0 * self.overlap_bend * rise).sqrt())
+    }
+
+    /// By how much the overlap is larger where the circle is larger by `span`, and du/dc there.
+    #[inline]
+    pub fn rise(&self, span: f64) -> (f64, f64) {
+        (span * (self.overlap_rate + 0.5 * self.overlap_bend * span), self.overlap_rate + self.overlap_bend * span)
+    }
 }
 
 impl Attraction {
@@ -57,32 +73,25 @@ impl Attraction {
 
     /// The radius of the circle of interaction at an overlap, eq (10), in b.
     #[inline]
-    pub fn circle(&self, overlap: f64, g: f64) -> f64 {
+    fn circle(&self, overlap: f64, g: f64) -> f64 {
         let height = (2.0 * self.sigma_over_radius * (self.reach + overlap) / g).max(0.0);
         self.radius * g * (self.strain + (self.strain * self.strain + height).sqrt())
     }
 
-    /// The attracted asperity whose circle of interaction is `circle`, eqs (10) and (11).
+    /// The attracted asperity at an overlap, eqs (10) and (11).
     #[inline]
-    pub fn at(&self, circle: f64, g: f64) -> Attracted {
+    pub fn at_overlap(&self, overlap: f64, g: f64) -> Attracted {
+        let circle = self.circle(overlap, g);
         let relative = circle / (self.radius * g) - self.strain;
         // R' d(c/R')/du = sigma / relative
         let overlap_rate = relative / self.sigma;
-        let load = -PI * circle * circle * self.stress;
         Attracted {
-            overlap: 0.5 * g * (relative - self.strain) * (relative + self.strain) / self.sigma_over_radius
-                - self.reach,
             circle,
-            load,
+            load: -PI * circle * circle * self.stress,
             load_by_overlap: -2.0 * PI * circle * self.stress / overlap_rate,
             overlap_rate,
+            overlap_bend: 1.0 / (self.sigma * self.radius * g),
         }
-    }
-
-    /// The attracted asperity at an overlap.
-    #[inline]
-    pub fn at_overlap(&self, overlap: f64, g: f64) -> Attracted {
-        self.at(self.circle(overlap, g), g)
     }
 
     /// What the load at an overlap changes by: by the logarithm of each group, in the order of [`Groups`], and by g.
@@ -107,11 +116,6 @@ impl Attraction {
     pub fn reach_changes(&self) -> [f64; GROUPS] {
         [-self.reach, -self.reach, 0.0, -self.reach, 0.0]
     }
-
-    /// The attracted asperity at which du/dc is `overlap_rate`.
-    pub fn at_rate(&self, overlap_rate: f64, g: f64) -> Attracted {
-        self.at(self.radius * g * (overlap_rate * self.sigma + self.strain), g)
-    }
 }
 
 #[cfg(test)]
@@ -130,21 +134,26 @@ mod tests {
         let law = Attraction::new(&groups);
         assert!(near(law.reach, groups.reach(), 1e-15) && near(groups.reach(), 1.0 / (0.02 * 300.0 * 0.5), 1e-15));
         for g in [0.4, 1.0, 1.7] {
-            for overlap in [-law.reach, -0.9 * law.reach, -0.1 * law.reach, 0.0] {
+            for overlap in [-0.999, -0.9, -0.1, 0.0].map(|part| part * law.reach) {
                 let circle = law.circle(overlap, g);
                 let (radius, sigma, stress) = (300.0 / 0.02 * g, 0.02 * 300.0, 0.004 * 0.5);
                 // That of the parabola less 4 c stress/(pi E*), by which attraction closes it there.
                 let gap = -overlap * sigma + circle * circle / (2.0 * radius) - 4.0 / PI * stress * circle;
                 assert!(near(gap, 1.0 / 0.5, 1e-13), "{gap}");
-                let found = law.at(circle, g);
-                assert!((found.overlap - overlap).abs() < 1e-14 * law.reach, "{}, not {overlap}", found.overlap);
+                let found = law.at_overlap(overlap, g);
                 assert!(near(found.load, -PI * circle * circle * stress, 1e-14), "{}", found.load);
-                let step = 1e-6 * circle;
-                let (before, after) = (law.at(circle - step, g), law.at(circle + step, g));
-                let rise = after.overlap - before.overlap;
-                assert!(near(found.overlap_rate, rise / (2.0 * step), 1e-6), "{}", found.overlap_rate);
-                assert!(near(found.load_by_overlap, (after.load - before.load) / rise, 1e-6));
-                assert!(near(law.at_rate(found.overlap_rate, g).circle, circle, 1e-13));
+                let step = 1e-6 * law.reach;
+                let [before, after] = [-step, step].map(|step| law.at_overlap(overlap + step, g));
+                let rate = 2.0 * step / (after.circle - before.circle);
+                assert!(near(found.overlap_rate, rate, 1e-6), "{}, not {rate}", found.overlap_rate);
+                assert!(near(found.load_by_overlap, (after.load - before.load) / (2.0 * step), 1e-6));
+                for rise in [1e-12, 0.3].map(|part| part * law.reach) {
+                    let span = found.span(rise);
+                    let there = law.at_overlap(overlap + rise, g);
+                    assert!((circle + span - there.circle).abs() <= 1e-14 * circle, "{span} for {rise}");
+                    let (again, rate) = found.rise(span);
+                    assert!(near(again, rise, 1e-14) && near(rate, there.overlap_rate, 1e-12), "{again}, not {rise}");
+                }
             }
             // Attraction begins at its reach and no nearer circle is asked for.
             assert!(near(law.circle(-2.0 * law.reach, g), law.circle(-law.reach, g), 1e-15));

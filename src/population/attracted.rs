@@ -88,13 +88,13 @@ impl Population {
             let smooth = panel::panel_length(&*self.heights, z).min(self.radius.smooth_length(z)).min(end - overlap);
             let g = self.radius.factor(z);
             let here = law.at_overlap(overlap, g);
-            let (length, circle_end) = self.attraction_panel(law, &here, g, smooth, shortest);
+            let (length, span) = self.attraction_panel(&here, smooth, shortest);
             let nodes: [_; quadrature::POINTS] = {
-                let mut nodes = quadrature::nodes(here.circle, circle_end);
+                let mut nodes = quadrature::nodes(0.0, span);
                 std::array::from_fn(|_| {
-                    let (circle, weight) = nodes.next().unwrap_or_default();
-                    let reference = law.at(circle, g);
-                    (reference.overlap - here.overlap, weight * reference.overlap_rate)
+                    let (wider, weight) = nodes.next().unwrap_or_default();
+                    let (rise, rate) = here.rise(wider);
+                    (rise, weight * rate)
                 })
             };
             let densities = self.densities(separation, nodes.map(|(rise, _)| (z + rise, overlap + rise)));
@@ -129,22 +129,15 @@ impl Population {
         (z + panel.length, overlap + panel.length)
     }
 
-    /// The length of a panel, and the circle at its end by the radius at its beginning.
-    fn attraction_panel(&self, law: &Attraction, here: &Attracted, g: f64, smooth: f64, shortest: f64) -> (f64, f64) {
-        let whole = (smooth, law.circle(here.overlap + smooth, g));
-        if self.radius.is_constant() {
-            return whole;
-        }
-        let farthest = law.at_rate(CIRCLE_RATIO * here.overlap_rate, g);
-        let rise = farthest.overlap - here.overlap;
-        if rise >= smooth {
-            whole
-        } else if rise >= shortest {
-            (rise, farthest.circle)
+    /// The length of a panel, and how much the circle grows over it by the radius at its beginning.
+    fn attraction_panel(&self, here: &Attracted, smooth: f64, shortest: f64) -> (f64, f64) {
+        let length = if self.radius.is_constant() {
+            smooth
         } else {
-            let length = shortest.min(smooth);
-            (length, law.circle(here.overlap + length, g))
-        }
+            let (rise, _) = here.rise((CIRCLE_RATIO - 1.0) * here.overlap_rate / here.overlap_bend);
+            rise.max(shortest).min(smooth)
+        };
+        (length, here.span(length))
     }
 
     /// The part of a range of heights in which summits out of contact attract: lambda_g^3 < 9/32.

@@ -352,3 +352,32 @@ fn a_pull_off_load_too_small_for_a_number_is_none_whatever_its_sign() {
         assert_eq!(model.summary().pull_off_load, 0.0, "{part}");
     }
 }
+
+/// Overlaps were taken as differences of numbers as large as the reach of attraction, here 1e5 times the roughness: too few
+/// digits for the load to be told from that at pull-off.
+#[test]
+fn adhesion_may_reach_far_beyond_the_roughness() {
+    for work_of_adhesion in [3e-7, 1e-6, 1.1e-6, 2e-6] {
+        let params = Params {
+            composite_modulus: 1.0,
+            effective_shear_modulus: 1.0,
+            work_of_adhesion,
+            adhesion_range: 1.0,
+            burgers_vector: 0.1,
+            height_std: 1e-5,
+            summit_radius: 1e4,
+            asperity_count: 1.0,
+            ..Params::default()
+        };
+        let model = Model::new(&params).expect("a model");
+        let pull_off = model.summary().pull_off_load;
+        // Bradley: all summits within reach pull with 2 pi w R.
+        let bradley = -2.0 * std::f64::consts::PI * work_of_adhesion * params.summit_radius;
+        assert!((pull_off / bradley - 1.0).abs() < 1e-3, "{pull_off}, not {bradley}");
+        for part in [1e-3, 1e-6, 1e-9, 1e-11] {
+            let load = pull_off * (1.0 - part);
+            let (force, exact) = (model.friction_force_at_load(load), model.state_at_load(load).expect("a state"));
+            assert!((force / exact.friction_force - 1.0).abs() < 1e-9, "{part}: {force}, not {exact:?}");
+        }
+    }
+}
