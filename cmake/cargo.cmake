@@ -1,6 +1,6 @@
 # What cargo and rustc must be asked, and what their files are called on the target platform.
 #
-# In:  ASPERITY_RUST_TARGET, the target triple (in cross compilation that of the C compiler by default, else rustc's host);
+# In:  ASPERITY_RUST_TARGET, the target triple (in cross compilation the C compiler's by default, else rustc's host);
 #      environment CARGO_TARGET_DIR, shared with `make install` where it is set.
 # Out: ASPERITY_CARGO_DIR and the file names in it, ASPERITY_SONAME, ASPERITY_NATIVE_LIBS.
 
