@@ -7,7 +7,7 @@ from notices import write_notices
 from targets import ROOT, WORK, Refusal, linker_environment, run
 
 # What a released shared library may weigh, stripped.
-LIBRARY_LIMIT = 700_000
+LIBRARY_LIMIT = 800_000
 
 
 def build_stage(target, folder, env):
