@@ -16,13 +16,18 @@ SYSTEMS = {"linux": ["__glibc >=2.17,<3.0.a0"], "osx": ["__osx >=11.0"], "win": 
 PROCESSORS = {"64": "x86_64", "aarch64": "aarch64", "arm64": "arm64"}
 
 
+def build_string(target):
+    """The platform, so that the files of all of them have names of their own."""
+    return f"{target.conda.replace('-', '_')}_0"
+
+
 def index(target, epoch):
     """index.json: what a solver of dependencies reads."""
     system, processor = target.conda.split("-")
     return {
         "name": "libasperity",
         "version": version(),
-        "build": "0",
+        "build": build_string(target),
         "build_number": 0,
         "depends": SYSTEMS[system],
         "license": "MIT OR Apache-2.0",
@@ -70,8 +75,8 @@ def build_conda(target, stage, out, env):
     write_json(info / "about.json", {"license": "MIT OR Apache-2.0", "summary": "Friction laws from contact physics"})
     (info / "files").write_text("".join(f"{path['_path']}\n" for path in paths(payload)["paths"]), encoding="utf-8")
 
-    name = f"libasperity-{version()}-0"
-    package = out / f"{name}.{target.conda}.conda"
+    name = f"libasperity-{version()}-{build_string(target)}"
+    package = out / f"{name}.conda"
     with zipfile.ZipFile(package, "w", zipfile.ZIP_STORED) as packed:
         packed.writestr(zipfile.ZipInfo("metadata.json"), json.dumps({"conda_pkg_format_version": 2}))
         for part, folder in (("info", work / "info"), ("pkg", payload)):
