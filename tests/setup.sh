@@ -8,7 +8,7 @@ set -euo pipefail
 core="g++ gfortran clang cmake pkg-config python3 python3-venv libgsl-dev valgrind"
 hosts="libode-dev libsiconos-numerics-dev liblammps-dev libsimbody-dev python3-getfem python3-matplotlib pkg-config
     python3-venv"
-harden="valgrind qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross llvm-22"
+harden="valgrind qemu-user llvm-22"
 # Of crates.io, at the versions that were tried; fetched and built by cargo.
 harden_tools="cargo-deny@0.20.2 cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
 
@@ -17,6 +17,14 @@ dist="cmake debhelper debootstrap dh-python dpkg-dev gcc-mingw-w64-x86-64 gfortr
     zstd"
 dist_targets="x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-unknown-linux-musl x86_64-pc-windows-gnu
     aarch64-apple-darwin x86_64-apple-darwin wasm32-unknown-unknown"
+
+# The compilers of other machines for tests/dist/same_bits.sh, and what runs their programs.
+machines="qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-arm-linux-gnueabihf libc6-dev-armhf-cross
+    gcc-i686-linux-gnu libc6-dev-i386-cross gcc-riscv64-linux-gnu libc6-dev-riscv64-cross gcc-powerpc64le-linux-gnu
+    libc6-dev-ppc64el-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross gcc-mingw-w64-x86-64 wine64 musl-tools clang lld
+    wasi-libc nodejs"
+machine_targets="armv7-unknown-linux-gnueabihf i686-unknown-linux-gnu riscv64gc-unknown-linux-gnu
+    powerpc64le-unknown-linux-gnu s390x-unknown-linux-gnu"
 
 # Of PyPI, at the versions that were tried, in environments of their own under the target directory.
 dist_packages="ziglang==0.17.1 cargo-zigbuild==0.24.0 build==1.6.1 setuptools==84.2.1 wheel==0.48.0 twine==7.0.0
@@ -30,7 +38,7 @@ for group in "${@:-core}"; do
     hosts) packages+=" $hosts" ;;
     harden) packages+=" $harden" tools+=" $harden_tools" ;;
     validation) packages+=" python3 python3-venv" ;;
-    dist) packages+=" $dist" ;;
+    dist) packages+=" $dist $machines" ;;
     *) echo "tests/setup.sh: unknown group '$group': core, hosts, harden, validation or dist" >&2; exit 2 ;;
     esac
 done
@@ -43,13 +51,11 @@ done
 if [[ " $* " == *" harden "* ]] && command -v rustup >/dev/null; then
     rustup component add --toolchain nightly rust-src miri >/dev/null 2>&1 ||
         rustup toolchain install nightly --profile minimal --component rust-src,miri
-    # For 64-bit ARM, which qemu-user emulates.
-    rustup target add aarch64-unknown-linux-gnu >/dev/null 2>&1
 fi
 
 if [[ " $* " == *" dist "* ]] && command -v rustup >/dev/null; then
     # shellcheck disable=SC2086
-    rustup -q target add $dist_targets
+    rustup -q target add $dist_targets $machine_targets
 fi
 
 # environment GROUP PACKAGES: a virtual environment with the packages, where the group is asked for.
