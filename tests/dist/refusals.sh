@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 copy=$target/dist-refusals
-rm -rf "$copy"
+rm -rf "$copy" "$copy.log"
 git clone --quiet --local . "$copy"
 cd "$copy"
 git config user.name tests
@@ -25,10 +25,9 @@ fail() {
 refuses() {
     local text=$1
     shift
-    if "$@" >log 2>&1; then fail "accepted: $*"; fi
-    grep -qF -- "$text" log || { cat log >&2; fail "'$*' does not say: $text"; }
-    if grep -q Traceback log; then cat log >&2; fail "'$*' ends with a traceback"; fi
-    rm log
+    if "$@" >"$copy.log" 2>&1; then fail "accepted: $*"; fi
+    grep -qF -- "$text" "$copy.log" || { cat "$copy.log" >&2; fail "'$*' does not say: $text"; }
+    if grep -q Traceback "$copy.log"; then cat "$copy.log" >&2; fail "'$*' ends with a traceback"; fi
     [ "$(cat dist/*)" = "of an earlier run" ] || fail "'$*' changed dist/"
 }
 
@@ -67,5 +66,5 @@ if [ -f "$target/dist-venv/packages" ]; then
     "$target/dist-venv/bin/check-jsonschema" --builtin-schema vendor.github-workflows .github/workflows/*.yml >/dev/null ||
         fail "a workflow does not follow GitHub's schema"
 fi
-rm -rf "$copy"
+rm -rf "$copy" "$copy.log"
 echo "tests/dist/refusals.sh: what make dist and make release cannot do they name, and leave dist/ as it was"
