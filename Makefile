@@ -4,6 +4,9 @@
 # make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, an hour or two
 # make bench     measures speed and accuracy, and writes docs/performance.md anew
 # make harden    every instrument of docs/reliability.md, for hours; tests/harden/harden.mk names its parts
+# make dist      the files of a release, in dist/: libraries for every platform, wheels, packages, sources; TARGETS="..." for a part
+# make dist-test proves the files in dist/ as users get them
+# make release   VERSION=x.y.z: checks that the tree is ready for a release, builds and proves it, and says what is left to do
 # make header    write include/asperity.h anew from the sources
 # make clean     remove what was built
 # make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
@@ -36,6 +39,7 @@ include cmake/install.mk
 include benches/bench.mk
 include tests/harden/harden.mk
 include tests/validation/validation.mk
+include packaging/dist.mk
 
 library:
 	@cmake/check_rust.sh "$(CARGO)"

@@ -1,6 +1,8 @@
 """Builds the Rust library with cargo and puts it inside the package. All else about the package is in pyproject.toml.
 
 The crate is the directory above in a checkout, and `rust/` in a source distribution, into which `sdist` copies it.
+ASPERITY_PREBUILT names a library that was built for the wheel's platform, to be packed in place of one that cargo builds here;
+ASPERITY_NOTICES the folder of the licences of what is in it.
 """
 
 import json
@@ -10,6 +12,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+from contextlib import contextmanager
 from pathlib import Path
 
 from setuptools import Distribution, setup
@@ -70,7 +73,7 @@ class BuildWithLibrary(build_py):
 
     def run(self):
         super().run()
-        library = cargo_build()
+        library = Path(os.environ.get("ASPERITY_PREBUILT") or cargo_build())
         package = HERE / "src" / "asperity" if self.editable_mode else Path(self.build_lib) / "asperity"
         package.mkdir(parents=True, exist_ok=True)
         shutil.copy2(library, package)
@@ -107,8 +110,22 @@ class BinaryDistribution(Distribution):
         return True
 
 
+@contextmanager
+def licences():
+    """Lays the licences beside pyproject.toml, which can name no others, for as long as setuptools works."""
+    folders = [CRATE, *(Path(named) for named in [os.environ.get("ASPERITY_NOTICES")] if named)]
+    names = {file.name: file for folder in folders for file in folder.glob("LICENSE*") if not (HERE / file.name).exists()}
+    try:
+        for name, file in names.items():
+            shutil.copyfile(file, HERE / name)
+        yield
+    finally:
+        for name in names:
+            (HERE / name).unlink(missing_ok=True)
+
+
 # A build directory of its own for each run: nothing stale gets into a wheel, nothing is left in the checkout.
-with tempfile.TemporaryDirectory(prefix="asperity-build-") as build_base:
+with tempfile.TemporaryDirectory(prefix="asperity-build-") as build_base, licences():
     setup(
         version=version(),
         distclass=BinaryDistribution,

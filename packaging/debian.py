@@ -1,0 +1,21 @@
+"""Debian packages: packaging/debian laid into the commit's files, and Debian's own tools."""
+
+import shutil
+
+from sources import unpack_commit
+from targets import ROOT, WORK, build_environment, linker_environment, read_targets, run
+
+
+def build_debian(out, env):
+    """Writes the packages for amd64 into `out` and returns them."""
+    work = WORK / "debian"
+    shutil.rmtree(work, ignore_errors=True)
+    source = work / "asperity"
+    unpack_commit(source)
+    shutil.copytree(ROOT / "packaging" / "debian", source / "debian")
+    target = read_targets()["x86_64-linux-gnu"]
+    env = env | linker_environment(target) | {"CARGO_BUILD_TARGET": target.rust, "DEB_BUILD_OPTIONS": "noautodbgsym"}
+    env["RUSTFLAGS"] = build_environment(source)["RUSTFLAGS"]
+    # -d: cargo may be of rustup, not of Debian.
+    run("dpkg-buildpackage", "-b", "-uc", "-us", "-d", cwd=source, env=env)
+    return [shutil.move(file, out / file.name) for file in sorted(work.glob("*.deb"))]

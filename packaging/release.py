@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""
+make release VERSION=x.y.z: whether the tree is ready to be released as this version.
+
+Checks that every file that has the version has this one, then runs all tests, builds dist/ and proves it. It publishes nothing:
+the steps that are left to a person are printed at the end. With --check it stops after the versions.
+"""
+
+import os
+import re
+import subprocess
+import sys
+
+from dist import demand_clean_tree
+from targets import ROOT, Refusal, run
+
+# Each file that has the version, and how.
+PLACES = {
+    "Cargo.toml": r'^version = "(.+)"',
+    "Cargo.lock": r'^name = "asperity"\nversion = "(.+)"',
+    "include/asperity.h": r'^#define ASPERITY_VERSION "(.+)"',
+    "cbindgen.toml": r'^#define ASPERITY_VERSION "(.+)"',
+    "CITATION.cff": r"^version: (.+)",
+    "fortran/asperity.f90": r"ASPERITY_HEADER_VERSION = '(.+)'",
+    "python/src/asperity/_header.py": r'^ASPERITY_VERSION = "(.+)"',
+    "packaging/debian/changelog": r"\Aasperity \((.+)-1\)",
+    "docs/install.md": r"^\./lib/libasperity\.so\.(\d+\.\d+\.\d+)$",
+    "docs/python.md": r"^asperity (\S+) \(library",
+}
+
+STEPS = """
+What is left to do, by a person who may:
+  git tag -a v{version} -m "asperity {version}" && git push origin v{version}
+  the release page: a draft with the files of dist/, made by .github/workflows/release.yml when the tag arrives; publish it
+  cargo publish --locked
+  {venv}/bin/twine upload dist/*.whl dist/asperity-{version}.tar.gz
+  then `## [Unreleased]` at the top of CHANGELOG.md again"""
+
+
+def check_versions(version):
+    """Refuses the first file that has another version."""
+    for file, pattern in PLACES.items():
+        found = re.search(pattern, (ROOT / file).read_text(encoding="utf-8"), re.MULTILINE)
+        if found is None or found[1] != version:
+            raise Refusal(f"{file} has {found[1] if found else 'no version'}, not {version}")
+    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    if not re.search(rf"^## {re.escape(version)} \(\d{{4}}-\d\d-\d\d\)$", changes, re.MULTILINE):
+        raise Refusal(f"CHANGELOG.md has no heading `## {version} (DATE)`")
+
+
+def check_tag(version):
+    """A version is released once: its tag, if there is one, is this commit."""
+    tagged = run("git", "tag", "--list", f"v{version}").strip()
+    if tagged and run("git", "rev-list", "-n1", tagged) != run("git", "rev-list", "-n1", "HEAD"):
+        raise Refusal(f"v{version} is the tag of another commit; a new version needs a new number")
+
+
+def main(arguments):
+    """Checks, tests, builds, proves."""
+    only_check = "--check" in arguments
+    (version,) = [word for word in arguments if word != "--check"] or [""]
+    if not version:
+        raise Refusal("say which: make release VERSION=x.y.z")
+    if not re.fullmatch(r"\d+\.\d+\.\d+", version):
+        raise Refusal(f"'{version}' is no version; one looks like 1.2.3")
+    demand_clean_tree()
+    check_versions(version)
+    check_tag(version)
+    print(f"make release: every file has {version}", flush=True)
+    if only_check:
+        return
+    for goal in ("test", "dist", "dist-test"):
+        if subprocess.run([os.environ.get("MAKE", "make"), goal], cwd=ROOT, check=False).returncode != 0:
+            raise Refusal(f"make {goal} fails")
+    run("cargo", "publish", "--dry-run", "--locked", show=True)
+    print(STEPS.format(version=version, venv="target/dist-venv"))
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1:])
+    except Refusal as refusal:
+        sys.exit(f"make release: {refusal}")

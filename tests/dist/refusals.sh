@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# What make dist and make release refuse: each must be named, and dist/ must be as it was before. In a copy of the commit, whose
+# dist/ holds one file. Also what the scripts of a release say of themselves: the workflows against GitHub's schema.
+#
+# usage: tests/dist/refusals.sh      needs git, python3; the workflows are checked where tests/setup.sh dist has run
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
+copy=$target/dist-refusals
+rm -rf "$copy" "$copy.log"
+git clone --quiet --local . "$copy"
+cd "$copy"
+git config user.name tests
+git config user.email tests@localhost
+export CARGO_TARGET_DIR=$copy/target
+mkdir dist
+echo "of an earlier run" >dist/file
+
+fail() {
+    echo "tests/dist/refusals.sh: $*" >&2
+    exit 1
+}
+
+# refuses TEXT COMMAND...: the command fails, says the text in one line, and leaves dist/ alone.
+refuses() {
+    local text=$1
+    shift
+    if "$@" >"$copy.log" 2>&1; then fail "accepted: $*"; fi
+    grep -qF -- "$text" "$copy.log" || { cat "$copy.log" >&2; fail "'$*' does not say: $text"; }
+    if grep -q Traceback "$copy.log"; then cat "$copy.log" >&2; fail "'$*' ends with a traceback"; fi
+    [ "$(cat dist/*)" = "of an earlier run" ] || fail "'$*' changed dist/"
+}
+
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
+
+refuses "no target 'x86-linux'; there are x86_64-linux-gnu, " make dist TARGETS="x86_64-linux-gnu x86-linux"
+
+echo >>README.md
+refuses "the tree differs from the commit (M README.md, 1 in all)" make dist TARGETS=x86_64-linux-gnu
+refuses "the tree differs from the commit" python3 packaging/release.py "$version"
+git checkout --quiet README.md
+
+# Without the tools: of PyPI, in the target directory of this copy; of a linker, on a PATH that lacks it.
+refuses "missing: cargo-zigbuild, " make dist TARGETS=aarch64-linux-gnu
+mkdir "$copy/target/bin"
+for tool in bash cargo rustc git python3 make sed dirname uname env; do ln -s "$(command -v $tool)" "$copy/target/bin/$tool"; done
+refuses "x86_64-w64-mingw32-gcc" env PATH="$copy/target/bin" make dist TARGETS=x86_64-windows
+refuses "tests/setup.sh dist installs them" env PATH="$copy/target/bin" make dist TARGETS=x86_64-windows
+
+refuses "say which: make release VERSION=x.y.z" make release
+refuses "'next' is no version" make release VERSION=next
+refuses "Cargo.toml has $version, not 9.9.9" make release VERSION=9.9.9
+refuses "CHANGELOG.md has no heading" make release VERSION="$version"
+# One place that was forgotten.
+sed -i "s/^version: $version/version: 0.0.9/" CITATION.cff
+git commit --quiet --all --message "one version differs"
+refuses "CITATION.cff has 0.0.9, not $version" make release VERSION="$version"
+
+# A build that fails on the way.
+git reset --quiet --hard HEAD~
+sed -i '1i compile_error!("stop");' src/lib.rs
+git commit --quiet --all --message "does not compile"
+if [ -f "$target/dist-venv/packages" ]; then
+    ln -s "$target/dist-venv" "$copy/target/dist-venv"
+    refuses "failed: make -f cmake/install.mk" make dist TARGETS=x86_64-linux-gnu
+    "$target/dist-venv/bin/check-jsonschema" --builtin-schema vendor.github-workflows .github/workflows/*.yml >/dev/null ||
+        fail "a workflow does not follow GitHub's schema"
+fi
+rm -rf "$copy" "$copy.log"
+echo "tests/dist/refusals.sh: what make dist and make release cannot do they name, and leave dist/ as it was"

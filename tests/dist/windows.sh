@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Links programs with the DLL for Windows in the ways that users do, and runs them in Wine.
+#
+# usage: tests/dist/windows.sh WORK PREFIX      needs gcc-mingw-w64-x86-64, cmake, wine64
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+work=$1 prefix=$2
+rm -rf "$work"
+mkdir -p "$work"
+wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
+
+quietly() {
+    "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; echo "tests/dist/windows.sh: failed: $*" >&2; exit 1; }
+}
+in_wine() {
+    WINEDEBUG=-all WINEPREFIX=$(dirname "$work")/wine quietly "$wine" "$@"
+}
+
+for project in find-package-shared find-package-static; do
+    quietly cmake -S "tests/consumers/$project" -B "$work/$project" -DCMAKE_SYSTEM_NAME=Windows \
+        -DCMAKE_C_COMPILER=x86_64-w64-mingw32-gcc -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_FIND_ROOT_PATH="$prefix" \
+        -DASPERITY_WANTED=0
+    quietly cmake --build "$work/$project"
+    cp "$prefix/bin/asperity.dll" "$work/$project"
+    in_wine "$work/$project/consumer.exe"
+done
+# The import library for Microsoft's linker, alone in a folder so that no other can be taken.
+mkdir "$work/msvc"
+cp "$prefix/lib/asperity.lib" "$prefix/bin/asperity.dll" "$work/msvc"
+quietly x86_64-w64-mingw32-gcc -std=c11 -I"$prefix/include" tests/consumers/greenwood_williamson.c -o "$work/msvc/consumer.exe" \
+    "$work/msvc/asperity.lib"
+in_wine "$work/msvc/consumer.exe"
