@@ -297,18 +297,31 @@ impl asperity_params {
 
 /// The size of a caller's struct, if it is one of a version up to today's.
 pub(super) fn checked_size(size: u64) -> Result<u64, Failure> {
-    const _: () = assert!(FIRST_SIZE == 144 && TABLE_END == 192 && SIZE == 216);
     if size > SIZE {
-        return Err(wrong_struct_size(size, "must be at most 216: the header is newer than the library"));
+        return Err(wrong_struct_size(size, TOO_LARGE));
     }
     if size < FIRST_SIZE || size % 8 != 0 {
-        return Err(wrong_struct_size(
-            size,
-            "must be sizeof(asperity_params), 144 to 216 in steps of 8; call asperity_params_init first",
-        ));
+        return Err(wrong_struct_size(size, TOO_SMALL));
     }
     Ok(size)
 }
+
+/// What a caller is told of the struct's size. The pointers in it are shorter on some machines.
+macro_rules! sizes {
+    ($size:literal) => {
+        const TOO_LARGE: &str = concat!("must be at most ", $size, ": the header is newer than the library");
+        const TOO_SMALL: &str = concat!(
+            "must be sizeof(asperity_params), 144 to ",
+            $size,
+            " in steps of 8; call asperity_params_init first"
+        );
+        const _: () = assert!(FIRST_SIZE == 144 && TABLE_END + 24 == SIZE && SIZE == $size);
+    };
+}
+#[cfg(target_pointer_width = "64")]
+sizes!(216);
+#[cfg(target_pointer_width = "32")]
+sizes!(208);
 
 fn invalid(name: &'static str, value: Value, allowed: &'static str) -> Failure {
     Failure::Error(Error::InvalidParameter { name, value, allowed })

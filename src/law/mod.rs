@@ -21,7 +21,9 @@ use exact::ExactStates;
 use fill::Filling;
 
 pub use curve::Unfollowed;
-pub use row::{polynomial, Row, COEFFICIENTS, OFFSET};
+pub use row::{polynomial, Row};
+#[cfg(target_arch = "x86_64")]
+pub use row::{COEFFICIENTS, OFFSET};
 pub use table::Table;
 
 /// Interpolation conditions per panel of the curve: value and slope at each of its exact states.
