@@ -11,8 +11,10 @@ export const STYLES = [
 ];
 
 /** Grounds of what does not hold; the first that applies is drawn, all are named. */
-const GROUNDS = { FEW: "#e4e4e4", PLASTIC: "#f9e2d2", CROWDED: "#fbf0c4", STEEP: "#e0edf6", ATOMIC: "#eee4f0" };
+const GROUNDS = { FEW: "#dedede", CROWDED: "#fdf3c9", PLASTIC: "#fdf1ea", STEEP: "#eef5fb", ATOMIC: "#f6f0f8" };
 const OTHER_GROUND = "#eeeeee";
+/** How opaque a band is, in hexadecimal: of the active surface, of the others. */
+const OPAQUE = ["33", "14"];
 const FONT = "system-ui, sans-serif";
 const INK = "#222";
 
@@ -51,15 +53,15 @@ export class Chart {
     const data = [curves[0].curve.loads];
     const series = [{}];
     const bands = [];
-    for (const { curve, style } of curves) {
+    for (const { letter, curve, style } of curves) {
       if (options.band) {
-        const edge = { stroke: "transparent", points: { show: false } };
-        bands.push({ series: [data.length, data.length + 1], fill: `${style.color}26` });
+        const edge = { stroke: "transparent", pxAlign: 0, points: { show: false } };
+        bands.push({ series: [data.length, data.length + 1], fill: style.color + OPAQUE[letter === options.active ? 0 : 1] });
         data.push(curve.high, curve.low);
         series.push(edge, edge);
       }
       data.push(curve.mu);
-      series.push({ stroke: style.color, width: 2.5, dash: style.dash, points: { show: false } });
+      series.push({ stroke: style.color, width: 2.5, dash: style.dash, pxAlign: 0, points: { show: false } });
     }
     this.plot = new uPlot(
       {
@@ -94,6 +96,8 @@ export class Chart {
     return {
       ...AXIS,
       label: "Normal load",
+      size: 34,
+      labelSize: 24,
       splits: decades,
       values: (_, splits) => splits.map(decade),
     };
@@ -123,6 +127,7 @@ export class Chart {
       ctx.fillRect(x[0], top, x[1] - x[0], height);
     }
     ctx.font = `${12 * ratio}px ${FONT}`;
+    ctx.textAlign = "left";
     ctx.textBaseline = "top";
     edges.reverse().forEach(({ warning, x }, row) => {
       const text = SHORT[warning.name] ?? warning.name;
@@ -157,6 +162,7 @@ export class Chart {
     });
     ctx.save();
     ctx.font = `600 ${13 * ratio}px ${FONT}`;
+    ctx.textAlign = "left";
     ctx.textBaseline = "middle";
     for (const { text, color, y } of ends) {
       ctx.fillStyle = color;
@@ -208,16 +214,18 @@ const AXIS = {
   ticks: { stroke: "#00000050", width: 1, size: 5 },
 };
 
-/** The axis of friction: from 0, or as far as the curves and their bands go. */
-function yScale(curves, { logarithmic, band }) {
-  const tops = curves.flatMap(({ curve }) => (band ? curve.high : curve.mu)).filter(Number.isFinite);
-  const feet = curves.flatMap(({ curve }) => (band ? curve.low : curve.mu)).filter((mu) => mu > 0);
-  // Bands at light loads may be very wide: the curves decide what is shown.
+/** The axis of friction: from 0, or from the lowest value; of bands that of the active surface counts. */
+function yScale(curves, { active, logarithmic, band }) {
+  const all = curves.flatMap(({ letter, curve }) =>
+    band && letter === active ? [...curve.mu, ...curve.low, ...curve.high] : curve.mu,
+  );
   const highest = Math.max(...curves.flatMap(({ curve }) => curve.mu));
-  const top = Math.min(Math.max(...tops), 2.5 * highest);
+  const lowest = Math.min(...curves.flatMap(({ curve }) => curve.mu));
+  // A band may be very wide at light loads: the curves decide what is shown.
+  const top = Math.min(Math.max(...all), 2.5 * highest);
   if (!logarithmic) return { range: () => uPlot.rangeNum(0, top, { min: { pad: 0, hard: 0 }, max: { pad: 0.06 } }) };
-  const low = Math.max(Math.min(...feet), Math.min(...curves.flatMap(({ curve }) => curve.mu)) / 2.5);
-  return { distr: 3, range: () => [low / 1.1, top * 1.1] };
+  const foot = Math.max(Math.min(...all), lowest / 2.5);
+  return { distr: 3, range: () => [foot / 1.1, top * 1.1] };
 }
 
 /** Numbers of one digit, 1, 2 and 5 of each decade. */

@@ -21,11 +21,13 @@ export function loadsOf(lightest, heaviest) {
 export const deviation = (sensitivities, spread) =>
   Math.sqrt(Object.entries(spread).reduce((sum, [name, part]) => sum + (sensitivities[name] * part) ** 2, 0));
 
-/** A coefficient with its band. */
+/** A coefficient with its band, which ends at the cap on coefficients as the coefficient does. */
 export function banded(model, load, spread) {
   const mu = model.frictionAtLoad(load);
+  const ratio = model.frictionForceAtLoad(load) / load;
+  const cap = mu < ratio * (1 - 1e-12) ? mu : Infinity;
   const reach = Math.exp(COVERAGE * deviation(model.sensitivitiesAtLoad(load), spread));
-  return { mu, low: mu / reach, high: mu * reach };
+  return { mu, low: Math.min(ratio / reach, cap), high: Math.min(ratio * reach, cap) };
 }
 
 /**

@@ -111,6 +111,7 @@ const only = (from, keys) => Object.fromEntries(keys.filter((key) => from[key] !
 /** The field that a message of the library is about. */
 export function fieldOf(message, surface) {
   const name = /^(\w+)/.exec(message)?.[1];
-  const shown = [...ROUGHNESS[surface.roughness].fields, ...Object.keys(FIELDS)];
+  const hidden = Object.values(ROUGHNESS).flatMap(({ fields }) => fields);
+  const shown = [...ROUGHNESS[surface.roughness].fields, ...Object.keys(FIELDS).filter((key) => !hidden.includes(key))];
   return shown.find((key) => key === name) ?? shown.find((key) => FIELDS[key].names?.includes(name));
 }

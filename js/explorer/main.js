@@ -19,7 +19,9 @@ const SPREAD = {
   burgers_vector: ["b, Burgers vector", 0],
   slip_stress_1: ["τ₁, strength of small contacts", 30],
 };
-/** Of a surface with many details the summary is told once they are all set. */
+/** The table shows one of so many points of the curves; copied, it has all. */
+const ROW_EVERY = 12;
+/** So long nothing must change before a screen reader is told the summary. */
 const QUIET_MS = 500;
 
 const $ = (id) => document.getElementById(id);
@@ -48,13 +50,20 @@ function element(name, attributes = {}, ...children) {
 
 // --- fields
 
+/** A label that tells the unit to who listens, the field, and the unit for who looks. */
+function labelled(id, label, unit, input) {
+  const heard = element("span", { className: "hidden" }, unit && ` in ${unit}`);
+  const seen = element("span", { className: "unit" }, unit);
+  seen.setAttribute("aria-hidden", "true");
+  return [element("label", { htmlFor: id }, label, heard), input, seen];
+}
+
 /** A number with its slider; both write to the active surface. */
 function field(key) {
   const { label, unit, slider } = FIELDS[key];
   const input = element("input", { id: key, inputMode: "decimal" });
   input.setAttribute("aria-describedby", "error");
-  const parts = [element("label", { htmlFor: key }, unit ? `${label}, ${unit}` : label), input, element("span", { className: "unit" }, unit)];
-  parts[2].setAttribute("aria-hidden", "true");
+  const parts = labelled(key, label, unit, input);
   input.addEventListener("input", () => set(key, input.value));
   if (slider) {
     const range = element("input", { type: "range", id: `${key}-slider`, min: 0, max: 1000, step: 1 });
@@ -181,6 +190,7 @@ function update() {
   chart.show(shown, options);
   $("chart").setAttribute("aria-label", `Friction coefficient against load: ${description(shown)}. The values are in the table below.`);
   readValues();
+  derived();
   warnings(loads);
   table();
   code();
@@ -228,27 +238,42 @@ function readLoad() {
 }
 
 function readValues() {
-  if (!shown.length) return $("values").replaceChildren();
+  if (!shown.length) {
+    $("read-load").textContent = "";
+    $("values").replaceChildren();
+    return;
+  }
   const load = readLoad();
   $("read-load").textContent = withUnit(load, "N", 3);
   $("read").setAttribute("aria-valuetext", shown.map(({ letter, curve }) => `${withUnit(load, "N")}: ${letter} ${coefficient(curve.model.frictionAtLoad(load))}`).join(", "));
   chart.mark(load);
   const deviations = spread();
-  const rows = shown.map(({ letter, surface, style, curve: { model } }) => {
+  const columns = shown.map(({ surface, curve: { model } }) => {
     const { mu, low, high } = banded(model, load, deviations);
     const exact = model.stateAtLoad(load);
-    const area = parsed(surface.nominal_area) * 1e-6;
-    const name = element("th", { scope: "row" }, title(letter, surface));
-    name.style.color = style.color;
-    const cells = [
-      coefficient(mu), `${coefficient(low)} to ${coefficient(high)}`, withUnit(exact.friction_force, "N"), count(exact.contacting),
-      percent(exact.real_area / area), withUnit(exact.mean_contact_radius, "m"), withUnit(exact.mean_asperity_pressure, "Pa"),
-      withUnit(exact.tangential_stiffness, "N/m"),
-    ];
-    return element("tr", {}, name, ...cells.map((text) => element("td", {}, text)), element("td", { className: "words" }, regime(exact)));
+    return {
+      "Friction coefficient μ": coefficient(mu),
+      "95 % between": `${coefficient(low)} and ${coefficient(high)}`,
+      "Friction force": withUnit(exact.friction_force, "N"),
+      "Summits in contact": count(exact.contacting),
+      "Real area of nominal": percent(exact.real_area / shifted(parsed(surface.nominal_area), FIELDS.nominal_area.power)),
+      "Mean contact radius": withUnit(exact.mean_contact_radius, "m"),
+      "Mean pressure on summits": withUnit(exact.mean_asperity_pressure, "Pa"),
+      "Stiffness before slip": withUnit(exact.tangential_stiffness, "N/m"),
+      "Contacts mostly": regime(exact),
+      "Does not hold": library.warningsOf(exact.warnings).map(short).join(", ") || "nothing known",
+    };
   });
+  const names = shown.map(({ letter, surface, style }) => {
+    const name = element("th", { scope: "col" }, title(letter, surface));
+    name.style.color = style.color;
+    return name;
+  });
+  const rows = Object.keys(columns[0]).map((quantity) =>
+    element("tr", {}, element("th", { scope: "row" }, quantity), ...columns.map((column) => element("td", {}, column[quantity]))),
+  );
   $("values").replaceChildren(
-    head(["Surface", "μ", "95 %", "Friction force", "Contacts", "Real area", "Mean radius", "Mean pressure", "Stiffness before slip", "Regime"]),
+    element("thead", {}, element("tr", {}, element("th", { scope: "col" }, `At ${withUnit(load, "N")}`), ...names)),
     element("tbody", {}, ...rows),
   );
 }
@@ -258,40 +283,55 @@ const head = (names) =>
 
 const count = (contacts) => (contacts < 100 ? contacts.toPrecision(3) : Math.round(contacts).toLocaleString("en"));
 
-/** How most contacts slip, and what does not hold. */
+/** How most contacts slip. */
 function regime(exact) {
   const ways = [
     [exact.fraction_below_slip_radius_1, "slip as a whole"],
-    [exact.fraction_between_slip_radii, "slip by single dislocations"],
+    [exact.fraction_between_slip_radii, "slip by one dislocation"],
     [exact.fraction_above_slip_radius_2, "slip by many dislocations"],
   ];
   const [part, way] = ways.sort(([one], [other]) => other - one)[0];
-  const failing = library.warningsOf(exact.warnings).map(short);
-  return [`${percent(part)} ${way}`, ...failing].join("; ");
+  return `${way} (${percent(part)})`;
 }
 
+/** What the model makes of the active surface. */
+function derived() {
+  const found = shown.find(({ letter }) => letter === state.active);
+  if (!found) return $("derived").replaceChildren();
+  const { params } = found.curve.model;
+  const constants = found.curve.model.summary();
+  const psi = found.curve.states[0].plasticity_index;
+  $("derived").textContent =
+    `In the model: σ ${withUnit(params.height_std, "m")}, R ${withUnit(params.summit_radius, "m")}, ${count(params.asperity_count)} summits; ` +
+    `pull-off ${constants.pull_off_load < -1e-15 ? `at ${withUnit(constants.pull_off_load, "N")}` : "below 1 fN"}, Maugis' λ ${constants.lambda.toPrecision(3)}` +
+    (psi ? `, plasticity index ${psi.toPrecision(3)}.` : ".");
+}
+
+/** Each warning once, with the surfaces and loads at which it holds. */
 function warnings(loads) {
-  const all = shown.flatMap(({ letter, surface, curve }) =>
-    curve.warnings.map((warning) =>
-      element(
-        "p",
-        { className: "warning" },
-        element("strong", {}, `${title(letter, surface)}, ${spansText(warning, loads)}: `),
-        `${warning.text}.`,
-      ),
-    ),
+  const places = new Map();
+  for (const { letter, surface, curve } of shown)
+    for (const warning of curve.warnings)
+      places.set(warning.text, [...(places.get(warning.text) ?? []), `${title(letter, surface)} ${spansText(warning, loads)}`]);
+  const lines = [...places].map(([text, where]) =>
+    element("p", { className: "warning" }, element("strong", {}, `${where.join("; ")}: `), `${text}.`),
   );
-  $("warnings").replaceChildren(...all);
+  $("warnings").replaceChildren(...lines);
 }
 
-/** About ten loads of the curves, with every surface. */
-function tableRows() {
-  const rows = [["Load [N]", ...shown.flatMap(({ letter, surface }) => [`μ ${title(letter, surface)}`, `${letter} low`, `${letter} high`, `${letter} contacts`, `${letter} does not hold`])]];
+/** The columns of the table for one surface. */
+const columnsOf = ({ letter, surface }) => [
+  `μ ${title(letter, surface)}`, `${letter} low`, `${letter} high`, `${letter} contacts`, `${letter} does not hold`,
+];
+
+/** Some loads of the curves, with every surface: each so many points one. */
+function tableRows(every) {
+  const rows = [["Load [N]", ...shown.flatMap(columnsOf)]];
   if (!shown.length) return rows;
   const { loads } = shown[0].curve;
-  for (let i = 0; i < loads.length; i += 12)
+  for (let i = 0; i < loads.length; i += every)
     rows.push([
-      Number(loads[i].toPrecision(4)),
+      loads[i],
       ...shown.flatMap(({ curve }) => [
         curve.mu[i], curve.low[i], curve.high[i], curve.states[i].contacting,
         library.warningsOf(curve.states[i].warnings).map(short).join("; "),
@@ -301,7 +341,7 @@ function tableRows() {
 }
 
 function table() {
-  const [names, ...rows] = tableRows();
+  const [names, ...rows] = tableRows(ROW_EVERY);
   const cell = (value, i) => {
     if (typeof value === "string") return element("td", { className: "words" }, value || "–");
     if (i === 0) return element("th", { scope: "row" }, withUnit(value, "N"));
@@ -409,9 +449,7 @@ function build() {
     const id = `spread-${name}`;
     const input = element("input", { id, inputMode: "decimal", value: String(part) });
     input.addEventListener("input", schedule);
-    const unit = element("span", { className: "unit" }, "%");
-    unit.setAttribute("aria-hidden", "true");
-    $("spread").append(element("div", { className: "field" }, element("label", { htmlFor: id }, `${label}, %`), input, unit));
+    $("spread").append(element("div", { className: "field" }, ...labelled(id, label, "%", input)));
   }
 }
 
@@ -442,7 +480,7 @@ function listen() {
   });
   $("language").addEventListener("change", code);
   $("copy-code").addEventListener("click", () => copy($("code").textContent, "code-copied"));
-  $("copy-table").addEventListener("click", () => copy(tableRows().map((row) => row.join(",")).join("\n"), "table-copied"));
+  $("copy-table").addEventListener("click", () => copy(tableRows(1).map((row) => row.join(",")).join("\n"), "table-copied"));
   $("add").addEventListener("click", () => {
     const letter = LETTERS.find((one) => !state.surfaces.has(one));
     state.surfaces.set(letter, { ...active() });
@@ -490,6 +528,7 @@ async function begin() {
     readValues();
   });
   listen();
+  $("table-section").open = matchMedia("(min-width: 901px)").matches;
   fill();
   update();
 }

@@ -31,14 +31,22 @@ function single(params) {
 }
 
 const list = (params, names, form) => names.map((name) => form(params[name])).join(", ");
-const real = (value) => String(value);
+
+/** A number as all of these languages write one that is not whole: shortest, and with all its digits. */
+function real(value) {
+  if (value !== 0 && (Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3)) return value.toExponential().replace("e+", "e");
+  return Number.isInteger(value) ? `${value}.0` : String(value);
+}
 
 function c(params, surface, load) {
-  const lines = [`asperity_params_set_materials(&params, ${list(params, BODIES, real)}); /* E [Pa], nu of both bodies */`];
+  const lines = [`asperity_params_set_materials(&params, ${list(params, BODIES, real)}); /* E [Pa], nu */`];
   for (const [name, value] of single(params))
     lines.push(`params.${name} = ${real(value)};${UNITS[name] ? ` /* [${UNITS[name]}] */` : ""}`);
   if ("m0" in params)
-    lines.push(`asperity_params_set_spectral_moments(&params, ${list(params, MOMENTS, real)}); /* m0 [m^2], m2, m4 [1/m^2], area [m^2] */`);
+    lines.push(
+      "/* variances of height [m^2], slope and curvature [1/m^2] along profiles, nominal area [m^2] */",
+      `asperity_params_set_spectral_moments(&params, ${list(params, MOMENTS, real)});`,
+    );
   if (params.contact_law) lines.push("params.contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC;");
   if ("kurtosis" in params) lines.push("params.height_distribution = ASPERITY_HEIGHTS_JOHNSON;");
   return `/* ${surface.first} on ${surface.second}. cc friction.c $(pkg-config --cflags --libs asperity) */

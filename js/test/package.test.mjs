@@ -105,10 +105,11 @@ test("words stand for heights and contact laws, and parameters come back", () =>
 });
 
 test("a table of heights is read, and handed back", () => {
-  const height = Float64Array.from({ length: 101 }, (_, i) => (i - 50) / 12.5);
+  const height = Float64Array.from({ length: 31 }, (_, i) => (i - 15) / 3);
   const density = height.map((z) => Math.exp((-z * z) / 2));
   const model = new Model({ ...silicon, table_height: height, table_density: density });
-  assert.ok(Math.abs(model.frictionAtLoad(1e-2) / new Model(silicon).frictionAtLoad(1e-2) - 1) < 0.01);
+  // Straight lines between the points of a Gaussian density.
+  assert.ok(Math.abs(model.frictionAtLoad(0.1) / new Model(silicon).frictionAtLoad(0.1) - 1) < 0.05);
   assert.equal(model.params.height_distribution, "tabulated");
   assert.deepEqual(model.params.table_density, density);
   assert.throws(() => new Model({ ...silicon, table_height: [1, 2], table_density: [1] }), /table_density: 1 numbers for 2/);
@@ -132,23 +133,23 @@ test("a model that was freed says so, and can be freed again", () => {
 
 test("memory does not grow when models are freed, or are no longer reachable", () => {
   const make = () => new Model(silicon);
-  for (let i = 0; i < 20; i++) make().free();
+  for (let i = 0; i < 10; i++) make().free();
   const before = memorySize();
-  for (let i = 0; i < 300; i++) make().free();
+  for (let i = 0; i < 100; i++) make().free();
   assert.equal(memorySize(), before);
 
   const script = `
     import { Model, contact, memorySize } from "asperity";
     const params = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
     const batch = async () => { for (let i = 0; i < 40; i++) new Model(params); gc(); await new Promise((done) => setTimeout(done, 1)); };
-    for (let i = 0; i < 4; i++) await batch();
+    for (let i = 0; i < 2; i++) await batch();
     const before = memorySize();
-    for (let i = 0; i < 10; i++) await batch();
+    for (let i = 0; i < 5; i++) await batch();
     console.log(memorySize() - before);`;
   const words = ["--expose-gc", "--input-type=module", "-e", script];
   const grown = Number(execFileSync(process.execPath, words, { encoding: "utf8", cwd: new URL("..", import.meta.url) }));
-  // 400 models of some 100 kB each would take 40 MB.
-  assert.ok(grown < 4e6, `${grown} bytes more`);
+  // 200 models of some 50 kB each would take 10 MB.
+  assert.ok(grown < 3e6, `${grown} bytes more`);
 });
 
 test("the layouts have the sizes that the library accepts", () => {
