@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the demo and the tests need beside cargo, a C compiler and make.
 #
-# usage: tests/setup.sh [core] [hosts] [harden] [validation]     (core when no group is named)
+# usage: tests/setup.sh [core] [hosts] [harden] [validation] [web]     (core when no group is named)
 # As root on Debian or Ubuntu it installs what is missing; otherwise it prints the one command that would, and fails.
 set -euo pipefail
 
@@ -9,6 +9,10 @@ core="g++ gfortran clang cmake pkg-config python3 python3-venv libgsl-dev valgri
 hosts="libode-dev libsiconos-numerics-dev liblammps-dev libsimbody-dev python3-getfem python3-matplotlib pkg-config
     python3-venv"
 harden="valgrind qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross llvm-22"
+# Node and npm may come from elsewhere than Debian, whose npm then does not go with them.
+web="chromium fonts-dejavu-core"
+command -v node >/dev/null || web+=" nodejs"
+command -v npm >/dev/null || web+=" npm"
 # Of crates.io, at the versions that were tried; fetched and built by cargo.
 harden_tools="cargo-deny@0.20.2 cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
 
@@ -22,7 +26,8 @@ for group in "${@:-core}"; do
     hosts) packages+=" $hosts" ;;
     harden) packages+=" $harden" tools+=" $harden_tools" ;;
     validation) packages+=" python3 python3-venv" ;;
-    *) echo "tests/setup.sh: unknown group '$group': core, hosts, harden or validation" >&2; exit 2 ;;
+    web) packages+=" $web" ;;
+    *) echo "tests/setup.sh: unknown group '$group': core, hosts, harden, validation or web" >&2; exit 2 ;;
     esac
 done
 
@@ -36,6 +41,10 @@ if [[ " $* " == *" harden "* ]] && command -v rustup >/dev/null; then
         rustup toolchain install nightly --profile minimal --component rust-src,miri
     # For 64-bit ARM, which qemu-user emulates.
     rustup target add aarch64-unknown-linux-gnu >/dev/null 2>&1
+fi
+
+if [[ " $* " == *" web "* ]] && command -v rustup >/dev/null; then
+    rustup target list --installed | grep -qx wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown
 fi
 
 groups=" $* "

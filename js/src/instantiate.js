@@ -1,14 +1,22 @@
 // The package on WebAssembly that the caller brings: for single files, workers and hosts with their own way to load.
 import { CONSTANTS } from "./header.js";
 import { AsperityError, Library } from "./library.js";
-import { modelClass, warningsOf } from "./model.js";
+import { Model, warningsOf } from "./model.js";
 
 /** @typedef {import("./params.js").Params} Params */
 /** @typedef {import("./model.js").State} State */
 /** @typedef {import("./model.js").Summary} Summary */
 /** @typedef {import("./model.js").Sensitivities} Sensitivities */
 /** @typedef {import("./model.js").Warning} Warning */
-/** @typedef {InstanceType<ReturnType<typeof modelClass>>} Model */
+
+/**
+ * One instance of the library, with a memory of its own.
+ * @typedef {object} Instance
+ * @property {new (params: Params) => Model} Model a friction law: `new Model(params)`
+ * @property {string} version of the library
+ * @property {(bits: number) => Warning[]} warningsOf the `warnings` of a state, in words
+ * @property {() => number} memorySize how much memory the instance has taken [bytes]
+ */
 
 export { AsperityError };
 export { MATERIALS, PAIRS, contact } from "./materials.js";
@@ -28,23 +36,22 @@ export const Status = Object.freeze({
 });
 
 /**
- * One instance of the library, with a memory of its own.
+ * Makes an instance of the library.
  * @param {BufferSource | WebAssembly.Module} source asperity.wasm, as bytes or compiled
+ * @returns {Promise<Instance>}
  */
 export async function instantiate(source) {
   const module = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
   const library = new Library(await WebAssembly.instantiate(module, {}));
   return {
-    /** A friction law: `new Model(params)`. */
-    Model: modelClass(library),
-    /** The version of the library. */
+    Model: class extends Model {
+      /** @param {Params} params */
+      constructor(params) {
+        super(library, params);
+      }
+    },
     version: library.string(library.call("version")),
-    /**
-     * The `warnings` of a state, in words.
-     * @param {number} bits
-     */
     warningsOf: (bits) => warningsOf(library, BigInt(bits)),
-    /** How much memory the instance has taken [bytes]. */
     memorySize: () => library.memory.buffer.byteLength,
   };
 }

@@ -41,6 +41,8 @@ export class Library {
     if (abi !== CONSTANTS.ABI_VERSION)
       throw new Error(`asperity.wasm has ABI version ${abi}, this package needs ${CONSTANTS.ABI_VERSION}: build both anew`);
     this.block = this.memory.grow(Math.ceil(BLOCK / PAGE)) * PAGE;
+    /** Frees models that are no longer reachable. @type {FinalizationRegistry<number>} */
+    this.models = new FinalizationRegistry((pointer) => this.call("free", pointer));
     /** @type {DataView} */
     this.view = new DataView(this.memory.buffer);
   }
