@@ -1,8 +1,10 @@
 // The explorer in a browser, opened from its file: Chromium, driven by playwright-core.
 //
-// CHROMIUM names the browser. JS_TEST_WRITE_PICTURE=1 writes the picture that later runs are compared with.
+// CHROMIUM names the browser. JS_TEST_WRITE_PICTURE=1 writes the picture that later runs are compared with, and that of
+// docs/javascript.md.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
 import { resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -14,6 +16,7 @@ import { npy, roughMap } from "./python.mjs";
 
 const PAGE = pathToFileURL(fileURLToPath(new URL("../dist/explorer.html", import.meta.url))).href;
 const PICTURE = fileURLToPath(new URL("chart.png", import.meta.url));
+const GUIDE_PICTURE = fileURLToPath(new URL("../../docs/figures/explorer.png", import.meta.url));
 const BROWSER = process.env.CHROMIUM ?? "/usr/bin/chromium";
 let browser;
 
@@ -306,6 +309,27 @@ test("on a phone nothing is wider than the screen", async () => {
   await page.close();
 });
 
+test("the package works in a browser from a server", async () => {
+  const types = { js: "text/javascript", wasm: "application/wasm" };
+  const server = createServer((request, response) => {
+    if (request.url === "/") return response.setHeader("content-type", "text/html").end("<!DOCTYPE html><title>test</title>");
+    const file = fileURLToPath(new URL(`../dist${request.url}`, import.meta.url));
+    if (!existsSync(file)) return response.writeHead(404).end();
+    return response.setHeader("content-type", types[file.split(".").at(-1)]).end(readFileSync(file));
+  });
+  await new Promise((done) => server.listen(0, "127.0.0.1", done));
+  const page = await browser.newPage();
+  await page.goto(`http://127.0.0.1:${server.address().port}/`);
+  const params = areal(contact("Si", "Si"), start, 1e-8);
+  const mu = await page.evaluate(async (params) => {
+    const { Model } = await import("/index.js");
+    return new Model(params).frictionAtLoad(1e-3);
+  }, params);
+  assert.equal(bits(mu), answers(params, [1e-3]).loads[0][0]);
+  await page.close();
+  server.close();
+});
+
 /** The part of the pixels that differ between two pictures. */
 const differing = (page, one, other) =>
   page.evaluate(
@@ -337,7 +361,11 @@ test("the chart looks as it did", async () => {
   await drawn(page);
   const picture = async () => page.locator("#chart canvas").screenshot();
   const now = await picture();
-  if (process.env.JS_TEST_WRITE_PICTURE) writeFileSync(PICTURE, now);
+  if (process.env.JS_TEST_WRITE_PICTURE) {
+    writeFileSync(PICTURE, now);
+    await page.waitForTimeout(800);
+    await page.screenshot({ path: GUIDE_PICTURE });
+  }
   writeFileSync(resolve(scratch, "chart.png"), now);
   const kept = readFileSync(PICTURE);
   // Fonts differ from system to system: they have less than one pixel in a hundred.
