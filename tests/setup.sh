@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the demo and the tests need beside cargo, a C compiler and make.
 #
-# usage: tests/setup.sh [core] [hosts] [harden] [validation] [dist]     (core when no group is named)
+# usage: tests/setup.sh [core] [hosts] [harden] [validation] [dist] [web]     (core when no group is named)
 # As root on Debian or Ubuntu it installs what is missing; otherwise it prints the one command that would, and fails.
 set -euo pipefail
 
@@ -9,6 +9,10 @@ core="g++ gfortran clang cmake pkg-config python3 python3-venv libgsl-dev valgri
 hosts="libode-dev libsiconos-numerics-dev liblammps-dev libsimbody-dev python3-getfem python3-matplotlib pkg-config
     python3-venv"
 harden="valgrind qemu-user llvm-22"
+# Node and npm may come from elsewhere than Debian, whose npm then does not go with them.
+web="chromium fonts-dejavu-core"
+command -v node >/dev/null || web+=" nodejs"
+command -v npm >/dev/null || web+=" npm"
 # Of crates.io, at the versions that were tried; fetched and built by cargo.
 harden_tools="cargo-deny@0.20.2 cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
 
@@ -39,7 +43,8 @@ for group in "${@:-core}"; do
     harden) packages+=" $harden" tools+=" $harden_tools" ;;
     validation) packages+=" python3 python3-venv" ;;
     dist) packages+=" $dist $machines" ;;
-    *) echo "tests/setup.sh: unknown group '$group': core, hosts, harden, validation or dist" >&2; exit 2 ;;
+    web) packages+=" $web" ;;
+    *) echo "tests/setup.sh: unknown group '$group': core, hosts, harden, validation, dist or web" >&2; exit 2 ;;
     esac
 done
 
@@ -56,6 +61,10 @@ fi
 if [[ " $* " == *" dist "* ]] && command -v rustup >/dev/null; then
     # shellcheck disable=SC2086
     rustup -q target add $dist_targets $machine_targets
+fi
+
+if [[ " $* " == *" web "* ]] && command -v rustup >/dev/null; then
+    rustup target list --installed | grep -qx wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown
 fi
 
 # environment GROUP PACKAGES: a virtual environment with the packages, where the group is asked for.

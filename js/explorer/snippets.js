@@ -1,0 +1,163 @@
+// A surface as a program in C, C++, Fortran or Python, or as a TOML file: the same parameters that the page computes with.
+import { numbers, paramsOf } from "./fields.js";
+
+/** The languages, with the name of the file that the text is for. */
+export const LANGUAGES = {
+  C: { file: "friction.c", text: c },
+  "C++": { file: "friction.cpp", text: cpp },
+  Fortran: { file: "friction.f90", text: fortran },
+  Python: { file: "friction.py", text: python },
+  TOML: { file: "surface.toml", text: toml },
+};
+
+/** The surface as text; the programs print the friction coefficient at a load. */
+export function snippet(language, surface, load) {
+  const params = paramsOf(surface);
+  const given = Object.entries(params).filter(([, value]) => value !== undefined);
+  return LANGUAGES[language].text(Object.fromEntries(given), surface, load);
+}
+
+const UNITS = {
+  work_of_adhesion: "J/m^2", adhesion_range: "m", burgers_vector: "m", height_std: "m", summit_radius: "m", hardness: "Pa",
+  nominal_area: "m^2",
+};
+const BODIES = ["E1", "nu1", "E2", "nu2"];
+const MOMENTS = ["m0", "m2", "m4", "nominal_area"];
+
+/** The parameters that are set one by one: not by the setters of two bodies and of moments. */
+function single(params) {
+  const set = [...BODIES, ...("m0" in params ? MOMENTS : []), "contact_law"];
+  return Object.entries(params).filter(([name]) => !set.includes(name));
+}
+
+const list = (params, names, form) => names.map((name) => form(params[name])).join(", ");
+
+/** A number as all of these languages write one that is not whole: shortest, and with all its digits. */
+function real(value) {
+  if (value !== 0 && (Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3)) return value.toExponential().replace("e+", "e");
+  return Number.isInteger(value) ? `${value}.0` : String(value);
+}
+
+function c(params, surface, load) {
+  const lines = [`asperity_params_set_materials(&params, ${list(params, BODIES, real)}); /* E [Pa], nu */`];
+  for (const [name, value] of single(params))
+    lines.push(`params.${name} = ${real(value)};${UNITS[name] ? ` /* [${UNITS[name]}] */` : ""}`);
+  if ("m0" in params)
+    lines.push(
+      "/* variances of height [m^2], slope and curvature [1/m^2] along profiles, nominal area [m^2] */",
+      `asperity_params_set_spectral_moments(&params, ${list(params, MOMENTS, real)});`,
+    );
+  if (params.contact_law) lines.push("params.contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC;");
+  if ("kurtosis" in params) lines.push("params.height_distribution = ASPERITY_HEIGHTS_JOHNSON;");
+  return `/* ${surface.first} on ${surface.second}. cc friction.c $(pkg-config --cflags --libs asperity) */
+#include <asperity.h>
+#include <stdio.h>
+
+int main(void) {
+    asperity_params params;
+    asperity_model *model;
+    asperity_params_init_unset(&params);
+    ${lines.join("\n    ")}
+    if (asperity_create(&params, &model) != ASPERITY_OK) {
+        char message[512];
+        asperity_last_error(message, sizeof message);
+        fprintf(stderr, "%s\\n", message);
+        return 1;
+    }
+    printf("%.10g\\n", asperity_friction_at_load(model, ${real(load)})); /* load [N] */
+    asperity_free(model);
+}
+`;
+}
+
+function cpp(params, surface, load) {
+  const law = (value) => (value === "elastic-plastic" ? "ASPERITY_CONTACT_ELASTIC_PLASTIC" : real(value));
+  const pairs = Object.entries(params).map(([name, value]) => `{"${name}", ${law(value)}},`);
+  return `// ${surface.first} on ${surface.second}, in SI units. c++ -std=c++17 friction.cpp $(pkg-config --cflags --libs asperity)
+#include <asperity.hpp>
+
+#include <cstdio>
+#include <exception>
+
+int main() try {
+    asperity::Params params = asperity::Params::unset();
+    params.set({
+        ${pairs.join("\n        ")}
+    });
+    const asperity::Model model(params);
+    std::printf("%.10g\\n", model.friction_at_load(${real(load)})); // load [N]
+} catch (const std::exception &error) {
+    std::fprintf(stderr, "%s\\n", error.what());
+    return 1;
+}
+`;
+}
+
+function fortran(params, surface, load) {
+  const kind = (value) => `${real(value)}_c_double`;
+  const lines = [`call asperity_check(asperity_params_set_materials(params, ${list(params, BODIES, kind)}))  ! E [Pa], nu`];
+  for (const [name, value] of single(params))
+    lines.push(`params%${name} = ${kind(value)}${UNITS[name] ? `  ! [${UNITS[name]}]` : ""}`);
+  if ("m0" in params)
+    lines.push(
+      "call asperity_check(asperity_params_set_spectral_moments(params, &",
+      `                    ${list(params, MOMENTS, kind)}))  ! m0 [m^2], m2, m4 [1/m^2], area [m^2]`,
+    );
+  if (params.contact_law) lines.push("params%contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC");
+  if ("kurtosis" in params) lines.push("params%height_distribution = ASPERITY_HEIGHTS_JOHNSON");
+  return `! ${surface.first} on ${surface.second}. To be compiled with asperity.f90 and linked with -lasperity
+program friction
+  use, intrinsic :: iso_c_binding, only: c_double
+  use asperity
+  implicit none
+  type(asperity_params) :: params
+  type(friction_model) :: law
+
+  call asperity_check(asperity_params_init_unset(params))
+  ${lines.join("\n  ")}
+  call law%create(params)
+  write (*, '(es17.9)') law%friction_at_load(${kind(load)})  ! load [N]
+  call law%free()
+end program friction
+`;
+}
+
+/** The roughness as the user gave it: areal parameters stay areal parameters. */
+function roughness(params, surface) {
+  if (surface.roughness !== "areal") return "m0" in params ? { m0: params.m0, m2: params.m2, m4: params.m4 } : {};
+  const { Sq, Sdq, Sds } = numbers(surface);
+  return { Sq, Sdq, Sds };
+}
+
+function others(params, more = []) {
+  return Object.entries(params).filter(([name]) => !["m0", "m2", "m4", ...more].includes(name));
+}
+
+function python(params, surface, load) {
+  const rough = roughness(params, surface);
+  const shape = surface.roughness === "areal" && "kurtosis" in params ? { Ssk: params.skew, Sku: params.kurtosis } : {};
+  const ways = { areal: "Params.from_iso25178", moments: "Params.from_spectral_moments", summits: "Params.si" };
+  const rest = others(params, "Ssk" in shape ? ["skew", "kurtosis"] : []);
+  const lines = [...Object.entries({ ...rough, ...shape }), ...rest].map(([name, value]) => {
+    const text = typeof value === "string" ? `"${value}"` : real(value);
+    return `    ${name}=${text},${UNITS[name] ? `  # ${UNITS[name]}` : ""}`;
+  });
+  return `# ${surface.first} on ${surface.second}, in SI units
+from asperity import Model, Params
+
+params = ${ways[surface.roughness]}(
+${lines.join("\n")}
+)
+model = Model(params)
+print(f"{model.friction_at_load(${real(load)}):.10g}")  # load in N
+`;
+}
+
+function toml(params, surface) {
+  const lines = [`# ${surface.first} on ${surface.second}, in SI units: Params.from_toml("surface.toml")`];
+  for (const [name, value] of others(params, BODIES)) lines.push(`${name} = ${typeof value === "string" ? `"${value}"` : real(value)}`);
+  lines.push("", "[materials]", ...BODIES.map((name) => `${name} = ${real(params[name])}`));
+  const rough = Object.entries(roughness(params, surface));
+  if (rough.length) lines.push("", "[roughness]", ...rough.map(([name, value]) => `${name} = ${real(value)}`));
+  return lines.join("\n") + "\n";
+}

@@ -1,0 +1,61 @@
+// Numbers and sentences as the page shows them.
+
+const PREFIXES = { "-15": "f", "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T" };
+
+/** A number with an SI prefix, to so many digits: 0.00123 N is 1.23 mN. */
+export function withUnit(value, unit, digits = 3) {
+  if (value === 0) return `0 ${unit}`;
+  if (!Number.isFinite(value)) return String(value);
+  // Rounded first: 999.9 µN is 1.00 mN.
+  const rounded = Number(value.toPrecision(digits));
+  const power = Math.floor(Math.log10(Math.abs(rounded)) / 3 + 1e-9) * 3;
+  const prefix = PREFIXES[power];
+  if (prefix === undefined) return `${rounded.toExponential(digits - 1).replace("e", " × 10^").replace("+", "")} ${unit}`;
+  return `${(rounded / 10 ** power).toPrecision(digits)} ${prefix}${unit}`;
+}
+
+/** A decade of load: 1e-5 is 10 µN. */
+export function decade(load) {
+  const power = Math.round(Math.log10(load));
+  const prefix = PREFIXES[Math.floor(power / 3) * 3];
+  return prefix === undefined ? `1e${power}` : `${10 ** (((power % 3) + 3) % 3)} ${prefix}N`;
+}
+
+/** A friction coefficient. */
+export const coefficient = (mu) => (mu >= 1000 ? mu.toPrecision(4) : mu >= 10 ? mu.toFixed(1) : mu.toFixed(3));
+
+export const percent = (part) => (part === 0 ? "0 %" : `${Number((100 * part).toPrecision(2))} %`);
+
+/** How warnings are called on the chart and in the table. */
+export const SHORT = {
+  FEW: "fewer than 20 contacts",
+  CROWDED: "crowded",
+  PLASTIC: "summits yield",
+  STEEP: "steep",
+  ATOMIC: "atomic",
+};
+
+export const short = ({ name }) => SHORT[name] ?? name.toLowerCase();
+
+/** The name of a surface, from its letter and its bodies. */
+export const title = (letter, surface) => `${letter} ${surface.first}/${surface.second}`;
+
+/** One sentence or two on a curve. */
+export function summary(letter, surface, curve) {
+  const last = curve.loads.length - 1;
+  const range = `${title(letter, surface)}: friction coefficient ${coefficient(curve.mu[0])} at ${withUnit(curve.loads[0], "N")}, ` +
+    `${coefficient(curve.mu[last])} at ${withUnit(curve.loads[last], "N")}.`;
+  if (!curve.warnings.length) return `${range} Nothing is known to fail of the model at these loads.`;
+  return `${range} The model does not hold everywhere: ${curve.warnings.map(short).join(", ")}.`;
+}
+
+/** Where a warning holds, in words. */
+export const spansText = ({ spans }, [lightest, heaviest]) =>
+  spans
+    .map(([from, to]) => {
+      if (from === lightest && to === heaviest) return "at all these loads";
+      if (from === lightest) return `below ${withUnit(to, "N")}`;
+      if (to === heaviest) return `above ${withUnit(from, "N")}`;
+      return `from ${withUnit(from, "N")} to ${withUnit(to, "N")}`;
+    })
+    .join(", ") || "between two points of the curve";

@@ -1,0 +1,7 @@
+// The package in browsers and bundlers: the library is fetched from beside this file.
+import { instantiate } from "./instantiate.js";
+
+export * from "./instantiate.js";
+const response = await fetch(new URL("./asperity.wasm", import.meta.url));
+if (!response.ok) throw new Error(`asperity.wasm: the server answers ${response.status} ${response.statusText}`);
+export const { Model, version, warningsOf, memorySize } = await instantiate(await response.arrayBuffer());

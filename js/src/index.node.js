@@ -1,0 +1,8 @@
+// The package in Node: the library lies beside this file.
+import { readFile } from "node:fs/promises";
+import { instantiate } from "./instantiate.js";
+
+export * from "./instantiate.js";
+export const { Model, version, warningsOf, memorySize } = await instantiate(
+  await readFile(new URL("./asperity.wasm", import.meta.url)),
+);

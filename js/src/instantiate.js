@@ -1,0 +1,57 @@
+// The package on WebAssembly that the caller brings: for single files, workers and hosts with their own way to load.
+import { CONSTANTS } from "./header.js";
+import { AsperityError, Library } from "./library.js";
+import { Model, warningsOf } from "./model.js";
+
+/** @typedef {import("./params.js").Params} Params */
+/** @typedef {import("./model.js").State} State */
+/** @typedef {import("./model.js").Summary} Summary */
+/** @typedef {import("./model.js").Sensitivities} Sensitivities */
+/** @typedef {import("./model.js").Warning} Warning */
+
+/**
+ * One instance of the library, with a memory of its own.
+ * @typedef {object} Instance
+ * @property {new (params: Params) => Model} Model a friction law: `new Model(params)`
+ * @property {string} version of the library
+ * @property {(bits: number) => Warning[]} warningsOf the `warnings` of a state, in words
+ * @property {() => number} memorySize how much memory the instance has taken [bytes]
+ */
+
+export { AsperityError };
+export { MATERIALS, PAIRS, contact } from "./materials.js";
+export { momentsOfAreal, momentsOfMap } from "./roughness.js";
+
+/** Why a call failed; the numbers are those of the C interface. */
+export const Status = Object.freeze({
+  OK: CONSTANTS.OK,
+  NULL_POINTER: CONSTANTS.NULL_POINTER,
+  INVALID_PARAMETER: CONSTANTS.INVALID_PARAMETER,
+  INVALID_LOAD: CONSTANTS.INVALID_LOAD,
+  SEPARATED: CONSTANTS.SEPARATED,
+  OUT_OF_RANGE: CONSTANTS.OUT_OF_RANGE,
+  NOT_CONVERGED: CONSTANTS.NOT_CONVERGED,
+  OUT_OF_MEMORY: CONSTANTS.OUT_OF_MEMORY,
+  INTERNAL: CONSTANTS.INTERNAL,
+});
+
+/**
+ * Makes an instance of the library.
+ * @param {BufferSource | WebAssembly.Module} source asperity.wasm, as bytes or compiled
+ * @returns {Promise<Instance>}
+ */
+export async function instantiate(source) {
+  const module = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
+  const library = new Library(await WebAssembly.instantiate(module, {}));
+  return {
+    Model: class extends Model {
+      /** @param {Params} params */
+      constructor(params) {
+        super(library, params);
+      }
+    },
+    version: library.string(library.call("version")),
+    warningsOf: (bits) => warningsOf(library, BigInt(bits)),
+    memorySize: () => library.memory.buffer.byteLength,
+  };
+}

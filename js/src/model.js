@@ -1,0 +1,251 @@
+// A friction law ready for use.
+import { CONSTANTS } from "./header.js";
+import { AsperityError, CHUNK } from "./library.js";
+import { readParams, writeParams } from "./params.js";
+
+/** @typedef {import("./params.js").Params} Params */
+/** @typedef {import("./header.js").State} State */
+/** @typedef {import("./header.js").Summary} Summary */
+/** @typedef {import("./header.js").Sensitivities} Sensitivities */
+/** What fails of the model, and what to do about it. @typedef {{ name: string, bit: number, text: string }} Warning */
+/** @typedef {ArrayLike<number>} Loads */
+
+/** The warnings that this version names; a later library may have more. */
+const WARNINGS = Object.entries(CONSTANTS)
+  .filter(([name]) => name.startsWith("WARNING_"))
+  .map(([name, bit]) => ({ name: name.slice("WARNING_".length), bit: Number(bit) }));
+
+/** What a batch call reports of single loads: below pull-off is no error here, and what is one is answered with NaN. @type {number[]} */
+const OF_LOADS = [CONSTANTS.OK, CONSTANTS.SEPARATED, CONSTANTS.INVALID_LOAD, CONSTANTS.OUT_OF_RANGE];
+
+/**
+ * A friction law: load to friction, as table and as exact states. It frees its memory when it is no longer reachable, or at
+ * `free`.
+ */
+export class Model {
+  /** @type {number} */
+  #pointer = 0;
+
+  /**
+   * @param {import("./library.js").Library} library the instance that it lives in
+   * @param {Params} params the surfaces
+   * @throws {AsperityError} a parameter that the library refuses, or one missing, in the library's words
+   */
+  constructor(library, params) {
+    /** @private */
+    this.library = library;
+    writeParams(library, params);
+    library.run("create", library.struct, library.out);
+    this.#pointer = library.data().getUint32(library.out, true);
+    library.models.register(this, this.#pointer, this);
+  }
+
+  get #open() {
+    if (!this.#pointer) throw new AsperityError("model: has been freed; make another", CONSTANTS.NULL_POINTER);
+    return this.#pointer;
+  }
+
+  /** Frees the memory; the model cannot be used any more. To free twice is no error. */
+  free() {
+    this.library.models.unregister(this);
+    this.library.call("free", this.#pointer);
+    this.#pointer = 0;
+  }
+
+  /** The parameters of the model. */
+  get params() {
+    return readParams(this.library, this.#open);
+  }
+
+  /**
+   * Gives the model other parameters; if that throws, the model is as before.
+   * @param {Params} params
+   */
+  setParams(params) {
+    const pointer = this.#open;
+    writeParams(this.library, params);
+    this.library.run("set_params", pointer, this.library.struct);
+  }
+
+  /**
+   * Friction coefficient F/P at a load, or at many. From the pull-off load to 0 it is `max_friction_coefficient`, below the
+   * pull-off load 0.
+   * @template {number | Loads} T
+   * @param {T} load normal load [force]
+   * @returns {T extends number ? number : Float64Array}
+   * @throws {AsperityError} a load that is not finite, or too heavy; of an array it is named by its index
+   */
+  frictionAtLoad(load) {
+    return this.#values("friction_at_loads", load);
+  }
+
+  /**
+   * Friction force F at a load, or at many: finite down to the pull-off load, 0 below it.
+   * @template {number | Loads} T
+   * @param {T} load normal load [force]
+   * @returns {T extends number ? number : Float64Array}
+   */
+  frictionForceAtLoad(load) {
+    return this.#values("friction_force_at_loads", load);
+  }
+
+  /**
+   * Friction coefficient and its slope d(mu)/d(load), 0 where the coefficient is capped.
+   * @template {number | Loads} T
+   * @param {T} load normal load [force]
+   * @returns {{ value: T extends number ? number : Float64Array, slope: T extends number ? number : Float64Array }}
+   */
+  frictionAndSlopeAtLoad(load) {
+    return this.#valuesAndSlopes("friction_at_loads", load);
+  }
+
+  /**
+   * Friction force and its slope dF/d(load), infinite at the pull-off load itself.
+   * @template {number | Loads} T
+   * @param {T} load normal load [force]
+   * @returns {{ value: T extends number ? number : Float64Array, slope: T extends number ? number : Float64Array }}
+   */
+  frictionForceAndSlopeAtLoad(load) {
+    return this.#valuesAndSlopes("friction_force_at_loads", load);
+  }
+
+  /**
+   * Tangential stiffness K_t at a load, or at many: tangential force by displacement while all contacts stick.
+   * @template {number | Loads} T
+   * @param {T} load normal load [force]
+   * @returns {T extends number ? number : Float64Array}
+   */
+  tangentialStiffnessAtLoad(load) {
+    return this.#values("tangential_stiffness_at_loads", load);
+  }
+
+  /**
+   * The tangential force at a load and a displacement, and its slope by displacement, by integration over the summits.
+   * @param {number} load normal load [force]
+   * @param {number} displacement of the surfaces along each other [length]
+   */
+  tangentialAtLoad(load, displacement) {
+    const { out } = this.library;
+    this.library.run("tangential_at_load", this.#open, load, displacement, out, out + 8);
+    return { force: this.library.data().getFloat64(out, true), stiffness: this.library.data().getFloat64(out + 8, true) };
+  }
+
+  /**
+   * The exact state at a load, by integration over the summits, without the table.
+   * @param {number} load normal load [force], from the pull-off load upwards
+   * @returns {State}
+   */
+  stateAtLoad(load) {
+    return this.library.fill("asperity_state", "state_at_load", this.#open, load);
+  }
+
+  /**
+   * The exact state at a separation.
+   * @param {number} separation of the flat from the mean of the summit heights [length]
+   * @returns {State}
+   */
+  stateAtSeparation(separation) {
+    return this.library.fill("asperity_state", "state_at_separation", this.#open, separation);
+  }
+
+  /**
+   * By how many per cent friction at a load changes for each per cent of each parameter.
+   * @param {number} load normal load [force], above the pull-off load
+   * @returns {Sensitivities}
+   */
+  sensitivitiesAtLoad(load) {
+    return this.library.fill("asperity_sensitivities", "sensitivities_at_load", this.#open, load);
+  }
+
+  /** The constants of the model. @returns {Summary} */
+  summary() {
+    return this.library.fill("asperity_summary", "summary_of", this.#open);
+  }
+
+  /**
+   * What does not hold of the model somewhere between two loads, and what to do about it; empty if nothing is known to fail.
+   * @param {number} lightest normal load [force]
+   * @param {number} heaviest normal load [force]
+   * @returns {Warning[]}
+   */
+  checkLoads(lightest, heaviest) {
+    this.library.run("check_loads", this.#open, lightest, heaviest, this.library.out);
+    return warningsOf(this.library, this.library.data().getBigUint64(this.library.out, true));
+  }
+
+  /**
+   * @param {string} name
+   * @param {number | Loads} load
+   * @returns {any}
+   */
+  #values(name, load) {
+    const [values] = this.#batch(name, load);
+    return typeof load === "number" ? values[0] : values;
+  }
+
+  /**
+   * @param {string} name
+   * @param {number | Loads} load
+   * @returns {any}
+   */
+  #valuesAndSlopes(name, load) {
+    const [value, slope] = this.#batch(name, load);
+    return typeof load === "number" ? { value: value[0], slope: slope[0] } : { value, slope };
+  }
+
+  /**
+   * A batch call, in parts that fit the block. Stiffnesses have no slopes, and their call no place for them.
+   * @param {string} name
+   * @param {number | Loads} load
+   */
+  #batch(name, load) {
+    const loads = typeof load === "number" ? [load] : load;
+    if (typeof loads !== "object" || loads === null || typeof loads.length !== "number")
+      throw new TypeError(`load = ${String(load)}: must be a number or an array of numbers`);
+    const inputs = this.library.array(0);
+    const outputs = [this.library.array(1), this.library.array(2)].slice(0, name.startsWith("tangential") ? 1 : 2);
+    const found = outputs.map(() => new Float64Array(loads.length));
+    for (let from = 0; from < loads.length; from += CHUNK) {
+      const count = Math.min(CHUNK, loads.length - from);
+      const into = new Float64Array(this.library.memory.buffer, inputs, count);
+      for (let i = 0; i < count; i++) into[i] = loads[from + i];
+      const status = this.library.call(name, this.#open, count, inputs, ...outputs);
+      if (!OF_LOADS.includes(status)) this.library.check(status);
+      outputs.forEach((output, i) => found[i].set(new Float64Array(this.library.memory.buffer, output, count), from));
+    }
+    const refused = found[0].findIndex(Number.isNaN);
+    if (refused >= 0) this.#refuse(loads[refused], typeof load === "number" ? "" : `element ${refused}: `);
+    return found;
+  }
+
+  /**
+   * Throws the library's message about a load that it answered with NaN.
+   * @param {number} load
+   * @param {string} place
+   */
+  #refuse(load, place) {
+    try {
+      this.stateAtLoad(load);
+    } catch (error) {
+      if (error instanceof AsperityError) throw new AsperityError(place + error.message, error.status);
+      throw error;
+    }
+    throw new AsperityError(`load = ${load}: no friction was found; a bug in asperity, please report it`, CONSTANTS.INTERNAL);
+  }
+}
+
+/**
+ * The bits of `warnings` in a state, in words.
+ * @param {import("./library.js").Library} library
+ * @param {bigint} bits
+ * @returns {Warning[]}
+ */
+export function warningsOf(library, bits) {
+  const found = [];
+  for (let bit = 1n; bit <= bits; bit <<= 1n) {
+    if (!(bits & bit)) continue;
+    const name = WARNINGS.find((warning) => BigInt(warning.bit) === bit)?.name ?? `bit ${bit}`;
+    found.push({ name, bit: Number(bit), text: library.string(library.call("warning_string", bit)) });
+  }
+  return found;
+}

@@ -1,0 +1,110 @@
+// Parameters as JavaScript has them, names and numbers, into the struct of the C interface.
+import { CONSTANTS, LAYOUTS } from "./header.js";
+import { AsperityError, CHUNK } from "./library.js";
+
+/** Words for what the C interface numbers. */
+const HEIGHTS = {
+  gaussian: CONSTANTS.HEIGHTS_GAUSSIAN,
+  weibull: CONSTANTS.HEIGHTS_WEIBULL,
+  johnson: CONSTANTS.HEIGHTS_JOHNSON,
+  tabulated: CONSTANTS.HEIGHTS_TABULATED,
+};
+const CONTACT_LAWS = {
+  maugis: CONSTANTS.CONTACT_MAUGIS,
+  "elastic-plastic": CONSTANTS.CONTACT_ELASTIC_PLASTIC,
+};
+
+/**
+ * Two rough surfaces. The numbers are in one consistent system of units; their names are those of `asperity_params`, and
+ * those of its setters: `E1`, `nu1`, `E2`, `nu2` together stand for the moduli, `m0`, `m2`, `m4` with `nominal_area` for
+ * `height_std`, `summit_radius` and `asperity_count`. What is left out has its default, or is asked for.
+ *
+ * @typedef {import("./header.js").Numbers & {
+ *   E1?: number, nu1?: number, E2?: number, nu2?: number,
+ *   m0?: number, m2?: number, m4?: number,
+ *   attraction?: boolean,
+ *   height_distribution?: keyof typeof HEIGHTS,
+ *   contact_law?: keyof typeof CONTACT_LAWS,
+ *   table_height?: ArrayLike<number>,
+ *   table_density?: ArrayLike<number>,
+ * }} Params
+ */
+
+/**
+ * Writes the struct at `library.struct`, tables of heights into the first two arrays of the block.
+ * @param {import("./library.js").Library} library
+ * @param {Params} params
+ */
+export function writeParams(library, params) {
+  if (typeof params !== "object" || params === null) throw new TypeError("params: must be an object of names and numbers");
+  const { table_height, table_density, ...numbers } = params;
+  library.run("params_init_unset_sized", library.struct, BigInt(LAYOUTS.asperity_params.size));
+  const given = Object.entries(numbers).filter(([, value]) => value !== undefined);
+  library.setValues(given.map(([name]) => name), given.map(([name, value]) => number(name, value)));
+  if (table_height || table_density) writeTable(library, table_height ?? [], table_density ?? [], params.height_distribution);
+}
+
+/** @param {string} name @param {unknown} value */
+function number(name, value) {
+  if (typeof value === "boolean" && name === "attraction") return Number(value);
+  /** @type {Record<string, number> | undefined} */
+  const words = name === "height_distribution" ? HEIGHTS : name === "contact_law" ? CONTACT_LAWS : undefined;
+  if (words && typeof value === "string") {
+    if (Object.hasOwn(words, value)) return words[value];
+    const known = Object.keys(words).map((word) => `"${word}"`).join(", ");
+    throw new AsperityError(`${name} = "${value}": must be one of ${known}`, CONSTANTS.INVALID_PARAMETER);
+  }
+  if (typeof value !== "number") throw new TypeError(`${name} = ${String(value)}: must be a number`);
+  return value;
+}
+
+/**
+ * @param {import("./library.js").Library} library
+ * @param {ArrayLike<number>} height
+ * @param {ArrayLike<number>} density
+ * @param {string | undefined} distribution
+ */
+function writeTable(library, height, density, distribution) {
+  if (height.length !== density.length) {
+    const message = `table_density: ${density.length} numbers for ${height.length} heights`;
+    throw new AsperityError(message, CONSTANTS.INVALID_PARAMETER);
+  }
+  // A longer table is refused by the library, which reads no more of it than its length.
+  const length = Math.min(height.length, CHUNK);
+  const data = library.data();
+  for (let i = 0; i < length; i++) {
+    data.setFloat64(library.array(0) + 8 * i, height[i], true);
+    data.setFloat64(library.array(1) + 8 * i, density[i], true);
+  }
+  library.write(library.struct, "asperity_params", "table_height", library.array(0));
+  library.write(library.struct, "asperity_params", "table_density", library.array(1));
+  library.write(library.struct, "asperity_params", "table_length", height.length);
+  if (distribution === undefined)
+    library.write(library.struct, "asperity_params", "height_distribution", CONSTANTS.HEIGHTS_TABULATED);
+}
+
+/**
+ * The numbers of a model's struct, by name, words where they are words.
+ * @param {import("./library.js").Library} library
+ * @param {number} model
+ * @returns {Params}
+ */
+export function readParams(library, model) {
+  const size = BigInt(LAYOUTS.asperity_params.size);
+  library.run("get_params_sized", model, library.struct, size);
+  const { reserved, table_length, ...found } = library.read(library.struct, "asperity_params");
+  found.attraction = found.attraction !== 0;
+  found.height_distribution = wordOf(HEIGHTS, found.height_distribution);
+  found.contact_law = wordOf(CONTACT_LAWS, found.contact_law);
+  if (table_length) {
+    for (const name of ["table_height", "table_density"]) {
+      const offset = LAYOUTS.asperity_params.fields.find((field) => field.name === name)?.offset ?? 0;
+      const pointer = library.data().getUint32(library.struct + offset, true);
+      found[name] = new Float64Array(library.memory.buffer, pointer, table_length).slice();
+    }
+  }
+  return found;
+}
+
+/** @param {Record<string, number>} words @param {number} value */
+const wordOf = (words, value) => Object.keys(words).find((word) => words[word] === value);

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Tests the JavaScript package and the explorer: types, bits and messages against the native library and the Python package
+# of the source tree, layouts against a C compiler, copied programs, and the page in Chromium.
+#
+# usage: js/test.sh
+# CARGO_TARGET_DIR is honoured, CHROMIUM names the browser. tests/setup.sh validation web installs what it needs; the
+# versions of packages from npm are those of package-lock.json.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+tests/setup.sh validation web
+CARGO_TARGET_DIR=$(realpath -m "${CARGO_TARGET_DIR:-target}")
+export CARGO_TARGET_DIR
+for tool in cargo cc c++ gfortran clang node npm; do
+    command -v "$tool" >/dev/null || { echo "js/test.sh: $tool is missing; run tests/setup.sh core web" >&2; exit 1; }
+done
+
+cargo build --release --locked --quiet
+cd js
+# npm ci begins with nothing: once for each list of packages.
+if ! cmp -s package-lock.json node_modules/installed-lock.json; then
+    npm ci --no-audit --no-fund --loglevel=error
+    cp package-lock.json node_modules/installed-lock.json
+fi
+node tools/build.mjs
+node_modules/.bin/tsc --noEmit --strict --target es2022 --module nodenext test/types.ts
+mkdir -p "$CARGO_TARGET_DIR/js-tests"
+node --test --test-reporter=spec test/*.test.mjs >"$CARGO_TARGET_DIR/js-tests/report.txt" ||
+    { cat "$CARGO_TARGET_DIR/js-tests/report.txt" >&2; exit 1; }
+grep -E '^. (tests|pass|fail) ' "$CARGO_TARGET_DIR/js-tests/report.txt"

@@ -1,0 +1,379 @@
+// The explorer in a browser, opened from its file: Chromium, driven by playwright-core.
+//
+// CHROMIUM names the browser. JS_TEST_WRITE_PICTURE=1 writes the picture that later runs are compared with, and that of
+// docs/javascript.md.
+import assert from "node:assert/strict";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { resolve } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+import { contact, momentsOfAreal, momentsOfMap } from "asperity";
+import { shifted } from "../explorer/fields.js";
+import { answers, bits, scratch } from "./native.mjs";
+import { npy, roughMap } from "./python.mjs";
+
+const PAGE = pathToFileURL(fileURLToPath(new URL("../dist/explorer.html", import.meta.url))).href;
+const PICTURE = fileURLToPath(new URL("chart.png", import.meta.url));
+const GUIDE_PICTURE = fileURLToPath(new URL("../../docs/figures/explorer.png", import.meta.url));
+const BROWSER = process.env.CHROMIUM ?? "/usr/bin/chromium";
+let browser;
+
+before(async () => {
+  assert.ok(existsSync(BROWSER), `${BROWSER} is missing; run tests/setup.sh web`);
+  browser = await chromium.launch({ executablePath: BROWSER, args: ["--no-sandbox", "--font-render-hinting=none"] });
+});
+after(() => browser?.close());
+
+/** The page, with what it copies and what goes wrong in it. */
+async function open(options = {}, hash = "") {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
+  const wrong = [];
+  page.on("pageerror", (error) => wrong.push(error.message));
+  page.on("console", (message) => message.type() === "error" && wrong.push(message.text()));
+  page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || wrong.push(`asks for ${request.url()}`));
+  await page.addInitScript(() => {
+    globalThis.copied = "";
+    Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => (globalThis.copied = text) } });
+  });
+  await page.goto(PAGE + hash);
+  await page.waitForSelector("#values td");
+  return { page, wrong };
+}
+
+/** After what is set has been drawn. */
+const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** The curves as the page copies them: rows of numbers. */
+async function curves(page) {
+  await drawn(page);
+  await page.evaluate(() => document.getElementById("copy-table").click());
+  const text = await page.evaluate(() => globalThis.copied);
+  const [names, ...rows] = text.split("\n").map((line) => line.split(","));
+  return { names, rows: rows.map((row) => row.map(Number)) };
+}
+
+/** The parameters of an areal surface, in SI units, as the library gets them. */
+const areal = (pair, { Sq, Sdq, Sds }, nominal_area) => ({ ...pair, ...momentsOfAreal({ Sq, Sdq, Sds }), nominal_area });
+
+function assertNative(rows, params, column = 1) {
+  const some = rows.filter((_, i) => i % 10 === 0);
+  const native = answers(params, some.map(([load]) => load));
+  assert.ok(native.loads, native.refused);
+  some.forEach((row, i) => assert.equal(bits(row[column]), native.loads[i][0], `at ${row[0]} N`));
+}
+
+const start = { Sq: 5e-9, Sdq: 0.08, Sds: 2e13 };
+
+test("the curve has the bits of the native library, and moves with the sliders to the right values", async () => {
+  const { page, wrong } = await open();
+  const silicon = contact("Si", "Si");
+  const first = (await curves(page)).rows;
+  assert.equal(first.length, 121);
+  assert.equal(first[0][0], 1e-5);
+  assert.equal(first.at(-1)[0], 0.1);
+  assertNative(first, areal(silicon, start, 1e-8));
+
+  const set = { ...start };
+  for (const [id, key, power, position] of [["Sq", "Sq", -9, 700], ["Sds", "Sds", 12, 420], ["Sdq", "Sdq", 0, 590]]) {
+    await page.locator(`#${id}-slider`).fill(String(position));
+    set[key] = shifted(Number(await page.locator(`#${id}`).inputValue()), power);
+    const { rows } = await curves(page);
+    assertNative(rows, areal(silicon, set, 1e-8));
+    assert.ok(Math.abs(rows[60][1] / first[60][1] - 1) > 0.02, `${id} moves the curve`);
+  }
+  await page.locator("#work_of_adhesion-slider").fill("900");
+  const w = shifted(Number(await page.locator("#work_of_adhesion").inputValue()), -3);
+  assertNative((await curves(page)).rows, areal({ ...silicon, work_of_adhesion: w }, set, 1e-8));
+  await page.locator("#nominal_area-slider").fill("600");
+  const area = shifted(Number(await page.locator("#nominal_area").inputValue()), -6);
+  assertNative((await curves(page)).rows, areal({ ...silicon, work_of_adhesion: w }, set, area));
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
+/** Where a curve of a colour is drawn: heights over the axis, in pixels, at parts of the width. */
+const heightsOf = (page, color, parts) =>
+  page.evaluate(
+    ([[red, green, blue], parts]) => {
+      const canvas = document.querySelector("#chart canvas");
+      const area = document.querySelector("#chart .u-over").getBoundingClientRect();
+      const all = canvas.getBoundingClientRect();
+      const scale = canvas.width / all.width;
+      const pixels = canvas.getContext("2d");
+      return parts.map((part) => {
+        const x = Math.round((area.left - all.left + part * area.width) * scale);
+        const { data } = pixels.getImageData(x, Math.round((area.top - all.top) * scale), 1, Math.round(area.height * scale));
+        const hits = [];
+        for (let y = 0; y < data.length / 4; y++) {
+          const [r, g, b] = data.slice(4 * y, 4 * y + 3);
+          if (Math.abs(r - red) + Math.abs(g - green) + Math.abs(b - blue) < 60) hits.push(y);
+        }
+        const middle = hits.reduce((sum, y) => sum + y, 0) / hits.length;
+        return (area.height * scale - middle) / scale;
+      });
+    },
+    [color, parts],
+  );
+
+test("the line is drawn where the numbers are", async () => {
+  const { page } = await open();
+  await page.locator("#band").uncheck();
+  await page.locator("#lightest").fill("1e-3");
+  const { rows } = await curves(page);
+  const parts = [0.1, 0.3, 0.7, 0.9];
+  const found = await heightsOf(page, [0, 0x72, 0xb2], parts);
+  const wanted = parts.map((part) => rows[Math.round(part * 120)][1]);
+  found.forEach((height, i) => {
+    const ratio = height / found[0] / (wanted[i] / wanted[0]);
+    assert.ok(Math.abs(ratio - 1) < 0.01, `${ratio} at ${parts[i]}`);
+  });
+  await page.close();
+});
+
+test("bad input gets the library's message, and the field is marked", async () => {
+  const { page, wrong } = await open();
+  const good = areal(contact("Si", "Si"), start, 1e-8);
+  const cases = [
+    ["#adhesion_range", "-1", { adhesion_range: -1e-9 }],
+    ["#work_of_adhesion", "63000", { work_of_adhesion: 63 }],
+    ["#nu1", "0.7", { nu1: 0.7 }],
+    ["#kurtosis", "1", { skew: 0, kurtosis: 1 }],
+    ["#slip_stress_1", "-0.1", { slip_stress_1: -0.1 }],
+    ["#Sdq", "5", momentsOfAreal({ ...start, Sdq: 5 })],
+  ];
+  await page.locator("#materials-section summary").click();
+  await page.locator("#shape-section summary").click();
+  for (const [field, text, change] of cases) {
+    const before = await page.locator(field).inputValue();
+    await page.locator(field).fill(text);
+    await drawn(page);
+    const { refused } = answers({ ...good, ...change }, [1e-3]);
+    assert.ok(refused, field);
+    assert.equal(await page.locator("#error").textContent(), refused);
+    assert.ok(await page.locator("#error").isVisible());
+    await page.locator(field).fill(before);
+    await drawn(page);
+    assert.ok(await page.locator("#error").isHidden());
+    assert.equal(await page.locator("[aria-invalid]").count(), 0);
+  }
+  await page.locator("#adhesion_range").fill("nonsense");
+  await drawn(page);
+  assert.equal(await page.locator("#adhesion_range").getAttribute("aria-invalid"), "true");
+  assert.match(await page.locator("#error").textContent(), /^adhesion_range = NaN|^adhesion_range: must be set/);
+  await page.locator("#adhesion_range").fill("0.384");
+  await page.locator("#heaviest").fill("1e-9");
+  await drawn(page);
+  assert.match(await page.locator("#error").textContent(), /the heaviest above the lightest/);
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
+test("up to four surfaces are compared, with their warnings in the library's words", async () => {
+  const { page, wrong } = await open();
+  const choose = async (first, second) => {
+    await page.locator("#first").selectOption(first);
+    await page.locator("#second").selectOption(second);
+  };
+  for (const name of ["Au", "SiO2", "steel"]) {
+    await page.locator("#add").click();
+    await choose(name, name);
+  }
+  assert.ok(await page.locator("#add").isDisabled());
+  const { names, rows } = await curves(page);
+  assert.equal(names.length, 1 + 4 * 5);
+  ["Si", "Au", "SiO2", "steel"].forEach((name, i) => assertNative(rows, areal(contact(name, name), start, 1e-8), 1 + 5 * i));
+  assert.match(await page.locator("#warnings").textContent(), /B Au\/Au at all these loads.*summits yield: the mean asperity pressure/s);
+  await page.waitForTimeout(600);
+  assert.match(await page.locator("#summary").textContent(), /D steel\/steel: friction coefficient 0\.\d+ at 10\.0 µN/);
+  // Gold that is let yield has no such warning.
+  await page.locator('[name="surface"][value="B"]').check();
+  await page.locator("#contact_law").selectOption("elastic-plastic");
+  const plastic = (await curves(page)).rows;
+  assertNative(plastic, { ...areal(contact("Au", "Au"), start, 1e-8), work_of_adhesion: 0, contact_law: 1 }, 6);
+  assert.doesNotMatch(await page.locator("#warnings").textContent(), /B Au\/Au at all these loads.*summits yield/s);
+  await page.locator("#remove").click();
+  assert.equal((await curves(page)).names.length, 1 + 3 * 5);
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
+test("values are read under the pointer", async () => {
+  const { page } = await open();
+  const area = await page.locator("#chart .u-over").boundingBox();
+  await page.mouse.move(area.x + 0.75 * area.width, area.y + 0.5 * area.height);
+  await drawn(page);
+  const text = await page.locator("#read-load").textContent();
+  const load = Number.parseFloat(text) * 1e-3;
+  // The pointer stands on a whole pixel.
+  assert.ok(Math.abs(load / 1e-2 - 1) < 0.02 && text.endsWith(" mN"), text);
+  const [native] = answers(areal(contact("Si", "Si"), start, 1e-8), [load]).loads;
+  const view = new DataView(new ArrayBuffer(8));
+  view.setBigUint64(0, native[0]);
+  const shown = Number(await page.locator("#values tbody tr").first().locator("td").textContent());
+  assert.ok(Math.abs(shown - view.getFloat64(0)) < 0.001, `${shown}`);
+  await page.close();
+});
+
+test("a height map gives the moments that the package computes", async () => {
+  const { page, wrong } = await open();
+  const heights = roughMap(64, 48, 1.5);
+  const wanted = momentsOfMap(heights.map((z) => shifted(z, -9)), 48, 2e-8);
+  const csv = Array.from({ length: 64 }, (_, i) => heights.subarray(48 * i, 48 * i + 48).join(",")).join("\n");
+  await page.locator("#map-section summary").click();
+  await page.locator("#map-step").fill("20");
+  for (const [name, buffer] of [["map.csv", Buffer.from(csv)], ["map.npy", npy(heights, [64, 48])]]) {
+    await page.locator("#roughness").selectOption("areal");
+    await page.locator("#map").setInputFiles({ name, mimeType: "application/octet-stream", buffer });
+    await page.waitForFunction((name) => document.getElementById("map-result").textContent.startsWith(name), name);
+    const { m0, m2, m4, area } = wanted;
+    assertNative((await curves(page)).rows, { ...contact("Si", "Si"), m0, m2, m4, nominal_area: area });
+    assert.match(await page.locator("#map-result").textContent(), /64 × 48 points, levelled\. Sq [\d.]+ nm/);
+  }
+  await page.locator("#map").setInputFiles({ name: "bad.csv", mimeType: "text/csv", buffer: Buffer.from("1,2\n3,oops\n") });
+  await page.waitForFunction(() => /^bad\.csv, line 2: "oops"/.test(document.getElementById("map-result").textContent));
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
+test("an address brings its surfaces back, and one that is none does no harm", async () => {
+  const { page } = await open();
+  await page.locator("#add").click();
+  await page.locator("#first").selectOption("mica");
+  await page.locator("#second").selectOption("Au");
+  await page.locator("#heaviest").fill("0.01");
+  const { rows } = await curves(page);
+  const hash = await page.evaluate(() => location.hash);
+  const again = await open({}, hash);
+  assert.deepEqual((await curves(again.page)).rows, rows);
+  const broken = await open({}, "#%7B%22surfaces%22%3A%5B%5B%22A%22%2C%7B%22first%22%3A%22x%22%7D%5D%5D%7D");
+  assert.equal((await curves(broken.page)).rows.length, 121);
+  assert.deepEqual([...again.wrong, ...broken.wrong], []);
+  for (const one of [page, again.page, broken.page]) await one.close();
+});
+
+test("all can be done by keyboard, and every control has a name", async () => {
+  const { page } = await open();
+  const seen = new Set();
+  const tab = async (id) => {
+    for (let i = 0; i < 60; i++) {
+      await page.keyboard.press("Tab");
+      const now = await page.evaluate(() => document.activeElement.id);
+      seen.add(now);
+      if (now === id) return;
+    }
+    assert.fail(`Tab does not lead to ${id}; it led to ${[...seen].join(" ")}`);
+  };
+  await tab("read");
+  const before = await page.locator("#read-load").textContent();
+  await page.keyboard.press("ArrowRight");
+  assert.notEqual(await page.locator("#read-load").textContent(), before);
+  assert.match(await page.locator("#read").getAttribute("aria-valuetext"), /mN: A 0\.\d{3}$/);
+  await tab("add");
+  await page.keyboard.press("Enter");
+  await tab("first");
+  await page.keyboard.type("ste");
+  await tab("second");
+  await page.keyboard.type("ste");
+  await tab("Sq-slider");
+  await page.keyboard.press("ArrowRight");
+  const Sq = shifted(Number(await page.locator("#Sq").inputValue()), -9);
+  assert.notEqual(Sq, start.Sq);
+  assertNative((await curves(page)).rows, areal(contact("steel", "steel"), { ...start, Sq }, 1e-8), 6);
+  await tab("spread-slip_stress_1");
+
+  const names = await page.evaluate(() =>
+    [...document.querySelectorAll("input, select, button, [tabindex]")].map((one) => {
+      const label = one.getAttribute("aria-label") ?? [...(one.labels ?? [])].map(({ textContent }) => textContent).join(" ");
+      return [one.id || one.tagName, (label || one.textContent).trim()];
+    }),
+  );
+  for (const [id, name] of names) assert.ok(name.length > 2, `${id} has no name`);
+  assert.equal(await page.locator("#summary").getAttribute("aria-live"), "polite");
+  assert.equal(await page.locator("#error").getAttribute("role"), "alert");
+  assert.match(await page.locator("#chart").getAttribute("aria-label"), /A Si\/Si from 0\.\d+ to 0\.\d+; B steel\/steel/);
+  await page.close();
+});
+
+test("on a phone nothing is wider than the screen", async () => {
+  const { page, wrong } = await open({ viewport: { width: 360, height: 740 }, deviceScaleFactor: 3, hasTouch: true, isMobile: true });
+  assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 360);
+  const chart = await page.locator("#chart canvas").boundingBox();
+  assert.ok(chart.width > 300 && chart.width <= 360 && chart.y < 400, JSON.stringify(chart));
+  const area = await page.locator("#chart .u-over").boundingBox();
+  await page.touchscreen.tap(area.x + 0.25 * area.width, area.y + 50);
+  await page.locator("#Sq-slider").fill("800");
+  assertNative((await curves(page)).rows, areal(contact("Si", "Si"), { ...start, Sq: shifted(Number(await page.locator("#Sq").inputValue()), -9) }, 1e-8));
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
+test("the package works in a browser from a server", async () => {
+  const types = { js: "text/javascript", wasm: "application/wasm" };
+  const server = createServer((request, response) => {
+    if (request.url === "/") return response.setHeader("content-type", "text/html").end("<!DOCTYPE html><title>test</title>");
+    const file = fileURLToPath(new URL(`../dist${request.url}`, import.meta.url));
+    if (!existsSync(file)) return response.writeHead(404).end();
+    return response.setHeader("content-type", types[file.split(".").at(-1)]).end(readFileSync(file));
+  });
+  await new Promise((done) => server.listen(0, "127.0.0.1", done));
+  const page = await browser.newPage();
+  await page.goto(`http://127.0.0.1:${server.address().port}/`);
+  const params = areal(contact("Si", "Si"), start, 1e-8);
+  const mu = await page.evaluate(async (params) => {
+    const { Model } = await import("/index.js");
+    return new Model(params).frictionAtLoad(1e-3);
+  }, params);
+  assert.equal(bits(mu), answers(params, [1e-3]).loads[0][0]);
+  await page.close();
+  server.close();
+});
+
+/** The part of the pixels that differ between two pictures. */
+const differing = (page, one, other) =>
+  page.evaluate(
+    async (pictures) => {
+      const pixels = await Promise.all(
+        pictures.map(async (base64) => {
+          const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+          const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+          const canvas = new OffscreenCanvas(image.width, image.height).getContext("2d");
+          canvas.drawImage(image, 0, 0);
+          return canvas.getImageData(0, 0, image.width, image.height);
+        }),
+      );
+      const [first, second] = pixels;
+      if (first.width !== second.width || first.height !== second.height) return 1;
+      let different = 0;
+      for (let i = 0; i < first.data.length; i += 4)
+        different += [0, 1, 2].some((j) => Math.abs(first.data[i + j] - second.data[i + j]) > 40);
+      return different / (first.data.length / 4);
+    },
+    [one, other].map((picture) => picture.toString("base64")),
+  );
+
+test("the chart looks as it did", async () => {
+  const { page } = await open();
+  await page.locator("#add").click();
+  await page.locator("#first").selectOption("Au");
+  await page.locator("#second").selectOption("Au");
+  await drawn(page);
+  const picture = async () => page.locator("#chart canvas").screenshot();
+  const now = await picture();
+  if (process.env.JS_TEST_WRITE_PICTURE) {
+    writeFileSync(PICTURE, now);
+    await page.waitForTimeout(800);
+    await page.screenshot({ path: GUIDE_PICTURE });
+  }
+  writeFileSync(resolve(scratch, "chart.png"), now);
+  const kept = readFileSync(PICTURE);
+  // Fonts differ from system to system: they have less than one pixel in a hundred.
+  const different = await differing(page, now, kept);
+  assert.ok(different < 0.01, `${different} of the pixels of ${scratch}/chart.png differ from js/test/chart.png`);
+  // What a picture is for: another curve is another picture.
+  await page.locator("#Sdq-slider").fill("650");
+  await drawn(page);
+  assert.ok((await differing(page, await picture(), kept)) > 0.01);
+  await page.close();
+});

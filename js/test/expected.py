@@ -1,0 +1,57 @@
+"""What the Python package says to the questions on standard input, one JSON object, as JSON on standard output.
+
+maps: .npy files with a distance of points [m] and a power of ten of the unit of the heights; answered with their moments.
+areal: areal parameters; answered with the moments, from the parameters that `Params.from_iso25178` makes.
+bands: parameters by name, spreads and loads; answered with friction and the ends of its band.
+toml: files; answered with the friction at a load.
+"""
+
+import json
+import math
+import sys
+import warnings
+from typing import Any
+
+import numpy as np
+
+import asperity
+from asperity import Model, Params, surface, uncertainty
+
+
+def moments(file: str, step: float, power: int) -> dict[str, float]:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # small maps: what is asked for are the moments
+        found = surface.summits(np.load(file).astype(float) * 10.0**power, dx=step)
+    of = found.moments
+    return {"m0": of.m0, "m2": of.m2, "m4": of.m4, "isotropy": found.isotropy, "area": found.nominal_area}
+
+
+def band(params: dict[str, Any], spread: dict[str, float], loads: list[float]) -> dict[str, list[float]]:
+    make = Params.from_spectral_moments if "m0" in params else Params.si
+    found = uncertainty(make(**params), spread, loads)
+    return {"mu": list(found.value), "low": list(found.low), "high": list(found.high)}
+
+
+def areal(given: dict[str, float], nominal_area: float) -> dict[str, float]:
+    contact = asperity.materials.PAIRS["Si/Si"].contact
+    params = Params.from_iso25178(**given, nominal_area=nominal_area, **contact)
+    return {name: getattr(params, name) for name in ("height_std", "summit_radius", "asperity_count")}
+
+
+def toml(file: str, load: float) -> float:
+    return float(Model(Params.from_toml(file)).friction_at_load(load))
+
+
+def finite(value: Any) -> Any:
+    """JSON has no other numbers."""
+    if isinstance(value, dict):
+        return {name: finite(one) for name, one in value.items()}
+    if isinstance(value, list):
+        return [finite(one) for one in value]
+    assert math.isfinite(value), value
+    return float(value)
+
+
+ANSWERS = {"maps": moments, "bands": band, "areal": areal, "toml": toml}
+questions = json.load(sys.stdin)
+json.dump({kind: [finite(ANSWERS[kind](*one)) for one in asked] for kind, asked in questions.items()}, sys.stdout)

@@ -1,0 +1,184 @@
+// The parts of the explorer that need no browser: moments of maps, files, the band, programs that are copied.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { resolve } from "node:path";
+import { test } from "node:test";
+import * as asperity from "asperity";
+import { banded } from "../explorer/curves.js";
+import { fieldOf, fieldsOfPair, paramsOf, shifted, start } from "../explorer/fields.js";
+import { read } from "../explorer/maps.js";
+import { LANGUAGES, snippet } from "../explorer/snippets.js";
+import { decade, withUnit } from "../explorer/text.js";
+import { LINK, root, scratch } from "./native.mjs";
+import { expected, npy, roughMap, run } from "./python.mjs";
+
+const { Model, contact, momentsOfAreal, momentsOfMap } = asperity;
+const near = (found, wanted, tolerance, what) => assert.ok(Math.abs(found / wanted - 1) < tolerance, `${what}: ${found}, not ${wanted}`);
+
+const [ROWS, COLUMNS] = [60, 80];
+const heights = roughMap(ROWS, COLUMNS, 2);
+const bufferOf = (bytes) => bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+const file = (name, bytes) => {
+  const path = resolve(scratch, name);
+  writeFileSync(path, bytes);
+  return path;
+};
+
+test("moments of a map, of areal parameters, and bands are those of the Python package", () => {
+  const spread = { composite_modulus: 0.05, work_of_adhesion: 0.3, height_std: 0.1, summit_radius: 0.2, asperity_count: 0.2,
+    burgers_vector: 0.02, slip_stress_1: 0.3 };
+  const params = { ...contact("mica", "Au"), height_std: 3e-9, summit_radius: 2e-6, asperity_count: 1e5, nominal_area: 1e-8 };
+  const loads = [1e-4, 1e-3, 1e-2];
+  const areal = { Sq: 5e-9, Sdq: 0.08, Sds: 2e13 };
+  const pointed = { Sq: 5e-9, Sdq: 0.08, Ssc: 4e6 };
+  const wanted = expected({
+    maps: [[file("map.npy", npy(heights, [ROWS, COLUMNS])), 1e-8, -9]],
+    areal: [[areal, 1e-8], [pointed, 1e-8]],
+    bands: [[params, spread, loads]],
+  });
+
+  const found = momentsOfMap(heights.map((z) => shifted(z, -9)), COLUMNS, 1e-8);
+  for (const name of ["m0", "m2", "m4", "isotropy", "area"]) near(found[name], wanted.maps[0][name], 1e-9, name);
+
+  [areal, pointed].forEach((given, i) => {
+    const made = new Model({ ...contact("Si", "Si"), ...momentsOfAreal(given), nominal_area: 1e-8 }).params;
+    for (const [name, value] of Object.entries(wanted.areal[i])) near(made[name], value, 1e-13, name);
+  });
+
+  const model = new Model(params);
+  loads.forEach((load, i) => {
+    const band = banded(model, load, spread);
+    for (const name of ["mu", "low", "high"]) near(band[name], wanted.bands[0][name][i], 1e-9, `${name} at ${load} N`);
+  });
+});
+
+test("distances of rows and columns may differ, and a map may be transposed", () => {
+  const one = momentsOfMap(heights, COLUMNS, 3, 5);
+  const turned = Float64Array.from({ length: heights.length }, (_, at) => heights[(at % ROWS) * COLUMNS + Math.floor(at / ROWS)]);
+  const other = momentsOfMap(turned, ROWS, 5, 3);
+  for (const name of ["m0", "m2", "m4", "isotropy", "area"]) near(other[name], one[name], 1e-9, name);
+});
+
+test("maps that tell nothing are refused with what is wrong", () => {
+  assert.throws(() => momentsOfMap([1, 2, 3, 4], 2, 1), /4 heights in rows of 2: must be at least 3 rows/);
+  assert.throws(() => momentsOfMap(new Float64Array(100), 10, 1), /flat/);
+  assert.throws(() => momentsOfMap(heights, COLUMNS, -1), /dx = -1: must be finite and > 0/);
+  assert.throws(() => momentsOfMap(heights.map((z, i) => (i === 85 ? NaN : z)), COLUMNS, 1), /NaN in row 2, column 6/);
+  assert.throws(() => momentsOfAreal({ Sq: 1, Sdq: 1 }), /give either Ssc or Sds/);
+  assert.throws(() => momentsOfAreal({ Sq: -1, Sdq: 1, Sds: 1 }), /Sq = -1: must be finite and > 0/);
+});
+
+test("files of all kinds give the same heights", () => {
+  const rows = Array.from({ length: ROWS }, (_, i) => [...heights.subarray(i * COLUMNS, (i + 1) * COLUMNS)]);
+  const turned = Float64Array.from({ length: heights.length }, (_, at) => heights[(at % ROWS) * COLUMNS + Math.floor(at / ROWS)]);
+  const swapped = Buffer.from(heights.slice().buffer).swap64();
+  const texts = {
+    "commas.csv": rows.map((row) => row.join(",")).join("\n"),
+    "semicolons.csv": `# heights\n${rows.map((row) => row.join(";").replaceAll(".", ",")).join("\r\n")}\r\n`,
+    "blanks.txt": rows.map((row) => row.join("  ")).join("\n"),
+    "tabs.tsv": rows.map((row) => row.join("\t")).join("\n"),
+  };
+  const files = {
+    "c.npy": npy(heights, [ROWS, COLUMNS]),
+    "fortran.npy": npy(turned, [ROWS, COLUMNS], { fortran: true }),
+    "big.npy": npy({ buffer: bufferOf(swapped) }, [ROWS, COLUMNS], { descr: ">f8" }),
+    ...Object.fromEntries(Object.entries(texts).map(([name, text]) => [name, Buffer.from(text)])),
+  };
+  for (const [name, bytes] of Object.entries(files)) {
+    const found = read(name, bufferOf(bytes));
+    assert.equal(found.columns, COLUMNS, name);
+    assert.deepEqual(found.heights, heights, name);
+  }
+  const whole = Int16Array.from({ length: 12 }, (_, i) => i * i - 20);
+  assert.deepEqual([...read("i.npy", bufferOf(npy(whole, [3, 4], { descr: "<i2" }))).heights], [...whole]);
+});
+
+test("files that are none are refused with the place", () => {
+  const refused = (name, bytes, message) => assert.throws(() => read(name, bufferOf(Buffer.from(bytes))), message);
+  refused("a.csv", "1,2,3\n1,x,3\n", /a.csv, line 2: "x" is no number/);
+  refused("a.csv", "1,2,3\n\n1,2\n", /a.csv, line 3: has 2 numbers, the rows before it have 3/);
+  refused("a.csv", "# nothing\n", /a.csv: has no numbers/);
+  refused("a.npy", npy(new Float64Array(8), [2, 2, 2]), /shape \(2, 2, 2\): must be 2-D/);
+  refused("a.npy", npy(new Float64Array(8), [4, 4]), /ends too early/);
+  refused("a.npy", npy(new Float64Array(8), [1, 4], { descr: "<c16" }), /type 'c16' are not read/);
+});
+
+const SURFACES = {
+  areal: { ...start(), skew: "-0.2", kurtosis: "3.2" },
+  moments: { ...start(), first: "mica", second: "Au", ...fieldsOfPair("mica", "Au"), roughness: "moments" },
+  summits: { ...start(), first: "steel", second: "steel", ...fieldsOfPair("steel", "steel"), roughness: "summits",
+    contact_law: "elastic-plastic" },
+};
+
+/** Builds and runs a program, and gives what it prints. */
+const RUN = {
+  C: (path, program) => execFileSync("cc", ["-std=c11", "-Wall", "-Wextra", "-Werror", ...INCLUDE, path, "-o", program, ...LINK]),
+  "C++": (path, program) => execFileSync("c++", ["-std=c++17", "-Wall", "-Wextra", "-Werror", ...INCLUDE, path, "-o", program, ...LINK]),
+  Fortran: (path, program) => {
+    const module = resolve(scratch, "asperity.o");
+    const into = ["-std=f2018", "-J", scratch];
+    if (!fortranModule) execFileSync("gfortran", [...into, "-c", resolve(root, "fortran/asperity.f90"), "-o", module]);
+    fortranModule = true;
+    execFileSync("gfortran", [...into, "-Wall", "-Wextra", "-Werror", path, module, "-o", program, ...LINK]);
+  },
+};
+const INCLUDE = ["-I", resolve(root, "include")];
+let fortranModule = false;
+
+for (const [name, surface] of Object.entries(SURFACES)) {
+  test(`copied programs compute what the page shows: ${name}`, () => {
+    const load = 0.00217;
+    const wanted = new Model(paramsOf(surface)).frictionAtLoad(load);
+    const folder = resolve(scratch, name);
+    mkdirSync(folder, { recursive: true });
+    for (const [language, { file }] of Object.entries(LANGUAGES)) {
+      const path = resolve(folder, file);
+      writeFileSync(path, snippet(language, surface, load));
+      let printed;
+      if (language === "TOML") [printed] = expected({ toml: [[path, load]] }).toml;
+      else if (language === "Python") printed = run([path]);
+      else {
+        const program = resolve(folder, language.replace("++", "pp"));
+        RUN[language](path, program);
+        printed = execFileSync(program, { encoding: "utf8" });
+      }
+      near(Number(printed), wanted, language === "TOML" ? 1e-13 : 1e-9, language);
+    }
+  });
+}
+
+test("a program of a surface that is refused prints the library's message", () => {
+  const text = snippet("C", { ...start(), adhesion_range: "-1" }, 1e-3);
+  const path = file("refused.c", text);
+  RUN.C(path, resolve(scratch, "refused"));
+  assert.throws(
+    () => execFileSync(resolve(scratch, "refused"), { stdio: "pipe", encoding: "utf8" }),
+    ({ status, stderr }) => status === 1 && /^adhesion_range = -1e-9: must be/.test(stderr),
+  );
+});
+
+test("numbers are shown with the prefix and the digits of an engineer", () => {
+  assert.equal(withUnit(0.00123, "N"), "1.23 mN");
+  assert.equal(withUnit(0.0009999, "N"), "1.00 mN");
+  assert.equal(withUnit(1e-6, "N"), "1.00 µN");
+  assert.equal(withUnit(-2.5e9, "Pa"), "-2.50 GPa");
+  assert.equal(withUnit(0, "N"), "0 N");
+  assert.deepEqual([1e-7, 1e-3, 10, 1e4].map(decade), ["100 nN", "1 mN", "10 N", "10 kN"]);
+  assert.equal(shifted(0.384, -9), 0.384e-9);
+  assert.equal(shifted(63, -3), 0.063);
+});
+
+test("a message of the library points to its field", () => {
+  const areal = start();
+  assert.equal(fieldOf("adhesion_range = -1e-9: must be finite and > 0", areal), "adhesion_range");
+  assert.equal(fieldOf("m4 = 1: too small", areal), "Sds");
+  assert.equal(fieldOf("asperity_count: must be set", { ...areal, roughness: "summits" }), "summit_density");
+  assert.equal(fieldOf("nothing of the sort", areal), undefined);
+});
+
+test("the explorer is one file below 500 kB that asks for nothing", () => {
+  const page = readFileSync(new URL("../dist/explorer.html", import.meta.url), "utf8");
+  assert.ok(Buffer.byteLength(page) < 500e3, `${Buffer.byteLength(page)} bytes`);
+  assert.doesNotMatch(page, /<(script|link|img)[^>]+(src|href)="(?!data:)/);
+});

@@ -1,0 +1,177 @@
+// The package in Node: every number is the native library's, bit for bit, and so is every message.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { AsperityError, MATERIALS, Model, PAIRS, Status, contact, memorySize, version, warningsOf } from "asperity";
+import { CONSTANTS } from "../dist/header.js";
+import { answers, bits } from "./native.mjs";
+
+const silicon = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5, nominal_area: 1e-8 };
+const surfaces = {
+  silicon,
+  "a pair with a measured slip stress": { ...contact("mica", "Au"), m0: 4e-18, m2: 0.002, m4: 8e12, nominal_area: 1e-9 },
+  "Weibull heights": { ...silicon, skew: -0.4 },
+  "Johnson heights": { ...silicon, skew: 0.3, kurtosis: 3.5 },
+  "radii that grow with height": { ...silicon, radius_amplitude: 0.5, radius_rate: 1 },
+  "no adhesion": { ...silicon, work_of_adhesion: 0, attraction: 0 },
+  "strong adhesion": { ...silicon, work_of_adhesion: 2, adhesion_range: 2e-10 },
+  "summits that yield": { ...contact("steel", "steel"), contact_law: 1, work_of_adhesion: 0, height_std: 2e-7,
+    summit_radius: 2e-5, asperity_count: 1e4, nominal_area: 1e-6 },
+};
+const loads = Array.from({ length: 25 }, (_, i) => 1e-7 * 10 ** (i / 3));
+
+for (const [name, params] of Object.entries(surfaces)) {
+  test(`answers have the bits of the native library: ${name}`, () => {
+    const native = answers(params, loads);
+    assert.ok(native.loads, native.refused);
+    const model = new Model(params);
+    const friction = model.frictionAndSlopeAtLoad(loads);
+    const force = model.frictionForceAndSlopeAtLoad(loads);
+    const stiffness = model.tangentialStiffnessAtLoad(loads);
+    loads.forEach((load, i) => {
+      const numbers = [friction.value[i], friction.slope[i], force.value[i], force.slope[i], stiffness[i]];
+      const { warnings, ...state } = model.stateAtLoad(load);
+      const ours = [...numbers, ...Object.values(state), ...Object.values(model.sensitivitiesAtLoad(load))].map(bits);
+      ours.splice(numbers.length + Object.keys(model.stateAtLoad(load)).indexOf("warnings"), 0, BigInt(warnings));
+      assert.deepEqual(ours, native.loads[i], `at ${load} N`);
+    });
+    const warnings = model.checkLoads(loads[0], loads.at(-1)).reduce((sum, { bit }) => sum + bit, 0);
+    assert.equal(BigInt(warnings), native.warnings);
+    model.free();
+  });
+}
+
+test("parameters that the library refuses are refused in its words", () => {
+  const bad = [
+    { ...silicon, height_std: -1 },
+    { ...silicon, heigth_std: 1 },
+    { ...silicon, summit_radius: NaN },
+    { ...silicon, skew: 0, kurtosis: 1 },
+    { ...silicon, work_of_adhesion: 63 },
+    { ...silicon, contact_law: 1 },
+    { ...silicon, m0: 1e-18 },
+    contact("Si", "Si"),
+  ];
+  for (const params of bad) {
+    const { refused } = answers(params, [1]);
+    assert.ok(refused, JSON.stringify(params));
+    assert.throws(() => new Model(params), { name: "AsperityError", message: refused });
+  }
+});
+
+test("loads that the library refuses are refused in its words, in arrays by their index", () => {
+  const model = new Model(silicon);
+  const [heavy] = answers(silicon, [1e300]).loads;
+  assert.throws(() => model.frictionAtLoad(1e300), { message: heavy.refused, status: Status.OUT_OF_RANGE });
+  const many = new Float64Array(5000).fill(1e-3);
+  many[4321] = NaN;
+  const message = "element 4321: load = NaN: must be finite";
+  assert.throws(() => model.frictionForceAtLoad(many), { message, status: Status.INVALID_LOAD });
+  many[4321] = -1; // below pull-off: open, and no error
+  assert.equal(model.frictionForceAtLoad(many)[4321], 0);
+  assert.throws(() => model.stateAtLoad(-1), { status: Status.SEPARATED });
+  assert.throws(() => model.frictionAtLoad(/** @type {any} */ ("1")), TypeError);
+});
+
+test("an array gives what its loads give one by one, however long it is", () => {
+  const model = new Model(silicon);
+  const many = Float64Array.from({ length: 5001 }, (_, i) => -1e-7 + 1e-9 * i ** 2);
+  const found = model.frictionForceAtLoad(many);
+  many.forEach((load, i) => assert.equal(found[i], model.frictionForceAtLoad(load)));
+  assert.equal(model.frictionAtLoad([]).length, 0);
+});
+
+test("warnings come with what to do about them", () => {
+  const [few, ...others] = new Model(silicon).checkLoads(1e-5, 0.1);
+  assert.equal(few.name, "FEW");
+  assert.match(few.text, /^fewer than 20 summits touch: .* use heavier loads or a larger area/);
+  assert.deepEqual(others, []);
+  assert.deepEqual(warningsOf(CONSTANTS.WARNING_STEEP | CONSTANTS.WARNING_FEW).map(({ name }) => name), ["STEEP", "FEW"]);
+});
+
+test("words stand for heights and contact laws, and parameters come back", () => {
+  const model = new Model({ ...silicon, attraction: false, height_distribution: "weibull", weibull_shape: 4 });
+  const { params } = model;
+  assert.equal(params.height_distribution, "weibull");
+  assert.equal(params.contact_law, "maugis");
+  assert.equal(params.attraction, false);
+  const copy = new Model(params);
+  assert.equal(copy.frictionAtLoad(1e-3), model.frictionAtLoad(1e-3));
+  assert.throws(() => new Model({ ...silicon, contact_law: /** @type {any} */ ("hertz") }), /"maugis", "elastic-plastic"/);
+  assert.throws(() => model.setParams({ ...silicon, height_std: -1 }), AsperityError);
+  assert.equal(copy.frictionAtLoad(1e-3), model.frictionAtLoad(1e-3));
+  model.setParams(silicon);
+  assert.equal(bits(model.frictionAtLoad(1e-3)), answers(silicon, [1e-3]).loads[0][0]);
+});
+
+test("a table of heights is read, and handed back", () => {
+  const height = Float64Array.from({ length: 31 }, (_, i) => (i - 15) / 3);
+  const density = height.map((z) => Math.exp((-z * z) / 2));
+  const model = new Model({ ...silicon, table_height: height, table_density: density });
+  // Straight lines between the points of a Gaussian density.
+  assert.ok(Math.abs(model.frictionAtLoad(0.1) / new Model(silicon).frictionAtLoad(0.1) - 1) < 0.05);
+  assert.equal(model.params.height_distribution, "tabulated");
+  assert.deepEqual(model.params.table_density, density);
+  assert.throws(() => new Model({ ...silicon, table_height: [1, 2], table_density: [1] }), /table_density: 1 numbers for 2/);
+  const long = Array.from({ length: 3000 }, (_, i) => i);
+  assert.throws(() => new Model({ ...silicon, table_height: long, table_density: long }), /table_length/);
+});
+
+test("the tangential force starts with the stiffness and ends at the friction force", () => {
+  const model = new Model(silicon);
+  const start = model.tangentialAtLoad(1e-3, 1e-15);
+  assert.ok(Math.abs(start.stiffness / model.tangentialStiffnessAtLoad(1e-3) - 1) < 1e-6);
+  assert.ok(Math.abs(model.tangentialAtLoad(1e-3, 1e-3).force / model.frictionForceAtLoad(1e-3) - 1) < 1e-9);
+});
+
+test("a model that was freed says so, and can be freed again", () => {
+  const model = new Model(silicon);
+  model.free();
+  model.free();
+  assert.throws(() => model.frictionAtLoad(1), { message: "model: has been freed; make another" });
+});
+
+test("memory does not grow when models are freed, or are no longer reachable", () => {
+  const make = () => new Model(silicon);
+  for (let i = 0; i < 10; i++) make().free();
+  const before = memorySize();
+  for (let i = 0; i < 100; i++) make().free();
+  assert.equal(memorySize(), before);
+
+  const script = `
+    import { Model, contact, memorySize } from "asperity";
+    const params = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
+    const batch = async () => { for (let i = 0; i < 40; i++) new Model(params); gc(); await new Promise((done) => setTimeout(done, 1)); };
+    for (let i = 0; i < 2; i++) await batch();
+    const before = memorySize();
+    for (let i = 0; i < 5; i++) await batch();
+    console.log(memorySize() - before);`;
+  const words = ["--expose-gc", "--input-type=module", "-e", script];
+  const grown = Number(execFileSync(process.execPath, words, { encoding: "utf8", cwd: new URL("..", import.meta.url) }));
+  // 200 models of some 50 kB each would take 10 MB.
+  assert.ok(grown < 3e6, `${grown} bytes more`);
+});
+
+test("the package has the version of the library", () => {
+  const { version: ofPackage } = JSON.parse(readFileSync(new URL("../package.json", import.meta.url), "utf8"));
+  assert.equal(version, ofPackage);
+  assert.equal(CONSTANTS.VERSION, ofPackage);
+});
+
+test("constants of a model are read from its struct", () => {
+  const summary = new Model(silicon).summary();
+  assert.equal(summary.skew, 0);
+  assert.equal(summary.kurtosis, 3);
+  assert.ok(summary.pull_off_load < 0 && summary.table_error < 1e-9);
+});
+
+test("every pair of the table makes a model, and names its bodies", () => {
+  for (const pair of Object.values(PAIRS)) {
+    const found = contact(pair.second, pair.first);
+    assert.equal(found.E1, MATERIALS[pair.second].young);
+    assert.equal(found.work_of_adhesion, pair.work_of_adhesion);
+    new Model({ ...found, height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 }).free();
+  }
+  assert.throws(() => contact("Si", "unobtainium"), /"unobtainium": is not known; known are Si/);
+});

@@ -1,0 +1,31 @@
+// The declarations as a user meets them; compiled, not run.
+import { AsperityError, Model, PAIRS, Status, contact, momentsOfMap, type Params, type Warning } from "asperity";
+import { instantiate } from "asperity/instantiate";
+
+const params: Params = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
+const model = new Model(params);
+
+const one: number = model.frictionAtLoad(1e-3);
+const many: Float64Array = model.frictionAtLoad([1e-3, 1e-2]);
+const both: { value: Float64Array; slope: Float64Array } = model.frictionForceAndSlopeAtLoad(many);
+const warnings: Warning[] = model.checkLoads(1e-4, 0.1);
+const radius: number = model.stateAtLoad(1e-3).mean_contact_radius;
+const part: number = model.sensitivitiesAtLoad(1e-3).height_std;
+const status: number = Status.SEPARATED;
+const reference: string = PAIRS["Si/Si"].reference;
+const moments = momentsOfMap(new Float64Array(9), 3, 1e-8);
+
+// @ts-expect-error: a load is a number or numbers
+model.frictionAtLoad("1e-3");
+// @ts-expect-error: no such parameter
+const unknown: Params = { heigth_std: 1 };
+// @ts-expect-error: no such contact law
+const law: Params = { contact_law: "hertz" };
+// @ts-expect-error: one number gives one number
+const wrong: Float64Array = model.frictionAtLoad(1e-3);
+// @ts-expect-error: no such field of a state
+model.stateAtLoad(1).friction;
+
+const other = new (await instantiate(new Uint8Array())).Model({ ...params, height_distribution: "johnson" });
+other.setParams(model.params);
+export { AsperityError, both, law, moments, one, part, radius, reference, status, unknown, warnings, wrong };
