@@ -204,12 +204,19 @@ static void set_coefficient(mjContact *contact, double coefficient) {
 static void set_coefficients(const mjModel *m, mjData *d, int instance) {
     const surface *here = surface_of(d, instance);
     memory *known = memory_of(m, d, instance);
+    int a = -1, b = -1; /* the geometries of the contact before: the points of a pair follow one another */
+    double law = 0;
     for (int i = 0; i < d->ncon; i++) {
         mjContact *contact = &d->contact[i];
         if (!has_surface(m, here, instance, contact)) continue;
-        const double load = asperity_pairs_expected(known->pairs, here->most_pairs, (uint64_t)contact->geom[0],
-                                                    (uint64_t)contact->geom[1], d->time);
-        if (load > 0) set_coefficient(contact, asperity_friction_at_load(here->model, load));
+        if (contact->geom[0] != a || contact->geom[1] != b) {
+            a = contact->geom[0];
+            b = contact->geom[1];
+            const double load =
+                asperity_pairs_expected(known->pairs, here->most_pairs, (uint64_t)a, (uint64_t)b, d->time);
+            law = load > 0 ? asperity_friction_at_load(here->model, load) : 0;
+        }
+        if (law > 0) set_coefficient(contact, law);
     }
     known->time = d->time;
 }
