@@ -1,7 +1,7 @@
 """A box that slides down an incline: what the solvers whose loads jitter are compared with. SI units.
 
-The load on the box is its weight's part normal to the incline, on average; so its acceleration is known, from the law at
-that load. The box lies on a plane, and gravity is inclined.
+The load on the box is its weight's part normal to the incline, on average; so its acceleration is known, from the law
+at that load. The box lies on a plane, and gravity is inclined.
 """
 
 import math

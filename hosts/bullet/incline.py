@@ -26,7 +26,8 @@ def bodies():
     box = pybullet.createMultiBody(incline.MASS, shape, basePosition=[0, 0, incline.HALF_LENGTHS[2]])
     # Bullet multiplies the coefficients of two bodies: 1 for one leaves that of the other.
     pybullet.changeDynamics(plane, -1, lateralFriction=1, restitution=0)
-    pybullet.changeDynamics(box, -1, lateralFriction=incline.FIRST_GUESS, linearDamping=0, angularDamping=0, restitution=0)
+    pybullet.changeDynamics(box, -1, lateralFriction=incline.FIRST_GUESS, restitution=0)
+    pybullet.changeDynamics(box, -1, linearDamping=0, angularDamping=0)
     return plane, box
 
 
@@ -56,8 +57,8 @@ def main():
     pybullet.connect(pybullet.DIRECT)
     right = incline.right_acceleration(law)
     lagged, mean = slide(law, None), slide(law, incline.TIME_CONSTANT)
-    print(f"incline: {right:.3f} m/s2 is right; {lagged:.3f} at the load of the step before, {mean:.3f} at the mean over "
-          f"{incline.TIME_CONSTANT} s")
+    print(f"incline: {right:.3f} m/s2 is right; {lagged:.3f} at the load of the step before, {mean:.3f} at the mean "
+          f"over {incline.TIME_CONSTANT} s")
     # Lagged, it must be beyond the limit: else the test would show nothing.
     good = abs(mean / right - 1) <= incline.LIMIT < abs(lagged / right - 1)
     word = "PASS" if good else "FAIL"

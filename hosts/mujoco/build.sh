@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds libasperity_mujoco.so for MuJoCo in C and C++ and for its program `simulate`, with the library inside: copy it into
-# the folder mujoco_plugin beside `simulate`, or load it with mj_loadPluginLibrary. Python needs none of this: there
+# Builds libasperity_mujoco.so for MuJoCo in C and C++ and for its program `simulate`, with the library inside: copy it
+# into the folder mujoco_plugin beside `simulate`, or load it with mj_loadPluginLibrary. Python needs none of this: there
 # `import asperity.mujoco` does the same.
 #
 # usage: hosts/mujoco/build.sh MUJOCO [FILE]

@@ -1,9 +1,10 @@
 /* The engine plugin asperity.friction of MuJoCo: the friction coefficient of contacts, the law at their normal force.
  *
  * MuJoCo makes the constraints of a step and then asks plugins for passive forces, before it solves. There the plugin
- * sets the friction coefficients of its contacts: with elliptic cones nothing that was made before depends on them, if the
- * coefficients of a contact keep their ratios. The normal force of the step is not known yet; what the steps before tell
- * of it (asperity_loads.h), for each pair of geometries, is in the plugin's state, which MuJoCo copies, saves and resets.
+ * sets the friction coefficients of its contacts: with elliptic cones nothing that was made before depends on them, if
+ * the coefficients of a contact keep their ratios. The normal force of the step is not known yet; what the steps before
+ * tell of it (asperity_loads.h), for each pair of geometries, is in the plugin's state, which MuJoCo copies, saves and
+ * resets.
  */
 #include <math.h>
 #include <stdarg.h>
@@ -26,7 +27,7 @@
 
 /* ---- Configuration ---- */
 
-/* Names beside those of asperity_params_name: what asperity_params_set_values makes parameters of, then the plugin's own. */
+/* Names beside those of asperity_params_name: what asperity_params_set_values makes parameters of; the plugin's own. */
 static const char *const OTHER_NAMES[] = {"E1", "nu1", "E2", "nu2", "m0", "m2", "m4",
                                           "time_constant", "most_pairs", "pairs"};
 enum { OTHERS = sizeof OTHER_NAMES / sizeof OTHER_NAMES[0], MADE = 7, MOST_NAMES = 64 };
@@ -80,8 +81,8 @@ static void refuse_as_library(const mjModel *m, int instance) {
 
 static void refuse_options(const mjModel *m, int instance) {
     if (m->opt.cone != mjCONE_ELLIPTIC)
-        refuse(m, instance, "needs <option cone=\"elliptic\"/>: in the pyramidal cone friction depends on the direction "
-                            "of slip");
+        refuse(m, instance, "needs <option cone=\"elliptic\"/>: in the pyramidal cone friction depends on the "
+                            "direction of slip");
     if ((m->opt.disableflags & mjDSBL_SPRING) && (m->opt.disableflags & mjDSBL_DAMPER))
         refuse(m, instance, "needs <flag spring=\"enable\"/> or <flag damper=\"enable\"/> in <option>: MuJoCo asks no "
                             "plugin if both are disabled");
@@ -100,7 +101,8 @@ static double number(const mjModel *m, int instance, const char *key, double mis
 
 static double time_constant(const mjModel *m, int instance) {
     const double time = number(m, instance, "time_constant", 0);
-    if (!(time >= 0 && isfinite(time))) refuse(m, instance, "time_constant = %g: must be finite and not negative", time);
+    if (!(time >= 0 && isfinite(time)))
+        refuse(m, instance, "time_constant = %g: must be finite and not negative", time);
     return time;
 }
 
@@ -194,7 +196,7 @@ static int has_surface(const mjModel *m, const surface *here, int instance, cons
 
 /* ---- Friction ---- */
 
-/* The coefficients of a contact keep their ratios, upon which its regularisation rests; the first is that of sliding. */
+/* The coefficients of a contact keep their ratios, on which its regularisation rests; the first is that of sliding. */
 static void set_coefficient(mjContact *contact, double coefficient) {
     const double ratio = fmax(coefficient, mjMINMU) / contact->friction[0];
     for (int k = 0; k < 5; k++) contact->friction[k] *= ratio;
@@ -237,8 +239,8 @@ static void add_loads(const mjModel *m, mjData *d, int instance) {
 
 /* ---- The current force ---- */
 
-/* Gives the contacts of an instance the law at the forces just found. Returns by how much a coefficient changed at most,
- * relative to itself. `part` is the part of the change that is made. */
+/* Gives the contacts of an instance the law at the forces just found. Returns by how much a coefficient changed at
+ * most, relative to itself. `part` is the part of the change that is made. */
 static double correct(const mjModel *m, mjData *d, int instance, double part) {
     const surface *here = surface_of(d, instance);
     memory *known = memory_of(m, d, instance);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs MuJoCo and this library's Python package into an environment, builds the plugin for C as well, runs the slider and
-# the box on an incline; the last line says PASS or FAIL.
+# Installs MuJoCo and this library's Python package into an environment, builds the plugin for C as well, runs the slider
+# and the box on an incline; the last line says PASS or FAIL.
 #
 # usage: hosts/mujoco/run.sh [again]       again: with what the run before installed
 set -euo pipefail

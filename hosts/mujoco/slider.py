@@ -1,6 +1,6 @@
-"""A ball and a box drawn over a plane in MuJoCo, with the plugin asperity.friction: friction over normal force of each pair
-of geometries against the exact law, under plain mj_step and with asperity.mujoco.solve; what MuJoCo copies, saves and rolls
-out; what the plugin refuses; what it costs. SI units.
+"""A ball and a box drawn over a plane in MuJoCo, with the plugin asperity.friction: friction over normal force of each
+pair of geometries against the exact law, under plain mj_step and with asperity.mujoco.solve; what MuJoCo copies, saves
+and restores; what the plugin refuses; what it costs. SI units.
 """
 
 import math
@@ -65,8 +65,8 @@ def solved_step(model, data):
 
 
 def deviation(laws, step, seconds=3.0, **options):
-    """The greatest relative deviation of friction over normal force from the exact law, after a second to settle, that of
-    the pull of the ball's servo over what the ball carries, and the least and the greatest load of each."""
+    """The greatest relative deviation of friction over normal force from the exact law, after a second to settle, that
+    of the pull of the ball's servo over what the ball carries, and the least and the greatest load of each."""
     model = mujoco.MjModel.from_xml_string(XML)
     for name, value in options.items():
         setattr(model.opt, name, value)
@@ -181,8 +181,8 @@ def check_built(plugin):
 
 
 def cost():
-    """The time of a run with the law over that with a constant coefficient, both rolled out by MuJoCo itself; medians of
-    runs that alternate."""
+    """The time of a step with a constant coefficient, and that with the law over it; both are rolled out by MuJoCo
+    itself. Medians of runs that alternate."""
     constant = re.sub(r"<extension>.*</extension>|<plugin instance=.*?/>", "", XML, flags=re.DOTALL)
     constant = constant.replace("<geom ", '<geom friction="0.24" ')
     steps, inputs = 2000, mujoco.mjtState.mjSTATE_CTRL | mujoco.mjtState.mjSTATE_QFRC_APPLIED

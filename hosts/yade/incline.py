@@ -1,5 +1,5 @@
-"""A block of four spheres on an incline in YADE, started with a bounce that nothing damps: the load swings about its mean.
-Its acceleration with the mean of the loads (asperity.loads) against the right one, and with the load of the step before.
+"""A block of four spheres on an incline in YADE, let go above its rest: nothing damps its bounce, and the load swings
+between nothing and twice its mean. Its acceleration with the mean of the loads (asperity.loads) against the right one.
 Run by `yade -nx -j1 -x hosts/yade/incline.py`, with asperity where YADE's Python finds it.
 """
 

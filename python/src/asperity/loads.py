@@ -1,7 +1,7 @@
-"""Which load to ask the law for where a solver wants the friction coefficient before it knows the normal force of the step.
+"""Which load to ask the law for where a solver wants the coefficient before it knows the normal force of the step.
 
-The load of the step before is late, and where it jitters it biases friction. `PairLoads` keeps, for each pair of bodies,
-what the past steps tell of its load. The same in C, with the same numbers, is `asperity_loads.h`.
+The load of the step before is late, and where it jitters it biases friction. `PairLoads` keeps, for each pair of
+bodies, what the past steps tell of its load. The same in C, with the same numbers, is `asperity_loads.h`.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ class PairLoads:
                         loads.end_step(time)              once
 
     time_constant: 0 for the straight line through the last two loads, where loads vary smoothly; more for the mean over
-    about that time, where loads are right on average only. Steps without contact count as load 0, until the pair has been
-    apart for the time constant. Bodies are named by whatever is hashable; (a, b) is the same pair as (b, a). Times are
+    about that time, where loads are right on average only. Steps without contact count as load 0, until the pair has
+    been apart for the time constant. Bodies are named by whatever is hashable; (a, b) is the same pair as (b, a). Times are
     those at which a load is or will be found; a time that does not grow begins anew.
     """
 
@@ -66,8 +66,8 @@ class PairLoads:
     def expected(self, first: Hashable, second: Hashable, time: float) -> float:
         """The load to be expected on a pair at a time, over all its points; 0 if nothing is known.
 
-        A line is followed to half the last load and to twice it: what changes faster within a step is not resolved by the
-        steps.
+        A line is followed to half the last load and to twice it: what changes faster within a step is not resolved by
+        the steps.
         """
         known = self._known.get(frozenset((first, second)))
         if known is None:

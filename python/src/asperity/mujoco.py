@@ -1,4 +1,4 @@
-"""The engine plugin asperity.friction of MuJoCo. Importing this module loads it; then MuJoCo knows it by its name in models.
+"""The engine plugin asperity.friction of MuJoCo. Importing this module loads it; then models can name it.
 
     import asperity.mujoco, mujoco
     model = mujoco.MjModel.from_xml_path("slider.xml")
@@ -9,7 +9,8 @@
     asperity.mujoco.solve(model, data)           the friction of each pair of geoms is the law at its own
     mujoco.mj_step2(model, data)
 
-    print(asperity.mujoco.instance("carbon", asperity.Params.from_toml("surface.toml")))      for the model's <extension>
+    params = asperity.Params.from_toml("surface.toml")
+    print(asperity.mujoco.instance("carbon", params))                        for the <extension> of a model
 
 The plugin is compiled on the first import, for the MuJoCo that is installed, and kept in the user's cache
 (XDG_CACHE_HOME, or ~/.cache).
@@ -91,7 +92,7 @@ def _plugin() -> Path:
 def _compile(sources: list[Path], engine: Path, plugin: Path) -> None:
     compiler = os.environ.get("CC", "cc")
     if shutil.which(compiler) is None:
-        raise ImportError(f"asperity.mujoco compiles its plugin, and there is no {compiler}: apt-get install gcc libc6-dev")
+        raise ImportError(f"asperity.mujoco compiles its plugin, and there is no {compiler}: apt-get install gcc")
     library = Path(_library.PATH).resolve()
     with tempfile.TemporaryDirectory(dir=plugin.parent) as made:
         for path in sources:
