@@ -29,6 +29,9 @@ if CRATE is None:
     )
 # What cargo needs to build the library, and the licences.
 CRATE_FILES = ("Cargo.toml", "Cargo.lock", "build.rs", "src", "include", "LICENSE*")
+# C that goes into the package: asperity.mujoco compiles its plugin, whose sources are also those of other languages.
+PLUGIN_FILES = ("hosts/mujoco/plugin.c", "hosts/mujoco/asperity_mujoco.h")
+PACKAGE_FILES = ("include/asperity.h", "include/asperity_loads.h", *PLUGIN_FILES)
 
 
 def version():
@@ -69,15 +72,15 @@ def cargo_build():
 
 
 class BuildWithLibrary(build_py):
-    """Adds the library and its C header to the modules; an editable install keeps it among the sources."""
+    """Adds the library and C sources to the modules; an editable install keeps them among the sources."""
 
     def run(self):
         super().run()
         library = Path(os.environ.get("ASPERITY_PREBUILT") or cargo_build())
         package = HERE / "src" / "asperity" if self.editable_mode else Path(self.build_lib) / "asperity"
         package.mkdir(parents=True, exist_ok=True)
-        shutil.copy2(library, package)
-        shutil.copy2(CRATE / "include" / "asperity.h", package)
+        for file in (library, *(CRATE / name for name in PACKAGE_FILES)):
+            shutil.copy2(file, package)
 
 
 class PlatformWheel(bdist_wheel):
@@ -101,6 +104,9 @@ class SourceWithCrate(sdist):
                 shutil.copytree(source, rust / source.name, dirs_exist_ok=True)
             else:
                 shutil.copy2(source, rust)
+        for name in PLUGIN_FILES:
+            (rust / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(CRATE / name, rust / name)
 
 
 class BinaryDistribution(Distribution):

@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
-# Builds and runs the MuJoCo host, with MuJoCo from PyPI in target/mujoco-venv; the last line is the verdict.
+# Installs MuJoCo and this library's Python package into an environment, builds the plugin for C as well, runs the slider
+# and the box on an incline; the last line says PASS or FAIL.
+#
+# usage: hosts/mujoco/run.sh [again]       again: with what the run before installed
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 build=$target/hosts/mujoco
-venv=$target/mujoco-venv
+environment=$target/mujoco-venv
 version=4.0.0
 
 fail() {
@@ -13,23 +16,22 @@ fail() {
 }
 cmake/check_rust.sh || fail "the library does not build"
 
-mujoco=$(ls -d "$venv"/lib/python3*/site-packages/mujoco 2>/dev/null) || mujoco=""
-if [ ! -e "$mujoco/libmujoco.so.$version" ]; then
-    python3 -m venv "$venv" || fail "no Python environment: apt-get install python3-venv"
-    # mujoco-core holds the C library and its headers; the package mujoco adds the Python side.
-    "$venv/bin/pip" install -q --disable-pip-version-check --no-deps "mujoco-core==$version" ||
-        fail "MuJoCo $version is not to be had from PyPI"
-    mujoco=$(ls -d "$venv"/lib/python3*/site-packages/mujoco)
+if [ "${1:-}" != again ]; then
+    python3 -m venv "$environment" || fail "no virtual environment: apt-get install python3-venv"
+    "$environment/bin/pip" install --quiet --no-compile --disable-pip-version-check "mujoco==$version" ./python ||
+        fail "MuJoCo $version or the asperity package does not install"
 fi
-cargo build --quiet --release --locked -j1 || fail "the library does not build"
 mkdir -p "$build"
-# The wheel has no unversioned library name: link the versioned file.
-gcc -std=c11 -O2 -Wall -Wextra -Werror -Iinclude -isystem "$mujoco/include" hosts/mujoco/slider.c -o "$build/slider" \
-    -L"$target/release" -lasperity "$mujoco/libmujoco.so.$version" -Wl,-rpath,"$target/release:$mujoco" -lm ||
-    fail "slider.c does not build"
-status=0
-model=$PWD/hosts/mujoco/slider.xml
-cd "$build"   # MuJoCo writes its warnings to a file where it runs
-./slider "$model" || status=$?
-[ "$status" -le 1 ] || fail "slider ended with status $status"
-exit "$status"
+mujoco=$(echo "$environment"/lib/python3*/site-packages/mujoco)
+hosts/mujoco/build.sh "$mujoco" "$build/libasperity_mujoco.so" || fail "the plugin does not build"
+
+# MuJoCo writes its messages to a file where it runs; the plugin that Python makes is kept with them.
+export XDG_CACHE_HOME=$build
+hosts=$PWD/hosts
+cd "$build"
+for program in incline slider; do
+    status=0
+    "$environment/bin/python" "$hosts/mujoco/$program.py" "$build/libasperity_mujoco.so" || status=$?
+    [ "$status" -le 1 ] || fail "$program.py ended with status $status"
+    [ "$status" -eq 0 ] || exit 1
+done

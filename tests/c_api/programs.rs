@@ -51,6 +51,15 @@ fn the_answers_are_the_same_and_the_environment_is_kept_in_every_environment_of_
     passes("environments.c");
 }
 
+/// `asperity_loads.h` is for C99 and C++.
+#[test]
+fn the_loads_of_the_steps_before_let_expect_the_next() {
+    let source = c_source("loads.c");
+    for compiler in evaluating_compilers() {
+        print!("{}", compiler.program(&source, Linking::Shared).succeeds(&[]));
+    }
+}
+
 /// `asperity_eval.h` says how contraction into fused multiply-adds is prevented: by -std=c99 or -ffp-contract=off in GCC, by
 /// the header itself in Clang and MSVC.
 #[test]

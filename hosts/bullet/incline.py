@@ -1,0 +1,71 @@
+"""A box on an incline in Bullet. As contact points are replaced, the load that it tells jitters from step to step. Its
+acceleration with the mean of the loads (asperity.loads) against the right one, and with the load of the step before.
+"""
+
+import sys
+import time
+from pathlib import Path
+
+import pybullet
+
+from asperity.loads import PairLoads
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+import incline  # noqa: E402
+
+STEP = 1 / 120  # [s]; in shorter ones the box comes to lie still on its points
+
+
+def bodies():
+    pybullet.resetSimulation()
+    pybullet.setTimeStep(STEP)
+    pybullet.setGravity(incline.DOWNHILL, 0, -incline.NORMAL)
+    floor = pybullet.createCollisionShape(pybullet.GEOM_BOX, halfExtents=[10, 10, 1])
+    shape = pybullet.createCollisionShape(pybullet.GEOM_BOX, halfExtents=incline.HALF_LENGTHS)
+    plane = pybullet.createMultiBody(0, floor, basePosition=[0, 0, -1])
+    box = pybullet.createMultiBody(incline.MASS, shape, basePosition=[0, 0, incline.HALF_LENGTHS[2]])
+    # Bullet multiplies the coefficients of two bodies: 1 for one leaves that of the other.
+    pybullet.changeDynamics(plane, -1, lateralFriction=1, restitution=0)
+    pybullet.changeDynamics(box, -1, lateralFriction=incline.FIRST_GUESS, restitution=0)
+    pybullet.changeDynamics(box, -1, linearDamping=0, angularDamping=0)
+    return plane, box
+
+
+def slide(law, time_constant):
+    """The acceleration; without a time constant at the load of the step before."""
+    plane, box = bodies()
+    loads = PairLoads(time_constant or 0)
+    last, now, times, speeds = 0.0, 0.0, [], []
+    while now < 3:
+        load = last if time_constant is None else loads.expected(plane, box, now)
+        if load > 0:
+            pybullet.changeDynamics(box, -1, lateralFriction=law.friction_at_load(load))
+        pybullet.stepSimulation()
+        for point in pybullet.getContactPoints(plane, box):
+            loads.add(plane, box, point[9])
+        last = sum(point[9] for point in pybullet.getContactPoints(plane, box))
+        loads.end_step(now)
+        now += STEP
+        times.append(now)
+        speeds.append(pybullet.getBaseVelocity(box)[0][0])
+    return incline.acceleration(times, speeds)
+
+
+def main():
+    start = time.process_time()
+    law = incline.law()
+    pybullet.connect(pybullet.DIRECT)
+    right = incline.right_acceleration(law)
+    lagged, mean = slide(law, None), slide(law, incline.TIME_CONSTANT)
+    print(f"incline: {right:.3f} m/s2 is right; {lagged:.3f} at the load of the step before, {mean:.3f} at the mean "
+          f"over {incline.TIME_CONSTANT} s")
+    # Lagged, it must be beyond the limit: else the test would show nothing.
+    good = abs(mean / right - 1) <= incline.LIMIT < abs(lagged / right - 1)
+    word = "PASS" if good else "FAIL"
+    print(f"bullet  {word}  box on an incline: {mean:.3f} in place of {right:.3f} m/s2, {abs(mean / right - 1):.1e} "
+          f"(limit {incline.LIMIT:g}); lagged {lagged:.3f}  {time.process_time() - start:.1f} s")
+    sys.exit(not good)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,349 @@
+/* The engine plugin asperity.friction of MuJoCo: the friction coefficient of contacts, the law at their normal force.
+ *
+ * MuJoCo makes the constraints of a step and then asks plugins for passive forces, before it solves. There the plugin
+ * sets the friction coefficients of its contacts: with elliptic cones nothing that was made before depends on them, if
+ * the coefficients of a contact keep their ratios. The normal force of the step is not known yet; what the steps before
+ * tell of it (asperity_loads.h), for each pair of geometries, is in the plugin's state, which MuJoCo copies, saves and
+ * resets.
+ */
+#include <math.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <mujoco/mujoco.h>
+
+#include "asperity.h"
+#include "asperity_loads.h"
+#include "asperity_mujoco.h"
+
+#ifdef mjUSESINGLE
+#error "asperity.friction is for MuJoCo in double precision"
+#endif
+
+#define PLUGIN "asperity.friction"
+
+/* ---- Configuration ---- */
+
+/* Names beside those of asperity_params_name: what asperity_params_set_values makes parameters of; the plugin's own. */
+static const char *const OTHER_NAMES[] = {"E1", "nu1", "E2", "nu2", "m0", "m2", "m4",
+                                          "time_constant", "most_pairs", "pairs"};
+enum { OTHERS = sizeof OTHER_NAMES / sizeof OTHER_NAMES[0], MADE = 7, MOST_NAMES = 64 };
+
+/* Two geometries that an instance names in its configuration. */
+typedef struct named_pair {
+    int geom[2], instance;
+} named_pair;
+
+/* What an instance is, made for each mjData. */
+typedef struct surface {
+    asperity_model *model;
+    double time_constant;
+    size_t most_pairs;
+    named_pair *named; /* those of all instances */
+    size_t named_count;
+} surface;
+
+/* What mj_getState and the like carry: the time of the forces at hand, and the pairs. */
+typedef struct memory {
+    double time;
+    asperity_pair pairs[];
+} memory;
+
+static memory *memory_of(const mjModel *m, const mjData *d, int instance) {
+    return (memory *)(d->plugin_state + m->plugin_stateadr[instance]);
+}
+
+static surface *surface_of(const mjData *d, int instance) { return (surface *)d->plugin_data[instance]; }
+
+static const char *instance_name(const mjModel *m, int instance) {
+    const char *name = m->names + m->name_pluginadr[instance];
+    return *name ? name : "(without a name)";
+}
+
+/* Ends the run, or in Python raises mujoco.FatalError, or fails the compilation of the model. */
+static void refuse(const mjModel *m, int instance, const char *format, ...) {
+    char what[900];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    mju_error(PLUGIN ", instance '%s': %s", instance_name(m, instance), what);
+}
+
+static void refuse_as_library(const mjModel *m, int instance) {
+    char message[512];
+    asperity_last_error(message, sizeof message);
+    refuse(m, instance, "%s", message);
+}
+
+static void refuse_options(const mjModel *m, int instance) {
+    if (m->opt.cone != mjCONE_ELLIPTIC)
+        refuse(m, instance, "needs <option cone=\"elliptic\"/>: in the pyramidal cone friction depends on the "
+                            "direction of slip");
+    if ((m->opt.disableflags & mjDSBL_SPRING) && (m->opt.disableflags & mjDSBL_DAMPER))
+        refuse(m, instance, "needs <flag spring=\"enable\"/> or <flag damper=\"enable\"/> in <option>: MuJoCo asks no "
+                            "plugin if both are disabled");
+}
+
+/* A number of the configuration; `missing` if it is not given. */
+static double number(const mjModel *m, int instance, const char *key, double missing) {
+    const char *text = mj_getPluginConfig(m, instance, key);
+    char *end = NULL;
+    if (!text || !*text) return missing;
+    const double value = strtod(text, &end);
+    if (end == text || *(end + strspn(end, " \t\n\r")))
+        refuse(m, instance, "%s = '%s' is not a number", key, text);
+    return value;
+}
+
+static double time_constant(const mjModel *m, int instance) {
+    const double time = number(m, instance, "time_constant", 0);
+    if (!(time >= 0 && isfinite(time)))
+        refuse(m, instance, "time_constant = %g: must be finite and not negative", time);
+    return time;
+}
+
+static void read_params(const mjModel *m, int instance, asperity_params *params) {
+    const char *names[MOST_NAMES];
+    double values[MOST_NAMES];
+    size_t count = 0;
+    asperity_params_init_unset(params);
+    for (size_t i = 0; i < MADE || asperity_params_name(i - MADE); i++) {
+        const char *name = i < MADE ? OTHER_NAMES[i] : asperity_params_name(i - MADE);
+        const char *text = mj_getPluginConfig(m, instance, name);
+        if (!text || !*text) continue;
+        names[count] = name;
+        values[count++] = number(m, instance, name, 0);
+    }
+    if (asperity_params_set_values(params, count, names, values) != ASPERITY_OK) refuse_as_library(m, instance);
+}
+
+/* ---- Which contacts ---- */
+
+static int is_ours(const mjModel *m, int instance) {
+    return instance >= 0 && strcmp(mjp_getPluginAtSlot(m->plugin[instance])->name, PLUGIN) == 0;
+}
+
+/* The geometry that is named at *text, which is moved to the next word, comma or end. */
+static int next_geom(const mjModel *m, int instance, const char **text) {
+    char name[200];
+    const size_t length = strcspn(*text, " \t\n\r,");
+    snprintf(name, sizeof name, "%.*s", (int)length, *text);
+    const int geom = mj_name2id(m, mjOBJ_GEOM, name);
+    if (geom < 0) refuse(m, instance, "pairs: there is no geom '%s'; give 'geom1 geom2, geom3 geom4'", name);
+    *text += length;
+    *text += strspn(*text, " \t\n\r");
+    return geom;
+}
+
+/* Adds the pairs that an instance names to an array, unless it is NULL; returns how many. */
+static size_t named_by(const mjModel *m, int instance, named_pair *pairs) {
+    const char *text = mj_getPluginConfig(m, instance, "pairs");
+    size_t count = 0;
+    if (!text) return 0;
+    for (text += strspn(text, " \t\n\r"); *text; text += strspn(text, " ,\t\n\r"), count++) {
+        const int first = next_geom(m, instance, &text), second = next_geom(m, instance, &text);
+        if (*text && *text != ',') refuse(m, instance, "pairs: a comma must follow two geoms");
+        if (pairs) pairs[count] = (named_pair){{first, second}, instance};
+    }
+    return count;
+}
+
+static void read_named_pairs(const mjModel *m, surface *made) {
+    size_t count = 0;
+    for (int i = 0; i < m->nplugin; i++) count += is_ours(m, i) ? named_by(m, i, NULL) : 0;
+    made->named = count ? mju_malloc(count * sizeof *made->named) : NULL;
+    for (int i = 0; i < m->nplugin; i++)
+        if (is_ours(m, i)) made->named_count += named_by(m, i, made->named + made->named_count);
+}
+
+/* How many pairs may touch at a time: unless it is given, four for each geometry of the bodies, and those named. */
+static size_t most_pairs(const mjModel *m, int instance) {
+    size_t likely = 8 + named_by(m, instance, NULL);
+    for (int i = 0; i < m->ngeom; i++) likely += m->body_plugin[m->geom_bodyid[i]] == instance ? 4 : 0;
+    const double most = number(m, instance, "most_pairs", (double)likely);
+    if (!(most >= 1 && most <= 1e6)) refuse(m, instance, "most_pairs = %g: must be from 1 to 1e6", most);
+    return (size_t)most;
+}
+
+static const char *geom_name(const mjModel *m, int geom) {
+    const char *name = mj_id2name(m, mjOBJ_GEOM, geom);
+    return name ? name : "without a name";
+}
+
+/* Whether a contact has the friction of an instance: it names the two geometries, or none does and it is that of one of
+ * their bodies. */
+static int has_surface(const mjModel *m, const surface *here, int instance, const mjContact *contact) {
+    const int a = contact->geom[0], b = contact->geom[1];
+    if (contact->dim < 3 || contact->efc_address < 0 || a < 0 || b < 0) return 0;
+    for (size_t i = 0; i < here->named_count; i++) {
+        const int *geom = here->named[i].geom;
+        if ((geom[0] == a && geom[1] == b) || (geom[0] == b && geom[1] == a))
+            return here->named[i].instance == instance;
+    }
+    const int of_a = m->body_plugin[m->geom_bodyid[a]], of_b = m->body_plugin[m->geom_bodyid[b]];
+    if (of_a != instance && of_b != instance) return 0;
+    if (of_a != of_b && is_ours(m, of_a) && is_ours(m, of_b))
+        refuse(m, instance, "geoms '%s' and '%s' touch, and the body of the other has the instance '%s': say in one of "
+                            "the two which it is, by <config key=\"pairs\" value=\"%s %s\"/>",
+               geom_name(m, a), geom_name(m, b), instance_name(m, of_a == instance ? of_b : of_a), geom_name(m, a),
+               geom_name(m, b));
+    return 1;
+}
+
+/* ---- Friction ---- */
+
+/* The coefficients of a contact keep their ratios, on which its regularisation rests; the first is that of sliding. */
+static void set_coefficient(mjContact *contact, double coefficient) {
+    const double ratio = fmax(coefficient, mjMINMU) / contact->friction[0];
+    for (int k = 0; k < 5; k++) contact->friction[k] *= ratio;
+    contact->mu *= ratio;
+}
+
+static void set_coefficients(const mjModel *m, mjData *d, int instance) {
+    const surface *here = surface_of(d, instance);
+    memory *known = memory_of(m, d, instance);
+    int a = -1, b = -1; /* the geometries of the contact before: the points of a pair follow one another */
+    double law = 0;
+    for (int i = 0; i < d->ncon; i++) {
+        mjContact *contact = &d->contact[i];
+        if (!has_surface(m, here, instance, contact)) continue;
+        if (contact->geom[0] != a || contact->geom[1] != b) {
+            a = contact->geom[0];
+            b = contact->geom[1];
+            const double load =
+                asperity_pairs_expected(known->pairs, here->most_pairs, (uint64_t)a, (uint64_t)b, d->time);
+            law = load > 0 ? asperity_friction_at_load(here->model, load) : 0;
+        }
+        if (law > 0) set_coefficient(contact, law);
+    }
+    known->time = d->time;
+}
+
+/* Adds the normal forces of this step to the pairs that they belong to. */
+static void add_loads(const mjModel *m, mjData *d, int instance) {
+    const surface *here = surface_of(d, instance);
+    memory *known = memory_of(m, d, instance);
+    for (int i = 0; i < d->ncon; i++) {
+        const mjContact *contact = &d->contact[i];
+        if (!has_surface(m, here, instance, contact)) continue;
+        if (!asperity_pairs_add(known->pairs, here->most_pairs, (uint64_t)contact->geom[0], (uint64_t)contact->geom[1],
+                                d->efc_force[contact->efc_address]))
+            refuse(m, instance, "more than most_pairs = %zu pairs of geoms touch: give <config key=\"most_pairs\" "
+                                "value=\"%zu\"/>", here->most_pairs, 2 * here->most_pairs);
+    }
+}
+
+/* ---- The current force ---- */
+
+/* Gives the contacts of an instance the law at the forces just found. Returns by how much a coefficient changed at
+ * most, relative to itself. `part` is the part of the change that is made. */
+static double correct(const mjModel *m, mjData *d, int instance, double part) {
+    const surface *here = surface_of(d, instance);
+    memory *known = memory_of(m, d, instance);
+    double change = 0;
+    add_loads(m, d, instance);
+    for (int i = 0; i < d->ncon; i++) {
+        mjContact *contact = &d->contact[i];
+        if (!has_surface(m, here, instance, contact)) continue;
+        const asperity_pair *pair = asperity_pairs_place(known->pairs, here->most_pairs, (uint64_t)contact->geom[0],
+                                                         (uint64_t)contact->geom[1]);
+        if (!pair->taken || !(pair->sum > 0)) continue;
+        const double law = fmax(asperity_friction_at_load(here->model, pair->sum), mjMINMU);
+        change = fmax(change, fabs(law / contact->friction[0] - 1));
+        set_coefficient(contact, contact->friction[0] + part * (law - contact->friction[0]));
+    }
+    for (size_t i = 0; i < here->most_pairs; i++) known->pairs[i].sum = 0;
+    return change;
+}
+
+int asperity_mujoco_solve(const mjModel *m, mjData *d) {
+    enum { PASSES = 50, SIMPLE = 8 };
+    for (int pass = 1; pass <= PASSES; pass++) {
+        double change = 0;
+        mj_fwdActuation(m, d);
+        mj_fwdAcceleration(m, d);
+        mj_fwdConstraint(m, d);
+        mju_copy(d->qacc_warmstart, d->qacc, m->nv);
+        /* Half the change where the whole one does not settle: where friction raises its own normal force. */
+        for (int i = 0; i < m->nplugin; i++)
+            if (is_ours(m, i)) change = fmax(change, correct(m, d, i, pass <= SIMPLE ? 1 : 0.5));
+        if (change <= 1e-11) return pass;
+    }
+    mju_warning(PLUGIN ": friction and normal force do not settle in %d passes at time %g", PASSES, d->time);
+    return -1;
+}
+
+/* ---- What MuJoCo calls ---- */
+
+static int state_size(const mjModel *m, int instance) {
+    asperity_params params;
+    asperity_model *model = NULL;
+    refuse_options(m, instance);
+    named_by(m, instance, NULL);
+    read_params(m, instance, &params);
+    if (asperity_create(&params, &model) != ASPERITY_OK) refuse_as_library(m, instance);
+    asperity_free(model);
+    return (int)((offsetof(memory, pairs) + most_pairs(m, instance) * sizeof(asperity_pair)) / sizeof(mjtNum));
+}
+
+static int make(const mjModel *m, mjData *d, int instance) {
+    asperity_params params;
+    read_params(m, instance, &params);
+    surface *made = mju_malloc(sizeof *made);
+    *made = (surface){.time_constant = time_constant(m, instance), .most_pairs = most_pairs(m, instance)};
+    read_named_pairs(m, made);
+    d->plugin_data[instance] = (uintptr_t)made;
+    if (asperity_create(&params, &made->model) != ASPERITY_OK) refuse_as_library(m, instance);
+    return 0;
+}
+
+static void destroy(mjData *d, int instance) {
+    surface *made = surface_of(d, instance);
+    if (!made) return;
+    asperity_free(made->model);
+    mju_free(made->named);
+    mju_free(made);
+    d->plugin_data[instance] = 0;
+}
+
+static void reset(const mjModel *m, mjtNum *plugin_state, void *plugin_data, int instance) {
+    (void)plugin_data;
+    mju_zero(plugin_state, m->plugin_statenum[instance]);
+}
+
+static void compute(const mjModel *m, mjData *d, int instance, int capability) {
+    (void)capability;
+    refuse_options(m, instance);
+    set_coefficients(m, d, instance);
+}
+
+static void advance(const mjModel *m, mjData *d, int instance) {
+    const surface *here = surface_of(d, instance);
+    memory *known = memory_of(m, d, instance);
+    refuse_options(m, instance);
+    add_loads(m, d, instance);
+    asperity_pairs_end_step(known->pairs, here->most_pairs, known->time, here->time_constant);
+}
+
+mjPLUGIN_LIB_INIT(asperity) {
+    static const char *names[MOST_NAMES];
+    mjpPlugin plugin;
+    mjp_defaultPlugin(&plugin);
+    for (size_t i = 0; i < OTHERS; i++) names[plugin.nattribute++] = OTHER_NAMES[i];
+    for (size_t i = 0; asperity_params_name(i) && plugin.nattribute < MOST_NAMES; i++)
+        names[plugin.nattribute++] = asperity_params_name(i);
+    plugin.name = PLUGIN;
+    plugin.attributes = names;
+    plugin.capabilityflags = mjPLUGIN_PASSIVE;
+    plugin.nstate = state_size;
+    plugin.init = make;
+    plugin.destroy = destroy;
+    plugin.reset = reset;
+    plugin.compute = compute;
+    plugin.advance = advance;
+    mjp_registerPlugin(&plugin);
+}

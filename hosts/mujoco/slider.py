@@ -1,0 +1,262 @@
+"""A ball and a box drawn over a plane in MuJoCo, with the plugin asperity.friction: friction over normal force of each
+pair of geometries against the exact law, under plain mj_step and with asperity.mujoco.solve; what MuJoCo copies, saves
+and restores; what the plugin refuses; what it costs. SI units.
+"""
+
+import math
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import mujoco
+import numpy as np
+from mujoco import rollout
+
+import asperity
+import asperity.mujoco
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from surface import demand, surface  # noqa: E402
+
+XML = Path(__file__).with_name("slider.xml").read_text(encoding="utf-8")
+PLAIN_LIMIT, SOLVED_LIMIT = 1e-5, 1e-9
+BALL_SERVO, BOX_SERVO = 0.035, 0.016  # they slip slower, by the friction over kv
+MASS, GRAVITY = 20, 9.81
+AREAS = {"ball": 1e-4, "box": 4e-4}
+
+
+def fail(message):
+    print(f"mujoco  FAIL  {message}")
+    sys.exit(1)
+
+
+def added_load(seconds):
+    """On the ball, beside its weight."""
+    return 600 + 400 * math.sin(math.pi * seconds)
+
+
+def forces(model, data):
+    """Normal and friction force of each of the two, summed over the contacts that they have with the plane."""
+    found = {name: np.zeros(2) for name in AREAS}
+    for contact in data.contact:
+        name = next(name for name in AREAS if model.geom(name).id in contact.geom)
+        normal, *tangential = data.efc_force[contact.efc_address : contact.efc_address + 3]
+        found[name] += normal, math.hypot(*tangential)
+    return found
+
+
+def drive(data):
+    data.ctrl[:] = BALL_SERVO, BOX_SERVO
+    data.qfrc_applied[2] = -added_load(data.time)
+
+
+def plain_step(model, data):
+    drive(data)
+    mujoco.mj_step(model, data)
+
+
+def solved_step(model, data):
+    drive(data)
+    mujoco.mj_step1(model, data)
+    asperity.mujoco.solve(model, data)
+    mujoco.mj_step2(model, data)
+
+
+def deviation(laws, step, seconds=3.0, **options):
+    """The greatest relative deviation of friction over normal force from the exact law, after a second to settle, that
+    of the pull of the ball's servo over what the ball carries, and the least and the greatest load of each."""
+    model = mujoco.MjModel.from_xml_string(XML)
+    for name, value in options.items():
+        setattr(model.opt, name, value)
+    data = mujoco.MjData(model)
+    worst = of_servo = 0.0
+    ranges = {name: (math.inf, 0.0) for name in AREAS}
+    while data.time < seconds:
+        begin, (vx, _, vz) = data.time, data.qvel[:3].copy()
+        step(model, data)
+        if begin < 1:
+            continue
+        if data.ncon != 5 or data.qvel[0] < 0.01 or data.qvel[3] < 0.002:
+            fail(f"at t = {begin:g} s there are {data.ncon} contacts, not 5, or ball or box is stuck: {data.qvel}")
+        for name, (normal, friction) in forces(model, data).items():
+            mu = laws[name].state_at_load(normal).friction_coefficient
+            worst = max(worst, abs(friction / normal / mu - 1))
+            ranges[name] = min(ranges[name][0], normal), max(ranges[name][1], normal)
+        # The momentum of the ball, with the servo's force, knows nothing of what MuJoCo says of the contact.
+        dt = model.opt.timestep
+        carried = MASS * GRAVITY + added_load(begin) + MASS * (data.qvel[2] - vz) / dt
+        pull = data.qfrc_actuator[0] - MASS * (data.qvel[0] - vx) / dt
+        of_servo = max(of_servo, abs(pull / carried / laws["ball"].state_at_load(carried).friction_coefficient - 1))
+    return worst, of_servo, ranges
+
+
+def check_state(model):
+    """Copied, and saved and restored, a run goes on with the same bits; without the plugin's state it does not."""
+    data = mujoco.MjData(model)
+    while data.time < 0.5:
+        plain_step(model, data)
+    copy = mujoco.MjData(model)
+    mujoco.mj_copyData(copy, model, data)
+    restored, forgetful = mujoco.MjData(model), mujoco.MjData(model)
+    whole = int(mujoco.mjtState.mjSTATE_INTEGRATION)
+    for other, part in ((restored, whole), (forgetful, whole & ~int(mujoco.mjtState.mjSTATE_PLUGIN))):
+        state = np.empty(mujoco.mj_stateSize(model, part))
+        mujoco.mj_getState(model, data, state, part)
+        mujoco.mj_setState(model, other, state, part)
+    for _ in range(50):
+        for each in (data, copy, restored, forgetful):
+            plain_step(model, each)
+    for name, other in (("copied", copy), ("restored", restored)):
+        if other.qvel.tobytes() != data.qvel.tobytes():
+            fail(f"the {name} run goes on otherwise: {other.qvel} in place of {data.qvel}")
+    if forgetful.qvel.tobytes() == data.qvel.tobytes():
+        fail("the plugin's state plays no part")
+
+
+def check_refusals():
+    """Each slip of a user's, and what must stand in the message."""
+    one = '<config key="nominal_area" value="1e-4"/>'
+    for old, new, words in (
+        ('cone="elliptic"', 'cone="pyramidal"', ['cone="elliptic"', "carbon, 1 cm2"]),
+        ('cone="elliptic"', "", ['cone="elliptic"']),
+        ('key="hardness"', 'key="hardnes"', ["hardnes", "carbon, 1 cm2"]),
+        ('value="0.06"', 'value="60 mJ"', ["carbon, 1 cm2", "work_of_adhesion", "60 mJ"]),
+        ('<config key="work_of_adhesion" value="0.06"/>', "", ["carbon, 1 cm2", "work_of_adhesion"]),
+        (one, f'{one}<config key="pairs" value="ball floor"/>', ["carbon, 1 cm2", "'floor'", "geom1 geom2"]),
+        (one, f'{one}<config key="most_pairs" value="0"/>', ["carbon, 1 cm2", "most_pairs"]),
+        (one, f'{one}<config key="time_constant" value="-1"/>', ["carbon, 1 cm2", "time_constant"]),
+    ):
+        try:
+            mujoco.MjModel.from_xml_string(XML.replace(old, new, 1))
+        except ValueError as error:
+            if not all(word in str(error) for word in words):
+                fail(f"{new!r}: the message lacks one of {words}: {error}")
+        else:
+            fail(f"{new!r} is taken")
+    boxes = XML.replace("</worldbody>", '<body pos="0 .3 .15"><freejoint/><plugin instance="carbon, 1 cm2"/>'
+                        '<geom name="upper" type="box" size=".1 .05 .05" mass="1"/></body></worldbody>')
+    few = XML.replace("1e-4\"/>", '1e-4"/><config key="most_pairs" value="1"/><config key="pairs" value="box plane"/>')
+    for xml, words in ((boxes, ["'box'", "'upper'", '"pairs"']), (few, ["most_pairs", 'value="2"'])):
+        model = mujoco.MjModel.from_xml_string(xml)
+        try:
+            mujoco.mj_step(model, mujoco.MjData(model), 5)
+        except mujoco.FatalError as error:
+            if not all(word in str(error) for word in words):
+                fail(f"the message lacks one of {words}: {error}")
+        else:
+            fail(f"a run goes on that had to be refused with {words}")
+
+
+def check_named_pair(laws):
+    """A pair that is named has that friction, whatever its bodies have: here the box that of the ball's surface."""
+    named = XML.replace("1e-4\"/>", '1e-4"/><config key="pairs" value="plane box, ball plane"/>')
+    model = mujoco.MjModel.from_xml_string(named)
+    data = mujoco.MjData(model)
+    while data.time < 0.3:
+        plain_step(model, data)
+    normal, friction = forces(model, data)["box"]
+    if not abs(friction / normal / laws["ball"].friction_at_load(normal) - 1) < PLAIN_LIMIT:
+        fail(f"the pair 'plane box' has mu = {friction / normal}")
+
+
+def check_built(plugin):
+    """The plugin that hosts/mujoco/build.sh made for C, with the library inside, gives the same bits."""
+    program = """if True:
+        import sys, mujoco
+        mujoco.mj_loadPluginLibrary(sys.argv[1])
+        model = mujoco.MjModel.from_xml_path(sys.argv[2])
+        data = mujoco.MjData(model)
+        data.ctrl[:] = 0.035, 0.016
+        mujoco.mj_step(model, data, 500)
+        print(data.qvel.tobytes().hex())
+    """
+    bits = set()
+    for file in (asperity.mujoco.PLUGIN, plugin):
+        command = [sys.executable, "-c", program, file, str(Path(__file__).with_name("slider.xml"))]
+        bits.add(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+    if len(bits) != 1:
+        fail(f"{plugin} does not give what {asperity.mujoco.PLUGIN} gives")
+
+
+def cost():
+    """The time of a step with a constant coefficient, and that with the law over it; both are rolled out by MuJoCo
+    itself. Medians of runs that alternate."""
+    constant = re.sub(r"<extension>.*</extension>|<plugin instance=.*?/>", "", XML, flags=re.DOTALL)
+    constant = constant.replace("<geom ", '<geom friction="0.24" ')
+    steps, inputs = 2000, mujoco.mjtState.mjSTATE_CTRL | mujoco.mjtState.mjSTATE_QFRC_APPLIED
+    seconds = {"constant": [], "law": []}
+    runs = {}
+    for name, xml in (("constant", constant), ("law", XML)):
+        model = mujoco.MjModel.from_xml_string(xml)
+        data = mujoco.MjData(model)
+        for _ in range(200):
+            plain_step(model, data)
+        kind = mujoco.mjtState.mjSTATE_FULLPHYSICS
+        state = np.empty((1, mujoco.mj_stateSize(model, kind)))
+        mujoco.mj_getState(model, data, state[0], kind)
+        given = np.zeros((1, steps, mujoco.mj_stateSize(model, inputs)))
+        given[0, :, :2] = BALL_SERVO, BOX_SERVO
+        given[0, :, 4] = [-added_load(data.time + k * model.opt.timestep) for k in range(steps)]
+        runs[name] = model, data, state, given, np.empty((1, steps, state.size))
+    for _ in range(11):
+        for name, (model, data, state, given, out) in runs.items():
+            begin = time.process_time()
+            rollout.rollout(model, data, initial_state=state, control=given, control_spec=inputs, state=out)
+            seconds[name].append(time.process_time() - begin)
+    law, constant = (np.median(seconds[name]) for name in ("law", "constant"))
+    return constant / steps, law / constant
+
+
+def solved_cost():
+    """The same for steps that are solved until they settle, called from Python both."""
+    model = mujoco.MjModel.from_xml_string(XML)
+    seconds = []
+    for step in (plain_step, solved_step):
+        data = mujoco.MjData(model)
+        begin = time.process_time()
+        while data.time < 1:
+            step(model, data)
+        seconds.append(time.process_time() - begin)
+    return seconds[1] / seconds[0]
+
+
+def main():
+    start = time.process_time()
+    laws = {name: asperity.Model(surface(area)) for name, area in AREAS.items()}
+    plain, plain_servo, ranges = deviation(laws, plain_step)
+    solved, solved_servo, _ = deviation(laws, solved_step)
+    print(f"plain mj_step: |F/N - mu(N)|/mu {plain:.1e}, of the servo over the weight {plain_servo:.1e}")
+    print(f"solved: {solved:.1e}, of the servo over the weight {solved_servo:.1e}")
+    for name, (lightest, heaviest) in ranges.items():
+        demand(laws[name], lightest, heaviest)
+    worst = max(plain, plain_servo)
+    for option, value in (
+        ("integrator", mujoco.mjtIntegrator.mjINT_RK4),
+        ("integrator", mujoco.mjtIntegrator.mjINT_IMPLICITFAST),
+        ("solver", mujoco.mjtSolver.mjSOL_PGS),
+        ("solver", mujoco.mjtSolver.mjSOL_CG),
+        ("disableflags", mujoco.mjtDisableBit.mjDSBL_ISLAND),
+    ):
+        # Without the servo's pull: the momentum balance above is that of an explicit step.
+        found = deviation(laws, plain_step, 1.3, **{option: value})[0]
+        print(f"  {option} {value.name}: {found:.1e}")
+        worst = max(worst, found)
+    check_state(mujoco.MjModel.from_xml_string(XML))
+    check_named_pair(laws)
+    check_refusals()
+    check_built(sys.argv[1])
+    constant, ratio = cost()
+    print(f"mujoco  cost  constant mu {1e6 * constant:.1f} us a step; the law at the expected force x {ratio:.2f}, "
+          f"at the current force x {ratio * solved_cost():.2f}")
+    if not worst <= PLAIN_LIMIT:
+        fail(f"under plain mj_step |F/N - mu(N)|/mu = {worst:.1e} (limit {PLAIN_LIMIT:.0e})")
+    if not max(solved, solved_servo) <= SOLVED_LIMIT:
+        fail(f"solved, |F/N - mu(N)|/mu = {max(solved, solved_servo):.1e} (limit {SOLVED_LIMIT:.0e})")
+    print(f"mujoco  PASS  max |F/N - mu(N)|/mu = {worst:.1e} under mj_step (limit {PLAIN_LIMIT:.0e}), "
+          f"{max(solved, solved_servo):.1e} solved (limit {SOLVED_LIMIT:.0e})  {time.process_time() - start:.1f} s")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,79 @@
+"""A block of four spheres on an incline in YADE, let go above its rest: nothing damps its bounce, and the load swings
+between nothing and twice its mean. Its acceleration with the mean of the loads (asperity.loads) against the right one.
+Run by `yade -nx -j1 -x hosts/yade/incline.py`, with asperity where YADE's Python finds it.
+"""
+
+import sys
+
+from yade import O, utils
+from yade.wrapper import (
+    Bo1_Sphere_Aabb, Bo1_Wall_Aabb, ForceResetter, FrictMat, Ig2_Sphere_Sphere_ScGeom, Ig2_Wall_Sphere_ScGeom,
+    InsertionSortCollider, InteractionLoop, Ip2_FrictMat_FrictMat_FrictPhys, Law2_ScGeom_FrictPhys_CundallStrack,
+    NewtonIntegrator, PyRunner,
+)
+
+import incline
+from asperity.loads import PairLoads
+
+RADIUS, STEP = 0.02, 1e-4
+law = incline.law()
+WALL, BLOCK = 0, "block"
+
+
+def set_friction():
+    """Before the interactions of a step: their forces are those of the step before."""
+    global last
+    interactions = [i for i in O.interactions if i.isReal]
+    load = last if loads is None else loads.expected(WALL, BLOCK, O.time)
+    for i in interactions:
+        i.phys.tangensOfFrictionAngle = law.friction_at_load(load) if load > 0 else incline.FIRST_GUESS
+
+
+def take_loads():
+    """After them."""
+    global last
+    last = sum(i.phys.normalForce.norm() for i in O.interactions if i.isReal)
+    if loads is not None:
+        loads.add(WALL, BLOCK, last)
+        loads.end_step(O.time)
+
+
+def slide():
+    global last
+    last = 0.0
+    O.reset()
+    O.materials.append(FrictMat(young=1e6, poisson=0.3, frictionAngle=0.3, density=1))
+    O.bodies.append(utils.wall(0, axis=2))
+    places = [(x, y, RADIUS * (1 - 1e-3)) for x in (-0.1, 0.1) for y in (-0.05, 0.05)]
+    clump, members = O.bodies.appendClumped([utils.sphere(place, RADIUS) for place in places])
+    block = O.bodies[clump]
+    block.state.mass = incline.MASS
+    block.state.blockedDOFs = "yXYZ"
+    O.engines = [
+        ForceResetter(),
+        InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()]),
+        PyRunner(command="set_friction()", iterPeriod=1),
+        InteractionLoop([Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()], [Ip2_FrictMat_FrictMat_FrictPhys()],
+                        [Law2_ScGeom_FrictPhys_CundallStrack()]),
+        PyRunner(command="take_loads()", iterPeriod=1),
+        NewtonIntegrator(damping=0, gravity=(incline.DOWNHILL, 0, -incline.NORMAL)),
+    ]
+    O.dt = STEP
+    times, speeds, seen = [], [], []
+    while O.time < 1:
+        O.step()
+        times.append(O.time)
+        speeds.append(block.state.vel[0])
+        seen.append(last)
+    print(min(seen), max(seen), sum(seen) / len(seen), incline.MASS * incline.NORMAL)
+    return incline.acceleration(times, speeds)
+
+
+right = incline.right_acceleration(law)
+loads = None
+lagged = slide()
+loads = PairLoads(0)
+line = slide()
+loads = PairLoads(incline.TIME_CONSTANT)
+mean = slide()
+print(right,lagged,line,mean)

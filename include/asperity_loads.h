@@ -1,0 +1,163 @@
+/* asperity_loads.h: which load to ask the law for where a solver wants the friction coefficient before it knows the
+ * normal force of the step.
+ *
+ * The load of the step before is late, and where it jitters it biases friction. Of each contact, or of each pair of
+ * bodies, these functions keep what the past steps tell of its load:
+ *
+ *   time_constant = 0   the straight line through the last two loads, for loads that vary smoothly
+ *   time_constant > 0   the mean over about that time, for loads that are right on average only; steps without contact
+ *                       count as load 0, until the pair has been apart for time_constant
+ *
+ * Of pairs, in memory of the caller's, which must be zero at first (nothing is allocated):
+ *
+ *     static asperity_pair pairs[1000];
+ *     each contact, before the step:    load = asperity_pairs_expected(pairs, 1000, a, b, time);
+ *                                       mu = load > 0 ? asperity_friction_at_load(model, load) : first_guess;
+ *     each contact, after the step:     asperity_pairs_add(pairs, 1000, a, b, normal_force);
+ *     then once:                        asperity_pairs_end_step(pairs, 1000, time, time_constant);
+ *
+ * A solver that keeps data of its own with each contact can have an asperity_load there and do without the pairs:
+ * asperity_load_take after the step, asperity_load_expected before.
+ *
+ * Self-contained: C99 and C++. Both structs are plain doubles, so that a host may save, copy and restore them with its
+ * own state. Loads are those of compression, finite and not negative; `time` is the host's own, at which a load is or
+ * will be found. A time that does not grow begins anew.
+ */
+#ifndef ASPERITY_LOADS_H
+#define ASPERITY_LOADS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* What is known of the load on one contact. All zero: nothing yet. */
+typedef struct asperity_load {
+    double load;  /* the last one, or the mean */
+    double slope; /* its change by time; 0 for a mean */
+    double time;  /* at which it was taken */
+    double count; /* loads taken so far */
+} asperity_load;
+
+/* Two bodies, or whatever a host numbers, that touch. All zero: a free place. */
+typedef struct asperity_pair {
+    double taken;         /* 1 if this place is in use */
+    double first, second; /* the smaller number first */
+    double sum;           /* of the loads of the points of this step */
+    double touched;       /* the time at which it last had a load */
+    asperity_load known;
+} asperity_pair;
+
+/* Takes the load found at a time. */
+static inline void asperity_load_take(asperity_load *known, double load, double time, double time_constant)
+{
+    const double step = time - known->time;
+    if (known->count == 0.0 || !(step > 0.0)) {
+        known->load = load;
+        known->slope = 0.0;
+        known->count = 1.0;
+    } else if (time_constant > 0.0) {
+        /* The plain mean until the time constant has passed: the first load is often that of an impact. */
+        double share = step / time_constant;
+        known->count += 1.0;
+        if (share * known->count < 1.0) share = 1.0 / known->count;
+        if (share > 1.0) share = 1.0;
+        known->load += (load - known->load) * share;
+        known->slope = 0.0;
+    } else {
+        known->slope = (load - known->load) / step;
+        known->load = load;
+        known->count += 1.0;
+    }
+    known->time = time;
+}
+
+/* The load to be expected at a time; 0 if nothing is known. A line is followed to half the last load and to twice it:
+ * what changes faster within a step is not resolved by the steps. */
+static inline double asperity_load_expected(const asperity_load *known, double time)
+{
+    const double line = known->load + known->slope * (time - known->time);
+    if (line < 0.5 * known->load) return 0.5 * known->load;
+    if (line > 2.0 * known->load) return 2.0 * known->load;
+    return line;
+}
+
+/* The place at which the search for a pair begins. */
+static inline size_t asperity_pairs_home(size_t capacity, double first, double second)
+{
+    const uint64_t golden = UINT64_C(0x9E3779B97F4A7C15); /* 2^64 over the golden ratio: spreads consecutive numbers */
+    const uint64_t mixed = ((uint64_t)first * golden ^ (uint64_t)second) * golden;
+    return (size_t)((mixed >> 32) % capacity);
+}
+
+/* The place of a pair in whichever order, or if it has none a free one; NULL if there is neither. */
+static inline asperity_pair *asperity_pairs_place(asperity_pair *pairs, size_t capacity, uint64_t a, uint64_t b)
+{
+    const double first = (double)(a < b ? a : b), second = (double)(a < b ? b : a);
+    size_t i, tried;
+    if (capacity == 0) return NULL;
+    i = asperity_pairs_home(capacity, first, second);
+    for (tried = 0; tried < capacity; ++tried, i = (i + 1) % capacity) {
+        asperity_pair *pair = &pairs[i];
+        if (pair->taken == 0.0 || (pair->first == first && pair->second == second)) return pair;
+    }
+    return NULL;
+}
+
+/* Adds the load of a contact point to those of its pair in this step. The numbers of the bodies are below 2^53, as
+ * addresses are too. Returns 1; or 0 if all places are taken: there must be one for each pair that touches in this step,
+ * in the step before or within the time constant, and twice as many for speed. */
+static inline int asperity_pairs_add(asperity_pair *pairs, size_t capacity, uint64_t a, uint64_t b, double load)
+{
+    asperity_pair *pair = asperity_pairs_place(pairs, capacity, a, b);
+    if (pair == NULL) return 0;
+    if (pair->taken == 0.0) {
+        if (!(load > 0.0)) return 1;
+        pair->taken = 1.0;
+        pair->first = (double)(a < b ? a : b);
+        pair->second = (double)(a < b ? b : a);
+    }
+    pair->sum += load;
+    return 1;
+}
+
+/* The load to be expected on a pair at a time, over all its points; 0 if nothing is known. */
+static inline double asperity_pairs_expected(asperity_pair *pairs, size_t capacity, uint64_t a, uint64_t b, double time)
+{
+    const asperity_pair *pair = asperity_pairs_place(pairs, capacity, a, b);
+    return pair != NULL && pair->taken != 0.0 ? asperity_load_expected(&pair->known, time) : 0.0;
+}
+
+/* Frees a place and moves what a search would not find any more. */
+static inline void asperity_pairs_remove(asperity_pair *pairs, size_t capacity, size_t hole)
+{
+    const asperity_pair none = {0.0, 0.0, 0.0, 0.0, 0.0, {0.0, 0.0, 0.0, 0.0}};
+    const size_t start = hole;
+    size_t i;
+    for (i = (hole + 1) % capacity; i != start && pairs[i].taken != 0.0; i = (i + 1) % capacity) {
+        const size_t home = asperity_pairs_home(capacity, pairs[i].first, pairs[i].second);
+        if ((i + capacity - home) % capacity < (i + capacity - hole) % capacity) continue;
+        pairs[hole] = pairs[i];
+        hole = i;
+    }
+    pairs[hole] = none;
+}
+
+/* Ends a step, whose loads were added and belong to this time. */
+static inline void asperity_pairs_end_step(asperity_pair *pairs, size_t capacity, double time, double time_constant)
+{
+    size_t i;
+    for (i = 0; i < capacity; ++i) {
+        asperity_pair *pair = &pairs[i];
+        if (pair->taken == 0.0) continue;
+        if (pair->sum > 0.0) pair->touched = time;
+        asperity_load_take(&pair->known, pair->sum, time, time_constant);
+        pair->sum = 0.0;
+    }
+    for (i = 0; i < capacity;) {
+        /* What moves into a place that was freed is looked at there. */
+        const int apart = pairs[i].taken != 0.0 && pairs[i].touched != time;
+        if (apart && !(time - pairs[i].touched < time_constant)) asperity_pairs_remove(pairs, capacity, i);
+        else ++i;
+    }
+}
+
+#endif
