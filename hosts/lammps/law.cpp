@@ -1,0 +1,243 @@
+// Words of an input script, or of a surface file, made into the law of a contact.
+#include "law.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
+namespace asperity_lammps {
+
+namespace {
+
+const double pi = 3.14159265358979323846;
+
+[[noreturn]] void refuse(const std::string &message) { throw std::invalid_argument(message); }
+
+void demand(asperity_status status) {
+    if (status == ASPERITY_OK) return;
+    char message[512];
+    asperity_last_error(message, sizeof message);
+    refuse(message);
+}
+
+double number(const std::string &name, const std::string &text) {
+    char *end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0') refuse(name + ": '" + text + "' is not a number");
+    return value;
+}
+
+double positive(const std::string &name, const std::string &text) {
+    const double value = number(name, text);
+    if (!(value > 0) || !std::isfinite(value)) refuse(name + " = " + text + ": must be positive");
+    return value;
+}
+
+// A coefficient of restitution as the ratio of damping, after Tsuji, Tanaka and Ishida (1992), for Hertz' contact.
+double damping_of(double restitution) {
+    if (restitution == 1) return 0;
+    const double log_e = std::log(restitution);
+    return -2 * std::sqrt(5.0 / 6) * log_e / std::sqrt(log_e * log_e + pi * pi);
+}
+
+std::string trimmed(const std::string &text) {
+    const auto first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
+    return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+// The numbers of a surface file (docs/surface-file.md). Names of materials and measured values need Python to be
+// understood, whose to_toml writes the numbers that they make.
+void read_file(const std::string &path, std::vector<std::string> &names, std::vector<double> &values) {
+    static const char *const choices[] = {"gaussian", "weibull", "johnson"};
+    std::ifstream file(path);
+    if (!file) refuse("surface " + path + ": the file cannot be read");
+    std::string line;
+    for (int count = 1; std::getline(file, line); count++) {
+        line = trimmed(line.substr(0, line.find('#')));
+        if (line.empty() || line == "[materials]" || line == "[roughness]") continue;
+        const std::string where = "surface " + path + ", line " + std::to_string(count) + ": ";
+        const auto equals = line.find('=');
+        if (equals == std::string::npos) refuse(where + "'" + line + "' is not NAME = NUMBER");
+        const std::string name = trimmed(line.substr(0, equals)), text = trimmed(line.substr(equals + 1));
+        double value = 0;
+        if (name == "contact_law" && text == "\"maugis\"") value = ASPERITY_CONTACT_MAUGIS;
+        else if (name == "contact_law" && text == "\"elastic-plastic\"") value = ASPERITY_CONTACT_ELASTIC_PLASTIC;
+        else if (name == "height_distribution" && text.size() > 2 && text[0] == '"') {
+            const auto *choice = std::find(choices, choices + 3, text.substr(1, text.size() - 2));
+            if (choice == choices + 3) refuse(where + text + ": heights must be gaussian, weibull or johnson here");
+            value = static_cast<double>(choice - choices);
+        } else {
+            char *end = nullptr;
+            value = std::strtod(text.c_str(), &end);
+            if (text.empty() || *end != '\0')
+                refuse(where + name + ": " + text + " is not a number; Params.from_toml(...).to_toml(...) in Python "
+                       "writes a file of numbers alone");
+        }
+        names.push_back(name);
+        values.push_back(value);
+    }
+}
+
+// Of a positive number, to 1e-13. A third of the upper half of the bits is within 4 %, and Halley's step cubes the error.
+// Written so that compilers make vectors of it in a loop.
+double cube_root(double x) {
+    std::uint64_t bits;
+    double y;
+    std::memcpy(&bits, &x, sizeof bits);
+    bits = (((bits >> 32) * 0xAAAAAAAB >> 33) + 0x2A9F7893) << 32;    // 2/3 of the exponent of 1, less what balances the error
+    std::memcpy(&y, &bits, sizeof y);
+    for (int step = 0; step < 2; step++) {
+        const double cube = y * y * y;
+        y *= (cube + 2 * x) / (2 * cube + x);
+    }
+    return y;
+}
+
+}    // namespace
+
+Law::Law(const std::vector<std::string> &words) {
+    double real_modulus = -1, poisson = 0.3, restitution = 1;
+    std::vector<std::string> names;
+    std::vector<double> values;
+    for (std::size_t i = 0; i < words.size(); i += 2) {
+        const std::string &name = words[i];
+        if (i + 1 == words.size()) refuse(name + ": its value is missing");
+        const std::string &text = words[i + 1];
+        if (name == "modulus") modulus_ = positive(name, text);
+        else if (name == "real_modulus") real_modulus = positive(name, text);
+        else if (name == "poisson") poisson = number(name, text);
+        else if (name == "restitution") restitution = positive(name, text);
+        else if (name == "mu") mu_ = number(name, text);
+        else if (name == "surface") read_file(text, names, values);
+        else {
+            names.push_back(name);
+            values.push_back(number(name, text));
+        }
+    }
+    if (modulus_ < 0) refuse("modulus: must be set, E* that the grains are computed with");
+    if (real_modulus < 0) real_modulus = modulus_;
+    if (real_modulus < modulus_) refuse("real_modulus: must not be below modulus; grains are made softer, not harder");
+    if (!(poisson > -1 && poisson <= 0.5)) refuse("poisson: must be above -1, at most 0.5");
+    if (!(restitution <= 1)) refuse("restitution: must be above 0, at most 1");
+    tangential_ratio_ = 2 * (1 - poisson) / (2 - poisson);
+    damping_ = damping_of(restitution);
+    softening_ = std::pow(modulus_ / real_modulus, 2.0 / 3);
+    area_ = pi * std::pow(0.75 / real_modulus, 2.0 / 3);
+    if (mu_ >= 0 && names.empty()) return;
+    if (mu_ >= 0 || std::find(words.begin(), words.end(), "mu") != words.end())
+        refuse("mu: must be 0 or more, and stands in place of a surface");
+    make_model(names, values);
+}
+
+void Law::make_model(const std::vector<std::string> &names, const std::vector<double> &values) {
+    std::vector<const char *> pointers;
+    for (const std::string &name : names) pointers.push_back(name.c_str());
+    asperity_params params;
+    demand(asperity_params_init_unset(&params));
+    params.nominal_area = 1;
+    demand(asperity_params_set_values(&params, names.size(), pointers.data(), values.data()));
+    if (params.nominal_area > 0) params.asperity_count /= params.nominal_area;
+    params.nominal_area = 1;
+    asperity_model *model = nullptr;
+    demand(asperity_create(&params, &model));
+    model_.reset(model, asperity_free);
+    find_where_it_holds(params.composite_modulus);
+}
+
+// Warnings and number of contacts against pressure, from a billionth of E* to E* itself.
+void Law::find_where_it_holds(double composite_modulus) {
+    first_interval_ = half_binade(1e-9 * composite_modulus);
+    for (std::int64_t k = first_interval_; k <= half_binade(composite_modulus); k++) {
+        const double low = pressure_of(k), high = pressure_of(k + 1);
+        asperity_state state;
+        state.struct_size = sizeof state;
+        Interval interval{0, 0};
+        if (asperity_state_at_load(model_.get(), low, &state) == ASPERITY_OK) interval.touching = state.contacting;
+        // A pressure that cannot be evaluated is one at which all summits are flat.
+        if (asperity_check_loads(model_.get(), low, high, &interval.warnings) != ASPERITY_OK)
+            interval.warnings = ASPERITY_WARNING_CROWDED;
+        interval.warnings &= ~std::uint64_t{ASPERITY_WARNING_FEW};    // of a unit of area; contacts are smaller
+        intervals_.push_back(interval);
+    }
+}
+
+void Law::forces(int count, const Contact *contact, double dt, Forces *result) const {
+    for (int k = 0; k < count; k++) normal(contact[k], result[k]);
+    limits(count, contact, result);
+    for (int k = 0; k < count; k++) tangential(contact[k], dt, result[k]);
+}
+
+// Also the stick stiffness of smooth grains, after Mindlin.
+void Law::normal(const Contact &c, Forces &r) const {
+    const double stiffness = 2 * modulus_ * std::sqrt(c.radius * c.overlap);
+    r.elastic = 2.0 / 3 * stiffness * c.overlap;
+    r.approach = -dot(c.velocity, c.normal);
+    r.load = r.elastic + damping_ * std::sqrt(stiffness * c.mass) * r.approach;
+    if (!(r.load > 0)) r.load = 0;
+    r.stiffness = tangential_ratio_ * stiffness;
+}
+
+// The greatest friction, and the stick stiffness of summits and grains one behind the other.
+void Law::limits(int count, const Contact *c, Forces *r) const {
+    if (!model_) {
+        for (int k = 0; k < count; k++) r[k].limit = mu_ * r[k].load, r[k].pressure = 0;
+        return;
+    }
+    double area[BATCH] = {}, pressure[BATCH] = {}, limit[BATCH], summits[BATCH];
+    for (int k = 0; k < count; k++) area[k] = r[k].load * c[k].radius;
+    for (int k = 0; k < count; k++) {
+        const double root = cube_root(area[k] > 1e-200 ? area[k] : 1e-200);    // an unloaded contact has no area, nearly
+        area[k] = area_ * root * root;
+    }
+    for (int k = 0; k < count; k++) pressure[k] = r[k].load / area[k];
+    // They fail for a load that is not finite only, and then give NaN, as the positions of the grains are.
+    asperity_friction_force_at_loads(model_.get(), count, pressure, limit, nullptr);
+    asperity_tangential_stiffness_at_loads(model_.get(), count, pressure, summits);
+    for (int k = 0; k < count; k++) {
+        const double bulk = r[k].stiffness, both = softening_ * area[k] * summits[k];
+        r[k].pressure = pressure[k];
+        r[k].limit = area[k] * limit[k];
+        r[k].stiffness = bulk * both / (bulk + both);
+    }
+}
+
+void Law::tangential(const Contact &c, double dt, Forces &r) const {
+    double *history = c.history;
+    double slip[3], *spring = r.spring;
+    for (int a = 0; a < 3; a++) slip[a] = c.velocity[a] + r.approach * c.normal[a];
+    const double off = dot(history, c.normal);    // the tangent plane has turned
+    // A contact that is unloaded loses the stiffness of the part that opens, and the force of that part: nothing else
+    // keeps the spring from giving back more than was put in. One that is loaded gains stiffness without force.
+    const double kept = r.stiffness < history[3] ? r.stiffness / history[3] : 1;
+    for (int a = 0; a < 3; a++)
+        spring[a] = kept * (history[a] - off * c.normal[a]) - r.stiffness * dt * slip[a];
+    double size = dot(spring, spring);
+    r.slips = size > r.limit * r.limit;
+    if (r.slips) {
+        const double scale = r.limit / std::sqrt(size);
+        for (int a = 0; a < 3; a++) spring[a] *= scale;
+    }
+    r.friction_work = 0;
+    for (int a = 0; a < 3; a++) {
+        r.friction_work -= 0.5 * (history[a] + spring[a]) * slip[a] * dt;
+        r.friction[a] = spring[a];
+    }
+    if (dt > 0) {
+        for (int a = 0; a < 3; a++) history[a] = spring[a];
+        history[3] = r.stiffness;
+    }
+    if (r.slips || damping_ == 0) return;
+    // The spring of a contact that sticks is damped as the normal one is; the whole stays below the limit.
+    const double viscous = damping_ * std::sqrt(r.stiffness * c.mass);
+    for (int a = 0; a < 3; a++) r.friction[a] -= viscous * slip[a];
+    size = dot(r.friction, r.friction);
+    if (size > r.limit * r.limit) {
+        const double scale = r.limit / std::sqrt(size);
+        for (int a = 0; a < 3; a++) r.friction[a] *= scale;
+    }
+    for (int a = 0; a < 3; a++) r.friction_work -= (r.friction[a] - spring[a]) * slip[a] * dt;
+}
+
+}    // namespace asperity_lammps

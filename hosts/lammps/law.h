@@ -1,0 +1,129 @@
+// The law of a contact between two grains, or a grain and a wall: Hertz and damping along the normal, friction with a stick
+// stiffness across it. Knows nothing of LAMMPS. docs/lammps.md has the equations.
+#ifndef ASPERITY_LAMMPS_LAW_H
+#define ASPERITY_LAMMPS_LAW_H
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "asperity.h"
+
+namespace asperity_lammps {
+
+inline double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+inline void cross(const double *a, const double *b, double *c) {
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+// Two intervals to a power of two, counted on; one begins at pressure_of it.
+inline std::int64_t half_binade(double positive) {
+    std::int64_t bits;
+    std::memcpy(&bits, &positive, sizeof bits);
+    return bits >> 51;
+}
+
+inline double pressure_of(std::int64_t half_binade) {
+    const std::int64_t bits = half_binade << 51;
+    double value;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+// What a contact remembers: the force of its tangential spring on the first body, and the stiffness that it had.
+enum { HISTORY = 4 };
+
+struct Contact {
+    int first, second;            // the grains
+    double *history;              // HISTORY numbers
+    double radius, mass;          // effective ones
+    double overlap, normal[3];    // towards the first body
+    double velocity[3];           // of the first body against the second, where they touch
+};
+
+struct Forces {
+    double load, elastic;         // the whole normal force, and that of the overlap
+    double approach;              // speed
+    double spring[3], friction[3];    // of the tangential spring, and with damping; on the first body
+    double limit, stiffness;      // of friction and of the tangential spring
+    double pressure;              // of the real grain
+    double friction_work;         // taken from the bodies in this step, into the spring or as heat
+    bool slips;
+};
+
+// Sums over contacts.
+struct Sums {
+    double elastic_energy = 0, stick_energy = 0;         // now
+    double friction_work = 0, damping_work = 0;          // since the run began
+    double contacts = 0, slipping = 0, load = 0, held = 0;    // now; held: load where the model holds
+    std::uint64_t warnings = 0;                          // of the contacts where it does not
+
+    void begin_step() { elastic_energy = stick_energy = contacts = slipping = load = held = 0; }
+};
+
+class Law {
+public:
+    // Names and values, one after the other; throws std::invalid_argument with a message that names the word.
+    explicit Law(const std::vector<std::string> &words);
+
+    // Contacts are computed so many at a time, as the library's batch calls are the faster ones.
+    enum { BATCH = 32 };
+
+    // Of up to BATCH contacts. dt: by which the springs are moved on; 0 leaves the histories as they are, for a step that is
+    // computed again.
+    void forces(int count, const Contact *contact, double dt, Forces *result) const;
+
+    // Adds a contact to the sums. share: 1, or 1/2 where another rank has it too.
+    void add(const Contact &contact, const Forces &forces, double dt, double share, bool state, Sums &sums) const;
+
+private:
+    struct Interval {
+        double touching;          // summits per unit area at its lower end
+        std::uint64_t warnings;   // between its ends
+    };
+
+    void make_model(const std::vector<std::string> &names, const std::vector<double> &values);
+    void find_where_it_holds(double composite_modulus);
+    void normal(const Contact &contact, Forces &result) const;
+    void limits(int count, const Contact *contact, Forces *result) const;
+    void tangential(const Contact &contact, double dt, Forces &result) const;
+
+    std::shared_ptr<asperity_model> model_;    // of one unit of area; none with a constant coefficient
+    double mu_ = -1;
+    double modulus_ = -1;                      // E* that the grains are computed with
+    double tangential_ratio_ = 0;              // Mindlin's stiffness over the normal one
+    double damping_ = 0;
+    double area_ = 0;                          // area over (load radius)^(2/3)
+    double softening_ = 1;                     // (modulus/real_modulus)^(2/3)
+    std::int64_t first_interval_ = 0;
+    std::vector<Interval> intervals_;          // by half_binade(pressure) - first_interval_
+};
+
+inline void Law::add(const Contact &c, const Forces &r, double dt, double share, bool state, Sums &sums) const {
+    sums.friction_work += share * r.friction_work;
+    sums.damping_work += share * (r.load - r.elastic) * r.approach * dt;
+    if (!state) return;
+    sums.elastic_energy += share * 0.4 * r.elastic * c.overlap;
+    sums.contacts += share;
+    sums.slipping += r.slips ? share : 0;
+    sums.load += share * r.load;
+    if (r.stiffness > 0) sums.stick_energy += share * 0.5 * dot(r.spring, r.spring) / r.stiffness;
+    if (!model_ || !(r.load > 0)) return;
+    const std::int64_t place = half_binade(r.pressure) - first_interval_, last = std::int64_t(intervals_.size()) - 1;
+    // Below the first interval there are fewer contacts still; above the last, at the pressure E*, the model is far off.
+    const Interval &interval = intervals_[static_cast<std::size_t>(place < 0 ? 0 : place > last ? last : place)];
+    std::uint64_t warnings = interval.warnings;
+    if (interval.touching * r.load < 20 * r.pressure || place < 0) warnings |= ASPERITY_WARNING_FEW;
+    if (warnings == 0) sums.held += share * r.load;
+    sums.warnings |= warnings;
+}
+
+}    // namespace asperity_lammps
+
+#endif

@@ -1,0 +1,349 @@
+#include "pair_asperity_hertz.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "fix.h"
+#include "fix_asperity_history.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "update.h"
+#include "utils.h"
+
+using namespace LAMMPS_NS;
+using namespace asperity_lammps;
+
+namespace {
+
+const char *const history_id = "ASPERITY_HISTORY", *const place_id = "ASPERITY_HISTORY_PLACE";
+enum { EXTRA = 8, SINGLE = 9 };
+
+}    // namespace
+
+PairAsperityHertz::PairAsperityHertz(LAMMPS *lmp) : Pair(lmp) {
+    single_enable = 1;
+    no_virial_fdotr_compute = 1;
+    centroidstressflag = CENTROID_NOTAVAIL;
+    finitecutflag = 1;
+    restartinfo = 1;
+    single_extra = SINGLE;
+    svector = new double[SINGLE];
+    nextra = EXTRA;
+    pvector = new double[EXTRA]();
+    // The fix that keeps the histories can only be made when the grains are there; it must stand where pair_style does.
+    modify->add_fix(std::string(place_id) + " all DUMMY");
+}
+
+PairAsperityHertz::~PairAsperityHertz() {
+    if (copymode) return;
+    delete[] svector;
+    delete[] pvector;
+    const char *id = fix_history_ ? history_id : place_id;
+    if (modify->get_fix_by_id(id)) modify->delete_fix(id);
+    if (allocated) {
+        memory->destroy(setflag);
+        memory->destroy(cutsq);
+    }
+}
+
+void PairAsperityHertz::allocate() {
+    allocated = 1;
+    const int types = atom->ntypes;
+    memory->create(setflag, types + 1, types + 1, "pair:setflag");
+    memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+    for (int i = 1; i <= types; i++)
+        for (int j = 1; j <= types; j++) setflag[i][j] = 0;
+    own_words_.resize((types + 1) * (types + 1));
+    laws_.resize((types + 1) * (types + 1));
+}
+
+// ---- The input script ----
+
+void PairAsperityHertz::settings(int narg, char **arg) { words_.assign(arg, arg + narg); }
+
+void PairAsperityHertz::coeff(int narg, char **arg) {
+    if (narg < 2) error->all(FLERR, "pair_coeff asperity/hertz: needs two types of grains");
+    if (!allocated) allocate();
+    int ilo, ihi, jlo, jhi;
+    utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+    utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+    const Words own(arg + 2, arg + narg);
+    for (int i = ilo; i <= ihi; i++)
+        for (int j = jlo; j <= jhi; j++) set_law(std::min(i, j), std::max(i, j), own);
+}
+
+// Types whose words are the same share a law, of which making one takes milliseconds.
+void PairAsperityHertz::set_law(int i, int j, const Words &own) {
+    const int types = atom->ntypes, index = i * (types + 1) + j;
+    std::shared_ptr<const Law> law;
+    for (std::size_t k = 0; k < laws_.size() && !law; k++)
+        if (laws_[k] && own_words_[k] == own) law = laws_[k];
+    if (!law) {
+        Words words = words_;
+        words.insert(words.end(), own.begin(), own.end());
+        try {
+            law = std::make_shared<const Law>(words);
+        } catch (const std::invalid_argument &refused) {
+            error->all(FLERR, "{} asperity/hertz: {}", own.empty() ? "pair_style" : "pair_coeff", refused.what());
+        }
+    }
+    own_words_[index] = own_words_[j * (types + 1) + i] = own;
+    laws_[index] = laws_[j * (types + 1) + i] = law;
+    setflag[i][j] = 1;
+}
+
+void PairAsperityHertz::init_style() {
+    if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
+        error->all(FLERR, "pair_style asperity/hertz: grains need radius, mass and spin (atom_style sphere)");
+    if (!comm->ghost_velocity) error->all(FLERR, "pair_style asperity/hertz: say 'comm_modify vel yes'");
+    // Each rank computes a contact with a grain of another rank for its own grain.
+    neighbor->add_request(this, NeighConst::REQ_SIZE | NeighConst::REQ_NEWTON_OFF);
+    if (!fix_history_) {
+        modify->replace_fix(place_id, std::string(history_id) + " all " + FixAsperityHistory::style_name, 1);
+        fix_history_ = dynamic_cast<FixAsperityHistory *>(modify->get_fix_by_id(history_id));
+        if (!fix_history_) error->all(FLERR, "pair_style asperity/hertz: no fix that keeps the histories");
+        fix_history_->of_pair(this);
+    }
+    const auto freezing = modify->get_fix_by_style("^freeze");
+    freeze_bit_ = freezing.empty() ? 0 : freezing.front()->groupbit;
+    find_radii();
+    sums_ = Sums();
+    run_load_ = run_held_ = 0;
+}
+
+// The largest grains of each type, those included that fix pour or fix deposit will add.
+void PairAsperityHertz::find_radii() {
+    const int types = atom->ntypes;
+    std::vector<double> mine(types + 1, 0.0), frozen(types + 1, 0.0);
+    for (int i = 0; i < atom->nlocal; i++) {
+        double &largest = (atom->mask[i] & freeze_bit_ ? frozen : mine)[atom->type[i]];
+        largest = std::max(largest, atom->radius[i]);
+    }
+    for (const char *style : {"^pour", "^deposit"})
+        for (Fix *fix : modify->get_fix_by_style(style))
+            for (int type = 1; type <= types; type++) {
+                int itype = type;    // extract takes the type and gives the dimension
+                const auto *radius = static_cast<const double *>(fix->extract("radius", itype));
+                if (radius) mine[type] = std::max(mine[type], *radius);
+            }
+    largest_.assign(types + 1, 0.0);
+    largest_frozen_.assign(types + 1, 0.0);
+    MPI_Allreduce(mine.data(), largest_.data(), types + 1, MPI_DOUBLE, MPI_MAX, world);
+    MPI_Allreduce(frozen.data(), largest_frozen_.data(), types + 1, MPI_DOUBLE, MPI_MAX, world);
+}
+
+// No contacts between two frozen grains.
+double PairAsperityHertz::init_one(int i, int j) {
+    if (!setflag[i][j])
+        error->all(FLERR, "pair_style asperity/hertz: no pair_coeff for types {} and {}; say 'pair_coeff * *'", i, j);
+    return std::max({largest_[i] + largest_[j], largest_frozen_[i] + largest_[j], largest_[i] + largest_frozen_[j]});
+}
+
+// ---- Contacts ----
+
+inline bool PairAsperityHertz::touching(int i, int j, Contact &c) const {
+    const double *x = atom->x[i], *y = atom->x[j], *radius = atom->radius;
+    const double apart[3] = {x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+    const double sum = radius[i] + radius[j], square = dot(apart, apart);
+    if (square >= sum * sum) return false;
+    const double distance = std::sqrt(square), inverse = 1 / distance;
+    const double mi = atom->rmass[i], mj = atom->rmass[j];
+    c.first = i;
+    c.second = j;
+    c.overlap = sum - distance;
+    c.radius = radius[i] * radius[j] / sum;
+    c.mass = mi * mj / (mi + mj);
+    if (atom->mask[i] & freeze_bit_) c.mass = mj;
+    if (atom->mask[j] & freeze_bit_) c.mass = mi;
+    double spin[3], turning[3];
+    for (int a = 0; a < 3; a++) {
+        c.normal[a] = apart[a] * inverse;
+        spin[a] = radius[i] * atom->omega[i][a] + radius[j] * atom->omega[j][a];
+    }
+    cross(spin, c.normal, turning);
+    for (int a = 0; a < 3; a++) c.velocity[a] = atom->v[i][a] - atom->v[j][a] - turning[a];
+    return true;
+}
+
+void PairAsperityHertz::compute(int eflag, int vflag) {
+    ev_init(eflag, vflag);
+    const int types = atom->ntypes, *type = atom->type;
+    fix_history_->changed();
+    sums_.begin_step();
+    Contact contacts[Law::BATCH];
+    const Law *law = nullptr;
+    int waiting = 0;
+    for (int ii = 0; ii < list->inum; ii++) {
+        const int i = list->ilist[ii], *neighbours = list->firstneigh[i], count = list->numneigh[i];
+        const auto *laws = &laws_[type[i] * (types + 1)];
+        double *history = fix_history_->of_grain(i);
+        for (int jj = 0; jj < count; jj++, history += HISTORY) {
+            const int j = neighbours[jj] & NEIGHMASK;
+            if (!touching(i, j, contacts[waiting])) {
+                if (history[3] != 0) std::memset(history, 0, HISTORY * sizeof *history);
+                continue;
+            }
+            const Law *own = laws[type[j]].get();
+            if (own != law && waiting > 0) {    // a contact of other types begins the next batch
+                apply(*law, waiting, contacts);
+                contacts[0] = contacts[waiting];
+                waiting = 0;
+            }
+            law = own;
+            contacts[waiting++].history = history;
+            if (waiting == Law::BATCH) {
+                apply(*law, waiting, contacts);
+                waiting = 0;
+            }
+        }
+    }
+    if (waiting > 0) apply(*law, waiting, contacts);
+    if (!eflag_either) return;
+    run_load_ += sums_.load;
+    run_held_ += sums_.held;
+    const double extra[EXTRA] = {sums_.elastic_energy, sums_.stick_energy, sums_.friction_work, sums_.damping_work,
+                                 sums_.contacts, sums_.slipping, sums_.load, sums_.held};
+    std::copy(extra, extra + EXTRA, pvector);
+}
+
+// The forces of contacts on their grains. A grain of another rank has its force from that rank.
+void PairAsperityHertz::apply(const Law &law, int count, const Contact *contacts) {
+    const int nlocal = atom->nlocal;
+    const double *radius = atom->radius, dt = update->setupflag ? 0 : update->dt;
+    double **f = atom->f, **torque = atom->torque;
+    Forces forces[Law::BATCH];
+    law.forces(count, contacts, dt, forces);
+    for (int k = 0; k < count; k++) {
+        const Contact &c = contacts[k];
+        const Forces &r = forces[k];
+        const int i = c.first, j = c.second;
+        law.add(c, r, dt, j < nlocal ? 1 : 0.5, eflag_either, sums_);
+        double force[3], twist[3];
+        cross(c.normal, r.friction, twist);
+        for (int a = 0; a < 3; a++) {
+            force[a] = r.load * c.normal[a] + r.friction[a];
+            f[i][a] += force[a];
+            torque[i][a] -= radius[i] * twist[a];
+        }
+        if (j < nlocal)
+            for (int a = 0; a < 3; a++) {
+                f[j][a] -= force[a];
+                torque[j][a] -= radius[j] * twist[a];
+            }
+        if (evflag) {
+            const double distance = radius[i] + radius[j] - c.overlap;
+            ev_tally_xyz(i, j, nlocal, 0, 0.4 * r.elastic * c.overlap, 0.0, force[0], force[1], force[2],
+                         distance * c.normal[0], distance * c.normal[1], distance * c.normal[2]);
+        }
+    }
+}
+
+// The history of a contact as seen by i. It is kept with the grain in whose list the other stands.
+const double *PairAsperityHertz::history_of(int i, int j, double &sign) const {
+    sign = 1;
+    for (int turn = 0; turn < 2; turn++, std::swap(i, j), sign = -1) {
+        if (i >= atom->nlocal) continue;
+        const int *neighbours = list->firstneigh[i];
+        for (int jj = 0; jj < list->numneigh[i]; jj++)
+            if ((neighbours[jj] & NEIGHMASK) == j) return fix_history_->of_grain(i) + HISTORY * jj;
+    }
+    return nullptr;
+}
+
+// For compute pair/local: tangential force on i, its size, load, pressure, limit, stick stiffness, whether it slips.
+double PairAsperityHertz::single(int i, int j, int itype, int jtype, double, double, double, double &fforce) {
+    Contact c;
+    double sign = 1, history[HISTORY] = {};
+    const double *kept = history_of(i, j, sign);
+    std::fill(svector, svector + SINGLE, 0.0);
+    fforce = 0;
+    if (!touching(i, j, c)) return 0;
+    if (kept)
+        for (int a = 0; a < HISTORY; a++) history[a] = (a < 3 ? sign : 1) * kept[a];
+    c.history = history;
+    Forces r;
+    laws_[itype * (atom->ntypes + 1) + jtype]->forces(1, &c, 0, &r);
+    const double size = std::sqrt(dot(r.friction, r.friction));
+    const double values[SINGLE] = {r.friction[0], r.friction[1], r.friction[2], size, r.load, r.pressure, r.limit,
+                                   r.stiffness, size >= r.limit * (1 - 1e-12) ? 1.0 : 0.0};
+    std::copy(values, values + SINGLE, svector);
+    fforce = r.load / (atom->radius[i] + atom->radius[j] - c.overlap);
+    return 0.4 * r.elastic * c.overlap;
+}
+
+// Says at the end of a run where the model does not hold, from the steps at which energies were printed.
+void PairAsperityHertz::finish() {
+    const double mine[2] = {run_load_, run_held_};
+    double all[2];
+    std::uint64_t warnings = 0;
+    MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
+    MPI_Allreduce(&sums_.warnings, &warnings, 1, MPI_UINT64_T, MPI_BOR, world);
+    if (comm->me != 0 || !(all[1] < 0.99 * all[0])) return;
+    for (std::uint64_t bit = 1; bit <= warnings; bit *= 2)
+        if (warnings & bit)
+            error->warning(FLERR, "pair_style asperity/hertz: the model holds for contacts with {:.3g} % of the load: {}",
+                           100 * all[1] / all[0], asperity_warning_string(bit));
+}
+
+// ---- Restart files: the words of the script, from which the laws are made anew ----
+
+void PairAsperityHertz::write_words(FILE *file, const Words &words) const {
+    const int count = static_cast<int>(words.size());
+    fwrite(&count, sizeof count, 1, file);
+    for (const std::string &word : words) {
+        const int size = static_cast<int>(word.size());
+        fwrite(&size, sizeof size, 1, file);
+        fwrite(word.data(), 1, size, file);
+    }
+}
+
+PairAsperityHertz::Words PairAsperityHertz::read_words(FILE *file) {
+    const auto read = [&](void *data, std::size_t size) {
+        if (comm->me == 0) utils::sfread(FLERR, data, 1, size, file, nullptr, error);
+        MPI_Bcast(data, static_cast<int>(size), MPI_BYTE, 0, world);
+    };
+    int count = 0;
+    read(&count, sizeof count);
+    Words words(count);
+    for (std::string &word : words) {
+        int size = 0;
+        read(&size, sizeof size);
+        word.resize(size);
+        read(word.data(), size);
+    }
+    return words;
+}
+
+void PairAsperityHertz::write_restart_settings(FILE *file) { write_words(file, words_); }
+
+void PairAsperityHertz::read_restart_settings(FILE *file) { words_ = read_words(file); }
+
+void PairAsperityHertz::write_restart(FILE *file) {
+    write_restart_settings(file);
+    for (int i = 1; i <= atom->ntypes; i++)
+        for (int j = i; j <= atom->ntypes; j++) {
+            fwrite(&setflag[i][j], sizeof(int), 1, file);
+            write_words(file, own_words_[i * (atom->ntypes + 1) + j]);
+        }
+}
+
+void PairAsperityHertz::read_restart(FILE *file) {
+    read_restart_settings(file);
+    allocate();
+    for (int i = 1; i <= atom->ntypes; i++)
+        for (int j = i; j <= atom->ntypes; j++) {
+            int set = 0;
+            if (comm->me == 0) utils::sfread(FLERR, &set, sizeof set, 1, file, nullptr, error);
+            MPI_Bcast(&set, 1, MPI_INT, 0, world);
+            const Words own = read_words(file);
+            if (set) set_law(i, j, own);
+        }
+}
