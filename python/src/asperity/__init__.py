@@ -13,6 +13,7 @@ from ._header import ASPERITY_VERSION as __version__
 from .errors import Error, Status
 from .fit import Fit, Prediction, fit
 from .model import Model
+from .one_line import friction
 from .pads import Pads, pads
 from .params import Params
 from .results import Hysteresis, State, Summary, SummitStates, ValidityWarning, Warnings
@@ -37,6 +38,7 @@ __all__ = [
     "Warnings",
     "__version__",
     "fit",
+    "friction",
     "materials",
     "pads",
     "surface",
