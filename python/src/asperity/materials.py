@@ -47,8 +47,26 @@ class _Named(Dict[str, _Entry]):
         return sorted(self, key=likeness, reverse=True)[:3]
 
 
+class _Sourced:
+    """What has numbers of which some may lack a source."""
+
+    name: Any
+
+    def need(self, name: str) -> Any:
+        """A number or a range that must be there.
+
+        Raises:
+            Error: no source is known for it here.
+        """
+        value = getattr(self, name)
+        if value is None:
+            says = "no source is known here for it; give a number of your own"
+            raise Error(f"{name} of {self.name}: {says}", Status.INVALID_PARAMETER)
+        return value
+
+
 @dataclass(frozen=True)
-class Material:
+class Material(_Sourced):
     """An isotropic elastic body.
 
     Attributes:
@@ -73,7 +91,7 @@ class Material:
 
 
 @dataclass(frozen=True)
-class Pair:
+class Pair(_Sourced):
     """Two bodies and what holds them together.
 
     Attributes:
@@ -123,22 +141,15 @@ def contact(
     Raises:
         Error: a body has no Burgers vector.
     """
-    lengths = [body.burgers_vector for body in (first, second) if body.burgers_vector is not None]
-    if len(lengths) < 2:
-        without = first if first.burgers_vector is None else second
-        raise Error(
-            f"burgers_vector: {without.name} has none: give E1, nu1, E2, nu2, work_of_adhesion, adhesion_range and "
-            "burgers_vector by themselves",
-            Status.INVALID_PARAMETER,
-        )
+    longer = max(first.need("burgers_vector"), second.need("burgers_vector"))
     found: dict[str, Any] = {
         "E1": first.young,
         "nu1": first.poisson,
         "E2": second.young,
         "nu2": second.poisson,
         "work_of_adhesion": work_of_adhesion,
-        "adhesion_range": max(lengths),
-        "burgers_vector": max(lengths),
+        "adhesion_range": longer,
+        "burgers_vector": longer,
     }
     if first.hardness is not None and second.hardness is not None:
         found["hardness"] = min(first.hardness, second.hardness)

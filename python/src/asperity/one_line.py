@@ -50,7 +50,7 @@ def friction(pair: str | Pair, *, load: Any, nominal_area: float = 1.0, **surfac
     if not isinstance(pair, Pair) and not isinstance(pair, str):
         raise TypeError(f"pair = {pair!r}: must be a name, as 'steel/steel', or one of asperity.materials.PAIRS")
     given = _contact(pair, surface) | surface
-    make = Params.si
+    make: Any = Params.si
     if surface.keys() & {"Sq", "Sdq", "Sds", "Ssc"}:
         make = Params.from_iso25178
     elif surface.keys() & {"m0", "m2", "m4"}:
