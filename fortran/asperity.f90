@@ -183,6 +183,33 @@ module asperity
     real(c_double) :: hardness                    ! to H; 0 where contacts are elastic
   end type asperity_sensitivities
 
+  ! What is known of a material, in SI units; 0 is what no source is known for.
+  type, bind(c), public :: asperity_material_data
+    integer(c_int64_t) :: struct_size = 88        ! bytes of this type; leave it
+    real(c_double) :: young                       ! Young's modulus [Pa]
+    real(c_double) :: young_low                   ! the least published value [Pa]
+    real(c_double) :: young_high                  ! the largest published value [Pa]
+    real(c_double) :: poisson                     ! Poisson's ratio [-]
+    real(c_double) :: hardness                    ! indentation hardness [Pa]
+    real(c_double) :: hardness_low                ! the least published value [Pa]
+    real(c_double) :: hardness_high               ! the largest published value [Pa]
+    real(c_double) :: burgers_vector              ! [m]; of a glass the distance of like atoms
+    type(c_ptr) :: name = c_null_ptr              ! a C string; asperity_material_name_text gives it as characters
+    type(c_ptr) :: reference = c_null_ptr         ! a C string: where the numbers are from
+  end type asperity_material_data
+
+  ! What is known of two bodies in contact, in SI units; 0 is what no source is known for.
+  type, bind(c), public :: asperity_pair_data
+    integer(c_int64_t) :: struct_size = 64        ! bytes of this type; leave it
+    real(c_double) :: work_of_adhesion            ! w [J/m^2]
+    real(c_double) :: work_of_adhesion_low        ! the least measurement or estimate [J/m^2]
+    real(c_double) :: work_of_adhesion_high       ! the largest measurement or estimate [J/m^2]
+    real(c_double) :: hamaker                     ! the Hamaker constant that w is estimated from [J]
+    real(c_double) :: slip_stress_1               ! measured shear strength of small contacts over G* [-]
+    type(c_ptr) :: name = c_null_ptr              ! a C string; asperity_pair_name_text gives it as characters
+    type(c_ptr) :: reference = c_null_ptr         ! a C string: where w and the strength are from
+  end type asperity_pair_data
+
   ! ---- The C interface: functions ----
   ! A model is a type(c_ptr). All functions of type integer(c_int32_t) return a status.
 
@@ -304,6 +331,44 @@ module asperity
       integer(c_size_t), intent(in), value :: index
       type(c_ptr) :: name                                 ! c_null_ptr after the last
     end function asperity_params_name
+
+    ! A material by its name, which ends in c_null_char; asperity_material_of takes names of Fortran.
+    function asperity_material(name, material) result(status) bind(c)
+      import :: asperity_material_data, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      type(asperity_material_data), intent(inout) :: material ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_material
+
+    ! The names of the materials, index from 0; asperity_material_name_text gives it as characters.
+    function asperity_material_name(index) result(name) bind(c)
+      import :: c_ptr, c_size_t
+      integer(c_size_t), intent(in), value :: index
+      type(c_ptr) :: name                                 ! c_null_ptr after the last
+    end function asperity_material_name
+
+    ! A pair by its name, which ends in c_null_char; asperity_pair_of takes names of Fortran.
+    function asperity_pair(name, pair) result(status) bind(c)
+      import :: asperity_pair_data, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      type(asperity_pair_data), intent(inout) :: pair     ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_pair
+
+    ! The names of the pairs, index from 0; asperity_pair_name_text gives it as characters.
+    function asperity_pair_name(index) result(name) bind(c)
+      import :: c_ptr, c_size_t
+      integer(c_size_t), intent(in), value :: index
+      type(c_ptr) :: name                                 ! c_null_ptr after the last
+    end function asperity_pair_name
+
+    ! Sets all that a pair of materials tells; the name ends in c_null_char. asperity_params_use_pair takes names of Fortran.
+    function asperity_params_set_pair(params, name) result(status) bind(c)
+      import :: asperity_params, c_int32_t, c_ptr
+      type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      integer(c_int32_t) :: status
+    end function asperity_params_set_pair
 
     ! Makes a model; free it with asperity_free.
     function asperity_create(params, model) result(status) bind(c)
@@ -532,6 +597,7 @@ module asperity
   public :: asperity_params_init_unset_sized, asperity_params_set_dimensionless
   public :: asperity_params_set_materials, asperity_params_set_spectral_moments, asperity_params_set_skew
   public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
+  public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
   public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
@@ -678,6 +744,8 @@ module asperity
   end interface asperity_params_set
 
   public :: asperity_params_set, asperity_params_get, asperity_params_name_text
+  public :: asperity_material_of, asperity_pair_of, asperity_material_name_text, asperity_pair_name_text
+  public :: asperity_params_use_pair
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
   public :: asperity_warning_text
 
@@ -800,6 +868,66 @@ contains
     name = asperity_params_name(int(index - 1, c_size_t))
     if (c_associated(name)) text = fortran_text(name)
   end function asperity_params_name_text
+
+  ! A material by its name, one of asperity_material_name_text: material = asperity_material_of('steel').
+  function asperity_material_of(name, stat, errmsg) result(material)
+    character(*), intent(in) :: name
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(asperity_material_data) :: material              ! zeros on failure
+    character(kind=c_char), target :: text(len(name) + 1)
+    text = c_string(name, size(text))
+    material = asperity_material_data(young=0, young_low=0, young_high=0, poisson=0, hardness=0, hardness_low=0, &
+                                      hardness_high=0, burgers_vector=0)
+    call report(asperity_material(c_loc(text), material), stat, errmsg)
+  end function asperity_material_of
+
+  ! A pair of materials by its name, one of asperity_pair_name_text, in either order.
+  function asperity_pair_of(name, stat, errmsg) result(pair)
+    character(*), intent(in) :: name
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(asperity_pair_data) :: pair                      ! zeros on failure
+    character(kind=c_char), target :: text(len(name) + 1)
+    text = c_string(name, size(text))
+    pair = asperity_pair_data(work_of_adhesion=0, work_of_adhesion_low=0, work_of_adhesion_high=0, hamaker=0, &
+                              slip_stress_1=0)
+    call report(asperity_pair(c_loc(text), pair), stat, errmsg)
+  end function asperity_pair_of
+
+  ! Sets all that a pair of materials tells, in SI units, all but the roughness: call asperity_params_use_pair(params,
+  ! 'steel/steel').
+  subroutine asperity_params_use_pair(params, name, stat, errmsg)
+    type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
+    character(*), intent(in) :: name
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: text(len(name) + 1)
+    text = c_string(name, size(text))
+    call report(asperity_params_set_pair(params, c_loc(text)), stat, errmsg)
+  end subroutine asperity_params_use_pair
+
+  ! The names of the materials; empty after the last.
+  function asperity_material_name_text(index) result(text)
+    integer, intent(in) :: index                          ! from 1
+    character(:), allocatable :: text
+    type(c_ptr) :: name
+    text = ''
+    if (index < 1) return
+    name = asperity_material_name(int(index - 1, c_size_t))
+    if (c_associated(name)) text = fortran_text(name)
+  end function asperity_material_name_text
+
+  ! The names of the pairs; empty after the last.
+  function asperity_pair_name_text(index) result(text)
+    integer, intent(in) :: index                          ! from 1
+    character(:), allocatable :: text
+    type(c_ptr) :: name
+    text = ''
+    if (index < 1) return
+    name = asperity_pair_name(int(index - 1, c_size_t))
+    if (c_associated(name)) text = fortran_text(name)
+  end function asperity_pair_name_text
 
   ! So many characters, of which those after the text are c_null_char.
   pure function c_string(text, length) result(characters)

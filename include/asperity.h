@@ -312,6 +312,94 @@ typedef struct asperity_params {
 } asperity_params;
 
 /**
+ * What is known of a material, in SI units. 0 stands for what no source is known for.
+ */
+typedef struct asperity_material_data {
+  /**
+   * Set by the caller to `sizeof(asperity_material_data)`; the library writes no more than that.
+   */
+  uint64_t struct_size;
+  /**
+   * Young's modulus [Pa].
+   */
+  double young;
+  /**
+   * The least published value [Pa]; 0 if no range is known.
+   */
+  double young_low;
+  /**
+   * The largest published value [Pa]; 0 with it.
+   */
+  double young_high;
+  /**
+   * Poisson's ratio.
+   */
+  double poisson;
+  /**
+   * Indentation hardness [Pa]; 0 if it is not known.
+   */
+  double hardness;
+  /**
+   * The least published value [Pa]; 0 if no range is known.
+   */
+  double hardness_low;
+  /**
+   * The largest published value [Pa]; 0 with it.
+   */
+  double hardness_high;
+  /**
+   * Burgers vector [m], of a glass the distance of like atoms; 0 if there is none.
+   */
+  double burgers_vector;
+  /**
+   * The name; a constant string, as the next.
+   */
+  const char *name;
+  /**
+   * Where the numbers are from.
+   */
+  const char *reference;
+} asperity_material_data;
+
+/**
+ * What is known of two bodies in contact, in SI units. 0 stands for what no source is known for.
+ */
+typedef struct asperity_pair_data {
+  /**
+   * Set by the caller to `sizeof(asperity_pair_data)`; the library writes no more than that.
+   */
+  uint64_t struct_size;
+  /**
+   * w [J/m^2].
+   */
+  double work_of_adhesion;
+  /**
+   * The least measurement or estimate [J/m^2]; 0 if no range is known.
+   */
+  double work_of_adhesion_low;
+  /**
+   * The largest measurement or estimate [J/m^2]; 0 with it.
+   */
+  double work_of_adhesion_high;
+  /**
+   * The Hamaker constant A [J] from which w is estimated, A/(12 pi D^2) with D = 0.165 nm; 0 if it is not.
+   */
+  double hamaker;
+  /**
+   * Measured shear strength of small contacts over G*; 0 if none is known.
+   */
+  double slip_stress_1;
+  /**
+   * The name, both materials with a slash between; a constant string, as the next.
+   */
+  const char *name;
+  /**
+   * Where w and the strength are from.
+   */
+  const char *reference;
+} asperity_pair_data;
+
+/**
  * The exact state of the contact; all quantities in the units of the parameters.
  */
 typedef struct asperity_state {
@@ -895,6 +983,73 @@ asperity_status asperity_params_get_value(const struct asperity_params *params,
  * Threads: any.
  */
 const char *asperity_params_name(size_t index);
+
+/**
+ * Looks a material up by its name: "steel", "SiO2". docs/materials.md has all of them, with their sources.
+ *
+ * Typical values in SI units, to start from: films, alloys and treatments differ.
+ *
+ * @param name      one of `asperity_material_name`; must not be NULL; at most 64 bytes are read
+ * @param material  receives the numbers; must not be NULL; its `struct_size` must be set; untouched on failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
+ *         nearest; `struct_size`)
+ *
+ * Threads: any.
+ */
+asperity_status asperity_material(const char *name,
+                                  struct asperity_material_data *material);
+
+/**
+ * Lists the names of the materials.
+ *
+ * @param index  from 0
+ * @return a constant string; NULL after the last
+ *
+ * Threads: any.
+ */
+const char *asperity_material_name(size_t index);
+
+/**
+ * Looks a pair of materials up by its name: "steel/steel", "mica/Au", in either order.
+ *
+ * The work of adhesion depends on what covers the surfaces more than on the bodies: look at its range and reference.
+ *
+ * @param name  one of `asperity_pair_name`; must not be NULL; at most 64 bytes are read
+ * @param pair  receives the numbers; must not be NULL; its `struct_size` must be set; untouched on failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
+ *         nearest; `struct_size`)
+ *
+ * Threads: any.
+ */
+asperity_status asperity_pair(const char *name,
+                              struct asperity_pair_data *pair);
+
+/**
+ * Lists the names of the pairs.
+ *
+ * @param index  from 0
+ * @return a constant string; NULL after the last
+ *
+ * Threads: any.
+ */
+const char *asperity_pair_name(size_t index);
+
+/**
+ * Sets all that a pair of materials tells, in SI units; the roughness is left to set.
+ *
+ * Sets E*, G* and `tangential_modulus` as `asperity_params_set_materials`, `work_of_adhesion`, `burgers_vector`, the longer
+ * of both bodies', `adhesion_range`, equal to it as in the paper, `hardness`, that of the softer body or 0 if one is not
+ * known, and `slip_stress_1` where it is measured. The other parameters stay as they are.
+ *
+ * @param params  initialised parameters; must not be NULL; untouched on failure
+ * @param name    one of `asperity_pair_name`, in either order; must not be NULL; at most 64 bytes are read
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
+ *         nearest; a body without a Burgers vector)
+ *
+ * Threads: any, on different structs.
+ */
+asperity_status asperity_params_set_pair(struct asperity_params *params,
+                                         const char *name);
 
 /**
  * Makes a model: checks the parameters, finds the pull-off load, compiles the law.

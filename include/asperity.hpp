@@ -44,6 +44,10 @@ using Summary = asperity_summary;
 using Table = asperity_table;
 /// What the friction force changes by with each parameter; its fields are described in asperity.h.
 using Sensitivities = asperity_sensitivities;
+/// What is known of a material, in SI units; its fields are described in asperity.h.
+using Material = asperity_material_data;
+/// What is known of two bodies in contact, in SI units; its fields are described in asperity.h.
+using Pair = asperity_pair_data;
 
 // ---- Versions ----
 
@@ -156,6 +160,42 @@ struct ValuesAndSlopes {
     std::vector<double> slope;
 };
 
+// ---- Materials ----
+
+/// A material by its name, one of material_names(). Throws Error (ASPERITY_INVALID_PARAMETER).
+inline Material material(const std::string &name) {
+    Material found{};
+    found.struct_size = sizeof found;
+    check(asperity_material(name.c_str(), &found));
+    return found;
+}
+
+/// A pair of materials by its name, one of pair_names(), in either order. Throws Error (ASPERITY_INVALID_PARAMETER).
+inline Pair pair(const std::string &name) {
+    Pair found{};
+    found.struct_size = sizeof found;
+    check(asperity_pair(name.c_str(), &found));
+    return found;
+}
+
+/// The names of all materials.
+inline std::vector<std::string> material_names() {
+    std::vector<std::string> all;
+    while (const char *name = asperity_material_name(all.size())) {
+        all.emplace_back(name);
+    }
+    return all;
+}
+
+/// The names of all pairs.
+inline std::vector<std::string> pair_names() {
+    std::vector<std::string> all;
+    while (const char *name = asperity_pair_name(all.size())) {
+        all.emplace_back(name);
+    }
+    return all;
+}
+
 // ---- Parameters ----
 
 /// Families of the distribution of summit heights.
@@ -221,6 +261,14 @@ public:
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_materials(double E1, double nu1, double E2, double nu2) {
         check(asperity_params_set_materials(&c_, E1, nu1, E2, nu2));
+        return *this;
+    }
+
+    /// Sets all that a pair of materials tells, in SI units, as asperity_params_set_pair does: all but the roughness.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER); the parameters are then as before.
+    Params &set_pair(const std::string &name) {
+        check(asperity_params_set_pair(&c_, name.c_str()));
         return *this;
     }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Tests the Python package: installs it into a fresh virtual environment under the target directory, checks its types
-# and runs its tests there, among them those of the wheel, the source distribution and the guide.
+# Tests the Python package: installs it into a virtual environment under the target directory, checks its types and runs
+# its tests there, among them those of the wheel, the source distribution and the guide. The environment is kept as long as
+# pyproject.toml and the interpreter stay; the package itself is installed anew each time.
 #
 # usage: python/test.sh [PYTEST-ARGUMENT ...]
 # PYTHON names the interpreter (python3), 3.10 or later for SurfaceTopography; CARGO_TARGET_DIR is honoured. Needs cargo,
@@ -11,7 +12,8 @@ cd "$(dirname "$0")/.."
 target="${CARGO_TARGET_DIR:-target}"
 mkdir -p "$target"
 target="$(cd "$target" && pwd)"
-export CARGO_TARGET_DIR="$target" PYTHONDONTWRITEBYTECODE=1
+# Compiled once for all processes, outside of the checkout; only what is imported.
+export CARGO_TARGET_DIR="$target" PYTHONPYCACHEPREFIX="$target/python-cache"
 unset ASPERITY_LIBRARY PYTHONPATH
 
 for tool in "${PYTHON:-python3}" cargo cc; do
@@ -19,12 +21,18 @@ for tool in "${PYTHON:-python3}" cargo cc; do
 done
 before="$(git status --porcelain)"
 
-rm -rf "$target/python-venv"
-"${PYTHON:-python3}" -m venv "$target/python-venv"
-"$target/python-venv/bin/pip" install --quiet --disable-pip-version-check './python[fit,plot,test,topography]'
+made_from="$("${PYTHON:-python3}" -VV; cat python/pyproject.toml)"
+if [ "$(cat "$target/python-venv/made_from" 2>/dev/null)" != "$made_from" ]; then
+    rm -rf "$target/python-venv"
+    "${PYTHON:-python3}" -m venv "$target/python-venv"
+fi
+pip() { "$target/python-venv/bin/pip" --quiet --disable-pip-version-check install --no-compile "$@"; }
+pip './python[fit,plot,test,topography]'
+printf '%s\n' "$made_from" >"$target/python-venv/made_from"
+
 cd python
 "$target/python-venv/bin/mypy" --cache-dir "$target/python-mypy" src tests examples
-"$target/python-venv/bin/pytest" --basetemp "$target/python-tests" "$@"
+"$target/python-venv/bin/pytest" -n auto --basetemp "$target/python-tests" "$@"
 cd ..
 
 if [ "$(git status --porcelain)" != "$before" ]; then

@@ -23,6 +23,7 @@ mod error;
 mod float_bits;
 pub mod groups;
 mod law;
+pub mod materials;
 mod model;
 mod neighbours;
 pub mod numerics;

@@ -17,6 +17,7 @@ program c_interface
   call spectral_moments
   call skewed_heights
   call names
+  call materials
   call johnson_heights
   call tabulated_heights
   call life_of_a_model
@@ -162,6 +163,59 @@ contains
     call check('skew -1.2 is outside the family', &
                asperity_params_set_skew(p, -1.2_c_double) == ASPERITY_INVALID_PARAMETER)
   end subroutine skewed_heights
+
+  subroutine materials
+    character(kind=c_char), target :: steel(6) = ['s', 't', 'e', 'e', 'l', c_null_char]
+    character(kind=c_char), target :: both(6) = ['S', 'i', '/', 'S', 'i', c_null_char]
+    type(asperity_material_data) :: material
+    type(asperity_pair_data) :: pair
+    type(asperity_params) :: p, expected
+    character(200) :: message
+    integer :: i, status
+    call asperity_check(asperity_material(c_loc(steel), material))
+    call check_close('steel', material%young, 205e9_c_double, 1e-15_c_double)
+    call check('its name and source', c_associated(material%name) .and. c_associated(material%reference))
+    call asperity_check(asperity_pair(c_loc(both), pair))
+    call check_close('Si/Si', pair%work_of_adhesion, 0.063_c_double, 1e-15_c_double)
+    call check('the C functions list them', c_associated(asperity_material_name(0_c_size_t)) .and. &
+               c_associated(asperity_pair_name(0_c_size_t)))
+    i = 1
+    do while (asperity_material_name_text(i) /= '')
+      material = asperity_material_of(asperity_material_name_text(i))
+      call check('every material is found', material%young > 0 .and. material%poisson > 0)
+      i = i + 1
+    end do
+    call check('there are some thirty', i > 30 .and. asperity_material_name_text(0) == '')
+    i = 1
+    do while (asperity_pair_name_text(i) /= '')
+      pair = asperity_pair_of(asperity_pair_name_text(i))
+      call check('every pair is found', pair%work_of_adhesion > 0)
+      i = i + 1
+    end do
+    call check('there are some twenty-five', i > 25 .and. asperity_pair_name_text(0) == '')
+
+    call asperity_check(asperity_params_init(p))
+    expected = p
+    call asperity_check(asperity_params_set_materials(expected, 54e9_c_double, 0.1_c_double, 78e9_c_double, 0.44_c_double))
+    call asperity_params_use_pair(p, 'Au/mica')
+    call check_close('a pair sets the bodies', p%composite_modulus, expected%composite_modulus, 1e-15_c_double)
+    call check_close('... the work of adhesion', p%work_of_adhesion, 0.172_c_double, 1e-15_c_double)
+    call check_close('... the longer Burgers vector', p%burgers_vector, 0.52e-9_c_double, 1e-15_c_double)
+    call check_close('... a measured slip stress', p%slip_stress_1, 0.0108_c_double, 1e-15_c_double)
+    call check('... no hardness where one is not known', identical(p%hardness, 0.0_c_double))
+    call asperity_check(asperity_params_set_pair(p, c_loc(both)))
+    call check_close('the C function too', p%burgers_vector, 0.384e-9_c_double, 1e-15_c_double)
+    call check_close('... with the hardness', p%hardness, 12e9_c_double, 1e-15_c_double)
+
+    material = asperity_material_of('stel', status, message)
+    call check('an unknown material', status == ASPERITY_INVALID_PARAMETER .and. identical(material%young, 0.0_c_double) &
+               .and. message == 'stel: no material has this name; the nearest is steel')
+    pair = asperity_pair_of('steel', status, message)
+    call check('an unknown pair', status == ASPERITY_INVALID_PARAMETER .and. identical(pair%hamaker, 0.0_c_double))
+    call asperity_params_use_pair(p, 'PDMS/PDMS', status, message)
+    call check('a body without a Burgers vector', status == ASPERITY_INVALID_PARAMETER .and. &
+               index(message, 'burgers_vector: a body of this pair has none') == 1)
+  end subroutine materials
 
   subroutine names
     character(11), parameter :: BODIES(4) = [character(11) :: 'nu2', 'E1', 'nu1', 'E2']

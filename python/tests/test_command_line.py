@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import subprocess
 import sys
+import warnings
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from asperity import Model, Params, __version__
+from asperity.__main__ import main
 
 POLYSILICON = (
     "--E1 160e9 --nu1 0.22 --E2 160e9 --nu2 0.22 --work-of-adhesion 0.063 --adhesion-range 0.384e-9 "
@@ -17,9 +21,22 @@ POLYSILICON = (
 )
 
 
-def asperity(arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
+def started(arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
+    """The command as a process of its own."""
     command = [sys.executable, "-m", "asperity", *arguments.split()]
     return subprocess.run(command, capture_output=True, text=True, timeout=60, check=False, **options)
+
+
+def asperity(arguments: str) -> subprocess.CompletedProcess[str]:
+    """The command in this process, which need not import all anew."""
+    with contextlib.redirect_stdout(io.StringIO()) as output, contextlib.redirect_stderr(io.StringIO()) as errors:
+        with warnings.catch_warnings():
+            warnings.simplefilter("default")  # as in a process of its own
+            try:
+                status = main(arguments.split())
+            except SystemExit as end:
+                status = int(end.code or 0)
+    return subprocess.CompletedProcess(arguments, status, output.getvalue(), errors.getvalue())
 
 
 def table(text: str) -> list[list[float]]:
@@ -29,7 +46,7 @@ def table(text: str) -> list[list[float]]:
 
 
 def test_version() -> None:
-    assert asperity("--version").stdout == f"asperity {__version__} (library {__version__}, ABI 1)\n"
+    assert started("--version").stdout == f"asperity {__version__} (library {__version__}, ABI 1)\n"
 
 
 def test_the_table_is_that_of_the_model(params: Params) -> None:
@@ -78,8 +95,9 @@ def test_physical_parameters() -> None:
 
 
 @pytest.mark.parametrize("ending, start", [("svg", b"<?xml"), ("png", b"\x89PNG"), ("pdf", b"%PDF")])
-def test_the_figure_is_drawn(tmp_path: Path, ending: str, start: bytes) -> None:
-    done = asperity(f"curve --count 5 --figure curve.{ending}", cwd=tmp_path)
+def test_the_figure_is_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str, start: bytes) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = asperity(f"curve --count 5 --figure curve.{ending}")
     assert (done.returncode, done.stderr) == (0, f"asperity: the curve is drawn in curve.{ending}\n")
     assert (tmp_path / f"curve.{ending}").read_bytes().startswith(start)
     assert len(table(done.stdout)) == 5
@@ -92,16 +110,16 @@ def test_loads_at_which_the_model_does_not_hold_are_warned_of() -> None:
 
 
 def test_the_figure_has_a_name_unless_one_is_given(tmp_path: Path) -> None:
-    asperity("curve --count 2", cwd=tmp_path)
+    started("curve --count 2", cwd=tmp_path)
     assert [file.name for file in tmp_path.iterdir()] == ["friction_curve.svg"]
 
 
 def test_without_matplotlib_it_says_so_and_prints_nothing(tmp_path: Path) -> None:
     (tmp_path / "matplotlib.py").write_text("raise ImportError('No module named matplotlib')")
-    done = asperity("curve", cwd=tmp_path)  # -m puts the working directory first
+    done = started("curve", cwd=tmp_path)  # -m puts the working directory first
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr.startswith("asperity: drawing needs matplotlib") and "pip install matplotlib" in done.stderr
-    assert asperity("curve --figure - --count 2", cwd=tmp_path).returncode == 0
+    assert started("curve --figure - --count 2", cwd=tmp_path).returncode == 0
 
 
 @pytest.mark.parametrize(
@@ -125,8 +143,11 @@ def test_without_matplotlib_it_says_so_and_prints_nothing(tmp_path: Path) -> Non
         ("curve --figure curve.xyz", 1, "'xyz' is not supported"),
     ],
 )
-def test_bad_input_is_refused(tmp_path: Path, arguments: str, status: int, message: str) -> None:
-    done = asperity(arguments, cwd=tmp_path)
+def test_bad_input_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: str, status: int, message: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = asperity(arguments)
     assert done.returncode == status
     assert message in done.stderr and "Traceback" not in done.stderr
 

@@ -149,7 +149,7 @@ def test_without_a_file_the_table_is_printed(surface: Path, capsys: pytest.Captu
 def test_pressures_that_the_surface_does_not_bear_are_told(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
     surface.write_text(SURFACE.replace("51e9", "5e9"), encoding="utf-8")
     assert main(["export", str(surface), "--format", "csv", "--range", "1e6:1e9"]) == 0
-    assert "asperity: at 1e+09 Pa: " in capsys.readouterr().err
+    assert "asperity: between 1e+06 and 1e+09 Pa: " in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,15 @@ import pytest
 
 from asperity import Params, State, Status, Summary, Warnings, _header
 
-STRUCTS = ("asperity_params", "asperity_state", "asperity_summary", "asperity_table", "asperity_sensitivities")
+STRUCTS = (
+    "asperity_params",
+    "asperity_state",
+    "asperity_summary",
+    "asperity_table",
+    "asperity_sensitivities",
+    "asperity_material_data",
+    "asperity_pair_data",
+)
 TYPES = {
     "double": ctypes.c_double,
     "uint64_t": ctypes.c_uint64,

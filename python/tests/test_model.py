@@ -174,11 +174,11 @@ def test_loads_without_an_answer_raise_and_name_their_index(
             assert caught.value.status == status
 
 
-@pytest.mark.parametrize("at", ["1.0", [1.0], np.array([1.0, 2.0]), None])
-def test_a_state_takes_one_number(model: Model, at: Any) -> None:
-    with pytest.raises(TypeError, match=r"^load = .*must be one number; for many, \[model.state_at_load\(x\)"):
+@pytest.mark.parametrize("at", ["1.0", None, ["a"], object()])
+def test_a_state_takes_numbers(model: Model, at: Any) -> None:
+    with pytest.raises(TypeError, match="^load: must be real numbers, not an array of "):
         model.state_at_load(at)
-    with pytest.raises(TypeError, match="^separation = .*must be one number"):
+    with pytest.raises(TypeError, match="^separation: must be real numbers"):
         model.state_at_separation(at)
     single: Any = np.float32(1.0)
     assert model.state_at_load(single) == model.state_at_load(1)

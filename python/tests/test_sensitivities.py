@@ -65,10 +65,10 @@ def test_bars_are_drawn(model: Model, tmp_path: Path) -> None:
 def test_a_narrow_band_is_the_same_by_sensitivities_and_by_samples(params: Params) -> None:
     spread = {"sigma": 0.01, "w": 0.02, "epsilon": 0.01}
     linear = uncertainty(params, spread, LOADS)
-    drawn = uncertainty(params, spread, LOADS, samples=400, seed=1)
-    assert drawn.samples is not None and drawn.samples.shape == (400, LOADS.size) and drawn.refused == 0
-    # The standard error of a standard deviation of 400 is 3.5 %.
-    assert drawn.deviation == pytest.approx(linear.deviation, rel=0.12)
+    drawn = uncertainty(params, spread, LOADS, samples=200, seed=1)
+    assert drawn.samples is not None and drawn.samples.shape == (200, LOADS.size) and drawn.refused == 0
+    # The standard error of a standard deviation of 200 is 5 %.
+    assert drawn.deviation == pytest.approx(linear.deviation, rel=0.15)
     with Model(params) as model:
         assert linear.value.tolist() == model.friction_at_load(LOADS).tolist()
     assert ((linear.low < linear.value) & (linear.value < linear.high)).all()

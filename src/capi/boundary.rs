@@ -20,8 +20,8 @@ pub enum Failure {
     OutOfMemory,
     /// What is wrong about a parameter that is named.
     Name { name: &'static str, says: &'static str },
-    /// A name that no parameter has, as many bytes of it as `length`, and the nearest that one has.
-    UnknownName { name: [u8; 64], length: usize, nearest: &'static str },
+    /// A name that no such thing has, as many bytes of it as `length`, and the nearest that one has.
+    UnknownName { of: &'static str, name: [u8; 64], length: usize, nearest: &'static str },
 }
 
 impl From<Error> for Failure {
@@ -38,9 +38,9 @@ impl std::fmt::Display for Failure {
             Failure::Element(index, error) => write!(f, "element {index}: {error}"),
             Failure::OutOfMemory => write!(f, "out of memory: nothing was made or changed; free some and call again"),
             Failure::Name { name, says } => write!(f, "{name}: {says}"),
-            Failure::UnknownName { name, length, nearest } => {
+            Failure::UnknownName { of, name, length, nearest } => {
                 let name = name[..*length].escape_ascii();
-                write!(f, "{name}: no parameter has this name; the nearest is {nearest}")
+                write!(f, "{name}: no {of} has this name; the nearest is {nearest}")
             }
         }
     }
@@ -177,7 +177,7 @@ mod tests {
         assert_eq!(contained_status(|| Err(Failure::Null(""))), 1);
         assert_eq!(contained_status(|| Err(Failure::OutOfMemory)), 7);
         assert_eq!(contained_status(|| Err(Failure::Name { name: "", says: "" })), 2);
-        assert_eq!(contained_status(|| Err(Failure::UnknownName { name: [0; 64], length: 0, nearest: "" })), 2);
+        assert_eq!(contained_status(|| Err(Failure::UnknownName { of: "", name: [0; 64], length: 0, nearest: "" })), 2);
         assert_eq!(contained_status(|| Ok(())), 0);
     }
 }

@@ -11,6 +11,7 @@ mod boundary;
 mod evaluate;
 mod fp_environment;
 mod last_error;
+mod materials;
 mod model;
 mod names;
 mod params;
@@ -31,6 +32,7 @@ mod version;
 // For C through the header, for the tests of this crate as items; no part of the Rust interface.
 pub use evaluate::*;
 pub use last_error::asperity_last_error;
+pub use materials::*;
 pub use model::*;
 pub use names::*;
 pub use params::*;

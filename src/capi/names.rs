@@ -88,7 +88,7 @@ const LONGEST: usize = 64;
 
 /// A caller's name, as far as it is read.
 #[derive(Clone, Copy)]
-struct Given {
+pub(super) struct Given {
     bytes: [u8; LONGEST],
     length: usize,
 }
@@ -96,7 +96,7 @@ struct Given {
 impl Given {
     /// # Safety
     /// `name` points to a string that ends in NUL or has `LONGEST` bytes.
-    unsafe fn read(name: &c_char) -> Self {
+    pub(super) unsafe fn read(name: &c_char) -> Self {
         let first = std::ptr::from_ref(name);
         let mut given = Self { bytes: [0; LONGEST], length: 0 };
         while given.length < LONGEST {
@@ -111,7 +111,7 @@ impl Given {
         given
     }
 
-    fn text(&self) -> &[u8] {
+    pub(super) fn text(&self) -> &[u8] {
         &self.bytes[..self.length]
     }
 
@@ -123,11 +123,15 @@ impl Given {
         ARGUMENTS.iter().position(|name| name.to_bytes() == self.text())
     }
 
-    /// The refusal of a name that is none, which tells the nearest of those that are.
-    fn unknown(&self) -> Failure {
-        let names = FIELDS.iter().map(|field| field.name).chain(ARGUMENTS);
+    /// The refusal of a name that no such thing has, which tells the nearest of those that are.
+    pub(super) fn unknown(&self, of: &'static str, names: impl Iterator<Item = &'static CStr>) -> Failure {
         let nearest = names.min_by_key(|name| edits(self.text(), name.to_bytes())).unwrap_or_default();
-        Failure::UnknownName { name: self.bytes, length: self.length, nearest: nearest.to_str().unwrap_or_default() }
+        let nearest = nearest.to_str().unwrap_or_default();
+        Failure::UnknownName { of, name: self.bytes, length: self.length, nearest }
+    }
+
+    fn unknown_parameter(&self) -> Failure {
+        self.unknown("parameter", FIELDS.iter().map(|field| field.name).chain(ARGUMENTS))
     }
 }
 
@@ -167,7 +171,7 @@ impl Numbers {
             match (given.field(), given.argument()) {
                 (Some(field), _) => numbers.fields[field] = Some(value),
                 (None, Some(argument)) => numbers.arguments[argument] = Some(value),
-                (None, None) => return Err(given.unknown()),
+                (None, None) => return Err(given.unknown_parameter()),
             }
         }
         Ok(numbers)
@@ -357,7 +361,7 @@ pub unsafe extern "C" fn asperity_params_get_value(
                 let says = "is not kept: read the fields that were made of it, as composite_modulus or height_std";
                 return Err(Failure::Name { name: ARGUMENTS[argument].to_str().unwrap_or_default(), says });
             }
-            (None, None) => return Err(given.unknown()),
+            (None, None) => return Err(given.unknown_parameter()),
         }
         Ok(())
     })

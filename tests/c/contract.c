@@ -526,6 +526,85 @@ static void names_are_refused_with_the_nearest_and_nothing_changes(void)
     CHECK(asperity_params_set_value(&p, "height_std", NAN) == ASPERITY_OK && isnan(p.height_std), "%s", last_message());
 }
 
+/* ---- Materials ---- */
+
+static void materials_are_found_by_their_names(void)
+{
+    asperity_material_data steel = { sizeof steel }, other = { sizeof other };
+    asperity_material_data untouched = other;
+    size_t count = 0;
+
+    CHECK(asperity_material("steel", &steel) == ASPERITY_OK, "%s", last_message());
+    CHECK(steel.young == 205e9 && steel.poisson == 0.3 && steel.hardness == 7.5e9 && steel.burgers_vector == 0.248e-9,
+          "steel is %g %g %g %g", steel.young, steel.poisson, steel.hardness, steel.burgers_vector);
+    CHECK(steel.young_low == 190e9 && steel.young_high == 210e9 && steel.hardness_low == 2e9 && steel.hardness_high == 9e9,
+          "its ranges");
+    CHECK(strcmp(steel.name, "steel") == 0 && strstr(steel.reference, "AISI 52100") != NULL, "%s", steel.reference);
+    for (; asperity_material_name(count) != NULL; count++) {
+        CHECK(asperity_material(asperity_material_name(count), &other) == ASPERITY_OK, "%s", last_message());
+        CHECK(strcmp(other.name, asperity_material_name(count)) == 0 && other.young > 0 && strlen(other.reference) > 20,
+              "%s", other.name);
+    }
+    CHECK(count == 30 && asperity_material_name(SIZE_MAX) == NULL, "%d materials", (int)count);
+
+    other = untouched;
+    CHECK(asperity_material("Steel", &other) == ASPERITY_INVALID_PARAMETER &&
+          says("Steel: no material has this name; the nearest is steel"), "%s", last_message());
+    CHECK(asperity_material("steel/steel", &other) == ASPERITY_INVALID_PARAMETER, "a pair is no material");
+    CHECK(asperity_material(NULL, &other) == ASPERITY_NULL_POINTER && says("name is NULL"), "%s", last_message());
+    CHECK(asperity_material("steel", NULL) == ASPERITY_NULL_POINTER && says("material is NULL"), "%s", last_message());
+    other.struct_size = 0;
+    CHECK(asperity_material("steel", &other) == ASPERITY_INVALID_PARAMETER && says("struct_size = 0"), "%s", last_message());
+    other.struct_size = 16;
+    CHECK(asperity_material("steel", &other) == ASPERITY_OK && other.young == 205e9 && other.poisson == untouched.poisson,
+          "written further than struct_size");
+}
+
+static void pairs_are_found_in_either_order(void)
+{
+    asperity_pair_data one = { sizeof one }, other = { sizeof other };
+    size_t count = 0;
+
+    CHECK(asperity_pair("mica/Au", &one) == ASPERITY_OK, "%s", last_message());
+    CHECK(asperity_pair("Au/mica", &other) == ASPERITY_OK && SAME(one, other), "%s", last_message());
+    CHECK(one.work_of_adhesion == 0.172 && one.work_of_adhesion_low == 0.02 && one.work_of_adhesion_high == 0.18 &&
+          one.hamaker == 17.6e-20 && one.slip_stress_1 == 0.0108 && strcmp(one.name, "mica/Au") == 0, "mica/Au");
+    for (; asperity_pair_name(count) != NULL; count++)
+        CHECK(asperity_pair(asperity_pair_name(count), &other) == ASPERITY_OK && other.work_of_adhesion > 0, "%s",
+              last_message());
+    CHECK(count == 26 && asperity_pair_name(SIZE_MAX) == NULL, "%d pairs", (int)count);
+    CHECK(asperity_pair("stel/steel", &other) == ASPERITY_INVALID_PARAMETER &&
+          says("stel/steel: no pair has this name; the nearest is steel/steel"), "%s", last_message());
+    CHECK(asperity_pair(NULL, &other) == ASPERITY_NULL_POINTER && says("name is NULL"), "%s", last_message());
+    CHECK(asperity_pair("Si/Si", NULL) == ASPERITY_NULL_POINTER && says("pair is NULL"), "%s", last_message());
+}
+
+/* All but the roughness, which stays as it was; a body without a Burgers vector is refused. */
+static void a_pair_sets_what_it_tells_and_nothing_else(void)
+{
+    asperity_params p = surface(8), expected = p, refused;
+
+    CHECK(asperity_params_set_materials(&expected, 54e9, 0.1, 78e9, 0.44) == ASPERITY_OK, "%s", last_message());
+    expected.work_of_adhesion = 0.172;
+    expected.adhesion_range = expected.burgers_vector = 0.52e-9;
+    expected.hardness = 0;
+    expected.slip_stress_1 = 0.0108;
+    CHECK(asperity_params_set_pair(&p, "mica/Au") == ASPERITY_OK && SAME(p, expected), "%s", last_message());
+    expected = p;
+    CHECK(asperity_params_set_materials(&expected, 205e9, 0.3, 416e9, 0.231) == ASPERITY_OK, "%s", last_message());
+    expected.work_of_adhesion = 0.085;
+    expected.adhesion_range = expected.burgers_vector = 0.476e-9;
+    expected.hardness = 7.5e9;
+    CHECK(asperity_params_set_pair(&p, "Al2O3/steel") == ASPERITY_OK && SAME(p, expected), "%s", last_message());
+    refused = p;
+    CHECK(asperity_params_set_pair(&refused, "PDMS/PDMS") == ASPERITY_INVALID_PARAMETER &&
+          says("burgers_vector: a body of this pair has none") && SAME(refused, p), "%s", last_message());
+    CHECK(asperity_params_set_pair(&refused, "wood/wood") == ASPERITY_INVALID_PARAMETER && SAME(refused, p), "%s",
+          last_message());
+    CHECK(asperity_params_set_pair(NULL, "Si/Si") == ASPERITY_NULL_POINTER && says("params is NULL"), "%s", last_message());
+    CHECK(asperity_params_set_pair(&p, NULL) == ASPERITY_NULL_POINTER && says("name is NULL"), "%s", last_message());
+}
+
 static void names_beyond_a_short_struct_are_refused(void)
 {
     asperity_params p, before;
@@ -1158,6 +1237,9 @@ int main(void)
     names_that_go_together_are_as_the_setters();
     names_of_heights_choose_them();
     names_are_refused_with_the_nearest_and_nothing_changes();
+    materials_are_found_by_their_names();
+    pairs_are_found_in_either_order();
+    a_pair_sets_what_it_tells_and_nothing_else();
     names_beyond_a_short_struct_are_refused();
     create_refuses_by_name_and_leaves_the_pointer();
     failing_set_params_leaves_the_model_bit_for_bit();

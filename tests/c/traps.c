@@ -232,6 +232,11 @@ static void special_setter_arguments(void)
             doing = "asperity_params_set_skew";
             asperity_params_set_skew(&p, specials[i]);
         }
+        for (size_t name = 0; asperity_pair_name(name) != NULL; name++) {
+            asperity_params p = surface(0);
+            doing = "asperity_params_set_pair";
+            asperity_params_set_pair(&p, asperity_pair_name(name));
+        }
         for (size_t name = 0; asperity_params_name(name) != NULL; name++) {
             asperity_params p = surface(0);
             doing = "asperity_params_set_value";
@@ -274,6 +279,10 @@ static void null_pointers(void)
     REFUSES(asperity_params_get_value(NULL, "skew", &x));
     REFUSES(asperity_params_get_value(&p, NULL, &x));
     REFUSES(asperity_params_get_value(&p, "skew", NULL));
+    REFUSES(asperity_params_set_pair(NULL, "Si/Si"));
+    REFUSES(asperity_params_set_pair(&p, NULL));
+    REFUSES(asperity_material("Si", NULL));
+    REFUSES(asperity_pair("Si/Si", NULL));
     REFUSES(asperity_create(NULL, &model));
     REFUSES(asperity_create(&p, NULL));
     REFUSES(asperity_create(NULL, NULL));

@@ -138,6 +138,9 @@ fn constants_are_strings_that_end() {
         for warning in [0, 1, 2, 4, 8, 16, 32, 3, u64::MAX] {
             assert!(!CStr::from_ptr(asperity_warning_string(warning)).to_bytes().is_empty());
         }
+        assert_eq!(CStr::from_ptr(asperity_material_name(0)), c"Si");
+        assert_eq!(CStr::from_ptr(asperity_pair_name(0)), c"Si/Si");
+        assert!(asperity_material_name(usize::MAX).is_null() && asperity_pair_name(usize::MAX).is_null());
     }
 }
 
@@ -162,6 +165,22 @@ fn a_message_fits_any_buffer() {
 }
 
 #[test]
+fn materials_are_written_no_further_than_they_may() {
+    for words in 2..=13 {
+        let (material, pair) = (Place::sized(8 * words, 13), Place::sized(8 * words, 13));
+        // SAFETY: memory of the size that is told, and names that end.
+        unsafe {
+            assert_eq!(asperity_material(c"steel".as_ptr(), material.pointer()), OK);
+            assert_eq!(asperity_pair(c"Si/Si".as_ptr(), pair.pointer()), OK);
+        }
+        for (place, length) in [(&material, 11), (&pair, 8)] {
+            let written = (words as usize).min(length);
+            assert!((written..13).all(|i| place.word(i) == BEFORE) && place.word(1) != BEFORE, "{words} words");
+        }
+    }
+}
+
+#[test]
 fn parameters_of_every_size_are_set() {
     let whole = size_of::<asperity_params>();
     for size in (FIRST_SIZE..=whole).step_by(8) {
@@ -181,6 +200,7 @@ fn parameters_of_every_size_are_set() {
             assert_eq!(asperity_params_set_materials(params, 2e11, 0.3, f64::INFINITY, 0.2), OK);
             assert_eq!(asperity_params_set_spectral_moments(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
             assert_eq!(asperity_params_set_skew(params, 0.5), OK);
+            assert_eq!(asperity_params_set_pair(params, c"steel/steel".as_ptr()), OK);
             // Names that may lie anywhere, and a number that may.
             let (name, mut value) = (asperity_params_name(0), 0.0);
             assert_eq!(asperity_params_set_value(params, name, 3e11), OK);
@@ -238,6 +258,12 @@ fn null_is_refused_or_skipped() {
             asperity_params_get_value(null(), c"skew".as_ptr(), &mut slope),
             asperity_params_get_value(&params, null(), &mut slope),
             asperity_params_get_value(&params, c"skew".as_ptr(), null_mut()),
+            asperity_params_set_pair(null_mut(), c"Si/Si".as_ptr()),
+            asperity_params_set_pair(&mut params, null()),
+            asperity_material(c"Si".as_ptr(), null_mut()),
+            asperity_material(null(), null_mut()),
+            asperity_pair(c"Si/Si".as_ptr(), null_mut()),
+            asperity_pair(null(), null_mut()),
             asperity_create(null(), &mut model),
             asperity_create(&params, null_mut()),
             asperity_set_params(null_mut(), &params),

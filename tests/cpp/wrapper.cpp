@@ -359,6 +359,19 @@ void states_are_those_of_the_reference() {
     EXPECT(close(same.friction_force, state.friction_force, 1e-9));
 }
 
+void materials_and_pairs_are_those_of_the_table() {
+    const asperity::Material steel = asperity::material("steel");
+    EXPECT(steel.young == 205e9 && steel.struct_size == sizeof steel);
+    EXPECT(asperity::pair("Au/mica").slip_stress_1 == 0.0108);
+    EXPECT(asperity::material_names().size() == 30 && asperity::material_names().front() == "Si");
+    EXPECT(asperity::pair_names().size() == 26 && asperity::pair_names().front() == "Si/Si");
+    const Params params = Params().set_pair("steel/steel").height_std(1e-7).summit_radius(1e-5);
+    EXPECT(params.work_of_adhesion() == 0.049 && params.hardness() == 7.5e9);
+    EXPECT(thrown_by([&] { (void)asperity::material("stel"); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { (void)asperity::pair("stel"); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { Params().set_pair("PDMS/PDMS"); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
 void a_range_of_loads_warns_of_what_fails_in_it() {
     const Model model;
     EXPECT(model.check_loads(1.0, 100.0) == 0);
@@ -637,6 +650,7 @@ int main() {
     parameters_change_all_or_nothing();
     friction_is_that_of_the_reference();
     states_are_those_of_the_reference();
+    materials_and_pairs_are_those_of_the_table();
     a_range_of_loads_warns_of_what_fails_in_it();
     single_summits_are_those_of_hertz();
     friction_is_defined_at_every_load();

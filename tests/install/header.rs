@@ -18,6 +18,7 @@ fn committed_header_is_what_the_sources_generate() {
         "params",
         "setters",
         "names",
+        "materials",
         "model",
         "evaluate",
         "slope",

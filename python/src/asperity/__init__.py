@@ -10,16 +10,19 @@ The Rust library `libasperity` does the work; it is inside the package, unless A
 
 from . import materials, surface
 from ._header import ASPERITY_VERSION as __version__
+from .curve import Curve
 from .errors import Error, Status
 from .fit import Fit, Prediction, fit
 from .model import Model
+from .one_line import friction
 from .pads import Pads, pads
 from .params import Params
-from .results import Hysteresis, State, Summary, SummitStates, ValidityWarning, Warnings
+from .results import Hysteresis, State, States, Summary, SummitStates, ValidityWarning, Warnings
 from .sensitivity import Sensitivities
 from .uncertainty import Uncertainty, uncertainty
 
 __all__ = [
+    "Curve",
     "Error",
     "Fit",
     "Hysteresis",
@@ -29,6 +32,7 @@ __all__ = [
     "Prediction",
     "Sensitivities",
     "State",
+    "States",
     "Status",
     "Summary",
     "SummitStates",
@@ -37,6 +41,7 @@ __all__ = [
     "Warnings",
     "__version__",
     "fit",
+    "friction",
     "materials",
     "pads",
     "surface",

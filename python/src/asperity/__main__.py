@@ -15,6 +15,7 @@ import warnings
 from pathlib import Path
 
 from . import Model, Params, __version__, _export_command, _fit_command, _fmu_command, _header, _library, _surface_options
+from ._style import saved, style
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -89,25 +90,24 @@ def _print_table(model: Model, loads: list[float]) -> list[float]:
 
 
 def _draw(file: str, loads: list[float], coefficients: list[float]) -> None:
-    from matplotlib.figure import Figure
+    with style():
+        from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(7.5, 5), layout="constrained")
-    axes = figure.add_subplot()
-    axes.semilogx(loads, coefficients)
-    axes.set(xlabel="normal load $P$ [force, in the units of the parameters]", ylabel="friction coefficient $F/P$")
-    axes.set_ylim(bottom=0)
-    axes.grid(True, alpha=0.3)
-    figure.savefig(file)
+        figure = Figure(figsize=(6.4, 4.4), layout="constrained")
+        axes = figure.add_subplot()
+        axes.semilogx(loads, coefficients)
+        axes.set(xlabel="normal load $P$ [force, in the units of the parameters]", ylabel="friction coefficient $F/P$ [–]")
+        axes.set_ylim(bottom=0)
+        saved(figure, file)
     print(f"asperity: the curve is drawn in {file}", file=sys.stderr)
 
 
 def _require_matplotlib() -> None:
     try:
-        import matplotlib.figure  # noqa: F401
+        with style():
+            pass
     except ImportError as error:
-        raise ImportError(
-            f"drawing needs matplotlib ({error}): pip install matplotlib, or give '--figure -' for the table alone"
-        ) from None
+        raise ImportError(f"{error}, or give '--figure -' for the table alone") from None
 
 
 def _curve(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:

@@ -44,7 +44,7 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     with Model(Params.from_toml(options.surface)) as model:
         table = pressure_table(friction_at_pressure(model), lowest, highest, options.tolerance)
         area = model.params.nominal_area
-        states = [(pressure, model.state_at_load(pressure * area)) for pressure in (lowest, highest)]
+        warnings = model.check(lowest * area, highest * area)
     name = Path(options.output).stem if options.output else "Friction"
     unit = options.pressure_unit
     title = (
@@ -58,9 +58,8 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
         sys.stdout.write(text)
         sys.stdout.flush()
     print(f"asperity: {len(table.pressure)} rows, largest error between them {table.error:.1e}", file=sys.stderr)
-    for pressure, state in states:
-        if state.warnings:
-            print(f"asperity: at {pressure:g} Pa: {state.warnings}", file=sys.stderr)
+    for kind in warnings.kinds:
+        print(f"asperity: between {lowest:g} and {highest:g} Pa: {kind}", file=sys.stderr)
 
 
 def _range(parser: argparse.ArgumentParser, text: str) -> tuple[float, float]:

@@ -174,12 +174,43 @@ class asperity_sensitivities(Structure):
     ]
 
 
+class asperity_material_data(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("young", c_double),
+        ("young_low", c_double),
+        ("young_high", c_double),
+        ("poisson", c_double),
+        ("hardness", c_double),
+        ("hardness_low", c_double),
+        ("hardness_high", c_double),
+        ("burgers_vector", c_double),
+        ("name", c_char_p),
+        ("reference", c_char_p),
+    ]
+
+
+class asperity_pair_data(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("work_of_adhesion", c_double),
+        ("work_of_adhesion_low", c_double),
+        ("work_of_adhesion_high", c_double),
+        ("hamaker", c_double),
+        ("slip_stress_1", c_double),
+        ("name", c_char_p),
+        ("reference", c_char_p),
+    ]
+
+
 _model = POINTER(asperity_model)
 _params = POINTER(asperity_params)
 _state = POINTER(asperity_state)
 _summary = POINTER(asperity_summary)
 _table = POINTER(asperity_table)
 _sensitivities = POINTER(asperity_sensitivities)
+_material = POINTER(asperity_material_data)
+_pair = POINTER(asperity_pair_data)
 _doubles = POINTER(c_double)
 
 # name: (what it returns, what it takes)
@@ -200,6 +231,11 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_params_set_values": (asperity_status, [_params, c_size_t, POINTER(POINTER(c_char)), _doubles]),
     "asperity_params_get_value": (asperity_status, [_params, c_char_p, _doubles]),
     "asperity_params_name": (c_char_p, [c_size_t]),
+    "asperity_material": (asperity_status, [c_char_p, _material]),
+    "asperity_material_name": (c_char_p, [c_size_t]),
+    "asperity_pair": (asperity_status, [c_char_p, _pair]),
+    "asperity_pair_name": (c_char_p, [c_size_t]),
+    "asperity_params_set_pair": (asperity_status, [_params, c_char_p]),
     "asperity_create": (asperity_status, [_params, POINTER(_model)]),
     "asperity_set_params": (asperity_status, [_model, _params]),
     "asperity_get_params": (asperity_status, [_model, _params]),

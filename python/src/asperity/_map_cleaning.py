@@ -10,7 +10,7 @@ import numpy.typing as npt
 from ._instrument_files import HeightMap
 from ._map_input import checked, degree
 from ._map_spikes import MOST, spikes
-from ._progress import Progress, teller
+from ._progress import LARGE, Progress, teller
 from ._summit_search import basis, products_of
 
 Array = npt.NDArray[np.float64]
@@ -62,7 +62,7 @@ def clean(
     """
     raw, dx, dy = checked(height_map, dx, dy, missing=True)
     degree(detrend)
-    tell = teller(progress, raw.size)
+    tell = teller(progress, raw.size > LARGE)
     unknown = np.isnan(raw)
     missing = int(unknown.sum())
     if 2 * missing > raw.size:

@@ -13,7 +13,8 @@ import numpy.typing as npt
 from . import _map_warnings
 from ._map_filter import filter
 from ._map_input import checked, length
-from ._progress import Progress, teller
+from ._progress import LARGE, Progress, teller
+from ._style import saved, style
 from ._summit_search import without_polynomial
 from .model import Model
 from .params import Params
@@ -134,7 +135,7 @@ def cutoffs(
     longest = min(given.height_map.shape[0] * given.dy, given.height_map.shape[1] * given.dx) / 4
     if cutoff is None:
         chosen = chosen[chosen <= longest]
-    tell = teller(progress, given.height_map.size)
+    tell = teller(progress, given.height_map.size > LARGE)
     found: list[tuple[Summits, Params, Any]] = []
     for i, one in enumerate(chosen):
         tell(i / chosen.size, f"filtering with the cutoff {one:.3g}")
@@ -198,24 +199,19 @@ def _ascending(cutoff: npt.ArrayLike) -> Array:
 
 
 def _draw(found: Cutoffs, file: str | os.PathLike[str] | None) -> Figure:
-    try:
+    with style():
         from matplotlib.figure import Figure
-    except ImportError as error:
-        raise ImportError(f"drawing needs matplotlib ({error}): pip install matplotlib") from None
 
-    figure = Figure(figsize=(7.5, 6), layout="constrained")
-    above, below = figure.subplots(2, 1, sharex=True)
-    above.semilogx(found.cutoff, found.friction, "o-", ms=4, color="C0", label=f"friction at the load {found.load:.3g}")
-    above.set(ylabel="friction coefficient $F/P$", ylim=(0, 1.1 * float(found.friction.max())))
-    below.loglog(found.cutoff, 2 * found.contact_radius, "o-", ms=4, color="C1", label="mean diameter of the contacts")
-    width = _map_warnings.POINTS_PER_CONTACT * found.step
-    below.axhline(width, color="black", ls=":", label=f"{_map_warnings.POINTS_PER_CONTACT} points of the map")
-    below.set(xlabel="cutoff of the filter, in the unit of the map", ylabel="length, in that unit")
-    for axes in (above, below):
-        if found.recommended is not None:
-            axes.axvline(found.recommended, color="black", ls="--", lw=1, label=f"recommended: {found.recommended:.3g}")
-        axes.grid(True, alpha=0.3)
-        axes.legend()
-    if file is not None:
-        figure.savefig(file)
-    return figure
+        figure = Figure(figsize=(7.5, 6), layout="constrained")
+        above, below = figure.subplots(2, 1, sharex=True)
+        above.semilogx(found.cutoff, found.friction, "o-", ms=4, color="C0", label=f"friction at the load {found.load:.3g}")
+        above.set(ylabel="friction coefficient $F/P$", ylim=(0, 1.1 * float(found.friction.max())))
+        below.loglog(found.cutoff, 2 * found.contact_radius, "o-", ms=4, color="C1", label="mean diameter of the contacts")
+        width = _map_warnings.POINTS_PER_CONTACT * found.step
+        below.axhline(width, color="black", ls=":", label=f"{_map_warnings.POINTS_PER_CONTACT} points of the map")
+        below.set(xlabel="cutoff of the filter, in the unit of the map", ylabel="length, in that unit")
+        for axes in (above, below):
+            if found.recommended is not None:
+                axes.axvline(found.recommended, color="black", ls="--", lw=1, label=f"recommended: {found.recommended:.3g}")
+            axes.legend()
+        return saved(figure, file)

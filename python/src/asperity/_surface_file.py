@@ -138,7 +138,8 @@ def _contact(materials: dict[str, Any]) -> dict[str, Any]:
         for pair in (f"{one.name}/{other.name}", f"{other.name}/{one.name}"):
             if pair in PAIRS:
                 return PAIRS[pair].contact | contact
-        contact["burgers_vector"] = contact["adhesion_range"] = max(one.burgers_vector, other.burgers_vector)
+        if one.burgers_vector is not None and other.burgers_vector is not None:
+            contact["burgers_vector"] = contact["adhesion_range"] = max(one.burgers_vector, other.burgers_vector)
         if one.hardness is not None and other.hardness is not None:
             contact["hardness"] = min(one.hardness, other.hardness)
     return contact

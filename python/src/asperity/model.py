@@ -14,22 +14,28 @@ import warnings
 import weakref
 from dataclasses import replace
 from types import TracebackType
-from typing import Any, Literal, Union, overload
+from typing import Any, Literal, Mapping, Union, overload
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _header
+from . import _header, _units
+from ._labelled import like
 from ._library import LIBRARY
+from ._progress import Progress, teller
+from .curve import Curve
 from .errors import Error, Status, check
 from .params import Params
-from .results import Hysteresis, State, Summary, SummitStates, ValidityWarning, Warnings
+from .results import Hysteresis, State, States, Summary, SummitStates, ValidityWarning, Warnings
 from .sensitivity import Sensitivities
 
 Loads = Union["npt.NDArray[Any]", "list[Any]", "tuple[Any, ...]"]
 Array = npt.NDArray[np.float64]
 
 _DOUBLES = ctypes.POINTER(ctypes.c_double)
+# More exact states than these take more than some seconds.
+_MANY = 20_000
+_SLIP_NAMES = ("slip_force", "dforce_dload", "dforce_dslip_rate")
 
 
 class _Handle:
@@ -105,7 +111,7 @@ class Model:
             Error: a load that is NaN, infinite, or too heavy; the class tells more.
         """
         one, one_with_slope = LIBRARY.asperity_friction_at_load, LIBRARY.asperity_friction_and_slope_at_load
-        return self._evaluate(one, one_with_slope, LIBRARY.asperity_friction_at_loads, load, slope)
+        return self._evaluate("friction_coefficient", one, one_with_slope, LIBRARY.asperity_friction_at_loads, load, slope)
 
     @overload
     def friction_force_at_load(self, load: float, *, slope: Literal[False] = ...) -> float: ...
@@ -130,7 +136,79 @@ class Model:
             Error: a load that is NaN, infinite, or too heavy; the class tells more.
         """
         one, one_with_slope = LIBRARY.asperity_friction_force_at_load, LIBRARY.asperity_friction_force_and_slope_at_load
-        return self._evaluate(one, one_with_slope, LIBRARY.asperity_friction_force_at_loads, load, slope)
+        return self._evaluate("friction_force", one, one_with_slope, LIBRARY.asperity_friction_force_at_loads, load, slope)
+
+    def friction_at_pressure(self, pressure: Any, nominal_area: float | None = None, *, slope: bool = False) -> Any:
+        """Friction coefficient at a nominal contact pressure, or at many: `friction_at_load` at pressure times area.
+
+        Args:
+            pressure: nominal contact pressure [stress], positive in compression; a number or an array.
+            nominal_area: the area that carries `asperity_count` summits [length^2]; by default that of the parameters.
+            slope: whether to return d(mu)/d(pressure) [1/stress] too.
+
+        Returns:
+            mu, or (mu, slope): a float for a number, an array of the same shape and labels for an array.
+
+        Raises:
+            Error: a pressure that is NaN, infinite, or too heavy; an area that is not given or not > 0.
+        """
+        return self._at_pressure(self.friction_at_load, pressure, nominal_area, slope, lambda values, area: values)
+
+    def shear_stress_at_pressure(self, pressure: Any, nominal_area: float | None = None, *, slope: bool = False) -> Any:
+        """Frictional shear stress at a nominal contact pressure, or at many: friction force per nominal area.
+
+        Args:
+            pressure: as for `friction_at_pressure`.
+            nominal_area: as for `friction_at_pressure`.
+            slope: whether to return d(stress)/d(pressure) too.
+
+        Returns:
+            The stress, or (stress, slope), as for `friction_at_pressure`.
+
+        Raises:
+            Error: as for `friction_at_pressure`.
+        """
+        return self._at_pressure(
+            self.friction_force_at_load, pressure, nominal_area, slope, lambda values, area: values / area
+        )
+
+    def slip_force(self, load: Any, slip_rate: Any, transition_rate: float, *, slope: bool = False) -> Any:
+        """Friction force of a sliding contact with a smooth sign of the slip rate: F(load) tanh(slip_rate/transition_rate).
+
+        For solvers that integrate through zero slip rate; a contact that should stick creeps instead. Friction opposes slip:
+        apply the force with the sign opposite to the slip rate of the body on which it acts.
+
+        Args:
+            load: normal load [force]; a number or an array.
+            slip_rate: tangential velocity [length/time], signed; a number or an array. The two are broadcast.
+            transition_rate: slip rate at which the force reaches 76 % of the law's, 1e-60 to 1e60.
+            slope: whether to return the derivatives by load and by slip rate too.
+
+        Returns:
+            The force [force], or (force, d/d(load), d/d(slip_rate)): floats for two numbers, else arrays.
+
+        Raises:
+            Error: a load as for `friction_at_load`, a slip rate that is not finite, a transition rate out of its range.
+        """
+        handle = self._open()
+        rate = _number("transition_rate", transition_rate, "slip_force")
+        if not 1e-60 <= rate <= 1e60:
+            raise Error(f"transition_rate = {rate:g}: must be from 1e-60 to 1e60", Status.INVALID_PARAMETER)
+        pairs = np.broadcast(_as_array("load", load), _as_array("slip_rate", slip_rate))
+        found = np.empty((3, pairs.size))
+        by_load, by_rate = ctypes.c_double(), ctypes.c_double()
+        for i, (at, slip) in enumerate(pairs):
+            if not math.isfinite(slip):
+                raise Error(f"element {i}: slip_rate = {slip}: must be finite", Status.INVALID_PARAMETER)
+            force = LIBRARY.asperity_slip_force(
+                handle.pointer, at, slip, rate, ctypes.byref(by_load), ctypes.byref(by_rate)
+            )
+            if math.isnan(force):
+                _refuse(handle, float(at), () if pairs.ndim == 0 else (i,))
+            found[:, i] = force, by_load.value, by_rate.value
+        given = load if np.ndim(load) >= np.ndim(slip_rate) else slip_rate
+        values = tuple(_shaped(given, row, pairs.shape, name) for row, name in zip(found, _SLIP_NAMES))
+        return values if slope else values[0]
 
     @overload
     def tangential_stiffness_at_load(self, load: float) -> float: ...
@@ -155,7 +233,7 @@ class Model:
         def many(model: Any, n: int, loads: Any, values: Any, _slopes: None) -> int:
             return int(LIBRARY.asperity_tangential_stiffness_at_loads(model, n, loads, values))
 
-        return self._evaluate(LIBRARY.asperity_tangential_stiffness_at_load, None, many, load, False)
+        return self._evaluate("tangential_stiffness", LIBRARY.asperity_tangential_stiffness_at_load, None, many, load, False)
 
     def tangential(self, load: npt.ArrayLike, displacement: npt.ArrayLike) -> tuple[Any, Any]:
         """The tangential force T at a load and a displacement, and dT/d(displacement), integrated without the compiled law.
@@ -174,15 +252,16 @@ class Model:
             Error: a load as for `state_at_load`, or a displacement that is not finite.
         """
         pointer = self._open().pointer
-        pairs = np.broadcast(np.asarray(load, dtype=np.float64), np.asarray(displacement, dtype=np.float64))
+        pairs = np.broadcast(_as_array("load", load), _as_array("displacement", displacement))
         found = np.empty((2, pairs.size))
         force, slope = ctypes.c_double(), ctypes.c_double()
         for i, (at, by) in enumerate(pairs):
             check(LIBRARY.asperity_tangential_at_load(pointer, at, by, ctypes.byref(force), ctypes.byref(slope)))
             found[:, i] = force.value, slope.value
-        if pairs.ndim == 0:
-            return float(found[0, 0]), float(found[1, 0])
-        return found[0].reshape(pairs.shape), found[1].reshape(pairs.shape)
+        given = load if np.ndim(load) >= np.ndim(displacement) else displacement
+        names = ("tangential_force", "tangential_stiffness")
+        force_there, slope_there = (_shaped(given, row, pairs.shape, name) for row, name in zip(found, names))
+        return force_there, slope_there
 
     def hysteresis(self, load: float, amplitude: float, *, points: int = 201) -> Hysteresis:
         """The loop of tangential force against displacement between -amplitude and amplitude, at a constant load.
@@ -210,25 +289,94 @@ class Model:
         work = float(np.sum((loading[1:] + loading[:-1]) * np.diff(first)) * 4.0 - 4.0 * amplitude * loading[-1])
         return Hysteresis(np.concatenate([back, -back]), np.concatenate([returning, -returning]), max(work, 0.0))
 
-    def state_at_load(self, load: float) -> State:
-        """The exact state at a load [force], integrated without the compiled law.
+    @overload
+    def state_at_load(self, load: float) -> State: ...
+    @overload
+    def state_at_load(self, load: Loads, *, progress: Progress = ...) -> States: ...
 
-        Raises:
-            Error: a load below the pull-off load (status SEPARATED), not finite, or out of range.
-            TypeError: not a number; an array takes a loop.
-        """
-        return self._state(LIBRARY.asperity_state_at_load, "load", load)
-
-    def state_at_separation(self, separation: float) -> State:
-        """The exact state at a separation [length], also beyond the pull-off point, where no load could hold it.
+    def state_at_load(self, load: Any, *, progress: Progress = None) -> Any:
+        """The exact state at a load [force], or at many, integrated without the compiled law.
 
         Args:
-            separation: of the flat from the mean of the summit heights; may be negative.
+            load: a number, or an array (or nested sequence, Series, DataArray) of any shape.
+            progress: whether to tell how far it is, on the error stream, or a function of the part done, 0 to 1, and of
+                what is being done; by default for more than some ten thousand loads.
+
+        Returns:
+            `State` for a number, `States` for an array.
 
         Raises:
-            Error: a separation that is not finite, or out of range.
+            Error: a load below the pull-off load (status SEPARATED), not finite, or out of range; for arrays with its index.
+            TypeError: no numbers.
         """
-        return self._state(LIBRARY.asperity_state_at_separation, "separation", separation)
+        return self._states(LIBRARY.asperity_state_at_load, "load", load, progress)
+
+    @overload
+    def state_at_separation(self, separation: float) -> State: ...
+    @overload
+    def state_at_separation(self, separation: Loads, *, progress: Progress = ...) -> States: ...
+
+    def state_at_separation(self, separation: Any, *, progress: Progress = None) -> Any:
+        """The exact state at a separation [length], or at many, also beyond the pull-off point, where no load could hold it.
+
+        Args:
+            separation: of the flat from the mean of the summit heights; may be negative. As the loads of `state_at_load`.
+            progress: as for `state_at_load`.
+
+        Raises:
+            Error: a separation that is not finite, or out of range; for arrays with its index.
+        """
+        return self._states(LIBRARY.asperity_state_at_separation, "separation", separation, progress)
+
+    def curve(
+        self,
+        loads: Any = None,
+        *,
+        spread: Mapping[str, float] | None = None,
+        coverage: float = 0.95,
+        samples: int = 0,
+        seed: int = 0,
+    ) -> Curve:
+        """Friction over a range of loads, to look at: `model.curve().plot()`; a notebook shows it by itself.
+
+        Args:
+            loads: normal loads > 0 [force], one-dimensional, in any order; by default 61 from 1e-4 to 1e2 times
+                `asperity_count` E* b^2.
+            spread: name to standard deviation of parameters that are not known well, which gives the curve a band:
+                {"work_of_adhesion": 0.3} is 30 %; see `asperity.uncertainty`.
+            coverage: the probability that the band is to have.
+            samples: how many surfaces to draw for the band; 0 for the linear one.
+            seed: of the random numbers.
+
+        Raises:
+            ValueError: loads or a spread that cannot be used.
+            Error: what the library refuses.
+
+        Warns:
+            ValidityWarning: an assumption of the model that fails at one of the loads.
+        """
+        from .uncertainty import uncertainty
+
+        params = self.params
+        unit = params.asperity_count * params.composite_modulus * params.burgers_vector**2
+        load = np.geomspace(1e-4 * unit, 1e2 * unit, 61) if loads is None else np.sort(_as_array("loads", loads))
+        if load.ndim != 1 or load.size == 0 or not load[0] > 0:
+            raise ValueError("loads: must be one-dimensional, not empty and > 0, since the coefficient is drawn over their logarithm")
+        force = self.friction_force_at_load(load)
+        band = None if spread is None else uncertainty(
+            params, spread, load, coverage=coverage, samples=samples, seed=seed
+        )  # fmt: skip
+        self.warn(float(load[0]), float(load[-1]))
+        return Curve(
+            params,
+            load,
+            self.friction_at_load(load),
+            force,
+            None if band is None else band.low,
+            None if band is None else band.high,
+            None if band is None else coverage,
+            self.check(float(load[0]), float(load[-1])),
+        )
 
     def sensitivities(self, load: float) -> Sensitivities:
         """What the friction force at a load [force] changes by with each parameter: d(ln F)/d(ln p) at constant load.
@@ -327,19 +475,56 @@ class Model:
     def __repr__(self) -> str:
         return "<closed Model>" if self._handle is None else f"Model({self._handle.params!r})"
 
+    def _repr_html_(self) -> str:
+        """For notebooks: the parameters with their units, and a small curve."""
+        if self._handle is None:
+            return "<p>closed Model</p>"
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ValidityWarning)  # of a picture that nobody asked for
+            found = self.curve()
+        return _units.table(self.params) + found._repr_html_()
+
     def _open(self) -> _Handle:
         handle = self._handle
         if handle is None:
             raise Error("the model is closed", Status.NULL_POINTER)
         return handle
 
-    def _state(self, call: Any, name: str, at: Any) -> State:
-        return _state(self._open(), call, _number(name, at, f"state_at_{name}"))
+    def _states(self, call: Any, name: str, at: Any, progress: Progress) -> State | States:
+        handle = self._open()
+        if isinstance(at, numbers.Real):
+            return _state(handle, call, float(at))
+        places = _as_array(name, at)
+        tell = teller(progress, places.size > _MANY, "asperity")
+        found = []
+        for i, one in enumerate(places.ravel().tolist()):
+            if i % 1000 == 0:
+                tell(i / places.size, "exact states")
+            try:
+                found.append(_state(handle, call, one))
+            except Error as error:
+                index = tuple(int(k) for k in np.unravel_index(i, places.shape))
+                raise Error(f"element {_place(index)}: {error}", error.status) from None
+        tell(1.0, "exact states")
+        return States.of(found, at, places.shape)
 
-    def _evaluate(self, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool) -> Any:
+    def _at_pressure(self, call: Any, pressure: Any, nominal_area: float | None, slope: bool, scaled: Any) -> Any:
+        area = self.params.nominal_area if nominal_area is None else _number("nominal_area", nominal_area, "friction_at_pressure")
+        if not 1e-60 <= area <= 1e60:
+            says = "must be given, here or in the parameters" if area == 0 and nominal_area is None else "must be from 1e-60 to 1e60"
+            raise Error(f"nominal_area = {area:g}: {says}", Status.INVALID_PARAMETER)
+        load = float(pressure) * area if isinstance(pressure, numbers.Real) else _as_array("pressure", pressure) * area
+        if not slope:
+            return _relabelled(pressure, scaled(call(load), area))
+        values, slopes = call(load, slope=True)
+        return _relabelled(pressure, scaled(values, area)), _relabelled(pressure, scaled(slopes, area) * area)
+
+    def _evaluate(self, name: str, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool) -> Any:
         handle = self._open()
         if not isinstance(load, numbers.Real):
-            return _evaluate_array(handle, many, _as_array("load", load), slope)
+            arrays = _evaluate_array(handle, many, _as_array("load", load), slope)
+            found_there = tuple(like(load, array, name) for array in arrays)
+            return found_there if slope else found_there[0]
         found = ctypes.c_double()
         value: float
         if slope:
@@ -364,7 +549,7 @@ def _as_array(name: str, values: Any) -> Array:
     return np.asarray(array, dtype=np.float64, order="C")
 
 
-def _evaluate_array(handle: _Handle, many: Any, load: Array, slope: bool) -> Any:
+def _evaluate_array(handle: _Handle, many: Any, load: Array, slope: bool) -> tuple[Array, ...]:
     values = np.empty(load.shape)
     slopes = np.empty(load.shape) if slope else None
     status = many(handle.pointer, load.size, _data(load), _data(values), None if slopes is None else _data(slopes))
@@ -380,7 +565,7 @@ def _evaluate_array(handle: _Handle, many: Any, load: Array, slope: bool) -> Any
     if refused.any():
         index = np.unravel_index(int(np.argmax(refused)), load.shape)
         _refuse(handle, float(load[index]), index)
-    return values if slopes is None else (values, slopes)
+    return (values,) if slopes is None else (values, slopes)
 
 
 def _refuse(handle: _Handle, load: float, index: tuple[Any, ...] = ()) -> None:
@@ -390,9 +575,23 @@ def _refuse(handle: _Handle, load: float, index: tuple[Any, ...] = ()) -> None:
     except Error as error:
         if not index:
             raise
-        place = int(index[0]) if len(index) == 1 else tuple(map(int, index))
-        raise Error(f"element {place}: {error}", error.status) from None
+        raise Error(f"element {_place(index)}: {error}", error.status) from None
     raise Error(f"load = {load}: no friction was found; a bug in asperity, please report it", Status.INTERNAL)
+
+
+def _place(index: tuple[Any, ...]) -> Any:
+    return int(index[0]) if len(index) == 1 else tuple(map(int, index))
+
+
+def _shaped(given: Any, values: Array, shape: tuple[int, ...], name: str) -> Any:
+    """A float where the shape is that of one number, else an array with the labels of what was given."""
+    if shape == ():
+        return float(values[0])
+    return like(given, values.reshape(shape), name) if np.shape(given) == shape else values.reshape(shape)
+
+
+def _relabelled(given: Any, values: Any) -> Any:
+    return values if isinstance(given, numbers.Real) else like(given, values, "friction")
 
 
 def _state(handle: _Handle, call: Any, at: float) -> State:

@@ -23,6 +23,7 @@ import numpy.typing as npt
 
 from ._pad_equilibrium import OneSummitLaw, descend
 from ._pad_heights import TailHeights
+from ._progress import Progress, teller
 from .model import Model
 from .params import Params
 
@@ -34,6 +35,8 @@ Array = npt.NDArray[np.float64]
 # The search for the separation of a pad begins where at least so many summits touch on average, and where the load is above
 # the heaviest one by this many of its standard deviations, or by what those would be if all summits pressed alike.
 _FIRST_CONTACTS, _DEVIATIONS = 40, 8.0
+# States of pads; more take more than some seconds.
+_MANY = 5000
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,7 +111,9 @@ class Pads:
         return "\n".join(lines)
 
 
-def pads(params: Params, loads: npt.ArrayLike, count: int = 100, *, seed: int = 0) -> Pads:
+def pads(
+    params: Params, loads: npt.ArrayLike, count: int = 100, *, seed: int = 0, progress: Progress = None
+) -> Pads:
     """Friction of pads whose summits are drawn at random from the heights of the surface.
 
     Each pad has `asperity_count` summits, of which only the tallest are drawn; each obeys the exact law of one summit, in
@@ -120,6 +125,8 @@ def pads(params: Params, loads: npt.ArrayLike, count: int = 100, *, seed: int = 
         loads: normal loads [force], one-dimensional, in any order; also 0 and, with adhesion, negative ones.
         count: number of pads, 2 or more. The mean is known to its scatter over the root of this.
         seed: of the random numbers, >= 0: the same pads for the same seed and the same loads.
+        progress: whether to tell how far it is, on the error stream, or a function of the part done, 0 to 1, and of what is
+            being done; by default for more than some thousand states.
 
     Raises:
         ValueError: what loads, count, seed or the number of summits may not be; `Error` for what the library refuses.
@@ -144,9 +151,12 @@ def pads(params: Params, loads: npt.ArrayLike, count: int = 100, *, seed: int = 
         law = OneSummitLaw(model, heights.highest)
         start = _start(model, law, heights, float(load.max()))
         lowest = start - law.farthest
+        tell = teller(progress, count * load.size > _MANY, "asperity.pads")
         for pad in range(count):
+            tell(pad / count, "pads")
             found = descend(law, heights.sample(random, lowest), start, load[order])
             force[pad, order], contacting[pad, order], apart[pad, order] = found
+        tell(1.0, "pads")
     for array in (load, force, contacting, apart, model_force):
         array.setflags(write=False)
     return Pads(params, load, force, contacting, apart, model_force, seed)

@@ -9,7 +9,7 @@ import os
 from dataclasses import MISSING, dataclass, fields
 from typing import TYPE_CHECKING, Any, Literal, Sequence
 
-from . import _header
+from . import _header, _units
 from ._library import LIBRARY
 from .errors import Error, Status, check
 
@@ -398,6 +398,12 @@ class Params:
     def __repr__(self) -> str:
         shown = [field for field in fields(self) if getattr(self, field.name) != field.default]
         return f"Params({', '.join(f'{field.name}={_literal(getattr(self, field.name))}' for field in shown)})"
+
+    def __str__(self) -> str:
+        return _units.text(self)
+
+    def _repr_html_(self) -> str:
+        return _units.table(self)
 
     def _as_struct(self) -> _header.asperity_params:
         struct: Any = _initialised()

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from enum import IntFlag
-from typing import NamedTuple
+from functools import reduce
+from operator import or_
+from typing import Any, Iterator, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-import numpy as np
-import numpy.typing as npt
-
-from . import _header
+from . import _header, _units
+from ._labelled import like
 from ._library import LIBRARY
 
 
@@ -60,8 +60,18 @@ def _name(kind: Warnings) -> str:
     return f"{kind.name}" if kind in set(Warnings) else f"bit {int(kind):#x}"
 
 
-@dataclass(frozen=True)
-class State:
+class _WithUnits:
+    """Shows a dataclass with its units."""
+
+    def __repr__(self) -> str:
+        return _units.text(self)
+
+    def _repr_html_(self) -> str:
+        return _units.table(self)
+
+
+@dataclass(frozen=True, repr=False)
+class State(_WithUnits):
     """The exact state of the contact, in the units of the parameters.
 
     Attributes:
@@ -116,6 +126,63 @@ class State:
     fraction_flowing: float
 
 
+class States:
+    """Exact states at many loads or separations.
+
+    The attributes are those of `State`, each an array of the shape that was asked for, with the labels of a Series or a
+    DataArray: `states.real_area`. `warnings` holds those of any state, `warning_bits` those of each as integers.
+    `states[i]` is one `State`; there are `len(states)` of them.
+    """
+
+    def __init__(self, states: list[State], arrays: dict[str, Any], warnings: Warnings) -> None:
+        self._states, self._arrays, self.warnings = states, arrays, warnings
+
+    @classmethod
+    def of(cls, states: list[State], given: Any, shape: tuple[int, ...]) -> States:
+        """States in the order of what was given, which has this shape."""
+        arrays = {}
+        for name in _STATE_NAMES:
+            kind = np.uint64 if name == "warnings" else np.float64
+            values = np.array([getattr(state, name) for state in states], dtype=kind).reshape(shape)
+            named = "warning_bits" if name == "warnings" else name
+            arrays[named] = like(given, values, named)
+        return cls(states, arrays, reduce(or_, (state.warnings for state in states), Warnings(0)))
+
+    def __getattr__(self, name: str) -> Any:
+        arrays = self.__dict__.get("_arrays", {})
+        if name not in arrays:
+            raise AttributeError(f"{name!r}: states have {', '.join(arrays)} and warnings")
+        return arrays[name]
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._arrays]
+
+    def __len__(self) -> int:
+        return len(self._states)
+
+    def __getitem__(self, index: int) -> State:
+        return self._states[index]
+
+    def __iter__(self) -> Iterator[State]:
+        return iter(self._states)
+
+    def __repr__(self) -> str:
+        return f"<States: {len(self)} of them, with {', '.join(self._arrays)}>"
+
+    def to_pandas(self) -> Any:
+        """A `pandas.DataFrame`, a row for each state.
+
+        Raises:
+            ImportError: pandas is missing.
+        """
+        import pandas
+
+        return pandas.DataFrame({name: np.ravel(array) for name, array in self._arrays.items()})
+
+
+_STATE_NAMES = tuple(field.name for field in fields(State))
+
+
 @dataclass(frozen=True)
 class Hysteresis:
     """A closed loop of tangential force against displacement, in the units of the parameters.
@@ -145,8 +212,8 @@ class SummitStates(NamedTuple):
     contact_radius: npt.NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class Summary:
+@dataclass(frozen=True, repr=False)
+class Summary(_WithUnits):
     """Constants of a model, in the units of the parameters.
 
     Attributes:

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Callable
 import numpy as np
 import numpy.typing as npt
 
+from ._style import BLUE, ORANGE, saved, style
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -92,28 +94,24 @@ class Sensitivities:
         Raises:
             ImportError: matplotlib is missing.
         """
-        try:
+        with style():
             from matplotlib.figure import Figure
-        except ImportError as error:
-            raise ImportError(f"drawing needs matplotlib ({error}): pip install matplotlib") from None
 
-        sizes = self.by_size()
-        largest = max(map(abs, sizes.values()))
-        shown = {name: value for name, value in sizes.items() if abs(value) > _INVISIBLE * largest}
-        figure = Figure(figsize=(6.5, 1 + 0.32 * len(shown)), layout="constrained")
-        axes = figure.subplots()
-        labels = [f"{name}, absolute" if name in LINEAR else name for name in shown]
-        colors = ["C0" if value > 0 else "C3" for value in shown.values()]
-        bars = axes.barh(labels, list(shown.values()), color=colors)
-        axes.bar_label(bars, fmt="%.2f", padding=3)
-        axes.invert_yaxis()
-        axes.margins(x=0.15)
-        axes.axvline(0, color="black", linewidth=0.8)
-        axes.set_xlabel(f"% of friction per % of the parameter, at load {self.load:.4g}")
-        axes.grid(True, axis="x", alpha=0.3)
-        if file is not None:
-            figure.savefig(file)
-        return figure
+            sizes = self.by_size()
+            largest = max(map(abs, sizes.values()))
+            shown = {name: value for name, value in sizes.items() if abs(value) > _INVISIBLE * largest}
+            figure = Figure(figsize=(6.5, 1 + 0.32 * len(shown)), layout="constrained")
+            axes = figure.subplots()
+            labels = [f"{name}, absolute" if name in LINEAR else name for name in shown]
+            colors = [BLUE if value > 0 else ORANGE for value in shown.values()]
+            bars = axes.barh(labels, list(shown.values()), color=colors)
+            axes.bar_label(bars, fmt="%.2f", padding=3)
+            axes.invert_yaxis()
+            axes.margins(x=0.15)
+            axes.axvline(0, color="black", linewidth=0.8)
+            axes.set_xlabel(f"% of friction per % of the parameter, at load {self.load:.4g}")
+            axes.grid(axis="y", visible=False)
+            return saved(figure, file)
 
 
 NAMES = tuple(field.name for field in fields(Sensitivities) if field.name != "load")

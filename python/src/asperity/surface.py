@@ -29,7 +29,7 @@ from ._map_filter import filter
 from ._map_input import checked, degree
 from ._map_spikes import spikes
 from ._map_warnings import MapWarning, unresolved
-from ._progress import Progress, teller
+from ._progress import LARGE, Progress, teller
 from ._radius_trend import RadiusTrend, fit
 from ._summit_search import Found, find, without_polynomial
 from ._tile_errors import Estimate, estimates, tiles
@@ -218,7 +218,7 @@ def summits(
     """
     _require_scipy()
     raw, dx, dy = checked(height_map, dx, dy)
-    tell = teller(progress, raw.size)
+    tell = teller(progress, raw.size > LARGE)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore", under="ignore"):
         tell(0.0, f"levelling {raw.shape[0]} x {raw.shape[1]} points")
         level = without_polynomial(raw, degree(detrend))

@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Callable, Mapping
 import numpy as np
 import numpy.typing as npt
 
+from ._progress import Progress, teller
+from ._style import BLACK, saved, style
 from .errors import Error, Status
 from .fit import Fit
 from .fit_names import FreeName, free_names, put_all
@@ -29,6 +31,8 @@ Array = npt.NDArray[np.float64]
 _LABELS = {"mu": "friction coefficient $F/P$", "force": "friction force $F$"}
 # Surfaces drawn in vain for each one asked for, at most: more are refused where the spread leaves the domain.
 _REFUSED = 2
+# More surfaces than these take more than some seconds.
+_MANY = 1000
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,29 +73,23 @@ class Uncertainty:
         Raises:
             ImportError: matplotlib is missing.
         """
-        try:
+        with style():
             from matplotlib.figure import Figure
-        except ImportError as error:
-            raise ImportError(f"drawing needs matplotlib ({error}): pip install matplotlib") from None
 
-        figure = Figure(figsize=(7, 6), layout="constrained")
-        above, below = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": (2, 1)})
-        if (self.load > 0).all():
-            above.set_xscale("log")
-        above.fill_between(self.load, self.low, self.high, alpha=0.3, label=f"{100 * self.coverage:g} %")
-        above.plot(self.load, self.value, color="C0")
-        above.set_ylabel(_LABELS[self.quantity])
-        above.legend()
-        for name, part in self.parts.items():
-            below.plot(self.load, 100 * part, label=name)
-        below.plot(self.load, 100 * self.deviation, color="black", label="all")
-        below.set(xlabel="normal load $P$", ylabel="standard deviation [%]")
-        below.legend(fontsize="small")
-        for axes in (above, below):
-            axes.grid(True, alpha=0.3)
-        if file is not None:
-            figure.savefig(file)
-        return figure
+            figure = Figure(figsize=(7, 6), layout="constrained")
+            above, below = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": (2, 1)})
+            if (self.load > 0).all():
+                above.set_xscale("log")
+            above.fill_between(self.load, self.low, self.high, alpha=0.3, label=f"{100 * self.coverage:g} %")
+            above.plot(self.load, self.value, color="C0")
+            above.set_ylabel(_LABELS[self.quantity])
+            above.legend()
+            for name, part in self.parts.items():
+                below.plot(self.load, 100 * part, label=name)
+            below.plot(self.load, 100 * self.deviation, color=BLACK, label="all")
+            below.set(xlabel="normal load $P$", ylabel="standard deviation [%]")
+            below.legend(fontsize="small")
+            return saved(figure, file)
 
 
 def uncertainty(
@@ -103,6 +101,7 @@ def uncertainty(
     samples: int = 0,
     seed: int = 0,
     coverage: float = 0.95,
+    progress: Progress = None,
 ) -> Uncertainty:
     """Friction at loads with the band that follows from the spread of the parameters.
 
@@ -118,6 +117,8 @@ def uncertainty(
         samples: how many surfaces to draw; 0 for the linear band.
         seed: of the random numbers.
         coverage: the probability that the band is to have.
+        progress: whether to tell how far the samples are, on the error stream, or a function of the part done, 0 to 1, and
+            of what is being done; by default for more than a thousand.
 
     Raises:
         ValueError: names, numbers or loads that cannot be used, or a surface that the library refuses (`Error`).
@@ -152,7 +153,7 @@ def uncertainty(
             at = random.multivariate_normal(x, covariance)
             return _forces(surfaces, at, load) if ((low <= at) & (at <= high)).all() else None
 
-        forces, refused = _draw(draw, samples)
+        forces, refused = _draw(draw, samples, teller(progress, samples > _MANY, "asperity.uncertainty"))
         drawn = forces / unit
         band = np.quantile(drawn, [0.5 - 0.5 * coverage, 0.5 + 0.5 * coverage], axis=0)
         deviation = np.std(drawn, axis=0) / np.where(force > 0, force / unit, 1)
@@ -201,11 +202,15 @@ def _check(load: Array, quantity: str, samples: int, coverage: float) -> None:
         raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
 
 
-def _draw(draw: Callable[[], Array | None], samples: int) -> tuple[Array, int]:
+def _draw(
+    draw: Callable[[], Array | None], samples: int, tell: Callable[[float, str], None]
+) -> tuple[Array, int]:
     """Forces of so many surfaces, and how many were refused on the way."""
     forces: list[Array] = []
     refused = 0
     while len(forces) < samples:
+        if len(forces) % 100 == 0:
+            tell(len(forces) / samples, "surfaces drawn")
         found = draw()
         if found is not None:
             forces.append(found)
@@ -213,6 +218,7 @@ def _draw(draw: Callable[[], Array | None], samples: int) -> tuple[Array, int]:
         refused += 1
         if refused > _REFUSED * samples:
             raise ValueError(f"spread: {refused} of {refused + len(forces)} surfaces drawn are refused; make it smaller")
+    tell(1.0, "surfaces drawn")
     return np.array(forces), refused
 
 

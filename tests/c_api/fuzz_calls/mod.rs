@@ -242,7 +242,11 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
             1 => 2.4 * bytes.part() - 1.2,
             _ => bytes.log_between(1e-6, 1e12),
         })),
-        250..=253 => calls.messages(bytes.below(256)),
+        250 => {
+            let text = std::array::from_fn(|_| bytes.byte());
+            calls.materials(text, bytes.below(32));
+        }
+        251..=253 => calls.messages(bytes.below(256)),
         254 => calls.check_loads(model, bytes.load(summary), bytes.load(summary)),
         255 => {
             let other = bytes.params();

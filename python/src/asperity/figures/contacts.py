@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ..materials import MATERIALS, PAIRS, Material
+from ..materials import MATERIALS, PAIRS, contact
 from ..model import Model
 from ..params import Params
 from .curves import Array
@@ -31,10 +31,9 @@ class Contact:
 
     Attributes:
         name: on the map.
-        params: of the surfaces; of one summit for a single contact.
+        params: of the surfaces, with the hardness of the softer body; of one summit, without a nominal area, for a single
+            contact.
         loads: lightest and heaviest load [N].
-        nominal_area: [m^2]; 0 for a single contact.
-        hardness: of the softer body [Pa].
         basis: what the numbers rest on.
         verdict: whether the law holds, and what to use if not.
     """
@@ -42,27 +41,21 @@ class Contact:
     name: str
     params: Params
     loads: tuple[float, float]
-    nominal_area: float
-    hardness: float
     basis: str
     verdict: str
 
     def track(self, count: int = 41) -> tuple[Array, Array, Array]:
         """Over the loads: mean pressure over hardness, mean contact radius over Burgers vector, real over nominal area."""
-        model = Model(self.params)
+        model, area = Model(self.params), self.params.nominal_area
         states = [model.state_at_load(float(load)) for load in np.geomspace(*self.loads, count)]
-        pressure = np.array([state.mean_asperity_pressure / self.hardness for state in states])
+        pressure = np.array([state.mean_asperity_pressure / self.params.hardness for state in states])
         radius = np.array([state.mean_contact_radius / self.params.burgers_vector for state in states])
-        share = np.array([state.real_area / self.nominal_area if self.nominal_area else 0.0 for state in states])
+        share = np.array([state.real_area / area if area else 0.0 for state in states])
         return pressure, radius, share
 
 
-def _bodies(first: Material, second: Material, work_of_adhesion: float) -> dict[str, Any]:
-    burgers_vector = max(first.burgers_vector, second.burgers_vector)
-    return dict(
-        E1=first.young, nu1=first.poisson, E2=second.young, nu2=second.poisson, work_of_adhesion=work_of_adhesion,
-        adhesion_range=burgers_vector, burgers_vector=burgers_vector,
-    )  # fmt: skip
+def _bodies(first: str, second: str, work_of_adhesion: float) -> dict[str, Any]:
+    return contact(MATERIALS[first], MATERIALS[second], work_of_adhesion)
 
 
 def _single(bodies: dict[str, Any], radius: float) -> Params:
@@ -78,82 +71,45 @@ def _rough(bodies: dict[str, Any], sigma: float, radius: float, area: float) -> 
 
 
 _ADHESION_OF_OXIDES = PAIRS["Si/Si"].work_of_adhesion
-_RUBBER = Material("rubber", 2e6, (1e6, 1e7), 0.5, None, None, 0.5e-9, "a round number for a soft elastomer")
+_SILICA = MATERIALS["SiO2"]
+# A round number for a soft elastomer, whose modulus stands in for its hardness.
+_RUBBER_ON_GLASS = dict(
+    E1=2e6, nu1=0.5, E2=_SILICA.young, nu2=_SILICA.poisson, work_of_adhesion=0.0, adhesion_range=0.5e-9,
+    burgers_vector=0.5e-9, hardness=2e6,
+)  # fmt: skip
 
-CONTACTS = (
-    Contact(
-        "AFM tip",
-        _single(_bodies(MATERIALS["Si3N4"], MATERIALS["Si"], _ADHESION_OF_OXIDES), 30e-9),
-        (1e-9, 1e-7),
-        0.0,
-        MATERIALS["Si"].hardness or 0.0,
-        "Si₃N₄ on Si, radius 30 nm, 1 to 100 nN: assumed",
-        "mechanics hold, as for one summit; the slip stress is that of the film on the surfaces, and is to be measured",
-    ),
-    Contact(
-        "fine powder",
-        _single(PAIRS["SiO2/SiO2"].contact, 1e-6),
-        (1e-8, 1e-5),
-        0.0,
-        MATERIALS["SiO2"].hardness or 0.0,
-        "silica spheres of 2 µm, smooth, 10 nN to 10 µN: assumed",
-        "holds",
-    ),
-    Contact(
-        "MEMS polysilicon",
-        _rough(PAIRS["Si/Si"].contact, 5e-9, 1e-6, 1e-8),
-        (1e-6, 1e-2),
-        1e-8,
-        MATERIALS["Si"].hardness or 0.0,
-        "`c_examples/friction_curve.c`, with its sources: σ = 5 nm, R = 1 µm, 100 Pa to 1 MPa",
-        "holds",
-    ),
-    Contact(
-        "wafer on chuck",
-        _rough(_bodies(MATERIALS["Si"], MATERIALS["DLC"], _ADHESION_OF_OXIDES), 10e-9, 10e-6, 1e-6),
-        (1e-3, 1.0),
-        1e-6,
-        MATERIALS["Si"].hardness or 0.0,
-        "silicon on DLC, σ = 10 nm, R = 10 µm, 1 kPa to 1 MPa on the pins: assumed",
-        "holds",
-    ),
-    Contact(
-        "DLC on steel",
-        _rough(_bodies(MATERIALS["DLC"], MATERIALS["steel"], 0.05), 50e-9, 20e-6, 1e-6),
-        (1e-1, 1e2),
-        1e-6,
-        MATERIALS["steel"].hardness or 0.0,
-        "polished, σ = 50 nm, R = 20 µm, 0.1 to 100 MPa: assumed",
-        "near the limit: look at the warnings, and use contact law 1 where they come",
-    ),
-    Contact(
-        "ground steel",
-        _rough(PAIRS["steel/steel"].contact, 0.4e-6, 10e-6, 1e-4),
-        (1e1, 1e4),
-        1e-4,
-        MATERIALS["steel"].hardness or 0.0,
-        "σ = 0.4 µm, R = 10 µm, 0.1 to 100 MPa: assumed; hardened bearing steel",
-        "yields at any load: contact law 1, until the surface is worn in",
-    ),
-    Contact(
-        "rubber",
-        _rough(_bodies(_RUBBER, MATERIALS["SiO2"], 0.0), 1e-6, 20e-6, 1e-4),
-        (1e-2, 1e2),
-        1e-4,
-        _RUBBER.young,
-        "E = 2 MPa, in place of the hardness too, on glass of σ = 1 µm, R = 20 µm, 100 Pa to 1 MPa: assumed",
-        "does not hold: viscoelastic and crowded",
-    ),
-)
+CONTACTS = tuple(
+    Contact(*row)
+    for row in (
+        ("AFM tip", _single(_bodies("Si3N4", "Si", _ADHESION_OF_OXIDES), 30e-9), (1e-9, 1e-7),
+         "Si₃N₄ on Si, radius 30 nm, 1 to 100 nN: assumed",
+         "mechanics hold, as for one summit; the slip stress is that of the film on the surfaces, and is to be measured"),
+        ("fine powder", _single(PAIRS["SiO2/SiO2"].contact, 1e-6), (1e-8, 1e-5),
+         "silica spheres of 2 µm, smooth, 10 nN to 10 µN: assumed", "holds"),
+        ("MEMS polysilicon", _rough(PAIRS["Si/Si"].contact, 5e-9, 1e-6, 1e-8), (1e-6, 1e-2),
+         "`c_examples/friction_curve.c`, with its sources: σ = 5 nm, R = 1 µm, 100 Pa to 1 MPa", "holds"),
+        ("wafer on chuck", _rough(_bodies("Si", "DLC", _ADHESION_OF_OXIDES), 10e-9, 10e-6, 1e-6), (1e-3, 1.0),
+         "silicon on DLC, σ = 10 nm, R = 10 µm, 1 kPa to 1 MPa on the pins: assumed", "holds"),
+        ("DLC on steel", _rough(_bodies("DLC", "steel", 0.05), 50e-9, 20e-6, 1e-6), (1e-1, 1e2),
+         "polished, σ = 50 nm, R = 20 µm, 0.1 to 100 MPa: assumed",
+         "near the limit: look at the warnings, and use contact law 1 where they come"),
+        ("ground steel", _rough(PAIRS["steel/steel"].contact, 0.4e-6, 10e-6, 1e-4), (1e1, 1e4),
+         "σ = 0.4 µm, R = 10 µm, 0.1 to 100 MPa: assumed; hardened bearing steel",
+         "yields at any load: contact law 1, until the surface is worn in"),
+        ("rubber", _rough(_RUBBER_ON_GLASS, 1e-6, 20e-6, 1e-4), (1e-2, 1e2),
+         "E = 2 MPa, in place of the hardness too, on glass of σ = 1 µm, R = 20 µm, 100 Pa to 1 MPa: assumed",
+         "does not hold: viscoelastic and crowded"),
+    )
+)  # fmt: skip
 
 
 def table() -> str:
     """The contacts as a table of Markdown: over their loads, from the lightest to the heaviest."""
     rows = ["| Contact | Numbers | p/H | a/b | Real over nominal area | The law |", "|---|---|---|---|---|---|"]
-    for contact in CONTACTS:
-        pressure, radius, share = contact.track(2)
-        area = "one contact" if contact.nominal_area == 0 else _pair(share)
-        cells = (contact.name, contact.basis, _pair(pressure), _pair(radius), area, contact.verdict)
+    for one in CONTACTS:
+        pressure, radius, share = one.track(2)
+        area = "one contact" if one.params.nominal_area == 0 else _pair(share)
+        cells = (one.name, one.basis, _pair(pressure), _pair(radius), area, one.verdict)
         rows.append(f"| {' | '.join(cells)} |")
     return "\n".join(rows)
 

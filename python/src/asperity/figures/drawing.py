@@ -7,10 +7,11 @@ back from the file and compared. Lines differ in their dashes, not in colour alo
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Iterable
+from typing import TYPE_CHECKING, Iterable
 
 import numpy as np
 
+from .._style import COLOURS, DASHES, saved, style
 from . import curves, validity
 from .curves import Array, Curve, CurveFigure
 
@@ -18,19 +19,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-_SETTINGS: Any = {
-    "svg.hashsalt": "asperity",
-    "svg.fonttype": "path",
-    "path.simplify": False,
-    "font.family": "DejaVu Sans",
-    "font.size": 10,
-    "mathtext.fontset": "dejavusans",
-    "axes.grid": True,
-    "grid.alpha": 0.3,
-    "lines.linewidth": 1.6,
-}
-_DASHES: tuple[Any, ...] = ("-", (0, (6, 2)), (0, (6, 2, 1, 2)), (0, (1, 1.5)), (0, (3, 1)), (0, (9, 2, 1, 2, 1, 2)))
-_COLOURS = ("#1b1b1b", "#b2182b", "#2166ac", "#1b7837", "#762a83", "#a6611a")
 _LOAD = r"normal load $P/(N\,G\,b^2)$ [–]"
 _FRICTION = r"friction coefficient $\mu = F/P$ [–]"
 
@@ -41,31 +29,22 @@ def draw_all(directory: Path) -> list[Path]:
     Raises:
         ImportError: matplotlib is missing.
     """
-    try:
-        import matplotlib
-    except ImportError as error:
-        raise ImportError(f"drawing needs matplotlib ({error}): pip install matplotlib") from None
-
-    with matplotlib.rc_context():
-        matplotlib.rcdefaults()
-        matplotlib.rcParams.update(_SETTINGS)
+    with style():
         pictures = {"figure-3": _figure_3()}
         for figure in (*curves.SKEW_FIGURES, *curves.RADIUS_FIGURES):
             pictures[f"figure-{figure.number}"] = _curve_figure(figure)
         pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes(), "yield": _yield(), "microslip": _microslip()}
         pictures |= {"sensitivities": _sensitivities(), **validity.pictures()}
-        return [_save(picture, directory / f"{name}.svg") for name, picture in pictures.items()]
-
-
-def _save(picture: Figure, file: Path) -> Path:
-    picture.savefig(file, metadata={"Date": None, "Creator": None})
-    return file
+        files = [directory / f"{name}.svg" for name in pictures]
+        for picture, file in zip(pictures.values(), files):
+            saved(picture, file)
+        return files
 
 
 def _curve_figure(figure: CurveFigure) -> Figure:
     alpha, beta, gamma = figure.groups
     picture, (axes,) = _picture((6.4, 4.4), [(0.12, 0.13, 0.84, 0.79)])
-    axes.set_title(rf"$\alpha = {alpha:g}$, $\beta = {beta:g}$, $\gamma = {gamma:g}$", fontsize=10)
+    axes.set_title(rf"$\alpha = {alpha:g}$, $\beta = {beta:g}$, $\gamma = {gamma:g}$")
     _draw(axes, figure.curves)
     if figure.logarithmic:
         axes.set_yscale("log")
@@ -79,7 +58,7 @@ def _curve_figure(figure: CurveFigure) -> Figure:
 
 def _figure_3() -> Figure:
     picture, (above, below) = _picture((6.4, 6.4), [(0.12, 0.5, 0.84, 0.44), (0.12, 0.09, 0.84, 0.34)])
-    above.set_title(r"$\alpha = 0.01$, $\gamma = 0.001$", fontsize=10)
+    above.set_title(r"$\alpha = 0.01$, $\gamma = 0.001$")
     _draw(above, curves.FIGURE_3)
     above.set_ylim(bottom=0)
     above.set(ylabel=_FRICTION)
@@ -88,7 +67,7 @@ def _figure_3() -> Figure:
         style = 2 * number  # that of the curve above it
         effect = curves.attraction_effect(beta)
         _line(below, len(curves.FIGURE_3) + number, style, curves.LOADS, effect, rf"$\beta = {beta}$")
-        below.axhline(paper, linewidth=0.8, linestyle=_DASHES[style], color=_COLOURS[style])
+        below.axhline(paper, linewidth=0.8, linestyle=DASHES[style], color=COLOURS[style])
         below.annotate(f"the paper's {paper} %", (curves.HEAVIEST / 1.3, paper), ha="right", va="bottom")
     below.set_yscale("log")
     below.set_ylim(0.05, 50)
@@ -100,13 +79,13 @@ def _figure_3() -> Figure:
 def _kurtosis() -> Figure:
     """Friction over the load at skew 0, and over the kurtosis at one load."""
     picture, (left, right) = _picture((9.6, 4.4), [(0.08, 0.13, 0.40, 0.79), (0.57, 0.13, 0.40, 0.79)])
-    left.set_title(r"$\alpha = 0.01$, $\beta = 1000$, $\gamma = 0.001$", fontsize=10)
+    left.set_title(r"$\alpha = 0.01$, $\beta = 1000$, $\gamma = 0.001$")
     _draw(left, curves.KURTOSIS_CURVES)
     left.set_yscale("log")
     left.set(xlabel=_LOAD, ylabel=_FRICTION)
     left.legend(handlelength=4)
 
-    right.set_title(rf"at $P/(N\,G\,b^2) = {curves.KURTOSIS_LOAD:g}$", fontsize=10)
+    right.set_title(rf"at $P/(N\,G\,b^2) = {curves.KURTOSIS_LOAD:g}$")
     right.set_xscale("linear")
     right.set_xlim(1, 8)
     right.set_yscale("log")
@@ -116,7 +95,7 @@ def _kurtosis() -> Figure:
         weibull = curves.surface(*curves.DEFAULT, skew=skew)
         value = curves.friction(weibull, np.array([curves.KURTOSIS_LOAD]))
         at = curves.model(weibull).summary().kurtosis
-        right.plot([at], value, "os^"[number], color=_COLOURS[number], label=rf"Weibull, $S = {skew:g}$")
+        right.plot([at], value, "os^"[number], color=COLOURS[number], label=rf"Weibull, $S = {skew:g}$")
     right.set(xlabel=r"kurtosis $K$ [–]", ylabel=_FRICTION)
     right.legend(handlelength=4)
     return picture
@@ -167,13 +146,13 @@ def _shares(shares: list[tuple[str, Array]], labels: tuple[str, str, str]) -> Fi
     places = [(0.075 + 0.31 * i, 0.15, 0.285, 0.67) for i in range(3)]
     picture, panels = _picture((9.6, 4.2), places)
     for panel, ((title, (below, between, _)), axes) in enumerate(zip(shares, panels)):
-        axes.set_title(title, fontsize=10)
+        axes.set_title(title)
         axes.set_xlim(curves.REGIME_LOADS[0], curves.REGIME_LOADS[-1])
         axes.set_ylim(0, 1)
         edges = (0 * below, below, below + between, 1 + 0 * below)
         for number, label in enumerate(labels):
             low, high = edges[number], edges[number + 1]
-            axes.fill_between(curves.REGIME_LOADS, low, high, color=_COLOURS[number], alpha=0.45, lw=0, label=label)
+            axes.fill_between(curves.REGIME_LOADS, low, high, color=COLOURS[number], alpha=0.45, lw=0, label=label)
         for number in (0, 1):
             _line(axes, 2 * panel + number, number, curves.REGIME_LOADS, edges[number + 1], "_nolegend_")
         axes.set_xlabel(r"$P/(N\,G\,b^2\,\alpha\beta^2)$ [–]")
@@ -187,7 +166,7 @@ def _shares(shares: list[tuple[str, Array]], labels: tuple[str, str, str]) -> Fi
 def _sensitivities() -> Figure:
     """What friction changes by with each parameter, over the load."""
     picture, (axes,) = _picture((6.4, 4.4), [(0.12, 0.13, 0.84, 0.79)])
-    axes.set_title(r"$\alpha = 0.01$, $\beta = 1000$, $\gamma = 0.001$", fontsize=10)
+    axes.set_title(r"$\alpha = 0.01$, $\beta = 1000$, $\gamma = 0.001$")
     for number, (symbol, values) in enumerate(zip(curves.SENSITIVE.values(), curves.sensitivities())):
         _line(axes, number, number, curves.LOADS, values, symbol)
     axes.set(xlabel=_LOAD, ylabel="sensitivity of the friction [% per %]")
@@ -216,5 +195,5 @@ def _draw(axes: Axes, lines: Iterable[Curve]) -> None:
 
 def _line(axes: Axes, number: int, style: int, x: Array, y: Array, label: str) -> None:
     """Draws the curve of this number in the picture."""
-    (line,) = axes.plot(x, y, linestyle=_DASHES[style], color=_COLOURS[style], label=label)
+    (line,) = axes.plot(x, y, linestyle=DASHES[style], color=COLOURS[style], label=label)
     line.set_gid(f"curve-{number}")

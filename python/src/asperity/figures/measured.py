@@ -71,13 +71,13 @@ def slip_stress(first: Material, second: Material, burgers_vectors: Band, radii:
 
 def rough_coefficient(first: Material, second: Material) -> Band:
     """Friction coefficients of rough polysilicon over the inputs that are open: see the rows that use it."""
-    burgers_vector = max(first.burgers_vector, second.burgers_vector)
+    burgers_vector = max(first.need("burgers_vector"), second.need("burgers_vector"))
     bodies: dict[str, Any] = dict(
         E1=first.young, nu1=first.poisson, E2=second.young, nu2=second.poisson, adhesion_range=burgers_vector,
         burgers_vector=burgers_vector, nominal_area=1e-8, summit_density=1e13, max_friction_coefficient=math.inf,
     )  # fmt: skip
     found = []
-    for sigma, work in itertools.product((2e-9, 10e-9), PAIRS["Si/Si"].work_of_adhesion_range):
+    for sigma, work in itertools.product((2e-9, 10e-9), PAIRS["Si/Si"].need("work_of_adhesion_range")):
         radius = 0.05 / (1e13 * sigma)
         model = Model(Params.si(**bodies, height_std=sigma, summit_radius=radius, work_of_adhesion=work))
         found += [model.friction_at_load(load) for load in (1e-6, 1e-4)]
@@ -86,10 +86,10 @@ def rough_coefficient(first: Material, second: Material) -> Band:
 
 def tip_coefficient() -> Band:
     """Friction coefficients of a Si3N4 tip on Si, radius 20 to 100 nm, at 10 to 100 nN."""
-    burgers_vector = MATERIALS["Si"].burgers_vector
+    burgers_vector = MATERIALS["Si"].need("burgers_vector")
     first, second = MATERIALS["Si3N4"], MATERIALS["Si"]
     found = []
-    for radius, work in itertools.product((20e-9, 100e-9), PAIRS["Si/Si"].work_of_adhesion_range):
+    for radius, work in itertools.product((20e-9, 100e-9), PAIRS["Si/Si"].need("work_of_adhesion_range")):
         params = Params.si(
             E1=first.young, nu1=first.poisson, E2=second.young, nu2=second.poisson, work_of_adhesion=work,
             adhesion_range=burgers_vector, burgers_vector=burgers_vector, height_std=1e-3 * burgers_vector,
@@ -128,7 +128,7 @@ MEASUREMENTS = (
         "gold pillar on mica, AFM",
         "stress [MPa]",
         (264.0, 264.0),
-        lambda: slip_stress(_GOLD, _MICA, (_GOLD.burgers_vector, _MICA.burgers_vector), (5e-9, 50e-9)),
+        lambda: slip_stress(_GOLD, _MICA, (_GOLD.need("burgers_vector"), _MICA.need("burgers_vector")), (5e-9, 50e-9)),
         "contact radius 5 to 50 nm, b 0.288 nm (gold) to 0.52 nm (mica)",
         "Li and Kim 2008",
         _LI_AND_KIM,
@@ -148,7 +148,7 @@ MEASUREMENTS = (
         "mica on mica in air, SFA",
         "stress [MPa]",
         (1.0, 1.0),
-        lambda: slip_stress(_MICA, _MICA, (_MICA.burgers_vector, _MICA.burgers_vector), (20e-6, 100e-6)),
+        lambda: slip_stress(_MICA, _MICA, 2 * (_MICA.need("burgers_vector"),), (20e-6, 100e-6)),
         "contact radius 20 to 100 µm",
         "quoted",
         "quoted (Homola and others); the paper was not read",

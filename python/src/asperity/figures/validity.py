@@ -9,14 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._style import BLUE, GREY, ORANGE
 from . import contacts, measured
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-# Told apart by the colour-blind: Okabe and Ito.
-_BLUE, _ORANGE, _GREEN, _GREY = "#0072b2", "#d55e00", "#009e73", "#595959"
 
 
 def pictures() -> dict[str, Figure]:
@@ -42,19 +40,19 @@ def _contacts() -> Figure:
     picture, axes = _empty((8.4, 6.0), (0.09, 0.13, 0.88, 0.85))
     picture.text(
         0.09, 0.02, "from the lightest load to the heaviest (dot); round numbers, with their sources in docs/domain.md",
-        fontsize=8.5, color=_GREY,
+        fontsize=8.5, color=GREY,
     )  # fmt: skip
     axes.set(xscale="log", yscale="log", xlim=(3e-4, 4), ylim=(1, 1e6))
     axes.set_xlabel("mean pressure of the contacts / hardness of the softer body [–]")
     axes.set_ylabel("mean contact radius / Burgers vector [–]")
-    axes.axvspan(contacts.YIELD, 4, color=_ORANGE, alpha=0.13, lw=0)
-    axes.axhspan(1, contacts.CONTINUUM, color=_GREY, alpha=0.18, lw=0)
-    _region(axes, 1.26, 4e5, "summits yield:\nelastic-plastic\ncontact law", _ORANGE)
-    _region(axes, 1.2e-2, 4e5, "summits stay elastic: the elastic law", _BLUE)
-    _region(axes, 1.2e-2, 1.25, "few atoms: no continuum", _GREY)
+    axes.axvspan(contacts.YIELD, 4, color=ORANGE, alpha=0.13, lw=0)
+    axes.axhspan(1, contacts.CONTINUUM, color=GREY, alpha=0.18, lw=0)
+    _region(axes, 1.26, 4e5, "summits yield:\nelastic-plastic\ncontact law", ORANGE)
+    _region(axes, 1.2e-2, 4e5, "summits stay elastic: the elastic law", BLUE)
+    _region(axes, 1.2e-2, 1.25, "few atoms: no continuum", GREY)
     for radius, text in ((28, "$a_1$: larger contacts are weaker"), (8e4, "$a_2$: many dislocations, lowest strength")):
-        axes.plot((3e-4, 4), (radius, radius), color=_GREY, lw=0.8, dashes=(4, 3))
-        axes.annotate(text, (3.4e-4, radius), (0, 3), textcoords="offset points", color=_GREY, fontsize=8.5)
+        axes.plot((3e-4, 4), (radius, radius), color=GREY, lw=0.8, dashes=(4, 3))
+        axes.annotate(text, (3.4e-4, radius), (0, 3), textcoords="offset points", color=GREY, fontsize=8.5)
     for number, contact in enumerate(contacts.CONTACTS):
         _track(axes, number, contact)
     return picture
@@ -64,7 +62,7 @@ def _track(axes: Axes, number: int, contact: contacts.Contact) -> None:
     """A contact over its loads, with a dot at the heaviest; dashed where no law of the library holds."""
     pressure, radius, share = contact.track()
     held = share.max() < contacts.CROWDED
-    colour = _BLUE if held and (pressure < contacts.YIELD).any() else _ORANGE
+    colour = BLUE if held and (pressure < contacts.YIELD).any() else ORANGE
     (line,) = axes.plot(pressure, radius, color=colour, lw=3, dashes=(1, 0) if held else (2, 1))
     line.set_gid(f"curve-{number}")
     axes.plot(pressure[-1:], radius[-1:], "o", color=colour, ms=6)
@@ -88,13 +86,13 @@ def _measurements() -> Figure:
     axes.set_xlabel("predicted / measured [–]; nothing fitted; bands: inputs not given")
     axes.set_yticks([])
     axes.grid(axis="y", visible=False)
-    axes.plot((1, 1), (-0.5, len(rows) - 0.4), color=_GREY, lw=1.2)
-    axes.annotate("predicted = measured", (1, -0.62), ha="center", va="center", fontsize=9, color=_GREY)
+    axes.plot((1, 1), (-0.5, len(rows) - 0.4), color=GREY, lw=1.2)
+    axes.annotate("predicted = measured", (1, -0.62), ha="center", va="center", fontsize=9, color=GREY)
     for number, row in enumerate(rows):
         low, high = row.ratio()
         # A single value is drawn as wide as 8 %, to be seen.
         ends = np.array([low, high] if high > 1.08 * low else [low / 1.04, low * 1.04])
-        colour = _BLUE if low <= 1.05 and high >= 0.95 else _ORANGE
+        colour = BLUE if low <= 1.05 and high >= 0.95 else ORANGE
         alpha = 1.0 if row.read else 0.45
         (line,) = axes.plot(ends, (number, number), lw=9, color=colour, solid_capstyle="butt", alpha=alpha)
         line.set_gid(f"curve-{number}")
@@ -105,7 +103,7 @@ def _measurements() -> Figure:
             ha="right", va="center", fontsize=8.5, annotation_clip=False,
         )  # fmt: skip
     axes.annotate(
-        "pale: quoted,\npapers not read", (0.02, 0.03), xycoords="axes fraction", va="bottom", fontsize=8.5, color=_GREY,
+        "pale: quoted,\npapers not read", (0.02, 0.03), xycoords="axes fraction", va="bottom", fontsize=8.5, color=GREY,
     )  # fmt: skip
     return picture
 

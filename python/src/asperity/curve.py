@@ -1,0 +1,104 @@
+"""Friction over a range of loads, ready to be drawn, with a band where the spread of the parameters is known.
+
+    model.curve([1e-6, 1e-5, 1e-4], spread={"work_of_adhesion": 0.3}).plot("curve.svg")
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._sparkline import sparkline
+from ._style import saved, style
+from .params import Params
+from .results import Warnings
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = npt.NDArray[np.float64]
+
+UNITS = {"SI": {"force": "N"}, None: {"force": "force"}}
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Curve:
+    """Friction at loads > 0, ascending. `Model.curve` makes it.
+
+    Attributes:
+        params: the surfaces.
+        load: normal loads [force].
+        friction_coefficient: F/P at each.
+        friction_force: F at each [force].
+        low: lower end of the band of the coefficient; None without a spread.
+        high: upper end; None with it.
+        coverage: the probability that the coefficient lies within the band; None with it.
+        warnings: what of the model fails between the lightest load and the heaviest.
+    """
+
+    params: Params
+    load: Array
+    friction_coefficient: Array
+    friction_force: Array
+    low: Array | None
+    high: Array | None
+    coverage: float | None
+    warnings: Warnings
+
+    def plot(
+        self, file: str | os.PathLike[str] | None = None, *, units: str | None = None, axes: Axes | None = None
+    ) -> Figure:
+        """Draws the coefficient over the load, with the band, and writes the figure if a file is named.
+
+        Args:
+            file: its ending is its format, for example "curve.svg".
+            units: "SI" if loads are in N.
+            axes: of a figure of your own to draw in.
+
+        Raises:
+            ImportError: matplotlib is missing.
+            ValueError: other units.
+        """
+        if units not in UNITS:
+            raise ValueError(f"units = {units!r}: must be 'SI', or None if they are others")
+        with style():
+            from matplotlib.figure import Figure
+
+            if axes is None:
+                axes = Figure(figsize=(6.4, 4.4), layout="constrained").add_subplot()
+            (line,) = axes.semilogx(self.load, self.friction_coefficient)
+            if self.low is not None and self.high is not None and self.coverage is not None:
+                axes.fill_between(self.load, self.low, self.high, color=line.get_color(), alpha=0.2, lw=0)
+                at = self.load.size // 2
+                axes.annotate(
+                    f"{100 * self.coverage:g} % band", (float(self.load[at]), float(self.high[at])), (0, 4),
+                    textcoords="offset points", color=line.get_color(), fontsize=9,
+                )  # fmt: skip
+            axes.set(xlabel=f"normal load $P$ [{UNITS[units]['force']}]", ylabel="friction coefficient $F/P$ [–]")
+            axes.set_ylim(bottom=0)
+            figure: Any = axes.figure
+            return saved(figure, file)
+
+    def to_pandas(self) -> Any:
+        """A `pandas.DataFrame` of the arrays, a row for each load.
+
+        Raises:
+            ImportError: pandas is missing.
+        """
+        import pandas
+
+        names = ("load", "friction_coefficient", "friction_force", "low", "high")
+        return pandas.DataFrame({name: getattr(self, name) for name in names if getattr(self, name) is not None})
+
+    def __repr__(self) -> str:
+        ends = f"{self.load[0]:.4g} to {self.load[-1]:.4g} [force]"
+        values = f"{self.friction_coefficient[0]:.4g} to {self.friction_coefficient[-1]:.4g}"
+        return f"<Curve: friction coefficient {values} at {self.load.size} loads from {ends}>"
+
+    def _repr_html_(self) -> str:
+        return sparkline(self.load, self.friction_coefficient, self.low, self.high)

@@ -1,0 +1,254 @@
+"""Curves, arrays of states, pressures and slip, labels in and out, progress, and how things show themselves."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import sys
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pandas
+import pytest
+import xarray
+
+from asperity import Error, Model, Params, ValidityWarning, Warnings, pads, uncertainty
+from asperity._library import LIBRARY
+
+LOADS = np.geomspace(1.0, 100.0, 7)
+
+
+# ---- Curves ----
+
+
+def test_a_curve_is_the_friction_of_the_model_with_the_band_of_its_spread(model: Model) -> None:
+    curve = model.curve(LOADS[::-1], spread={"w": 0.2}, coverage=0.9)
+    assert curve.load.tolist() == LOADS.tolist()
+    assert curve.friction_coefficient.tolist() == model.friction_at_load(LOADS).tolist()
+    assert curve.friction_force.tolist() == model.friction_force_at_load(LOADS).tolist()
+    band = uncertainty(model.params, {"w": 0.2}, LOADS, coverage=0.9)
+    assert curve.low is not None and curve.high is not None
+    assert (curve.low.tolist(), curve.high.tolist()) == (band.low.tolist(), band.high.tolist())
+    assert curve.coverage == 0.9 and curve.warnings == model.check(1.0, 100.0)
+
+
+def test_a_curve_has_loads_and_warns_by_itself(model: Model) -> None:
+    with pytest.warns(ValidityWarning, match="between the loads 1 and 10000: CROWDED"):
+        assert model.curve([1.0, 1e4]).warnings == Warnings.CROWDED
+    curve = model.curve()
+    unit = model.params.composite_modulus
+    assert curve.load.size == 61 and curve.low is None and not curve.warnings
+    assert (curve.load[0], curve.load[-1]) == pytest.approx((1e-4 * unit, 1e2 * unit))
+    assert repr(curve).startswith("<Curve: friction coefficient ")
+
+
+@pytest.mark.parametrize("loads", [[], [0.0, 1.0], [[1.0, 2.0]], [-1.0], [math.nan]])
+def test_loads_that_a_curve_cannot_have_are_refused(model: Model, loads: Any) -> None:
+    with pytest.raises(ValueError, match="loads: must be one-dimensional, not empty and > 0|load = NaN"):
+        model.curve(loads)
+
+
+def test_a_curve_is_drawn_with_its_band_and_units(model: Model, tmp_path: Path) -> None:
+    curve = model.curve(LOADS, spread={"w": 0.2})
+    figure = curve.plot(tmp_path / "curve.svg", units="SI")
+    (axes,) = figure.axes
+    assert axes.get_xlabel() == "normal load $P$ [N]" and axes.get_xscale() == "log"
+    assert np.array_equal(axes.lines[0].get_xydata(), np.column_stack([LOADS, curve.friction_coefficient]))
+    assert len(axes.collections) == 1 and axes.texts[0].get_text() == "95 % band"
+    again = tmp_path / "again.svg"
+    curve.plot(again, units="SI")
+    assert again.read_bytes() == (tmp_path / "curve.svg").read_bytes()
+    assert curve.plot(axes=axes) is figure and len(axes.lines) == 2
+    with pytest.raises(ValueError, match="units = 'mm': must be 'SI', or None"):
+        curve.plot(units="mm")
+
+
+def test_figures_have_one_style_whatever_the_caller_set(model: Model) -> None:
+    import matplotlib
+
+    with matplotlib.rc_context({"font.size": 33, "lines.linewidth": 9}):
+        (axes,) = model.curve(LOADS).plot().axes
+    assert axes.lines[0].get_linewidth() == 1.6 and axes.xaxis.label.get_fontsize() == 10
+    assert axes.lines[0].get_color() == "#0072b2"
+
+
+def test_without_matplotlib_every_figure_says_so(model: Model, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    for draw in (model.curve(LOADS).plot, model.sensitivities(1.0).plot, uncertainty(model.params, {"w": 0.1}, LOADS).plot):
+        with pytest.raises(ImportError, match="drawing needs matplotlib .*: pip install matplotlib"):
+            draw()
+
+
+# ---- How things show themselves ----
+
+
+def test_states_and_summaries_show_their_units(model: Model) -> None:
+    text = repr(model.state_at_load(10.0))
+    assert text.startswith("State\n  load                         10 [force]\n")
+    assert "\n  friction_coefficient         2.52794\n" in text and "[length^2]" in text
+    assert "\n  pull_off_load                " in repr(model.summary())
+    assert "  composite_modulus            2.85714 [stress]\n" in str(model.params)
+    assert "<td>[" not in model.params._repr_html_() and "<td>stress</td>" in model.params._repr_html_()
+
+
+def test_a_model_shows_a_small_curve_in_a_notebook(model: Model) -> None:
+    """With numbers that can be read back: the line falls as friction does."""
+    html = model._repr_html_()
+    svg = ElementTree.fromstring(html[html.index("<svg") :])
+    (line,) = svg.iter("{http://www.w3.org/2000/svg}polyline")
+    points = np.array([[float(x) for x in pair.split(",")] for pair in line.get("points", "").split()])
+    assert (np.diff(points[:, 0]) > 0).all() and points.shape == (61, 2)
+    unit = model.params.composite_modulus
+    friction = model.friction_at_load(np.geomspace(1e-4 * unit, 1e2 * unit, 61))
+    fall = np.corrcoef(points[:, 1], friction)[0, 1]
+    assert fall == pytest.approx(-1.0, abs=1e-4)
+    assert svg.get("aria-label", "").startswith("friction coefficient ")
+    closed = Model(model.params)
+    closed.close()
+    assert closed._repr_html_() == "<p>closed Model</p>"
+
+
+# ---- Arrays of states ----
+
+
+def test_states_of_an_array_are_those_of_its_loads(model: Model) -> None:
+    loads = LOADS[:6].reshape(2, 3)
+    states = model.state_at_load(loads)
+    assert len(states) == 6 and states.real_area.shape == (2, 3)
+    for i, load in enumerate(loads.ravel()):
+        one = model.state_at_load(load)
+        assert states[i] == one and states.friction_force.ravel()[i] == one.friction_force
+        assert states.warning_bits.ravel()[i] == one.warnings
+    assert states.warnings == states[0].warnings | states[5].warnings
+    assert [state.load for state in states] == loads.ravel().tolist()
+    separations = model.state_at_separation([one.separation for one in states])
+    assert separations.load == pytest.approx(loads.ravel(), rel=1e-9)
+    assert "real_area" in dir(states) and "6 of them" in repr(states)
+    frame = states.to_pandas()
+    assert frame.shape[0] == 6 and frame["load"].tolist() == loads.ravel().tolist()
+
+
+def test_states_are_refused_with_their_index(model: Model) -> None:
+    with pytest.raises(Error, match=r"element \(1, 0\): load = inf"):
+        model.state_at_load([[1.0, 2.0], [math.inf, 3.0]])
+    with pytest.raises(TypeError, match="load: must be real numbers"):
+        model.state_at_load("10")  # type: ignore[call-overload]
+    with pytest.raises(AttributeError, match="'area': states have load, separation"):
+        model.state_at_load([1.0]).area
+    assert len(model.state_at_load([])) == 0
+
+
+# ---- Pressures and slip, as in C ----
+
+
+def test_pressures_have_the_bits_of_the_c_functions(model: Model) -> None:
+    handle, slope = model._open().pointer, ctypes.c_double()
+    for pressure, area in ((2.0, 3.0), (1e-3, 7.0), (-1e-6, 2.0), (0.0, 1.0)):
+        mu = LIBRARY.asperity_friction_at_pressure(handle, pressure, area, ctypes.byref(slope))
+        assert model.friction_at_pressure(pressure, area, slope=True) == (mu, slope.value)
+        stress = LIBRARY.asperity_shear_stress_at_pressure(handle, pressure, area, ctypes.byref(slope))
+        assert model.shear_stress_at_pressure(pressure, area, slope=True) == (stress, slope.value)
+    many = model.shear_stress_at_pressure([1.0, 2.0], 3.0)
+    assert many.tolist() == [model.shear_stress_at_pressure(one, 3.0) for one in (1.0, 2.0)]
+
+
+def test_the_area_is_that_of_the_parameters_or_asked_for(params: Params, model: Model) -> None:
+    with Model(params.replace(nominal_area=3.0)) as known:
+        assert known.friction_at_pressure(2.0) == model.friction_at_load(6.0)
+    with pytest.raises(Error, match="nominal_area = 0: must be given, here or in the parameters"):
+        model.friction_at_pressure(2.0)
+    for area in (0.0, -1.0, math.nan, math.inf, 1e61):
+        with pytest.raises(Error, match="nominal_area = .*: must be from 1e-60 to 1e60"):
+            model.friction_at_pressure(2.0, area)
+    with pytest.raises(Error, match="element 1: load = NaN"):
+        model.friction_at_pressure([1.0, math.nan], 1.0)
+
+
+def test_slip_forces_have_the_bits_of_the_c_function(model: Model) -> None:
+    handle = model._open().pointer
+    by_load, by_rate = ctypes.c_double(), ctypes.c_double()
+    for load, rate in ((10.0, 0.3), (5.0, -2.0), (0.0, 1.0)):
+        force = LIBRARY.asperity_slip_force(handle, load, rate, 0.5, ctypes.byref(by_load), ctypes.byref(by_rate))
+        assert model.slip_force(load, rate, 0.5, slope=True) == (force, by_load.value, by_rate.value)
+        assert force == pytest.approx(model.friction_force_at_load(load) * math.tanh(rate / 0.5), rel=1e-14)
+    assert model.slip_force([1.0, 2.0], [[0.1], [0.2]], 0.5).shape == (2, 2)
+    for arguments, message in (
+        ((1.0, 1.0, 0.0), "transition_rate = 0: must be from 1e-60 to 1e60"),
+        ((1.0, math.inf, 1.0), "slip_rate = inf: must be finite"),
+        (([1.0, math.nan], 1.0, 1.0), "element 1: load = NaN"),
+    ):
+        with pytest.raises(Error, match=message):
+            model.slip_force(*arguments)
+
+
+# ---- Labels ----
+
+
+def test_a_series_comes_back_as_a_series(model: Model) -> None:
+    loads = pandas.Series([1.0, 10.0, 100.0], index=["a", "b", "c"], name="load")
+    for found, name in (
+        (model.friction_at_load(loads), "friction_coefficient"),
+        (model.friction_force_at_load(loads), "friction_force"),
+        (model.tangential_stiffness_at_load(loads), "tangential_stiffness"),
+        (model.slip_force(loads, 1.0, 1.0), "slip_force"),
+        (model.state_at_load(loads).real_area, "real_area"),
+        (model.tangential(loads, 1.0)[0], "tangential_force"),
+    ):
+        assert isinstance(found, pandas.Series) and found.index.tolist() == ["a", "b", "c"] and found.name == name
+    mu, slope = model.friction_at_load(loads, slope=True)
+    assert mu["b"] == model.friction_at_load(10.0) and slope["b"] == model.friction_at_load(10.0, slope=True)[1]
+    assert isinstance(model.friction_at_pressure(loads, 2.0), pandas.Series)
+    frame = model.friction_at_load(pandas.DataFrame({"x": [1.0, 2.0], "y": [3.0, 4.0]}))
+    assert frame["y"][1] == model.friction_at_load(4.0)
+    with pytest.raises(Error, match="element 1: load = inf"):
+        model.friction_at_load(pandas.Series([1.0, math.inf]))
+
+
+def test_a_data_array_comes_back_as_a_data_array(model: Model) -> None:
+    loads = xarray.DataArray(LOADS[:6].reshape(2, 3), dims=("x", "y"), coords={"y": [1, 2, 3]}, attrs={"units": "N"})
+    found = model.friction_at_load(loads)
+    assert isinstance(found, xarray.DataArray) and found.dims == ("x", "y") and found.attrs == {}
+    assert found.name == "friction_coefficient" and found.sel(y=2)[1].item() == model.friction_at_load(loads[1, 1].item())
+    assert model.state_at_load(loads).real_area.dims == ("x", "y")
+    assert loads.attrs == {"units": "N"}
+
+
+def test_a_curve_is_a_table_of_pandas_too(model: Model) -> None:
+    frame = model.curve(LOADS, spread={"w": 0.1}).to_pandas()
+    assert frame.columns.tolist() == ["load", "friction_coefficient", "friction_force", "low", "high"]
+    assert model.curve(LOADS).to_pandas().columns.tolist() == ["load", "friction_coefficient", "friction_force"]
+
+
+# ---- Progress ----
+
+
+@pytest.mark.parametrize("work", ["states", "samples", "pads"])
+def test_progress_is_told_to_a_function(params: Params, model: Model, work: str) -> None:
+    told: list[float] = []
+
+    def tell(part: float, doing: str) -> None:
+        told.append(part)
+
+    if work == "states":
+        model.state_at_load(LOADS, progress=tell)
+    elif work == "samples":
+        uncertainty(params, {"w": 0.1}, LOADS, samples=2, progress=tell)
+    else:
+        pads(params.replace(asperity_count=200.0), [1.0], 2, progress=tell)
+    assert told[0] == 0.0 and told[-1] == 1.0 and told == sorted(told)
+
+
+def test_progress_is_a_bar_of_tqdm_or_lines(
+    model: Model, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    model.state_at_load(LOADS, progress=True)
+    assert "asperity: 100%|" in capsys.readouterr().err
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    model.state_at_load(LOADS, progress=True)
+    assert capsys.readouterr().err == "asperity:   0% exact states\nasperity: 100% exact states\n"
+    model.state_at_load(LOADS)
+    assert capsys.readouterr().err == ""
+
+

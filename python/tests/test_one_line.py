@@ -1,0 +1,89 @@
+"""`asperity.friction`: the same as parameters and a model, with what it says of bad input."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from typing import Any
+
+import numpy as np
+import pytest
+
+from asperity import Error, Model, Params, ValidityWarning, friction
+from asperity.materials import MATERIALS, PAIRS, contact
+
+ROUGH: dict[str, Any] = {"Sq": 5e-9, "Sdq": 0.05, "Sds": 1e13}
+LOADS = np.geomspace(1e-2, 1.0, 5)
+
+
+def test_it_is_the_friction_of_the_model() -> None:
+    with Model(Params.from_iso25178(**PAIRS["Si/Si"].contact, **ROUGH, nominal_area=1e-6)) as model:
+        assert friction("Si/Si", **ROUGH, load=1e-2, nominal_area=1e-6) == model.friction_at_load(1e-2)
+        found = friction(PAIRS["Si/Si"], **ROUGH, load=LOADS, nominal_area=1e-6)
+        assert found.tolist() == model.friction_at_load(LOADS).tolist()
+
+
+def test_without_an_area_loads_are_pressures() -> None:
+    by_pressure = friction("Si/Si", **ROUGH, load=1e5)
+    assert by_pressure == pytest.approx(friction("Si/Si", **ROUGH, load=1e-1, nominal_area=1e-6), rel=1e-9)
+
+
+def test_roughness_is_taken_in_three_forms() -> None:
+    params = Params.from_iso25178(**PAIRS["Si/Si"].contact, **ROUGH, nominal_area=1.0)
+    m2 = ROUGH["Sdq"] ** 2 / 2
+    moments = {"m0": ROUGH["Sq"] ** 2, "m2": m2, "m4": 6 * math.pi * 3**0.5 * m2 * ROUGH["Sds"]}
+    summits = {"height_std": params.height_std, "summit_radius": params.summit_radius, "summit_density": params.asperity_count}
+    expected = friction("Si/Si", **ROUGH, load=1e5)
+    for rough in (moments, summits):
+        assert friction("Si/Si", **rough, load=1e5) == pytest.approx(expected, rel=1e-12)
+
+
+def test_numbers_that_are_given_replace_those_of_the_pair() -> None:
+    params = Params.from_iso25178(**PAIRS["Si/Si"].contact | {"work_of_adhesion": 0.1}, **ROUGH, nominal_area=1.0)
+    with Model(params) as model:
+        assert friction("Si/Si", **ROUGH, load=1e5, work_of_adhesion=0.1) == model.friction_at_load(1e5)
+
+
+def test_two_bodies_without_a_pair_need_a_work_of_adhesion() -> None:
+    with pytest.raises(Error, match="work_of_adhesion: must be given, since none is known here for SiC/WC"):
+        friction("SiC/WC", **ROUGH, load=1e5)
+    params = Params.from_iso25178(**contact(MATERIALS["SiC"], MATERIALS["WC"], 0.05), **ROUGH, nominal_area=1.0)
+    with Model(params) as model:
+        assert friction("SiC/WC", **ROUGH, load=1e5, work_of_adhesion=0.05) == model.friction_at_load(1e5)
+
+
+def test_a_surface_that_does_not_hold_is_warned_of_once() -> None:
+    ground = {"Sq": 0.4e-6, "Sdq": 0.1, "Sds": 1.3e10}
+    with pytest.warns(ValidityWarning, match="PLASTIC: summits yield"):
+        first = friction("steel/steel", **ground, load=[1e5, 1e6])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert friction("steel/steel", **ground, load=[1e5, 1e6]).tolist() == first.tolist()
+        assert friction("Si/Si", **ROUGH, load=-1e20) == 0.0  # apart: nothing to warn of
+
+
+@pytest.mark.parametrize(
+    "arguments, error, message",
+    [
+        ({"pair": "steel/wood"}, KeyError, "nearest: steel/"),
+        ({"pair": "steel"}, KeyError, "'steel' is not known"),
+        ({"pair": 5}, TypeError, "pair = 5: must be a name"),
+        ({"load": math.nan}, Error, "load = NaN: must be finite"),
+        ({"load": [1.0, math.inf]}, Error, "element 1: load = inf"),
+        ({"load": "heavy"}, TypeError, "load: must be real numbers"),
+        ({"Sq": -1e-9}, Error, "Sq = -1e-09: must be finite and > 0"),
+        ({"Sdx": 1.0}, TypeError, "Sdx"),
+        ({"nominal_area": 0.0}, Error, "nominal_area = 0"),
+        ({"pair": "PDMS/PDMS"}, Error, "burgers_vector of PDMS: no source is known here"),
+    ],
+)
+def test_bad_input_is_refused(arguments: dict[str, Any], error: type[Exception], message: str) -> None:
+    with pytest.raises(error, match=message):
+        friction(**({"pair": "Si/Si", "load": 1e5} | ROUGH | arguments))
+
+
+def test_a_roughness_is_asked_for() -> None:
+    with pytest.raises(TypeError, match="the roughness is missing: give Sq, Sdq and Sds or Ssc"):
+        friction("Si/Si", load=1e5)
+    with pytest.raises(TypeError, match="Sdq"):
+        friction("Si/Si", load=1e5, Sq=5e-9, Sds=1e13)

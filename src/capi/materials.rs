@@ -1,0 +1,222 @@
+//! Materials and pairs of them, as C sees them.
+
+use super::boundary::{self, reference, Failure};
+use super::names::Given;
+use super::params::{asperity_params, checked_size};
+use super::state::fill;
+use super::status::asperity_status;
+use crate::materials::{Material, Pair, MATERIALS, PAIRS};
+use crate::params::Params;
+use std::ffi::c_char;
+
+/// What is known of a material, in SI units. 0 stands for what no source is known for.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct asperity_material_data {
+    /// Set by the caller to `sizeof(asperity_material_data)`; the library writes no more than that.
+    pub struct_size: u64,
+    /// Young's modulus [Pa].
+    pub young: f64,
+    /// The least published value [Pa]; 0 if no range is known.
+    pub young_low: f64,
+    /// The largest published value [Pa]; 0 with it.
+    pub young_high: f64,
+    /// Poisson's ratio.
+    pub poisson: f64,
+    /// Indentation hardness [Pa]; 0 if it is not known.
+    pub hardness: f64,
+    /// The least published value [Pa]; 0 if no range is known.
+    pub hardness_low: f64,
+    /// The largest published value [Pa]; 0 with it.
+    pub hardness_high: f64,
+    /// Burgers vector [m], of a glass the distance of like atoms; 0 if there is none.
+    pub burgers_vector: f64,
+    /// The name; a constant string, as the next.
+    pub name: *const c_char,
+    /// Where the numbers are from.
+    pub reference: *const c_char,
+}
+
+/// What is known of two bodies in contact, in SI units. 0 stands for what no source is known for.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct asperity_pair_data {
+    /// Set by the caller to `sizeof(asperity_pair_data)`; the library writes no more than that.
+    pub struct_size: u64,
+    /// w [J/m^2].
+    pub work_of_adhesion: f64,
+    /// The least measurement or estimate [J/m^2]; 0 if no range is known.
+    pub work_of_adhesion_low: f64,
+    /// The largest measurement or estimate [J/m^2]; 0 with it.
+    pub work_of_adhesion_high: f64,
+    /// The Hamaker constant A [J] from which w is estimated, A/(12 pi D^2) with D = 0.165 nm; 0 if it is not.
+    pub hamaker: f64,
+    /// Measured shear strength of small contacts over G*; 0 if none is known.
+    pub slip_stress_1: f64,
+    /// The name, both materials with a slash between; a constant string, as the next.
+    pub name: *const c_char,
+    /// Where w and the strength are from.
+    pub reference: *const c_char,
+}
+
+impl asperity_material_data {
+    fn new(material: &'static Material, struct_size: u64) -> Self {
+        Self {
+            struct_size,
+            young: material.young,
+            young_low: material.young_range[0],
+            young_high: material.young_range[1],
+            poisson: material.poisson,
+            hardness: material.hardness,
+            hardness_low: material.hardness_range[0],
+            hardness_high: material.hardness_range[1],
+            burgers_vector: material.burgers_vector,
+            name: material.name.as_ptr(),
+            reference: material.reference.as_ptr(),
+        }
+    }
+}
+
+impl asperity_pair_data {
+    fn new(pair: &'static Pair, struct_size: u64) -> Self {
+        Self {
+            struct_size,
+            work_of_adhesion: pair.work_of_adhesion,
+            work_of_adhesion_low: pair.work_of_adhesion_range[0],
+            work_of_adhesion_high: pair.work_of_adhesion_range[1],
+            hamaker: pair.hamaker,
+            slip_stress_1: pair.slip_stress_1,
+            name: pair.name.as_ptr(),
+            reference: pair.reference.as_ptr(),
+        }
+    }
+}
+
+/// The material of this name.
+///
+/// # Safety
+/// `name` is NULL or a string that `Given::read` takes.
+unsafe fn material(name: *const c_char) -> Result<&'static Material, Failure> {
+    let given = Given::read(reference(name, "name")?);
+    let names = MATERIALS.iter().map(|material| material.name);
+    Material::find(given.text()).ok_or_else(|| given.unknown("material", names))
+}
+
+/// The pair of this name.
+///
+/// # Safety
+/// As `material`.
+unsafe fn pair(name: *const c_char) -> Result<&'static Pair, Failure> {
+    let given = Given::read(reference(name, "name")?);
+    let names = PAIRS.iter().map(|pair| pair.name);
+    Pair::find(given.text()).ok_or_else(|| given.unknown("pair", names))
+}
+
+/// Looks a material up by its name: "steel", "SiO2". docs/materials.md has all of them, with their sources.
+///
+/// Typical values in SI units, to start from: films, alloys and treatments differ.
+///
+/// @param name      one of `asperity_material_name`; must not be NULL; at most 64 bytes are read
+/// @param material  receives the numbers; must not be NULL; its `struct_size` must be set; untouched on failure
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
+///         nearest; `struct_size`)
+///
+/// Threads: any.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_material(
+    name: *const c_char,
+    material: *mut asperity_material_data,
+) -> asperity_status {
+    boundary::status(|| {
+        let found = self::material(name)?;
+        fill(material, "material", |size| Ok(asperity_material_data::new(found, size)))
+    })
+}
+
+/// Lists the names of the materials.
+///
+/// @param index  from 0
+/// @return a constant string; NULL after the last
+///
+/// Threads: any.
+#[no_mangle]
+pub extern "C" fn asperity_material_name(index: usize) -> *const c_char {
+    MATERIALS.get(index).map_or(std::ptr::null(), |material| material.name.as_ptr())
+}
+
+/// Looks a pair of materials up by its name: "steel/steel", "mica/Au", in either order.
+///
+/// The work of adhesion depends on what covers the surfaces more than on the bodies: look at its range and reference.
+///
+/// @param name  one of `asperity_pair_name`; must not be NULL; at most 64 bytes are read
+/// @param pair  receives the numbers; must not be NULL; its `struct_size` must be set; untouched on failure
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
+///         nearest; `struct_size`)
+///
+/// Threads: any.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_pair(name: *const c_char, pair: *mut asperity_pair_data) -> asperity_status {
+    boundary::status(|| {
+        let found = self::pair(name)?;
+        fill(pair, "pair", |size| Ok(asperity_pair_data::new(found, size)))
+    })
+}
+
+/// Lists the names of the pairs.
+///
+/// @param index  from 0
+/// @return a constant string; NULL after the last
+///
+/// Threads: any.
+#[no_mangle]
+pub extern "C" fn asperity_pair_name(index: usize) -> *const c_char {
+    PAIRS.get(index).map_or(std::ptr::null(), |pair| pair.name.as_ptr())
+}
+
+/// Sets all that a pair of materials tells, in SI units; the roughness is left to set.
+///
+/// Sets E*, G* and `tangential_modulus` as `asperity_params_set_materials`, `work_of_adhesion`, `burgers_vector`, the longer
+/// of both bodies', `adhesion_range`, equal to it as in the paper, `hardness`, that of the softer body or 0 if one is not
+/// known, and `slip_stress_1` where it is measured. The other parameters stay as they are.
+///
+/// @param params  initialised parameters; must not be NULL; untouched on failure
+/// @param name    one of `asperity_pair_name`, in either order; must not be NULL; at most 64 bytes are read
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
+///         nearest; a body without a Burgers vector)
+///
+/// Threads: any, on different structs.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_set_pair(
+    params: *mut asperity_params,
+    name: *const c_char,
+) -> asperity_status {
+    boundary::status(|| {
+        let mut whole = asperity_params::read(params)?;
+        let size = checked_size(params.cast::<u64>().read())?;
+        set_pair(&mut whole, pair(name)?)?;
+        whole.write(params, size);
+        Ok(())
+    })
+}
+
+fn set_pair(params: &mut asperity_params, pair: &Pair) -> Result<(), Failure> {
+    let says =
+        "a body of this pair has none: set E1, nu1, E2, nu2, work_of_adhesion, adhesion_range and burgers_vector \
+                by themselves";
+    let missing = || Failure::Name { name: "burgers_vector", says };
+    let (first, second) = pair.bodies().ok_or_else(missing)?;
+    let burgers_vector = pair.burgers_vector().ok_or_else(missing)?;
+    let mut materials = Params::default();
+    materials.set_materials(first.young, first.poisson, second.young, second.poisson)?;
+    params.composite_modulus = materials.composite_modulus;
+    params.effective_shear_modulus = materials.effective_shear_modulus;
+    params.tangential_modulus = materials.tangential_modulus;
+    params.work_of_adhesion = pair.work_of_adhesion;
+    params.adhesion_range = burgers_vector;
+    params.burgers_vector = burgers_vector;
+    params.hardness = pair.hardness();
+    if pair.slip_stress_1 > 0.0 {
+        params.slip_stress_1 = pair.slip_stress_1;
+    }
+    Ok(())
+}

@@ -1,0 +1,131 @@
+//! Materials and pairs of them, with sources, in SI units: what the contact parameters of a surface are made from.
+//!
+//! `bodies` and `pairs` are the tables, the only place of each number. 0 and `NONE` stand for a number that no source is
+//! known for: it is left out, and what needs it says so.
+
+mod bodies;
+mod pairs;
+
+pub use bodies::MATERIALS;
+pub use pairs::PAIRS;
+use std::ffi::CStr;
+
+/// A range for which no source is known.
+pub const NONE: [f64; 2] = [0.0, 0.0];
+
+/// An isotropic elastic body.
+#[derive(Debug)]
+pub struct Material {
+    /// By which it is found.
+    pub name: &'static CStr,
+    /// Young's modulus [Pa].
+    pub young: f64,
+    /// Of published values [Pa].
+    pub young_range: [f64; 2],
+    /// Poisson's ratio.
+    pub poisson: f64,
+    /// Indentation hardness [Pa].
+    pub hardness: f64,
+    /// Of published values [Pa].
+    pub hardness_range: [f64; 2],
+    /// [m]; of a glass the distance of like atoms.
+    pub burgers_vector: f64,
+    /// Where the numbers are from.
+    pub reference: &'static CStr,
+}
+
+/// Two bodies and what holds them together.
+#[derive(Debug)]
+pub struct Pair {
+    /// The names of both, with a slash between.
+    pub name: &'static CStr,
+    /// w [J/m^2].
+    pub work_of_adhesion: f64,
+    /// Of measurements and estimates [J/m^2].
+    pub work_of_adhesion_range: [f64; 2],
+    /// The Hamaker constant A [J] from which w is estimated, A/(12 pi D^2) with D = 0.165 nm.
+    pub hamaker: f64,
+    /// Measured shear strength of small contacts over G*.
+    pub slip_stress_1: f64,
+    /// Where w and the strength are from.
+    pub reference: &'static CStr,
+}
+
+impl Pair {
+    /// The pair of this name, or of the same bodies in the other order.
+    pub fn find(name: &[u8]) -> Option<&'static Self> {
+        let both = halves(name)?;
+        let swapped = (both.1, both.0);
+        PAIRS.iter().find(|pair| halves(pair.name.to_bytes()).is_some_and(|found| found == both || found == swapped))
+    }
+
+    /// Both bodies.
+    pub fn bodies(&self) -> Option<(&'static Material, &'static Material)> {
+        let (first, second) = halves(self.name.to_bytes())?;
+        Some((Material::find(first)?, Material::find(second)?))
+    }
+
+    /// The range of adhesion, taken equal to the Burgers vector as in the paper, and that: the longer of both bodies'.
+    /// None if one of them has none.
+    pub fn burgers_vector(&self) -> Option<f64> {
+        let (first, second) = self.bodies()?;
+        let known = first.burgers_vector > 0.0 && second.burgers_vector > 0.0;
+        known.then(|| first.burgers_vector.max(second.burgers_vector))
+    }
+
+    /// The hardness of the softer body; 0 if that of one of them is not known.
+    pub fn hardness(&self) -> f64 {
+        self.bodies().map_or(0.0, |(first, second)| first.hardness.min(second.hardness))
+    }
+}
+
+impl Material {
+    /// The material of this name.
+    pub fn find(name: &[u8]) -> Option<&'static Self> {
+        MATERIALS.iter().find(|material| material.name.to_bytes() == name)
+    }
+}
+
+/// The names on both sides of the slash.
+fn halves(name: &[u8]) -> Option<(&[u8], &[u8])> {
+    let slash = name.iter().position(|&byte| byte == b'/')?;
+    Some((&name[..slash], &name[slash + 1..]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_pair_is_of_two_materials_and_found_in_either_order() {
+        for pair in &PAIRS {
+            let name = pair.name.to_bytes();
+            let (first, second) = pair.bodies().expect("two materials");
+            assert!(first.young > 0.0 && second.young > 0.0);
+            let (one, other) = halves(name).expect("a slash");
+            let swapped = [other, b"/", one].concat();
+            assert!(std::ptr::eq(Pair::find(name).expect("the pair"), pair), "{:?}", pair.name);
+            assert!(std::ptr::eq(Pair::find(&swapped).expect("the pair"), pair), "{:?}", pair.name);
+        }
+        for none in ["", "Si", "Si/", "/Si", "Si/Si/Si", "si/si"] {
+            assert!(Pair::find(none.as_bytes()).is_none(), "{none}");
+        }
+    }
+
+    #[test]
+    fn names_are_unique_and_numbers_within_their_ranges() {
+        for (i, one) in MATERIALS.iter().enumerate() {
+            assert!(MATERIALS[..i].iter().all(|other| other.name != one.name), "{:?} twice", one.name);
+            let within = |value: f64, range: [f64; 2]| range == NONE || (range[0] <= value && value <= range[1]);
+            assert!(within(one.young, one.young_range) && within(one.hardness, one.hardness_range), "{:?}", one.name);
+            assert!(one.hardness > 0.0 || one.hardness_range == NONE, "{:?}", one.name);
+            assert!(one.poisson > 0.0 && one.poisson <= 0.5 && one.name.to_bytes().len() < 16, "{:?}", one.name);
+        }
+        for pair in &PAIRS {
+            let [low, high] = pair.work_of_adhesion_range;
+            assert!(
+                pair.work_of_adhesion_range == NONE || (low <= pair.work_of_adhesion && pair.work_of_adhesion <= high)
+            );
+        }
+    }
+}
