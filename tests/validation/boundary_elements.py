@@ -111,6 +111,12 @@ class Row:
         return self._predicted(params)
 
     @property
+    def by_nayak(self) -> Prediction:
+        """By the library, from the spectral moments with Nayak's joint distribution of heights and radii."""
+        moments = dict(m0=self.m0, m2=self.m2, m4=self.m4)
+        return self._predicted(Params.from_spectral_moments(**moments, nominal_area=self.grid**2, summits="nayak", **CONTACT))
+
+    @property
     def by_map(self) -> Prediction:
         """By the library, from the summits on the map."""
         count = self.density * self.grid**2
