@@ -42,7 +42,7 @@ git checkout --quiet README.md
 
 # Without the tools: of PyPI, in the target directory of this copy; of a linker, on a PATH that lacks it.
 refuses "missing: cargo-zigbuild, " make dist TARGETS=aarch64-linux-gnu
-mkdir "$copy/target/bin"
+mkdir -p "$copy/target/bin"
 for tool in bash cargo rustc git python3 make sed dirname uname env; do ln -s "$(command -v $tool)" "$copy/target/bin/$tool"; done
 refuses "x86_64-w64-mingw32-gcc" env PATH="$copy/target/bin" make dist TARGETS=x86_64-windows
 refuses "tests/setup.sh dist installs them" env PATH="$copy/target/bin" make dist TARGETS=x86_64-windows
