@@ -16,20 +16,33 @@ enum { LOADS = 48, EXACT = 3, KINDS = 3, FLAGS = FE_INVALID | FE_DIVBYZERO | FE_
 
 /* ---- The host's environments ---- */
 
-/* As the program starts, other roundings, small numbers flushed to zero, all of that, traps by the register itself. */
-enum { PLAIN, UPWARD, DOWNWARD, TOWARD_ZERO, FLUSHING, EVERYTHING, TRAPPING, ENVIRONMENTS };
+/* As the program starts, other roundings, small numbers flushed to zero, all of that, traps by
+ * the register itself, an x87 unit of single precision. */
+enum { PLAIN, UPWARD, DOWNWARD, TOWARD_ZERO, FLUSHING, EVERYTHING, TRAPPING, X87_SINGLE, ENVIRONMENTS };
 
 static const char *const NAMES[ENVIRONMENTS] = {
     "as it starts", "upward", "downward", "toward zero", "flushing to zero", "upward, flushing, flags raised",
-    "trapping",
+    "trapping", "x87 in single precision",
 };
 
 #if defined __GNUC__ && (defined __x86_64__ || defined __SSE2__)
-/* MXCSR: flush to zero and denormals are zero; masks of invalid, divide by zero and overflow; all but the flags. */
-enum { FLUSH = 0x8040, MASKS = 0x680, CONTROL = 0xffc0 };
+/* MXCSR: flush to zero and denormals are zero; masks of invalid, divide by zero and overflow; all but the flags. The
+ * control word of the x87 unit: its precision. */
+enum { FLUSH = 0x8040, MASKS = 0x680, CONTROL = 0xffc0, PRECISION = 0x300 };
+static unsigned x87(void)
+{
+    unsigned short word;
+    __asm__ volatile("fnstcw %0" : "=m"(word));
+    return word;
+}
+static void set_x87(unsigned bits)
+{
+    const unsigned short word = (unsigned short)bits;
+    __asm__ volatile("fldcw %0" : : "m"(word));
+}
 static uint64_t control(void)
 {
-    return __builtin_ia32_stmxcsr() & CONTROL;
+    return (__builtin_ia32_stmxcsr() & CONTROL) | (uint64_t)x87() << 32;
 }
 static void change(unsigned clear, unsigned set)
 {
@@ -37,7 +50,7 @@ static void change(unsigned clear, unsigned set)
 }
 #elif defined __GNUC__ && defined __aarch64__
 /* FPCR: flush to zero. */
-enum { FLUSH = 1 << 24, MASKS = 0 };
+enum { FLUSH = 1 << 24, MASKS = 0, PRECISION = 0 };
 static uint64_t control(void)
 {
     uint64_t value;
@@ -49,8 +62,16 @@ static void change(unsigned clear, unsigned set)
     const uint64_t value = (control() & ~(uint64_t)clear) | set;
     __asm__ volatile("msr fpcr, %0" : : "r"(value));
 }
+static unsigned x87(void)
+{
+    return 0;
+}
+static void set_x87(unsigned bits)
+{
+    (void)bits;
+}
 #else /* no register is known, or it has none of that */
-enum { FLUSH = 0, MASKS = 0 };
+enum { FLUSH = 0, MASKS = 0, PRECISION = 0 };
 static uint64_t control(void)
 {
     return 0;
@@ -59,12 +80,21 @@ static void change(unsigned clear, unsigned set)
 {
     (void)(clear + set);
 }
+static unsigned x87(void)
+{
+    return 0;
+}
+static void set_x87(unsigned bits)
+{
+    (void)bits;
+}
 #endif
 
 static void enter(int environment)
 {
     static const int rounding[ENVIRONMENTS] = {
         FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST, FE_UPWARD, FE_TONEAREST,
+        FE_TONEAREST,
     };
     if (fesetround(rounding[environment]) != 0)
         abort();
@@ -74,10 +104,13 @@ static void enter(int environment)
         feraiseexcept(FE_OVERFLOW | FE_INEXACT);
     if (environment == TRAPPING && fegetexcept() == 0)
         change(MASKS, 0);
+    if (environment == X87_SINGLE)
+        set_x87(x87() & ~(unsigned)PRECISION);
 }
 
-static void leave(void)
+static void leave(unsigned precision)
 {
+    set_x87(precision);
     change(FLUSH, fegetexcept() == 0 ? MASKS : 0);
     fesetround(FE_TONEAREST);
     feclearexcept(FE_ALL_EXCEPT);
@@ -174,10 +207,12 @@ static asperity_model *ask_in(int environment, const asperity_params *p, const q
 {
     asperity_model *model;
     int rounding, flags, traps;
+    unsigned precision;
     uint64_t bits;
 
     memset(a, 0, sizeof *a);
     feclearexcept(FE_ALL_EXCEPT);
+    precision = x87();
     enter(environment);
     rounding = fegetround();
     flags = fetestexcept(FLAGS);
@@ -188,7 +223,7 @@ static asperity_model *ask_in(int environment, const asperity_params *p, const q
     CHECK(fegetround() == rounding, "%s: rounding is %d", NAMES[environment], fegetround());
     CHECK(fegetexcept() == traps, "%s: other exceptions are trapped", NAMES[environment]);
     CHECK(fetestexcept(FLAGS) == flags, "%s: flags %#x, not %#x", NAMES[environment], fetestexcept(FLAGS), flags);
-    leave();
+    leave(precision);
     return model;
 }
 
