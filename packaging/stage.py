@@ -25,8 +25,8 @@ def build_stage(target, folder, env):
         run("make", "-f", "cmake/install.mk", "install", f"DESTDIR={destdir}", "PREFIX=/asperity", env=env)
         (destdir / "asperity").rename(folder)
         destdir.rmdir()
-    for library in (*folder.glob("lib/*.a"), *folder.glob("lib/*.wasm")):
-        run("llvm-strip", "--strip-debug", library)
+    if "wasm32" not in target.rust:  # llvm-strip refuses static libraries for WebAssembly
+        run("llvm-strip", "--strip-debug", folder / "lib" / "libasperity.a")
     add_common_files(target, folder)
     check_size(target, folder)
 
