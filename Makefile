@@ -29,7 +29,7 @@ WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Werror
 # The scripts of `make test` that check other languages and hosts; each is run as it is, from the root.
 TEST_SCRIPTS := tests/cpp/called.sh tests/c/gpu.sh fortran/test.sh python/test.sh js/test.sh tests/validation/run.sh \
     tests/examples/run.sh tests/consumers/run.sh tests/build_checks.sh tests/harden/run.sh tests/harden/memory.sh \
-    tests/harden/supply_chain.sh
+    tests/harden/supply_chain.sh tests/dist/refusals.sh
 
 .PHONY: all demo test hosts header clean library
 

@@ -25,8 +25,8 @@ def build_stage(target, folder, env):
         run("make", "-f", "cmake/install.mk", "install", f"DESTDIR={destdir}", "PREFIX=/asperity", env=env)
         (destdir / "asperity").rename(folder)
         destdir.rmdir()
-    for library in (*folder.glob("lib/*.a"), *folder.glob("lib/*.wasm")):
-        run("llvm-strip", "--strip-debug", library)
+    if "wasm32" not in target.rust:  # llvm-strip refuses static libraries for WebAssembly
+        run("llvm-strip", "--strip-debug", folder / "lib" / "libasperity.a")
     add_common_files(target, folder)
     check_size(target, folder)
 
@@ -45,11 +45,11 @@ def install_with_cmake(target, folder, env):
 
 
 def add_msvc_import_library(folder):
-    """asperity.lib, with which Microsoft's linker links the DLL; the CMake package names it."""
+    """asperity.dll.lib, with which Microsoft's linker links the DLL; the CMake package finds it."""
     names = sorted(set(re.findall(r"\b(asperity_\w+)\(", (folder / "include" / "asperity.h").read_text("utf-8"))))
     definitions = folder / "asperity.def"
     definitions.write_text("LIBRARY asperity.dll\nEXPORTS\n" + "".join(f"    {name}\n" for name in names), "utf-8")
-    run("llvm-dlltool", "-m", "i386:x86-64", "-d", definitions, "-l", folder / "lib" / "asperity.lib")
+    run("llvm-dlltool", "-m", "i386:x86-64", "-d", definitions, "-l", folder / "lib" / "asperity.dll.lib")
     definitions.unlink()
 
 

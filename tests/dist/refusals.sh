@@ -42,10 +42,11 @@ git checkout --quiet README.md
 
 # Without the tools: of PyPI, in the target directory of this copy; of a linker, on a PATH that lacks it.
 refuses "missing: cargo-zigbuild, " make dist TARGETS=aarch64-linux-gnu
-mkdir "$copy/target/bin"
-for tool in bash cargo rustc git python3 make sed dirname uname env; do ln -s "$(command -v $tool)" "$copy/target/bin/$tool"; done
-refuses "x86_64-w64-mingw32-gcc" env PATH="$copy/target/bin" make dist TARGETS=x86_64-windows
-refuses "tests/setup.sh dist installs them" env PATH="$copy/target/bin" make dist TARGETS=x86_64-windows
+mkdir -p "$copy/target/bin"
+for tool in cargo git rustc; do ln -s "$(command -v $tool)" "$copy/target/bin/$tool"; done
+python=$(python3 -c 'import sys; print(sys.executable)')
+refuses "x86_64-w64-mingw32-gcc" env PATH="$copy/target/bin" "$python" packaging/dist.py x86_64-windows
+refuses "tests/setup.sh dist installs them" env PATH="$copy/target/bin" "$python" packaging/dist.py x86_64-windows
 
 refuses "say which: make release VERSION=x.y.z" make release
 refuses "'next' is no version" make release VERSION=next

@@ -127,7 +127,7 @@ fi
 
 # ---- Packages ----
 if ls dist/*.deb >/dev/null 2>&1; then
-    quietly lintian --fail-on error,warning dist/*.deb
+    quietly lintian --allow-root --fail-on error,warning dist/*.deb
     tests/dist/debian.sh "$target/dist/bookworm"
     passed "$(cd dist && echo *.deb)" "lintian; installed in a Debian 12 without Rust, used from C, C++, Fortran and Python"
 fi

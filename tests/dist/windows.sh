@@ -26,7 +26,20 @@ for project in find-package-shared find-package-static; do
 done
 # The import library for Microsoft's linker, alone in a folder so that no other can be taken.
 mkdir "$work/msvc"
-cp "$prefix/lib/asperity.lib" "$prefix/bin/asperity.dll" "$work/msvc"
+cp "$prefix/lib/asperity.dll.lib" "$prefix/bin/asperity.dll" "$work/msvc"
 quietly x86_64-w64-mingw32-gcc -std=c11 -I"$prefix/include" tests/consumers/greenwood_williamson.c -o "$work/msvc/consumer.exe" \
-    "$work/msvc/asperity.lib"
+    "$work/msvc/asperity.dll.lib"
 in_wine "$work/msvc/consumer.exe"
+# Which of the two the CMake package takes where the compiler is Microsoft's: asked without one.
+mkdir "$work/choice"
+cat >"$work/choice/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.18)
+project(choice LANGUAGES NONE)
+set(MSVC 1)
+find_package(asperity CONFIG REQUIRED)
+get_target_property(library asperity::asperity IMPORTED_IMPLIB)
+if(NOT library MATCHES "/lib/asperity\\.dll\\.lib$" OR NOT EXISTS "${library}")
+  message(FATAL_ERROR "links ${library}")
+endif()
+END
+quietly cmake -S "$work/choice" -B "$work/choice/build" -DCMAKE_PREFIX_PATH="$prefix"
