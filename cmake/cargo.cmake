@@ -1,6 +1,6 @@
 # What cargo and rustc must be asked, and what their files are called on the target platform.
 #
-# In:  ASPERITY_RUST_TARGET, the target triple for cross compilation (rustc's host by default);
+# In:  ASPERITY_RUST_TARGET, the target triple (in cross compilation the C compiler's by default, else rustc's host);
 #      environment CARGO_TARGET_DIR, shared with `make install` where it is set.
 # Out: ASPERITY_CARGO_DIR and the file names in it, ASPERITY_SONAME, ASPERITY_NATIVE_LIBS.
 
@@ -27,9 +27,35 @@ foreach(program IN ITEMS "${ASPERITY_CARGO}" "${ASPERITY_RUSTC}")
 endforeach()
 
 # ---- Target triple ----
+# Rust's name for what the C compiler calls its machine, or nothing. 32-bit ARM has several for one of GCC's.
+function(asperity_triple_of_compiler result_triple result_machine)
+  set(target_flag)
+  if(CMAKE_C_COMPILER_TARGET)
+    set(target_flag "${CMAKE_C_COMPILE_OPTIONS_TARGET}${CMAKE_C_COMPILER_TARGET}")
+  endif()
+  execute_process(COMMAND "${CMAKE_C_COMPILER}" ${target_flag} -dumpmachine
+    OUTPUT_VARIABLE machine ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+  set(triple)
+  if(machine MATCHES "^(x86_64|i686)-w64-(mingw32|windows-gnu)$")
+    set(triple "${CMAKE_MATCH_1}-pc-windows-gnu")
+  elseif(machine MATCHES "^(x86_64|i686|aarch64|powerpc64|powerpc64le|s390x)-([a-z0-9]+-)?linux-(gnu|musl)$")
+    set(triple "${CMAKE_MATCH_1}-unknown-linux-${CMAKE_MATCH_3}")
+  elseif(machine MATCHES "^riscv64-([a-z0-9]+-)?linux-(gnu|musl)$")
+    set(triple "riscv64gc-unknown-linux-${CMAKE_MATCH_2}")
+  endif()
+  set(${result_triple} "${triple}" PARENT_SCOPE)
+  set(${result_machine} "${machine}" PARENT_SCOPE)
+endfunction()
+
 if(NOT DEFINED CACHE{ASPERITY_RUST_TARGET})
   set(asperity_triple "$ENV{CARGO_BUILD_TARGET}")
-  if(NOT asperity_triple)
+  if(NOT asperity_triple AND CMAKE_CROSSCOMPILING)
+    asperity_triple_of_compiler(asperity_triple asperity_machine)
+    if(NOT asperity_triple)
+      message(FATAL_ERROR "asperity: which Rust target is the machine '${asperity_machine}' of ${CMAKE_C_COMPILER}? "
+                          "Set ASPERITY_RUST_TARGET to one of those that `rustc --print target-list` prints.")
+    endif()
+  elseif(NOT asperity_triple)
     execute_process(COMMAND "${ASPERITY_RUSTC}" -vV OUTPUT_VARIABLE asperity_triple)
     string(REGEX MATCH "host: ([^\r\n]+)" asperity_triple "${asperity_triple}")
     set(asperity_triple "${CMAKE_MATCH_1}")

@@ -25,7 +25,12 @@ asperity_triple = $(or $(CARGO_BUILD_TARGET),$(shell $(RUSTC) -vV 2>/dev/null | 
 asperity_package := $(asperity_target_dir)/package$(addprefix -,$(CARGO_BUILD_TARGET))
 asperity_static := $(asperity_package)/libasperity.a
 
-ifeq ($(shell uname -s),Darwin)
+# Rust's name of the target if there is one, else the name of this system.
+asperity_system := $(or $(CARGO_BUILD_TARGET),$(shell uname -s))
+ifneq ($(findstring -windows-,$(asperity_system)),)
+asperity_refusal = $(error make install knows no Windows; build for $(asperity_system) with CMake: docs/install.md)
+endif
+ifneq ($(findstring -apple-,$(asperity_system))$(filter Darwin,$(asperity_system)),)
 asperity_shared := libasperity.$(asperity_version).dylib
 asperity_links := libasperity.$(asperity_major).dylib libasperity.dylib
 asperity_soname := @rpath/libasperity.$(asperity_major).dylib
@@ -40,6 +45,7 @@ endif
 package: $(asperity_static)
 
 $(asperity_static): Cargo.toml Cargo.lock $(shell find src -name '*.rs')
+	$(asperity_refusal)
 	@cmake/check_rust.sh "$(CARGO)" "$(RUSTC)"
 	$(CARGO) rustc --release --locked --lib --crate-type cdylib,staticlib \
 	    --target $(asperity_triple) --target-dir $(asperity_target_dir) \

@@ -10,6 +10,12 @@ set(asperity_environment)
 if(CMAKE_OSX_DEPLOYMENT_TARGET)
   set(asperity_environment "MACOSX_DEPLOYMENT_TARGET=${CMAKE_OSX_DEPLOYMENT_TARGET}")
 endif()
+# A cross compiler that needs no options links for its machine; Rust's own default is the host's `cc`.
+string(TOUPPER "CARGO_TARGET_${ASPERITY_RUST_TARGET}_LINKER" asperity_linker)
+string(REPLACE "-" "_" asperity_linker "${asperity_linker}")
+if(CMAKE_CROSSCOMPILING AND CMAKE_C_COMPILER_ID STREQUAL "GNU" AND NOT DEFINED ENV{${asperity_linker}})
+  list(APPEND asperity_environment "${asperity_linker}=${CMAKE_C_COMPILER}")
+endif()
 
 set(asperity_stage_commands
   COMMAND "${CMAKE_COMMAND}" -E make_directory "${ASPERITY_STAGE}"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Every way to build must say in one line that Rust is missing or too old; tests/setup.sh must wait for the package
-# manager's locks. Stand-ins on PATH play an old cargo, none, and an apt-get whose locks are held.
+# Every way to build must say in one line that Rust is missing or too old; CMake must build for the machine of a cross
+# compiler, or ask for it; tests/setup.sh must wait for the package manager's locks. Stand-ins on PATH play an old
+# cargo, none, cross compilers, and an apt-get whose locks are held.
 #
 # usage: tests/build_checks.sh      needs make, cmake, cc, python3 with venv
 set -euo pipefail
@@ -61,6 +62,25 @@ PATH="$work/bin:$PATH" cmake/check_rust.sh || fail "Rust $needed is refused"
 stand_in 2.0.0
 PATH="$work/bin:$PATH" cmake/check_rust.sh || fail "Rust 2.0 is refused"
 
+# The Rust target that CMake takes for the machine of a compiler; what it says where it takes none.
+target_for() {
+    local compiler="$work/bin/cross-cc"
+    printf '#!/bin/sh\n[ "$*" = -dumpmachine ] && echo %s && exit\nexec "%s" "$@"\n' "$1" "${CC:-cc}" >"$compiler"
+    chmod +x "$compiler"
+    rm -rf "$work/cross"
+    env -u CARGO_BUILD_TARGET cmake -S . -B "$work/cross" -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_C_COMPILER="$compiler" \
+        -DASPERITY_RUSTC="$work/bin/rustc" >"$work/log" 2>&1 || true
+    sed -n 's/^ASPERITY_RUST_TARGET:STRING=//p' "$work/cross/CMakeCache.txt"
+}
+stand_in 2.0.0
+for pair in x86_64-w64-mingw32=x86_64-pc-windows-gnu aarch64-linux-gnu=aarch64-unknown-linux-gnu \
+    riscv64-linux-gnu=riscv64gc-unknown-linux-gnu x86_64-alpine-linux-musl=x86_64-unknown-linux-musl \
+    arm-linux-gnueabihf=; do
+    found=$(target_for "${pair%=*}")
+    [ "$found" = "${pair#*=}" ] || fail "CMake takes '$found' for ${pair%=*}"
+done
+grep -q "Set ASPERITY_RUST_TARGET" "$work/log" || fail "CMake does not ask for the target of a machine it does not know"
+
 # An apt-get that has no lists at first, finds their lock held twice, and must be told to wait for that of dpkg.
 cat >"$work/apt/apt-get" <<'END'
 #!/bin/sh
@@ -79,4 +99,4 @@ printf '#!/bin/sh\necho 0\n' >"$work/apt/id"
 chmod +x "$work"/apt/*
 PATH="$work/apt:$PATH" tests/setup.sh core >/dev/null || fail "setup.sh does not wait for the package manager's locks"
 
-echo "tests/build_checks.sh: an old Rust, none, and held locks are met as they should be"
+echo "tests/build_checks.sh: an old Rust, none, cross compilers and held locks are met as they should be"

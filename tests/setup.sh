@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Installs what the demo and the tests need beside cargo, a C compiler and make.
 #
-# usage: tests/setup.sh [core] [hosts] [harden] [validation] [web]     (core when no group is named)
+# usage: tests/setup.sh [core] [hosts] [harden] [validation] [dist] [web]     (core when no group is named)
 # As root on Debian or Ubuntu it installs what is missing; otherwise it prints the one command that would, and fails.
 set -euo pipefail
 
 core="g++ gfortran clang cmake pkg-config python3 python3-venv libgsl-dev valgrind"
 hosts="libode-dev libsiconos-numerics-dev liblammps-dev libsimbody-dev python3-getfem python3-matplotlib pkg-config
     python3-venv"
-harden="valgrind qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross llvm-22"
+harden="valgrind qemu-user llvm-22"
 # Node and npm may come from elsewhere than Debian, whose npm then does not go with them.
 web="chromium fonts-dejavu-core"
 command -v node >/dev/null || web+=" nodejs"
@@ -16,7 +16,23 @@ command -v npm >/dev/null || web+=" npm"
 # Of crates.io, at the versions that were tried; fetched and built by cargo.
 harden_tools="cargo-deny@0.20.2 cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
 
-# Of PyPI, at the versions that were tried, in an environment of their own under the target directory.
+# What make dist and make dist-test need beside the tools that come from PyPI.
+dist="cmake debhelper debootstrap dh-python dpkg-dev gcc-mingw-w64-x86-64 gfortran lintian llvm pkg-config python3 python3-venv xz-utils
+    zstd"
+dist_targets="x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-unknown-linux-musl x86_64-pc-windows-gnu
+    aarch64-apple-darwin x86_64-apple-darwin wasm32-unknown-unknown"
+
+# The compilers of other machines for tests/dist/same_bits.sh, and what runs their programs.
+machines="qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-arm-linux-gnueabihf libc6-dev-armhf-cross
+    gcc-i686-linux-gnu libc6-dev-i386-cross gcc-riscv64-linux-gnu libc6-dev-riscv64-cross gcc-powerpc64le-linux-gnu
+    libc6-dev-ppc64el-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross gcc-mingw-w64-x86-64 wine64 musl-tools clang lld
+    wasi-libc nodejs"
+machine_targets="armv7-unknown-linux-gnueabihf i686-unknown-linux-gnu riscv64gc-unknown-linux-gnu
+    powerpc64le-unknown-linux-gnu s390x-unknown-linux-gnu"
+
+# Of PyPI, at the versions that were tried, in environments of their own under the target directory.
+dist_packages="ziglang==0.17.1 cargo-zigbuild==0.24.0 build==1.6.1 setuptools==84.2.1 wheel==0.48.0 twine==7.0.0
+    conan==2.34.0 py-rattler==0.28.0 check-jsonschema==0.39.0"
 validation_packages="tamaas==2.9.0 Adhesion==0.93 mpmath>=1.3 matplotlib>=3.5 scipy>=1.9 pytest>=7"
 
 packages="" tools=""
@@ -26,8 +42,9 @@ for group in "${@:-core}"; do
     hosts) packages+=" $hosts" ;;
     harden) packages+=" $harden" tools+=" $harden_tools" ;;
     validation) packages+=" python3 python3-venv" ;;
+    dist) packages+=" $dist $machines" ;;
     web) packages+=" $web" ;;
-    *) echo "tests/setup.sh: unknown group '$group': core, hosts, harden, validation or web" >&2; exit 2 ;;
+    *) echo "tests/setup.sh: unknown group '$group': core, hosts, harden, validation, dist or web" >&2; exit 2 ;;
     esac
 done
 
@@ -39,26 +56,34 @@ done
 if [[ " $* " == *" harden "* ]] && command -v rustup >/dev/null; then
     rustup component add --toolchain nightly rust-src miri >/dev/null 2>&1 ||
         rustup toolchain install nightly --profile minimal --component rust-src,miri
-    # For 64-bit ARM, which qemu-user emulates.
-    rustup target add aarch64-unknown-linux-gnu >/dev/null 2>&1
+fi
+
+if [[ " $* " == *" dist "* ]] && command -v rustup >/dev/null; then
+    # shellcheck disable=SC2086
+    rustup -q target add $dist_targets $machine_targets
 fi
 
 if [[ " $* " == *" web "* ]] && command -v rustup >/dev/null; then
     rustup target list --installed | grep -qx wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown
 fi
 
-groups=" $* "
-validation_environment() {
-    [[ "$groups" == *" validation "* ]] || return 0
-    local venv="${CARGO_TARGET_DIR:-target}/validation-venv"
+# environment GROUP PACKAGES: a virtual environment with the packages, where the group is asked for.
+groups=" ${*:-core} "
+environment() {
+    [[ "$groups" == *" $1 "* ]] || return 0
+    local venv="${CARGO_TARGET_DIR:-target}/$1-venv"
     # The list of packages stands in it once they are installed.
-    [ "$(cat "$venv/packages" 2>/dev/null)" = "$validation_packages" ] && return 0
-    echo "installing in $venv: $validation_packages"
+    [ "$(cat "$venv/packages" 2>/dev/null)" = "$2" ] && return 0
+    echo "installing in $venv:" $2
     mkdir -p "$(dirname "$venv")"
     "${PYTHON:-python3}" -m venv --clear "$venv"
     # shellcheck disable=SC2086
-    "$venv/bin/pip" install --quiet --disable-pip-version-check $validation_packages
-    echo "$validation_packages" >"$venv/packages"
+    "$venv/bin/pip" install --quiet --disable-pip-version-check $2
+    echo "$2" >"$venv/packages"
+}
+environments() {
+    environment validation "$validation_packages"
+    environment dist "$dist_packages"
 }
 
 if ! command -v dpkg-query >/dev/null; then
@@ -69,7 +94,7 @@ missing=""
 for package in $packages; do
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=" $package"
 done
-[ -n "$missing" ] || { validation_environment; exit 0; }
+[ -n "$missing" ] || { environments; exit 0; }
 
 if [ "$(id -u)" != 0 ]; then
     echo "Some packages that the tests need are missing. Install them with:" >&2
@@ -92,4 +117,4 @@ install_missing() {
     apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=600 $missing >/dev/null
 }
 install_missing 2>/dev/null || { update_lists && install_missing; }
-validation_environment
+environments

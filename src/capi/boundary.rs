@@ -57,13 +57,38 @@ impl Failure {
     }
 }
 
-/// Runs the body of an entry point that returns a status, and keeps the caller's floating-point environment.
+/// Runs the body of an entry point that returns a status, in the library's floating-point environment.
 pub fn status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_status {
-    fp_environment::held(|| fast_status(body))
+    fp_environment::held(|| contained_status(body))
 }
 
-/// Runs the body of an entry point of a solver's inner loop, which itself sees to the floating-point environment.
-pub fn fast_status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_status {
+/// The same for an entry point of a solver's inner loop, whose body itself sees to what may raise an exception: in the
+/// caller's environment where that rounds to nearest. A macro, as a function would keep the body from being inlined.
+macro_rules! fast_status {
+    ($body:expr) => {
+        if $crate::capi::fp_environment::rounds_to_nearest() {
+            $crate::capi::boundary::contained_status(|| $body)
+        } else {
+            $crate::capi::fp_environment::held(move || $crate::capi::boundary::contained_status(|| $body))
+        }
+    };
+}
+pub(super) use fast_status;
+
+/// The same for an entry point that returns a number; NaN if it panics.
+macro_rules! fast_value {
+    ($body:expr) => {
+        if $crate::capi::fp_environment::rounds_to_nearest() {
+            $crate::capi::boundary::contained_value(|| $body)
+        } else {
+            $crate::capi::fp_environment::held(move || $crate::capi::boundary::contained_value(|| $body))
+        }
+    };
+}
+pub(super) use fast_value;
+
+/// A status, whatever the body does.
+pub fn contained_status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_status {
     match catch_unwind(AssertUnwindSafe(body)) {
         Ok(Ok(())) => ASPERITY_OK,
         Ok(Err(failure)) => {
@@ -77,8 +102,8 @@ pub fn fast_status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_statu
     }
 }
 
-/// Runs the body of an entry point of a solver's inner loop that returns a number; NaN if it panics.
-pub fn fast_value(body: impl FnOnce() -> f64) -> f64 {
+/// A number, whatever the body does.
+pub fn contained_value(body: impl FnOnce() -> f64) -> f64 {
     catch_unwind(AssertUnwindSafe(body)).unwrap_or(f64::NAN)
 }
 
@@ -112,7 +137,7 @@ mod tests {
     fn a_panic_becomes_a_status_with_a_message_or_nan() {
         let hook = std::panic::take_hook();
         std::panic::set_hook(Box::new(|_| {}));
-        let (stopped, value) = (status(|| panic!("a bug")), fast_value(|| panic!("a bug")));
+        let (stopped, value) = (status(|| panic!("a bug")), contained_value(|| panic!("a bug")));
         std::panic::set_hook(hook);
         let mut message = [0_u8; 200];
         // SAFETY: a buffer of the length that is given.
@@ -136,13 +161,13 @@ mod tests {
             (Error::NotConverged { what: "", value: 0.0 }, 6),
         ];
         for (error, expected) in errors {
-            assert_eq!(fast_status(|| Err(error.clone().into())), expected, "{error:?}");
-            assert_eq!(fast_status(|| Err(Failure::Element(7, error.clone()))), expected, "{error:?}");
+            assert_eq!(contained_status(|| Err(error.clone().into())), expected, "{error:?}");
+            assert_eq!(contained_status(|| Err(Failure::Element(7, error.clone()))), expected, "{error:?}");
         }
-        assert_eq!(fast_status(|| Err(Failure::Null(""))), 1);
-        assert_eq!(fast_status(|| Err(Failure::OutOfMemory)), 7);
-        assert_eq!(fast_status(|| Err(Failure::Name { name: "", says: "" })), 2);
-        assert_eq!(fast_status(|| Err(Failure::UnknownName { name: [0; 64], length: 0, nearest: "" })), 2);
-        assert_eq!(fast_status(|| Ok(())), 0);
+        assert_eq!(contained_status(|| Err(Failure::Null(""))), 1);
+        assert_eq!(contained_status(|| Err(Failure::OutOfMemory)), 7);
+        assert_eq!(contained_status(|| Err(Failure::Name { name: "", says: "" })), 2);
+        assert_eq!(contained_status(|| Err(Failure::UnknownName { name: [0; 64], length: 0, nearest: "" })), 2);
+        assert_eq!(contained_status(|| Ok(())), 0);
     }
 }

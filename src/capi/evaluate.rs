@@ -56,7 +56,7 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
     mu: *mut f64,
     dmu_dload: *mut f64,
 ) -> asperity_status {
-    boundary::fast_status(|| {
+    boundary::fast_status!({
         let model = &reference(model, "model")?.model;
         evaluate(model, Quantity::Coefficient, n, load, mu, dmu_dload)
     })
@@ -86,7 +86,7 @@ pub unsafe extern "C" fn asperity_friction_force_at_loads(
     force: *mut f64,
     dforce_dload: *mut f64,
 ) -> asperity_status {
-    boundary::fast_status(|| {
+    boundary::fast_status!({
         let model = &reference(model, "model")?.model;
         evaluate(model, Quantity::Force, n, load, force, dforce_dload)
     })

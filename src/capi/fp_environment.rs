@@ -1,23 +1,29 @@
 //! The caller's floating-point environment: hosts run with traps on, round in other directions, flush small numbers to
 //! zero, and read the flags.
 //!
-//! The compiler may evaluate ahead of a condition what the condition would have kept from dividing by zero. Everything
-//! but the few operations of the table therefore runs in the environment that a program starts with, in which nothing traps
-//! and all processors give the same bits; then the caller's is put back, flags included.
+//! The library's own is that with which a program starts: nothing traps, results are rounded to nearest, and small numbers
+//! are kept, so that all processors give the same bits. The compiler may evaluate ahead of a condition what the condition
+//! would have kept from dividing by zero. Everything but the few operations of the table therefore runs in [`held`], which
+//! puts the caller's environment back, flags included. The operations of the table raise nothing but "inexact" and run in
+//! the caller's environment where that [`rounds_to_nearest`].
 //!
-//! Where Rust knows the processor's registers they are read and written directly: the C library's functions take many times
-//! as long, and some of them leave the vector registers' traps on.
+//! Registers are written directly where Rust has their instructions: the C library's functions take ten times as long,
+//! and those of MinGW and musl leave the traps of MXCSR on.
+
+use registers::Environment;
 
 /// Puts the caller's environment back, also when the body panics.
 struct Held(Environment);
 
 impl Drop for Held {
+    #[inline]
     fn drop(&mut self) {
         self.0.restore();
     }
 }
 
-/// Runs the body with floating-point exceptions held, rounding to nearest.
+/// Runs the body in the library's environment.
+#[inline(never)]
 pub fn held<T>(body: impl FnOnce() -> T) -> T {
     let _held = Held(Environment::replace());
     apart(body)
@@ -29,49 +35,71 @@ fn apart<T>(body: impl FnOnce() -> T) -> T {
     body()
 }
 
+/// Whether the caller's environment rounds to nearest: found out by rounding 3/4 and 1/4 to whole numbers, which takes
+/// less time than reading the register.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub fn rounds_to_nearest() -> bool {
+    use std::arch::x86_64::{__m128, _mm_cvtps_epi32, _mm_cvtsi128_si64};
+    #[repr(align(16))]
+    struct Aligned<T>(T);
+    static PARTS: Aligned<[f32; 4]> = Aligned([0.75, 0.25, 0.0, 0.0]);
+    // SAFETY: the numbers are there. "Volatile" keeps the compiler from rounding them itself.
+    let rounded = unsafe { _mm_cvtps_epi32((&raw const PARTS.0).cast::<__m128>().read_volatile()) };
+    // SAFETY: every such processor has the instruction.
+    (unsafe { _mm_cvtsi128_si64(rounded) }) == 1
+}
+
+/// Whether the caller's environment rounds to nearest: found out by adding to 1 a quarter and three quarters of the
+/// distance to the next number.
+#[cfg(not(any(target_arch = "x86_64", target_family = "wasm")))]
+#[inline(always)]
+pub fn rounds_to_nearest() -> bool {
+    static PARTS: [f64; 2] = [0.25 * f64::EPSILON, 0.75 * f64::EPSILON];
+    // SAFETY: the numbers are there. "Volatile" keeps the compiler from adding them itself.
+    let [quarter, three_quarters] = [0, 1].map(|i| unsafe { (&raw const PARTS[i]).read_volatile() });
+    1.0 + quarter < 1.0 + three_quarters
+}
+
+/// WebAssembly rounds to nearest.
+#[cfg(target_family = "wasm")]
+pub fn rounds_to_nearest() -> bool {
+    true
+}
+
 #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
 mod registers {
     use std::arch::asm;
 
-    /// MXCSR, which governs all arithmetic of the library; the x87 unit, which some callers' own arithmetic uses, only
-    /// carries results to them where pointers have 32 bits.
+    #[cfg(not(target_feature = "sse2"))]
+    compile_error!("asperity needs SSE2: x87 arithmetic gives other bits; build for i686, not i586");
+
+    /// MXCSR. The x87 unit does none of the library's arithmetic.
     pub struct Environment(u32);
 
-    /// As a program starts: exceptions masked, rounding to nearest, no flag set.
+    /// Exceptions masked, rounding to nearest, no flag set.
     const DEFAULT: u32 = 0x1f80;
-    const FLAGS: u32 = 0x3f;
 
     impl Environment {
         #[inline]
         pub fn replace() -> Self {
-            let callers = read();
-            // Writing the register takes far longer than reading it. Flags that are set already do no harm.
-            if callers & !FLAGS != DEFAULT {
-                write(DEFAULT);
-            }
+            let mut callers = 0_u32;
+            // SAFETY: it writes four bytes to where there are four.
+            unsafe { asm!("stmxcsr [{}]", in(reg) &raw mut callers, options(nostack, preserves_flags)) };
+            write(DEFAULT);
             Self(callers)
         }
 
         #[inline]
         pub fn restore(&self) {
-            if read() != self.0 {
-                write(self.0);
-            }
+            write(self.0);
         }
-    }
-
-    #[inline]
-    fn read() -> u32 {
-        let mut value = 0_u32;
-        // SAFETY: it writes four bytes to where there are four.
-        unsafe { asm!("stmxcsr [{}]", in(reg) &mut value, options(nostack, preserves_flags)) };
-        value
     }
 
     #[inline]
     fn write(value: u32) {
         // SAFETY: the value is the default one, or what was read from the register.
-        unsafe { asm!("ldmxcsr [{}]", in(reg) &value, options(nostack, preserves_flags, readonly)) };
+        unsafe { asm!("ldmxcsr [{}]", in(reg) &raw const value, options(nostack, preserves_flags)) };
     }
 }
 
@@ -88,60 +116,71 @@ mod registers {
     impl Environment {
         #[inline]
         pub fn replace() -> Self {
-            let callers = read();
-            // 0: as a program starts. Writing the register takes longer than reading it.
-            if callers.control != 0 {
-                write_control(0);
+            let (control, status);
+            // SAFETY: a program starts with 0.
+            unsafe {
+                asm!("mrs {control}, fpcr", "mrs {status}, fpsr", "msr fpcr, xzr",
+                     control = out(reg) control, status = out(reg) status, options(nostack, preserves_flags));
             }
-            callers
+            Self { control, status }
         }
 
         #[inline]
         pub fn restore(&self) {
-            if self.control != 0 {
-                write_control(self.control);
-            }
-            if read().status != self.status {
-                // SAFETY: the value was read from the register.
-                unsafe { asm!("msr fpsr, {}", in(reg) self.status, options(nostack, preserves_flags)) };
+            // SAFETY: the values were read from the registers.
+            unsafe {
+                asm!("msr fpcr, {control}", "msr fpsr, {status}",
+                     control = in(reg) self.control, status = in(reg) self.status, options(nostack, preserves_flags));
             }
         }
     }
+}
 
-    #[inline]
-    fn read() -> Environment {
-        let (control, status);
-        // SAFETY: it only reads registers.
-        unsafe {
-            asm!("mrs {}, fpcr", "mrs {}, fpsr", out(reg) control, out(reg) status, options(nostack, preserves_flags))
-        };
-        Environment { control, status }
-    }
+#[cfg(target_arch = "riscv64")]
+mod registers {
+    use std::arch::asm;
 
-    #[inline]
-    fn write_control(value: u64) {
-        // SAFETY: the value is the default one, or what was read from the register.
-        unsafe { asm!("msr fpcr, {}", in(reg) value, options(nostack, preserves_flags)) };
+    /// FCSR.
+    pub struct Environment(u64);
+
+    impl Environment {
+        #[inline]
+        pub fn replace() -> Self {
+            let callers;
+            // SAFETY: a program starts with 0.
+            unsafe { asm!("fscsr {}, zero", out(reg) callers, options(nostack)) };
+            Self(callers)
+        }
+
+        #[inline]
+        pub fn restore(&self) {
+            // SAFETY: the value was read from the register.
+            unsafe { asm!("fscsr {}", in(reg) self.0, options(nostack)) };
+        }
     }
 }
 
 #[cfg(target_family = "wasm")]
 mod registers {
-    /// Nothing traps, and there is only rounding to nearest.
+    /// Nothing traps, no flag is set, and there is only rounding to nearest.
     pub struct Environment;
 
     impl Environment {
-        #[inline]
         pub fn replace() -> Self {
             Self
         }
 
-        #[inline]
         pub fn restore(&self) {}
     }
 }
 
-#[cfg(not(any(target_arch = "x86_64", target_arch = "x86", target_arch = "aarch64", target_family = "wasm")))]
+#[cfg(not(any(
+    target_arch = "x86_64",
+    target_arch = "x86",
+    target_arch = "aarch64",
+    target_arch = "riscv64",
+    target_family = "wasm"
+)))]
 mod registers {
     use std::ffi::c_int;
 
@@ -171,5 +210,3 @@ mod registers {
         }
     }
 }
-
-use registers::Environment;

@@ -6,7 +6,7 @@ use super::reserve;
 use super::status::asperity_status;
 use crate::error::Error;
 use crate::model::{State, Summary};
-use std::mem::size_of;
+use std::mem::{align_of, size_of};
 
 /// The exact state of the contact; all quantities in the units of the parameters.
 #[repr(C)]
@@ -163,7 +163,7 @@ pub(super) unsafe fn fill<T>(
     }
     // SAFETY: struct_size is the first field of every such struct, and the caller has set it.
     let size = out.cast::<u64>().read();
-    if size < 16 || size % 8 != 0 {
+    if size < 16 || size % align_of::<T>() as u64 != 0 {
         return Err(wrong_struct_size(size, "must be set to sizeof of the output struct before the call"));
     }
     let value = make(size)?;

@@ -44,7 +44,7 @@ pub unsafe extern "C" fn asperity_tangential_stiffness_at_loads(
     load: *const f64,
     stiffness: *mut f64,
 ) -> asperity_status {
-    boundary::fast_status(|| {
+    boundary::fast_status!({
         let model = &reference(model, "model")?.model;
         evaluate(model, Quantity::Stiffness, n, load, stiffness, std::ptr::null_mut())
     })

@@ -44,6 +44,13 @@ fn no_call_raises_a_floating_point_trap() {
     passes("traps.c");
 }
 
+/// Environments of the host: rounding, flushing to zero, flags, and the traps that `check.h` turns on.
+#[test]
+#[cfg(not(target_env = "msvc"))]
+fn the_answers_are_the_same_and_the_environment_is_kept_in_every_environment_of_the_host() {
+    passes("environments.c");
+}
+
 /// `asperity_eval.h` says how contraction into fused multiply-adds is prevented: by -std=c99 or -ffp-contract=off in GCC, by
 /// the header itself in Clang and MSVC.
 #[test]

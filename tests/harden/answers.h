@@ -1,4 +1,4 @@
-/* What a model answers to every kind of call, to compare bit for bit or within a tolerance. */
+/* What a model answers to every kind of call, to compare bit for bit. */
 
 #ifndef ANSWERS_H
 #define ANSWERS_H
@@ -39,26 +39,6 @@ static inline void answer(const asperity_model *model, answers *out)
         out->exact[i].struct_size = sizeof out->exact[i];
         asperity_state_at_load(model, out->load[20 + 12 * i], &out->exact[i]);
     }
-}
-
-static inline double relative_difference(double a, double b)
-{
-    if (a == b)
-        return 0;
-    return isnan(a) || isnan(b) || b == 0 ? INFINITY : fabs(a / b - 1);
-}
-
-/* The largest relative difference of the answers that a solver uses; NaN counts as infinite. */
-static inline double difference(const answers *a, const answers *b)
-{
-    double worst = relative_difference(a->summary.pull_off_load, b->summary.pull_off_load);
-
-    for (int i = 0; i < LOADS; i++) {
-        worst = fmax(worst, relative_difference(a->mu[i], b->mu[i]));
-        worst = fmax(worst, relative_difference(a->force[i], b->force[i]));
-        worst = fmax(worst, relative_difference(a->batch[i], b->batch[i]));
-    }
-    return worst;
 }
 
 /* The bits of the answers. */

@@ -1,5 +1,5 @@
-/* What a host may do to the library: cycles of create and free, fork, signals during a batch, denormals flushed to zero,
- * other rounding modes, a shorter precision of the x87 unit.
+/* What a host may do to the library: cycles of create and free, fork, signals during a batch. What it may do to the
+ * floating-point environment: tests/c/environments.c.
  *
  * usage: faults CYCLES */
 
@@ -7,7 +7,6 @@
 #include "answers.h"
 #include "resident.h"
 
-#include <fenv.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -133,81 +132,6 @@ static void signal_during_batch(void)
     printf("signals: %d during %d batches of %d loads, which have the same bits\n", (int)signals, batches, (int)N);
 }
 
-#if defined(__x86_64__)
-static void set_mxcsr(unsigned bits)
-{
-    __asm__ volatile("ldmxcsr %0" : : "m"(bits));
-}
-
-static unsigned mxcsr(void)
-{
-    unsigned bits;
-    __asm__ volatile("stmxcsr %0" : "=m"(bits));
-    return bits;
-}
-
-static unsigned short x87(void)
-{
-    unsigned short bits;
-    __asm__ volatile("fnstcw %0" : "=m"(bits));
-    return bits;
-}
-
-static void set_x87(unsigned short bits)
-{
-    __asm__ volatile("fldcw %0" : : "m"(bits));
-}
-
-enum { DENORMALS_ARE_ZERO = 0x0040, FLUSH_TO_ZERO = 0x8000, X87_PRECISION = 0x300 };
-#endif
-
-/* Makes a model and asks it, in whatever mode the processor is. */
-static void in_this_mode(int which, answers *out)
-{
-    asperity_model *model = create(which);
-
-    answer(model, out);
-    asperity_free(model);
-}
-
-static void other_modes(void)
-{
-    static answers usual, unusual;
-    const int modes[] = { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO };
-    const char *const names[] = { "rounding upward", "rounding downward", "rounding towards zero",
-        "denormals flushed to zero", "x87 in single precision" };
-    double worst[5] = { 0 };
-
-    for (int which = 0; which < SURFACES; which++) {
-        in_this_mode(which, &usual);
-        for (int mode = 0; mode < 3; mode++) {
-            fesetround(modes[mode]);
-            in_this_mode(which, &unusual);
-            CHECK(fegetround() == modes[mode], "the rounding mode is changed");
-            fesetround(FE_TONEAREST);
-            worst[mode] = fmax(worst[mode], difference(&unusual, &usual));
-        }
-#if defined(__x86_64__)
-        const unsigned before = mxcsr(), flushing = before | DENORMALS_ARE_ZERO | FLUSH_TO_ZERO;
-        set_mxcsr(flushing);
-        in_this_mode(which, &unusual);
-        CHECK((mxcsr() & 0xffc0) == (flushing & 0xffc0), "MXCSR is changed");
-        set_mxcsr(before);
-        worst[3] = fmax(worst[3], difference(&unusual, &usual));
-        const unsigned short precise = x87();
-        set_x87(precise & ~X87_PRECISION); /* single */
-        in_this_mode(which, &unusual);
-        CHECK(x87() == (precise & ~X87_PRECISION), "the x87 control word is changed");
-        set_x87(precise);
-        worst[4] = fmax(worst[4], difference(&unusual, &usual));
-#endif
-    }
-    for (int mode = 0; mode < 5; mode++) {
-        CHECK(worst[mode] <= 1e-9, "%s: off by %g", names[mode], worst[mode]);
-        printf("%s: results within %.1e\n", names[mode], worst[mode]);
-    }
-}
-
 int main(int argc, char **argv)
 {
     const long count = argc > 1 ? strtol(argv[1], NULL, 10) : 1000;
@@ -215,6 +139,5 @@ int main(int argc, char **argv)
     cycles(count);
     fork_after_create();
     signal_during_batch();
-    other_modes();
     return checks_report("faults");
 }

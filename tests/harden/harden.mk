@@ -10,7 +10,7 @@
 #   make memory          sanitizers, valgrind
 #   make races           ThreadSanitizer in the Rust code                 needs a nightly Rust with rust-src
 #   make miri            every C function in Miri, by two rules of aliasing     needs a nightly Rust with miri
-#   make processors      the same bits on emulated processors, ARM too    needs qemu-user, a cross compiler
+#   make processors      the same bits on emulated machines               needs what `tests/setup.sh dist` installs
 #   make supply-chain    licences, bans, sources                          needs cargo-deny
 #   make oldest-rust     the Rust tests with the oldest compiler          needs rustup
 #   make coverage        lines that the tests run                         needs llvm-22
@@ -39,7 +39,7 @@ COMMA := ,
 .PHONY: harden fuzz fuzz-coverage domain faults memory races miri processors supply-chain oldest-rust coverage mutants
 
 harden:
-	tests/setup.sh core hosts harden
+	tests/setup.sh core hosts harden dist
 	$(MAKE) --no-print-directory fuzz fuzz-coverage domain faults memory races miri processors supply-chain \
 	    oldest-rust coverage
 
@@ -75,7 +75,7 @@ miri:
 	done
 
 processors:
-	$(LOW) tests/harden/processors.sh
+	$(LOW) tests/dist/same_bits.sh
 
 supply-chain:
 	$(CARGO) deny --locked check licenses bans sources

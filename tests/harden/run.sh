@@ -26,7 +26,7 @@ compile() {
 }
 
 library=(-L"$target/release" -Wl,-rpath,"$target/release" -lasperity -lm -lpthread)
-compile faults -frounding-math "${library[@]}"
+compile faults "${library[@]}"
 compile out_of_memory "${library[@]}" -ldl
 compile reload -ldl -lm -lpthread
 compile soak "${library[@]}"

@@ -1,0 +1,150 @@
+#!/usr/bin/env bash
+# The same bits on every machine: builds the library for each target, runs same_bits.c with it there or in an emulator,
+# and compares its list of answers with same_bits.txt; then tests/c/environments.c, but in WebAssembly, which has one.
+#
+# usage: tests/dist/same_bits.sh [--write] [TARGET...]      Rust's names of targets; all of them when none is named
+#        tests/dist/same_bits.sh short                      x86-64, 64-bit ARM, Windows, WebAssembly
+#
+# On x86-64 Linux, with what `tests/setup.sh dist` installs. With STAGE=FOLDER it builds nothing: the library of a
+# target is FOLDER/TARGET/lib/libasperity.a. --write makes the list anew, after a change that is to change answers.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+
+all="x86_64-unknown-linux-gnu x86_64-unknown-linux-musl aarch64-unknown-linux-gnu armv7-unknown-linux-gnueabihf
+    i686-unknown-linux-gnu riscv64gc-unknown-linux-gnu powerpc64le-unknown-linux-gnu s390x-unknown-linux-gnu
+    x86_64-pc-windows-gnu wasm32-unknown-unknown"
+short="x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-pc-windows-gnu wasm32-unknown-unknown"
+list=tests/dist/same_bits.txt
+target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
+build=$target/same-bits
+wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
+
+fails() {
+    echo "tests/dist/same_bits.sh: $*" >&2
+    exit 1
+}
+
+# What a target needs: its compiler, and the command before a program of its.
+describe() {
+    case "$1" in
+    x86_64-unknown-linux-gnu) compiler=${CC:-cc} run=env ;;
+    x86_64-unknown-linux-musl) compiler="musl-gcc -static" run=env ;;
+    aarch64-unknown-linux-gnu) compiler=aarch64-linux-gnu-gcc run=qemu-aarch64 ;;
+    armv7-unknown-linux-gnueabihf) compiler=arm-linux-gnueabihf-gcc run=qemu-arm ;;
+    i686-unknown-linux-gnu) compiler="i686-linux-gnu-gcc -msse2 -mfpmath=sse" run=qemu-i386 ;;
+    riscv64gc-unknown-linux-gnu) compiler=riscv64-linux-gnu-gcc run=qemu-riscv64 ;;
+    powerpc64le-unknown-linux-gnu) compiler=powerpc64le-linux-gnu-gcc run=qemu-ppc64le ;;
+    s390x-unknown-linux-gnu) compiler=s390x-linux-gnu-gcc run=qemu-s390x ;;
+    x86_64-pc-windows-gnu) compiler=x86_64-w64-mingw32-gcc run=$wine ;;
+    wasm32-unknown-unknown) compiler="clang --target=wasm32-wasi -nodefaultlibs" run=node ;;
+    *) fails "unknown target '$1'; known are short and:" $all ;;
+    esac
+}
+
+missing() {
+    fails "$1: $2 is missing: run tests/setup.sh dist"
+}
+
+# Whether everything is there, before anything is built.
+check_tools() {
+    describe "$1"
+    command -v "${compiler%% *}" >/dev/null || missing "$1" "${compiler%% *}"
+    command -v "$run" >/dev/null || missing "$1" "$run"
+    case "$1" in
+    x86_64-unknown-linux-gnu)
+        command -v qemu-x86_64 >/dev/null || missing "$1" qemu-x86_64 ;;
+    wasm32-unknown-unknown)
+        [ -e /usr/lib/wasm32-wasi/libc.a ] || missing "$1" wasi-libc
+        command -v wasm-ld >/dev/null || missing "$1" wasm-ld ;;
+    esac
+    if [ -n "${STAGE:-}" ]; then
+        [ -e "$STAGE/$1/lib/libasperity.a" ] || fails "$1: there is no $STAGE/$1/lib/libasperity.a"
+    else
+        [ -d "$(rustc --print target-libdir --target "$1")" ] || missing "$1" "Rust's library (rustup target add $1)"
+    fi
+}
+
+# compile NAME SOURCE: for the target that `describe` was asked for
+compile() {
+    local libraries=(-lm)
+    case "$1" in
+    *.exe) libraries+=(-lkernel32 -lntdll -luserenv -lws2_32 -ldbghelp) ;;
+    *.wasm) libraries=(-lc) ;;
+    esac
+    # shellcheck disable=SC2086
+    $compiler -std=c11 -O1 -ffp-contract=off -Wall -Wextra -Werror -Iinclude "$2" -o "$build/$1" "$library" \
+        "${libraries[@]}" 2>"$build/log" || { cat "$build/log" >&2; fails "$1 cannot be built"; }
+}
+
+# The program of a target, where it runs.
+execute() {
+    case "$run" in
+    qemu-*)
+        local prefix=${compiler%% *}
+        "$run" -L "/usr/${prefix%-gcc}" "$@" ;;
+    node) node --no-warnings tests/dist/run_wasi.mjs "$@" ;;
+    "$wine") WINEDEBUG=-all WINEPREFIX=$build/wine "$wine" "$@" ;;
+    *) "$run" "$@" ;;
+    esac
+}
+
+# compare NAME COMMAND...: the list that the command writes with that of the tree
+compare() {
+    local name=$1 answers="$build/${1//[^A-Za-z0-9_]/-}.txt" seconds=$SECONDS
+    shift
+    "$@" >"$answers.all" 2>"$build/log" || { cat "$build/log" >&2; fails "$name: $*"; }
+    tr -d '\r' <"$answers.all" | grep -v '^same_bits:' >"$answers" || fails "$name: no list"
+    diff "$list" "$answers" || fails "$name has other bits than $list (<)"
+    echo "$name: the same bits ($((SECONDS - seconds)) s)"
+}
+
+one() {
+    local suffix="" name
+    describe "$1"
+    case "$1" in
+    *windows*) suffix=.exe ;;
+    wasm32*) suffix=.wasm ;;
+    esac
+    library=${STAGE:+$STAGE/$1/lib/libasperity.a}
+    if [ -z "$library" ]; then
+        cargo rustc --release --locked --quiet --lib --crate-type staticlib --target "$1"
+        library=$target/$1/release/libasperity.a
+    fi
+    name=$1$suffix
+    compile "$name" tests/dist/same_bits.c
+    if [ -n "$write" ]; then
+        "$build/$name" | grep -v '^same_bits:' >"$list"
+        echo "$list: $(tail -n 1 "$list")"
+    fi
+    compare "$1" execute "$build/$name"
+    if [ "$1" = x86_64-unknown-linux-gnu ]; then
+        compare "$1, AVX2" qemu-x86_64 -cpu Haswell "$build/$name"
+        compare "$1, SSE" qemu-x86_64 -cpu Nehalem "$build/$name"
+    fi
+    [ "$1" = wasm32-unknown-unknown ] || {
+        compile "environments-$name" tests/c/environments.c
+        execute "$build/environments-$name" >"$build/log" 2>&1 || { cat "$build/log" >&2; fails "$1: environments.c"; }
+    }
+}
+
+write=""
+if [ "${1:-}" = --write ]; then
+    write=yes
+    shift
+    [ $# -eq 0 ] || fails "--write takes no target"
+    set -- x86_64-unknown-linux-gnu
+fi
+targets=()
+for name in "${@:-all}"; do
+    case "$name" in
+    all) targets+=($all) ;;
+    short) targets+=($short) ;;
+    *) describe "$name"; targets+=("$name") ;;
+    esac
+done
+[ "$(uname -sm)" = "Linux x86_64" ] || fails "it runs on x86-64 Linux, and emulates the others"
+command -v cargo >/dev/null || [ -n "${STAGE:-}" ] || fails "cargo is missing: https://rustup.rs"
+for name in "${targets[@]}"; do check_tools "$name"; done
+mkdir -p "$build"
+for name in "${targets[@]}"; do one "$name"; done
+echo "$list: $(tail -n 1 "$list"), on ${#targets[@]} targets"
