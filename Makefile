@@ -7,6 +7,7 @@
 # make dist      the files of a release, in dist/: libraries for every platform, wheels, packages, sources; TARGETS="..." for a part
 # make dist-test proves the files in dist/ as users get them
 # make release   VERSION=x.y.z: checks that the tree is ready for a release, builds and proves it, and says what is left to do
+# make site      the documentation as a searchable site in target/site/html, with the explorer
 # make header    write include/asperity.h anew from the sources
 # make clean     remove what was built
 # make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
@@ -31,7 +32,7 @@ TEST_SCRIPTS := tests/cpp/called.sh tests/c/gpu.sh fortran/test.sh python/test.s
     tests/examples/run.sh tests/consumers/run.sh tests/build_checks.sh tests/harden/run.sh tests/harden/memory.sh \
     tests/harden/supply_chain.sh tests/dist/refusals.sh
 
-.PHONY: all demo test hosts header clean library
+.PHONY: all demo test hosts site header clean library
 
 all: library
 
@@ -64,6 +65,9 @@ test:
 hosts:
 	@echo "== tests/setup.sh hosts"; tests/setup.sh hosts
 	@echo "== hosts/run.sh"; hosts/run.sh
+
+site:
+	site/build.sh
 
 header:
 	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header

@@ -11,18 +11,13 @@ cd "$(dirname "$0")/.."
 tests/setup.sh validation web
 CARGO_TARGET_DIR=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 export CARGO_TARGET_DIR
-for tool in cargo cc c++ gfortran clang node npm; do
+for tool in cargo cc c++ gfortran clang; do
     command -v "$tool" >/dev/null || { echo "js/test.sh: $tool is missing; run tests/setup.sh core web" >&2; exit 1; }
 done
 
 cargo build --release --locked --quiet
+js/build.sh
 cd js
-# npm ci begins with nothing: once for each list of packages.
-if ! cmp -s package-lock.json node_modules/installed-lock.json; then
-    npm ci --no-audit --no-fund --loglevel=error
-    cp package-lock.json node_modules/installed-lock.json
-fi
-node tools/build.mjs
 node_modules/.bin/tsc --noEmit --strict --target es2022 --module nodenext test/types.ts
 mkdir -p "$CARGO_TARGET_DIR/js-tests"
 node --test --test-reporter=spec test/*.test.mjs >"$CARGO_TARGET_DIR/js-tests/report.txt" ||

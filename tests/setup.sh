@@ -10,7 +10,7 @@ hosts="libode-dev libsiconos-numerics-dev liblammps-dev libsimbody-dev python3-g
     python3-venv"
 harden="valgrind qemu-user llvm-22"
 # Node and npm may come from elsewhere than Debian, whose npm then does not go with them.
-web="chromium fonts-dejavu-core"
+web="chromium fonts-dejavu-core python3 python3-venv"
 command -v node >/dev/null || web+=" nodejs"
 command -v npm >/dev/null || web+=" npm"
 # Of crates.io, at the versions that were tried; fetched and built by cargo.

@@ -33,6 +33,8 @@ const computed = new Map();
 let library;
 let chart;
 let shown = [];
+/** The standard deviations of the curves that are shown. */
+let deviations;
 let readAt = 0.5;
 let told;
 
@@ -170,7 +172,7 @@ function loadRange() {
 
 function update() {
   const errors = [];
-  let [loads, deviations] = [null, null];
+  let loads;
   try {
     [loads, deviations] = [loadRange(), spread()];
   } catch (error) {
@@ -247,7 +249,6 @@ function readValues() {
   $("read-load").textContent = withUnit(load, "N", 3);
   $("read").setAttribute("aria-valuetext", shown.map(({ letter, curve }) => `${withUnit(load, "N")}: ${letter} ${coefficient(curve.model.frictionAtLoad(load))}`).join(", "));
   chart.mark(load);
-  const deviations = spread();
   const columns = shown.map(({ surface, curve: { model } }) => {
     const { mu, low, high } = banded(model, load, deviations);
     const exact = model.stateAtLoad(load);

@@ -166,6 +166,12 @@ test("bad input gets the library's message, and the field is marked", async () =
   await page.locator("#heaviest").fill("1e-9");
   await drawn(page);
   assert.match(await page.locator("#error").textContent(), /the heaviest above the lightest/);
+  await page.locator("#heaviest").fill("0.1");
+  await page.locator("#spread-height_std").fill("-3");
+  await drawn(page);
+  assert.match(await page.locator("#error").textContent(), /a standard deviation must be from 0 to 1000 %/);
+  // The curve that was drawn before can be read all the same.
+  await page.locator("#read").fill("300");
   assert.deepEqual(wrong, []);
   await page.close();
 });

@@ -29,8 +29,22 @@ function fail(message) {
   process.exit(1);
 }
 
-// Without the names of functions, of which WebAssembly has no use.
-const env = { ...process.env, CARGO_TARGET_DIR: target, CARGO_PROFILE_RELEASE_STRIP: "symbols" };
+const env = { ...process.env, CARGO_TARGET_DIR: target };
+
+/** WebAssembly without its custom sections, the names of functions, of which nothing here has a use. */
+function stripped(bytes) {
+  const kept = [bytes.subarray(0, 8)];
+  for (let at = 8; at < bytes.length; ) {
+    let [size, shift, next] = [0, 0, at + 1];
+    for (let more = true; more; shift += 7) {
+      size += (bytes[next] & 127) * 2 ** shift;
+      more = bytes[next++] >= 128;
+    }
+    if (bytes[at] !== 0) kept.push(bytes.subarray(at, next + size));
+    at = next + size;
+  }
+  return Buffer.concat(kept);
+}
 
 run("cargo", "build", "--release", "--locked", "--quiet", "--lib", "--target", TRIPLE);
 writeFileSync(resolve(js, "src/header.js"), header.module(header.read()));
@@ -39,10 +53,11 @@ writeFileSync(resolve(js, "src/materials_table.js"), run("python3", resolve(js, 
 rmSync(resolve(js, "dist"), { recursive: true, force: true });
 mkdirSync(resolve(js, "dist"));
 cpSync(resolve(js, "src"), resolve(js, "dist"), { recursive: true });
-cpSync(resolve(target, TRIPLE, "release/asperity.wasm"), resolve(js, "dist/asperity.wasm"));
+const wasm = stripped(readFileSync(resolve(target, TRIPLE, "release/asperity.wasm")));
+writeFileSync(resolve(js, "dist/asperity.wasm"), wasm);
 run(process.execPath, resolve(js, "node_modules/typescript/bin/tsc"), "-p", js);
 
-const explorer = await page(resolve(js, "explorer"), readFileSync(resolve(js, "dist/asperity.wasm")));
+const explorer = await page(resolve(js, "explorer"), wasm);
 writeFileSync(resolve(js, "dist/explorer.html"), explorer);
-for (const [name, bytes] of [["asperity.wasm", readFileSync(resolve(js, "dist/asperity.wasm"))], ["explorer.html", explorer]])
+for (const [name, bytes] of Object.entries({ "asperity.wasm": wasm, "explorer.html": explorer }))
   console.log(`js/dist/${name}: ${(Buffer.byteLength(bytes) / 1000).toFixed(0)} kB`);

@@ -20,10 +20,11 @@ export async function page(folder, wasm) {
   const parts = {
     STYLE: `<style>\n${style}</style>`,
     LIBRARY: `<script type="application/wasm" id="library">${gzipSync(wasm, { level: 9 }).toString("base64")}</script>`,
-    SCRIPT: `<script>\n${bundle.outputFiles[0].text.replaceAll("</script", "<\\/script")}</script>`,
+    SCRIPT: `<!-- Charts are drawn by uPlot:\n${licence()}-->\n<script>\n${bundle.outputFiles[0].text.replaceAll("</script", "<\\/script")}</script>`,
   };
   const text = readFileSync(resolve(folder, "page.html"), "utf8");
   return text.replace(/<!-- (STYLE|LIBRARY|SCRIPT) -->/g, (_, name) => parts[name]);
 }
 
+const licence = () => readFileSync(new URL("../node_modules/uplot/LICENSE", import.meta.url), "utf8");
 const chartStyle = () => readFileSync(new URL("../node_modules/uplot/dist/uPlot.min.css", import.meta.url), "utf8");

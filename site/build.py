@@ -1,0 +1,134 @@
+"""Gathers the pages of the site: those of the repository with what they link to, and the references made from the sources.
+
+usage: python site/build.py FOLDER      writes FOLDER anew
+
+The program on the front page is compiled and run: the build fails if it does not print what the page says.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)\s]*)?\)")
+COMMENT = r"/\*\*\n((?: \*(?!/).*\n)+) \*/\n"
+FENCE = re.compile(r"^```(\w+) .*$", re.MULTILINE)
+
+
+def gather(folder: Path) -> None:
+    """Pages and the files that they link to, at the places that they have in the repository."""
+    waiting = sorted((ROOT / "docs").glob("*.md")) + [ROOT / "CHANGELOG.md"]
+    done = set()
+    while waiting:
+        source = waiting.pop()
+        if source in done:
+            continue
+        done.add(source)
+        target = folder / source.relative_to(ROOT)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if source.suffix != ".md":
+            shutil.copy(source, target)
+            continue
+        text = source.read_text(encoding="utf-8")
+        # Words after the language of a block are for the tests of the page.
+        target.write_text(FENCE.sub(r"```\1", text), encoding="utf-8")
+        for link in LINK.findall(text):
+            linked = (source.parent / link).resolve()
+            if ":" not in link and linked.is_relative_to(ROOT) and linked.is_file():
+                waiting.append(linked)
+
+
+def c_reference(header: str) -> str:
+    """include/asperity.h as a page: constants, structs and functions, with their comments."""
+    version = re.search(r'#define ASPERITY_VERSION "(.*)"', header)
+    assert version
+    parts = [f"# C reference\n\n`include/asperity.h` of version {version[1]}.\n"]
+    opening = header[header.index("/*") + 2 : header.index("*/")]
+    parts.append(f"```text\n{re.sub(r'(?m)^ [*] ?', '', opening).strip()}\n```\n")
+    parts.append("## Constants\n\n| | value | |\n|---|---|---|")
+    for comment, name, value in re.findall(COMMENT + r"#define (\w+) (.*)", header):
+        parts.append(f"| `{name}` | `{value}` | {prose(comment)} |")
+    parts.append("\n## Structs\n")
+    for comment, name, body in re.findall(COMMENT + r"typedef struct (\w+) \{\n([^}]*)\n\}", header):
+        parts.append(f"### {name}\n\n{markdown(comment)}\n\n| field | type | |\n|---|---|---|")
+        for text, kind, field in re.findall(r"/\*\*(.*?)\*/\s+([\w ]+?\*? ?)(\w+);", body, re.DOTALL):
+            parts.append(f"| `{field}` | `{kind.strip()}` | {prose(text)} |")
+        parts.append("")
+    parts.append("## Functions\n")
+    functions = re.findall(COMMENT + r"(\w[\w ]*[ *](asperity_\w+)\([^;]*\);)", header)
+    assert len(functions) == len(re.findall(r"^\w[\w \*]*asperity_\w+\(", header, re.MULTILINE)), "a function is missed"
+    for comment, declaration, name in functions:
+        parts.append(f"### {name}\n\n```c\n{declaration}\n```\n\n{markdown(comment)}\n")
+    return "\n".join(parts) + "\n"
+
+
+def prose(comment: str) -> str:
+    """A comment on one line of a table."""
+    return " ".join(re.sub(r"(?m)^\s*\* ?", "", comment).split()).replace("|", "\\|")
+
+
+def markdown(comment: str) -> str:
+    """A comment as paragraphs, its tags as a list."""
+    text = re.sub(r"(?m)^ \* ?", "", comment).strip()
+    text = re.sub(r"(?m)^@param\s+(\S+)\s+", r"- **\1**: ", text)
+    text = re.sub(r"(?m)^@return\s+", "\n**Returns** ", text)
+    return re.sub(r"([^\n])\n(- \*\*)", r"\1\n\n\2", text, count=1)
+
+
+def check_program(page: str, folder: Path) -> None:
+    """The program of the front page prints what stands below it."""
+    found = re.search(r"```c\n(.*?)```\n\n```text\n(.*?)```", page, re.DOTALL)
+    assert found, "the front page has a program and what it prints"
+    source, program = folder / "front.c", folder / "front"
+    start = "#include <asperity.h>\n#include <stdio.h>\nint main(void) { asperity_params params; asperity_model *model;\n"
+    source.write_text(f"{start}{found[1]}asperity_free(model); }}\n")
+    target = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")).resolve() / "release"
+    link = [f"-L{target}", f"-Wl,-rpath,{target}", "-lasperity", "-lm"]
+    compiler = os.environ.get("CC", "cc")
+    subprocess.run([compiler, "-std=c11", "-Wall", "-Werror", f"-I{ROOT}/include", source, "-o", program, *link], check=True)
+    printed = subprocess.run([program], check=True, capture_output=True, text=True).stdout
+    if printed != found[2]:
+        sys.exit(f"site/build.py: the program of site/index.md prints:\n{printed}")
+    source.unlink()
+    program.unlink()
+
+
+def main(folder: Path) -> None:
+    shutil.rmtree(folder, ignore_errors=True)
+    gather(folder / "guide")
+    shutil.copy(ROOT / "js" / "dist" / "explorer.html", folder / "explorer.html")
+    index = (ROOT / "site" / "index.md").read_text(encoding="utf-8")
+    check_program(index, folder)
+    (folder / "index.md").write_text(index, encoding="utf-8")
+    (folder / "guide" / "docs" / "explorer.md").write_text(EXPLORER, encoding="utf-8")
+    reference = folder / "reference"
+    reference.mkdir()
+    header = (ROOT / "include" / "asperity.h").read_text(encoding="utf-8")
+    (reference / "c.md").write_text(c_reference(header), encoding="utf-8")
+    (reference / "python.md").write_text(PYTHON, encoding="utf-8")
+    (reference / "rust.md").write_text(RUST, encoding="utf-8")
+
+
+EXPLORER = """# Explorer
+
+[Open it](../../explorer.html){ .md-button .md-button--primary } in this browser; nothing is sent anywhere.
+[javascript.md](javascript.md#the-explorer) says what it computes.
+
+[![The explorer](figures/explorer.png)](../../explorer.html)
+"""
+
+MODULES = ("", ".materials", ".surface", ".pads", ".fit", ".uncertainty")
+PYTHON = "# Python reference\n\n[python.md](../guide/docs/python.md) is the guide.\n\n" + "".join(
+    f"::: asperity{module}\n\n" for module in MODULES
+)
+
+RUST = """# Rust reference
+
+[The crate](../rust/asperity/index.html), as `cargo doc` writes it.
+"""
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]).resolve())
