@@ -103,8 +103,8 @@ static inline asperity_pair *asperity_pairs_place(asperity_pair *pairs, size_t c
 }
 
 /* Adds the load of a contact point to those of its pair in this step. The numbers of the bodies are below 2^53, as
- * addresses are too. Returns 1; or 0 if all places are taken: there must be one for each pair that touches in this step,
- * in the step before or within the time constant, and twice as many for speed. */
+ * addresses are too. Returns 1; or 0 if all places are taken: there must be one for each pair that touches in this
+ * step, in the step before or within the time constant, and twice as many for speed. */
 static inline int asperity_pairs_add(asperity_pair *pairs, size_t capacity, uint64_t a, uint64_t b, double load)
 {
     asperity_pair *pair = asperity_pairs_place(pairs, capacity, a, b);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs MuJoCo and this library's Python package into an environment, builds the plugin for C as well, runs the slider
+# Installs MuJoCo and this library's Python package into an environment, builds the plugin for C too, runs the slider
 # and the box on an incline; the last line says PASS or FAIL.
 #
 # usage: hosts/mujoco/run.sh [again]       again: with what the run before installed

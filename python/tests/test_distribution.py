@@ -65,7 +65,8 @@ def test_the_wheel_contains_the_package_and_one_library(root: Path, wheel: Path)
         library = archive.read(f"asperity/{Path(_library.PATH).name}")
     source = root / "python" / "src"
     modules = {file.relative_to(source).as_posix() for file in (source / "asperity").rglob("*.py")}
-    assert inside == modules | {f"asperity/{name}" for name in ("py.typed", "_fmu.c", "asperity.h", Path(_library.PATH).name)}
+    c_files = ("_fmu.c", "asperity.h", "asperity_loads.h", "plugin.c", "asperity_mujoco.h")
+    assert inside == modules | {f"asperity/{name}" for name in ("py.typed", *c_files, Path(_library.PATH).name)}
     assert library[:4] == b"\x7fELF" or sys.platform != "linux"
 
 
@@ -82,7 +83,7 @@ def test_a_source_distribution_builds_away_from_the_checkout(params: Params, roo
     (sdist,) = tmp_path.glob("*.tar.gz")
     with tarfile.open(sdist) as archive:
         names = archive.getnames()
-    for name in ("rust/Cargo.toml", "rust/Cargo.lock", "rust/src/lib.rs", "setup.py", "src/asperity/py.typed"):
+    for name in ("rust/Cargo.toml", "rust/Cargo.lock", "rust/src/lib.rs", "rust/hosts/mujoco/plugin.c", "setup.py"):
         assert f"asperity-{__version__}/{name}" in names
     assert not [name for name in names if name.endswith((".so", ".dylib", ".dll"))]
 

@@ -1,4 +1,4 @@
-/* asperity_loads.h: the load that the steps before let expect, by contact and by pair, against sums made here. C99 and C++. */
+/* asperity_loads.h: the load that the steps before let expect, of contacts and of pairs, against sums made here. */
 #include <asperity_loads.h>
 
 #include <math.h>
@@ -50,7 +50,7 @@ static void a_mean_forgets_with_its_time_constant(void)
     require(close_to(asperity_load_expected(&known, 0.4), 28.0), "at first the mean of all loads");
     for (; i < 400; ++i) asperity_load_take(&known, i % 2 == 0 ? 2.0 : 6.0, 0.1 * i, 1.0);
     mean = asperity_load_expected(&known, 40.0);
-    require(fabs(mean - 4.0) < 0.11, "loads that alternate by 2 about 4: at most step over time constant of that is left");
+    require(fabs(mean - 4.0) < 0.11, "loads that alternate by 2 about 4: a twentieth of that is left");
     asperity_load_take(&known, 8.0, 60.0, 1.0);
     require(asperity_load_expected(&known, 61.0) == 8.0, "a step longer than the time constant forgets all");
 }

@@ -32,8 +32,8 @@ class PairLoads:
 
     time_constant: 0 for the straight line through the last two loads, where loads vary smoothly; more for the mean over
     about that time, where loads are right on average only. Steps without contact count as load 0, until the pair has
-    been apart for the time constant. Bodies are named by whatever is hashable; (a, b) is the same pair as (b, a). Times are
-    those at which a load is or will be found; a time that does not grow begins anew.
+    been apart for the time constant. Bodies are named by whatever is hashable; (a, b) is the same pair as (b, a). Times
+    are those at which a load is or will be found; a time that does not grow begins anew.
     """
 
     def __init__(self, time_constant: float = 0.0) -> None:
