@@ -46,9 +46,13 @@ class RealContact:
     def at(self, load, overlap):
         area = math.pi * (0.75 * load * self.radius / REAL_MODULUS) ** (2 / 3)
         state = self.model.state_at_load(load / area)
-        bulk = 2 * (1 - POISSON) / (2 - POISSON) * 2 * self.modulus * math.sqrt(self.radius * overlap)
+        bulk = self.grains(overlap)
         summits = (self.modulus / REAL_MODULUS) ** (2 / 3) * area * state.tangential_stiffness
-        return area * state.friction_force, 1 / (1 / bulk + 1 / summits), area
+        return area * state.friction_force, 1 / (1 / bulk + 1 / summits)
+
+    def grains(self, overlap):
+        """Mindlin's stiffness."""
+        return 2 * (1 - POISSON) / (2 - POISSON) * 2 * self.modulus * math.sqrt(self.radius * overlap)
 
 
 def slide_error(folder, model):
@@ -65,13 +69,15 @@ def slide_error(folder, model):
         for row in rows[1:]:
             _, place, overlap, size, load = row
             elastic = 4 / 3 * modulus * math.sqrt(0.0025 * overlap) * overlap
-            limit, now, _ = contact.at(elastic, overlap)
+            limit, now = contact.at(elastic, overlap)
             friction *= min(1.0, now / stiffness) if stiffness else 1.0
             along = math.sqrt(1 - (place / (0.01 - overlap)) ** 2)  # of the motion, in the tangent plane
             trial = friction - now * (place - previous[1]) * along
             friction, stiffness, previous = max(-limit, min(limit, trial)), now, row
+            lost = 1 - now / contact.grains(overlap)
             stuck, slid = stuck + (abs(trial) < limit), slid + (abs(trial) > limit)
             worst = max(worst, abs(size - abs(friction)) / limit, abs(load / elastic - 1))
+        print(f"  {elastic:.3g} N: of Mindlin's stiffness the summits take {lost:.1%}; mu = {limit / elastic:.3f}")
     if len(there_and_back) != 10 or stuck < 300 or slid < 300:
         raise RuntimeError(f"{len(there_and_back)} slides, {stuck} steps of sticking and {slid} of slipping: not the run that was meant")
     return worst
