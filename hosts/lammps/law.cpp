@@ -164,8 +164,17 @@ void Law::find_where_it_holds(double composite_modulus) {
 }
 
 void Law::forces(int count, const Contact *contact, double dt, Forces *result) const {
-    for (int k = 0; k < count; k++) normal(contact[k], result[k]);
-    limits(count, contact, result);
+    double load[BATCH] = {}, moment[BATCH] = {};
+    for (int k = 0; k < count; k++) {
+        normal(contact[k], result[k]);
+        load[k] = result[k].load;
+        moment[k] = load[k] * contact[k].radius;
+    }
+    if (model_) {
+        limits(count, load, moment, result);
+    } else {
+        for (int k = 0; k < count; k++) result[k].limit = mu_ * load[k], result[k].pressure = 0;
+    }
     for (int k = 0; k < count; k++) tangential(contact[k], dt, result[k]);
 }
 
@@ -179,19 +188,14 @@ void Law::normal(const Contact &c, Forces &r) const {
     r.stiffness = tangential_ratio_ * stiffness;
 }
 
-// The greatest friction, and the stick stiffness of summits and grains one behind the other.
-void Law::limits(int count, const Contact *c, Forces *r) const {
-    if (!model_) {
-        for (int k = 0; k < count; k++) r[k].limit = mu_ * r[k].load, r[k].pressure = 0;
-        return;
-    }
-    double area[BATCH] = {}, pressure[BATCH] = {}, limit[BATCH], summits[BATCH];
-    for (int k = 0; k < count; k++) area[k] = r[k].load * c[k].radius;
+// The greatest friction, and the stick stiffness of summits and grains one behind the other. moment: load times radius.
+void Law::limits(int count, const double *load, const double *moment, Forces *r) const {
+    double area[BATCH], pressure[BATCH] = {}, limit[BATCH], summits[BATCH];
     for (int k = 0; k < count; k++) {
-        const double root = cube_root(area[k] > 1e-200 ? area[k] : 1e-200);    // an unloaded contact has no area, nearly
+        const double root = cube_root(moment[k] > 1e-200 ? moment[k] : 1e-200);    // without load there is no area, nearly
         area[k] = area_ * root * root;
+        pressure[k] = load[k] / area[k];
     }
-    for (int k = 0; k < count; k++) pressure[k] = r[k].load / area[k];
     // They fail for a load that is not finite only, and then give NaN, as the positions of the grains are.
     asperity_friction_force_at_loads(model_.get(), count, pressure, limit, nullptr);
     asperity_tangential_stiffness_at_loads(model_.get(), count, pressure, summits);

@@ -91,7 +91,7 @@ private:
     void make_model(const std::vector<std::string> &names, const std::vector<double> &values);
     void find_where_it_holds(double composite_modulus);
     void normal(const Contact &contact, Forces &result) const;
-    void limits(int count, const Contact *contact, Forces *result) const;
+    void limits(int count, const double *load, const double *moment, Forces *result) const;
     void tangential(const Contact &contact, double dt, Forces &result) const;
 
     std::shared_ptr<asperity_model> model_;    // of one unit of area; none with a constant coefficient

@@ -1,6 +1,7 @@
 // Slider in Simbody: a block that brakes on two rough pads, its friction given by the law at the load of each pad.
 // Four runs (two speeds, two loads) must follow the closed form of a sliding block, a fifth the load transfer of a
-// block whose mass lies above the pads. All quantities in SI units.
+// block whose mass lies above the pads. In a sixth the block is pushed too weakly to slide: it must swing by what the law's
+// stick stiffness says, and not creep. All quantities in SI units.
 #include "Simbody.h"
 #include "../surface.h"
 #include "asperity.hpp"
@@ -73,32 +74,80 @@ private:
     Friction friction_;
 };
 
+// A pad that holds: its tangential force is a state variable, whose rate is the stick stiffness at the load times the speed.
+class HoldingPad : public Force::Custom::Implementation {
+public:
+    HoldingPad(const GeneralForceSubsystem &forces, const MobilizedBody &body, const Vec3 &station,
+               const asperity::Model &model)
+        : forces_(forces), body_(body), station_(station), model_(model) {}
+
+    void realizeTopology(State &state) const override {
+        tangential_ = state.allocateZ(forces_.getMySubsystemIndex(), Vector(1, 0.0));
+    }
+
+    void calcForce(const State &state, Vector_<SpatialVec> &body_forces, Vector_<Vec3> &, Vector &) const override {
+        const double tangential = state.getZ(forces_.getMySubsystemIndex())[tangential_], load = load_of(state);
+        if (std::fabs(tangential) > model_.friction_force_at_load(load))
+            throw std::runtime_error("a pad that should hold slips");
+        body_.applyForceToBodyPoint(state, station_, Vec3(-tangential, load, 0), body_forces);
+    }
+
+    void realizeAcceleration(const State &state) const override {
+        const double speed = body_.findStationVelocityInGround(state, station_)[0];
+        state.updZDot(forces_.getMySubsystemIndex())[tangential_] =
+            model_.tangential_stiffness_at_load(load_of(state)) * speed;
+    }
+
+    Real calcPotentialEnergy(const State &) const override { return 0; }
+
+private:
+    double load_of(const State &state) const {
+        const double height = body_.findStationLocationInGround(state, station_)[1];
+        const double rate = body_.findStationVelocityInGround(state, station_)[1];
+        return std::max(0.0, -stiffness * height - damping * rate);
+    }
+
+    const GeneralForceSubsystem &forces_;
+    MobilizedBody body_;
+    Vec3 station_;
+    const asperity::Model &model_;
+    mutable ZIndex tangential_; // set when the system is built
+};
+
 struct Case {
     double speed, dead_load; // at the start; pressing on the block, beside its weight
     double height;           // of the mass centre above the pads
+    double push = 0;         // along the floor, on pads that hold
 };
 
 // The block on its pads; the pitch and the height at the start are those of steady sliding.
 class Block {
 public:
-    Block(const Case &c, const Friction &friction, double front_load, double rear_load)
+    // With a model of their own the pads hold.
+    Block(const Case &c, const Friction &friction, double front_load, double rear_load,
+          const asperity::Model *holding = nullptr)
         : matter_(system_), forces_(system_), gravity_(forces_, matter_, Vec3(0, -gravity, 0)),
           body_(matter_.Ground(), Transform(),
                  Body::Rigid(MassProperties(mass, Vec3(0), UnitInertia::brick(half_base, 0.02, 0.02))),
                  Transform()) {
-        new_pad(half_base, c.height, friction);
-        new_pad(-half_base, c.height, friction);
-        Force::ConstantForce(forces_, body_, Vec3(0), Vec3(0, -c.dead_load, 0));
+        for (const double x : {half_base, -half_base}) {
+            const Vec3 station(x, -c.height, 0);
+            if (holding) Force::Custom(forces_, new HoldingPad(forces_, body_, station, *holding));
+            else Force::Custom(forces_, new Pad(body_, station, friction));
+        }
+        Force::ConstantForce(forces_, body_, Vec3(0), Vec3(c.push, -c.dead_load, 0));
         system_.realizeTopology();
         state_ = system_.getDefaultState();
         set_start(c, front_load, rear_load);
     }
 
-    // Advances to `time` and gives position and velocity along x.
-    std::pair<double, double> at(double time) {
+    // Advances to `time` and gives position and velocity along x. Displacements of nanometres are below the integrator's
+    // accuracy and need a longest step.
+    std::pair<double, double> at(double time, double longest_step = 0) {
         if (!integrator_) {
             integrator_ = std::make_unique<RungeKuttaMersonIntegrator>(system_);
             integrator_->setAccuracy(1e-9);
+            if (longest_step > 0) integrator_->setMaximumStepSize(longest_step);
             stepper_ = std::make_unique<TimeStepper>(system_, *integrator_);
             stepper_->initialize(state_);
         }
@@ -108,10 +157,6 @@ public:
     }
 
 private:
-    void new_pad(double x, double height, const Friction &friction) {
-        Force::Custom(forces_, new Pad(body_, Vec3(x, -height, 0), friction));
-    }
-
     // Overlaps load/stiffness under both pads fix height and pitch of the body.
     void set_start(const Case &c, double front_load, double rear_load) {
         const double pitch = std::asin((rear_load - front_load) / stiffness / (2 * half_base));
@@ -211,6 +256,23 @@ double transfer_error(const asperity::Model &model, const Case &c, Loads &loads)
     return error;
 }
 
+// Pushed with a third of its friction, a block at rest moves by push/K (1 - cos(t (K/m)^(1/2))); K is that of both pads.
+double holding_error(const asperity::Model &model, Loads &loads) {
+    const double half = mass * gravity / 2;
+    const double push = 2 * exact_force(model, half) / 3, spring = 2 * model.state_at_load(half).tangential_stiffness;
+    const double angular = std::sqrt(spring / mass), period = 2 * Pi / angular;
+    loads.least = std::min(loads.least, half);
+    Block block({0, 0, 0, push}, Friction(model), half, half, &model);
+    double error = 0;
+    for (int i = 1; i <= 40; ++i) {
+        const double time = i * period / 8, expected = push / spring * (1 - std::cos(angular * time));
+        error = worse(error, std::fabs(block.at(time, period / 200).first - expected) / (push / spring));
+    }
+    std::printf("  pushed with %.3f N the block swings by %.3f nm at %.1f kHz and does not creep (%.1e)\n", push,
+                2e9 * push / spring, 1e-3 / period, error);
+    return error;
+}
+
 // Processor time of twenty brakings, to the same stop.
 double seconds(const Case &c, const Friction &friction, double stop) {
     const double half = (mass * gravity + c.dead_load) / 2;
@@ -241,12 +303,13 @@ int main() try {
     for (const double speed : {0.5, 2.0})
         for (const double dead_load : {0.0, 60.0}) error = worse(error, braking_error(model, {speed, dead_load, 0}, loads));
     error = worse(error, transfer_error(model, {2.0, 0.0, 0.1}, loads));
+    error = worse(error, holding_error(model, loads));
     if (!surface_holds(model.c(), loads.least, loads.greatest))
         throw std::runtime_error("the model does not hold for the surface at these loads");
     report_cost(model, {2.0, 0.0, 0});
     const bool pass = error <= limit; // false for NaN
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    std::printf("simbody  %s  max error of speed, stopping distance, deceleration = %.1e  (limit %.0e)  %.1f s\n",
+    std::printf("simbody  %s  max error of speed, stopping distance, deceleration, swing = %.1e  (limit %.0e)  %.1f s\n",
                 pass ? "PASS" : "FAIL", error, limit, wall);
     return pass ? 0 : 1;
 } catch (const std::exception &error) {
