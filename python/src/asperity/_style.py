@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 from contextlib import contextmanager
+from functools import partial
+from io import BytesIO
 from typing import TYPE_CHECKING, Any, Iterator
 
 if TYPE_CHECKING:
@@ -57,8 +59,18 @@ def style() -> Iterator[None]:
 
 
 def saved(figure: Figure, file: str | os.PathLike[str] | None) -> Figure:
-    """The figure, written too if a file is named: its ending is its format. An SVG has no date and no chance in it."""
+    """The figure, written too if a file is named: its ending is its format. An SVG has no date and no chance in it.
+
+    A notebook shows it.
+    """
+    setattr(figure, "_repr_png_", partial(_png, figure))
     if file is not None:
         svg = os.fspath(file).lower().endswith(".svg")
         figure.savefig(file, metadata={"Date": None, "Creator": None} if svg else None)
     return figure
+
+
+def _png(figure: Figure) -> bytes:
+    picture = BytesIO()
+    figure.savefig(picture, format="png", dpi=100)
+    return picture.getvalue()

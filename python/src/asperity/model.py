@@ -20,7 +20,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _header, _units
-from ._labelled import like
+from ._labelled import HasLabels, Labelled, like
 from ._library import LIBRARY
 from ._progress import Progress, teller
 from .curve import Curve
@@ -95,6 +95,10 @@ class Model:
     def friction_at_load(self, load: Loads, *, slope: Literal[False] = ...) -> Array: ...
     @overload
     def friction_at_load(self, load: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
+    @overload
+    def friction_at_load(self, load: Labelled, *, slope: Literal[False] = ...) -> Labelled: ...
+    @overload
+    def friction_at_load(self, load: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
 
     def friction_at_load(self, load: Any, *, slope: bool = False) -> Any:
         """Friction coefficient F/P at a load, or at many.
@@ -121,6 +125,10 @@ class Model:
     def friction_force_at_load(self, load: Loads, *, slope: Literal[False] = ...) -> Array: ...
     @overload
     def friction_force_at_load(self, load: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
+    @overload
+    def friction_force_at_load(self, load: Labelled, *, slope: Literal[False] = ...) -> Labelled: ...
+    @overload
+    def friction_force_at_load(self, load: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
 
     def friction_force_at_load(self, load: Any, *, slope: bool = False) -> Any:
         """Friction force F at a load, or at many.
@@ -214,6 +222,8 @@ class Model:
     def tangential_stiffness_at_load(self, load: float) -> float: ...
     @overload
     def tangential_stiffness_at_load(self, load: Loads) -> Array: ...
+    @overload
+    def tangential_stiffness_at_load(self, load: Labelled) -> Labelled: ...
 
     def tangential_stiffness_at_load(self, load: Any) -> Any:
         """Tangential stiffness K_t at a load, or at many: tangential force by displacement while all contacts stick.
@@ -292,7 +302,7 @@ class Model:
     @overload
     def state_at_load(self, load: float) -> State: ...
     @overload
-    def state_at_load(self, load: Loads, *, progress: Progress = ...) -> States: ...
+    def state_at_load(self, load: Loads | HasLabels, *, progress: Progress = ...) -> States: ...
 
     def state_at_load(self, load: Any, *, progress: Progress = None) -> Any:
         """The exact state at a load [force], or at many, integrated without the compiled law.
@@ -314,7 +324,7 @@ class Model:
     @overload
     def state_at_separation(self, separation: float) -> State: ...
     @overload
-    def state_at_separation(self, separation: Loads, *, progress: Progress = ...) -> States: ...
+    def state_at_separation(self, separation: Loads | HasLabels, *, progress: Progress = ...) -> States: ...
 
     def state_at_separation(self, separation: Any, *, progress: Progress = None) -> Any:
         """The exact state at a separation [length], or at many, also beyond the pull-off point, where no load could hold it.
