@@ -4,6 +4,7 @@
 # make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, an hour or two
 # make bench     measures speed and accuracy, and writes docs/performance.md anew
 # make harden    every instrument of docs/reliability.md, for hours; tests/harden/harden.mk names its parts
+# make figures   draw the figures of the documents anew, in minutes
 # make header    write include/asperity.h anew from the sources
 # make clean     remove what was built
 # make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
@@ -28,7 +29,7 @@ TEST_SCRIPTS := tests/cpp/called.sh tests/c/gpu.sh fortran/test.sh python/test.s
     tests/examples/run.sh tests/consumers/run.sh tests/build_checks.sh tests/harden/run.sh tests/harden/memory.sh \
     tests/harden/supply_chain.sh
 
-.PHONY: all demo test hosts header clean library
+.PHONY: all demo test hosts figures header clean library
 
 all: library
 
@@ -60,6 +61,15 @@ test:
 hosts:
 	@echo "== tests/setup.sh hosts"; tests/setup.sh hosts
 	@echo "== hosts/run.sh"; hosts/run.sh
+
+# Two pictures are of measurements, which come with them: docs/performance.svg is drawn by make bench, docs/domain.svg by make
+# domain.
+figures: library
+	python=$$(python/environment.sh)/bin/python && \
+	    $$python -m asperity figures --out docs && \
+	    $$python python/examples/sampling_bias.py docs/figures/sampling_bias.svg 24
+	$(MAKE) --no-print-directory demo FIGURE=docs/friction_curve.svg
+	hosts/ode/run.sh && cp $(TARGET)/hosts/ode/lag.svg docs/hosts-lag.svg
 
 header:
 	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header
