@@ -371,7 +371,7 @@ class Model:
         unit = params.asperity_count * params.composite_modulus * params.burgers_vector**2
         load = np.geomspace(1e-4 * unit, 1e2 * unit, 61) if loads is None else np.sort(_as_array("loads", loads))
         if load.ndim != 1 or load.size == 0 or not load[0] > 0:
-            raise ValueError("loads: must be one-dimensional, not empty and > 0, since the coefficient is drawn over their logarithm")
+            raise ValueError("loads: must be one-dimensional, not empty and > 0, since their axis is logarithmic")
         force = self.friction_force_at_load(load)
         band = None if spread is None else uncertainty(
             params, spread, load, coverage=coverage, samples=samples, seed=seed
@@ -519,9 +519,11 @@ class Model:
         return States.of(found, at, places.shape)
 
     def _at_pressure(self, call: Any, pressure: Any, nominal_area: float | None, slope: bool, scaled: Any) -> Any:
-        area = self.params.nominal_area if nominal_area is None else _number("nominal_area", nominal_area, "friction_at_pressure")
+        given = self.params.nominal_area if nominal_area is None else nominal_area
+        area = _number("nominal_area", given, "friction_at_pressure")
         if not 1e-60 <= area <= 1e60:
-            says = "must be given, here or in the parameters" if area == 0 and nominal_area is None else "must be from 1e-60 to 1e60"
+            missing = nominal_area is None and area == 0
+            says = "must be given, here or in the parameters" if missing else "must be from 1e-60 to 1e60"
             raise Error(f"nominal_area = {area:g}: {says}", Status.INVALID_PARAMETER)
         load = float(pressure) * area if isinstance(pressure, numbers.Real) else _as_array("pressure", pressure) * area
         if not slope:
