@@ -59,8 +59,8 @@ def label_ends(axes: Axes) -> None:
     ends = []
     for line in axes.lines:
         last = np.asarray(line.get_xydata(), dtype=np.float64)[-1]
-        end = axes.transAxes.inverted().transform(axes.transData.transform(last))
-        ends.append((float(end[1]), str(line.get_label()), line.get_color()))
+        at = axes.transAxes.inverted().transform(axes.transData.transform(last))
+        ends.append((float(at[1]), str(line.get_label()), line.get_color()))
     ends.sort()
     places = [end for end, _, _ in ends]
     for _ in range(100):  # each pair too near is moved apart, until none is
