@@ -8,6 +8,7 @@
 # make dist-test proves the files in dist/ as users get them
 # make release   VERSION=x.y.z: checks that the tree is ready for a release, builds and proves it, and says what is left to do
 # make site      the documentation as a searchable site in target/site/html, with the explorer
+# make figures   draw the figures of the documents anew, in minutes
 # make header    write include/asperity.h anew from the sources
 # make clean     remove what was built
 # make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
@@ -32,7 +33,7 @@ TEST_SCRIPTS := tests/cpp/called.sh tests/c/gpu.sh fortran/test.sh python/test.s
     tests/examples/run.sh tests/consumers/run.sh tests/build_checks.sh tests/harden/run.sh tests/harden/memory.sh \
     tests/harden/supply_chain.sh tests/dist/refusals.sh
 
-.PHONY: all demo test hosts site header clean library
+.PHONY: all demo test hosts site figures header clean library
 
 all: library
 
@@ -68,6 +69,15 @@ hosts:
 
 site:
 	site/build.sh
+
+# Two pictures are of measurements, which come with them: docs/performance.svg is drawn by make bench, docs/domain.svg by make
+# domain.
+figures: library
+	python=$$(python/environment.sh)/bin/python && \
+	    $$python -m asperity figures --out docs && \
+	    $$python python/examples/sampling_bias.py docs/figures/sampling_bias.svg 24
+	$(MAKE) --no-print-directory demo FIGURE=docs/friction_curve.svg
+	hosts/ode/run.sh && cp $(TARGET)/hosts/ode/lag.svg docs/hosts-lag.svg
 
 header:
 	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header

@@ -23,7 +23,7 @@ public:
         std::FILE *file = std::fopen(path.c_str(), "w");
         if (!file) return false;
         std::fprintf(file,
-                     "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" font-family=\"sans-serif\" "
+                     "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" font-family=\"DejaVu Sans, sans-serif\" "
                      "font-size=\"13\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
                      int(panels.size()) * kWidth, kHeight);
         for (size_t i = 0; i < panels.size(); ++i) LogLogPlot(file, panels[i], double(i) * kWidth).draw();
@@ -91,21 +91,21 @@ private:
         if (panel_.level > 0) {
             const double y = y_of(std::log10(panel_.level));
             std::fprintf(file_,
-                         "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#b2182b\" "
+                         "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#d55e00\" "
                          "stroke-width=\"2\" stroke-dasharray=\"6 4\"/>\n",
                          left, y, right, y);
-            text(0.5 * (left + right), y - 6, panel_.level_label, "text-anchor=\"middle\" fill=\"#b2182b\"");
+            text(0.5 * (left + right), y - 6, panel_.level_label, "text-anchor=\"middle\" fill=\"#d55e00\"");
         }
         curve();
     }
 
     void curve() const {
-        std::fprintf(file_, "<polyline fill=\"none\" stroke=\"#1f5fa8\" stroke-width=\"2\" points=\"");
+        std::fprintf(file_, "<polyline fill=\"none\" stroke=\"#0072b2\" stroke-width=\"2\" points=\"");
         for (const auto &[x, y] : panel_.points)
             std::fprintf(file_, "%.1f,%.1f ", x_of(std::log10(x)), y_of(std::log10(y)));
         std::fprintf(file_, "\"/>\n");
         for (const auto &[x, y] : panel_.points)
-            std::fprintf(file_, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"#1f5fa8\"/>\n", x_of(std::log10(x)),
+            std::fprintf(file_, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"#0072b2\"/>\n", x_of(std::log10(x)),
                          y_of(std::log10(y)));
     }
 

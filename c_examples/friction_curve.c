@@ -249,10 +249,10 @@ static void draw(FILE *svg, const row *rows, int n, double enough, double consta
     const axes a = choose_axes(rows, n, constant);
 
     fprintf(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
-                 "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"15\">\n", WIDTH, HEIGHT, WIDTH, HEIGHT);
-    fprintf(svg, "<style>path { fill: none } .grid { stroke: #ddd } .law { stroke: #1b4f8a; stroke-width: 2.5 } "
-                 ".below { stroke: #1b4f8a; stroke-width: 1.2 } "
-                 ".constant { stroke: #b5442c; stroke-width: 2; stroke-dasharray: 9 6 }</style>\n");
+                 "font-family=\"DejaVu Sans, sans-serif\" font-size=\"15\">\n", WIDTH, HEIGHT, WIDTH, HEIGHT);
+    fprintf(svg, "<style>path { fill: none } .grid { stroke: #ddd } .law { stroke: #0072b2; stroke-width: 2.5 } "
+                 ".below { stroke: #0072b2; stroke-width: 1.2 } "
+                 ".constant { stroke: #d55e00; stroke-width: 2; stroke-dasharray: 9 6 }</style>\n");
     fprintf(svg, "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n");
     draw_too_few(svg, &a, enough);
     draw_axes(svg, &a);

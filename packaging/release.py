@@ -23,6 +23,8 @@ PLACES = {
     "CITATION.cff": r"^version: (.+)",
     "fortran/asperity.f90": r"ASPERITY_HEADER_VERSION = '(.+)'",
     "python/src/asperity/_header.py": r'^ASPERITY_VERSION = "(.+)"',
+    "js/package.json": r'^  "version": "(.+)"',
+    "docs/javascript.md": r"asperity-(\d+\.\d+\.\d+)\.tgz",
     "packaging/debian/changelog": r"\Aasperity \((.+)-1\)",
     "docs/install.md": r"^\./lib/libasperity\.so\.(\d+\.\d+\.\d+)$",
     "docs/python.md": r"^asperity (\S+) \(library",

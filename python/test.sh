@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Tests the Python package: installs it into a virtual environment under the target directory, checks its types and runs
-# its tests there, among them those of the wheel, the source distribution and the guide. The environment is kept as long as
-# pyproject.toml and the interpreter stay; the package itself is installed anew each time.
+# Tests the Python package: installs it into a virtual environment under the target directory (python/environment.sh), checks
+# its types and runs its tests there, among them those of the wheel, the source distribution, the guides and the notebooks.
 #
 # usage: python/test.sh [PYTEST-ARGUMENT ...]
 # PYTHON names the interpreter (python3), 3.10 or later for SurfaceTopography; CARGO_TARGET_DIR is honoured. Needs cargo,
@@ -21,18 +20,10 @@ for tool in "${PYTHON:-python3}" cargo cc; do
 done
 before="$(git status --porcelain)"
 
-made_from="$("${PYTHON:-python3}" -VV; cat python/pyproject.toml)"
-if [ "$(cat "$target/python-venv/made_from" 2>/dev/null)" != "$made_from" ]; then
-    rm -rf "$target/python-venv"
-    "${PYTHON:-python3}" -m venv "$target/python-venv"
-fi
-pip() { "$target/python-venv/bin/pip" --quiet --disable-pip-version-check install --no-compile "$@"; }
-pip './python[fit,plot,test,topography]'
-printf '%s\n' "$made_from" >"$target/python-venv/made_from"
-
+environment="$(python/environment.sh)"
 cd python
-"$target/python-venv/bin/mypy" --cache-dir "$target/python-mypy" src tests examples
-"$target/python-venv/bin/pytest" -n auto --basetemp "$target/python-tests" "$@"
+"$environment/bin/mypy" --cache-dir "$target/python-mypy" src tests examples
+"$environment/bin/pytest" -n auto --basetemp "$target/python-tests" "$@"
 cd ..
 
 if [ "$(git status --porcelain)" != "$before" ]; then

@@ -122,7 +122,7 @@ static void draw(const char *path, const arm_case *cases) {
     static const char *const power[] = {"1", "10⁻²", "10⁻⁴", "10⁻⁶", "10⁻⁸", "10⁻¹⁰", "10⁻¹²"};
     FILE *svg = fopen(path, "w");
     if (!svg) fail("cannot write %s", path);
-    fprintf(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 700 345\" font-family=\"sans-serif\" "
+    fprintf(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 700 345\" font-family=\"DejaVu Sans, sans-serif\" "
                  "font-size=\"12\">\n<rect width=\"700\" height=\"345\" fill=\"white\"/>\n");
     for (int i = 0; i < 7; i++) {
         const double y = y_of(pow(10, -2 * i));
@@ -134,11 +134,11 @@ static void draw(const char *path, const arm_case *cases) {
     fprintf(svg, "<text x=\"310\" y=\"332\" text-anchor=\"middle\">time step</text>\n"
                  "<text x=\"60\" y=\"18\">relative error of the normal force, |N/N* − 1|; g: gain of a lagged "
                  "force</text>\n");
-    draw_line(svg, cases[0].lagged, "#1b7837", "none", 3, "trailing, g = 0.03");
-    draw_line(svg, cases[1].lagged, "#2166ac", "none", 16, "lagged, g = 0.5");
-    draw_line(svg, cases[2].lagged, "#b35806", "none", STEPS - 1, "lagged, g = 0.9");
-    draw_line(svg, cases[3].lagged, "#b2182b", "none", STEPS - 1, "lagged, g = 1.2: leaves the belt");
-    draw_line(svg, cases[3].current, "#b2182b", "2 4", STEPS - 1, "current, g = 1.2");
+    draw_line(svg, cases[0].lagged, "#009e73", "none", 3, "trailing, g = 0.03");
+    draw_line(svg, cases[1].lagged, "#0072b2", "none", 16, "lagged, g = 0.5");
+    draw_line(svg, cases[2].lagged, "#b37f00", "none", STEPS - 1, "lagged, g = 0.9");
+    draw_line(svg, cases[3].lagged, "#d55e00", "none", STEPS - 1, "lagged, g = 1.2: leaves the belt");
+    draw_line(svg, cases[3].current, "#d55e00", "2 4", STEPS - 1, "current, g = 1.2");
     fprintf(svg, "</svg>\n");
     if (fclose(svg) != 0) fail("cannot write %s", path);
 }

@@ -20,6 +20,7 @@ import numpy.typing as npt
 from random_surfaces import GaussianSurface, Nayak
 
 from asperity import surface
+from asperity._style import BLACK, saved, style
 
 Array = npt.NDArray[np.float64]
 
@@ -41,25 +42,25 @@ def compare(kind: str, points_per_wave: float, seeds: int) -> tuple[Array, Array
 
 
 def draw(file: str, results: dict[str, list[tuple[Array, Array]]]) -> None:
-    from matplotlib.figure import Figure
+    with style():
+        from matplotlib.figure import Figure
 
-    labels = ("density $\\eta$", "mean height", "standard deviation $\\sigma$", "radius $R$")
-    figure = Figure(figsize=(9, 4.2), layout="constrained")
-    panels = figure.subplots(1, 2, sharey=True)
-    intervals = 1 / np.array(POINTS_PER_WAVE)
-    for axes, (kind, found) in zip(panels, results.items()):
-        for index, (label, marker) in enumerate(zip(labels, "os^D")):
-            means, errors = ([part[which][index] for part in found] for which in (0, 1))
-            axes.errorbar(intervals, means, errors, marker=marker, markersize=4, linewidth=1, label=label)
-        axes.axhline(1, color="black", linewidth=0.8)
-        axes.set_xscale("log")
-        axes.set_xticks(intervals, [f"1/{points}" if points != 2.5 else "" for points in POINTS_PER_WAVE], fontsize=8)
-        axes.minorticks_off()
-        axes.set(xlabel="sampling interval in shortest wavelengths, $dx/L$", title=f"{kind} spectrum")
-        axes.grid(True, alpha=0.3)
-    panels[0].set(ylabel="found in the map / Nayak's theory", ylim=(0.5, 1.9))
-    panels[0].legend(loc="upper left")
-    figure.savefig(file)
+        labels = ("density $\\eta$", "mean height", "standard deviation $\\sigma$", "radius $R$")
+        figure = Figure(figsize=(9, 4.2), layout="constrained")
+        panels = figure.subplots(1, 2, sharey=True)
+        intervals = 1 / np.array(POINTS_PER_WAVE)
+        for axes, (kind, found) in zip(panels, results.items()):
+            for index, (label, marker) in enumerate(zip(labels, "os^D")):
+                means, errors = ([part[which][index] for part in found] for which in (0, 1))
+                axes.errorbar(intervals, means, errors, marker=marker, markersize=4, linewidth=1, label=label)
+            axes.axhline(1, color=BLACK, linewidth=0.8)
+            axes.set_xscale("log")
+            axes.set_xticks(intervals, [f"1/{points}" if points != 2.5 else "" for points in POINTS_PER_WAVE], fontsize=8)
+            axes.minorticks_off()
+            axes.set(xlabel="sampling interval in shortest wavelengths, $dx/L$", title=f"{kind} spectrum")
+        panels[0].set(ylabel="found in the map / Nayak's theory", ylim=(0.5, 1.9))
+        panels[0].legend(loc="upper left")
+        saved(figure, file)
 
 
 def read_arguments(arguments: list[str]) -> tuple[str, int]:

@@ -141,6 +141,13 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.summary_of(model, summary) == Status.OK
     assert abs(summary.skew) < 1e-9
 
+    # Materials, and all that a pair tells.
+    material = _header.asperity_material_data(struct_size=ctypes.sizeof(_header.asperity_material_data))
+    assert lib.material(lib.material_name(3), material) == Status.OK and material.name == b"steel" and material.young == 205e9
+    pair = _header.asperity_pair_data(struct_size=ctypes.sizeof(_header.asperity_pair_data))
+    assert lib.pair(b"Au/mica", pair) == Status.OK and pair.name == b"mica/Au" and lib.pair_name(10**6) is None
+    assert lib.params_set_pair(params, b"mica/Au") == Status.OK and params.slip_stress_1 == pair.slip_stress_1
+
     table = _header.asperity_table(struct_size=ctypes.sizeof(_header.asperity_table))
     assert lib.table_of(model, table) == Status.OK
     assert table.layout_version == _header.ASPERITY_TABLE_LAYOUT

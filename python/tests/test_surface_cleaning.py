@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -223,7 +224,10 @@ def test_topographies_of_surfacetopography_are_taken(plain: Array) -> None:
 # ---- Progress ----
 
 
-def test_progress_is_told(plain: Array, capsys: pytest.CaptureFixture[str]) -> None:
+def test_progress_is_told(
+    plain: Array, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)  # lines of text, where there are no bars
     for call in (surface.summits, surface.clean):
         told: list[tuple[float, str]] = []
         call(plain, PIXEL, progress=lambda part, doing: told.append((part, doing)))

@@ -182,7 +182,7 @@ impl Map {
         let times = Scale { from: 1e-3, to: limit * 10.0, limit, unit: " s" };
         let width = 2.0 * MARGIN + 3.0 * SIDE + 2.0 * GAP;
         let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {HEIGHT}\" font-family=\"sans-serif\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {HEIGHT}\" font-family=\"DejaVu Sans, sans-serif\" \
              font-size=\"11\">\n<rect width=\"{width}\" height=\"{HEIGHT}\" fill=\"white\"/>\n"
         );
         let left = |panel: f64| MARGIN + panel * (SIDE + GAP);
@@ -214,7 +214,7 @@ const MARGIN: f64 = 48.0;
 const TOP: f64 = 34.0;
 const HEIGHT: f64 = 356.0;
 /// Of what exceeds its limit, or is refused.
-const OVER: &str = "#d7191c";
+const OVER: &str = "#d55e00";
 /// From small to large: light to dark in grey too, and apart for those who do not see all colours.
 const COLOURS: [[f64; 3]; 5] =
     [[253.0, 231.0, 37.0], [94.0, 201.0, 98.0], [33.0, 145.0, 140.0], [59.0, 82.0, 139.0], [68.0, 1.0, 84.0]];

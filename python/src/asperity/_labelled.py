@@ -5,7 +5,17 @@ Neither package is imported: the values that a caller brings tell what they are.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Protocol, TypeVar
+
+
+class HasLabels(Protocol):
+    """A Series, DataFrame or DataArray."""
+
+    def to_numpy(self, *arguments: Any, **options: Any) -> Any:
+        """The values."""
+
+
+Labelled = TypeVar("Labelled", bound=HasLabels)
 
 
 def like(given: Any, values: Any, name: str) -> Any:

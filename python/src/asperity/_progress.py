@@ -34,7 +34,8 @@ def _bar(name: str) -> Callable[[float, str], None] | None:
             from tqdm.auto import tqdm
     except ImportError:
         return None
-    bar: Any = tqdm(total=100, desc=name, unit="%", bar_format="{desc}: {percentage:3.0f}%|{bar}| {elapsed}<{remaining}{postfix}")
+    shown = "{desc}: {percentage:3.0f}%|{bar}| {elapsed}<{remaining}{postfix}"
+    bar: Any = tqdm(total=100, desc=name, unit="%", bar_format=shown)
 
     def tell(part: float, doing: str) -> None:
         bar.set_postfix_str(doing, refresh=False)

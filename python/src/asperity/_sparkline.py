@@ -29,7 +29,7 @@ def sparkline(load: Array, value: Array, low: Array | None = None, high: Array |
     label = f"friction coefficient {value[0]:.3g} at the load {load[0]:.3g}, {value[-1]:.3g} at {load[-1]:.3g}"
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_WIDTH}" height="{_HEIGHT}" role="img" aria-label="{label}" '
-        f'font-family="sans-serif" font-size="10" fill="{GREY}">'
+        f'font-family="DejaVu Sans, sans-serif" font-size="10" fill="{GREY}">'
         f'<path d="M{_EDGE},{_EDGE} V{base} H{_WIDTH - _EDGE}" fill="none" stroke="{GREY}"/>{band}'
         f'<polyline points="{" ".join(points(value))}" fill="none" stroke="{BLUE}" stroke-width="1.6"/>'
         f'<text x="{_EDGE}" y="{_HEIGHT - 10}">{load[0]:.3g}</text>'

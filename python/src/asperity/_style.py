@@ -1,12 +1,17 @@
-"""The style of every figure, in one place: fonts, colours that the colour-blind can tell, grid, and how a file is written."""
+"""The style of every figure, in one place: fonts, colours that the colour-blind can tell, labels, how a file is written."""
 
 from __future__ import annotations
 
 import os
 from contextlib import contextmanager
+from functools import partial
+from io import BytesIO
 from typing import TYPE_CHECKING, Any, Iterator
 
+import numpy as np
+
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 # Okabe and Ito's, which also differ in lightness; the yellow and the sky-blue, too light for lines, are left out.
@@ -38,6 +43,40 @@ _SETTINGS: Any = {
 }
 
 
+# Between the lines of labels, and from the end of a curve to its label [part of the axes].
+_LABEL_GAP, _LEADER = 0.062, 0.035
+
+
+def label_ends(axes: Axes) -> None:
+    """Writes the label of each line where it ends, at the right of the axes, in its colour: no legend to look up.
+
+    Labels that would lie on each other are moved apart, with a thin line to where they belong. For curves that end apart;
+    where they run together a legend tells more.
+    """
+    from matplotlib.lines import Line2D
+
+    axes.autoscale_view()
+    ends = []
+    for line in axes.lines:
+        last = np.asarray(line.get_xydata(), dtype=np.float64)[-1]
+        at = axes.transAxes.inverted().transform(axes.transData.transform(last))
+        ends.append((float(at[1]), str(line.get_label()), line.get_color()))
+    ends.sort()
+    places = [end for end, _, _ in ends]
+    for _ in range(100):  # each pair too near is moved apart, until none is
+        for i in range(len(places) - 1):
+            lack = max(_LABEL_GAP - (places[i + 1] - places[i]), 0.0)
+            places[i] -= lack / 2
+            places[i + 1] += lack / 2
+    for (end, label, colour), place in zip(ends, places):
+        leader = Line2D((1.005, 1.0 + _LEADER), (end, place), color=colour, lw=0.6, transform=axes.transAxes, clip_on=False)
+        axes.add_artist(leader)
+        axes.annotate(
+            label, (1.01 + _LEADER, place), xycoords="axes fraction", color=colour, va="center", fontsize=9,
+            annotation_clip=False,
+        )  # fmt: skip
+
+
 @contextmanager
 def style() -> Iterator[None]:
     """What is made and saved within has the style, whatever the settings of the caller's matplotlib.
@@ -57,8 +96,18 @@ def style() -> Iterator[None]:
 
 
 def saved(figure: Figure, file: str | os.PathLike[str] | None) -> Figure:
-    """The figure, written too if a file is named: its ending is its format. An SVG has no date and no chance in it."""
+    """The figure, written too if a file is named: its ending is its format. An SVG has no date and no chance in it.
+
+    A notebook shows it.
+    """
+    setattr(figure, "_repr_png_", partial(_png, figure))
     if file is not None:
         svg = os.fspath(file).lower().endswith(".svg")
         figure.savefig(file, metadata={"Date": None, "Creator": None} if svg else None)
     return figure
+
+
+def _png(figure: Figure) -> bytes:
+    picture = BytesIO()
+    figure.savefig(picture, format="png", dpi=100)
+    return picture.getvalue()

@@ -20,7 +20,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _header, _units
-from ._labelled import like
+from ._labelled import HasLabels, Labelled, like
 from ._library import LIBRARY
 from ._progress import Progress, teller
 from .curve import Curve
@@ -95,6 +95,10 @@ class Model:
     def friction_at_load(self, load: Loads, *, slope: Literal[False] = ...) -> Array: ...
     @overload
     def friction_at_load(self, load: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
+    @overload
+    def friction_at_load(self, load: Labelled, *, slope: Literal[False] = ...) -> Labelled: ...
+    @overload
+    def friction_at_load(self, load: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
 
     def friction_at_load(self, load: Any, *, slope: bool = False) -> Any:
         """Friction coefficient F/P at a load, or at many.
@@ -121,6 +125,10 @@ class Model:
     def friction_force_at_load(self, load: Loads, *, slope: Literal[False] = ...) -> Array: ...
     @overload
     def friction_force_at_load(self, load: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
+    @overload
+    def friction_force_at_load(self, load: Labelled, *, slope: Literal[False] = ...) -> Labelled: ...
+    @overload
+    def friction_force_at_load(self, load: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
 
     def friction_force_at_load(self, load: Any, *, slope: bool = False) -> Any:
         """Friction force F at a load, or at many.
@@ -214,6 +222,8 @@ class Model:
     def tangential_stiffness_at_load(self, load: float) -> float: ...
     @overload
     def tangential_stiffness_at_load(self, load: Loads) -> Array: ...
+    @overload
+    def tangential_stiffness_at_load(self, load: Labelled) -> Labelled: ...
 
     def tangential_stiffness_at_load(self, load: Any) -> Any:
         """Tangential stiffness K_t at a load, or at many: tangential force by displacement while all contacts stick.
@@ -292,7 +302,7 @@ class Model:
     @overload
     def state_at_load(self, load: float) -> State: ...
     @overload
-    def state_at_load(self, load: Loads, *, progress: Progress = ...) -> States: ...
+    def state_at_load(self, load: Loads | HasLabels, *, progress: Progress = ...) -> States: ...
 
     def state_at_load(self, load: Any, *, progress: Progress = None) -> Any:
         """The exact state at a load [force], or at many, integrated without the compiled law.
@@ -314,7 +324,7 @@ class Model:
     @overload
     def state_at_separation(self, separation: float) -> State: ...
     @overload
-    def state_at_separation(self, separation: Loads, *, progress: Progress = ...) -> States: ...
+    def state_at_separation(self, separation: Loads | HasLabels, *, progress: Progress = ...) -> States: ...
 
     def state_at_separation(self, separation: Any, *, progress: Progress = None) -> Any:
         """The exact state at a separation [length], or at many, also beyond the pull-off point, where no load could hold it.
@@ -361,7 +371,7 @@ class Model:
         unit = params.asperity_count * params.composite_modulus * params.burgers_vector**2
         load = np.geomspace(1e-4 * unit, 1e2 * unit, 61) if loads is None else np.sort(_as_array("loads", loads))
         if load.ndim != 1 or load.size == 0 or not load[0] > 0:
-            raise ValueError("loads: must be one-dimensional, not empty and > 0, since the coefficient is drawn over their logarithm")
+            raise ValueError("loads: must be one-dimensional, not empty and > 0, since their axis is logarithmic")
         force = self.friction_force_at_load(load)
         band = None if spread is None else uncertainty(
             params, spread, load, coverage=coverage, samples=samples, seed=seed
@@ -509,9 +519,11 @@ class Model:
         return States.of(found, at, places.shape)
 
     def _at_pressure(self, call: Any, pressure: Any, nominal_area: float | None, slope: bool, scaled: Any) -> Any:
-        area = self.params.nominal_area if nominal_area is None else _number("nominal_area", nominal_area, "friction_at_pressure")
+        given = self.params.nominal_area if nominal_area is None else nominal_area
+        area = _number("nominal_area", given, "friction_at_pressure")
         if not 1e-60 <= area <= 1e60:
-            says = "must be given, here or in the parameters" if area == 0 and nominal_area is None else "must be from 1e-60 to 1e60"
+            missing = nominal_area is None and area == 0
+            says = "must be given, here or in the parameters" if missing else "must be from 1e-60 to 1e60"
             raise Error(f"nominal_area = {area:g}: {says}", Status.INVALID_PARAMETER)
         load = float(pressure) * area if isinstance(pressure, numbers.Real) else _as_array("pressure", pressure) * area
         if not slope:

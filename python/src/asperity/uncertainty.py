@@ -87,7 +87,7 @@ class Uncertainty:
             for name, part in self.parts.items():
                 below.plot(self.load, 100 * part, label=name)
             below.plot(self.load, 100 * self.deviation, color=BLACK, label="all")
-            below.set(xlabel="normal load $P$", ylabel="standard deviation [%]")
+            below.set(xlabel="normal load $P$ [force]", ylabel="standard deviation [%]")
             below.legend(fontsize="small")
             return saved(figure, file)
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Iterable
 
 import numpy as np
 
-from .._style import COLOURS, DASHES, saved, style
+from .._style import COLOURS, DASHES, label_ends, saved, style
 from . import curves, validity
 from .curves import Array, Curve, CurveFigure
 
@@ -43,7 +43,7 @@ def draw_all(directory: Path) -> list[Path]:
 
 def _curve_figure(figure: CurveFigure) -> Figure:
     alpha, beta, gamma = figure.groups
-    picture, (axes,) = _picture((6.4, 4.4), [(0.12, 0.13, 0.84, 0.79)])
+    picture, (axes,) = _picture((6.4, 4.4), [(0.12, 0.13, 0.84 if figure.logarithmic else 0.7, 0.79)])
     axes.set_title(rf"$\alpha = {alpha:g}$, $\beta = {beta:g}$, $\gamma = {gamma:g}$")
     _draw(axes, figure.curves)
     if figure.logarithmic:
@@ -51,7 +51,7 @@ def _curve_figure(figure: CurveFigure) -> Figure:
         axes.legend(handlelength=4)
     else:
         axes.set_ylim(bottom=0)
-        axes.legend(handlelength=4, loc="lower left", ncol=3)
+        label_ends(axes)
     axes.set(xlabel=_LOAD, ylabel=_FRICTION)
     return picture
 
@@ -68,7 +68,8 @@ def _figure_3() -> Figure:
         effect = curves.attraction_effect(beta)
         _line(below, len(curves.FIGURE_3) + number, style, curves.LOADS, effect, rf"$\beta = {beta}$")
         below.axhline(paper, linewidth=0.8, linestyle=DASHES[style], color=COLOURS[style])
-        below.annotate(f"the paper's {paper} %", (curves.HEAVIEST / 1.3, paper), ha="right", va="bottom")
+        below.annotate(f"the paper's {paper} %", (curves.HEAVIEST / 1.3, paper), ha="right", va="bottom",
+                       color=COLOURS[style], fontsize=9)  # fmt: skip
     below.set_yscale("log")
     below.set_ylim(0.05, 50)
     below.set(xlabel=_LOAD, ylabel=r"increase of $\mu$ by attraction [%]")
@@ -165,12 +166,12 @@ def _shares(shares: list[tuple[str, Array]], labels: tuple[str, str, str]) -> Fi
 
 def _sensitivities() -> Figure:
     """What friction changes by with each parameter, over the load."""
-    picture, (axes,) = _picture((6.4, 4.4), [(0.12, 0.13, 0.84, 0.79)])
+    picture, (axes,) = _picture((6.4, 4.4), [(0.12, 0.13, 0.78, 0.79)])
     axes.set_title(r"$\alpha = 0.01$, $\beta = 1000$, $\gamma = 0.001$")
     for number, (symbol, values) in enumerate(zip(curves.SENSITIVE.values(), curves.sensitivities())):
         _line(axes, number, number, curves.LOADS, values, symbol)
     axes.set(xlabel=_LOAD, ylabel="sensitivity of the friction [% per %]")
-    axes.legend(handlelength=4, ncol=3)
+    label_ends(axes)
     return picture
 
 

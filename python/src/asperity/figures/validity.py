@@ -49,7 +49,7 @@ def _contacts() -> Figure:
     axes.axhspan(1, contacts.CONTINUUM, color=GREY, alpha=0.18, lw=0)
     _region(axes, 1.26, 4e5, "summits yield:\nelastic-plastic\ncontact law", ORANGE)
     _region(axes, 1.2e-2, 4e5, "summits stay elastic: the elastic law", BLUE)
-    _region(axes, 1.2e-2, 1.25, "few atoms: no continuum", GREY)
+    _region(axes, 1.2e-2, 1.7, "few atoms: no continuum", GREY)
     for radius, text in ((28, "$a_1$: larger contacts are weaker"), (8e4, "$a_2$: many dislocations, lowest strength")):
         axes.plot((3e-4, 4), (radius, radius), color=GREY, lw=0.8, dashes=(4, 3))
         axes.annotate(text, (3.4e-4, radius), (0, 3), textcoords="offset points", color=GREY, fontsize=8.5)
