@@ -143,7 +143,7 @@ def test_the_table_of_nayaks_summits_in_the_docs_is_that_of_the_library() -> Non
 
 def test_nayaks_summits_leave_heights_and_radii_to_no_one_else() -> None:
     moments: dict[str, Any] = dict(m0=M0, m2=M2, m4=M4, nominal_area=AREA, **CONTACT)
-    given = {"skew": 0.1, "weibull_shape": 3.0, "radius_amplitude": 0.1, "height_distribution": "gaussian"}
+    given: dict[str, Any] = {"skew": 0.1, "weibull_shape": 3.0, "radius_amplitude": 0.1, "height_distribution": "gaussian"}
     for name, value in given.items():
         with pytest.raises(TypeError, match=f'^{name}: summits="nayak" tells heights and radii'):
             Params.from_spectral_moments(**moments, summits="nayak", **{name: value})

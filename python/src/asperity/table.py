@@ -196,8 +196,7 @@ def _fitted(table: Table, bits: Array, shift: int) -> tuple[Array, Array]:
     missing = np.isnan(value) | np.isnan(exact)
     with np.errstate(invalid="ignore"):
         bad = (np.abs(value - exact) > 10**-7.5 * np.abs(exact)) | (np.abs(rate - slope) > 1e-7 * np.abs(slope))
-    divided: Array = bad.any(axis=1) | (missing.any(axis=1) & ~missing.all(axis=1))
-    return rows, divided
+    return rows, np.any(bad, axis=1) | np.any(missing, axis=1) & ~np.all(missing, axis=1)
 
 
 def _interpolated(values: Array) -> Array:
