@@ -52,13 +52,13 @@ def test_values_and_slopes_in_floats_are_near_the_librarys(quantity: str, surfac
 def test_loads_beside_the_table_have_the_rules_of_the_header(dtype: str) -> None:
     model = Model(SURFACES["adhesive"])
     table = model.table(dtype)
-    force, mu = (getattr(asperity.jax, name)(model, dtype=dtype) for name in ("friction_force", "friction"))
-    pull_off = table.pull_off_load
-    assert float(force(2 * pull_off)) == float(mu(2 * pull_off)) == float(jax.grad(mu)(2 * pull_off)) == 0
-    assert float(force(0.0)) == table.zero_force and float(jax.grad(force)(0.0)) == table.zero_slope
-    assert float(mu(0.0)) == table.max_friction_coefficient and float(jax.grad(mu)(0.0)) == 0
-    assert float(force(1e37)) == table.heavy_force and float(jax.grad(force)(1e37)) == 0
-    assert np.isnan(float(force(np.nan))) and np.isnan(float(mu(np.inf)))
+    loads = np.array([2 * table.pull_off_load, 0.0, 1e37, np.nan, np.inf], dtype)
+    laws = (getattr(asperity.jax, name)(model, dtype=dtype) for name in ("friction_force", "friction"))
+    (force, slope), (mu, mu_slope) = (map(np.asarray, jax.jit(jax.vmap(jax.value_and_grad(law)))(loads)) for law in laws)
+    assert force[:3].tolist() == [0, table.zero_force, table.heavy_force]
+    assert slope[:3].tolist() == [table.separated_slope, table.zero_slope, 0]
+    assert mu[:2].tolist() == [0, table.max_friction_coefficient] and mu_slope[:2].tolist() == [0, 0]
+    assert np.isnan(force[3:]).all() and np.isnan(mu[3:]).all()
 
 
 def test_higher_derivatives_are_those_of_the_law_and_not_0() -> None:
@@ -67,11 +67,11 @@ def test_higher_derivatives_are_those_of_the_law_and_not_0() -> None:
     loads = np.geomspace(1.0, 1e4, 50)
     step = 1e-4 * loads
     _, slopes = exact(model, "friction_force", np.stack([loads + step, loads - step]))
-    second = jax.vmap(jax.grad(jax.grad(law)))(loads)
+    second = jax.jit(jax.vmap(jax.grad(jax.grad(law))))(loads)
     np.testing.assert_allclose(second, (slopes[0] - slopes[1]) / (2 * step), rtol=1e-4)
     mu: Any = asperity.jax.friction(model)
     _, slopes = exact(model, "friction", np.stack([loads + step, loads - step]))
-    np.testing.assert_allclose(jax.vmap(jax.hessian(mu))(loads), (slopes[0] - slopes[1]) / (2 * step), rtol=1e-4)
+    np.testing.assert_allclose(jax.jit(jax.vmap(jax.hessian(mu)))(loads), (slopes[0] - slopes[1]) / (2 * step), rtol=1e-4)
 
 
 def test_doubles_without_x64_are_refused() -> None:
@@ -80,6 +80,6 @@ def test_doubles_without_x64_are_refused() -> None:
         jax.config.update("jax_enable_x64", False)
         with pytest.raises(ValueError, match="jax_enable_x64"):
             asperity.jax.friction(model)
-        assert asperity.jax.friction(model, dtype="float32")(5.0).dtype == np.float32
+        assert jax.jit(asperity.jax.friction(model, dtype="float32"))(5.0).dtype == np.float32
     finally:
         jax.config.update("jax_enable_x64", True)
