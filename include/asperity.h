@@ -881,7 +881,7 @@ asperity_status asperity_params_set_materials(struct asperity_params *params,
  *
  * m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile, which isotropy makes
  * the same in every direction. Two rough surfaces: add their moments. With the bandwidth alpha = m0 m4/m2^2, after
- * Nayak (1971), Bush, Gibson and Thomas (1975) and McCool (1987):
+ * Nayak (1971), Bush, Gibson and Keogh (1976) and McCool (1987):
  *
  * - height_std = ((1 - 0.8968/alpha) m0)^(1/2), where 0.8968 is 1 + 16/pi - 3^(3/2)
  * - summit_radius = 3 pi^(1/2)/(8 m4^(1/2))
@@ -915,7 +915,7 @@ asperity_status asperity_params_set_spectral_moments(struct asperity_params *par
  * - summit_radius, which is that at the mean height: up to 2 % above that of the other function
  *
  * With narrow spectra, whose bandwidth is near 1.5, this takes a third off the area that one radius gives at light loads
- * and brings it to that of boundary elements; docs/validation.md has both for other bandwidths.
+ * and brings it to that of boundary elements; docs/validation.md has both for other bandwidths; above 2 one radius errs less.
  *
  * @param params        initialised parameters; must not be NULL; untouched on failure
  * @param m0            variance of the heights [length^2] > 0

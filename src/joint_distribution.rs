@@ -163,11 +163,10 @@ mod tests {
         for bandwidth in [1.76, 3.0, 10.0] {
             let (correlation, shape) = ((1.5_f64 / bandwidth).sqrt(), SummitShape::of_bandwidth(bandwidth));
             let mut all = [0.0; 3];
-            on_a_grid(correlation, |z, t, density| {
+            on_a_grid(correlation, |z, _, density| {
                 for (sum, value) in all.iter_mut().zip([1.0, z, z * z]) {
                     *sum += density * value;
                 }
-                let _ = t;
             });
             let (mean, deviation) = (all[1] / all[0], (all[2] / all[0] - (all[1] / all[0]).powi(2)).sqrt());
             let (mut total, mut bins) = ([0.0; 2], [[0.0; 3]; 9]);

@@ -224,7 +224,7 @@ pub unsafe extern "C" fn asperity_params_set_spectral_moments(
 /// - summit_radius, which is that at the mean height: up to 2 % above that of the other function
 ///
 /// With narrow spectra, whose bandwidth is near 1.5, this takes a third off the area that one radius gives at light loads
-/// and brings it to that of boundary elements; docs/validation.md has both for other bandwidths.
+/// and brings it to that of boundary elements; docs/validation.md has both for other bandwidths; above 2 one radius errs less.
 ///
 /// @param params        initialised parameters; must not be NULL; untouched on failure
 /// @param m0            variance of the heights [length^2] > 0
