@@ -104,7 +104,7 @@ export class Chart {
   }
 
   #frictionAxis({ logarithmic }) {
-    const values = (_, splits) => splits.map((value) => (value === null ? "" : String(Number(value.toPrecision(6)))));
+    const values = (_, splits) => splits.map((value) => String(Number(value.toPrecision(6))));
     return { ...AXIS, label: "Friction coefficient μ", size: 58, values, ...(logarithmic ? { splits: logSplits } : {}) };
   }
 
@@ -207,6 +207,8 @@ export class Chart {
 }
 
 const AXIS = {
+  // All places that are chosen here get their label; uPlot would leave some out on a logarithmic axis.
+  filter: (_, splits) => splits,
   font: `12px ${FONT}`,
   labelFont: `13px ${FONT}`,
   stroke: INK,

@@ -132,6 +132,33 @@ test("the line is drawn where the numbers are", async () => {
   await page.close();
 });
 
+test("axes are labelled at decades of load with their units, and at 1, 2, 5 of friction", async () => {
+  const { page } = await open({ viewport: { width: 390, height: 844 } });
+  const labels = async () => {
+    await page.evaluate(() => {
+      globalThis.written = [];
+      const draw = CanvasRenderingContext2D.prototype.fillText;
+      globalThis.drawText ??= draw;
+      CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
+        globalThis.written.push(text);
+        return globalThis.drawText.call(this, text, ...place);
+      };
+    });
+    await page.locator("#band").click();
+    await drawn(page);
+    return new Set(await page.evaluate(() => globalThis.written));
+  };
+  const has = (found, wanted) => wanted.forEach((text) => assert.ok(found.has(text), `${text} in ${[...found].join(", ")}`));
+  has(await labels(), ["10 µN", "100 µN", "1 mN", "10 mN", "100 mN", "Normal load", "Friction coefficient μ", "0", "0.2", "0.4", "A"]);
+  await page.locator("#logarithmic").check();
+  await page.locator("#lightest").fill("1e-8");
+  await page.locator("#heaviest").fill("10");
+  const wide = await labels();
+  has(wide, ["10 nN", "1 µN", "100 µN", "10 mN", "1 N", "0.1", "0.2", "0.5"]);
+  for (const text of wide) assert.doesNotMatch(text, /Infinity|NaN|null|undefined/);
+  await page.close();
+});
+
 test("bad input gets the library's message, and the field is marked", async () => {
   const { page, wrong } = await open();
   const good = areal(contact("Si", "Si"), start, 1e-8);
