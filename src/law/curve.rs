@@ -30,6 +30,8 @@ const NOISE: f64 = 4.0;
 /// No more than about this many exact states are spent where kinks do not ask for more, and no more than half of them
 /// to resolve loads so heavy that all summits are deep in contact; what they do not reach is evaluated exactly.
 const MOST_SAMPLES: usize = 1000;
+/// Where ln(sinh s) is larger, s is that and ln 2 to rounding.
+const FAR: f64 = 20.0;
 /// In panels that span less than this of s, differences of logarithms have lost the digits that its slopes have.
 const NARROW: f64 = 2e-4;
 
@@ -116,10 +118,13 @@ impl Coordinate {
             return log_excess.map(|log_excess| (0.5 * log_excess, 0.5));
         };
         let log_sinh = log_excess.map(|log_excess| 0.5 * (log_excess - log_pull_off));
+        if log_sinh.iter().all(|&log_sinh| log_sinh > FAR) {
+            return log_sinh.map(|log_sinh| (LN_2 + log_sinh, 0.5));
+        }
         let sinh = exp_each(log_sinh);
         std::array::from_fn(|i| {
             let sinh = sinh[i];
-            if sinh > 1e9 {
+            if log_sinh[i] > FAR {
                 return (LN_2 + log_sinh[i], 0.5);
             }
             let cosh = (1.0 + sinh * sinh).sqrt();
@@ -190,6 +195,7 @@ impl Curve {
             }
             from = attempt.end;
         }
+        curve.panels.shrink_to_fit();
         Ok(curve)
     }
 
@@ -340,7 +346,7 @@ impl Source for Along<'_> {
         self.0.at_each(self.1, log_excess)
     }
 
-    fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
+    fn joints(&mut self, lower: f64, upper: f64) -> Vec<f64> {
         let curve = self.0;
         let joints = curve.panels.iter().rev().map(|panel| curve.coordinate.log_excess(panel.lowest));
         joints.filter(|&joint| joint > lower && joint < upper).collect()

@@ -13,6 +13,8 @@ use std::f64::consts::LN_2;
 const PARTS: [f64; 8] = [INTERIOR[0], INTERIOR[1], INTERIOR[2], INTERIOR[3], BETWEEN[0], BETWEEN[1], BETWEEN[2], 1.0];
 /// The most pieces of a row: links of two levels.
 const MOST_PIECES: usize = (DIVISIONS + 1) * (DIVISIONS + 1);
+/// Where a row is not good as a whole, a piece with more joints than this is not tried: most are not good either.
+const FEW_JOINTS: usize = 2;
 /// No piece is shorter than this part of its row: x has few digits more.
 const SHORTEST_PIECE: f64 = 1e-9;
 
@@ -21,7 +23,7 @@ const SHORTEST_PIECE: f64 = 1e-9;
 pub trait Source {
     fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N];
     /// ln x between two of them where the law is not smooth, rising.
-    fn joints(&self, lower: f64, upper: f64) -> Vec<f64>;
+    fn joints(&mut self, lower: f64, upper: f64) -> Vec<f64>;
 }
 
 /// What rows are filled from.
@@ -89,6 +91,10 @@ impl<'a, S: Source> Filling<'a, S> {
         let Some((pieces, error)) = self.pieces(table.base + row as u64, room) else { return 0.0 };
         let group = if pieces.len() > DIVISIONS + 1 { DIVISIONS + 1 } else { pieces.len() };
         let (begins, rows): (Vec<f64>, Vec<Row>) = pieces.into_iter().unzip();
+        if let [whole] = rows[..] {
+            table.rows[row] = whole;
+            return error;
+        }
         let first = table.rows.len();
         table.rows.extend(&rows);
         if rows.len() == group {
@@ -113,17 +119,22 @@ impl<'a, S: Source> Filling<'a, S> {
         let log_of = |t: f64| log1p(start + t) + log_binade;
         let joints = self.source.joints(log_of(0.0), log_of(self.width));
         let joints: Vec<f64> = joints.into_iter().map(|joint| exp(joint - log_binade) - 1.0 - start).collect();
+        let most = MOST_PIECES.min(room);
         // From right to left, so that the last is the next.
         let mut ends = vec![self.width];
         let (mut begin, mut pieces, mut worst) = (0.0, Vec::new(), 0.0_f64);
         while let Some(&end) = ends.last() {
             let length = end - begin;
-            match self.piece(&basis, start + begin, length, log_binade) {
+            let within = joints.iter().filter(|&&joint| joint > begin && joint < end).count();
+            let is_tried = length == self.width || within <= FEW_JOINTS;
+            match is_tried.then(|| self.piece(&basis, start + begin, length, log_binade)).flatten() {
                 Some((filled, error)) => {
                     pieces.push((begin, filled));
                     worst = worst.max(error);
                 }
-                None if length > SHORTEST_PIECE * self.width && pieces.len() + ends.len() < MOST_PIECES.min(room) => {
+                // Hardly any of its parts would be good.
+                None if joints.len() >= most => return None,
+                None if length > SHORTEST_PIECE * self.width && pieces.len() + ends.len() < most => {
                     ends.push(division(&joints, begin, end));
                     continue;
                 }
@@ -213,7 +224,7 @@ mod tests {
             })
         }
 
-        fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
+        fn joints(&mut self, lower: f64, upper: f64) -> Vec<f64> {
             [self.at].into_iter().filter(|&at| at > lower && at < upper).collect()
         }
     }
@@ -264,7 +275,7 @@ mod tests {
             })
         }
 
-        fn joints(&self, _lower: f64, _upper: f64) -> Vec<f64> {
+        fn joints(&mut self, _lower: f64, _upper: f64) -> Vec<f64> {
             Vec::new()
         }
     }

@@ -17,7 +17,7 @@ use crate::elementary::{exp, log};
 use crate::equilibrium::{Branch, PullOff};
 use crate::population::Sums;
 use curve::{Along, Curve, Sample};
-use exact::ExactStates;
+use exact::{ExactStates, Exactly};
 use fill::Filling;
 
 pub use curve::Unfollowed;
@@ -123,9 +123,11 @@ impl Law {
         let curve = Curve::new(branch, log_range, &mut samples)?;
         let (lower, upper) = curve.log_range();
         let lower = nearest.max(lower).max(upper - log_range(upper).min(LOG_RANGE));
+        let mut exact = (!curve.is_resolved()).then(|| ExactStates::new(branch, &curve));
         let compiled = Quantity::ALL.map(|quantity| {
             let scale = Scale { load, value: units[quantity as usize] };
-            let mut compiled = Compiled::new(branch, &curve, quantity, scale, (lower, upper));
+            let mut compiled =
+                Compiled::new(branch.pull_off_load(), &curve, exact.as_mut(), quantity, scale, (lower, upper));
             compiled.certify(&curve, quantity, &samples);
             compiled
         });
@@ -160,21 +162,29 @@ impl Law {
 }
 
 impl Compiled {
-    /// Fills the table from the curve, within a range of ln(load - pull-off) in the model's units.
-    fn new(branch: &Branch, curve: &Curve, quantity: Quantity, scale: Scale, (lower, upper): (f64, f64)) -> Self {
+    /// Fills the table from the curve, within a range of ln(load - pull-off) in the model's units; rows with kinks from exact
+    /// states if the curve has too many to be resolved.
+    fn new(
+        pull_off_load: f64,
+        curve: &Curve,
+        exact: Option<&mut ExactStates>,
+        quantity: Quantity,
+        scale: Scale,
+        (lower, upper): (f64, f64),
+    ) -> Self {
         let (lower, upper) = (lower + log(scale.load), upper + log(scale.load));
         let shift = Table::shift_of(FRACTION);
         // The last whole row before the end, and the first.
         let end = exp(upper.min(700.0)).to_bits() >> shift;
         let base = ((exp(lower.max(-700.0)).to_bits() >> shift) + 1).min(end);
-        let mut table = Table::new(FRACTION, base, branch.pull_off_load() * scale.load);
+        let mut table = Table::new(FRACTION, base, pull_off_load * scale.load);
         let count = ((end - base) as usize).min(MOST_ROWS);
         let mut error = Filling::new(&mut Along(curve, quantity), scale, FRACTION).rows(&mut table, count);
-        if curve.is_resolved() {
-            error = error.max(divide(&mut Along(curve, quantity), scale, &mut table));
-        } else {
-            error = error.max(divide(&mut ExactStates::new(branch, curve, quantity), scale, &mut table));
-        }
+        error = error.max(match exact {
+            None => divide(&mut Along(curve, quantity), scale, &mut table),
+            Some(exact) => divide(&mut Exactly(exact, quantity), scale, &mut table),
+        });
+        table.rows.shrink_to_fit();
         Self { table, scale, error }
     }
 

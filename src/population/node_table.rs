@@ -45,6 +45,7 @@ impl NodeTable {
             table.panels.push(TablePanel::new(population, &panel));
             (table.end, kink) = (panel.to, panel.kink);
         }
+        table.panels.shrink_to_fit();
         table
     }
 }
