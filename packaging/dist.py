@@ -76,14 +76,14 @@ class Report:
             print(f"{row[0]:{widths[0]}}  {row[1]:>{widths[1]}}  {row[2]:{widths[2]}}  {row[3]}")
 
 
-# How tests/dist proves what is built for a target: here itself, or in an emulator.
+# How tests/dist proves what is built for a target: here, in an emulator, or not run at all.
 TESTED = {
     "x86_64-linux-gnu": "run here",
     "aarch64-linux-gnu": "run in qemu",
     "x86_64-linux-musl": "run here",
     "x86_64-windows": "run in Wine",
-    "arm64-macos": "run in an emulator of the processor",
-    "x86_64-macos": "run in an emulator of the processor",
+    "arm64-macos": "read: install name, signature, exports",
+    "x86_64-macos": "read: install name, signature, exports",
     "wasm32": "run in Node",
 }
 

@@ -6,7 +6,7 @@ import shutil
 from notices import write_notices
 from targets import ROOT, WORK, Refusal, linker_environment, run
 
-# What a released shared library may weigh, stripped.
+# What a released shared library may weigh, stripped; a sixth of it is Rust's own code for traces of panics.
 LIBRARY_LIMIT = 800_000
 
 

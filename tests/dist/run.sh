@@ -59,6 +59,13 @@ if [ -d "$prefixes/x86_64-unknown-linux-gnu" ]; then
     said=$(tests/dist/installed.sh "$work/installed" "$prefixes/x86_64-unknown-linux-gnu")
     passed "x86_64-linux-gnu" "$said; needs glibc 2.17 or older"
 fi
+if [ -d "$prefixes/x86_64-unknown-linux-musl" ]; then
+    musl=$prefixes/x86_64-unknown-linux-musl
+    quietly musl-gcc -std=c11 -I"$musl/include" tests/consumers/greenwood_williamson.c -o "$work/musl" -L"$musl/lib" -lasperity \
+        -Wl,-rpath,"$musl/lib"
+    quietly "$work/musl"
+    passed "x86_64-linux-musl" "a C program with the shared library"
+fi
 for rust in aarch64-apple-darwin x86_64-apple-darwin; do
     if [ -d "$prefixes/$rust" ]; then
         said=$(python3 tests/dist/macos.py "$prefixes/$rust")
@@ -102,8 +109,7 @@ for wheel in "${wheels[@]}"; do
         said=$(cd / && "$work/wheel/bin/python" "$root/tests/dist/python_check.py" "$version")
         passed "$wheel" "in a new virtual environment: $said" ;;
     *manylinux*aarch64*) load_wheel "$wheel" aarch64-linux-gnu-gcc "qemu-aarch64 -L /usr/aarch64-linux-gnu" ;;
-    *musllinux*) load_wheel "$wheel" musl-gcc env ;;
-    *macosx* | *win*)
+    *musllinux* | *macosx* | *win*)
         "$venv/bin/python" tests/dist/same_library.py "$wheel" "$prefixes"
         passed "$wheel" "has the library of the archive" ;;
     esac
