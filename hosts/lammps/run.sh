@@ -30,8 +30,11 @@ refused "pair_style asperity/hertz: asperity_count: must be set" \
     $'pair_style asperity/hertz modulus 5e6 E1 1e9 nu1 0.3 E2 1e9 nu2 0.3 work_of_adhesion 0 adhesion_range 1e-10 burgers_vector 1e-10 height_std 1e-8 summit_radius 1e-6\npair_coeff * *'
 refused "pair_style asperity/hertz: say 'comm_modify vel yes'" $'pair_style asperity/hertz ${beads}\npair_coeff * *'
 refused "fix f wall/asperity/hertz: modulus: must be set" $'fix f all wall/asperity/hertz zplane 0 NULL height_std 1e-8'
+printf 'first = "Si"\n' >"$build/named.toml"
+refused 'pair_style asperity/hertz: surface '"$build"'/named.toml, line 1: first: "Si" is not a number' \
+    "pair_style asperity/hertz modulus 5e6 surface $build/named.toml"$'\npair_coeff * *'
 
-run() { local s=$SECONDS; lammps "$@" || fail "LAMMPS ended with status $?: $script, see $build"; }
+run() { lammps "$@" || fail "LAMMPS ended with status $?: $script, see $build"; }
 script=slide.in run 1 "$here/slide.in" slide.log
 script=settle.in settle || fail "LAMMPS ended with status $?: settle.in"
 shear() {
