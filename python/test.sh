@@ -23,7 +23,7 @@ before="$(git status --porcelain)"
 environment="$(python/environment.sh)"
 cd python
 "$environment/bin/mypy" --cache-dir "$target/python-mypy" src tests examples
-"$environment/bin/pytest" -n auto --basetemp "$target/python-tests" "$@"
+"$environment/bin/pytest" -n auto --dist loadgroup --basetemp "$target/python-tests" "$@"
 cd ..
 
 if [ "$(git status --porcelain)" != "$before" ]; then
