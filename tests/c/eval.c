@@ -435,6 +435,61 @@ static void check_copy(const asperity_model *model, asperity_table table, const 
     free(rows);
 }
 
+/* The table of floats, for loads that floats are: by the rules beside it, and in it as near as the header says. */
+static void check_floats(const char *name, const asperity_model *model, const asperity_table *table, const double *load)
+{
+    const uint32_t count = asperity_eval_make_float(table, NULL, NULL);
+    float *rows = (float *)malloc(count * 8 * sizeof *rows);
+    asperity_float_table single;
+    unsigned long i, compared = 0, rounded_off = 0, missing = 0, pulling = 0;
+    double value_error = 0.0, slope_error = 0.0;
+    if (!rows)
+        abort();
+    require(asperity_eval_make_float(table, rows, &single) == count && single.total_count == count, "two numbers of rows");
+    for (i = 0; i < LOADS; ++i) {
+        float at, force, alone, slope, mu, mu_slope;
+        double x, exact, exact_slope, off, slope_off;
+        if (!is_finite(&load[i]) || fabs(load[i]) > (double)FLT_MAX)
+            continue;
+        at = (float)load[i];
+        x = (double)at - table->pull_off_load;
+        force = asperity_eval_friction_force_float(&single, at, &slope);
+        mu = asperity_eval_friction_float(&single, at, &mu_slope);
+        alone = asperity_eval_friction_force_float(&single, at, NULL);
+        require(memcmp(&alone, &force, sizeof force) == 0, "another force without the slope");
+        if (x < 0.0 && -x > 1e-6 * fabs(table->pull_off_load))
+            require(force == 0.0f && mu == 0.0f, "friction of floats below pull-off");
+        if (at == 0.0f)
+            require(fabs((double)force - table->zero_force) <= 1e-7 * table->zero_force + 1e-45, "another force at zero");
+        if (x < 0x1p-100 || x > 0x1p100 || x < 1e-6 * fabs(table->pull_off_load) || !table_answers(table, (double)at))
+            continue;
+        exact = asperity_friction_force_and_slope_at_load(model, (double)at, &exact_slope);
+        if (force != force) { /* next to a row that the doubles leave out */
+            ++missing;
+            continue;
+        }
+        off = fabs((double)force / exact - 1.0);
+        slope_off = fabs((double)slope / exact_slope - 1.0);
+        ++compared;
+        pulling += at < 0.0f;
+        require(off < 1e-6, "a force of floats is off by more than 1e-6");
+        require(at <= force * single.inverse_cap || fabs((double)mu * (double)at / exact - 1.0) < 1e-6, "another mu");
+        if (off > 2e-7 || slope_off > 2e-7) {
+            ++rounded_off;
+            continue;
+        }
+        value_error = off > value_error ? off : value_error;
+        slope_error = slope_off > slope_error ? slope_off : slope_error;
+    }
+    printf("  %-42s %4u rows and %u parts of floats: force within %.1e, slope within %.1e at %lu loads (%lu pulling), %lu "
+           "at kinks\n", name, (unsigned)single.row_count, (unsigned)(count - single.row_count), value_error,
+           slope_error, compared - rounded_off, pulling, rounded_off);
+    require(compared > LOADS / 3 && rounded_off + missing < compared / 500, "floats are off at too many loads");
+    require(isnan(asperity_eval_friction_force_float(&single, (float)NAN, NULL)), "a number at no load");
+    require(isnan(asperity_eval_friction_float(&single, (float)INFINITY, NULL)), "a number at an infinite load");
+    free(rows);
+}
+
 static void check_surface(const char *name, void (*set)(asperity_params *), double *load, struct answers *answers)
 {
     asperity_params params;
@@ -456,6 +511,7 @@ static void check_surface(const char *name, void (*set)(asperity_params *), doub
     fill(&table, &summary, load);
     check(name, model, &table, load, answers);
     check_copy(model, table, load, answers);
+    check_floats("  the same in floats", model, &table, load);
     asperity_free(model);
 }
 
