@@ -262,6 +262,18 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_params_set_spectral_moments
 
+    ! As asperity_params_set_spectral_moments, with the heights and radii of Nayak's joint distribution: also sets
+    ! Johnson's heights, radius_amplitude and radius_rate.
+    function asperity_params_set_nayak_summits(params, m0, m2, m4, nominal_area) result(status) bind(c)
+      import :: asperity_params, c_double, c_int32_t
+      type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
+      real(c_double), intent(in), value :: m0             ! variance of the heights [length^2]
+      real(c_double), intent(in), value :: m2             ! variance of the slopes [-]
+      real(c_double), intent(in), value :: m4             ! variance of the curvatures [1/length^2]
+      real(c_double), intent(in), value :: nominal_area   ! [length^2]
+      integer(c_int32_t) :: status
+    end function asperity_params_set_nayak_summits
+
     ! Chooses Weibull heights with this skew, above -1.13955.
     function asperity_params_set_skew(params, skew) result(status) bind(c)
       import :: asperity_params, c_double, c_int32_t
@@ -530,7 +542,8 @@ module asperity
   public :: asperity_abi_version, asperity_version, asperity_status_string, asperity_last_error
   public :: asperity_params_init, asperity_params_init_sized, asperity_params_init_unset
   public :: asperity_params_init_unset_sized, asperity_params_set_dimensionless
-  public :: asperity_params_set_materials, asperity_params_set_spectral_moments, asperity_params_set_skew
+  public :: asperity_params_set_materials, asperity_params_set_spectral_moments, asperity_params_set_nayak_summits
+  public :: asperity_params_set_skew
   public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
   public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads

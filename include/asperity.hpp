@@ -233,6 +233,15 @@ public:
         return *this;
     }
 
+    /// The same summits, with the heights and radii of Nayak's joint distribution: also sets Johnson's heights, radius_amplitude and
+    /// radius_rate.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
+    Params &set_nayak_summits(double m0, double m2, double m4, double nominal_area) {
+        check(asperity_params_set_nayak_summits(&c_, m0, m2, m4, nominal_area));
+        return *this;
+    }
+
     /// Chooses Weibull heights with this skew.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.

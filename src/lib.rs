@@ -22,6 +22,7 @@ mod equilibrium;
 mod error;
 mod float_bits;
 pub mod groups;
+mod joint_distribution;
 mod law;
 mod model;
 pub mod numerics;

@@ -9,6 +9,7 @@ use crate::distribution::{self, HeightDistribution};
 use crate::error::Error;
 use crate::float_bits::{finite, infinite, nan};
 use crate::groups::Groups;
+use crate::joint_distribution::SummitShape;
 use crate::population::radius::RadiusProfile;
 use crate::spectrum::SpectralMoments;
 use crate::unit_slips;
@@ -250,6 +251,21 @@ impl Params {
         self.summit_radius = moments.summit_radius();
         self.asperity_count = moments.summit_density() * nominal_area;
         self.nominal_area = nominal_area;
+        Ok(())
+    }
+
+    /// The same summits with the heights and radii of Nayak's joint distribution: also sets Johnson's heights,
+    /// `radius_amplitude` and `radius_rate`, and `summit_radius` is that at the mean height.
+    ///
+    /// # Errors
+    /// As [`Params::set_spectral_moments`].
+    pub fn set_nayak_summits(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Error> {
+        self.set_spectral_moments(moments, nominal_area)?;
+        let shape = SummitShape::of_bandwidth(moments.bandwidth());
+        self.summit_radius *= shape.radius_ratio;
+        self.radius_amplitude = shape.radius_amplitude;
+        self.radius_rate = shape.radius_rate;
+        self.heights = HeightFamily::Johnson { skew: shape.skew, kurtosis: shape.kurtosis };
         Ok(())
     }
 
@@ -653,5 +669,16 @@ mod tests {
         assert_eq!(params.height_std, moments.summit_height_std());
         assert_eq!(params.summit_radius, moments.summit_radius());
         assert!((params.asperity_count / (250.0 * moments.summit_density()) - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn nayaks_summits_are_taken_at_every_bandwidth() {
+        for bandwidth in [1.5, 1.6, 2.0, 4.0, 20.0, 1e3, 1e6, 1e9] {
+            let mut params = Params { work_of_adhesion: 0.0, ..Params::default() };
+            let moments = SpectralMoments { m0: 1e4, m2: 0.01 / f64::sqrt(bandwidth), m4: 1e-8 };
+            params.set_nayak_summits(moments, 250.0).expect("summits");
+            assert!(params.radius_amplitude < 0.0 && params.radius_amplitude > -0.6, "{params:?}");
+            params.surface().unwrap_or_else(|error| panic!("{bandwidth}: {error}"));
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! The summits of an isotropic Gaussian surface, from the spectral moments of its profiles: Nayak's statistics.
 //!
-//! Nayak, J. Lubr. Technol. 93 (1971) 398-407, derived them; Bush, Gibson and Thomas, Wear 35 (1975) 87-111, gave the
-//! variance of the summit heights; McCool, J. Tribol. 109 (1987) 264-270, writes them as they are used here.
+//! Nayak, J. Lubr. Technol. 93 (1971) 398-407, derived them; Bush, Gibson and Keogh, Mech. Res. Commun. 3 (1976) 169-174,
+//! gave the variance of the summit heights; McCool, J. Tribol. 109 (1987) 264-270, writes them as they are used here.
 
 use std::f64::consts::PI;
 
@@ -82,7 +82,7 @@ mod tests {
         assert!((moments.summit_height_std().powi(2) / height_variance - 1.0).abs() < 1e-9);
     }
 
-    /// Bush, Gibson and Thomas print 0.8968, and 4/(pi bandwidth)^(1/2) for the mean height of the summits.
+    /// 0.8968 is printed for the variance (Bush, Gibson and Keogh), 4/(pi bandwidth)^(1/2) for the mean (McCool).
     #[test]
     fn heights_of_summits_are_those_published() {
         let moments = SpectralMoments { m0: 1.0, m2: 1.0, m4: 10.0 };

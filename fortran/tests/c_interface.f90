@@ -144,6 +144,12 @@ contains
                asperity_params_set_spectral_moments(p, M2, M2, 1.49_c_double * M2, AREA) == ASPERITY_INVALID_PARAMETER)
     call check_text('... with a message', asperity_error_message(), &
                     'bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5, as that of every isotropic surface is')
+    ! One wavelength: the moments of Nayak's density of curvatures, integrated by hand.
+    call asperity_check(asperity_params_set_nayak_summits(p, 1.5_c_double, 1.0_c_double, 1.0_c_double, AREA))
+    call check_close('skew of the summits of one wavelength', p%skew, 0.46948489_c_double, 1e-7_c_double)
+    call check_close('kurtosis', p%kurtosis, 3.18672953_c_double, 1e-7_c_double)
+    call check('heights of Johnson', p%height_distribution == ASPERITY_HEIGHTS_JOHNSON)
+    call check('higher summits are sharper', p%radius_amplitude < 0)
   end subroutine spectral_moments
 
   ! Skew from the moments of the Weibull distribution, B_n = Gamma(1 + n/omega).

@@ -3,14 +3,23 @@
 from __future__ import annotations
 
 import math
+import re
+import warnings
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+from random_surfaces import GaussianSurface, Nayak
 
-from asperity import Error, Params, Status
+from asperity import Error, Params, Status, ValidityWarning, surface
 
 CONTACT: dict[str, Any] = dict(
     work_of_adhesion=0.06, adhesion_range=4e-10, burgers_vector=4e-10, E1=160e9, nu1=0.22, E2=160e9, nu2=0.22
+)
+# In the points of a map.
+CONTACT_OF_POINTS: dict[str, Any] = dict(
+    composite_modulus=1.0, effective_shear_modulus=0.8, work_of_adhesion=0, adhesion_range=1e-2, burgers_vector=1e-2
 )
 # A surface of bandwidth 5 with 5 nm, a slope of 0.1 and 1 um^2.
 M0, M2 = 25e-18, 0.01
@@ -80,3 +89,91 @@ def test_areal_parameters_must_be_positive(name: str, value: float) -> None:
     areal: dict[str, Any] = {"Sq": 5e-9, "Sdq": 0.1, "Ssc": 5e6, "Sds": 1e13, name: value}
     with pytest.raises(Error, match=f"{name} = "):
         Params.from_iso25178(nominal_area=AREA, **CONTACT, **areal)
+
+
+@pytest.mark.parametrize("bandwidth", [1.6, 1.8, 2.8, 5.6, 11.0])
+def test_nayaks_summits_have_the_heights_and_radii_of_the_joint_density(bandwidth: float) -> None:
+    """Against that density summed on a grid of heights and curvatures."""
+    m0, m2 = 4e-18, 2e-3
+    theory = Nayak(m0, m2, bandwidth * m2**2 / m0)
+    moments: dict[str, Any] = dict(m0=theory.m0, m2=theory.m2, m4=theory.m4, nominal_area=AREA)
+    params = Params.from_spectral_moments(**moments, summits="nayak", **CONTACT)
+    mean, std, skew, kurtosis = theory.height_moments()
+    assert params.height_distribution == "johnson"
+    assert (params.height_std, params.skew) == pytest.approx((std, skew), rel=2e-4)
+    assert params.kurtosis == pytest.approx(kurtosis, abs=1e-4)
+    for height, allowed in ((-0.5, 0.07), (0.0, 1e-4), (0.7, 0.03), (1.5, 1e-4), (2.2, 0.03), (3.0, 1e-4), (3.5, 0.03)):
+        radius = params.summit_radius * (1 + params.radius_amplitude * math.tanh(params.radius_rate * height))
+        curvature = float(theory.curvature_at(np.array([mean + height * std]))[0])
+        assert radius * curvature == pytest.approx(1, rel=allowed), height
+
+
+def test_nayaks_summits_are_those_found_on_gaussian_surfaces() -> None:
+    """On maps whose shortest wave is 14 points long, so that a grid tells their summits: skew and eq (3), fitted."""
+    random = GaussianSurface(points=700, shortest=14.0, lowest=0.4)
+    found = [surface.summits(random.map(seed), 1.0, detrend=0) for seed in range(4)]
+    moments: dict[str, Any] = dict(zip(("m0", "m2", "m4"), random.moments()))
+    theory = Params.from_spectral_moments(**moments, nominal_area=1.0, summits="nayak", **CONTACT_OF_POINTS)
+    assert np.mean([one.skew.value for one in found]) == pytest.approx(theory.skew, abs=0.06)
+    assert np.mean([one.kurtosis.value for one in found]) == pytest.approx(theory.kurtosis, abs=0.12)
+    for height in (0.0, 1.0, 2.0):
+        grown = 1 + theory.radius_amplitude * math.tanh(theory.radius_rate * height)
+        trends = [one.radius_trend for one in found]
+        seen = [trend.radius * (1 + trend.amplitude * math.tanh(trend.rate * height)) for trend in trends]
+        # A grid rounds the sharpest summits off and takes a few saddles for summits: 4 % at this wavelength.
+        assert np.mean(seen) == pytest.approx(theory.summit_radius * grown, rel=0.06), height
+
+
+def test_the_table_of_nayaks_summits_in_the_docs_is_that_of_the_library() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "roughness.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \| (-[\d.]+) \| ([\d.]+) \| ([\d.]+) \|$", page, re.MULTILINE)
+    assert len(rows) == 6
+    for row in rows:
+        bandwidth, *printed = map(float, row)
+        moments: dict[str, Any] = dict(m0=4e-18, m2=2e-3, m4=bandwidth * 2e-3**2 / 4e-18, nominal_area=AREA)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ValidityWarning)
+            equal = Params.from_spectral_moments(**moments, **CONTACT)
+            nayak = Params.from_spectral_moments(**moments, summits="nayak", **CONTACT)
+        ratio = nayak.summit_radius / equal.summit_radius
+        numbers = (nayak.skew, nayak.kurtosis, nayak.radius_amplitude, nayak.radius_rate, ratio)
+        for shown, number, digit in zip(printed, numbers, (1e-3, 1e-3, 1e-2, 1e-2, 1e-3)):
+            assert shown == pytest.approx(number, abs=0.51 * digit)
+
+
+def test_nayaks_summits_leave_heights_and_radii_to_no_one_else() -> None:
+    moments: dict[str, Any] = dict(m0=M0, m2=M2, m4=M4, nominal_area=AREA, **CONTACT)
+    given: dict[str, Any] = {"skew": 0.1, "weibull_shape": 3.0, "radius_amplitude": 0.1, "height_distribution": "gaussian"}
+    for name, value in given.items():
+        with pytest.raises(TypeError, match=f'^{name}: summits="nayak" tells heights and radii'):
+            Params.from_spectral_moments(**moments, summits="nayak", **{name: value})
+    with pytest.raises(Error, match="^summits = 'round': must be 'equal' or 'nayak'$"):
+        Params.from_spectral_moments(**moments, summits="round")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="kurtosis: summits"):
+        Params.from_iso25178(Sq=1e-9, Sdq=0.05, Ssc=1e7, Ssk=0, Sku=3, nominal_area=AREA, summits="nayak", **CONTACT)
+
+
+def test_doubtful_bandwidths_are_told_with_the_bias_to_expect() -> None:
+    def said(bandwidth: float, **options: Any) -> list[str]:
+        moments: dict[str, Any] = dict(m0=4e-18, m2=2e-3, m4=bandwidth * 2e-3**2 / 4e-18)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            Params.from_spectral_moments(**moments, nominal_area=AREA, **options, **CONTACT)
+        assert all(one.category is ValidityWarning and one.filename == __file__ for one in caught)
+        return [str(one.message) for one in caught]
+
+    assert [said(bandwidth) for bandwidth in (2.5, 5.6, 12.0)] == [[], [], []]
+    assert said(1.8, summits="nayak") == []
+    (narrow,) = said(1.8)
+    assert "friction 0.94 to 1.24" in narrow and narrow.endswith('summits="nayak"')
+    for options in ({}, {"summits": "nayak"}):
+        (broad,) = said(31.0, **options)
+        assert broad.startswith("bandwidth m0 m4/m2^2 = 31: from spectral moments") and "boundary elements" in broad
+
+
+def test_doubtful_bandwidths_of_maps_are_told() -> None:
+    random = GaussianSurface(points=512, shortest=6.0, fall=3.0)
+    found = surface.summits(random.map(1), 1.0)
+    assert found.moments.bandwidth > 15
+    with pytest.warns(ValidityWarning, match="from the summits of a map at a bandwidth of 27"):
+        Params.from_topography(found, **CONTACT_OF_POINTS)

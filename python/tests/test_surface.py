@@ -392,6 +392,7 @@ def test_params_take_the_numbers_of_the_map(measured: surface.Summits) -> None:
         assert 0 < model.friction_at_load(1e-4) < 2
 
 
+@pytest.mark.filterwarnings("ignore:bandwidth:asperity.ValidityWarning")
 def test_params_of_the_summits_are_those_of_the_moments_of_their_map(measured: surface.Summits) -> None:
     moments = measured.moments
     theory = Params.from_spectral_moments(

@@ -109,7 +109,7 @@ pub(super) const FIRST_SIZE: u64 = offset_of!(asperity_params, skew) as u64;
 /// Size of today's version.
 const SIZE: u64 = size_of::<asperity_params>() as u64;
 /// Where the fields that Johnson's heights read end.
-const JOHNSON_END: u64 = offset_of!(asperity_params, hardness) as u64;
+pub(super) const JOHNSON_END: u64 = offset_of!(asperity_params, hardness) as u64;
 /// Where the hardness ends.
 const HARDNESS_END: u64 = offset_of!(asperity_params, table_height) as u64;
 /// Where the fields that tabulated heights read end.

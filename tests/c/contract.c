@@ -333,6 +333,21 @@ static void setters_set_what_they_say_and_nothing_else(void)
     expected.nominal_area = 11;
     CHECK(SAME(p, expected), "set_spectral_moments changed another field");
 
+    /* One wavelength: the density of curvatures, t^2 - 1 + exp(-t^2) times exp(-t^2/2), integrated by hand. */
+    CHECK(asperity_params_set_nayak_summits(&p, 1.5, 1, 1, 11) == ASPERITY_OK, "%s", last_message());
+    CHECK(p.height_distribution == ASPERITY_HEIGHTS_JOHNSON, "heights");
+    CHECK(close_to(p.skew, 0.46948489, 1e-7) && close_to(p.kurtosis, 3.18672953, 1e-7), "%.9g, %.9g", p.skew, p.kurtosis);
+    CHECK(p.radius_amplitude < 0 && p.radius_rate > 0, "radii");
+    CHECK(asperity_params_set_spectral_moments(&expected, 1.5, 1, 1, 11) == ASPERITY_OK, "%s", last_message());
+    CHECK(close_to(p.summit_radius, expected.summit_radius, 1e-12), "R = %.9g", p.summit_radius);
+    expected.summit_radius = p.summit_radius;
+    expected.height_distribution = p.height_distribution;
+    expected.skew = p.skew;
+    expected.kurtosis = p.kurtosis;
+    expected.radius_amplitude = p.radius_amplitude;
+    expected.radius_rate = p.radius_rate;
+    CHECK(SAME(p, expected), "set_nayak_summits changed another field");
+
     expected = p;
     CHECK(asperity_params_set_skew(&p, 0) == ASPERITY_OK, "%s", last_message());
     CHECK(p.height_distribution == ASPERITY_HEIGHTS_WEIBULL, "heights");
@@ -365,6 +380,8 @@ static void failing_setters_touch_nothing(void)
     FAILS(asperity_params_set_spectral_moments(&p, 1, 1, NAN, 1), ASPERITY_INVALID_PARAMETER, "m4 = NaN: ");
     FAILS(asperity_params_set_spectral_moments(&p, 1, 1, 2, INFINITY), ASPERITY_INVALID_PARAMETER, "nominal_area = inf: ");
     FAILS(asperity_params_set_spectral_moments(&p, 1, 1e-41, 2, 1), ASPERITY_OUT_OF_RANGE, "m2 = 1e-41: ");
+    FAILS(asperity_params_set_nayak_summits(&p, 1, 1, 1.49, 1), ASPERITY_INVALID_PARAMETER,
+          "bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5");
     FAILS(asperity_params_set_skew(&p, -1.2), ASPERITY_INVALID_PARAMETER, "skew = -1.2: ");
     FAILS(asperity_params_set_skew(&p, NAN), ASPERITY_INVALID_PARAMETER, "skew = NaN: ");
     FAILS(asperity_params_set_skew(&p, 1e6), ASPERITY_OUT_OF_RANGE, "skew = ");

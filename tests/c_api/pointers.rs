@@ -180,6 +180,9 @@ fn parameters_of_every_size_are_set() {
             assert_eq!(asperity_params_set_dimensionless(params, 0.1, 4.0, 1e-3, 1.0, 0.3), OK);
             assert_eq!(asperity_params_set_materials(params, 2e11, 0.3, f64::INFINITY, 0.2), OK);
             assert_eq!(asperity_params_set_spectral_moments(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
+            // It sets skew and kurtosis, for which old structs have no room.
+            let room = if size >= offset_of!(asperity_params, hardness) { OK } else { INVALID_PARAMETER };
+            assert_eq!(asperity_params_set_nayak_summits(params, 1e-16, 1e-4, 1e10, 1e-6), room);
             assert_eq!(asperity_params_set_skew(params, 0.5), OK);
             // Names that may lie anywhere, and a number that may.
             let (name, mut value) = (asperity_params_name(0), 0.0);
@@ -191,6 +194,7 @@ fn parameters_of_every_size_are_set() {
             assert_eq!(asperity_params_set_dimensionless(params, -1.0, 4.0, 1e-3, 1.0, 0.3), INVALID_PARAMETER);
             assert_eq!(asperity_params_set_materials(params, 2e11, 0.7, 1e11, 0.2), INVALID_PARAMETER);
             assert_eq!(asperity_params_set_spectral_moments(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
+            assert_eq!(asperity_params_set_nayak_summits(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
             assert_eq!(asperity_params_set_skew(params, -9.0), INVALID_PARAMETER);
             assert_eq!(place.words(size / 8), before);
         }
@@ -230,6 +234,7 @@ fn null_is_refused_or_skipped() {
             asperity_params_set_dimensionless(null_mut(), 0.1, 4.0, 1e-3, 1.0, 0.3),
             asperity_params_set_materials(null_mut(), 1.0, 0.3, 1.0, 0.3),
             asperity_params_set_spectral_moments(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
+            asperity_params_set_nayak_summits(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
             asperity_params_set_skew(null_mut(), 0.0),
             asperity_params_set_value(null_mut(), c"skew".as_ptr(), 0.0),
             asperity_params_set_value(&mut params, null(), 0.0),

@@ -216,6 +216,10 @@ void spectral_moments_give_the_summits() {
     EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
     EXPECT(begins(error.what(), "bandwidth m0 m4/m2^2 = 1.25: must be at least 1.5"));
     EXPECT(changed.summit_radius() == params.summit_radius());
+    changed.set_nayak_summits(1.5, 1.0, 1.0, 11.0);
+    EXPECT(changed.height_distribution() == asperity::Heights::johnson);
+    EXPECT(close(changed.skew(), 0.46948489, 1e-7) && close(changed.kurtosis(), 3.18672953, 1e-7));
+    EXPECT(thrown_by([&] { changed.set_nayak_summits(1.0, 1.0, 1.25, 1.0); }).status() == ASPERITY_INVALID_PARAMETER);
 }
 
 void dimensionless_groups_come_back_from_the_model() {

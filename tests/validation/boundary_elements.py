@@ -16,14 +16,15 @@ from __future__ import annotations
 import csv
 import math
 import sys
+import warnings
 from dataclasses import astuple, dataclass, fields
 from pathlib import Path
-from typing import Any, Iterator
+from typing import Any, Iterator, Literal
 
 import numpy as np
 import tamaas
 
-from asperity import Model, Params
+from asperity import Model, Params, ValidityWarning
 from asperity import surface as topography
 
 FILE = Path(__file__).with_name("boundary_elements.csv")
@@ -107,8 +108,12 @@ class Row:
     @property
     def by_moments(self) -> Prediction:
         """By the library, from the spectral moments."""
-        params = Params.from_spectral_moments(m0=self.m0, m2=self.m2, m4=self.m4, nominal_area=self.grid**2, **CONTACT)
-        return self._predicted(params)
+        return self._predicted(self._from_moments("equal"))
+
+    @property
+    def by_nayak(self) -> Prediction:
+        """By the library, from the spectral moments with Nayak's joint distribution of heights and radii."""
+        return self._predicted(self._from_moments("nayak"))
 
     @property
     def by_map(self) -> Prediction:
@@ -117,6 +122,12 @@ class Row:
         summits = dict(height_std=self.height_std, summit_radius=self.radius, asperity_count=count)
         trend = dict(radius_amplitude=self.amplitude, radius_rate=self.rate)
         return self._predicted(Params.si(**summits, **trend, **CONTACT))
+
+    def _from_moments(self, summits: Literal["equal", "nayak"]) -> Params:
+        moments = dict(m0=self.m0, m2=self.m2, m4=self.m4, nominal_area=float(self.grid**2))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ValidityWarning)  # of the bias that is measured here
+            return Params.from_spectral_moments(**moments, summits=summits, **CONTACT)
 
     def _predicted(self, params: Params) -> Prediction:
         nominal = self.grid**2

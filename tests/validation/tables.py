@@ -22,20 +22,21 @@ def population() -> str:
     """Library over boundary elements, by bandwidth: means over the surfaces, and their standard deviation."""
     rows = [
         "| Bandwidth | Surfaces | Real area | Summits in contact | A, from moments | F, from moments "
-        "| A, from the map | F, from the map |",
-        "|---|---|---|---|---|---|---|---|",
+        "| A, with Nayak's radii and heights | F, with them | A, from the map | F, from the map |",
+        "|---|---|---|---|---|---|---|---|---|---|",
     ]
     for group in _groups():
         for pressure in PRESSURES:
             at_load = [row for row in group if row.pressure == pressure]
             moments, maps = [row.by_moments for row in at_load], [row.by_map for row in at_load]
+            nayak = [row.by_nayak for row in at_load]
             cells = [
                 f"{np.mean([row.bandwidth for row in at_load]):.2g}",
                 str(len(at_load)),
                 f"{100 * np.mean([row.area for row in at_load]):.2g} %",
                 f"{100 * np.mean([answer.fraction_in_contact for answer in moments]):.2g} %",
                 *(_spread([getattr(answer, name) for answer in answers])
-                  for answers in (moments, maps) for name in ("area", "friction")),
+                  for answers in (moments, nayak, maps) for name in ("area", "friction")),
             ]  # fmt: skip
             rows.append(f"| {' | '.join(cells)} |")
     return "\n".join(rows)

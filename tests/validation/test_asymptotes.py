@@ -63,6 +63,7 @@ def test_area_over_load_of_gaussian_heights_far_apart() -> None:
         assert ratio == pytest.approx(1 + 1.375 / t**2, abs=20 / t**4)
 
 
+@pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
 @pytest.mark.parametrize("bandwidth", [1.6, 3.0, 10.0, 100.0])
 def test_area_from_moments_leaves_that_of_bush_gibson_and_thomas(bandwidth: float) -> None:
     """Their A/P goes to (pi/m2)^(1/2)/E* (Wear 35 (1975), 87), that of spheres of one radius grows beyond it: by

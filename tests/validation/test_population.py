@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import boundary_elements
+from asperity._bandwidth_bias import BIAS, Kind
 from boundary_elements import PRESSURES, Row, Spectrum
 
 FROZEN = boundary_elements.frozen()
@@ -74,3 +75,27 @@ def test_the_fraction_in_contact_tells_nothing_of_the_error() -> None:
     narrow = [row.by_moments for row in of_bandwidth(1.5, 2, PRESSURES[1])]
     assert mean([answer.fraction_in_contact for answer in narrow]) > 0.3
     assert mean([answer.friction for answer in narrow]) == pytest.approx(1, abs=0.15)
+
+
+@pytest.mark.parametrize("kind", ["equal", "nayak", "map"])
+@pytest.mark.parametrize("bandwidth", list(BIAS))
+def test_warnings_of_bandwidth_have_the_bias_of_the_frozen_rows(bandwidth: float, kind: Kind) -> None:
+    answers = {"equal": "by_moments", "nayak": "by_nayak", "map": "by_map"}
+    area, friction, doubtful = [], [], []
+    for pressure in PRESSURES:
+        found = [getattr(row, answers[kind]) for row in of_bandwidth(bandwidth / 1.2, bandwidth * 1.2, pressure)]
+        area.append(mean([answer.area for answer in found]))
+        friction.append(mean([answer.friction for answer in found]))
+        scatter = float(np.std([answer.friction for answer in found], ddof=1))
+        doubtful.append(abs(friction[-1] - 1) > 0.1 + scatter)
+    bias = BIAS[bandwidth][kind]
+    assert bias.area == pytest.approx((min(area), max(area)), abs=0.0051)
+    assert bias.friction == pytest.approx((min(friction), max(friction)), abs=0.0051)
+    assert bias.doubtful == any(doubtful)
+
+
+def test_nayaks_radii_bring_narrow_spectra_to_boundary_elements() -> None:
+    """At the lightest load, where equal radii overrate area by a third and friction by a quarter."""
+    rows = of_bandwidth(1.5, 2, PRESSURES[0])
+    assert mean([row.by_nayak.area for row in rows]) == pytest.approx(1, abs=0.1)
+    assert mean([row.by_nayak.friction for row in rows]) == pytest.approx(1, abs=0.1)

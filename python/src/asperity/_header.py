@@ -195,6 +195,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_params_set_dimensionless": (asperity_status, [_params, *5 * [c_double]]),
     "asperity_params_set_materials": (asperity_status, [_params, *4 * [c_double]]),
     "asperity_params_set_spectral_moments": (asperity_status, [_params, *4 * [c_double]]),
+    "asperity_params_set_nayak_summits": (asperity_status, [_params, *4 * [c_double]]),
     "asperity_params_set_skew": (asperity_status, [_params, c_double]),
     "asperity_params_set_value": (asperity_status, [_params, c_char_p, c_double]),
     "asperity_params_set_values": (asperity_status, [_params, c_size_t, POINTER(POINTER(c_char)), _doubles]),

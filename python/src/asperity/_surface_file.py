@@ -74,7 +74,7 @@ def _literal(value: Any) -> str:
 
 def _params(found: dict[str, Any]) -> Params:
     materials = _table(found, "materials", _MATERIALS)
-    roughness = _table(found, "roughness", (*_MOMENTS, *_ISO))
+    roughness = _table(found, "roughness", (*_MOMENTS, *_ISO, "summits"))
     _check(found, (*_FIELDS, "materials", "roughness"), "")
     given = {name: value for name, value in found.items() if name not in ("materials", "roughness")}
     if materials:

@@ -9,7 +9,7 @@ import os
 from dataclasses import MISSING, dataclass, fields
 from typing import TYPE_CHECKING, Any, Literal, Sequence
 
-from . import _header
+from . import _bandwidth_bias, _header
 from ._library import LIBRARY
 from .errors import Error, Status, check
 
@@ -65,6 +65,17 @@ _CONTACT_LAWS = {
 }
 # What a field means for the heights, where no height_distribution is given with it. A skew alone is one of Weibull's.
 _CHOOSES = {"weibull_shape": "weibull", "kurtosis": "johnson", "table_height": "tabulated", "table_density": "tabulated"}
+_HEIGHTS = {"height_distribution", "skew", *_CHOOSES}
+
+# How the summits of moments are known: what sets them, and the fields that it sets. A kurtosis means Johnson's heights.
+_MOMENTS = ("height_std", "summit_radius", "asperity_count", "nominal_area")
+_SETTERS: dict[str, tuple[Any, tuple[str, ...]]] = {
+    "equal": (LIBRARY.asperity_params_set_spectral_moments, _MOMENTS),
+    "nayak": (
+        LIBRARY.asperity_params_set_nayak_summits,
+        (*_MOMENTS, "skew", "kurtosis", "radius_amplitude", "radius_rate"),
+    ),
+}
 
 
 def _initialised() -> _header.asperity_params:
@@ -252,31 +263,51 @@ class Params:
 
     @classmethod
     def from_spectral_moments(
-        cls, *, m0: float, m2: float, m4: float, nominal_area: float, **contact: Unpack[Contact]
+        cls,
+        *,
+        m0: float,
+        m2: float,
+        m4: float,
+        nominal_area: float,
+        summits: Literal["equal", "nayak"] = "equal",
+        **contact: Unpack[Contact],
     ) -> Params:
         """Roughness from the variances of height, slope and curvature along profiles of an isotropic Gaussian surface.
 
         Summit density, radius and height deviation are those of Nayak (1971), with the variance of Bush, Gibson and
-        Thomas (1975), as McCool (1987) collects them. Two rough surfaces: add their moments.
+        Keogh (1976), as McCool (1987) collects them. Two rough surfaces: add their moments.
 
         Args:
             m0: variance of the heights [m^2] > 0.
             m2: variance of the slopes dz/dx > 0.
             m4: variance of the curvatures d2z/dx2 [1/m^2] > 0; the bandwidth m0 m4/m2^2 is at least 1.5.
             nominal_area: [m^2] > 0.
+            summits: "equal" for one radius and the heights that `contact` tells, Gaussian without; "nayak" for Johnson's
+                heights and radii that fall with height, both from Nayak's joint distribution of height and curvature,
+                which the bandwidth determines; `contact` must not tell heights or radii then.
             **contact: materials, adhesion and options, as `si` takes them.
 
         Raises:
             Error: a value that the library refuses.
             TypeError: an unknown name, one missing, or names that exclude each other.
+
+        Warns:
+            ValidityWarning: a bandwidth for which friction is off by more than 10 %: the message has the expected bias.
         """
+        if summits not in _SETTERS:
+            raise Error(f"summits = {summits!r}: must be 'equal' or 'nayak'", Status.INVALID_PARAMETER)
         struct: Any = _initialised()
         moments = {"m0": m0, "m2": m2, "m4": m4, "nominal_area": nominal_area}
         values = [_real(name, value) for name, value in moments.items()]
-        check(LIBRARY.asperity_params_set_spectral_moments(ctypes.byref(struct), *values))
-        set_by_moments = ("height_std", "summit_radius", "asperity_count", "nominal_area")
-        summits = {name: getattr(struct, name) for name in set_by_moments}
-        return cls.si(**summits, **contact)
+        setter, names = _SETTERS[summits]
+        check(setter(ctypes.byref(struct), *values))
+        surface: dict[str, Any] = {name: getattr(struct, name) for name in names}
+        twice = sorted((surface.keys() | _HEIGHTS) & contact.keys()) if summits == "nayak" else []
+        if twice:
+            raise TypeError(f'{twice[0]}: summits="nayak" tells heights and radii, leave one out')
+        params = cls.si(**surface, **contact)
+        _bandwidth_bias.warn(m0 / m2 * (m4 / m2), summits, stacklevel=2)
+        return params
 
     @classmethod
     def from_iso25178(
@@ -289,6 +320,7 @@ class Params:
         Ssk: float | None = None,
         Sku: float | None = None,
         nominal_area: float,
+        summits: Literal["equal", "nayak"] = "equal",
         **contact: Unpack[Contact],
     ) -> Params:
         """Roughness from areal parameters of an isotropic surface, all in SI units: lengths in m, not in um.
@@ -305,6 +337,7 @@ class Params:
             Ssk: skew of the heights, together with `Sku`; heights are Gaussian without them.
             Sku: kurtosis of the heights.
             nominal_area: [m^2] > 0.
+            summits: "equal" or "nayak", as for `from_spectral_moments`; "nayak" excludes `Ssk` and `Sku`.
             **contact: materials, adhesion and options, as `si` takes them.
 
         Raises:
@@ -321,7 +354,7 @@ class Params:
         m2 = areal["Sdq"] ** 2 / 2
         m4 = 9 * math.pi / 64 * areal["Ssc"] ** 2 if "Ssc" in areal else 6 * math.pi * 3**0.5 * m2 * areal["Sds"]
         params = cls.from_spectral_moments(
-            m0=areal["Sq"] ** 2, m2=m2, m4=m4, nominal_area=nominal_area, **shape, **contact
+            m0=areal["Sq"] ** 2, m2=m2, m4=m4, nominal_area=nominal_area, summits=summits, **shape, **contact
         )
         if len(areal) == len(given):
             return params.replace(asperity_count=areal["Sds"] * nominal_area)
@@ -354,6 +387,9 @@ class Params:
         Raises:
             Error: a value that the library refuses.
             TypeError: an unknown name, one missing, or one that the map tells.
+
+        Warns:
+            ValidityWarning: a bandwidth for which friction is off by more than 10 %: the message has the expected bias.
         """
         if not hasattr(summits, "radius_trend"):
             raise TypeError(f"summits = {summits!r}: must be what asperity.surface.summits returns")
@@ -368,7 +404,9 @@ class Params:
         }
         if trending:
             surface["radius_rate"] = law.rate
-        return cls.si(**surface, **_heights_of(summits, heights), **contact)
+        params = cls.si(**surface, **_heights_of(summits, heights), **contact)
+        _bandwidth_bias.warn(summits.moments.bandwidth, "map", stacklevel=2)
+        return params
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Params:

@@ -649,7 +649,7 @@ impl<'a> Calls<'a> {
 
     pub fn setters(&mut self, x: [f64; 5]) {
         let before = asperity_params::initial();
-        for which in 0..4 {
+        for which in 0..5 {
             let mut params = before;
             let at: *mut asperity_params = &mut params;
             reset_message();
@@ -657,6 +657,7 @@ impl<'a> Calls<'a> {
                 0 => call!(self, x, asperity_params_set_dimensionless(at, x[0], x[1], x[2], x[3], x[4])),
                 1 => call!(self, x, asperity_params_set_materials(at, x[0], x[1], x[2], x[3])),
                 2 => call!(self, x, asperity_params_set_spectral_moments(at, x[0], x[1], x[2], x[3])),
+                3 => call!(self, x, asperity_params_set_nayak_summits(at, x[0], x[1], x[2], x[3])),
                 _ => call!(self, x, asperity_params_set_skew(at, x[0])),
             };
             if status == OK {
