@@ -21,7 +21,7 @@ before="$(git status --porcelain)"
 
 rm -rf "$target/python-venv"
 "${PYTHON:-python3}" -m venv "$target/python-venv"
-"$target/python-venv/bin/pip" install --quiet --disable-pip-version-check './python[fit,plot,test,topography]'
+"$target/python-venv/bin/pip" install --quiet --disable-pip-version-check './python[fit,jax,plot,test,topography,warp]'
 cd python
 "$target/python-venv/bin/mypy" --cache-dir "$target/python-mypy" src tests examples
 "$target/python-venv/bin/pytest" --basetemp "$target/python-tests" "$@"

@@ -20,6 +20,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _header
+from . import table as _table
 from ._library import LIBRARY
 from .errors import Error, Status, check
 from .params import Params
@@ -266,6 +267,23 @@ class Model:
         handle = self._open()
         check(LIBRARY.asperity_check_loads(handle.pointer, float(lightest), float(heaviest), ctypes.byref(bits)))
         return Warnings(bits.value)
+
+    def table(self, dtype: npt.DTypeLike = np.float64) -> _table.Table:
+        """The compiled law as arrays, for code that cannot call the library; `asperity.table` has the indexing rule.
+
+        Args:
+            dtype: float64 for a view of the library's table, or float32 for one made of it, for processors that are slow
+                at doubles.
+
+        Raises:
+            ValueError: another type.
+        """
+        found = _table.of_doubles(self._open())
+        if np.dtype(dtype) == np.float64:
+            return found
+        if np.dtype(dtype) == np.float32:
+            return _table.of_floats(found)
+        raise ValueError(f"dtype = {np.dtype(dtype)}: must be float64 or float32")
 
     def warn(self, lightest: float, heaviest: float) -> None:
         """Issues a `ValidityWarning` for each assumption that fails between two loads, once per model and assumption.
