@@ -68,7 +68,7 @@ hosts:
 	@echo "== hosts/run.sh"; hosts/run.sh
 
 site:
-	site/build.sh
+	docs/site/build.sh
 
 # Two pictures are of measurements, which come with them: docs/performance.svg is drawn by make bench, docs/domain.svg by make
 # domain.

@@ -1,6 +1,6 @@
 """Every link and picture of the site leads to a file of it, and to a place in it that exists.
 
-usage: python site/check_links.py FOLDER      the pages; those of rustdoc are followed to, but checked by rustdoc
+usage: python docs/site/check_links.py FOLDER      the pages; those of rustdoc are followed to, but checked by rustdoc
 """
 
 import sys
@@ -46,7 +46,7 @@ def main(folder: Path) -> None:
                 wrong.append(f"{path.relative_to(folder)}: {link}: no such place")
     print(f"{len(pages)} pages, {count} links")
     if wrong or not count:
-        sys.exit("\n".join(wrong) or "site/check_links.py: no links")
+        sys.exit("\n".join(wrong) or "docs/site/check_links.py: no links")
 
 
 main(Path(sys.argv[1]).resolve())

@@ -1,6 +1,6 @@
 """Gathers the pages of the site: those of the repository with what they link to, and the references made from the sources.
 
-usage: python site/build.py FOLDER      writes FOLDER anew
+usage: python docs/site/build.py FOLDER      writes FOLDER anew
 
 The program on the front page is compiled and run: the build fails if it does not print what the page says.
 """
@@ -12,7 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)\s]*)?\)")
 COMMENT = r"/\*\*\n((?: \*(?!/).*\n)+) \*/\n"
 FENCE = re.compile(r"^```(\w+) .*$", re.MULTILINE)
@@ -91,7 +91,7 @@ def check_program(page: str, folder: Path) -> None:
     subprocess.run([compiler, "-std=c11", "-Wall", "-Werror", f"-I{ROOT}/include", source, "-o", program, *link], check=True)
     printed = subprocess.run([program], check=True, capture_output=True, text=True).stdout
     if printed != found[2]:
-        sys.exit(f"site/build.py: the program of site/index.md prints:\n{printed}")
+        sys.exit(f"docs/site/build.py: the program of docs/site/index.md prints:\n{printed}")
     source.unlink()
     program.unlink()
 
@@ -100,7 +100,7 @@ def main(folder: Path) -> None:
     shutil.rmtree(folder, ignore_errors=True)
     gather(folder / "guide")
     shutil.copy(ROOT / "js" / "dist" / "explorer.html", folder / "explorer.html")
-    index = (ROOT / "site" / "index.md").read_text(encoding="utf-8")
+    index = (Path(__file__).with_name("index.md")).read_text(encoding="utf-8")
     check_program(index, folder)
     (folder / "index.md").write_text(index, encoding="utf-8")
     (folder / "guide" / "docs" / "explorer.md").write_text(EXPLORER, encoding="utf-8")
