@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Builds the JavaScript package and the explorer in js/dist, with the packages of package-lock.json.
 #
-# usage: js/build.sh      needs cargo with the target wasm32-unknown-unknown, python3, node and npm: tests/setup.sh web
+# usage: js/build.sh      needs cargo with the target wasm32-unknown-unknown, node and npm: tests/setup.sh web
 set -euo pipefail
 cd "$(dirname "$0")"
 
-for tool in cargo python3 node npm; do
+for tool in cargo node npm; do
     command -v "$tool" >/dev/null || { echo "js/build.sh: $tool is missing; run tests/setup.sh web" >&2; exit 1; }
 done
 # npm ci begins with nothing: once for each list of packages.

@@ -17,7 +17,7 @@ cargo build --release --locked --quiet
 js/build.sh
 "$venv/bin/python" docs/site/build.py target/site/pages
 NO_MKDOCS_2_WARNING=1 "$venv/bin/mkdocs" build --quiet --strict --config-file docs/site/mkdocs.yml
-cargo doc --release --locked --quiet --no-deps --lib
+RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --quiet --no-deps --lib
 cp -r "${CARGO_TARGET_DIR:-target}/doc" target/site/html/rust
 "$venv/bin/python" docs/site/check_links.py target/site/html
 echo "The site is in target/site/html. To look at it, with its search: python3 -m http.server --directory target/site/html"

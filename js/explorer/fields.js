@@ -1,5 +1,5 @@
 // What a user sets of a surface: the fields, their units on the page and in the library, and the parameters they become.
-import { contact, momentsOfAreal } from "../dist/instantiate.js";
+import { momentsOfAreal } from "../dist/instantiate.js";
 
 /**
  * Fields of a surface. `power` is that of ten by which a number on the page becomes one in SI units; `slider` the range of
@@ -59,9 +59,9 @@ export function numbers(surface) {
   return found;
 }
 
-/** What the materials tell: numbers for the fields of a pair, as text in the page's units. */
-export function fieldsOfPair(first, second) {
-  const given = contact(first, second);
+/** What the library tells of two materials: numbers for the fields of a pair, as text in the page's units. */
+export function fieldsOfPair(library, first, second) {
+  const given = library.contact(first, second);
   const keys = ["E1", "nu1", "E2", "nu2", "work_of_adhesion", "adhesion_range", "burgers_vector", "hardness", "slip_stress_1"];
   return Object.fromEntries(
     keys.map((key) => [key, given[key] === undefined ? "" : String(shifted(given[key], -FIELDS[key].power))]),
@@ -69,10 +69,10 @@ export function fieldsOfPair(first, second) {
 }
 
 /** A surface to start from. */
-export const start = () => ({
+export const start = (library) => ({
   first: "Si",
   second: "Si",
-  ...fieldsOfPair("Si", "Si"),
+  ...fieldsOfPair(library, "Si", "Si"),
   contact_law: "maugis",
   roughness: "areal",
   Sq: "5", Sdq: "0.08", Sds: "20",

@@ -1,12 +1,11 @@
 // The page: what is set, what follows from it, and what is shown of that.
-import { MATERIALS, PAIRS, instantiate, momentsOfMap } from "../dist/instantiate.js";
-import { pairOf } from "../dist/materials.js";
+import { instantiate, momentsOfMap } from "../dist/instantiate.js";
 import { Chart, STYLES, description } from "./chart.js";
 import { banded, curveOf } from "./curves.js";
 import { FIELDS, ROUGHNESS, fieldOf, fieldsOfPair, paramsOf, parsed, shifted, start } from "./fields.js";
 import { read } from "./maps.js";
 import { LANGUAGES, snippet } from "./snippets.js";
-import { coefficient, percent, short, spansText, summary, title, withUnit } from "./text.js";
+import { coefficient, missing, percent, short, spansText, summary, title, withUnit } from "./text.js";
 
 const LETTERS = ["A", "B", "C", "D"];
 /** Standard deviations to start from, in per cent; the names are the library's. */
@@ -27,7 +26,7 @@ const QUIET_MS = 500;
 const $ = (id) => document.getElementById(id);
 
 /** What is set: surfaces by letter, the one that the fields show. */
-const state = { surfaces: new Map([["A", start()]]), active: "A" };
+const state = { surfaces: new Map(), active: "A" };
 /** Curves that were computed, by letter: with what they were computed from. */
 const computed = new Map();
 let library;
@@ -110,14 +109,21 @@ function fill() {
 }
 
 function notePair() {
+  const { MATERIALS, PAIRS } = library;
   const { first, second } = active();
-  const pair = pairOf(first, second);
-  $("pair-note").textContent = pair
-    ? `Work of adhesion of this pair: ${range(pair.work_of_adhesion_range, -3, "mJ/m²")}; it depends on what covers the surfaces.`
-    : "No work of adhesion is listed for this pair: set the one of yours.";
-  const sources = [...new Set([first, second])].map((name) => `${name}: ${MATERIALS[name].reference}.`);
-  if (pair) sources.push(`${pair.first}/${pair.second}: ${pair.reference}.`);
+  const pair = PAIRS[`${first}/${second}`] ?? PAIRS[`${second}/${first}`];
+  const bodies = [...new Set([first, second])].map((name) => MATERIALS[name]);
+  $("pair-note").textContent = [adhesion(pair), ...bodies.flatMap(missing)].join(" ");
+  const sources = bodies.map(({ name, reference }) => `${name}: ${reference}.`);
+  if (pair) sources.push(`${pair.name}: ${pair.reference}.`);
   $("sources").replaceChildren(...sources.map((text) => element("p", {}, text)));
+}
+
+function adhesion(pair) {
+  if (!pair) return "No work of adhesion is listed for this pair: set the one of yours.";
+  const { work_of_adhesion: one, work_of_adhesion_range: several } = pair;
+  const values = several ? range(several, -3, "mJ/m²") : `${shifted(one, 3)} mJ/m², without a range`;
+  return `Work of adhesion of this pair: ${values}; it depends on what covers the surfaces.`;
 }
 
 const range = ([low, high], power, unit) => `${shifted(low, -power)} to ${shifted(high, -power)} ${unit}`;
@@ -424,12 +430,12 @@ function restore() {
   const known = (list, word) => Object.hasOwn(list, word);
   const surfaces = (Array.isArray(kept?.surfaces) ? kept.surfaces : []).filter(
     ([letter, one]) =>
-      LETTERS.includes(letter) && known(MATERIALS, one.first) && known(MATERIALS, one.second) && known(ROUGHNESS, one.roughness),
+      LETTERS.includes(letter) && known(library.MATERIALS, one.first) && known(library.MATERIALS, one.second) && known(ROUGHNESS, one.roughness),
   );
   if (!surfaces.length) return;
-  const fields = Object.keys(start());
+  const fields = Object.keys(start(library));
   state.surfaces = new Map(
-    surfaces.map(([letter, one]) => [letter, { ...start(), ...Object.fromEntries(fields.filter((key) => typeof one[key] === "string").map((key) => [key, one[key]])) }]),
+    surfaces.map(([letter, one]) => [letter, { ...start(library), ...Object.fromEntries(fields.filter((key) => typeof one[key] === "string").map((key) => [key, one[key]])) }]),
   );
   state.active = state.surfaces.has(kept.active) ? kept.active : surfaces[0][0];
   for (const [id, value] of Object.entries(kept.set ?? {})) if (id in saved().set) $(id).value = value;
@@ -439,7 +445,7 @@ function restore() {
 // --- once
 
 function build() {
-  for (const id of ["first", "second"]) $(id).append(...Object.keys(MATERIALS).map((name) => element("option", { value: name }, name)));
+  for (const id of ["first", "second"]) $(id).append(...Object.keys(library.MATERIALS).map((name) => element("option", { value: name }, name)));
   $("roughness").append(...Object.entries(ROUGHNESS).map(([value, { label }]) => element("option", { value }, label)));
   $("language").append(...Object.keys(LANGUAGES).map((name) => element("option", { value: name }, name)));
   $("fields-adhesion").append(field("work_of_adhesion"));
@@ -460,7 +466,7 @@ function listen() {
     $(id).addEventListener("change", () => {
       const surface = active();
       surface[id] = $(id).value;
-      const told = fieldsOfPair(surface.first, surface.second);
+      const told = fieldsOfPair(library, surface.first, surface.second);
       // A pair without a work of adhesion keeps the one that is set.
       if (!told.work_of_adhesion) delete told.work_of_adhesion;
       Object.assign(surface, told);
@@ -518,9 +524,10 @@ async function unpacked() {
 }
 
 async function begin() {
+  library = await instantiate(await unpacked());
+  state.surfaces.set("A", start(library));
   build();
   restore();
-  library = await instantiate(await unpacked());
   $("version").textContent = library.version;
   chart = new Chart($("chart"), (load) => {
     const { loads } = shown[0].curve;

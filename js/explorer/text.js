@@ -59,3 +59,12 @@ export const spansText = ({ spans }, [lightest, heaviest]) =>
       return `from ${withUnit(from, "N")} to ${withUnit(to, "N")}`;
     })
     .join(", ") || "between two points of the curve";
+
+/** What is not known of a body, and what follows from that. */
+export function missing({ name, burgers_vector, hardness }) {
+  const found = [];
+  if (burgers_vector === null)
+    found.push(`No Burgers vector of ${name} is known: set the Burgers vector and the range of adhesion of yours.`);
+  if (hardness === null) found.push(`No hardness of ${name} is known: without one, yield is not shown.`);
+  return found;
+}

@@ -4,4 +4,6 @@ import { instantiate } from "./instantiate.js";
 export * from "./instantiate.js";
 const response = await fetch(new URL("./asperity.wasm", import.meta.url));
 if (!response.ok) throw new Error(`asperity.wasm: the server answers ${response.status} ${response.statusText}`);
-export const { Model, version, warningsOf, memorySize } = await instantiate(await response.arrayBuffer());
+const instance = await instantiate(await response.arrayBuffer());
+export const { Model, version, warningsOf, memorySize } = instance;
+export const { MATERIALS, PAIRS, material, pair, contact, nayakSummits } = instance;

@@ -3,6 +3,8 @@ import { readFile } from "node:fs/promises";
 import { instantiate } from "./instantiate.js";
 
 export * from "./instantiate.js";
-export const { Model, version, warningsOf, memorySize } = await instantiate(
+const instance = await instantiate(
   await readFile(new URL("./asperity.wasm", import.meta.url)),
 );
+export const { Model, version, warningsOf, memorySize } = instance;
+export const { MATERIALS, PAIRS, material, pair, contact, nayakSummits } = instance;

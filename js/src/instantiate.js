@@ -1,13 +1,17 @@
 // The package on WebAssembly that the caller brings: for single files, workers and hosts with their own way to load.
 import { CONSTANTS } from "./header.js";
 import { AsperityError, Library } from "./library.js";
+import { materialsOf } from "./materials.js";
 import { Model, warningsOf } from "./model.js";
+import { nayakSummits } from "./roughness.js";
 
 /** @typedef {import("./params.js").Params} Params */
 /** @typedef {import("./model.js").State} State */
 /** @typedef {import("./model.js").Summary} Summary */
 /** @typedef {import("./model.js").Sensitivities} Sensitivities */
 /** @typedef {import("./model.js").Warning} Warning */
+/** @typedef {import("./materials.js").Material} Material */
+/** @typedef {import("./materials.js").Pair} Pair */
 
 /**
  * One instance of the library, with a memory of its own.
@@ -15,11 +19,12 @@ import { Model, warningsOf } from "./model.js";
  * @property {new (params: Params) => Model} Model a friction law: `new Model(params)`
  * @property {string} version of the library
  * @property {(bits: number) => Warning[]} warningsOf the `warnings` of a state, in words
+ * @property {(moments: import("./roughness.js").Moments, nominal_area: number) => Params} nayakSummits roughness from
+ *   spectral moments, with the heights and radii that summits of a Gaussian surface have
  * @property {() => number} memorySize how much memory the instance has taken [bytes]
  */
 
 export { AsperityError };
-export { MATERIALS, PAIRS, contact } from "./materials.js";
 export { momentsOfAreal, momentsOfMap } from "./roughness.js";
 
 /** Why a call failed; the numbers are those of the C interface. */
@@ -38,7 +43,7 @@ export const Status = Object.freeze({
 /**
  * Makes an instance of the library.
  * @param {BufferSource | WebAssembly.Module} source asperity.wasm, as bytes or compiled
- * @returns {Promise<Instance>}
+ * @returns {Promise<Instance & import("./materials.js").Materials>}
  */
 export async function instantiate(source) {
   const module = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
@@ -52,6 +57,8 @@ export async function instantiate(source) {
     },
     version: library.string(library.call("version")),
     warningsOf: (bits) => warningsOf(library, BigInt(bits)),
+    ...materialsOf(library),
+    nayakSummits: (moments, nominal_area) => nayakSummits(library, moments, nominal_area),
     memorySize: () => library.memory.buffer.byteLength,
   };
 }

@@ -110,6 +110,14 @@ export class Library {
     return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
   }
 
+  /** Lays a name into the block, for one call. The library reads no more of it than this. @param {string} name */
+  text(name) {
+    const at = this.block + TEXT;
+    const bytes = new TextEncoder().encode(name.slice(0, 64));
+    new Uint8Array(this.memory.buffer).set([...bytes, 0], at);
+    return at;
+  }
+
   /**
    * Sets parameters by their names in the struct that lies at `struct`.
    * @param {string[]} names

@@ -1,49 +1,130 @@
-// Materials and pairs of them, with sources, in SI units: the table of asperity.materials in the Python package.
-import { TABLE } from "./materials_table.js";
+// Materials and pairs of them, with sources, in SI units, as the library has them.
+import { LAYOUTS } from "./header.js";
 
 /**
- * An isotropic elastic body; null where no value is trusted.
- * @typedef {{
- *   name: string, young: number, young_range: number[], poisson: number, hardness: number | null,
- *   hardness_range: number[] | null, burgers_vector: number, reference: string
- * }} Material
- *
- * Two bodies, by name, and what holds them together.
- * @typedef {{
- *   first: string, second: string, work_of_adhesion: number, work_of_adhesion_range: number[], hamaker: number | null,
- *   slip_stress_1: number | null, reference: string
- * }} Pair
+ * An isotropic elastic body; null where no source is known.
+ * @typedef {object} Material
+ * @property {string} name
+ * @property {number} young Young's modulus [Pa]
+ * @property {number[] | null} young_range of published values [Pa]
+ * @property {number} poisson Poisson's ratio
+ * @property {number | null} hardness indentation hardness [Pa]
+ * @property {number[] | null} hardness_range of published values [Pa]
+ * @property {number | null} burgers_vector [m]; of a glass the distance of like atoms; an elastomer has none
+ * @property {string} reference where the numbers are from
  */
-
-/** @type {Readonly<Record<string, Material>>} */
-export const MATERIALS = Object.freeze(TABLE.materials);
-/** @type {Readonly<Record<string, Pair>>} */
-export const PAIRS = Object.freeze(TABLE.pairs);
-
-/** The pair of two materials, in either order. @param {string} first @param {string} second @returns {Pair | undefined} */
-export const pairOf = (first, second) => PAIRS[`${first}/${second}`] ?? PAIRS[`${second}/${first}`];
 
 /**
- * The parameters of a contact of two materials: moduli, the longer Burgers vector, the range of adhesion equal to it, the
- * lesser hardness if both are known, and of a pair that is listed its work of adhesion and measured slip stress.
- * @param {string} first
- * @param {string} second
- * @returns {import("./params.js").Params}
+ * Two bodies and what holds them together; null where no source is known.
+ * @typedef {object} Pair
+ * @property {string} name both bodies, with a slash between
+ * @property {string} first
+ * @property {string} second
+ * @property {number} work_of_adhesion w [J/m^2]
+ * @property {number[] | null} work_of_adhesion_range of measurements and estimates [J/m^2]
+ * @property {number | null} hamaker the Hamaker constant [J] that w is estimated from
+ * @property {number | null} slip_stress_1 measured shear strength of small contacts over G*
+ * @property {string} reference where w and the strength are from
  */
-export function contact(first, second) {
-  const bodies = [first, second].map((name) => {
-    if (!Object.hasOwn(MATERIALS, name))
-      throw new RangeError(`material "${name}": is not known; known are ${Object.keys(MATERIALS).join(", ")}`);
-    return MATERIALS[name];
-  });
-  const [one, other] = bodies;
-  const burgers_vector = Math.max(one.burgers_vector, other.burgers_vector);
+
+/**
+ * What a library knows of materials.
+ * @typedef {object} Materials
+ * @property {Readonly<Record<string, Material>>} MATERIALS all, by name
+ * @property {Readonly<Record<string, Pair>>} PAIRS all, by name
+ * @property {(name: string) => Material} material one of them; of an unknown name the nearest is told
+ * @property {(name: string) => Pair} pair one of them, in either order; of an unknown name the nearest is told
+ * @property {(first: string, second: string) => import("./params.js").Params} contact the parameters of a contact of two
+ *   materials, to which the roughness is added: moduli, the longer Burgers vector, the range of adhesion equal to it, the
+ *   lesser hardness if both are known, and of a pair that is listed its work of adhesion and measured slip stress. What is
+ *   not known is left out: a model asks for it.
+ */
+
+/** Reads them. @param {import("./library.js").Library} library @returns {Materials} */
+export function materialsOf(library) {
+  const material = (/** @type {string} */ name) => materialOf(library, name);
+  const pair = (/** @type {string} */ name) => pairOf(library, name);
+  const PAIRS = table(library, "pair", pair);
+  /** @type {Materials["contact"]} */
+  const contact = (first, second) => {
+    const listed = PAIRS[`${first}/${second}`] ?? PAIRS[`${second}/${first}`];
+    return contactOf(material(first), material(second), listed);
+  };
+  return { MATERIALS: table(library, "material", material), PAIRS, material, pair, contact };
+}
+
+/**
+ * @template Entry
+ * @param {import("./library.js").Library} library
+ * @param {string} of
+ * @param {(name: string) => Entry} read
+ * @returns {Readonly<Record<string, Entry>>}
+ */
+function table(library, of, read) {
+  /** @type {Record<string, Entry>} */
+  const found = {};
+  for (let index = 0; ; index++) {
+    const pointer = library.call(`${of}_name`, index);
+    if (!pointer) return Object.freeze(found);
+    const name = library.string(pointer);
+    found[name] = read(name);
+  }
+}
+
+/** @param {import("./library.js").Library} library @param {string} name @returns {Material} */
+function materialOf(library, name) {
+  const data = named(library, "material", name);
+  return {
+    name: data.name,
+    young: data.young,
+    young_range: range(data.young_low, data.young_high),
+    poisson: data.poisson,
+    hardness: known(data.hardness),
+    hardness_range: range(data.hardness_low, data.hardness_high),
+    burgers_vector: known(data.burgers_vector),
+    reference: data.reference,
+  };
+}
+
+/** @param {import("./library.js").Library} library @param {string} name @returns {Pair} */
+function pairOf(library, name) {
+  const data = named(library, "pair", name);
+  const [first, second] = data.name.split("/");
+  return {
+    name: data.name,
+    first,
+    second,
+    work_of_adhesion: data.work_of_adhesion,
+    work_of_adhesion_range: range(data.work_of_adhesion_low, data.work_of_adhesion_high),
+    hamaker: known(data.hamaker),
+    slip_stress_1: known(data.slip_stress_1),
+    reference: data.reference,
+  };
+}
+
+/** The struct of this name, with its strings. @param {import("./library.js").Library} library @param {string} of @param {string} name */
+function named(library, of, name) {
+  if (typeof name !== "string") throw new TypeError(`${of} = ${String(name)}: must be a name`);
+  const struct = `asperity_${of}_data`;
+  const found = library.fill(struct, of, library.text(name));
+  for (const { name: field, type, offset } of LAYOUTS[struct].fields)
+    if (type === "pointer") found[field] = library.string(library.data().getUint32(library.out + offset, true));
+  return found;
+}
+
+/** 0 is the library's word for what no source is known for. @param {number} value */
+const known = (value) => (value > 0 ? value : null);
+/** @param {number} low @param {number} high */
+const range = (low, high) => (high > 0 ? [low, high] : null);
+
+/** @param {Material} one @param {Material} other @param {Pair} [pair] */
+function contactOf(one, other, pair) {
   /** @type {import("./params.js").Params} */
   const found = { E1: one.young, nu1: one.poisson, E2: other.young, nu2: other.poisson };
-  Object.assign(found, { adhesion_range: burgers_vector, burgers_vector });
+  if (one.burgers_vector !== null && other.burgers_vector !== null)
+    found.adhesion_range = found.burgers_vector = Math.max(one.burgers_vector, other.burgers_vector);
   if (one.hardness !== null && other.hardness !== null) found.hardness = Math.min(one.hardness, other.hardness);
-  const pair = pairOf(first, second);
   if (pair) found.work_of_adhesion = pair.work_of_adhesion;
-  if (pair?.slip_stress_1) found.slip_stress_1 = pair.slip_stress_1;
+  if (pair && pair.slip_stress_1 !== null) found.slip_stress_1 = pair.slip_stress_1;
   return found;
 }

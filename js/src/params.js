@@ -44,8 +44,8 @@ export function writeParams(library, params) {
   if (table_height || table_density) writeTable(library, table_height ?? [], table_density ?? [], params.height_distribution);
 }
 
-/** @param {string} name @param {unknown} value */
-function number(name, value) {
+/** A parameter as a number, words by theirs. @param {string} name @param {unknown} value */
+export function number(name, value) {
   if (typeof value === "boolean" && name === "attraction") return Number(value);
   /** @type {Record<string, number> | undefined} */
   const words = name === "height_distribution" ? HEIGHTS : name === "contact_law" ? CONTACT_LAWS : undefined;
@@ -92,10 +92,7 @@ function writeTable(library, height, density, distribution) {
 export function readParams(library, model) {
   const size = BigInt(LAYOUTS.asperity_params.size);
   library.run("get_params_sized", model, library.struct, size);
-  const { reserved, table_length, ...found } = library.read(library.struct, "asperity_params");
-  found.attraction = found.attraction !== 0;
-  found.height_distribution = wordOf(HEIGHTS, found.height_distribution);
-  found.contact_law = wordOf(CONTACT_LAWS, found.contact_law);
+  const { table_length, ...found } = readStruct(library);
   if (table_length) {
     for (const name of ["table_height", "table_density"]) {
       const offset = LAYOUTS.asperity_params.fields.find((field) => field.name === name)?.offset ?? 0;
@@ -103,6 +100,15 @@ export function readParams(library, model) {
       found[name] = new Float64Array(library.memory.buffer, pointer, table_length).slice();
     }
   }
+  return found;
+}
+
+/** The struct at `library.struct`, words where they are words. @param {import("./library.js").Library} library */
+export function readStruct(library) {
+  const { reserved, ...found } = library.read(library.struct, "asperity_params");
+  found.attraction = found.attraction !== 0;
+  found.height_distribution = wordOf(HEIGHTS, found.height_distribution);
+  found.contact_law = wordOf(CONTACT_LAWS, found.contact_law);
   return found;
 }
 

@@ -1,5 +1,7 @@
-// Spectral moments of a rough surface, from areal parameters or from a height map; as asperity.Params.from_iso25178 and
-// asperity.surface of the Python package compute them.
+// Spectral moments of a rough surface, from areal parameters or from a height map, as asperity.Params.from_iso25178 and
+// asperity.surface of the Python package compute them; and summits from moments.
+import { LAYOUTS } from "./header.js";
+import { number, readStruct } from "./params.js";
 
 /** Variances of height, slope and curvature along profiles. @typedef {{ m0: number, m2: number, m4: number }} Moments */
 
@@ -18,6 +20,26 @@ export function momentsOfAreal({ Sq, Sdq, Sds, Ssc }) {
   const m2 = (Sdq * Sdq) / 2;
   const m4 = Ssc === undefined ? 6 * Math.PI * Math.sqrt(3) * m2 * Number(Sds) : ((9 * Math.PI) / 64) * Ssc * Ssc;
   return { m0: Sq * Sq, m2, m4 };
+}
+
+/** What `asperity_params_set_nayak_summits` sets. */
+const NAYAK = ["height_std", "summit_radius", "asperity_count", "nominal_area", "height_distribution", "skew", "kurtosis",
+  "radius_amplitude", "radius_rate"];
+
+/**
+ * The roughness with the heights and radii that the summits of a Gaussian surface have (Nayak, 1971), for narrow spectra:
+ * bandwidths m0 m4/m2^2 from 1.5 to 2. Moments alone, as parameters, give all summits one radius.
+ * @param {import("./library.js").Library} library
+ * @param {Moments} moments
+ * @param {number} nominal_area [length^2]
+ * @returns {import("./params.js").Params}
+ */
+export function nayakSummits(library, { m0, m2, m4 }, nominal_area) {
+  const values = Object.entries({ m0, m2, m4, nominal_area }).map(([name, value]) => number(name, value));
+  library.run("params_init_unset_sized", library.struct, BigInt(LAYOUTS.asperity_params.size));
+  library.run("params_set_nayak_summits", library.struct, ...values);
+  const found = readStruct(library);
+  return Object.fromEntries(Object.entries(found).filter(([name]) => NAYAK.includes(name)));
 }
 
 /**

@@ -203,6 +203,27 @@ test("bad input gets the library's message, and the field is marked", async () =
   await page.close();
 });
 
+test("what is not known of a material is said, asked for, and taken", async () => {
+  const { page, wrong } = await open();
+  await page.locator("#materials-section summary").click();
+  await page.locator("#first").selectOption("PDMS");
+  await page.locator("#second").selectOption("PDMS");
+  await page.waitForFunction(() => !document.getElementById("error").hidden);
+  assert.match(await page.locator("#pair-note").textContent(), /No Burgers vector of PDMS is known: set the Burgers vector/);
+  assert.match(await page.locator("#error").textContent(), /adhesion_range/);
+  await page.locator("#adhesion_range").fill("10");
+  await page.locator("#burgers_vector").fill("10");
+  await page.waitForFunction(() => document.getElementById("error").hidden);
+  const params = { ...contact("PDMS", "PDMS"), adhesion_range: 1e-8, burgers_vector: 1e-8 };
+  assertNative((await curves(page)).rows, areal(params, start, 1e-8));
+  // Of this pair there is one value, and no range.
+  await page.locator("#first").selectOption("Si");
+  await page.locator("#second").selectOption("Si3N4");
+  assert.match(await page.locator("#pair-note").textContent(), /^Work of adhesion of this pair: 101 mJ\/m², without a range/);
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
 test("up to four surfaces are compared, with their warnings in the library's words", async () => {
   const { page, wrong } = await open();
   const choose = async (first, second) => {

@@ -9,7 +9,7 @@ import { banded } from "../explorer/curves.js";
 import { fieldOf, fieldsOfPair, paramsOf, shifted, start } from "../explorer/fields.js";
 import { read } from "../explorer/maps.js";
 import { LANGUAGES, snippet } from "../explorer/snippets.js";
-import { decade, withUnit } from "../explorer/text.js";
+import { decade, missing, withUnit } from "../explorer/text.js";
 import { LINK, root, scratch } from "./native.mjs";
 import { expected, npy, roughMap, run } from "./python.mjs";
 
@@ -105,9 +105,9 @@ test("files that are none are refused with the place", () => {
 });
 
 const SURFACES = {
-  areal: { ...start(), skew: "-0.2", kurtosis: "3.2" },
-  moments: { ...start(), first: "mica", second: "Au", ...fieldsOfPair("mica", "Au"), roughness: "moments" },
-  summits: { ...start(), first: "steel", second: "steel", ...fieldsOfPair("steel", "steel"), roughness: "summits",
+  areal: { ...start(asperity), skew: "-0.2", kurtosis: "3.2" },
+  moments: { ...start(asperity), first: "mica", second: "Au", ...fieldsOfPair(asperity, "mica", "Au"), roughness: "moments" },
+  summits: { ...start(asperity), first: "steel", second: "steel", ...fieldsOfPair(asperity, "steel", "steel"), roughness: "summits",
     contact_law: "elastic-plastic" },
 };
 
@@ -149,7 +149,7 @@ for (const [name, surface] of Object.entries(SURFACES)) {
 }
 
 test("a program of a surface that is refused prints the library's message", () => {
-  const text = snippet("C", { ...start(), adhesion_range: "-1" }, 1e-3);
+  const text = snippet("C", { ...start(asperity), adhesion_range: "-1" }, 1e-3);
   const path = file("refused.c", text);
   RUN.C(path, resolve(scratch, "refused"));
   assert.throws(
@@ -170,7 +170,7 @@ test("numbers are shown with the prefix and the digits of an engineer", () => {
 });
 
 test("a message of the library points to its field", () => {
-  const areal = start();
+  const areal = start(asperity);
   assert.equal(fieldOf("adhesion_range = -1e-9: must be finite and > 0", areal), "adhesion_range");
   assert.equal(fieldOf("m4 = 1: too small", areal), "Sds");
   assert.equal(fieldOf("asperity_count: must be set", { ...areal, roughness: "summits" }), "summit_density");
@@ -181,4 +181,16 @@ test("the explorer is one file below 500 kB that asks for nothing", () => {
   const page = readFileSync(new URL("../dist/explorer.html", import.meta.url), "utf8");
   assert.ok(Buffer.byteLength(page) < 500e3, `${Buffer.byteLength(page)} bytes`);
   assert.doesNotMatch(page, /<(script|link|img)[^>]+(src|href)="(?!data:)/);
+});
+
+test("what is not known of a material is left empty, asked for, and said", () => {
+  const surface = { ...start(asperity), first: "PDMS", second: "mica", ...fieldsOfPair(asperity, "PDMS", "mica") };
+  for (const key of ["adhesion_range", "burgers_vector", "hardness", "work_of_adhesion"]) assert.equal(surface[key], "", key);
+  surface.work_of_adhesion = "50";
+  assert.throws(() => new Model(paramsOf(surface)), (error) => fieldOf(error.message, surface) === "adhesion_range");
+  const length = { adhesion_range: "10", burgers_vector: "10" };
+  assert.ok(new Model(paramsOf({ ...surface, ...length })).frictionAtLoad(1e-3) > 0);
+  assert.match(missing(asperity.material("PDMS"))[0], /^No Burgers vector of PDMS/);
+  assert.match(missing(asperity.material("mica"))[0], /^No hardness of mica/);
+  assert.deepEqual(missing(asperity.material("Si")), []);
 });

@@ -3,10 +3,16 @@
  *   surface NAME=VALUE ...    a model, the values with 17 digits
  *   load VALUE                friction, slope, force, slope, stiffness; the state; the sensitivities; one line of 64-bit numbers
  *   check LIGHTEST HEAVIEST   the warnings between the two
+ *   materials, pairs          a line for each: name, reference and the numbers, with tabs between
+ *   material NAME, pair NAME  such a line
+ *   contact PAIR VALUE ...    the parameters of asperity_params_set_pair, of the values height_std, summit_radius,
+ *                             asperity_count: one line of 64-bit numbers
+ *   nayak M0 M2 M4 AREA       the parameters of asperity_params_set_nayak_summits, as the line before
  *
  * What the library refuses is answered with "refused: " and its message. */
 #include <asperity.h>
 #include <inttypes.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -66,6 +72,95 @@ static void answer_load(const asperity_model *model, double load) {
     putchar('\n');
 }
 
+static void answer_material(const char *name) {
+    asperity_material_data data = {.struct_size = sizeof data};
+    if (asperity_material(name, &data) != ASPERITY_OK) {
+        print_refused();
+        return;
+    }
+    printf("%s\t%s\t", data.name, data.reference);
+    print_bits(&data.young, (offsetof(asperity_material_data, name) - offsetof(asperity_material_data, young)) / 8);
+    putchar('\n');
+}
+
+static void answer_pair(const char *name) {
+    asperity_pair_data data = {.struct_size = sizeof data};
+    if (asperity_pair(name, &data) != ASPERITY_OK) {
+        print_refused();
+        return;
+    }
+    printf("%s\t%s\t", data.name, data.reference);
+    print_bits(&data.work_of_adhesion, (offsetof(asperity_pair_data, name) - offsetof(asperity_pair_data, work_of_adhesion)) / 8);
+    putchar('\n');
+}
+
+static void answer_names(const char *(*name_of)(size_t), void (*answer)(const char *)) {
+    const char *name;
+    for (size_t i = 0; (name = name_of(i)) != NULL; ++i)
+        answer(name);
+}
+
+/* Eight bytes for each parameter of roughness and material, as numbers. */
+static void print_params(const asperity_params *params) {
+    const double values[] = {params->composite_modulus, params->effective_shear_modulus, params->tangential_modulus,
+        params->work_of_adhesion, params->adhesion_range, params->burgers_vector, params->hardness,
+        params->slip_stress_1, params->height_std, params->summit_radius, params->asperity_count,
+        params->nominal_area, params->skew, params->kurtosis, params->radius_amplitude, params->radius_rate};
+    print_bits(values, sizeof values / sizeof *values);
+    putchar('\n');
+}
+
+static void answer_contact(char *line) {
+    asperity_params params;
+    asperity_params_init_unset(&params);
+    const char *name = strtok(line, " ");
+    if (asperity_params_set_pair(&params, name) != ASPERITY_OK) {
+        print_refused();
+        return;
+    }
+    params.height_std = strtod(strtok(NULL, " "), NULL);
+    params.summit_radius = strtod(strtok(NULL, " "), NULL);
+    params.asperity_count = strtod(strtok(NULL, " "), NULL);
+    asperity_model *model = NULL;
+    if (asperity_create(&params, &model) != ASPERITY_OK || asperity_get_params(model, &params) != ASPERITY_OK)
+        print_refused();
+    else
+        print_params(&params);
+    asperity_free(model);
+}
+
+static void answer_nayak(char *line) {
+    double values[4];
+    for (int i = 0; i < 4; ++i)
+        values[i] = strtod(line, &line);
+    asperity_params params;
+    asperity_params_init_unset(&params);
+    if (asperity_params_set_nayak_summits(&params, values[0], values[1], values[2], values[3]) != ASPERITY_OK)
+        print_refused();
+    else
+        print_params(&params);
+}
+
+/* Of the questions without a model; 0 if it is none. */
+static int answer_table(char *line) {
+    line[strcspn(line, "\n")] = '\0';
+    if (!strcmp(line, "materials"))
+        answer_names(asperity_material_name, answer_material);
+    else if (!strcmp(line, "pairs"))
+        answer_names(asperity_pair_name, answer_pair);
+    else if (!strncmp(line, "material ", 9))
+        answer_material(line + 9);
+    else if (!strncmp(line, "pair ", 5))
+        answer_pair(line + 5);
+    else if (!strncmp(line, "contact ", 8))
+        answer_contact(line + 8);
+    else if (!strncmp(line, "nayak ", 6))
+        answer_nayak(line + 6);
+    else
+        return 0;
+    return 1;
+}
+
 int main(void) {
     static char line[4096];
     asperity_model *model = NULL;
@@ -83,7 +178,7 @@ int main(void) {
                 print_refused();
             else
                 printf(" %016" PRIx64 "\n", warnings);
-        } else {
+        } else if (!answer_table(line)) {
             return 2;
         }
     }

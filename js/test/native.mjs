@@ -45,6 +45,27 @@ export function answers(params, loads) {
   return { loads: found.slice(0, -1), warnings: found.at(-1)[0] };
 }
 
+const refusedOr = (line, read) => (line.startsWith("refused: ") ? { refused: line.slice(9) } : read(line));
+
+function entry(line) {
+  const [name, reference, numbers] = line.split("\t");
+  return { name, reference, numbers: words(numbers) };
+}
+
+/** The materials or pairs of the native library: names, references, numbers as bits. @param {"materials" | "pairs"} what */
+export const entries = (what) => native([what]).map(entry);
+/** One of them, or the message. @param {"material" | "pair"} what */
+export const entryOf = (what, name) => refusedOr(native([`${what} ${name}`])[0], entry);
+
+/** The parameters that native.c prints, in its order. */
+export const PRINTED = ["composite_modulus", "effective_shear_modulus", "tangential_modulus", "work_of_adhesion",
+  "adhesion_range", "burgers_vector", "hardness", "slip_stress_1", "height_std", "summit_radius", "asperity_count",
+  "nominal_area", "skew", "kurtosis", "radius_amplitude", "radius_rate"];
+const printed = (line) => refusedOr(line, (found) => Object.fromEntries(words(found).map((value, i) => [PRINTED[i], value])));
+/** Parameters of a pair, and of Nayak's summits, as bits by name. */
+export const contactOf = (pair, ...values) => printed(native([`contact ${pair} ${values.map(digits).join(" ")}`])[0]);
+export const nayakOf = (...values) => printed(native([`nayak ${values.map(digits).join(" ")}`])[0]);
+
 /** The bits of a number. */
 export function bits(value) {
   const view = new DataView(new ArrayBuffer(8));

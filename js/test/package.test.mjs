@@ -3,9 +3,9 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { AsperityError, MATERIALS, Model, PAIRS, Status, contact, memorySize, version, warningsOf } from "asperity";
+import { AsperityError, MATERIALS, Model, PAIRS, Status, contact, material, memorySize, nayakSummits, pair, version, warningsOf } from "asperity";
 import { CONSTANTS } from "../dist/header.js";
-import { answers, bits } from "./native.mjs";
+import { answers, bits, contactOf, entries, entryOf, nayakOf } from "./native.mjs";
 
 const silicon = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5, nominal_area: 1e-8 };
 const surfaces = {
@@ -166,12 +166,66 @@ test("constants of a model are read from its struct", () => {
   assert.ok(summary.pull_off_load < 0 && summary.table_error < 1e-9);
 });
 
-test("every pair of the table makes a model, and names its bodies", () => {
-  for (const pair of Object.values(PAIRS)) {
-    const found = contact(pair.second, pair.first);
-    assert.equal(found.E1, MATERIALS[pair.second].young);
-    assert.equal(found.work_of_adhesion, pair.work_of_adhesion);
-    new Model({ ...found, height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 }).free();
+/** The numbers of a material or pair in the order of C's struct; what is not known is 0 there. */
+const inOrder = ({ name, first, second, reference, ...numbers }) =>
+  Object.entries(numbers).flatMap(([key, value]) => (key.endsWith("_range") ? value ?? [0, 0] : [value ?? 0])).map(bits);
+
+test("materials and pairs are those of the native library", () => {
+  for (const [what, ours] of Object.entries({ materials: MATERIALS, pairs: PAIRS })) {
+    const native = entries(what);
+    assert.ok(native.length > 20, what);
+    assert.deepEqual(Object.keys(ours), native.map(({ name }) => name));
+    for (const { name, reference, numbers } of native) {
+      assert.equal(ours[name].name, name);
+      assert.equal(ours[name].reference, reference);
+      assert.deepEqual(inOrder(ours[name]), numbers, name);
+    }
   }
-  assert.throws(() => contact("Si", "unobtainium"), /"unobtainium": is not known; known are Si/);
+});
+
+test("what no source is known for is null", () => {
+  assert.equal(material("PDMS").burgers_vector, null);
+  assert.equal(material("mica").hardness, null);
+  assert.equal(material("Al").young_range, null);
+  assert.equal(pair("Si/Si3N4").work_of_adhesion_range, null);
+  assert.equal(pair("Si/Si").slip_stress_1, null);
+});
+
+test("unknown names are refused in the library's words, with the nearest", () => {
+  const status = Status.INVALID_PARAMETER;
+  for (const name of ["steal", "", "x".repeat(200), "Žlezo"])
+    assert.throws(() => material(name), { name: "AsperityError", message: entryOf("material", name).refused, status });
+  assert.throws(() => pair("steel/steal"), { message: entryOf("pair", "steel/steal").refused, status });
+  assert.throws(() => contact("Si", "steal"), /steel/);
+  assert.throws(() => material(/** @type {any} */ (1)), TypeError);
+});
+
+test("a contact has the parameters of the native library's pair, in either order", () => {
+  const summits = { height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
+  for (const { name, first, second } of Object.values(PAIRS)) {
+    assert.deepEqual(pair(`${second}/${first}`), PAIRS[name]);
+    const native = contactOf(name, ...Object.values(summits));
+    if (native.refused) {
+      assert.match(native.refused, /burgers_vector/);
+      assert.throws(() => new Model({ ...contact(first, second), ...summits }), /adhesion_range|burgers_vector/);
+      continue;
+    }
+    const model = new Model({ ...contact(first, second), ...summits });
+    for (const [key, value] of Object.entries(native)) assert.equal(bits(model.params[key]), value, `${name}: ${key}`);
+    model.free();
+  }
+});
+
+test("summits of Nayak's distribution are those of the native library", () => {
+  const moments = { m0: 25e-18, m2: 0.0032, m4: 0.72e12 };
+  const made = nayakSummits(moments, 1e-8);
+  const native = nayakOf(...Object.values(moments), 1e-8);
+  for (const key of ["height_std", "summit_radius", "asperity_count", "nominal_area", "skew", "kurtosis", "radius_amplitude", "radius_rate"])
+    assert.equal(bits(made[key]), native[key], key);
+  assert.equal(made.height_distribution, "johnson");
+  assert.ok(made.skew > 0 && made.radius_amplitude !== 0);
+  assert.ok(new Model({ ...contact("Si", "Si"), ...made }).frictionAtLoad(1e-3) > 0);
+  const narrow = { ...moments, m4: 0.5e12 };
+  assert.throws(() => nayakSummits(narrow, 1e-8), { message: nayakOf(...Object.values(narrow), 1e-8).refused });
+  assert.throws(() => nayakSummits(moments, NaN), { message: nayakOf(...Object.values(moments), NaN).refused });
 });

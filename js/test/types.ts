@@ -1,5 +1,5 @@
 // The declarations as a user meets them; compiled, not run.
-import { AsperityError, Model, PAIRS, Status, contact, momentsOfMap, type Params, type Warning } from "asperity";
+import { AsperityError, Model, PAIRS, Status, contact, material, momentsOfMap, nayakSummits, type Material, type Params, type Warning } from "asperity";
 import { instantiate } from "asperity/instantiate";
 
 const params: Params = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
@@ -13,6 +13,10 @@ const radius: number = model.stateAtLoad(1e-3).mean_contact_radius;
 const part: number = model.sensitivitiesAtLoad(1e-3).height_std;
 const status: number = Status.SEPARATED;
 const reference: string = PAIRS["Si/Si"].reference;
+const steel: Material = material("steel");
+// @ts-expect-error: a hardness may not be known
+const hardness: number = steel.hardness;
+const summits: Params = nayakSummits({ m0: 1, m2: 1, m4: 2 }, 1);
 const moments = momentsOfMap(new Float64Array(9), 3, 1e-8);
 
 // @ts-expect-error: a load is a number or numbers
@@ -28,4 +32,4 @@ model.stateAtLoad(1).friction;
 
 const other = new (await instantiate(new Uint8Array())).Model({ ...params, height_distribution: "johnson" });
 other.setParams(model.params);
-export { AsperityError, both, law, moments, one, part, radius, reference, status, unknown, warnings, wrong };
+export { AsperityError, both, hardness, law, moments, one, part, radius, reference, status, summits, unknown, warnings, wrong };

@@ -1,6 +1,6 @@
 // Builds the package: the library as WebAssembly, the modules, their types, and the explorer as one page.
 //
-// usage: node tools/build.mjs     needs cargo with the target wasm32-unknown-unknown, python3, and `npm ci` in this folder
+// usage: node tools/build.mjs     needs cargo with the target wasm32-unknown-unknown, and `npm ci` in this folder
 // CARGO_TARGET_DIR is honoured.
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, rmSync, writeFileSync, readFileSync } from "node:fs";
@@ -48,7 +48,6 @@ function stripped(bytes) {
 
 run("cargo", "build", "--release", "--locked", "--quiet", "--lib", "--target", TRIPLE);
 writeFileSync(resolve(js, "src/header.js"), header.module(header.read()));
-writeFileSync(resolve(js, "src/materials_table.js"), run("python3", resolve(js, "tools/materials.py")));
 
 rmSync(resolve(js, "dist"), { recursive: true, force: true });
 mkdirSync(resolve(js, "dist"));

@@ -18,17 +18,17 @@ pub const NONE: [f64; 2] = [0.0, 0.0];
 pub struct Material {
     /// By which it is found.
     pub name: &'static CStr,
-    /// Young's modulus [Pa].
+    /// Young's modulus, in Pa.
     pub young: f64,
-    /// Of published values [Pa].
+    /// Of published values, in Pa.
     pub young_range: [f64; 2],
     /// Poisson's ratio.
     pub poisson: f64,
-    /// Indentation hardness [Pa].
+    /// Indentation hardness, in Pa.
     pub hardness: f64,
-    /// Of published values [Pa].
+    /// Of published values, in Pa.
     pub hardness_range: [f64; 2],
-    /// [m]; of a glass the distance of like atoms.
+    /// In m; of a glass the distance of like atoms.
     pub burgers_vector: f64,
     /// Where the numbers are from.
     pub reference: &'static CStr,
@@ -43,7 +43,7 @@ pub struct Pair {
     pub work_of_adhesion: f64,
     /// Of measurements and estimates [J/m^2].
     pub work_of_adhesion_range: [f64; 2],
-    /// The Hamaker constant A [J] from which w is estimated, A/(12 pi D^2) with D = 0.165 nm.
+    /// The Hamaker constant A, in J, from which w is estimated, A/(12 pi D^2) with D = 0.165 nm.
     pub hamaker: f64,
     /// Measured shear strength of small contacts over G*.
     pub slip_stress_1: f64,
