@@ -84,13 +84,11 @@ def _contact(pair: str | Pair, surface: dict[str, Any]) -> dict[str, Any]:
         return PAIRS[pair].contact
     if "work_of_adhesion" not in surface:
         raise Error(
-            f"work_of_adhesion: must be given, since none is known here for {pair}; {_LISTED}",
+            f"work_of_adhesion: must be given, since none is known here for {pair}; "
+            "0 is none, asperity.materials.PAIRS has those that are known",
             Status.INVALID_PARAMETER,
         )
     return contact(MATERIALS[names[0]], MATERIALS[names[1]], surface["work_of_adhesion"])
-
-
-_LISTED = "0 is none, asperity.materials.PAIRS has those that are known"
 
 
 def _has(pair: str) -> bool:
