@@ -10,7 +10,7 @@
  *
  * Of pairs, in memory of the caller's, which must be zero at first (nothing is allocated):
  *
- *     static asperity_pair pairs[1000];
+ *     static asperity_body_pair pairs[1000];
  *     each contact, before the step:    load = asperity_pairs_expected(pairs, 1000, a, b, time);
  *                                       mu = load > 0 ? asperity_friction_at_load(model, load) : first_guess;
  *     each contact, after the step:     asperity_pairs_add(pairs, 1000, a, b, normal_force);
@@ -38,13 +38,13 @@ typedef struct asperity_load {
 } asperity_load;
 
 /* Two bodies, or whatever a host numbers, that touch. All zero: a free place. */
-typedef struct asperity_pair {
+typedef struct asperity_body_pair {
     double taken;         /* 1 if this place is in use */
     double first, second; /* the smaller number first */
     double sum;           /* of the loads of the points of this step */
     double touched;       /* the time at which it last had a load */
     asperity_load known;
-} asperity_pair;
+} asperity_body_pair;
 
 /* Takes the load found at a time. */
 static inline void asperity_load_take(asperity_load *known, double load, double time, double time_constant)
@@ -89,14 +89,14 @@ static inline size_t asperity_pairs_home(size_t capacity, double first, double s
 }
 
 /* The place of a pair in whichever order, or if it has none a free one; NULL if there is neither. */
-static inline asperity_pair *asperity_pairs_place(asperity_pair *pairs, size_t capacity, uint64_t a, uint64_t b)
+static inline asperity_body_pair *asperity_pairs_place(asperity_body_pair *pairs, size_t capacity, uint64_t a, uint64_t b)
 {
     const double first = (double)(a < b ? a : b), second = (double)(a < b ? b : a);
     size_t i, tried;
     if (capacity == 0) return NULL;
     i = asperity_pairs_home(capacity, first, second);
     for (tried = 0; tried < capacity; ++tried, i = (i + 1) % capacity) {
-        asperity_pair *pair = &pairs[i];
+        asperity_body_pair *pair = &pairs[i];
         if (pair->taken == 0.0 || (pair->first == first && pair->second == second)) return pair;
     }
     return NULL;
@@ -105,9 +105,9 @@ static inline asperity_pair *asperity_pairs_place(asperity_pair *pairs, size_t c
 /* Adds the load of a contact point to those of its pair in this step. The numbers of the bodies are below 2^53, as
  * addresses are too. Returns 1; or 0 if all places are taken: there must be one for each pair that touches in this
  * step, in the step before or within the time constant, and twice as many for speed. */
-static inline int asperity_pairs_add(asperity_pair *pairs, size_t capacity, uint64_t a, uint64_t b, double load)
+static inline int asperity_pairs_add(asperity_body_pair *pairs, size_t capacity, uint64_t a, uint64_t b, double load)
 {
-    asperity_pair *pair = asperity_pairs_place(pairs, capacity, a, b);
+    asperity_body_pair *pair = asperity_pairs_place(pairs, capacity, a, b);
     if (pair == NULL) return 0;
     if (pair->taken == 0.0) {
         if (!(load > 0.0)) return 1;
@@ -120,16 +120,16 @@ static inline int asperity_pairs_add(asperity_pair *pairs, size_t capacity, uint
 }
 
 /* The load to be expected on a pair at a time, over all its points; 0 if nothing is known. */
-static inline double asperity_pairs_expected(asperity_pair *pairs, size_t capacity, uint64_t a, uint64_t b, double time)
+static inline double asperity_pairs_expected(asperity_body_pair *pairs, size_t capacity, uint64_t a, uint64_t b, double time)
 {
-    const asperity_pair *pair = asperity_pairs_place(pairs, capacity, a, b);
+    const asperity_body_pair *pair = asperity_pairs_place(pairs, capacity, a, b);
     return pair != NULL && pair->taken != 0.0 ? asperity_load_expected(&pair->known, time) : 0.0;
 }
 
 /* Frees a place and moves what a search would not find any more. */
-static inline void asperity_pairs_remove(asperity_pair *pairs, size_t capacity, size_t hole)
+static inline void asperity_pairs_remove(asperity_body_pair *pairs, size_t capacity, size_t hole)
 {
-    const asperity_pair none = {0.0, 0.0, 0.0, 0.0, 0.0, {0.0, 0.0, 0.0, 0.0}};
+    const asperity_body_pair none = {0.0, 0.0, 0.0, 0.0, 0.0, {0.0, 0.0, 0.0, 0.0}};
     const size_t start = hole;
     size_t i;
     for (i = (hole + 1) % capacity; i != start && pairs[i].taken != 0.0; i = (i + 1) % capacity) {
@@ -142,11 +142,11 @@ static inline void asperity_pairs_remove(asperity_pair *pairs, size_t capacity, 
 }
 
 /* Ends a step, whose loads were added and belong to this time. */
-static inline void asperity_pairs_end_step(asperity_pair *pairs, size_t capacity, double time, double time_constant)
+static inline void asperity_pairs_end_step(asperity_body_pair *pairs, size_t capacity, double time, double time_constant)
 {
     size_t i;
     for (i = 0; i < capacity; ++i) {
-        asperity_pair *pair = &pairs[i];
+        asperity_body_pair *pair = &pairs[i];
         if (pair->taken == 0.0) continue;
         if (pair->sum > 0.0) pair->touched = time;
         asperity_load_take(&pair->known, pair->sum, time, time_constant);

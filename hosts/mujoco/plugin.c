@@ -49,7 +49,7 @@ typedef struct surface {
 /* What mj_getState and the like carry: the time of the forces at hand, and the pairs. */
 typedef struct memory {
     double time;
-    asperity_pair pairs[];
+    asperity_body_pair pairs[];
 } memory;
 
 static memory *memory_of(const mjModel *m, const mjData *d, int instance) {
@@ -249,7 +249,7 @@ static double correct(const mjModel *m, mjData *d, int instance, double part) {
     for (int i = 0; i < d->ncon; i++) {
         mjContact *contact = &d->contact[i];
         if (!has_surface(m, here, instance, contact)) continue;
-        const asperity_pair *pair = asperity_pairs_place(known->pairs, here->most_pairs, (uint64_t)contact->geom[0],
+        const asperity_body_pair *pair = asperity_pairs_place(known->pairs, here->most_pairs, (uint64_t)contact->geom[0],
                                                          (uint64_t)contact->geom[1]);
         if (!pair->taken || !(pair->sum > 0)) continue;
         const double law = fmax(asperity_friction_at_load(here->model, pair->sum), mjMINMU);
@@ -287,7 +287,7 @@ static int state_size(const mjModel *m, int instance) {
     read_params(m, instance, &params);
     if (asperity_create(&params, &model) != ASPERITY_OK) refuse_as_library(m, instance);
     asperity_free(model);
-    return (int)((offsetof(memory, pairs) + most_pairs(m, instance) * sizeof(asperity_pair)) / sizeof(mjtNum));
+    return (int)((offsetof(memory, pairs) + most_pairs(m, instance) * sizeof(asperity_body_pair)) / sizeof(mjtNum));
 }
 
 static int make(const mjModel *m, mjData *d, int instance) {

@@ -16,7 +16,7 @@ INCLUDE = Path(__file__).resolve().parents[2] / "include"
 PLACES = 64
 IN_C = f"""
 #include <asperity_loads.h>
-static asperity_pair pairs[{PLACES}];
+static asperity_body_pair pairs[{PLACES}];
 int add(unsigned a, unsigned b, double load) {{ return asperity_pairs_add(pairs, {PLACES}, a, b, load); }}
 void end_step(double time, double constant) {{ asperity_pairs_end_step(pairs, {PLACES}, time, constant); }}
 double expected(unsigned a, unsigned b, double time) {{ return asperity_pairs_expected(pairs, {PLACES}, a, b, time); }}

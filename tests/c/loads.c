@@ -1,4 +1,5 @@
 /* asperity_loads.h: the load that the steps before let expect, of contacts and of pairs, against sums made here. */
+#include <asperity.h>
 #include <asperity_loads.h>
 
 #include <math.h>
@@ -57,7 +58,7 @@ static void a_mean_forgets_with_its_time_constant(void)
 
 static void points_of_a_pair_are_summed(void)
 {
-    asperity_pair pairs[PAIRS];
+    asperity_body_pair pairs[PAIRS];
     memset(pairs, 0, sizeof pairs);
     asperity_pairs_add(pairs, PAIRS, 3, 9, 1.0);
     asperity_pairs_add(pairs, PAIRS, 9, 3, 2.0);
@@ -74,7 +75,7 @@ static void points_of_a_pair_are_summed(void)
 
 static void a_pair_that_hops_has_load_0_between(void)
 {
-    asperity_pair pairs[PAIRS];
+    asperity_body_pair pairs[PAIRS];
     double mean;
     int i;
     memset(pairs, 0, sizeof pairs);
@@ -94,7 +95,7 @@ static void a_pair_that_hops_has_load_0_between(void)
 static void none_is_lost_where_places_are_moved(void)
 {
     enum { BODIES = 40, STEPS = 3000 };
-    asperity_pair pairs[PAIRS];
+    asperity_body_pair pairs[PAIRS];
     static double load[BODIES][BODIES];
     uint32_t random = 1;
     int step, i, a, b, places = 0, refused = 0;
