@@ -244,7 +244,7 @@ impl Params {
             return Err(Error::InvalidParameter {
                 name: "bandwidth m0 m4/m2^2",
                 value: moments.bandwidth().into(),
-                allowed: "must be at least 1.5, as that of every isotropic surface is",
+                allowed: "must be at least 1.5, as that of every isotropic surface is; are all lengths in one unit?",
             });
         }
         self.height_std = moments.summit_height_std();

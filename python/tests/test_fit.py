@@ -329,7 +329,7 @@ GOOD: dict[str, Any] = {"load": [1.0, 2.0, 3.0, 4.0], "mu": [1.0, 0.9, 0.8, 0.7]
         ({"free": ()}, "must be a sequence of one or more names"),
         ({"free": "gamma"}, "must be a sequence of one or more names"),
         ({"free": ("kurtosis",)}, "'kurtosis': is of Johnson's heights; give params a kurtosis to start from"),
-        ({"free": ("gama",)}, "free name 'gama': must be one of composite_modulus or E.*, gamma"),
+        ({"free": ("gama",)}, "name 'gama': must be one of composite_modulus or E.*, gamma"),
         ({"free": ("gamma", "w")}, "free names gamma and w both vary work_of_adhesion"),
         ({"free": ("alpha", "R")}, "free names alpha and R both vary summit_radius"),
         ({"free": ("gamma", "gamma")}, "both vary work_of_adhesion"),
@@ -454,7 +454,7 @@ def test_the_command_reads_commas_forces_bounds_and_a_start(params: Params) -> N
         (["-", "--free=gamma"], "", 1, "-: must have 2 or 3 columns, load, friction and its standard error; it"),
         (["-", "--free=gamma"], "1 2\n3 4 5\n", 1, "it has 2 or 3"),
         (["-", "--free=gamma"], "1 x\n3 4\n", 1, "-: could not convert string to float: 'x'"),
-        (["-", "--free=gama"], "1 2\n3 4\n", 1, "free name 'gama': must be one of"),
+        (["-", "--free=gama"], "1 2\n3 4\n", 1, "name 'gama': must be one of"),
         (["-", "--free=gamma"], "1 2\n-3 4\n", 1, "load[1] = -3: must be > 0"),
     ],
 )  # fmt: skip

@@ -44,6 +44,15 @@ def test_numbers_that_are_given_replace_those_of_the_pair() -> None:
         assert friction("Si/Si", **ROUGH, load=1e5, work_of_adhesion=0.1) == model.friction_at_load(1e5)
 
 
+def test_a_burgers_vector_that_is_given_stands_for_one_that_is_not_known() -> None:
+    contact_of = contact(MATERIALS["PDMS"], MATERIALS["PDMS"], 0.045, burgers_vector=50e-9)
+    with Model(Params.from_iso25178(**contact_of, **ROUGH, nominal_area=1.0)) as model:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ValidityWarning)  # rubber is crowded at any load
+            found = friction("PDMS/PDMS", **ROUGH, load=1.0, burgers_vector=50e-9)
+        assert found == model.friction_at_load(1.0)
+
+
 def test_two_bodies_without_a_pair_need_a_work_of_adhesion() -> None:
     with pytest.raises(Error, match="work_of_adhesion: must be given, since none is known here for SiC/WC"):
         friction("SiC/WC", **ROUGH, load=1e5)
@@ -66,13 +75,14 @@ def test_a_surface_that_does_not_hold_is_warned_of_once() -> None:
     "arguments, error, message",
     [
         ({"pair": "steel/wood"}, KeyError, "nearest: steel/"),
-        ({"pair": "steel"}, KeyError, "'steel' is not known"),
+        ({"pair": "steel"}, KeyError, "'steel' is not known, a pair is two materials, as 'Si/Si'; nearest: "),
+        ({"pair": "Si/gold"}, KeyError, "'Si/gold' is not known, there is no material 'gold'"),
         ({"pair": 5}, TypeError, "pair = 5: must be a name"),
         ({"load": math.nan}, Error, "load = NaN: must be finite"),
         ({"load": [1.0, math.inf]}, Error, "element 1: load = inf"),
         ({"load": "heavy"}, TypeError, "load: must be real numbers"),
         ({"Sq": -1e-9}, Error, "Sq = -1e-09: must be finite and > 0"),
-        ({"Sdx": 1.0}, TypeError, "Sdx"),
+        ({"Sdqx": 1.0}, TypeError, "Sdqx: no parameter has this name; the nearest is Sdq"),
         ({"nominal_area": 0.0}, Error, "nominal_area = 0"),
         ({"pair": "PDMS/PDMS"}, Error, "burgers_vector of PDMS: no source is known here"),
     ],

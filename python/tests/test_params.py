@@ -59,7 +59,7 @@ def test_summits_are_counted_or_density_times_area() -> None:
         (STIFFNESS | {"summit_density": 1e13, "nominal_area": 1.0, "asperity_count": 5}, "asperity_count, or summit"),
         (STIFFNESS | {"asperity_count": 5, "skew": 0, "weibull_shape": 2}, "do not give weibull_shape too"),
         (STIFFNESS | {"asperity_count": 5, "skew": 0, "height_distribution": "gaussian"}, "height_distribution too"),
-        (STIFFNESS | {"asperity_count": 5, "roughness": 5}, "roughness"),
+        (STIFFNESS | {"asperity_count": 5, "hardnes": 5}, "hardnes: no parameter has this name; the nearest is hardness"),
         (STIFFNESS | {"asperity_count": "5"}, "asperity_count = '5': must be a real number"),
         (STIFFNESS | {"asperity_count": 5, "skew": None}, "skew = None: must be a real number"),
     ],

@@ -123,7 +123,7 @@ def test_spreads_that_leave_the_domain_are_drawn_anew_or_refused(params: Params)
     "arguments, message",
     [
         ({"spread": {}}, "must name at least one"),
-        ({"spread": {"nonsense": 0.1}}, "free name 'nonsense'"),
+        ({"spread": {"nonsense": 0.1}}, "name 'nonsense'"),
         ({"spread": {"sigma": -0.1}}, "spread of sigma = -0.1"),
         ({"spread": {"sigma": 0.1, "height_std": 0.1}}, "both vary"),
         ({"loads": None}, "loads: must be given"),

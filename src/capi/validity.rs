@@ -72,7 +72,8 @@ pub extern "C" fn asperity_warning_string(warning: u64) -> *const c_char {
         0 => c"no warning",
         ASPERITY_WARNING_PLASTIC => {
             c"summits yield: the mean asperity pressure is above 0.4 of the hardness, or the plasticity index above 1; use \
-              the elastic-plastic contact law (contact_law 1), or lighter loads if only the pressure is too high"
+              the elastic-plastic contact law (contact_law 1, by name elastic-plastic) with work_of_adhesion 0, or lighter \
+              loads if only the pressure is too high"
         }
         ASPERITY_WARNING_CROWDED => {
             c"summits do not act alone: more than 10 % of them touch, or more than 10 % of nominal_area; use \

@@ -1,6 +1,6 @@
 """Arrays with labels: what comes in as a pandas Series or DataFrame or an xarray DataArray goes out as the same.
 
-Neither package is imported: the values that a caller brings tell what they are.
+Neither package is imported for that: the values that a caller brings tell what they are.
 """
 
 from __future__ import annotations
@@ -16,6 +16,19 @@ class HasLabels(Protocol):
 
 
 Labelled = TypeVar("Labelled", bound=HasLabels)
+
+
+def frame(columns: dict[str, Any]) -> Any:
+    """A `pandas.DataFrame` of columns.
+
+    Raises:
+        ImportError: pandas is missing.
+    """
+    try:
+        import pandas
+    except ImportError as error:
+        raise ImportError(f"a DataFrame needs pandas ({error}): pip install pandas") from None
+    return pandas.DataFrame(columns)
 
 
 def like(given: Any, values: Any, name: str) -> Any:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 import sys
 from dataclasses import MISSING, fields
@@ -11,7 +10,7 @@ from typing import Any, Iterable, Union
 
 from .errors import Error, Status
 from .materials import MATERIALS, PAIRS, Material
-from .params import Params
+from .params import Params, nearest
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -158,9 +157,7 @@ def _check(table: dict[str, Any], known: Iterable[str], where: str) -> None:
     known = tuple(known)
     for name, value in table.items():
         if name not in known:
-            spelled = {one.lower(): one for one in known}
-            nearest = difflib.get_close_matches(name.lower(), spelled, n=1, cutoff=0.0)
-            message = f"{where}{name}: no such key; the nearest is {spelled[nearest[0]]}"
+            message = f"{where}{name}: no such key; the nearest is {nearest(name, known)}"
             raise Error(message, Status.INVALID_PARAMETER)
         if isinstance(value, bool) and name != "attraction":
             raise Error(f"{where}{name} = {str(value).lower()}: must be a number", Status.INVALID_PARAMETER)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from ._labelled import frame
 from ._sparkline import sparkline
 from ._style import saved, style
 from .params import Params
@@ -90,10 +91,8 @@ class Curve:
         Raises:
             ImportError: pandas is missing.
         """
-        import pandas
-
         names = ("load", "friction_coefficient", "friction_force", "low", "high")
-        return pandas.DataFrame({name: getattr(self, name) for name in names if getattr(self, name) is not None})
+        return frame({name: getattr(self, name) for name in names if getattr(self, name) is not None})
 
     def __repr__(self) -> str:
         ends = f"{self.load[0]:.4g} to {self.load[-1]:.4g} [force]"

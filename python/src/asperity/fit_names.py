@@ -138,11 +138,11 @@ def _look_up(name: Any, params: Params) -> FreeName:
     if field not in _KINDS:
         symbols = {field: f"{field} or {symbol}" for symbol, field in _SYMBOLS.items()}
         allowed = ", ".join(symbols.get(field, field) for field in _KINDS)
-        raise ValueError(f"free name {name!r}: must be one of {allowed}")
+        raise ValueError(f"name {name!r}: must be one of {allowed}")
     if params.height_distribution == "johnson" and field == "skew":
         return FreeName(name, field, (field,), _get_field(field), _put_field(field), (-3.0, 3.0))
     if params.height_distribution != "johnson" and field == "kurtosis":
-        raise ValueError("free name 'kurtosis': is of Johnson's heights; give params a kurtosis to start from")
+        raise ValueError("name 'kurtosis': is of Johnson's heights; give params a kurtosis to start from")
     return FreeName(name, field, *_KINDS[field])
 
 

@@ -37,7 +37,17 @@ class _Named(Dict[str, _Entry]):
         swapped = "/".join(reversed(str(name).split("/")))
         if swapped in self:
             return self[swapped]
-        raise KeyError(f"{name!r} is not known; nearest: {', '.join(self._nearest(str(name)))}; all: {', '.join(self)}")
+        why, nearest = self._missing(str(name)), ", ".join(self._nearest(str(name)))
+        raise KeyError(f"{name!r} is not known{why}; nearest: {nearest}; all: {', '.join(self)}")
+
+    def _missing(self, name: str) -> str:
+        """Why a pair is not there, if its materials tell."""
+        if "/" not in next(iter(self)):
+            return ""
+        unknown = [material for material in name.split("/") if material not in MATERIALS]
+        if unknown:
+            return f", there is no material {unknown[0]!r} in asperity.materials.MATERIALS"
+        return ", a pair is two materials, as 'Si/Si'" if "/" not in name else ""
 
     def _nearest(self, name: str) -> list[str]:
         def likeness(other: str) -> float:
@@ -134,14 +144,22 @@ class Pair(_Sourced):
 
 
 def contact(
-    first: Material, second: Material, work_of_adhesion: float, slip_stress_1: float | None = None
+    first: Material,
+    second: Material,
+    work_of_adhesion: float,
+    slip_stress_1: float | None = None,
+    burgers_vector: float | None = None,
 ) -> dict[str, Any]:
     """What `Params.si` takes beside the roughness, of any two bodies; `Pair.contact` tells how it follows.
 
+    `burgers_vector` [m] stands for the longer of the two.
+
     Raises:
-        Error: a body has no Burgers vector.
+        Error: a body has no Burgers vector, and none is given.
     """
-    longer = max(first.need("burgers_vector"), second.need("burgers_vector"))
+    longer = burgers_vector
+    if longer is None:
+        longer = max(first.need("burgers_vector"), second.need("burgers_vector"))
     found: dict[str, Any] = {
         "E1": first.young,
         "nu1": first.poisson,

@@ -452,7 +452,8 @@ class Model:
         for kind in self.check(lightest, heaviest).kinds:
             if not kind & handle.warned:
                 handle.warned |= kind
-                warnings.warn(f"between the loads {lightest:g} and {heaviest:g}: {kind}", ValidityWarning, stacklevel=3)
+                where = f"between the loads {lightest:g} and {heaviest:g}" if lightest < heaviest else f"at the load {lightest:g}"
+                warnings.warn(f"{where}: {kind}", ValidityWarning, stacklevel=3)
 
     def summits_at_overlaps(self, overlap: npt.ArrayLike, height: npt.ArrayLike | None = None) -> SummitStates:
         """Load, friction force and contact radius of single summits, by the law that all sums are made of.

@@ -77,18 +77,19 @@ def _made(make: Any, given: dict[str, Any], nominal_area: float) -> Params:
 
 def _contact(pair: str | Pair, surface: dict[str, Any]) -> dict[str, Any]:
     """What the materials tell: of a pair, or of two bodies with a work of adhesion that is given."""
-    if isinstance(pair, Pair):
-        return pair.contact
-    names = pair.split("/")
-    if len(names) != 2 or _has(pair) or not all(name in MATERIALS for name in names):
-        return PAIRS[pair].contact
+    burgers_vector = surface.get("burgers_vector")
+    names = pair.split("/") if isinstance(pair, str) else []
+    if not isinstance(pair, str) or len(names) != 2 or _has(pair) or not all(name in MATERIALS for name in names):
+        known = PAIRS[pair] if isinstance(pair, str) else pair
+        return contact(known.first, known.second, known.work_of_adhesion, known.slip_stress_1, burgers_vector)
     if "work_of_adhesion" not in surface:
         raise Error(
             f"work_of_adhesion: must be given, since none is known here for {pair}; "
             "0 is none, asperity.materials.PAIRS has those that are known",
             Status.INVALID_PARAMETER,
         )
-    return contact(MATERIALS[names[0]], MATERIALS[names[1]], surface["work_of_adhesion"])
+    first, second = (MATERIALS[name] for name in names)
+    return contact(first, second, surface["work_of_adhesion"], burgers_vector=burgers_vector)
 
 
 def _has(pair: str) -> bool:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import ctypes
+import difflib
 import math
 import numbers
 import os
 from dataclasses import MISSING, dataclass, fields
-from typing import TYPE_CHECKING, Any, Literal, Sequence
+from typing import TYPE_CHECKING, Any, Iterable, Literal, Sequence
 
 from . import _bandwidth_bias, _header, _units
 from ._library import LIBRARY
@@ -66,6 +67,9 @@ _CONTACT_LAWS = {
 # What a field means for the heights, where no height_distribution is given with it. A skew alone is one of Weibull's.
 _CHOOSES = {"weibull_shape": "weibull", "kurtosis": "johnson", "table_height": "tabulated", "table_density": "tabulated"}
 _HEIGHTS = {"height_distribution", "skew", *_CHOOSES}
+
+# What the ways to make parameters take beside fields.
+_NOT_FIELDS = ("E1", "nu1", "E2", "nu2", "summit_density", "m0", "m2", "m4", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku")
 
 # How the summits of moments are known: what sets them, and the fields that it sets. A kurtosis means Johnson's heights.
 _MOMENTS = ("height_std", "summit_radius", "asperity_count", "nominal_area")
@@ -479,6 +483,10 @@ def _heights_of(summits: Summits, family: Any) -> dict[str, Any]:
 def _options(given: Any) -> dict[str, Any]:
     """Fields to set, with the height distribution that they mean."""
     changes = dict(given)
+    known = [field.name for field in fields(Params)]
+    for name in changes:
+        if name not in known:
+            raise TypeError(f"{name}: no parameter has this name; the nearest is {nearest(name, [*known, *_NOT_FIELDS])}")
     meant = {_CHOOSES[name]: name for name in _CHOOSES if name in changes}
     if len(meant) > 1:
         raise TypeError(f"{' and '.join(meant.values())} mean different height distributions: give one of them")
@@ -492,6 +500,12 @@ def _options(given: Any) -> dict[str, Any]:
     for distribution in meant:
         changes.setdefault("height_distribution", distribution)
     return changes
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """The known name that looks most like a name."""
+    spelled = {one.lower(): one for one in known}
+    return spelled[difflib.get_close_matches(name.lower(), spelled, n=1, cutoff=0.0)[0]]
 
 
 def _moduli(bodies: dict[str, Any]) -> dict[str, float | None]:

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _header, _units
-from ._labelled import like
+from ._labelled import frame, like
 from ._library import LIBRARY
 
 
@@ -175,9 +175,7 @@ class States:
         Raises:
             ImportError: pandas is missing.
         """
-        import pandas
-
-        return pandas.DataFrame({name: np.ravel(array) for name, array in self._arrays.items()})
+        return frame({name: np.ravel(array) for name, array in self._arrays.items()})
 
 
 _STATE_NAMES = tuple(field.name for field in fields(State))
