@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 import numpy.typing as npt
 
-from . import _map_warnings
+from . import _bandwidth_bias, _map_warnings
 from ._map_filter import filter
 from ._map_input import checked, length
 from ._progress import LARGE, Progress, teller
@@ -18,6 +18,7 @@ from ._style import saved, style
 from ._summit_search import without_polynomial
 from .model import Model
 from .params import Params
+from .results import ValidityWarning
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -128,6 +129,7 @@ def cutoffs(
 
     Warns:
         MapWarning: a direction of the surface, which no filter takes away; no cutoff that is recommended.
+        ValidityWarning: as `Params.from_topography`, at the recommended cutoff.
     """
     given = checked(height_map, dx, dy)
     step, load = max(given.dx, given.dy), length("load", load)
@@ -142,7 +144,9 @@ def cutoffs(
         summits = _summits(lambda: filter(given, float(one)), fewer_may_end=bool(found) and cutoff is None)
         if summits is None or (found and summits.count < least):
             break
-        params = Params.from_topography(summits, **contact)
+        with warnings.catch_warnings():  # of surfaces that are only tried
+            warnings.simplefilter("ignore", ValidityWarning)
+            params = Params.from_topography(summits, **contact)
         with Model(params) as model:
             found.append((summits, params, model.state_at_load(load)))
     states = [state for _, _, state in found]
@@ -189,6 +193,7 @@ def _warn(found: Cutoffs) -> None:
     at = found.cutoff.size - 1 if found.recommended is None else int(np.argmax(found.cutoff >= found.recommended))
     for warning in found.summits[at].warnings:
         warnings.warn(warning, _map_warnings.MapWarning, stacklevel=3)
+    _bandwidth_bias.warn(found.summits[at].moments.bandwidth, "map", stacklevel=3)
 
 
 def _ascending(cutoff: npt.ArrayLike) -> Array:
