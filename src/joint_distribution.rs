@@ -11,7 +11,7 @@ use std::f64::consts::{PI, SQRT_2};
 /// Beyond it radii change by less than 0.1 % in a standard deviation of height; differences of radii would lose digits.
 const WIDEST: f64 = 1e6;
 
-/// The heights at which eq (3) is right: the mean, and two between which most contacts lie, in standard deviations.
+/// Eq (3) is right at the mean height and at one and two of these steps above, in standard deviations: most contacts lie there.
 const STEP: f64 = 1.5;
 
 /// Where a Gaussian is cut, in standard deviations: it is 1e-18 there.
@@ -91,6 +91,7 @@ impl Moments {
 /// Mean curvature of the summits of a height: the Gaussian factors leave one of t with the mean r z and the variance
 /// 1 - r^2 = spread^2, so that t = r z + spread y.
 fn mean_curvature(correlation: f64, spread: f64, height: f64) -> f64 {
+    // 1.5 standard deviations wide or less: 16 points then give a product of Gaussians to rounding.
     const PANELS: u32 = 12;
     let middle = correlation * height;
     let begin = if middle >= TAIL * spread { -TAIL } else { -middle / spread };

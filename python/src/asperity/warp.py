@@ -197,6 +197,7 @@ def _adjoint(law: Law64, load: wp.float64, adjoint: wp.float64) -> None:
 
 @wp.func
 def friction_force(law: Law32, load: wp.float32) -> wp.float32:
+    """Friction force [force] at a load [force]."""
     return _evaluated(law, load)[0]
 
 
@@ -241,6 +242,7 @@ def _adjoint_of_friction(law: Law64, load: wp.float64, adjoint: wp.float64) -> N
 
 @wp.func
 def friction(law: Law32, load: wp.float32) -> wp.float32:
+    """Friction coefficient at a load [force], capped as that of the model."""
     return _coefficient(law, load)[0]
 
 
