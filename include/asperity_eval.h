@@ -242,8 +242,8 @@ ASPERITY_EVAL_FUNCTION double asperity_eval_friction(const asperity_table *table
  * Force and slope are within 2e-7 of those of the library for the same load, a float, where that answers from its table and
  * the load is above pull-off by 2^-100 to 2^100 (8e-31 to 1e30; choose units in which it is) and by more than 1e-6 of the
  * pull-off load. Where all contacts meet a kink of the law at once, the slope is rounded off within 1/2048 of that load; next
- * to rows that the doubles leave out as much is left out.
- * Beside that range the rules are those for doubles. To use the table elsewhere, copy total_count * 8 floats and change the pointer. */
+ * to rows that the doubles leave out as much is left out. Beside that range the rules are those for doubles. To use the
+ * table elsewhere, copy total_count * 8 floats and change the pointer. */
 typedef struct asperity_float_table {
     const float *rows;
     uint32_t row_count; /* found from x; parts follow them */
@@ -356,6 +356,8 @@ static inline int asperity_eval_float_is_good(const asperity_table *table, uint3
         }
         value -= force;
         rate -= slope * binade;
+        /* Half the rounding of a float for the force, and 1e-7 for the slope: with the roundings of evaluating the row,
+         * within the 2e-7 that are told above. */
         if (value * value > 1e-15 * force * force || rate * rate > 1e-14 * (slope * binade) * (slope * binade))
             return 0;
     }
@@ -407,6 +409,7 @@ static inline uint32_t asperity_eval_make_float(const asperity_table *table, flo
     single->total_count = count;
     single->pull_off_load = asperity_eval_rounded(table->pull_off_load);
     single->pull_off_rest = (float)(table->pull_off_load - (double)single->pull_off_load);
+    /* A greater cap is none: its inverse would not be a normal float. */
     single->max_friction_coefficient = table->max_friction_coefficient > 8e37
                                            ? asperity_eval_float(ASPERITY_EVAL_FLOAT_EXPONENT) /* infinite */
                                            : (float)table->max_friction_coefficient;
@@ -443,52 +446,66 @@ ASPERITY_EVAL_FUNCTION float asperity_eval_excess_float(const asperity_float_tab
     return x;
 }
 
+/* Friction force in the rows at x, of these bits, and its slope. */
+ASPERITY_EVAL_FUNCTION float asperity_eval_in_row_float(const asperity_float_table *table, uint32_t bits, float lost,
+                                                        float *slope)
+{
+    ASPERITY_EVAL_NO_CONTRACTION
+    uint32_t index = (bits >> ASPERITY_EVAL_FLOAT_SHIFT) - table->base, shift = ASPERITY_EVAL_FLOAT_SHIFT;
+    const float *c = table->rows + 8 * (size_t)index;
+    float t, inverse_binade, force, rate;
+
+    while (c[0] != c[0] && (index = asperity_eval_float_bits(c[0]) & ~ASPERITY_EVAL_FLOAT_LINK) != 0) {
+        shift -= 3;
+        c = table->rows + 8 * (size_t)(index + ((bits >> shift) & 7));
+    }
+    inverse_binade = asperity_eval_float(2 * ASPERITY_EVAL_FLOAT_ONE - (bits & ASPERITY_EVAL_FLOAT_EXPONENT));
+    t = asperity_eval_float((bits & ((UINT32_C(1) << shift) - 1)) | ASPERITY_EVAL_FLOAT_ONE) - 1.0f;
+    t = asperity_eval_line_float(t, lost, inverse_binade);
+    force = asperity_eval_line_float(c[3], asperity_eval_line_float(c[4], c[5], t), t);
+    force = asperity_eval_line_float(c[1], asperity_eval_line_float(c[2], force, t), t);
+    rate = asperity_eval_line_float(3.0f * c[3], asperity_eval_line_float(4.0f * c[4], 5.0f * c[5], t), t);
+    rate = asperity_eval_line_float(c[7], asperity_eval_line_float(2.0f * c[2], rate, t), t);
+    *slope = ASPERITY_EVAL_MULF(ASPERITY_EVAL_ADDF(c[1], rate), inverse_binade);
+    return ASPERITY_EVAL_ADDF(c[0], asperity_eval_line_float(c[6], force, t));
+}
+
+/* Friction force beside the rows, and its slope. */
+ASPERITY_EVAL_FUNCTION float asperity_eval_beside_float(const asperity_float_table *table, float load, float x,
+                                                        float *slope)
+{
+    ASPERITY_EVAL_NO_CONTRACTION
+    *slope = 0.0f;
+    if (x < 0.0f) {
+        *slope = table->separated_slope;
+        return 0.0f;
+    }
+    if (load == 0.0f) {
+        *slope = table->zero_slope;
+        return table->zero_force;
+    }
+    if ((asperity_eval_float_bits(x) >> ASPERITY_EVAL_FLOAT_SHIFT) > table->base)
+        return table->heavy_force;
+    *slope = table->light_slope;
+    return asperity_eval_line_float(table->pull_off_force, table->light_slope, x);
+}
+
 /* Friction force at a load [force], and dF/d(load) unless NULL is given for it. */
 ASPERITY_EVAL_FUNCTION float asperity_eval_friction_force_float(const asperity_float_table *table, float load,
                                                                 float *dforce_dload)
 {
-    ASPERITY_EVAL_NO_CONTRACTION
-    const float nan = asperity_eval_float(UINT32_C(0x7fc00000));
-    float x, lost, t, force, slope, inverse_binade;
-    uint32_t bits, index, shift = ASPERITY_EVAL_FLOAT_SHIFT;
-    const float *c;
+    float x, lost, force, slope;
+    uint32_t bits;
 
     if ((asperity_eval_float_bits(load) & ASPERITY_EVAL_FLOAT_EXPONENT) == ASPERITY_EVAL_FLOAT_EXPONENT) {
-        if (dforce_dload)
-            *dforce_dload = nan;
-        return nan;
-    }
-    x = asperity_eval_excess_float(table, load, &lost);
-    bits = asperity_eval_float_bits(x);
-    index = (bits >> ASPERITY_EVAL_FLOAT_SHIFT) - table->base;
-    if (index < table->row_count) {
-        c = table->rows + 8 * (size_t)index;
-        while (c[0] != c[0] && (index = asperity_eval_float_bits(c[0]) & ~ASPERITY_EVAL_FLOAT_LINK) != 0) {
-            shift -= 3;
-            c = table->rows + 8 * (size_t)(index + ((bits >> shift) & 7));
-        }
-        inverse_binade =
-            asperity_eval_float(2 * ASPERITY_EVAL_FLOAT_ONE - (bits & ASPERITY_EVAL_FLOAT_EXPONENT));
-        t = asperity_eval_float((bits & ((UINT32_C(1) << shift) - 1)) | ASPERITY_EVAL_FLOAT_ONE) - 1.0f;
-        t = asperity_eval_line_float(t, lost, inverse_binade);
-        force = asperity_eval_line_float(c[3], asperity_eval_line_float(c[4], c[5], t), t);
-        force = asperity_eval_line_float(c[1], asperity_eval_line_float(c[2], force, t), t);
-        force = ASPERITY_EVAL_ADDF(c[0], asperity_eval_line_float(c[6], force, t));
-        slope = asperity_eval_line_float(3.0f * c[3], asperity_eval_line_float(4.0f * c[4], 5.0f * c[5], t), t);
-        slope = asperity_eval_line_float(c[7], asperity_eval_line_float(2.0f * c[2], slope, t), t);
-        slope = ASPERITY_EVAL_MULF(ASPERITY_EVAL_ADDF(c[1], slope), inverse_binade);
-    } else if (x < 0.0f) {
-        force = 0.0f;
-        slope = table->separated_slope;
-    } else if (load == 0.0f) {
-        force = table->zero_force;
-        slope = table->zero_slope;
-    } else if ((bits >> ASPERITY_EVAL_FLOAT_SHIFT) > table->base) {
-        force = table->heavy_force;
-        slope = 0.0f;
+        force = slope = asperity_eval_float(UINT32_C(0x7fc00000));
     } else {
-        force = asperity_eval_line_float(table->pull_off_force, table->light_slope, x);
-        slope = table->light_slope;
+        x = asperity_eval_excess_float(table, load, &lost);
+        bits = asperity_eval_float_bits(x);
+        if ((bits >> ASPERITY_EVAL_FLOAT_SHIFT) - table->base < table->row_count)
+            force = asperity_eval_in_row_float(table, bits, lost, &slope);
+        else
+            force = asperity_eval_beside_float(table, load, x, &slope);
     }
     if (dforce_dload)
         *dforce_dload = slope;

@@ -248,7 +248,7 @@ def main():
     expected, x_rate, *loads = reference(model, times)
     surface.demand(model, *loads)
     amplitude = np.ptp(expected) / 2
-    error = max(np.max(np.abs(x - expected)) / amplitude, hold(model))
+    error = np.max([np.max(np.abs(x - expected)) / amplitude, hold(model)])  # max would leave out what is no number
     mu = model.state_at_load(MEAN_LOAD).friction_coefficient
     _, x_constant, _, constant_time = run(BeltContact(lambda load: mu * load, None))
     print(

@@ -76,7 +76,7 @@ def slide_error(folder, model):
             friction, stiffness, previous = max(-limit, min(limit, trial)), now, row
             lost = 1 - now / contact.grains(overlap)
             stuck, slid = stuck + (abs(trial) < limit), slid + (abs(trial) > limit)
-            worst = max(worst, abs(size - abs(friction)) / limit, abs(load / elastic - 1))
+            worst = np.max([worst, abs(size - abs(friction)) / limit, abs(load / elastic - 1)])
         print(f"  {elastic:.3g} N: of Mindlin's stiffness the summits take {lost:.1%}; mu = {limit / elastic:.3f}")
     if len(there_and_back) != 10 or stuck < 300 or slid < 300:
         raise RuntimeError(f"{len(there_and_back)} slides, {stuck} steps of sticking and {slid} of slipping: not the run that was meant")
@@ -100,8 +100,8 @@ def disagreement(one, other):
     common = [row for row in other if row["Step"] in steps]
     if len(common) < 2:
         raise RuntimeError("runs without a common step")
-    return max(abs(float(row[name]) / float(steps[row["Step"]][name]) - 1)
-               for row in common for name in row if name != "Step" and float(steps[row["Step"]][name]) != 0)
+    return np.max([abs(float(row[name]) / float(steps[row["Step"]][name]) - 1)
+                   for row in common for name in row if name != "Step" and float(steps[row["Step"]][name]) != 0])
 
 
 def contacts(folder, ranks):
@@ -132,7 +132,7 @@ def law_error(model, rows):
     slipping = np.mean(friction > limit * (1 - 1e-9))
     if not 0.1 < slipping < 0.9:
         raise RuntimeError(f"{slipping:.0%} of the contacts slip: not both kinds")
-    return max(np.max(np.abs(limit / exact - 1)), np.max(friction / exact - 1))
+    return np.max([np.abs(limit / exact - 1), friction / exact - 1])
 
 
 def demand_no_warning(folder):
@@ -149,11 +149,12 @@ def main(folder):
     slide = slide_error(folder, model)
     settle, = tables(folder / "settle.log")
     runs = {ranks: tables(folder / f"shear{ranks}.log") for ranks in (1, 2, 4)}
-    energy = max(energy_gap(rows) for rows in [settle, *runs[1], *runs[2]])
-    ranks = max(disagreement(mine, other) for n in (2, 4) for mine, other in [(runs[1][0], runs[n][0])])
-    ranks = max(ranks, disagreement(runs[1][1], runs[2][1]))
-    law = max(law_error(model, contacts(folder, n)) for n in (1, 2))
-    held = min(np.min(column(rows, "v_held") / column(rows, "v_load")) for n in (1, 2) for rows in runs[n])
+    energy = np.max([energy_gap(rows) for rows in [settle, *runs[1], *runs[2]]])
+    # Built-in max leaves out what is no number; NumPy's does not.
+    ranks = np.max([disagreement(runs[1][0], runs[2][0]), disagreement(runs[1][0], runs[4][0]),
+                    disagreement(runs[1][1], runs[2][1])])
+    law = np.max([law_error(model, contacts(folder, n)) for n in (1, 2)])
+    held = np.min([np.min(column(rows, "v_held") / column(rows, "v_load")) for n in (1, 2) for rows in runs[n]])
     continued, = tables(folder / "continued.log")
     same = continued == runs[2][1]
     print(f"  two grains: friction within {slide:.1e} of the law (limit {LAW_LIMIT:.0e})")

@@ -146,7 +146,7 @@ void Law::make_model(const std::vector<std::string> &names, const std::vector<do
     find_where_it_holds(params.composite_modulus);
 }
 
-// Warnings and number of contacts against pressure, from a billionth of E* to E* itself.
+// Warnings and number of contacts against pressure, from a billionth of E*, at which hardly a summit touches, to E* itself.
 void Law::find_where_it_holds(double composite_modulus) {
     first_interval_ = half_binade(1e-9 * composite_modulus);
     for (std::int64_t k = first_interval_; k <= half_binade(composite_modulus); k++) {

@@ -3,6 +3,7 @@
 #ifndef ASPERITY_LAMMPS_LAW_H
 #define ASPERITY_LAMMPS_LAW_H
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -36,6 +37,9 @@ inline double pressure_of(std::int64_t half_binade) {
     return value;
 }
 
+// Where fewer summits touch, ASPERITY_WARNING_FEW holds (docs/theory.md).
+const double fewest_summits = 20;
+
 // What a contact remembers: the force of its tangential spring on the first body, and the stiffness that it had.
 enum { HISTORY = 4 };
 
@@ -55,6 +59,8 @@ struct Forces {
     double pressure;              // of the real grain
     double friction_work;         // taken from the bodies in this step, into the spring or as heat
     bool slips;
+
+    double elastic_energy(double overlap) const { return 0.4 * elastic * overlap; }    // after Hertz
 };
 
 // Sums over contacts.
@@ -109,7 +115,7 @@ inline void Law::add(const Contact &c, const Forces &r, double dt, double share,
     sums.friction_work += share * r.friction_work;
     sums.damping_work += share * (r.load - r.elastic) * r.approach * dt;
     if (!state) return;
-    sums.elastic_energy += share * 0.4 * r.elastic * c.overlap;
+    sums.elastic_energy += share * r.elastic_energy(c.overlap);
     sums.contacts += share;
     sums.slipping += r.slips ? share : 0;
     sums.load += share * r.load;
@@ -117,9 +123,9 @@ inline void Law::add(const Contact &c, const Forces &r, double dt, double share,
     if (!model_ || !(r.load > 0)) return;
     const std::int64_t place = half_binade(r.pressure) - first_interval_, last = std::int64_t(intervals_.size()) - 1;
     // Below the first interval there are fewer contacts still; above the last, at the pressure E*, the model is far off.
-    const Interval &interval = intervals_[static_cast<std::size_t>(place < 0 ? 0 : place > last ? last : place)];
+    const Interval &interval = intervals_[static_cast<std::size_t>(std::clamp<std::int64_t>(place, 0, last))];
     std::uint64_t warnings = interval.warnings;
-    if (interval.touching * r.load < 20 * r.pressure || place < 0) warnings |= ASPERITY_WARNING_FEW;
+    if (interval.touching * r.load < fewest_summits * r.pressure || place < 0) warnings |= ASPERITY_WARNING_FEW;
     if (warnings == 0) sums.held += share * r.load;
     sums.warnings |= warnings;
 }

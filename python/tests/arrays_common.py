@@ -43,3 +43,12 @@ def exact(model: Model, quantity: str, loads: Array) -> tuple[Array, Array]:
     """Value and slope by the library."""
     found: tuple[Array, Array] = getattr(model, quantity + "_at_load")(loads, slope=True)
     return found
+
+
+def digits_lost(model: Model, quantity: str, loads: Array) -> Array:
+    """By how much an error of the slope is greater than those of what it is made from: that of the coefficient is a
+    difference, small where friction is nearly in proportion to load."""
+    if quantity == "friction_force":
+        return np.ones(loads.shape)
+    force, slope = exact(model, "friction_force", loads)
+    return (np.abs(force / loads) + slope) / np.abs(force / loads - slope)

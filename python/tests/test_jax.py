@@ -7,7 +7,7 @@ from typing import Any
 import jax
 import numpy as np
 import pytest
-from arrays_common import SURFACES, Array, exact, loads_of
+from arrays_common import SURFACES, Array, digits_lost, exact, loads_of
 
 import asperity.jax
 from asperity import Model
@@ -19,17 +19,13 @@ CASES = [("friction_force", surface) for surface in SURFACES] + [("friction", "a
 
 
 def evaluated(model: Model, quantity: str, dtype: Any) -> tuple[Array, Array, Array, Array, Array]:
-    """Value and slope, and those of the library; and how many digits of the slope are lost: that of the coefficient is a
-    difference, small where friction is nearly in proportion to load."""
+    """Value and slope, those of the library, and how many digits of the slope are lost."""
     loads = loads_of(model, dtype)
     law = getattr(asperity.jax, quantity)(model, dtype=dtype)
     value, slope = jax.jit(jax.vmap(jax.value_and_grad(law)))(loads)
     assert value.dtype == slope.dtype == dtype
     loads = loads.astype(np.float64)
-    force, force_slope = exact(model, "friction_force", loads)
-    lost = np.ones(loads.shape)
-    if quantity == "friction":
-        lost = (np.abs(force / loads) + force_slope) / np.abs(force / loads - force_slope)
+    lost = digits_lost(model, quantity, loads)
     return (np.asarray(value), np.asarray(slope), *exact(model, quantity, loads), lost)
 
 

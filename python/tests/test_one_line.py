@@ -62,7 +62,7 @@ def test_two_bodies_without_a_pair_need_a_work_of_adhesion() -> None:
 
 
 def test_a_surface_that_does_not_hold_is_warned_of_once() -> None:
-    ground: dict[str, Any] = {"Sq": 0.4e-6, "Sdq": 0.1, "Sds": 1e10}
+    ground: dict[str, Any] = {"Sq": 0.2e-6, "Sdq": 0.1, "Sds": 1.3e10}
     with pytest.warns(ValidityWarning, match="PLASTIC: summits yield"):
         first = friction("steel/steel", **ground, load=[1e5, 1e6])
     with warnings.catch_warnings():

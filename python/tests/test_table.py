@@ -53,7 +53,7 @@ def test_the_floats_are_those_of_the_header(compile_c: object, root: Path, tmp_p
     compile_c(source, "-I", root / "include", "-o", program, library, f"-Wl,-rpath,{library.parent}", "-lm")
     theirs = np.frombuffer(subprocess.run([program], check=True, capture_output=True).stdout, np.float32).reshape(-1, 8)
     ours = Model(SURFACES["adhesive"]).table("float32")
-    assert theirs.shape[0] == ours.rows.shape[0] or abs(theirs.shape[0] - ours.rows.shape[0]) <= 16
+    assert abs(theirs.shape[0] - ours.rows.shape[0]) <= 16
     whole = slice(0, ours.row_count)
     answers = ~np.isnan(ours.rows[whole, 0]) & ~np.isnan(theirs[whole, 0])
     assert answers.sum() > 0.99 * ours.row_count

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import warp as wp
-from arrays_common import SURFACES, Array, exact, loads_of
+from arrays_common import SURFACES, Array, digits_lost, exact, loads_of
 
 import asperity.warp
 from asperity import Model
@@ -59,14 +59,6 @@ def evaluated(model: Model, quantity: str, loads: Array) -> tuple[Array, Array]:
         wp.launch(KERNELS[quantity, dtype], dim=loads.size, inputs=[law, load], outputs=[out], device="cpu")
     tape.backward(grads={out: wp.array(np.ones(loads.size, dtype), dtype=kind, device="cpu")})
     return out.numpy(), load.grad.numpy()
-
-
-def digits_lost(model: Model, quantity: str, loads: Array) -> Array:
-    """The slope of the coefficient is a difference, small where friction is nearly in proportion to load."""
-    if quantity == "friction_force":
-        return np.ones(loads.size)
-    force, slope = exact(model, "friction_force", loads)
-    return (np.abs(force / loads) + slope) / np.abs(force / loads - slope)
 
 
 @pytest.mark.parametrize("surface", SURFACES)

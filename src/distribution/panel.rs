@@ -27,6 +27,8 @@ const TAIL_BEGINS: f64 = 0.5;
 /// The first panel above a lower end where the density is a power, in sigma: a density that is not a power alone is a power
 /// series in the height above the end over so small a part of the distribution.
 const FOOT: f64 = 0.02;
+/// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
+pub const MOST_PANELS: usize = 6000;
 
 /// How far above z one panel of 16 Gauss points may reach, never past the next breakpoint.
 pub fn panel_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
@@ -35,6 +37,19 @@ pub fn panel_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
         return most;
     }
     most.min(smooth_length(heights, z))
+}
+
+/// The panels from one height up to another, by their ends.
+pub fn panels(heights: &dyn HeightDistribution, from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
+    let mut z = from;
+    let next = move || {
+        (z < to).then(|| {
+            let start = z;
+            z = (z + panel_length(heights, z)).min(to);
+            (start, z)
+        })
+    };
+    std::iter::from_fn(next).take(MOST_PANELS)
 }
 
 /// Whether one panel may reach from one height to another, if panels may be longer by a factor.
@@ -200,7 +215,7 @@ mod tests {
 
     /// The integrals of the density times powers of the height above the mean, by panels; and how many panels.
     fn moments(heights: &dyn HeightDistribution) -> ([f64; 5], usize) {
-        let (mut moments, mut panels) = ([0.0; 5], 0);
+        let (mut moments, mut count) = ([0.0; 5], 0);
         let mut add = |z: f64, weight: f64| {
             let mut term = weight * exp(heights.log_density(z));
             for moment in &mut moments {
@@ -219,26 +234,25 @@ mod tests {
                     add(z + rise, weight * rate);
                 }
                 z += foot.length;
-                panels += 1;
+                count += 1;
             }
         }
-        while z < highest && (z < heights.last_mode() || is_left(z) > 0.0) {
-            let to = (z + panel_length(heights, z)).min(highest);
-            nodes(z, to).for_each(|(x, weight)| add(x, weight));
-            z = to;
-            panels += 1;
+        let counts = |&(z, _): &(f64, f64)| z < heights.last_mode() || is_left(z) > 0.0;
+        for (from, to) in panels(heights, z, highest).take_while(counts) {
+            nodes(from, to).for_each(|(x, weight)| add(x, weight));
+            count += 1;
         }
-        (moments, panels)
+        (moments, count)
     }
 
     /// Down to exp(-123) of the largest density.
     #[test]
     fn panels_give_the_moments_of_heights_to_rounding() {
         for heights in families() {
-            let (found, panels) = moments(&*heights);
+            let (found, count) = moments(&*heights);
             for (power, expected) in [1.0, 0.0, 1.0, heights.skew(), heights.kurtosis()].into_iter().enumerate() {
                 let error = (found[power] - expected) / expected.abs().max(1.0);
-                assert!(error.abs() < 3e-14, "moment {power}: {error:e} in {panels} panels of {heights:?}");
+                assert!(error.abs() < 3e-14, "moment {power}: {error:e} in {count} panels of {heights:?}");
             }
         }
     }

@@ -5,7 +5,7 @@
 use super::sums::Sums;
 use super::{Edge, Population};
 use crate::asperity::attraction::{Attracted, Attraction, ATTRACTION_LAMBDA_CUBED};
-use crate::distribution::panel::{self, FootPanel};
+use crate::distribution::panel::{self, FootPanel, MOST_PANELS};
 use crate::elementary::exp;
 use crate::numerics::quadrature;
 use crate::numerics::root;
@@ -16,8 +16,6 @@ const CIRCLE_RATIO: f64 = 4.0;
 const PART_AT_FOOT: f64 = 0.02;
 /// The shortest panel over the whole range: what lies within it of a singular point is negligible.
 const SHORTEST_PART: f64 = 1e-8;
-/// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
-const MOST_PANELS: usize = 6000;
 
 /// A range of summits that attract.
 pub(super) struct AttractedRange<'a> {

@@ -5,7 +5,7 @@
 //! of contact and past where attraction sets in. Nothing is taken by differences.
 
 use super::break_away::Edge;
-use super::panels::{ContactVisitor, Progress};
+use super::panels::{ContactVisitor, Progress, Walk};
 use super::radius::RadiusProfile;
 use super::{sums, Point, Population};
 use crate::asperity::slip::Slip;
@@ -123,8 +123,8 @@ impl Population {
         let edge = self.edge(separation);
         let mut adding = Adding { population: self, heights, changes: Changes::default() };
         if let Some(start) = self.lowest_contact(separation, &edge) {
-            let progress = &mut Progress::default();
-            if !self.walk(separation, start, edge.point.z, f64::INFINITY, progress, &mut adding) {
+            let walk = Walk { separation, start, edge_height: edge.point.z, end: f64::INFINITY };
+            if !self.walk(&walk, &mut Progress::default(), &mut adding) {
                 return None;
             }
         }

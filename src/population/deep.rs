@@ -17,8 +17,6 @@ use crate::numerics::quadrature::{self, POINTS};
 const LEAST_CLEARANCE: f64 = 0.7;
 /// Heights above which less than this part of all lies are left out.
 const NEGLIGIBLE: f64 = 1e-17;
-/// No distribution needs as many panels.
-const MOST_PANELS: usize = 6000;
 
 /// Points among the heights with their weights.
 #[derive(Debug, Clone)]
@@ -108,10 +106,8 @@ impl DeepRule {
             Interpolation::new(&self.heights, std::array::from_fn(|i| of(&after[i]) - of(&before[i])))
         };
         let (force, slope) = (change(|summit| summit.friction), change(|summit| summit.friction_by_overlap));
-        let mut z = kink;
-        while z < self.highest {
-            let end = (z + panel::panel_length(&*population.heights, z)).min(self.highest);
-            let mut nodes = quadrature::nodes(z, end);
+        for (from, to) in panel::panels(&*population.heights, kink, self.highest) {
+            let mut nodes = quadrature::nodes(from, to);
             let nodes: [(f64, f64); POINTS] = std::array::from_fn(|_| nodes.next().unwrap_or_default());
             let heights = nodes.map(|(z, _)| z);
             let (force, slope) = (force.at(heights), slope.at(heights));
@@ -119,34 +115,31 @@ impl DeepRule {
                 sums.friction += nodes[i].1 * density * force[i];
                 sums.friction_slope -= nodes[i].1 * density * slope[i];
             }
-            z = end;
         }
     }
 }
 
 /// The density at the nodes of panels over all heights that count, times their weights; the last is the end of the range.
 fn sampled(heights: &dyn HeightDistribution, lowest: f64, highest: f64) -> Vec<(f64, f64)> {
-    let (mut samples, mut total, mut z) = (Vec::new(), 0.0, lowest);
-    if let Some(panel) = FootPanel::new(heights, 1.0).filter(|_| z <= heights.support().0) {
+    let (mut samples, mut total, mut end) = (Vec::new(), 0.0, lowest);
+    if let Some(panel) = FootPanel::new(heights, 1.0).filter(|_| lowest <= heights.support().0) {
         for (v, weight) in quadrature::nodes(0.0, 1.0) {
             let (rise, rate) = panel.at(v);
-            samples.push((z + rise, weight * rate * exp(heights.log_density(z + rise))));
+            samples.push((lowest + rise, weight * rate * exp(heights.log_density(lowest + rise))));
         }
-        z += panel.length;
+        end += panel.length;
     }
-    for _ in 0..MOST_PANELS {
-        let end = (z + panel::panel_length(heights, z)).min(highest);
+    for (from, to) in panel::panels(heights, end, highest) {
         let before = samples.len();
-        samples.extend(quadrature::nodes(z, end).map(|(x, weight)| (x, weight * exp(heights.log_density(x)))));
+        samples.extend(quadrature::nodes(from, to).map(|(x, weight)| (x, weight * exp(heights.log_density(x)))));
         let mass: f64 = samples[before..].iter().map(|(_, fraction)| fraction).sum();
         total += mass;
-        let is_tail = end > heights.last_mode() && mass <= NEGLIGIBLE * total;
-        z = end;
-        if is_tail || z >= highest {
+        end = to;
+        if end > heights.last_mode() && mass <= NEGLIGIBLE * total {
             break;
         }
     }
-    samples.push((z, 0.0));
+    samples.push((end, 0.0));
     samples
 }
 

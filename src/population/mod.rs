@@ -38,7 +38,7 @@ use crate::numerics::root;
 use break_away::Edge;
 use deep::DeepRule;
 use node_table::NodeTable;
-use panels::{Progress, Visitor};
+use panels::{Progress, Visitor, Walk};
 use radius::RadiusProfile;
 use std::sync::Arc;
 use sums::Summit;
@@ -312,9 +312,10 @@ impl Population {
     /// Hands all summits in contact to a visitor; `false` if that takes more panels than there may be.
     fn visit(&self, separation: f64, edge: &Edge, visitor: &mut impl Visitor) -> bool {
         let Some(start) = self.lowest_contact(separation, edge) else { return true };
+        let walk = Walk { separation, start, edge_height: edge.point.z, end: f64::INFINITY };
         match &self.nodes {
-            Some(table) => self.walk_table(table, separation, start, edge.point.z, visitor),
-            None => self.walk(separation, start, edge.point.z, f64::INFINITY, &mut Progress::default(), visitor),
+            Some(table) => self.walk_table(table, &walk, visitor),
+            None => self.walk(&walk, &mut Progress::default(), visitor),
         }
     }
 

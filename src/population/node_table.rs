@@ -1,6 +1,6 @@
 //! Quadrature nodes that serve every separation: with equal radii the contacts depend on overlap alone.
 
-use super::panels::{Panel, Progress, Visitor};
+use super::panels::{Panel, Progress, Visitor, Walk};
 use super::sums::Summit;
 use super::{Edge, Point, Population};
 use crate::distribution::panel;
@@ -59,19 +59,12 @@ impl TablePanel {
 }
 
 impl Population {
-    /// Walks the summits in contact above a height from the table; panels across which the density is not smooth are walked
-    /// anew.
-    pub(super) fn walk_table(
-        &self,
-        table: &NodeTable,
-        separation: f64,
-        start: Point,
-        edge_height: f64,
-        visitor: &mut impl Visitor,
-    ) -> bool {
+    /// Hands summits in contact to a visitor from the table; panels across which the density is not smooth are walked anew.
+    pub(super) fn walk_table(&self, table: &NodeTable, walk: &Walk, visitor: &mut impl Visitor) -> bool {
+        let separation = walk.separation;
         let mut progress = Progress::default();
-        let largest = self.heights.log_density(start.z.max(self.heights.last_mode()));
-        let mut start = Some(start);
+        let largest = self.heights.log_density(walk.start.z.max(self.heights.last_mode()));
+        let mut start = Some(walk.start);
         for panel in &table.panels {
             let (from, to) = (separation + panel.from.z, separation + panel.to.z);
             if start.is_some_and(|start| start.z >= to) {
@@ -84,7 +77,7 @@ impl Population {
             let ends_within = to > self.heights.support().1;
             let longer = self.panel_factor(largest, from);
             if from_start.z > from || ends_within || !panel::is_one_panel(&*self.heights, from, to, longer) {
-                if !self.walk(separation, from_start, edge_height, to, &mut progress, visitor) {
+                if !self.walk(&Walk { start: from_start, end: to, ..*walk }, &mut progress, visitor) {
                     return false;
                 }
             } else {
@@ -105,6 +98,6 @@ impl Population {
             }
         }
         let rest = start.unwrap_or(table.end.raised(separation));
-        self.walk(separation, rest, edge_height, f64::INFINITY, &mut progress, visitor)
+        self.walk(&Walk { start: rest, ..*walk }, &mut progress, visitor)
     }
 }

@@ -8,7 +8,7 @@
 use super::sums::Summit;
 use super::{Point, Population, RADII};
 use crate::asperity::slip::Slip;
-use crate::distribution::panel::{self, FootPanel};
+use crate::distribution::panel::{self, FootPanel, MOST_PANELS};
 use crate::elementary::exp;
 use crate::numerics::hermite::Cubic;
 use crate::numerics::quadrature::{self, POINTS};
@@ -48,8 +48,6 @@ const SHORTEST: f64 = 1e-8;
 const MOST_STEPS: u32 = 60;
 /// What is nearer to a stretch's end, where another follows, than this relative to 1 or to its height, is there.
 const AT_STOP: f64 = 4e-15;
-/// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
-const MOST_PANELS: usize = 6000;
 
 /// What the summits in contact are handed to.
 pub trait Visitor {
@@ -98,6 +96,18 @@ pub struct Panel {
     part: f64,
 }
 
+/// The summits in contact to go over, from the lowest up.
+#[derive(Debug, Clone, Copy)]
+pub struct Walk {
+    pub separation: f64,
+    /// The lowest of them.
+    pub start: Point,
+    /// The height at which summits just break away.
+    pub edge_height: f64,
+    /// None of them is higher.
+    pub end: f64,
+}
+
 /// How much has been summed, to know when the rest is negligible.
 #[derive(Debug, Default)]
 pub struct Progress {
@@ -120,18 +130,11 @@ fn importance(overlap: f64) -> f64 {
 }
 
 impl Population {
-    /// Walks the summits in contact from one of them up to a height, or to where the rest is negligible. `false` if that
-    /// takes more panels than there may be.
-    pub(super) fn walk(
-        &self,
-        separation: f64,
-        start: Point,
-        edge_height: f64,
-        end: f64,
-        progress: &mut Progress,
-        visitor: &mut impl ContactVisitor,
-    ) -> bool {
-        let mut here = self.above_foot(separation, start, edge_height, end, progress, visitor);
+    /// Hands summits in contact to a visitor, up to where the rest is negligible. `false` if that takes more panels than
+    /// there may be.
+    pub(super) fn walk(&self, walk: &Walk, progress: &mut Progress, visitor: &mut impl ContactVisitor) -> bool {
+        let &Walk { separation, start, edge_height, end } = walk;
+        let mut here = self.above_foot(walk, progress, visitor);
         let mut kink = None;
         let end = end.min(self.highest);
         let largest = self.heights.log_density(start.z.max(self.heights.last_mode()));
@@ -228,15 +231,8 @@ impl Population {
 
     /// The first panel where the range begins at a foot of the distribution at which the density is a power; returns where
     /// it ends.
-    fn above_foot(
-        &self,
-        separation: f64,
-        start: Point,
-        edge_height: f64,
-        end: f64,
-        progress: &mut Progress,
-        visitor: &mut impl ContactVisitor,
-    ) -> Point {
+    fn above_foot(&self, walk: &Walk, progress: &mut Progress, visitor: &mut impl ContactVisitor) -> Point {
+        let &Walk { separation, start, edge_height, end } = walk;
         let (foot, _) = self.heights.support();
         let smooth = (start.z - edge_height).min(self.radius.smooth_length(foot));
         let Some(panel) =

@@ -126,16 +126,14 @@ impl Population {
 
     /// The fraction of all summits that are higher.
     fn exceedance(&self, z: f64) -> f64 {
-        let (mut z, mut fraction) = (z, 0.0);
-        while z < self.highest {
-            let end = (z + panel::panel_length(&*self.heights, z)).min(self.highest);
+        let mut fraction = 0.0;
+        for (from, to) in panel::panels(&*self.heights, z, self.highest) {
             let part: f64 =
-                quadrature::nodes(z, end).map(|(x, weight)| weight * exp(self.heights.log_density(x))).sum();
+                quadrature::nodes(from, to).map(|(x, weight)| weight * exp(self.heights.log_density(x))).sum();
             fraction += part;
-            if z >= self.heights.last_mode() && part <= NEGLIGIBLE * fraction {
+            if from >= self.heights.last_mode() && part <= NEGLIGIBLE * fraction {
                 break;
             }
-            z = end;
         }
         fraction
     }

@@ -44,8 +44,9 @@ def clean(
     """Levels a map, replaces spikes and fills missing points.
 
     A spike is a point that differs from the median of the 5 x 5 points around it by more than 10 times what is usual in
-    the map, and by more than 5 times what is usual among these (1.4826 times the median of such differences). Missing points and spikes are filled with the heights of a
-    stretched membrane, each the mean of its 4 neighbours: that makes no summits, so the density is low by the part filled.
+    the map, and by more than 5 times what is usual among these (1.4826 times the median of such differences). Missing
+    points and spikes are filled with the heights of a stretched membrane, each the mean of its 4 neighbours: that makes no
+    summits, so the density is low by the part filled.
 
     Args:
         height_map: as for `summits`; points that the instrument did not see are NaN, infinite or masked.

@@ -109,8 +109,8 @@ def cutoffs(
 
     Waves shorter than a contact is wide are pressed flat in it and are no summits; waves that the map does not resolve are
     drawn wrongly. So the recommended cutoff is the shortest whose waves have 6 points and at which contacts are 4 points wide
-    on average, if it leaves half of the variance of the heights. Where friction hardly depends on the cutoff around there, the choice does not matter; elsewhere it does, and
-    the spread is the uncertainty of the result.
+    on average, if it leaves half of the variance of the heights. Where friction hardly depends on the cutoff around there,
+    the choice does not matter; elsewhere it does, and the spread is the uncertainty of the result.
 
     Args:
         height_map: as for `summits`; `clean` it first.

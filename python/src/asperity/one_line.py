@@ -84,14 +84,12 @@ def _contact(pair: str | Pair, surface: dict[str, Any]) -> dict[str, Any]:
         return contact(known.first, known.second, known.work_of_adhesion, known.slip_stress_1, burgers_vector)
     if "work_of_adhesion" not in surface:
         raise Error(
-            f"work_of_adhesion: must be given, since none is known here for {pair}; {_LISTED}",
+            f"work_of_adhesion: must be given, since none is known here for {pair}; "
+            "0 is none, asperity.materials.PAIRS has those that are known",
             Status.INVALID_PARAMETER,
         )
     first, second = (MATERIALS[name] for name in names)
     return contact(first, second, surface["work_of_adhesion"], burgers_vector=burgers_vector)
-
-
-_LISTED = "0 is none, asperity.materials.PAIRS has those that are known"
 
 
 def _has(pair: str) -> bool:

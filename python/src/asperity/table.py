@@ -35,6 +35,11 @@ if TYPE_CHECKING:
 Array = npt.NDArray[Any]
 
 _FLOAT_SHIFT, _LEAST_SHIFT = 20, 11
+# Force and slope of a row of floats are good to half the rounding of a float and to 1e-7: with the roundings of evaluating
+# it, within the 2e-7 that asperity_eval.h tells.
+_FORCE_ERROR, _SLOPE_ERROR = 10**-7.5, 1e-7
+# A greater cap is none: its inverse would not be a normal float.
+_LARGEST_CAP, _LEAST_INVERSE_CAP = 8e37, 1.25e-38
 _LINK = 0x1FF << 22
 _ONE, _EXPONENT = 127 << 23, 255 << 23
 # The places of Chebyshev's points of degree 6, which a row of floats is made from, and where it is compared.
@@ -135,9 +140,9 @@ def of_floats(table: Table) -> Table:
     scalars["light_slope"] = float(np.float32((lightest[0] - table.pull_off_force) / ends[0]))
     scalars["heavy_force"] = float(np.float32(heaviest[0] if np.isfinite(heaviest[0]) else table.heavy_force))
     scalars["max_friction_coefficient"] = (
-        float("inf") if table.max_friction_coefficient > 8e37 else scalars["max_friction_coefficient"]
+        float("inf") if table.max_friction_coefficient > _LARGEST_CAP else scalars["max_friction_coefficient"]
     )
-    scalars["inverse_cap"] = float(np.float32(max(table.inverse_cap, 1.25e-38)))
+    scalars["inverse_cap"] = float(np.float32(max(table.inverse_cap, _LEAST_INVERSE_CAP)))
     pull_off = float(np.float32(table.pull_off_load))
     return Table(
         whole, end - begin, begin, _FLOAT_SHIFT, len(levels) - 1,
@@ -156,7 +161,7 @@ def at_excess(table: Table, x: Array) -> tuple[Array, Array]:
     for _ in range(table.depth):
         link = np.isnan(row[:, 0])
         before = (t[:, None] >= row[:, 2:]).sum(axis=1)
-        first = (np.ascontiguousarray(row[:, 0]).view(np.uint64) & np.uint64((1 << 51) - 1)).astype(np.int64) // 64
+        first = _first_parts(row)
         link &= first > 0
         later = np.take_along_axis(row, 1 + before[:, None], axis=1)[:, 0]
         begin = np.where(link & (before > 0), later, begin)
@@ -167,6 +172,12 @@ def at_excess(table: Table, x: Array) -> tuple[Array, Array]:
         rate = rate * (t - begin) + value
         value = value * (t - begin) + coefficient
     return value, rate / _binade(bits)
+
+
+def _first_parts(rows: Array) -> Array:
+    """The indices of the first parts of rows of doubles that are links; 0 of one that is left out."""
+    bits = np.ascontiguousarray(rows[:, 0]).view(np.uint64)
+    return (bits & np.uint64((1 << 51) - 1)).astype(np.int64) // 64
 
 
 def _binade(bits: Array) -> Array:
@@ -195,7 +206,8 @@ def _fitted(table: Table, bits: Array, shift: int) -> tuple[Array, Array]:
     value, rate = kept @ powers.T, kept[:, 1:] @ (powers[:, :5] * np.arange(1, 6)).T / binade[:, None]
     missing = np.isnan(value) | np.isnan(exact)
     with np.errstate(invalid="ignore"):
-        bad = (np.abs(value - exact) > 10**-7.5 * np.abs(exact)) | (np.abs(rate - slope) > 1e-7 * np.abs(slope))
+        bad = np.abs(value - exact) > _FORCE_ERROR * np.abs(exact)
+        bad |= np.abs(rate - slope) > _SLOPE_ERROR * np.abs(slope)
     return rows, np.any(bad, axis=1) | np.any(missing, axis=1) & ~np.all(missing, axis=1)
 
 
@@ -218,7 +230,7 @@ def _depth(rows: Array, row_count: int) -> int:
     while level.size:
         links = rows[level]
         links = links[np.isnan(links[:, 0])]
-        first = (np.ascontiguousarray(links[:, 0]).view(np.uint64) & np.uint64((1 << 51) - 1)).astype(np.int64) // 64
+        first = _first_parts(links)
         parts = 1 + (links[:, 2:] < 1).sum(axis=1)
         level = np.concatenate([np.arange(i, i + n) for i, n in zip(first[first > 0], parts[first > 0])] or [np.arange(0)])
         depth += level.size > 0

@@ -84,8 +84,9 @@ def law(model: Model, dtype: npt.DTypeLike = np.float64, device: Any = None) -> 
     """
     table = model.table(dtype)
     single = table.dtype == np.float32
-    made = Law32() if single else Law64()
-    for name in vars(type(made).cls if hasattr(type(made), "cls") else type(made)).get("__annotations__", {}):
+    kind: Any = Law32 if single else Law64
+    made = kind()
+    for name in kind.vars:
         if name == "rows":
             made.rows = wp.array(table.rows, dtype=wp.float32 if single else wp.float64, device=device)
         else:
