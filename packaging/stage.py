@@ -21,6 +21,8 @@ def build_stage(target, folder, env):
     elif "wasm32" in target.rust:
         install_wasm(target, folder, env)
     else:
+        # cargo, not make, knows what is out of date: options of the compiler count too.
+        shutil.rmtree(WORK / "cargo" / "install" / f"package-{target.rust}", ignore_errors=True)
         destdir = folder.with_name(folder.name + ".destdir")
         run("make", "-f", "cmake/install.mk", "install", f"DESTDIR={destdir}", "PREFIX=/asperity", env=env)
         (destdir / "asperity").rename(folder)
