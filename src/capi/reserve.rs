@@ -96,6 +96,8 @@ struct Allocator;
 #[global_allocator]
 static ALLOCATOR: Allocator = Allocator;
 
+#[cold]
+#[inline(never)]
 fn from_reserve(layout: Layout) -> *mut u8 {
     let mut reserve = RESERVE.get();
     let at = reserve.take(layout);
@@ -105,6 +107,7 @@ fn from_reserve(layout: Layout) -> *mut u8 {
 
 // SAFETY: blocks are the system's, or of the thread's reserve, which does not hand out bytes twice.
 unsafe impl GlobalAlloc for Allocator {
+    #[inline(never)] // There are hundreds of calls, and inlined they take 30 kB.
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         let at = System.alloc(layout);
         if at.is_null() {
@@ -125,6 +128,7 @@ unsafe impl GlobalAlloc for Allocator {
         at
     }
 
+    #[inline(never)]
     unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
         let mut reserve = RESERVE.get();
         if reserve.has(at) {
