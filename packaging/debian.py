@@ -3,7 +3,7 @@
 import shutil
 
 from sources import unpack_commit
-from targets import ROOT, WORK, build_environment, linker_environment, read_targets, run
+from targets import ROOT, WORK, linker_environment, read_targets, run, small_std_environment
 
 
 def build_debian(out, env):
@@ -14,8 +14,8 @@ def build_debian(out, env):
     unpack_commit(source)
     shutil.copytree(ROOT / "packaging" / "debian", source / "debian")
     target = read_targets()["x86_64-linux-gnu"]
-    env = env | linker_environment(target) | {"CARGO_BUILD_TARGET": target.rust, "DEB_BUILD_OPTIONS": "noautodbgsym"}
-    env["RUSTFLAGS"] = build_environment(source)["RUSTFLAGS"]
+    env = env | linker_environment(target) | small_std_environment()
+    env |= {"CARGO_BUILD_TARGET": target.rust, "DEB_BUILD_OPTIONS": "noautodbgsym"}
     # -d: cargo may be of rustup, not of Debian.
     run("dpkg-buildpackage", "-b", "-uc", "-us", "-d", cwd=source, env=env)
     return [shutil.move(file, out / file.name) for file in sorted(work.glob("*.deb"))]

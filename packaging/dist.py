@@ -19,7 +19,7 @@ from conda import build_conda
 from debian import build_debian
 from sources import build_crate, build_source_archive
 from stage import build_stage
-from targets import ROOT, VENV, WORK, Refusal, build_environment, read_targets, run, version
+from targets import ROOT, VENV, WORK, Refusal, build_environment, read_targets, run, rust_sources, version
 from wheels import build_sdist, build_wheel
 
 PACKAGES = ("sources", "crate", "debian")
@@ -48,6 +48,8 @@ def demand_tools(targets, packages, env):
     missing = [tool for tool in sorted(wanted) if not shutil.which(tool, path=env["PATH"])]
     if not (VENV / "packages").is_file():
         missing.append(f"the tools from PyPI in {VENV}")
+    if not (rust_sources() / "library" / "Cargo.lock").is_file():
+        missing.append("the sources of Rust's standard library (rust-src)")
     for target in targets:
         libraries = run("rustc", "--print", "target-libdir", "--target", target.rust).strip()
         if not any(Path(libraries).glob("libstd-*")):

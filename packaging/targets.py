@@ -67,21 +67,42 @@ def version():
     return re.search(r'^version = "(.+)"', (ROOT / "Cargo.toml").read_text(encoding="utf-8"), re.MULTILINE)[1]
 
 
-def build_environment(source=ROOT):
+def build_environment():
     """
     The environment of all builds: no path of this machine and no date but that of the commit gets into a file, and
     what the user set for builds of their own does not either.
     """
     dropped = re.compile(r"(CARGO_(?!HOME$)|RUST(?!UP_)|MAKE|MFLAGS|CFLAGS|LDFLAGS|DESTDIR|PREFIX|LIBDIR|ASPERITY_).*")
     env = {name: value for name, value in os.environ.items() if not dropped.fullmatch(name)}
-    cargo_home = env.get("CARGO_HOME", Path.home() / ".cargo")
-    env["RUSTFLAGS"] = f"--remap-path-prefix={source}=/asperity --remap-path-prefix={cargo_home}=/cargo"
+    # Of two that fit the compiler takes the later. The same for all builds, so that what is built once serves them all.
+    places = (
+        (env.get("CARGO_HOME", Path.home() / ".cargo"), "/cargo"),
+        (rust_sources(), "/rust"),
+        (ROOT, "/asperity"),
+        (WORK, "/built"),
+        (WORK / "debian" / "asperity", "/asperity"),
+    )
+    env["RUSTFLAGS"] = " ".join(f"--remap-path-prefix={place}={name}" for place, name in places)
     env["SOURCE_DATE_EPOCH"] = run("git", "log", "-1", "--format=%ct").strip()
     env["PATH"] = f"{VENV / 'bin'}:{env['PATH']}"
     env["CARGO_TARGET_DIR"] = str(WORK / "cargo")
     env["CARGO_PROFILE_RELEASE_STRIP"] = "symbols"
     env.update(MACOSX_DEPLOYMENT_TARGET="11.0", LC_ALL="C", TZ="UTC")
     return env
+
+
+def rust_sources():
+    """Where rustup puts the sources of Rust's standard library, its component rust-src."""
+    return Path(run("rustc", "--print", "sysroot").strip()) / "lib" / "rustlib" / "src" / "rust"
+
+
+def small_std_environment():
+    """
+    What makes cargo build Rust's standard library along, without the part that gives the addresses in the trace of a panic
+    their names. That takes a quarter of the library, and in a stripped one it finds no names. The compiler is the released
+    one; that it may do so is what cargo calls unstable.
+    """
+    return {"RUSTC_BOOTSTRAP": "1", "CARGO_UNSTABLE_BUILD_STD": "std,panic_unwind", "CARGO_UNSTABLE_BUILD_STD_FEATURES": ""}
 
 
 def linker_environment(target):

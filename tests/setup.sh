@@ -61,6 +61,7 @@ fi
 if [[ " $* " == *" dist "* ]] && command -v rustup >/dev/null; then
     # shellcheck disable=SC2086
     rustup -q target add $dist_targets $machine_targets
+    rustup -q component add rust-src
 fi
 
 if [[ " $* " == *" web "* ]] && command -v rustup >/dev/null; then

@@ -115,6 +115,17 @@ for wheel in "${wheels[@]}"; do
     esac
 done
 
+# ---- The same bytes from a second build ----
+again=()
+[ ! -f "dist/asperity-$version-x86_64-linux-gnu.tar.xz" ] || again+=(x86_64-linux-gnu)
+[ ! -f "dist/asperity-$version-source.tar.xz" ] || again+=(sources)
+[ ! -f "dist/asperity-$version.crate" ] || again+=(crate)
+! ls dist/*.deb >/dev/null 2>&1 || again+=(debian)
+if [ "${#again[@]}" != 0 ]; then
+    said=$(tests/dist/reproducible.sh "$work/again" "${again[@]}")
+    passed "${again[*]}" "$said"
+fi
+
 # ---- Sources, without a network ----
 if [ -f "dist/asperity-$version-source.tar.xz" ]; then
     tar -xf "dist/asperity-$version-source.tar.xz" -C "$work"
