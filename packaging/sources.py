@@ -39,4 +39,5 @@ def build_source_archive(out, env):
 def build_crate(out, env):
     """asperity-VERSION.crate, as `cargo publish` would upload it; built once from what is in it."""
     run("cargo", "package", "--locked", env=env)
-    return shutil.copy2(WORK / "cargo" / "package" / f"asperity-{version()}.crate", out)
+    name = f"asperity-{version()}.crate"
+    return shutil.copy2(WORK / "cargo" / "package" / name, out / name)

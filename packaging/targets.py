@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -93,6 +94,8 @@ def build_environment():
 
 def rust_sources():
     """Where rustup puts the sources of Rust's standard library, its component rust-src."""
+    if not shutil.which("rustc"):
+        raise Refusal("missing: rustc, the compiler of Rust: https://rustup.rs")
     return Path(run("rustc", "--print", "sysroot").strip()) / "lib" / "rustlib" / "src" / "rust"
 
 

@@ -48,6 +48,9 @@ python=$(python3 -c 'import sys; print(sys.executable)')
 refuses "x86_64-w64-mingw32-gcc" env PATH="$copy/target/bin" "$python" packaging/dist.py x86_64-windows
 refuses "tests/setup.sh dist installs them" env PATH="$copy/target/bin" "$python" packaging/dist.py x86_64-windows
 
+rm "$copy/target/bin/rustc"
+refuses "missing: rustc, " env PATH="$copy/target/bin" "$python" packaging/dist.py x86_64-windows
+
 refuses "say which: make release VERSION=x.y.z" make release
 refuses "'next' is no version" make release VERSION=next
 refuses "Cargo.toml has $version, not 9.9.9" make release VERSION=9.9.9
