@@ -3,7 +3,7 @@
 import shutil
 
 from sources import unpack_commit
-from targets import ROOT, WORK, linker_environment, read_targets, run, small_std_environment
+from targets import WORK, linker_environment, read_targets, run, small_std_environment
 
 
 def build_debian(out, env):
@@ -12,7 +12,7 @@ def build_debian(out, env):
     shutil.rmtree(work, ignore_errors=True)
     source = work / "asperity"
     unpack_commit(source)
-    shutil.copytree(ROOT / "packaging" / "debian", source / "debian")
+    shutil.copytree(source / "packaging" / "debian", source / "debian")  # with the date of the commit
     target = read_targets()["x86_64-linux-gnu"]
     env = env | linker_environment(target) | small_std_environment()
     env |= {"CARGO_BUILD_TARGET": target.rust, "DEB_BUILD_OPTIONS": "noautodbgsym"}

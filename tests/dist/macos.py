@@ -1,6 +1,7 @@
 """
 What macOS asks of a library before it runs it, read from the file: macos.py PREFIX. The install name must be one that -rpath
-resolves, the system not later than 11, every page as the signature says, and all functions of the header exported.
+resolves, the system not later than 11, every page as the signature says, and all functions of the header exported. Apple's
+processors run nothing without a signature, Intel's do.
 """
 
 import hashlib
@@ -12,6 +13,7 @@ from pathlib import Path
 
 LC_ID_DYLIB, LC_CODE_SIGNATURE, LC_BUILD_VERSION = 0xD, 0x1D, 0x32
 CODE_DIRECTORY = 0xFADE0C02
+ARM64 = 0x0100000C
 
 
 def commands(data):
@@ -53,13 +55,16 @@ def main(prefix):
     assert (prefix / "lib" / name.removeprefix("@rpath/")).is_file(), f"{name} is not there"
     oldest = struct.unpack_from("<I", found[LC_BUILD_VERSION], 12)[0]
     assert oldest <= 11 << 16, f"needs macOS {oldest >> 16}"
-    pages = check_signature(data, found[LC_CODE_SIGNATURE])
+    signed = "not signed"
+    if LC_CODE_SIGNATURE in found:
+        signed = f"{check_signature(data, found[LC_CODE_SIGNATURE])} signed pages"
+    assert LC_CODE_SIGNATURE in found or struct.unpack_from("<I", data, 4)[0] != ARM64, "no signature"
     declared = set(re.findall(r"\b(asperity_\w+)\(", (prefix / "include" / "asperity.h").read_text(encoding="utf-8")))
     listed = subprocess.run(["llvm-nm", "-gU", library], capture_output=True, text=True, check=True).stdout
     exported = {line.split()[-1].removeprefix("_") for line in listed.splitlines()}
     # zig's linker exports three names of Rust's standard library as well.
     assert declared <= exported, f"not exported: {sorted(declared - exported)}"
-    print(f"{name}, for macOS 11, {len(declared)} functions, {pages} signed pages; not run")
+    print(f"{name}, for macOS 11, {len(declared)} functions, {signed}; not run")
 
 
 if __name__ == "__main__":
