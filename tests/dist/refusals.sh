@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # What make dist and make release refuse: each must be named, and dist/ must be as it was before. In a copy of the commit, whose
-# dist/ holds one file. Also what the scripts of a release say of themselves: the workflows against GitHub's schema.
+# dist/ holds one file.
 #
-# usage: tests/dist/refusals.sh      needs git, python3; the workflows are checked where tests/setup.sh dist has run
+# usage: tests/dist/refusals.sh            needs git, make and python3; seconds
+#        tests/dist/refusals.sh building   a build that fails on the way too, and the workflows against GitHub's schema;
+#                                          after tests/setup.sh dist
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
@@ -60,15 +62,18 @@ sed -i "s/^version: $version/version: 0.0.9/" CITATION.cff
 git commit --quiet --all --message "one version differs"
 refuses "CITATION.cff has 0.0.9, not $version" make release VERSION="$version"
 
-# A build that fails on the way.
-git reset --quiet --hard HEAD~
-sed -i '1i compile_error!("stop");' src/lib.rs
-git commit --quiet --all --message "does not compile"
-if [ -f "$target/dist-venv/packages" ]; then
+case "${1:-}" in
+"") ;;
+building)
+    git reset --quiet --hard HEAD~
+    sed -i '1i compile_error!("stop");' src/lib.rs
+    git commit --quiet --all --message "does not compile"
     ln -s "$target/dist-venv" "$copy/target/dist-venv"
     refuses "failed: make -f cmake/install.mk" make dist TARGETS=x86_64-linux-gnu
     "$target/dist-venv/bin/check-jsonschema" --builtin-schema vendor.github-workflows .github/workflows/*.yml >/dev/null ||
         fail "a workflow does not follow GitHub's schema"
-fi
+    ;;
+*) fail "unknown word '$1': building, or none" ;;
+esac
 rm -rf "$copy" "$copy.log"
 echo "tests/dist/refusals.sh: what make dist and make release cannot do they name, and leave dist/ as it was"

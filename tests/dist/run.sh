@@ -126,6 +126,9 @@ if [ "${#again[@]}" != 0 ]; then
     passed "${again[*]}" "$said"
 fi
 
+tests/dist/refusals.sh building
+passed "make dist, make release" "what they cannot do they name; workflows follow GitHub's schema"
+
 # ---- Sources, without a network ----
 if [ -f "dist/asperity-$version-source.tar.xz" ]; then
     tar -xf "dist/asperity-$version-source.tar.xz" -C "$work"
