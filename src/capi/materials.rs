@@ -2,11 +2,11 @@
 
 use super::boundary::{self, reference, Failure};
 use super::names::Given;
-use super::params::{asperity_params, checked_size};
+use super::params::asperity_params;
+use super::setters::change;
 use super::state::fill;
 use super::status::asperity_status;
 use crate::materials::{Material, Pair, MATERIALS, PAIRS};
-use crate::params::Params;
 use std::ffi::c_char;
 
 /// What is known of a material, in SI units. 0 stands for what no source is known for.
@@ -190,13 +190,7 @@ pub unsafe extern "C" fn asperity_params_set_pair(
     params: *mut asperity_params,
     name: *const c_char,
 ) -> asperity_status {
-    boundary::status(|| {
-        let mut whole = asperity_params::read(params)?;
-        let size = checked_size(params.cast::<u64>().read())?;
-        set_pair(&mut whole, pair(name)?)?;
-        whole.write(params, size);
-        Ok(())
-    })
+    boundary::status(|| change(params, |params| set_pair(params, pair(name)?)))
 }
 
 fn set_pair(params: &mut asperity_params, pair: &Pair) -> Result<(), Failure> {
@@ -206,11 +200,7 @@ fn set_pair(params: &mut asperity_params, pair: &Pair) -> Result<(), Failure> {
     let missing = || Failure::Name { name: "burgers_vector", says };
     let (first, second) = pair.bodies().ok_or_else(missing)?;
     let burgers_vector = pair.burgers_vector().ok_or_else(missing)?;
-    let mut materials = Params::default();
-    materials.set_materials(first.young, first.poisson, second.young, second.poisson)?;
-    params.composite_modulus = materials.composite_modulus;
-    params.effective_shear_modulus = materials.effective_shear_modulus;
-    params.tangential_modulus = materials.tangential_modulus;
+    params.set_materials([first.young, first.poisson, second.young, second.poisson])?;
     params.work_of_adhesion = pair.work_of_adhesion;
     params.adhesion_range = burgers_vector;
     params.burgers_vector = burgers_vector;

@@ -5,7 +5,6 @@ use super::params::{asperity_params, checked_size, ASPERITY_HEIGHTS_JOHNSON, ASP
 use super::status::asperity_status;
 use crate::error::Error;
 use crate::float_bits::finite;
-use crate::params::Params;
 use crate::spectrum::SpectralMoments;
 use std::ffi::{c_char, CStr};
 use std::mem::{offset_of, size_of};
@@ -183,11 +182,7 @@ impl Numbers {
         for (i, field) in FIELDS.iter().enumerate() {
             let Some(value) = self.fields[i] else { continue };
             if i == SKEW && params.height_distribution != ASPERITY_HEIGHTS_JOHNSON {
-                let mut heights = Params::default();
-                heights.set_skew(value)?;
-                let heights = asperity_params::from_params(&heights);
-                params.weibull_shape = heights.weibull_shape;
-                params.height_distribution = heights.height_distribution;
+                params.set_skew(value)?;
                 continue;
             }
             field.set(params, size, value)?;
@@ -202,25 +197,15 @@ impl Numbers {
 
     fn set_materials(&self, params: &mut asperity_params) -> Result<(), Failure> {
         let together = "must be given too: E1, nu1, E2 and nu2 go together, in one call of asperity_params_set_values";
-        let Some([young_1, poisson_1, young_2, poisson_2]) = self.group(MATERIALS, together)? else { return Ok(()) };
-        let mut materials = Params::default();
-        materials.set_materials(young_1, poisson_1, young_2, poisson_2)?;
-        params.composite_modulus = materials.composite_modulus;
-        params.effective_shear_modulus = materials.effective_shear_modulus;
-        params.tangential_modulus = materials.tangential_modulus;
-        Ok(())
+        let Some(bodies) = self.group(MATERIALS, together)? else { return Ok(()) };
+        params.set_materials(bodies)
     }
 
     /// After `nominal_area`, which they need.
     fn set_moments(&self, params: &mut asperity_params) -> Result<(), Failure> {
         let together = "must be given too: m0, m2 and m4 go together, in one call of asperity_params_set_values";
         let Some([m0, m2, m4]) = self.group(MOMENTS, together)? else { return Ok(()) };
-        let mut roughness = Params::default();
-        roughness.set_spectral_moments(SpectralMoments { m0, m2, m4 }, params.nominal_area)?;
-        params.height_std = roughness.height_std;
-        params.summit_radius = roughness.summit_radius;
-        params.asperity_count = roughness.asperity_count;
-        Ok(())
+        params.set_spectral_moments(SpectralMoments { m0, m2, m4 }, params.nominal_area)
     }
 
     /// The arguments of a setter: all or none.

@@ -7,19 +7,53 @@ use crate::error::Error;
 use crate::params::Params;
 use crate::spectrum::SpectralMoments;
 
-/// Lets a setter of the library's parameters change the caller's; what it does not change stays bit for bit.
-unsafe fn change(
+/// Changes the caller's parameters; what `set` does not change stays bit for bit, and all of it where it fails.
+///
+/// # Safety
+/// `params` is NULL or of the size that it says.
+pub(super) unsafe fn change(
     params: *mut asperity_params,
-    set: impl FnOnce(&mut Params) -> Result<(), Error>,
-    take: impl FnOnce(&mut asperity_params, &asperity_params),
+    set: impl FnOnce(&mut asperity_params) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let mut whole = asperity_params::read(params)?;
-    let mut changed = Params::default();
-    set(&mut changed)?;
-    take(&mut whole, &asperity_params::from_params(&changed));
+    set(&mut whole)?;
     // Fields that the caller's struct lacks stay unset.
     whole.write(params, checked_size(params.cast::<u64>().read())?);
     Ok(())
+}
+
+/// What a setter of the library makes of the default parameters.
+fn made(set: impl FnOnce(&mut Params) -> Result<(), Error>) -> Result<asperity_params, Failure> {
+    let mut params = Params::default();
+    set(&mut params)?;
+    Ok(asperity_params::from_params(&params))
+}
+
+/// What the functions below set, which also parameters by name and pairs of materials set.
+impl asperity_params {
+    pub(super) fn set_materials(&mut self, [young_1, poisson_1, young_2, poisson_2]: [f64; 4]) -> Result<(), Failure> {
+        let made = made(|params| params.set_materials(young_1, poisson_1, young_2, poisson_2))?;
+        self.composite_modulus = made.composite_modulus;
+        self.effective_shear_modulus = made.effective_shear_modulus;
+        self.tangential_modulus = made.tangential_modulus;
+        Ok(())
+    }
+
+    pub(super) fn set_spectral_moments(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Failure> {
+        let made = made(|params| params.set_spectral_moments(moments, nominal_area))?;
+        self.height_std = made.height_std;
+        self.summit_radius = made.summit_radius;
+        self.asperity_count = made.asperity_count;
+        self.nominal_area = made.nominal_area;
+        Ok(())
+    }
+
+    pub(super) fn set_skew(&mut self, skew: f64) -> Result<(), Failure> {
+        let made = made(|params| params.set_skew(skew))?;
+        self.height_distribution = made.height_distribution;
+        self.weibull_shape = made.weibull_shape;
+        Ok(())
+    }
 }
 
 /// Sets all parameters to the paper's default case.
@@ -121,21 +155,19 @@ pub unsafe extern "C" fn asperity_params_set_dimensionless(
     poisson: f64,
 ) -> asperity_status {
     boundary::status(|| {
-        change(
-            params,
-            |changed| changed.set_dimensionless(alpha, beta, gamma, b_over_h, poisson),
-            |params, changed| {
-                params.composite_modulus = changed.composite_modulus;
-                params.effective_shear_modulus = changed.effective_shear_modulus;
-                params.work_of_adhesion = changed.work_of_adhesion;
-                params.adhesion_range = changed.adhesion_range;
-                params.burgers_vector = changed.burgers_vector;
-                params.height_std = changed.height_std;
-                params.summit_radius = changed.summit_radius;
-                params.asperity_count = changed.asperity_count;
-                params.tangential_modulus = changed.tangential_modulus;
-            },
-        )
+        change(params, |params| {
+            let made = made(|changed| changed.set_dimensionless(alpha, beta, gamma, b_over_h, poisson))?;
+            params.composite_modulus = made.composite_modulus;
+            params.effective_shear_modulus = made.effective_shear_modulus;
+            params.work_of_adhesion = made.work_of_adhesion;
+            params.adhesion_range = made.adhesion_range;
+            params.burgers_vector = made.burgers_vector;
+            params.height_std = made.height_std;
+            params.summit_radius = made.summit_radius;
+            params.asperity_count = made.asperity_count;
+            params.tangential_modulus = made.tangential_modulus;
+            Ok(())
+        })
     })
 }
 
@@ -159,17 +191,7 @@ pub unsafe extern "C" fn asperity_params_set_materials(
     E2: f64,
     nu2: f64,
 ) -> asperity_status {
-    boundary::status(|| {
-        change(
-            params,
-            |changed| changed.set_materials(E1, nu1, E2, nu2),
-            |params, changed| {
-                params.composite_modulus = changed.composite_modulus;
-                params.effective_shear_modulus = changed.effective_shear_modulus;
-                params.tangential_modulus = changed.tangential_modulus;
-            },
-        )
-    })
+    boundary::status(|| change(params, |params| params.set_materials([E1, nu1, E2, nu2])))
 }
 
 /// Sets the roughness and `nominal_area` from the spectral moments of the profiles of an isotropic Gaussian surface.
@@ -199,16 +221,7 @@ pub unsafe extern "C" fn asperity_params_set_spectral_moments(
     nominal_area: f64,
 ) -> asperity_status {
     boundary::status(|| {
-        change(
-            params,
-            |changed| changed.set_spectral_moments(SpectralMoments { m0, m2, m4 }, nominal_area),
-            |params, changed| {
-                params.height_std = changed.height_std;
-                params.summit_radius = changed.summit_radius;
-                params.asperity_count = changed.asperity_count;
-                params.nominal_area = changed.nominal_area;
-            },
-        )
+        change(params, |params| params.set_spectral_moments(SpectralMoments { m0, m2, m4 }, nominal_area))
     })
 }
 
@@ -250,21 +263,19 @@ pub unsafe extern "C" fn asperity_params_set_nayak_summits(
                 return Err(wrong_struct_size(size, allowed));
             }
         }
-        change(
-            params,
-            |changed| changed.set_nayak_summits(SpectralMoments { m0, m2, m4 }, nominal_area),
-            |params, changed| {
-                params.height_std = changed.height_std;
-                params.summit_radius = changed.summit_radius;
-                params.asperity_count = changed.asperity_count;
-                params.nominal_area = changed.nominal_area;
-                params.height_distribution = changed.height_distribution;
-                params.skew = changed.skew;
-                params.kurtosis = changed.kurtosis;
-                params.radius_amplitude = changed.radius_amplitude;
-                params.radius_rate = changed.radius_rate;
-            },
-        )
+        change(params, |params| {
+            let made = made(|changed| changed.set_nayak_summits(SpectralMoments { m0, m2, m4 }, nominal_area))?;
+            params.height_std = made.height_std;
+            params.summit_radius = made.summit_radius;
+            params.asperity_count = made.asperity_count;
+            params.nominal_area = made.nominal_area;
+            params.height_distribution = made.height_distribution;
+            params.skew = made.skew;
+            params.kurtosis = made.kurtosis;
+            params.radius_amplitude = made.radius_amplitude;
+            params.radius_rate = made.radius_rate;
+            Ok(())
+        })
     })
 }
 
@@ -278,14 +289,5 @@ pub unsafe extern "C" fn asperity_params_set_nayak_summits(
 /// Threads: any, on different structs.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_skew(params: *mut asperity_params, skew: f64) -> asperity_status {
-    boundary::status(|| {
-        change(
-            params,
-            |changed| changed.set_skew(skew),
-            |params, changed| {
-                params.height_distribution = changed.height_distribution;
-                params.weibull_shape = changed.weibull_shape;
-            },
-        )
-    })
+    boundary::status(|| change(params, |params| params.set_skew(skew)))
 }
