@@ -361,6 +361,8 @@ impl Curve {
 pub struct Along<'a>(pub &'a Curve, pub Quantity);
 
 impl Source for Along<'_> {
+    const IN_ANY_ORDER: bool = true;
+
     fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
         self.0.at_each(self.1, log_excess)
     }

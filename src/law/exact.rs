@@ -113,6 +113,9 @@ impl<'a> ExactStates<'a> {
 pub struct Exactly<'a, 'b>(pub &'a mut ExactStates<'b>, pub Quantity);
 
 impl Source for Exactly<'_, '_> {
+    // The next is extrapolated from the last.
+    const IN_ANY_ORDER: bool = false;
+
     fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
         let i = self.1 as usize;
         log_excess.map(|log_excess| match self.0.known(log_excess) {

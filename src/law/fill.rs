@@ -24,6 +24,9 @@ const SHORTEST_PIECE: f64 = 1e-9;
 /// The law, as rows are filled from it: a quantity and the slope of its logarithm by ln x, NaN where they are not known. The
 /// loads of a call are near to each other.
 pub trait Source {
+    /// Whether loads cost the same in any order.
+    const IN_ANY_ORDER: bool;
+
     fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N];
     /// ln x between two of them where the law is not smooth, rising.
     fn joints(&mut self, lower: f64, upper: f64) -> Vec<f64>;
@@ -135,14 +138,20 @@ impl<'a, S: Source> Filling<'a, S> {
         if parts[0].filled.is_none() && joints.len() >= most {
             return None;
         }
-        // Where there is not room for all it takes, what is left is as short as can be.
-        while parts.len() < most {
-            let Some(i) = longest_unfilled(&parts).filter(|&i| parts[i].length() > SHORTEST_PIECE * width) else {
-                break;
-            };
-            let Part { begin, end, .. } = parts[i];
-            let at = division(&joints, begin, end);
-            parts.splice(i..=i, [fill(begin, at), fill(at, end)]);
+        // If there is not room for all pieces, those that are left out are short where the order costs nothing.
+        let mut shortest = if S::IN_ANY_ORDER { 1.0 } else { SHORTEST_PIECE };
+        while shortest >= SHORTEST_PIECE {
+            let mut i = 0;
+            while i < parts.len() {
+                let Part { begin, end, filled } = parts[i];
+                if filled.is_none() && end - begin >= shortest * width && parts.len() < most {
+                    let at = division(&joints, begin, end);
+                    parts.splice(i..=i, [fill(begin, at), fill(at, end)]);
+                } else {
+                    i += 1;
+                }
+            }
+            shortest *= NEXT_TO_JOINT;
         }
         let worst = parts.iter().filter_map(|part| part.filled).fold(0.0, |worst: f64, (_, error)| worst.max(error));
         let pieces: Vec<Piece> =
@@ -175,21 +184,11 @@ impl<'a, S: Source> Filling<'a, S> {
 }
 
 /// A part of a row, and its polynomial with its error, if that is good.
+#[derive(Clone, Copy)]
 struct Part {
     begin: f64,
     end: f64,
     filled: Option<(Row, f64)>,
-}
-
-impl Part {
-    fn length(&self) -> f64 {
-        self.end - self.begin
-    }
-}
-
-fn longest_unfilled(parts: &[Part]) -> Option<usize> {
-    let unfilled = (0..parts.len()).filter(|&i| parts[i].filled.is_none());
-    unfilled.max_by(|&a, &b| parts[a].length().total_cmp(&parts[b].length()))
 }
 
 /// Where to divide a piece: where the law is not smooth, next to the middle; else next to an end where it is not, or in the
@@ -245,6 +244,8 @@ mod tests {
     }
 
     impl Source for Broken {
+        const IN_ANY_ORDER: bool = true;
+
         fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
             log_excess.map(|log_excess| {
                 let beyond = (log_excess - self.at).max(0.0);
@@ -295,6 +296,8 @@ mod tests {
     }
 
     impl Source for Wiggly {
+        const IN_ANY_ORDER: bool = false;
+
         fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
             let rate = 2.0 * std::f64::consts::PI * self.per_row / 0.25;
             log_excess.map(|log_excess| {
