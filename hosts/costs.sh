@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 runs=${RUNS:-5}
 log=$(realpath -m "${CARGO_TARGET_DIR:-target}")/hosts/costs.txt
 mkdir -p "$(dirname "$log")"
-[ $# -gt 0 ] || set -- ode mujoco siconos lammps simbody exudyn getfem
+[ $# -gt 0 ] || set -- ode mujoco dart siconos lammps simbody exudyn getfem
 
 echo "$(date -u +%Y-%m-%d), $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores," \
     "load average $(cut -d' ' -f1 /proc/loadavg); medians of $runs runs (least to greatest)"
@@ -17,11 +17,8 @@ for host in "$@"; do
     # What would take too long in a test has a script of its own.
     script=hosts/$host/cost.sh
     [ -x "$script" ] || script=hosts/$host/run.sh
-    for run in $(seq "$runs"); do
-        again=""
-        [ "$run" = 1 ] || again=again
-        # shellcheck disable=SC2086
-        "$script" $again >"$log.run" 2>&1 || { tail -n 5 "$log.run" >&2; exit 1; }
+    for _ in $(seq "$runs"); do
+        "$script" >"$log.run" 2>&1 || { tail -n 5 "$log.run" >&2; exit 1; }
         # "constant mu 1.2 s; the law at the lagged force x 1.02, at the current force x 1.85" has two costs.
         sed -nE "s/^$host +cost +//p" "$log.run" | grep -oE '(at the [a-z]+ force )?x [0-9.]+' >>"$log" ||
             { echo "hosts/costs.sh: $host tells no cost" >&2; exit 1; }
