@@ -41,7 +41,7 @@ def Factory(settings: Any, model: Any) -> FrictionProcess:  # noqa: N802: Kratos
     return FrictionProcess(model, settings["Parameters"])
 
 
-class FrictionProcess(KratosMultiphysics.Process):
+class FrictionProcess(KratosMultiphysics.Process):  # type: ignore[misc]
     """Gives the slave nodes of a pair the coefficients of friction of the law at their pressures."""
 
     def __init__(self, model: Any, settings: Any) -> None:
