@@ -5,6 +5,7 @@ plate's supports what the nodes bear. usage: block.py
 
 import os
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -23,7 +24,7 @@ import surface  # noqa: E402
 AREA = 1e-4  # the nominal area of surface.toml
 WIDTH, CELLS = 0.02, 10  # of the block; it is 1 m thick, as plane strain is
 PRESSURE = 1e7  # LINE_LOAD
-LAGGED_LIMIT, LIMIT = 1e-3, 1e-8
+LAGGED_LIMIT, LIMIT, UNITS_LIMIT = 1e-3, 1e-8, 1e-6
 EQUILIBRIUM_LIMIT = 1e-4  # the shares of the nodes and the normals are those of the undeformed block
 
 
@@ -81,7 +82,7 @@ def drag(kind):
     base = kind.FinalizeSolutionStep
 
     class Watched(kind):
-        def FinalizeSolutionStep(self):  # noqa: N802
+        def FinalizeSolutionStep(self):
             base(self)
             self.pressure, self.traction, self.share = nodal(self.model["Structure"])
             exact = np.array([law.state_at_load(p * AREA).friction_force / AREA for p in self.pressure])
@@ -106,6 +107,24 @@ def drag(kind):
 
 def process_of(parameters, number):
     return parameters["processes"]["contact"][number]["Parameters"]
+
+
+def difference_by_unit(folder):
+    """A surface whose stresses are all 100 times as great, in a model whose unit of stress is taken as 100 Pa, has the same
+    friction: largest relative difference of a node's traction."""
+    stiffer = str(folder / "stiffer.toml")
+    surface.surface(AREA, pascal=1e2).to_toml(stiffer)
+
+    def in_hectopascal(parameters):
+        process_of(parameters, 1)["surface"].SetString(stiffer)
+        process_of(parameters, 1).AddDouble("pascal", 1e-2)
+
+    tractions = []
+    for change in (lambda parameters: None, in_hectopascal):
+        analysis = analysis_of(StructuralMechanicsAnalysis, change)
+        analysis.Run()
+        tractions.append(nodal(analysis.model["Structure"])[1])
+    return np.max(np.abs(tractions[1] / tractions[0] - 1))
 
 
 def check_refusals():
@@ -140,10 +159,13 @@ def main():
     met += met_current
     surface.demand(asperity.Model(described), min(met) * AREA, max(met) * AREA)
     check_refusals()
+    with tempfile.TemporaryDirectory() as folder:
+        units = difference_by_unit(Path(folder))
+    print(f"  in another unit of stress the tractions are the same within {units:.1e}")
     imbalance = np.max([imbalance, imbalance_current])
     # The first step has the coefficient of the project file: else this would not see which one Kratos uses.
     good = lagged[0] > LAGGED_LIMIT and lagged[-1] <= LAGGED_LIMIT and max(current) <= LIMIT
-    good = good and imbalance <= EQUILIBRIUM_LIMIT
+    good = good and imbalance <= EQUILIBRIUM_LIMIT and units <= UNITS_LIMIT
     print(
         f"kratos  {'PASS' if good else 'FAIL'}  max |t/p - mu(p)|/mu = {lagged[-1]:.1e} of the step before "
         f"(limit {LAGGED_LIMIT:g}), {max(current):.1e} of the step (limit {LIMIT:g}); equilibrium {imbalance:.1e}  "

@@ -36,7 +36,7 @@ __all__ = ["Analysis", "Factory", "FrictionProcess"]
 _DEFAULTS = """{"model_part_name": "Structure", "pair": "0", "surface": "", "pascal": 1.0}"""
 
 
-def Factory(settings: Any, model: Any) -> FrictionProcess:  # noqa: N802: Kratos calls it by this name
+def Factory(settings: Any, model: Any) -> FrictionProcess:
     """Kratos makes the process of its project file by this."""
     return FrictionProcess(model, settings["Parameters"])
 
@@ -61,7 +61,7 @@ class FrictionProcess(KratosMultiphysics.Process):  # type: ignore[misc]
     def _error(self, text: str) -> RuntimeError:
         return RuntimeError(f"asperity.kratos, pair {self._pair} of {self._main.Name}: {text}")
 
-    def ExecuteBeforeSolutionLoop(self) -> None:  # noqa: N802
+    def ExecuteBeforeSolutionLoop(self) -> None:
         """Moves the coefficient of the pair from its properties, which win over nodes, to its nodes."""
         part = f"Contact.ContactSub{self._pair}"
         if not self._main.HasSubModelPart(part):
@@ -80,11 +80,11 @@ class FrictionProcess(KratosMultiphysics.Process):  # type: ignore[misc]
         for node in self._part.Nodes:
             node.SetValue(FRICTION_COEFFICIENT, first)
 
-    def ExecuteInitializeSolutionStep(self) -> None:  # noqa: N802
+    def ExecuteInitializeSolutionStep(self) -> None:
         """Takes the law at the pressures that the step before left."""
         self.update()
 
-    def ExecuteFinalize(self) -> None:  # noqa: N802
+    def ExecuteFinalize(self) -> None:
         """Warns if the model does not hold at the pressures that were met."""
         if self.pressures is None:
             return
@@ -131,7 +131,7 @@ class Analysis(StructuralMechanicsAnalysis):  # type: ignore[misc]
     most_solutions = 30
     """A step that needs more ends the analysis: take shorter steps."""
 
-    def _CreateSolver(self) -> Any:  # noqa: N802
+    def _CreateSolver(self) -> Any:
         solver = super()._CreateSolver()
         solve = solver.SolveSolutionStep
 
