@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 runs=${RUNS:-5}
 log=$(realpath -m "${CARGO_TARGET_DIR:-target}")/hosts/costs.txt
 mkdir -p "$(dirname "$log")"
-[ $# -gt 0 ] || set -- ode mujoco siconos lammps simbody exudyn getfem
+[ $# -gt 0 ] || set -- ode mujoco dart siconos lammps simbody exudyn getfem
 
 echo "$(date -u +%Y-%m-%d), $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores," \
     "load average $(cut -d' ' -f1 /proc/loadavg); medians of $runs runs (least to greatest)"
@@ -18,6 +18,7 @@ for host in "$@"; do
     script=hosts/$host/cost.sh
     [ -x "$script" ] || script=hosts/$host/run.sh
     for run in $(seq "$runs"); do
+        # What cost.sh of a host has installed and built it need not build again; a run.sh takes no argument.
         again=""
         [ "$run" = 1 ] || again=again
         # shellcheck disable=SC2086

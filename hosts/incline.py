@@ -5,6 +5,8 @@ at that load. The box lies on a plane, and gravity is inclined.
 """
 
 import math
+import sys
+import time
 
 import asperity
 from surface import demand, surface
@@ -33,3 +35,15 @@ def acceleration(times, speeds):
     points = [(t, v) for t, v in zip(times, speeds) if t > 0.1]
     mean_t, mean_v = (sum(column) / len(points) for column in zip(*points))
     return sum((t - mean_t) * (v - mean_v) for t, v in points) / sum((t - mean_t) ** 2 for t, _ in points)
+
+
+def judge(host, mean, right, lagged=None):
+    """Prints the verdict and ends the program. The lagged load, where given, must miss: else the test would show nothing."""
+    error = abs(mean / right - 1)
+    good = error <= LIMIT and (lagged is None or abs(lagged / right - 1) > LIMIT)
+    missed = "" if lagged is None else f"; {lagged:.3f} at the load of the step before"
+    print(
+        f"{host}  {'PASS' if good else 'FAIL'}  box on an incline: {mean:.3f} in place of {right:.3f} m/s2, {error:.1e} "
+        f"(limit {LIMIT:g}){missed}  {time.process_time():.1f} s"
+    )
+    sys.exit(not good)

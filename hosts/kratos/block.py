@@ -1,0 +1,182 @@
+"""A steel block in Kratos that is pressed on a plate and pulled over it. Its ProjectParameters.json names the surface; here
+are the mesh and the check: every node must bear the tangential traction mu(p) p of the exact law at its own pressure, and the
+plate's supports what the nodes bear. usage: block.py
+"""
+
+import os
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import KratosMultiphysics
+import numpy as np
+from KratosMultiphysics import ContactStructuralMechanicsApplication as Contact
+from KratosMultiphysics.StructuralMechanicsApplication.structural_mechanics_analysis import StructuralMechanicsAnalysis
+
+import asperity
+from asperity.kratos import Analysis
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+import surface  # noqa: E402
+
+AREA = 1e-4  # the nominal area of surface.toml
+WIDTH, CELLS = 0.02, 10  # of the block; it is 1 m thick, as plane strain is
+PRESSURE = 1e7  # LINE_LOAD
+LAGGED_LIMIT, LIMIT, UNITS_LIMIT = 1e-3, 1e-8, 1e-6
+EQUILIBRIUM_LIMIT = 1e-4  # the shares of the nodes and the normals are those of the undeformed block
+
+
+def grid(part, name, properties, corner, size, cells):
+    """A rectangle of elements; returns the numbers of its nodes by row and column."""
+    sub = part.CreateSubModelPart(name)
+    first = part.NumberOfNodes() + 1
+    columns, rows = cells
+    numbers = first + np.arange((rows + 1) * (columns + 1)).reshape(rows + 1, columns + 1)
+    for (row, column), number in np.ndenumerate(numbers):
+        place = corner[0] + size[0] * column / columns, corner[1] + size[1] * row / rows
+        sub.CreateNewNode(int(number), *place, 0.0)
+    for row in range(rows):
+        for column in range(columns):
+            square = [*numbers[row, column : column + 2], *numbers[row + 1, column : column + 2][::-1]]
+            element = part.NumberOfElements() + 1
+            sub.CreateNewElement("SmallDisplacementElement2D4N", element, [int(n) for n in square], properties)
+    return numbers
+
+
+def build(part):
+    plate_properties, block_properties = part.CreateNewProperties(1), part.CreateNewProperties(2)
+    # The meshes of the two faces do not match.
+    plate = grid(part, "Plate", plate_properties, (-WIDTH, -WIDTH / 2), (2 * WIDTH, WIDTH / 2), (16, 4))
+    block = grid(part, "Block", block_properties, (-WIDTH / 2, 0), (WIDTH, WIDTH / 4), (CELLS, 3))
+    for name, nodes in (("Bottom", plate[0]), ("Top", block[-1]), ("Faces", [*plate[-1], *block[0]])):
+        part.CreateSubModelPart(name).AddNodes([int(node) for node in nodes])
+    top = part.GetSubModelPart("Top")
+    for count, (left, right) in enumerate(zip(block[-1], block[-1][1:])):
+        top.CreateNewCondition("LineLoadCondition2D2N", count + 1, [int(right), int(left)], block_properties)
+
+
+def analysis_of(kind, change=lambda parameters: None):
+    parameters = KratosMultiphysics.Parameters((HERE / "ProjectParameters.json").read_text())
+    change(parameters)
+    analysis = kind(KratosMultiphysics.Model(), parameters)
+    build(analysis.model["Structure"])
+    return analysis
+
+
+def nodal(part):
+    """Pressures and tangential tractions of the block's lower face, and the nodes' shares of it."""
+    nodes = sorted((node for node in part.GetSubModelPart("Block").Nodes if node.Y0 == 0), key=lambda node: node.X0)
+    pressure = [-node.GetValue(Contact.AUGMENTED_NORMAL_CONTACT_PRESSURE) for node in nodes]
+    traction = [node.GetValue(Contact.AUGMENTED_TANGENT_CONTACT_PRESSURE)[0] for node in nodes]
+    share = np.full(len(nodes), WIDTH / CELLS)
+    share[[0, -1]] /= 2
+    return np.array(pressure), np.array(traction), share
+
+
+def drag(kind):
+    """Largest error of a node's traction in each step, of equilibrium in the last, and the pressures met."""
+    law = asperity.Model(surface.surface(AREA))
+    errors, met = [], []
+    base = kind.FinalizeSolutionStep
+
+    class Watched(kind):
+        def FinalizeSolutionStep(self):
+            base(self)
+            self.pressure, self.traction, self.share = nodal(self.model["Structure"])
+            exact = np.array([law.state_at_load(p * AREA).friction_force / AREA for p in self.pressure])
+            # The block is pulled to the right: friction on it points to the left.
+            errors.append(np.max(np.abs(-self.traction / exact - 1)))
+            met.extend(self.pressure)
+
+    analysis = analysis_of(Watched)
+    analysis.Run()
+    supports = analysis.model["Structure"].GetSubModelPart("Bottom").Nodes
+    pull, weight = (
+        sum(node.GetSolutionStepValue(reaction) for node in supports)
+        for reaction in (KratosMultiphysics.REACTION_X, KratosMultiphysics.REACTION_Y)
+    )
+    borne = -analysis.traction @ analysis.share
+    imbalance = np.max([abs(borne / -pull - 1), abs(weight / (PRESSURE * WIDTH) - 1)])
+    imbalance = np.max([imbalance, abs(analysis.pressure @ analysis.share / weight - 1)])
+    print(f"  {kind.__name__}: error of a node's traction, step by step: {', '.join(f'{e:.1e}' for e in errors)}")
+    print(f"  pulled with {-pull:.0f} N, pressed with {weight:.0f} N: {-pull / weight:.4f}; equilibrium {imbalance:.1e}")
+    return errors, imbalance, met
+
+
+def process_of(parameters, number):
+    return parameters["processes"]["contact"][number]["Parameters"]
+
+
+def difference_by_unit(folder):
+    """A surface whose stresses are all 100 times as great, in a model whose unit of stress is taken as 100 Pa, has the same
+    friction: largest relative difference of a node's traction."""
+    stiffer = str(folder / "stiffer.toml")
+    surface.surface(AREA, pascal=1e2).to_toml(stiffer)
+
+    def in_hectopascal(parameters):
+        process_of(parameters, 1)["surface"].SetString(stiffer)
+        process_of(parameters, 1).AddDouble("pascal", 1e-2)
+
+    tractions = []
+    for change in (lambda parameters: None, in_hectopascal):
+        analysis = analysis_of(StructuralMechanicsAnalysis, change)
+        analysis.Run()
+        tractions.append(nodal(analysis.model["Structure"])[1])
+    return np.max(np.abs(tractions[1] / tractions[0] - 1))
+
+
+def check_refusals():
+    """What cannot work must be refused, in words that name Kratos' own element."""
+    wrong = {
+        "there is no such pair in contact_model_part": lambda p: process_of(p, 1)["pair"].SetString("3"),
+        "friction_coefficients of the contact process": lambda p: process_of(p, 0)["friction_coefficients"]["0"].SetDouble(0),
+        "pascal = 0: must be": lambda p: process_of(p, 1).AddDouble("pascal", 0),
+        "at pressures up to 1.": lambda p: process_of(p, 1).AddDouble("pascal", 1e-200),
+        "No such file": lambda p: process_of(p, 1)["surface"].SetString("missing.toml"),
+    }
+    for message, change in wrong.items():
+        try:
+            analysis_of(StructuralMechanicsAnalysis, change).Run()
+        except (RuntimeError, OSError) as error:
+            if message not in str(error):
+                raise RuntimeError(f"refused without saying '{message}': {error}") from None
+        else:
+            raise RuntimeError(f"not refused: {message}")
+    print(f"  {len(wrong)} projects that cannot work are refused")
+
+
+def main():
+    start = time.process_time()
+    os.chdir(HERE)
+    KratosMultiphysics.Logger.GetDefaultOutput().SetSeverity(KratosMultiphysics.Logger.Severity.WARNING)
+    described, wanted = asperity.Params.from_toml("surface.toml"), surface.surface(AREA)
+    if described != wanted:
+        raise RuntimeError(f"surface.toml is not the surface of hosts/surface.py: {described} {wanted}")
+    lagged, imbalance, met = drag(StructuralMechanicsAnalysis)
+    current, imbalance_current, met_current = drag(Analysis)
+    met += met_current
+    surface.demand(asperity.Model(described), min(met) * AREA, max(met) * AREA)
+    check_refusals()
+    with tempfile.TemporaryDirectory() as folder:
+        units = difference_by_unit(Path(folder))
+    print(f"  in another unit of stress the tractions are the same within {units:.1e}")
+    imbalance = np.max([imbalance, imbalance_current])
+    # The first step has the coefficient of the project file: else this would not see which one Kratos uses.
+    good = lagged[0] > LAGGED_LIMIT and lagged[-1] <= LAGGED_LIMIT and np.max(current) <= LIMIT
+    good = good and imbalance <= EQUILIBRIUM_LIMIT and units <= UNITS_LIMIT
+    print(
+        f"kratos  {'PASS' if good else 'FAIL'}  max |t/p - mu(p)|/mu = {lagged[-1]:.1e} of the step before "
+        f"(limit {LAGGED_LIMIT:g}), {np.max(current):.1e} of the step (limit {LIMIT:g}); equilibrium {imbalance:.1e}  "
+        f"{time.process_time() - start:.1f} s"
+    )
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (RuntimeError, ValueError, OSError) as error:
+        print(f"kratos  FAIL  {error}")
+        sys.exit(1)
