@@ -37,7 +37,7 @@ PLATFORMS = {
     ),
     "win64": _Platform(
         "Windows", "asperity.dll", ".dll", "win_amd64", "gcc", "x86_64-w64-mingw32-gcc", "gcc-mingw-w64-x86-64",
-        "x86_64-windows-gnu", ("-static-libgcc",),
+        "x86_64-windows-gnu", (),
     ),
 }  # fmt: skip
 
