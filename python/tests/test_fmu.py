@@ -22,6 +22,7 @@ from libcosimpy.CosimSlave import CosimLocalSlave
 
 from asperity import Model, Params
 from asperity.__main__ import main
+from asperity._fmu_binaries import _soname
 
 # Hard carbon on hard carbon, as in docs/hosts.md, on a square millimetre.
 PARAMS = Params.from_spectral_moments(
@@ -194,6 +195,15 @@ def test_the_sources_inside_are_those_of_the_binary(unit: Path, tmp_path: Path) 
     declarations = Path(fmpy.__file__).with_name("c-code").joinpath("fmi2Functions.h").read_text(encoding="utf-8")
     standard = set(re.findall(r"FMI2_Export\s+fmi2\w+TYPE\s+(fmi2\w+);", declarations))
     assert {name.removeprefix("pad_") for name in names} == standard and len(standard) > 40
+
+
+def test_a_library_with_a_soname_lies_under_it(tmp_path: Path) -> None:
+    """As those of releases do, which tests/dist/fmu.sh runs: a unit looks for no other name."""
+    (tmp_path / "empty.c").write_text("int nothing;\n", encoding="utf-8")
+    for name, wanted in (("libasperity.so.12", "libasperity.so.12"), ("", None)):
+        soname = [f"-Wl,-soname,{name}"] if name else []
+        subprocess.run(["cc", "-shared", *soname, "empty.c", "-o", "library.so"], cwd=tmp_path, check=True, timeout=60)
+        assert _soname((tmp_path / "library.so").read_bytes()) == wanted
 
 
 def test_what_cannot_be_a_unit_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

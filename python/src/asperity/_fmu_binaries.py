@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import os
 import platform
+import re
 import shutil
 import subprocess
 import sys
@@ -82,16 +83,23 @@ def _is_of(name: str, content: bytes) -> bool:
     return content[:2] == b"MZ" and content[start : start + 6] == b"PE\0\0\x64\x86"
 
 
+def _soname(library: bytes) -> str | None:
+    """The name that a unit linked with the library looks for: releases for Linux have one, with the number of the interface."""
+    found = re.search(rb"\0(libasperity\.so\.\d+)\0", library)
+    return found[1].decode() if found else None
+
+
 def add_binaries(folder: Path, name: str, library: bytes, sources: Path, unit: str) -> None:
     """The library and the unit, compiled from the sources, in a new folder."""
     wanted = PLATFORMS[name]
     compiler = _compiler(name)
     folder.mkdir(parents=True)
-    (folder / wanted.library).write_bytes(library)
+    file = _soname(library) or wanted.library
+    (folder / file).write_bytes(library)
     command = [*compiler, "-std=c99", "-O2", "-Wall", "-Wextra", "-shared", "-I.", "asperity_fmu.c"]
     command += ["-o", str(folder / f"{unit}{wanted.ending}"), *wanted.flags]
     if name == "linux64":  # in Windows the unit loads the library itself
-        command += [f"-L{folder}", "-l:libasperity.so"]
+        command += [f"-L{folder}", f"-l:{file}"]
     done = subprocess.run(command, cwd=sources, capture_output=True, text=True, check=False)
     if done.returncode != 0 or done.stderr:
         raise ImportError(f"{' '.join(compiler)} does not take the C source of the unit:\n{done.stderr}")
