@@ -108,6 +108,9 @@ static void set_problem(double *W, double *q) {
     }
 }
 
+/* The larger, or the one that is not a number: fmax would drop that, and an error that is none would pass. */
+static double worse(double a, double b) { return isnan(a) || islessequal(b, a) ? a : b; }
+
 /* The driver again and again until each mu is the law at its own reaction; without a model once, with mu as it is. */
 static int solve(FrictionContactProblem *problem, SolverOptions *options, const asperity_model *model, double *r,
                  double *u) {
@@ -119,7 +122,7 @@ static int solve(FrictionContactProblem *problem, SolverOptions *options, const 
         if (asperity_friction_at_loads(model, FINGERS, load, law, NULL) != ASPERITY_OK) fail("a tip has no load");
         double change = 0;
         for (int i = 0; i < FINGERS; i++) {
-            change = fmax(change, fabs(law[i] - problem->mu[i]) / law[i]);
+            change = worse(change, fabs(law[i] - problem->mu[i]) / law[i]);
             problem->mu[i] = law[i];
         }
         if (change < 1e-10) return iteration;
@@ -175,10 +178,10 @@ static deviations compare(const asperity_model *model, const double *r) {
             (reach * normal + hinge_height * out - time_step * moment_of(i)) / inertia_of(i);
         const double slip_out = hinge_height * turning - (c * v[1] + s * v[2]), slip_across = s * v[1] - c * v[2];
         const double slip = hypot(slip_out, slip_across);
-        d.cone = fmax(d.cone, fabs(friction / normal - mu) / mu);
-        d.lifting = fmax(d.lifting, fabs(reach * turning - v[0]) / plate_speed);
+        d.cone = worse(d.cone, fabs(friction / normal - mu) / mu);
+        d.lifting = worse(d.lifting, fabs(reach * turning - v[0]) / plate_speed);
         const double off = hypot(out / friction + slip_out / slip, across / friction + slip_across / slip);
-        d.direction = fmax(d.direction, off);
+        d.direction = worse(d.direction, off);
         d.least_load = fmin(d.least_load, load);
         d.greatest_load = fmax(d.greatest_load, load);
     }

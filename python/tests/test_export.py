@@ -67,6 +67,34 @@ def read_ansys(text: str) -> Rows:
     return rows
 
 
+def read_lsdyna(text: str) -> Rows:
+    """Columns of fixed width: fields of ten characters in a first card, of twenty in tables and curves.
+
+    The curves of a table follow it at once, in the order of its values.
+    """
+    assert all(len(line) <= 80 for line in text.splitlines())
+    keywords: list[tuple[str, list[str]]] = []
+    for line in text.splitlines():
+        if line.startswith("*"):
+            keywords.append((line, []))
+        elif not line.startswith("$"):
+            keywords[-1][1].append(line)
+    (keyword, (head, *values)), *curves = keywords
+    assert keyword == "*DEFINE_TABLE" and len(values) == len(curves)
+    identities, rows = [int(head[:10])], []
+    for value, (keyword, (head, *points)) in zip(values, curves):
+        assert keyword == "*DEFINE_CURVE" and len(points) >= 2
+        velocities, coefficients = zip(*((float(point[:20]), float(point[20:40])) for point in points))
+        assert velocities[0] == 0 and velocities[-1] >= 1e6 and len(set(coefficients)) == 1
+        identities.append(int(head[:10]))
+        rows.append((float(value[:20]), coefficients[0]))
+    contact = re.search(r"^\$#      fs        fd\n\$(.*)$", text, re.MULTILINE)
+    assert contact and float(contact[1][:9]) == 2 and float(contact[1][9:19]) == identities[0]
+    assert identities == list(range(identities[0], identities[0] + len(identities)))
+    assert f"table {identities[0]}, curves {identities[1]} to {identities[-1]}." in text
+    return rows
+
+
 def read_moose(text: str) -> Rows:
     assert re.search(r"^\[Functions\]\n  \[table\]\n    type = PiecewiseLinear\n    axis = x$", text, re.MULTILINE)
     columns = [re.search(rf"^    {axis} = '(.*)'$", text, re.MULTILINE) for axis in "xy"]
@@ -81,11 +109,12 @@ def read_modelica(text: str) -> Rows:
     return [(float(p), float(mu)) for p, mu in (row.split(",") for row in table[1].split(";"))]
 
 
-# All of these hosts interpolate linearly in the pressure, and keep the end values beyond, as np.interp does.
+# Interpolated linearly in the pressure, as by these hosts; the documents of LS-DYNA say so of other tables.
 READERS: dict[str, Callable[[str], Rows]] = {
     "abaqus": read_abaqus,
     "ansys": read_ansys,
     "csv": read_csv,
+    "lsdyna": read_lsdyna,
     "modelica": read_modelica,
     "moose": read_moose,
 }
@@ -139,6 +168,19 @@ def test_pressures_are_in_the_unit_that_is_asked_for(surface: Path) -> None:
     assert largest_error(surface, rows, 1e6) <= 1e-3
 
 
+def test_ls_dyna_gets_its_identities_and_units(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    command = ["export", str(surface), "--format", "lsdyna", "--range", "1e6:2e6"]
+    for unit, words in ((1.0, "kg, m, s"), (1e6, "t, mm, s"), (1e9, "kg, mm, ms")):
+        assert main([*command, "--pressure-unit", str(unit), "--table-id", "712"]) == 0
+        text = capsys.readouterr().out
+        assert f"model in {words}.\n" in text and "*DEFINE_TABLE\n       712\n" in text
+        assert read_lsdyna(text)[0][0] == pytest.approx(1e6 / unit, rel=1e-9)
+    assert main([*command, "--pressure-unit", "6894.76"]) == 0
+    text = capsys.readouterr().out
+    assert "model in" not in text and "pressure in 6894.76 Pa" in " ".join(text.replace("$", "").split())
+    assert "*DEFINE_TABLE\n     90000\n" in text
+
+
 def test_without_a_file_the_table_is_printed(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["export", str(surface), "--format", "csv", "--range", "1e6:2e6"]) == 0
     printed = capsys.readouterr()
@@ -161,6 +203,8 @@ def test_pressures_that_the_surface_does_not_bear_are_told(surface: Path, capsys
         (["--range", "1:nan"], "must be two pressures > 0"),
         (["--range", "1:2", "--tolerance", "1e-9"], "--tolerance 1e-09: must be 1e-6 to 0.1"),
         (["--range", "1:2", "--pressure-unit", "0"], "--pressure-unit 0: must be finite"),
+        (["--range", "1:2", "--table-id", "7"], "--table-id 7: only --format lsdyna has IDs"),
+        (["--range", "1:2", "--format", "lsdyna", "--table-id", "0"], "--table-id 0: must be 1 to 99999999"),
     ],
 )
 def test_a_wrong_command_line_is_refused(

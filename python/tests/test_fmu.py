@@ -22,6 +22,7 @@ from libcosimpy.CosimSlave import CosimLocalSlave
 
 from asperity import Model, Params
 from asperity.__main__ import main
+from asperity._fmu_binaries import _soname
 
 # Hard carbon on hard carbon, as in docs/hosts.md, on a square millimetre.
 PARAMS = Params.from_spectral_moments(
@@ -196,6 +197,15 @@ def test_the_sources_inside_are_those_of_the_binary(unit: Path, tmp_path: Path) 
     assert {name.removeprefix("pad_") for name in names} == standard and len(standard) > 40
 
 
+def test_a_library_with_a_soname_lies_under_it(tmp_path: Path) -> None:
+    """As those of releases do, which tests/dist/fmu.sh runs: a unit looks for no other name."""
+    (tmp_path / "empty.c").write_text("int nothing;\n", encoding="utf-8")
+    for name, wanted in (("libasperity.so.12", "libasperity.so.12"), ("", None)):
+        soname = [f"-Wl,-soname,{name}"] if name else []
+        subprocess.run(["cc", "-shared", *soname, "empty.c", "-o", "library.so"], cwd=tmp_path, check=True, timeout=60)
+        assert _soname((tmp_path / "library.so").read_bytes()) == wanted
+
+
 def test_what_cannot_be_a_unit_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     surface = tmp_path / "surface.toml"
     PARAMS.replace(height_std=-1.0).to_toml(surface)
@@ -205,6 +215,54 @@ def test_what_cannot_be_a_unit_is_refused(tmp_path: Path, capsys: pytest.Capture
         main(["fmu", str(surface), "-o", str(tmp_path / "pad.zip")])
     assert "must end in .fmu" in capsys.readouterr().err
     assert not list(tmp_path.glob("pad.*"))
+
+
+def test_another_platform_needs_its_library(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """tests/dist/fmu.sh makes such a unit and runs it."""
+    command = ["fmu", str(tmp_path / "surface.toml"), "-o", str(tmp_path / "pad.fmu"), "--platform", "linux64,win64"]
+    PARAMS.to_toml(tmp_path / "surface.toml")
+    assert main(command) == 1
+    message = capsys.readouterr().err
+    assert "--library win64=FILE" in message and "--no-deps --platform win_amd64" in message
+    script = tmp_path / "asperity.dll"
+    script.write_text("MZ is how a program begins", encoding="utf-8")
+    assert main([*command, "--library", f"win64={script}"]) == 1
+    assert "asperity.dll: is not a library for Windows on x86-64" in capsys.readouterr().err
+    wheel = tmp_path / "asperity.whl"
+    with zipfile.ZipFile(wheel, "w") as archive:
+        archive.writestr("asperity/libasperity.so", b"")
+    assert main([*command, "--library", f"win64={wheel}"]) == 1
+    assert "has 0 files named asperity.dll; it must have one" in capsys.readouterr().err
+    assert not list(tmp_path.glob("pad.*"))
+
+
+def test_a_missing_cross_compiler_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    PARAMS.to_toml(tmp_path / "surface.toml")
+    library = tmp_path / "asperity.dll"
+    library.write_bytes(b"MZ" + bytes(58) + (64).to_bytes(4, "little") + b"PE\0\0\x64\x86")
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    command = ["fmu", str(tmp_path / "surface.toml"), "-o", str(tmp_path / "pad.fmu"), "--platform", "win64"]
+    assert main([*command, "--library", f"win64={library}"]) == 1
+    message = capsys.readouterr().err
+    assert "there is no x86_64-w64-mingw32-gcc: pip install ziglang" in message and "gcc-mingw-w64-x86-64" in message
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        (["--platform", "linux64,win32"], "--platform linux64,win32: 'win32' is none of linux64 and win64"),
+        (["--platform", "linux64", "--library", "win64=no.dll"], "--library win64=no.dll: there is no such file"),
+        (["--platform", "linux64", "--library", "no.dll"], "--library no.dll: must be linux64=FILE or win64=FILE"),
+        (["--library", f"win64={__file__}"], "the unit is not for win64; add it to --platform"),
+    ],
+)
+def test_wrong_platforms_are_refused(capsys: pytest.CaptureFixture[str], options: list[str], message: str) -> None:
+    with pytest.raises(SystemExit):
+        main(["fmu", "surface.toml", "-o", "pad.fmu", *options])
+    assert message in capsys.readouterr().err
 
 
 def test_a_missing_compiler_is_named(

@@ -107,7 +107,12 @@ for wheel in "${wheels[@]}"; do
         python3 -m venv "$work/wheel"
         quietly "$work/wheel/bin/pip" install --disable-pip-version-check "$wheel"
         said=$(cd / && "$work/wheel/bin/python" "$root/tests/dist/python_check.py" "$version")
-        passed "$wheel" "in a new virtual environment: $said" ;;
+        passed "$wheel" "in a new virtual environment: $said"
+        windows=${wheel/manylinux*/win_amd64.whl}
+        if [ -f "$windows" ]; then
+            said=$(tests/dist/fmu.sh "$work/fmu" "$work/wheel/bin/python" "$windows")
+            passed "$windows" "$said"
+        fi ;;
     *manylinux*aarch64*) load_wheel "$wheel" aarch64-linux-gnu-gcc "qemu-aarch64 -L /usr/aarch64-linux-gnu" ;;
     *musllinux* | *macosx* | *win*)
         "$venv/bin/python" tests/dist/same_library.py "$wheel" "$prefixes"

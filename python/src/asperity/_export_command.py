@@ -14,6 +14,8 @@ from ._pressure_table import friction_at_pressure, pressure_table
 from .model import Model
 from .params import Params
 
+# Far from the small numbers that a model uses, and short enough that all IDs have five digits, which older LS-DYNA allow.
+_TABLE_ID = 90000
 
 def add(commands: Any) -> None:
     """Adds the command to those of the parser."""
@@ -32,6 +34,9 @@ def add(commands: Any) -> None:
     command.add_argument(
         "--pressure-unit", type=float, default=1.0, metavar="PA", help="unit of the table in Pa: 1e6 for MPa (%(default)g)"
     )
+    command.add_argument(
+        "--table-id", type=int, metavar="ID", help=f"ID of the table for lsdyna; its curves take the next ones ({_TABLE_ID})"
+    )
     command.add_argument("-o", "--output", metavar="FILE", help="where to (standard output)")
 
 
@@ -41,6 +46,11 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
         parser.error(f"--tolerance {options.tolerance:g}: must be 1e-6 to 0.1")
     if not (math.isfinite(options.pressure_unit) and options.pressure_unit > 0):
         parser.error(f"--pressure-unit {options.pressure_unit:g}: must be finite and > 0")
+    if options.table_id is not None and options.format != "lsdyna":
+        parser.error(f"--table-id {options.table_id}: only --format lsdyna has IDs")
+    table_id = _TABLE_ID if options.table_id is None else options.table_id
+    if not 1 <= table_id <= 99_999_999:
+        parser.error(f"--table-id {table_id}: must be 1 to 99999999")
     with Model(Params.from_toml(options.surface)) as model:
         table = pressure_table(friction_at_pressure(model), lowest, highest, options.tolerance)
         area = model.params.nominal_area
@@ -51,7 +61,7 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
         f"Friction coefficient of {Path(options.surface).name} against pressure in "
         f"{'Pa' if unit == 1 else f'{unit:g} Pa'}, asperity {_header.ASPERITY_VERSION}, tolerance {options.tolerance:g}"
     )
-    text = written(options.format, table, pascal=unit, name=name, title=title)
+    text = written(options.format, table, pascal=unit, name=name, title=title, table_id=table_id)
     if options.output:
         Path(options.output).write_text(text, encoding="utf-8")
     else:

@@ -7,6 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#ifdef _WIN32
+#include "asperity_dll.h"
+#endif
 #include "surface.h"
 
 /* What fmi2TypesPlatform.h and fmi2FunctionTypes.h of the standard (version 2.0.4) declare, as far as it is used here. */
@@ -31,7 +34,11 @@ typedef struct {
     fmi2Real nextEventTime;
 } fmi2EventInfo;
 
+#ifdef _WIN32
+#define EXPORT __declspec(dllexport)
+#else
 #define EXPORT __attribute__((visibility("default")))
+#endif
 #ifdef FMI2_FUNCTION_PREFIX
 #define JOINED(a, b) a##b
 #define JOIN(a, b) JOINED(a, b)
@@ -176,6 +183,10 @@ EXPORT fmi2Component FMI(fmi2Instantiate)(fmi2String name, fmi2Type type, fmi2St
         strcpy(u->name, name);
         if (guid == NULL || strcmp(guid, GUID) != 0)
             failed(u, fmi2Error, "the GUID is not that of this unit");
+#ifdef _WIN32
+        else if (!load_asperity())
+            failed(u, fmi2Error, "there is no asperity.dll of this version beside the unit's DLL");
+#endif
         else if (set_start(u))
             return u;
     }

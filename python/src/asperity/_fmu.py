@@ -1,22 +1,20 @@
-"""A surface as a functional mock-up unit (FMI 2.0): description, C sources and a binary for Linux in one archive."""
+"""A surface as a functional mock-up unit (FMI 2.0): description, C sources and binaries in one archive."""
 
 from __future__ import annotations
 
 import hashlib
 import json
-import os
-import platform
 import re
 import shutil
-import subprocess
-import sys
 import tempfile
 import uuid
 import zipfile
 from pathlib import Path
+from typing import Mapping, Sequence
 from xml.sax.saxutils import quoteattr
 
-from . import _header, _library
+from . import _header
+from ._fmu_binaries import add_binaries, library_for
 from .model import Model
 from .params import Params
 
@@ -49,10 +47,9 @@ _OUTPUTS = {
 _PARAMETERS = 4  # the first value reference of a parameter, as in _fmu.c
 
 
-def build(params: Params, file: Path, *, start_load: float) -> None:
-    """Writes a unit; `ImportError` if there is no compiler or this system is not Linux on x86-64."""
-    if sys.platform != "linux" or platform.machine() != "x86_64":
-        raise ImportError("a unit is made on Linux on x86-64: its binary is for that system")
+def build(params: Params, file: Path, *, start_load: float, platforms: Sequence[str], libraries: Mapping[str, Path]) -> None:
+    """Writes a unit with binaries for the platforms; `ImportError` names the compiler or library that is missing for one."""
+    found = {platform: library_for(platform, libraries.get(platform)) for platform in platforms}
     with Model(params) as model:  # refuses what no unit could be initialised with
         model.friction_force_at_load(start_load)
     name = re.sub(r"\W", "_", file.stem, flags=re.ASCII)
@@ -62,14 +59,14 @@ def build(params: Params, file: Path, *, start_load: float) -> None:
     guid = f"{{{uuid.UUID(bytes=hashlib.sha256((name + surface).encode()).digest()[:16])}}}"
     surface += f"#define GUID {json.dumps(guid)}\n"
     with tempfile.TemporaryDirectory(prefix="asperity-fmu-") as made:
-        sources, binaries = Path(made, "sources"), Path(made, "binaries", "linux64")
+        sources = Path(made, "sources")
         sources.mkdir()
-        binaries.mkdir(parents=True)
         (sources / "surface.h").write_text(surface, encoding="utf-8")
         shutil.copy(Path(__file__).with_name("_fmu.c"), sources / "asperity_fmu.c")
+        shutil.copy(Path(__file__).with_name("_fmu_dll.h"), sources / "asperity_dll.h")
         shutil.copy(_c_header(), sources / "asperity.h")
-        shutil.copy(_library.PATH, binaries / "libasperity.so")
-        _compile(sources, binaries, name)
+        for platform, library in found.items():
+            add_binaries(Path(made, "binaries", platform), platform, library, sources, name)
         description = _description(name, guid, params, parameters, start_load)
         Path(made, "modelDescription.xml").write_text(description, encoding="utf-8")
         with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -115,18 +112,6 @@ def _c_header() -> Path:
     """`asperity.h`: in the package, or in the checkout whose sources these are."""
     packed = Path(__file__).with_name("asperity.h")
     return packed if packed.exists() else Path(__file__).parents[3] / "include" / "asperity.h"
-
-
-def _compile(sources: Path, binaries: Path, name: str) -> None:
-    compiler = os.environ.get("CC", "cc")
-    if shutil.which(compiler) is None:
-        raise ImportError(f"making a unit needs a C compiler, and there is no {compiler}: apt-get install gcc libc6-dev")
-    command = [compiler, "-std=c99", "-O2", "-Wall", "-Wextra", "-shared", "-fPIC", "-fvisibility=hidden", "-I."]
-    command += ["asperity_fmu.c", "-o", str(binaries / f"{name}.so"), f"-L{binaries}", "-l:libasperity.so"]
-    command += ["-Wl,-rpath,$ORIGIN", "-Wl,--no-undefined"]
-    done = subprocess.run(command, cwd=sources, capture_output=True, text=True, check=False)
-    if done.returncode != 0 or done.stderr:
-        raise ImportError(f"{compiler} does not take the C source of the unit:\n{done.stderr}")
 
 
 def _description(name: str, guid: str, params: Params, parameters: dict[str, str], start_load: float) -> str:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ._fmu import build
+from ._fmu_binaries import PLATFORMS, native
 from .params import Params
 
 
@@ -18,12 +19,19 @@ def add(commands: Any) -> None:
         "fmu",
         help="write a functional mock-up unit (FMI 2.0)",
         description="Writes a unit for model exchange and co-simulation: input load, outputs friction_force, "
-        "friction_coefficient and slope, tunable parameters. Needs Linux on x86-64 and a C compiler.",
+        "friction_coefficient and slope, tunable parameters. Needs a C compiler for each platform.",
         allow_abbrev=False,
     )
     command.set_defaults(run=_run)
     command.add_argument("surface", metavar="SURFACE.toml", help="the surface")
     command.add_argument("-o", "--output", required=True, type=Path, metavar="NAME.fmu", help="where to")
+    command.add_argument(
+        "--platform", metavar="NAMES", help="of linux64 and win64, with a comma between: systems to run on (that of this machine)"
+    )
+    command.add_argument(
+        "--library", action="append", default=[], metavar="NAME=FILE",
+        help="for another platform than this machine's: its library, or a wheel or zip with it; may be given again",
+    )  # fmt: skip
     command.add_argument("--load", type=float, default=1.0, metavar="P", help="start value of the load (%(default)g)")
 
 
@@ -32,5 +40,35 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
         parser.error(f"--output {options.output}: must end in .fmu")
     if not math.isfinite(options.load):
         parser.error(f"--load {options.load:g}: must be finite")
-    build(Params.from_toml(options.surface), options.output, start_load=options.load)
+    platforms, libraries = _platforms(parser, options.platform), _libraries(parser, options.library)
+    for name in libraries:
+        if name not in platforms:
+            parser.error(f"--library {name}=...: the unit is not for {name}; add it to --platform")
+    params = Params.from_toml(options.surface)
+    build(params, options.output, start_load=options.load, platforms=platforms, libraries=libraries)
     print(f"asperity: wrote {options.output}", file=sys.stderr)
+
+
+def _platforms(parser: argparse.ArgumentParser, names: str | None) -> list[str]:
+    if names is None:
+        own = native()
+        if own is None:
+            parser.error(f"this machine is none of {' and '.join(PLATFORMS)}: say with --platform which the unit is for")
+        return [own]
+    platforms = names.split(",")
+    for name in platforms:
+        if name not in PLATFORMS:
+            parser.error(f"--platform {names}: {name!r} is none of {' and '.join(PLATFORMS)}")
+    return list(dict.fromkeys(platforms))
+
+
+def _libraries(parser: argparse.ArgumentParser, given: list[str]) -> dict[str, Path]:
+    libraries = {}
+    for text in given:
+        name, equals, file = text.partition("=")
+        if name not in PLATFORMS or not (equals and file):
+            parser.error(f"--library {text}: must be {' or '.join(f'{known}=FILE' for known in PLATFORMS)}")
+        if not Path(file).is_file():
+            parser.error(f"--library {text}: there is no such file")
+        libraries[name] = Path(file)
+    return libraries
