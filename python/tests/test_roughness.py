@@ -179,7 +179,7 @@ def test_warnings_name_the_line_that_called_the_package_however_deep() -> None:
         friction("Si/Si", **rough, load=1e5)
         Model(Params.from_iso25178(**rough, nominal_area=AREA, **CONTACT)).curve([1e-9, 1e-7]).plot()
     assert {one.category for one in caught} == {ValidityWarning}
-    assert {one.filename for one in caught} == {__file__} and len(caught) >= 5
+    assert {one.filename for one in caught} == {__file__} and len(caught) >= 4
 
 
 def test_slips_of_units_are_told_before_the_bias_of_a_bandwidth_that_no_surface_has() -> None:
