@@ -83,6 +83,7 @@ def _spread(values: list[float]) -> str:
 # By page and mark.
 TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("domain.md", "contacts"): contacts.table,
+    ("domain.md", "roughness"): contacts.roughness,
     ("validation.md", "population"): population,
     ("validation.md", "yielding"): yields,
     ("validation.md", "measurements"): measured.table,
