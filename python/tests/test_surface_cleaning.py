@@ -93,8 +93,8 @@ def test_missing_points_are_filled_like_a_membrane_and_make_no_summits(plain: Ar
 
 
 def test_what_clean_returns_is_taken_as_a_map(plain: Array) -> None:
-    cleaned = clean(plain, PIXEL)
-    assert summits(cleaned).radius == summits(cleaned.map).radius
+    cleaned = surface.clean(plain, PIXEL)
+    assert surface.summits(cleaned).radius == surface.summits(cleaned.map).radius
 
 
 def test_what_cannot_be_cleaned_is_refused(plain: Array) -> None:
