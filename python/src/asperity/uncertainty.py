@@ -188,11 +188,12 @@ def _distribution(
         if not (math.isfinite(deviation) and deviation >= 0):
             raise ValueError(f"spread of {name} = {deviation!r}: must be finite and >= 0")
     names = free_names(tuple(spread), params)
-    for name in names:
-        if name.positive and spread[name.given] > _WIDEST:
+    for one in names:
+        deviation = spread[one.given]
+        if one.positive and deviation > _WIDEST:
             raise ValueError(
-                f"spread of {name.given} = {spread[name.given]!r}: is relative to the value and must be at most {_WIDEST:g}; "
-                f"{spread[name.given]:g} % are {spread[name.given] / 100:g}"
+                f"spread of {one.given} = {deviation!r}: is relative to the value and must be at most {_WIDEST:g}; "
+                f"{deviation:g} % are {deviation / 100:g}"
             )
     return names, params, np.diag([float(deviation) ** 2 for deviation in spread.values()]), None
 
