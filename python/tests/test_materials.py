@@ -90,6 +90,10 @@ def test_a_name_that_is_not_there_is_answered_with_the_nearest() -> None:
         PAIRS["steel/Si"]
     with pytest.raises(KeyError, match="'Steel' is not known; nearest: steel, "):
         MATERIALS["Steel"]
+    with pytest.raises(KeyError, match="'gold' is not known; nearest: Au, "):
+        MATERIALS["gold"]
+    with pytest.raises(KeyError, match="'gold/mica' is not known, .*; nearest: mica/Au, "):
+        PAIRS["gold/mica"]
     assert PAIRS.get("steel/Si") is None and "steel/Si" not in PAIRS
 
 

@@ -157,11 +157,17 @@ def test_the_figure_has_mean_scatter_and_model(silicon: Params, tmp_path: Path) 
     assert pulled.get_ylabel().startswith("friction force")
 
 
+def test_one_load_is_an_array_of_one(silicon: Params) -> None:
+    found = pads(silicon, 1e-5, 3)
+    assert found.friction_force.tolist() == pads(silicon, [1e-5], 3).friction_force.tolist()
+    assert found.mean_force.shape == (1,)
+
+
 @pytest.mark.parametrize(
     "changes, error, message",
     [
-        ({"loads": []}, ValueError, "loads: must be a one-dimensional array of one or more real numbers"),
-        ({"loads": [[1.0]]}, ValueError, "loads: must be a one-dimensional array"),
+        ({"loads": []}, ValueError, "loads: must be a real number or a one-dimensional array of one or more"),
+        ({"loads": [[1.0]]}, ValueError, "loads: must be a real number or a one-dimensional array"),
         ({"loads": [1e-6, math.nan]}, ValueError, r"loads\[1\] = nan: must be finite"),
         ({"loads": [1e300]}, Error, "load = 1e300"),
         ({"count": 1}, ValueError, "count = 1: must be 2 or more"),

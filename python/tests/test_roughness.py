@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from random_surfaces import GaussianSurface, Nayak
 
-from asperity import Error, Params, Status, ValidityWarning, surface
+from asperity import Error, Model, Params, Status, ValidityWarning, friction, surface
 
 CONTACT: dict[str, Any] = dict(
     work_of_adhesion=0.06, adhesion_range=4e-10, burgers_vector=4e-10, E1=160e9, nu1=0.22, E2=160e9, nu2=0.22
@@ -169,6 +169,24 @@ def test_doubtful_bandwidths_are_told_with_the_bias_to_expect() -> None:
     for options in ({}, {"summits": "nayak"}):
         (broad,) = said(31.0, **options)
         assert broad.startswith("bandwidth m0 m4/m2^2 = 31: from spectral moments") and "boundary elements" in broad
+
+
+def test_warnings_name_the_line_that_called_the_package_however_deep() -> None:
+    rough: dict[str, Any] = dict(Sq=5e-9, Sdq=0.05, Sds=1e14)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        Params.from_iso25178(**rough, nominal_area=AREA, **CONTACT)
+        friction("Si/Si", **rough, load=1e5)
+        Model(Params.from_iso25178(**rough, nominal_area=AREA, **CONTACT)).curve([1e-9, 1e-7]).plot()
+    assert {one.category for one in caught} == {ValidityWarning}
+    assert {one.filename for one in caught} == {__file__} and len(caught) >= 4
+
+
+def test_slips_of_units_are_told_before_the_bias_of_a_bandwidth_that_no_surface_has() -> None:
+    with pytest.warns(ValidityWarning, match="is a length in another unit, as Sq in nm or um?") as caught:
+        with pytest.raises(Error, match="is height_std in um or nm?"):
+            friction("Si/Si", Sq=5, Sdq=0.05, Sds=1e13, load=1e5)
+    assert len(caught) == 1
 
 
 def test_doubtful_bandwidths_of_maps_are_told() -> None:

@@ -116,7 +116,7 @@ def test_spreads_that_leave_the_domain_are_drawn_anew_or_refused(params: Params)
     found = uncertainty(params.replace(radius_amplitude=0.9), {"epsilon": 0.1}, [1.0], samples=20)
     assert found.refused > 0 and found.samples is not None and np.isfinite(found.samples).all()
     with pytest.raises(ValueError, match="are refused; make it smaller"):
-        uncertainty(params, {"beta": 100.0}, [1.0], samples=2)
+        uncertainty(params, {"epsilon": 100.0}, [1.0], samples=2)
 
 
 @pytest.mark.parametrize(
@@ -125,6 +125,7 @@ def test_spreads_that_leave_the_domain_are_drawn_anew_or_refused(params: Params)
         ({"spread": {}}, "must name at least one"),
         ({"spread": {"nonsense": 0.1}}, "name 'nonsense'"),
         ({"spread": {"sigma": -0.1}}, "spread of sigma = -0.1"),
+        ({"spread": {"w": 30}}, "spread of w = 30: is relative to the value and must be at most 2; 30 % are 0.3"),
         ({"spread": {"sigma": 0.1, "height_std": 0.1}}, "both vary"),
         ({"loads": None}, "loads: must be given"),
         ({"loads": [[1.0]]}, "one-dimensional"),

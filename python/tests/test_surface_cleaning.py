@@ -92,6 +92,11 @@ def test_missing_points_are_filled_like_a_membrane_and_make_no_summits(plain: Ar
     assert np.array_equal(surface.clean(masked, PIXEL).map.height_map, height)
 
 
+def test_what_clean_returns_is_taken_as_a_map(plain: Array) -> None:
+    cleaned = surface.clean(plain, PIXEL)
+    assert surface.summits(cleaned).radius == surface.summits(cleaned.map).radius
+
+
 def test_what_cannot_be_cleaned_is_refused(plain: Array) -> None:
     missing = np.where(np.random.default_rng(0).random(plain.shape) < 0.6, np.nan, plain)
     with pytest.raises(ValueError, match="of 65536 heights are missing: at most half may be; crop the map"):

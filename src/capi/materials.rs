@@ -99,7 +99,10 @@ impl asperity_pair_data {
 unsafe fn material(name: *const c_char) -> Result<&'static Material, Failure> {
     let given = Given::read(reference(name, "name")?);
     let names = MATERIALS.iter().map(|material| material.name);
-    Material::find(given.text()).ok_or_else(|| given.unknown("material", names))
+    Material::find(given.text()).ok_or_else(|| {
+        let meant = Material::meant(given.text()).map(|material| material.name);
+        given.unknown("material", meant, names)
+    })
 }
 
 /// The pair of this name.
@@ -109,7 +112,10 @@ unsafe fn material(name: *const c_char) -> Result<&'static Material, Failure> {
 unsafe fn pair(name: *const c_char) -> Result<&'static Pair, Failure> {
     let given = Given::read(reference(name, "name")?);
     let names = PAIRS.iter().map(|pair| pair.name);
-    Pair::find(given.text()).ok_or_else(|| given.unknown("pair", names))
+    Pair::find(given.text()).ok_or_else(|| {
+        let meant = Pair::meant(given.text()).map(|pair| pair.name);
+        given.unknown("pair", meant, names)
+    })
 }
 
 /// Looks a material up by its name: "steel", "SiO2". docs/materials.md has all of them, with their sources.

@@ -122,15 +122,21 @@ impl Given {
         ARGUMENTS.iter().position(|name| name.to_bytes() == self.text())
     }
 
-    /// The refusal of a name that no such thing has, which tells the nearest of those that are.
-    pub(super) fn unknown(&self, of: &'static str, names: impl Iterator<Item = &'static CStr>) -> Failure {
-        let nearest = names.min_by_key(|name| edits(self.text(), name.to_bytes())).unwrap_or_default();
+    /// The refusal of a name that no such thing has, which tells what is meant, or else the nearest of those that are.
+    pub(super) fn unknown(
+        &self,
+        of: &'static str,
+        meant: Option<&'static CStr>,
+        names: impl Iterator<Item = &'static CStr>,
+    ) -> Failure {
+        let nearest =
+            meant.or_else(|| names.min_by_key(|name| edits(self.text(), name.to_bytes()))).unwrap_or_default();
         let nearest = nearest.to_str().unwrap_or_default();
         Failure::UnknownName { of, name: self.bytes, length: self.length, nearest }
     }
 
     fn unknown_parameter(&self) -> Failure {
-        self.unknown("parameter", FIELDS.iter().map(|field| field.name).chain(ARGUMENTS))
+        self.unknown("parameter", None, FIELDS.iter().map(|field| field.name).chain(ARGUMENTS))
     }
 }
 

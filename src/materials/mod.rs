@@ -10,6 +10,35 @@ pub use bodies::MATERIALS;
 pub use pairs::PAIRS;
 use std::ffi::CStr;
 
+/// What bodies are called in words, for those who look them up so.
+const WORDS: [(&str, &CStr); 25] = [
+    ("silicon", c"Si"),
+    ("polysilicon", c"Si"),
+    ("silica", c"SiO2"),
+    ("gold", c"Au"),
+    ("diamond-like carbon", c"DLC"),
+    ("silicon nitride", c"Si3N4"),
+    ("aluminium", c"Al"),
+    ("aluminum", c"Al"),
+    ("copper", c"Cu"),
+    ("silver", c"Ag"),
+    ("nickel", c"Ni"),
+    ("platinum", c"Pt"),
+    ("tungsten", c"W"),
+    ("molybdenum", c"Mo"),
+    ("chromium", c"Cr"),
+    ("titanium", c"Ti"),
+    ("iron", c"Fe"),
+    ("tantalum", c"Ta"),
+    ("magnesium", c"Mg"),
+    ("lead", c"Pb"),
+    ("stainless steel", c"stainless"),
+    ("alumina", c"Al2O3"),
+    ("silicon carbide", c"SiC"),
+    ("tungsten carbide", c"WC"),
+    ("gallium arsenide", c"GaAs"),
+];
+
 /// A range for which no source is known.
 pub const NONE: [f64; 2] = [0.0, 0.0];
 
@@ -54,7 +83,16 @@ pub struct Pair {
 impl Pair {
     /// The pair of this name, or of the same bodies in the other order.
     pub fn find(name: &[u8]) -> Option<&'static Self> {
-        let both = halves(name)?;
+        Self::of(halves(name)?)
+    }
+
+    /// The pair of two bodies in words.
+    pub fn meant(name: &[u8]) -> Option<&'static Self> {
+        let (first, second) = halves(name)?;
+        Self::of((Material::meant(first)?.name.to_bytes(), Material::meant(second)?.name.to_bytes()))
+    }
+
+    fn of(both: (&[u8], &[u8])) -> Option<&'static Self> {
         let swapped = (both.1, both.0);
         PAIRS.iter().find(|pair| halves(pair.name.to_bytes()).is_some_and(|found| found == both || found == swapped))
     }
@@ -84,6 +122,13 @@ impl Material {
     pub fn find(name: &[u8]) -> Option<&'static Self> {
         MATERIALS.iter().find(|material| material.name.to_bytes() == name)
     }
+
+    /// The material of this name, capitals or not, or of this word: "gold".
+    pub fn meant(name: &[u8]) -> Option<&'static Self> {
+        let word = WORDS.iter().find(|(word, _)| name.eq_ignore_ascii_case(word.as_bytes()));
+        let name = word.map_or(name, |(_, meant)| meant.to_bytes());
+        MATERIALS.iter().find(|material| material.name.to_bytes().eq_ignore_ascii_case(name))
+    }
 }
 
 /// The names on both sides of the slash.
@@ -110,6 +155,18 @@ mod tests {
         for none in ["", "Si", "Si/", "/Si", "Si/Si/Si", "si/si"] {
             assert!(Pair::find(none.as_bytes()).is_none(), "{none}");
         }
+    }
+
+    #[test]
+    fn every_word_means_a_material() {
+        for (word, name) in WORDS {
+            assert!(Material::find(name.to_bytes()).is_some(), "{word}");
+            assert!(Material::find(word.as_bytes()).is_none(), "{word}");
+            assert_eq!(Material::meant(word.to_uppercase().as_bytes()).map(|found| found.name), Some(name));
+        }
+        assert!(Material::meant(b"unobtainium").is_none());
+        assert_eq!(Pair::meant(b"gold/Mica").map(|found| found.name), Some(c"mica/Au"));
+        assert!(Pair::meant(b"gold/lead").is_none() && Pair::meant(b"gold").is_none());
     }
 
     #[test]

@@ -567,6 +567,8 @@ static void materials_are_found_by_their_names(void)
     other = untouched;
     CHECK(asperity_material("Steel", &other) == ASPERITY_INVALID_PARAMETER &&
           says("Steel: no material has this name; the nearest is steel"), "%s", last_message());
+    CHECK(asperity_material("gold", &other) == ASPERITY_INVALID_PARAMETER &&
+          says("gold: no material has this name; the nearest is Au"), "%s", last_message());
     CHECK(asperity_material("steel/steel", &other) == ASPERITY_INVALID_PARAMETER, "a pair is no material");
     CHECK(asperity_material(NULL, &other) == ASPERITY_NULL_POINTER && says("name is NULL"), "%s", last_message());
     CHECK(asperity_material("steel", NULL) == ASPERITY_NULL_POINTER && says("material is NULL"), "%s", last_message());
@@ -592,6 +594,8 @@ static void pairs_are_found_in_either_order(void)
     CHECK(count == 26 && asperity_pair_name(SIZE_MAX) == NULL, "%d pairs", (int)count);
     CHECK(asperity_pair("stel/steel", &other) == ASPERITY_INVALID_PARAMETER &&
           says("stel/steel: no pair has this name; the nearest is steel/steel"), "%s", last_message());
+    CHECK(asperity_pair("gold/mica", &other) == ASPERITY_INVALID_PARAMETER &&
+          says("gold/mica: no pair has this name; the nearest is mica/Au"), "%s", last_message());
     CHECK(asperity_pair(NULL, &other) == ASPERITY_NULL_POINTER && says("name is NULL"), "%s", last_message());
     CHECK(asperity_pair("Si/Si", NULL) == ASPERITY_NULL_POINTER && says("pair is NULL"), "%s", last_message());
 }

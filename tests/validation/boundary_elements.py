@@ -19,7 +19,7 @@ import sys
 import warnings
 from dataclasses import astuple, dataclass, fields
 from pathlib import Path
-from typing import Any, Iterator, Literal
+from typing import Any, Iterable, Iterator, Literal, TypeVar
 
 import numpy as np
 import tamaas
@@ -70,8 +70,8 @@ SPECTRA = (
 
 
 @dataclass(frozen=True)
-class Row:
-    """One surface at one load: what is known of it, in the unit of the grid, and what the boundary elements answer.
+class Known:
+    """One surface at one load: what is known of it, in the unit of the grid, and what boundary elements answer.
 
     Attributes:
         seed: of the random numbers of the surface, whose spectrum is told by the four before it.
@@ -105,35 +105,46 @@ class Row:
     def bandwidth(self) -> float:
         return self.m0 * self.m4 / self.m2**2
 
-    @property
-    def by_moments(self) -> Prediction:
-        """By the library, from the spectral moments."""
-        return self._predicted(self._from_moments("equal"))
-
-    @property
-    def by_nayak(self) -> Prediction:
-        """By the library, from the spectral moments with Nayak's joint distribution of heights and radii."""
-        return self._predicted(self._from_moments("nayak"))
-
-    @property
-    def by_map(self) -> Prediction:
-        """By the library, from the summits on the map."""
+    def from_map(self, **law: Any) -> Params:
+        """Parameters from the summits on the map, with the law of contact."""
         count = self.density * self.grid**2
         summits = dict(height_std=self.height_std, summit_radius=self.radius, asperity_count=count)
         trend = dict(radius_amplitude=self.amplitude, radius_rate=self.rate)
-        return self._predicted(Params.si(**summits, **trend, **CONTACT))
+        return Params.si(**summits, **trend, **CONTACT, **law)
 
-    def _from_moments(self, summits: Literal["equal", "nayak"]) -> Params:
+    def from_moments(self, summits: Literal["equal", "nayak"] = "equal", **law: Any) -> Params:
+        """Parameters from the spectral moments, with the law of contact."""
         moments = dict(m0=self.m0, m2=self.m2, m4=self.m4, nominal_area=float(self.grid**2))
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ValidityWarning)  # of the bias that is measured here
-            return Params.from_spectral_moments(**moments, summits=summits, **CONTACT)
+            return Params.from_spectral_moments(**moments, summits=summits, **CONTACT, **law)
 
-    def _predicted(self, params: Params) -> Prediction:
+    def predicted(self, params: Params) -> Prediction:
+        """The library over the boundary elements."""
         nominal = self.grid**2
         state = Model(params).state_at_load(self.pressure * SLOPE * nominal)
         area, friction = state.real_area / nominal / self.area, state.friction_force / nominal / self.friction
         return Prediction(area, friction, state.fraction_in_contact)
+
+
+@dataclass(frozen=True)
+class Row(Known):
+    """An elastic surface."""
+
+    @property
+    def by_moments(self) -> Prediction:
+        """By the library, from the spectral moments."""
+        return self.predicted(self.from_moments())
+
+    @property
+    def by_nayak(self) -> Prediction:
+        """By the library, from the spectral moments with Nayak's joint distribution of heights and radii."""
+        return self.predicted(self.from_moments("nayak"))
+
+    @property
+    def by_map(self) -> Prediction:
+        """By the library, from the summits on the map."""
+        return self.predicted(self.from_map())
 
 
 @dataclass(frozen=True)
@@ -166,7 +177,8 @@ def surface(spectrum: Spectrum, seed: int) -> tuple[np.ndarray[Any, Any], topogr
 
 
 def press(heights: np.ndarray[Any, Any], pressures: tuple[float, ...]) -> Iterator[tuple[float, float, int]]:
-    """Real area, friction force and number of patches at nominal pressures over E*, by boundary elements."""
+    """Real area, friction force (both over the nominal area) and number of patches at nominal pressures over E*, by
+    boundary elements."""
     n = heights.shape[0]
     tamaas.set_log_level(tamaas.LogLevel.error)
     model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, [float(n)] * 2, [n] * 2)
@@ -177,9 +189,18 @@ def press(heights: np.ndarray[Any, Any], pressures: tuple[float, ...]) -> Iterat
         reached = solver.solve(pressure)
         if not reached <= TOLERANCE:
             raise RuntimeError(f"the solver reaches {reached:g} at a pressure of {pressure:g}, not {TOLERANCE:g}")
-        patches = tamaas.FloodFill.getClusters(model.traction > 0, False)
-        areas = np.array([patch.area - OUTLINE * patch.perimeter for patch in patches])
-        yield float(areas.sum()), float(slip_force(areas).sum()), len(patches)
+        yield patches(model.traction)
+
+
+def patches(pressure: np.ndarray[Any, Any], hardness: float = math.inf) -> tuple[float, float, int]:
+    """Real area and friction force, over the nominal area, and number of the patches that bear pressure."""
+    found = tamaas.FloodFill.getClusters(pressure > 0, False)
+    areas = np.array([patch.area - OUTLINE * patch.perimeter for patch in found])
+    if math.isfinite(hardness):
+        # No patch is smaller than its load over the hardness. The outline is that of elastic contacts, and too much for these.
+        loads = np.array([pressure[tuple(np.array(patch.points).T % len(pressure))].sum() for patch in found])
+        areas = np.maximum(areas, loads / hardness)
+    return float(areas.sum()) / pressure.size, float(slip_force(areas).sum()) / pressure.size, len(found)
 
 
 def slip_force(areas: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
@@ -189,41 +210,58 @@ def slip_force(areas: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
     return np.asarray(areas * np.clip(radius / 28, 1, 8e4 / 28) ** exponent / 43)
 
 
+def known(spectrum: Spectrum, seed: int, moments: topography.SpectralMoments, summits: Any) -> tuple[Any, ...]:
+    """What a row knows of its surface."""
+    found = Params.from_topography(summits, **CONTACT)
+    return (
+        spectrum.grid, spectrum.lowest, spectrum.highest, spectrum.hurst, seed, moments.m0, moments.m2, moments.m4,
+        summits.density.value, found.height_std, found.summit_radius, found.radius_amplitude, found.radius_rate,
+    )  # fmt: skip
+
+
 def compare(spectrum: Spectrum, seed: int, ratios: tuple[float, ...] = PRESSURES) -> Iterator[Row]:
     """One surface at pressures over E* and slope."""
     heights, moments = surface(spectrum, seed)
     summits = topography.summits(heights, 1.0, 1.0, detrend=0)
-    known = Params.from_topography(summits, **CONTACT)
-    area = spectrum.grid**2
-    for ratio, (real, friction, patches) in zip(ratios, press(heights, tuple(ratio * SLOPE for ratio in ratios))):
-        yield Row(
-            spectrum.grid, spectrum.lowest, spectrum.highest, spectrum.hurst, seed, moments.m0, moments.m2, moments.m4,
-            summits.density.value, known.height_std, known.summit_radius, known.radius_amplitude, known.radius_rate,
-            ratio, real / area, friction / area, patches,
-        )  # fmt: skip
+    for ratio, answer in zip(ratios, press(heights, tuple(ratio * SLOPE for ratio in ratios))):
+        yield Row(*known(spectrum, seed, moments, summits), ratio, *answer)
+
+
+AnyRow = TypeVar("AnyRow", bound=Known)
+
+
+def read(file: Path, row: type[AnyRow]) -> list[AnyRow]:
+    """The rows of a frozen file."""
+    with file.open(encoding="utf-8", newline="") as text:
+        lines = csv.reader(line for line in text if not line.startswith("#"))
+        if next(lines) != [field.name for field in fields(row)]:
+            raise ValueError(f"{file}: not the columns of this script")
+        kinds = [int if field.type == "int" else float for field in fields(row)]
+        return [row(*(kind(cell) for kind, cell in zip(kinds, line))) for line in lines]
+
+
+def write(file: Path, row: type[AnyRow], rows: Iterable[AnyRow], script: str) -> None:
+    """A frozen file, row by row as they come."""
+    with file.open("w", encoding="utf-8", newline="") as out:
+        out.write(f"# Written by {script} with tamaas {tamaas.__version__}.\n")
+        table = csv.writer(out, lineterminator="\n")
+        table.writerow([field.name for field in fields(row)])
+        for found in rows:
+            table.writerow([value if isinstance(value, int) else f"{value:.7g}" for value in astuple(found)])
+            out.flush()
 
 
 def frozen(file: Path = FILE) -> list[Row]:
     """The rows of boundary_elements.csv."""
-    with file.open(encoding="utf-8", newline="") as text:
-        lines = csv.reader(line for line in text if not line.startswith("#"))
-        if next(lines) != [field.name for field in fields(Row)]:
-            raise ValueError(f"{file}: not the columns of this script")
-        kinds = [int if field.type == "int" else float for field in fields(Row)]
-        return [Row(*(kind(cell) for kind, cell in zip(kinds, line))) for line in lines]
+    return read(file, Row)
 
 
-def main(file: Path) -> None:
-    with file.open("w", encoding="utf-8", newline="") as out:
-        out.write(f"# Written by tests/validation/boundary_elements.py with tamaas {tamaas.__version__}.\n")
-        table = csv.writer(out, lineterminator="\n")
-        table.writerow([field.name for field in fields(Row)])
-        for spectrum in SPECTRA:
-            for seed in range(spectrum.seeds):
-                for row in compare(spectrum, seed):
-                    table.writerow([value if isinstance(value, int) else f"{value:.7g}" for value in astuple(row)])
-                    out.flush()
+def rows() -> Iterator[Row]:
+    """All of boundary_elements.csv, anew."""
+    for spectrum in SPECTRA:
+        for seed in range(spectrum.seeds):
+            yield from compare(spectrum, seed)
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else FILE)
+    write(Path(sys.argv[1]) if len(sys.argv) > 1 else FILE, Row, rows(), "tests/validation/boundary_elements.py")

@@ -1,6 +1,7 @@
-"""Whether boundary elements computed anew are those of boundary_elements.csv to 1e-4; versions of tamaas may differ.
+"""Whether boundary elements computed anew are those of boundary_elements.csv or yielding.csv to 1e-4; versions of tamaas may
+differ.
 
-usage: compare_frozen.py FILE.csv
+usage: compare_frozen.py elastic|yielding FILE.csv
 """
 
 from __future__ import annotations
@@ -10,21 +11,29 @@ from dataclasses import astuple, fields
 from pathlib import Path
 
 import boundary_elements
-from boundary_elements import Row
+import yielding
+from boundary_elements import Known
+
+FROZEN: dict[str, tuple[Path, type[Known]]] = {
+    "elastic": (boundary_elements.FILE, boundary_elements.Row),
+    "yielding": (yielding.FILE, yielding.Row),
+}
+# What one pixel that touches or does not, or the last step of the solver, changes.
+COUNTS = {"patches": 2, "steps": 20}
 
 
-def main(file: Path) -> None:
-    old, new = boundary_elements.frozen(), boundary_elements.frozen(file)
+def main(what: str, file: Path) -> None:
+    was, row = FROZEN[what]
+    old, new = boundary_elements.read(was, row), boundary_elements.read(file, row)
     if len(old) != len(new):
         sys.exit(f"{file}: {len(new)} rows instead of {len(old)}")
     for number, (then, now) in enumerate(zip(old, new)):
-        for field, before, after in zip(fields(Row), astuple(then), astuple(now)):
-            # A patch more or less is a pixel that touches or does not.
-            allowed = 2 if field.name == "patches" else 1e-4 * abs(before)
+        for field, before, after in zip(fields(row), astuple(then), astuple(now)):
+            allowed = COUNTS.get(field.name, 1e-4 * abs(before))
             if abs(after - before) > allowed:
                 sys.exit(f"{file}, row {number + 1}: {field.name} is {after} instead of {before}")
     print(f"{len(new)} rows as frozen")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    main(sys.argv[1], Path(sys.argv[2]))

@@ -22,6 +22,8 @@ length="${1:-short}"
 
 if [ "$length" = long ]; then
     mkdir -p "$target/validation"
+    "$venv/bin/python" tests/validation/yielding.py "$target/validation/yielding.csv"
+    "$venv/bin/python" tests/validation/compare_frozen.py yielding "$target/validation/yielding.csv"
     "$venv/bin/python" tests/validation/boundary_elements.py "$target/validation/boundary_elements.csv"
-    "$venv/bin/python" tests/validation/compare_frozen.py "$target/validation/boundary_elements.csv"
+    "$venv/bin/python" tests/validation/compare_frozen.py elastic "$target/validation/boundary_elements.csv"
 fi

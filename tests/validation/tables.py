@@ -12,8 +12,9 @@ from pathlib import Path
 import numpy as np
 
 import boundary_elements
+import yielding
 from asperity.figures import contacts, measured
-from boundary_elements import PRESSURES, Row
+from boundary_elements import PRESSURES, AnyRow
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 
@@ -25,7 +26,7 @@ def population() -> str:
         "| A, with Nayak's radii and heights | F, with them | A, from the map | F, from the map |",
         "|---|---|---|---|---|---|---|---|---|---|",
     ]
-    for group in _groups():
+    for group in _groups(boundary_elements.frozen()):
         for pressure in PRESSURES:
             at_load = [row for row in group if row.pressure == pressure]
             moments, maps = [row.by_moments for row in at_load], [row.by_map for row in at_load]
@@ -42,10 +43,35 @@ def population() -> str:
     return "\n".join(rows)
 
 
-def _groups() -> list[list[Row]]:
+def yields() -> str:
+    """Library over boundary elements whose pressure is cut at the hardness, by bandwidth and plasticity index."""
+    rows = [
+        "| Bandwidth | ψ | Real area | At the hardness | A H/P | A, from the map | F, from the map | A, from moments "
+        "| F, from moments | A, elastic law | F, elastic law |",
+        "|---|---|---|---|---|---|---|---|---|---|---|",
+    ]
+    for group in _groups(yielding.frozen()):
+        for index in yielding.INDICES:
+            for pressure in yielding.PRESSURES:
+                found = [row for row in group if (row.index, row.pressure) == (index, pressure)]
+                laws = [[getattr(row, law) for row in found] for law in ("by_map", "by_moments", "by_elastic")]
+                cells = [
+                    f"{np.mean([row.bandwidth for row in found]):.2g}",
+                    f"{index:g}",
+                    f"{100 * np.mean([row.area for row in found]):.2g} %",
+                    f"{100 * np.mean([row.saturated for row in found]):.0f} %",
+                    f"{np.mean([row.area_at_the_hardness for row in found]):.2f}",
+                    *(_spread([getattr(answer, name) for answer in answers])
+                      for answers in laws for name in ("area", "friction")),
+                ]  # fmt: skip
+                rows.append(f"| {' | '.join(cells)} |")
+    return "\n".join(rows)
+
+
+def _groups(frozen: list[AnyRow]) -> list[list[AnyRow]]:
     """The frozen rows by spectrum, in the order of the file."""
-    groups: dict[tuple[float, ...], list[Row]] = {}
-    for row in boundary_elements.frozen():
+    groups: dict[tuple[float, ...], list[AnyRow]] = {}
+    for row in frozen:
         groups.setdefault((row.grid, row.lowest, row.highest, row.hurst), []).append(row)
     return list(groups.values())
 
@@ -57,7 +83,9 @@ def _spread(values: list[float]) -> str:
 # By page and mark.
 TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("domain.md", "contacts"): contacts.table,
+    ("domain.md", "roughness"): contacts.roughness,
     ("validation.md", "population"): population,
+    ("validation.md", "yielding"): yields,
     ("validation.md", "measurements"): measured.table,
 }
 

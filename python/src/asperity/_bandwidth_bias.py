@@ -6,9 +6,9 @@ The numbers are those of docs/validation.md, from tests/validation/boundary_elem
 from __future__ import annotations
 
 import math
-import warnings
 from typing import Literal, NamedTuple
 
+from . import _caller
 from .results import ValidityWarning
 
 Kind = Literal["equal", "nayak", "map"]
@@ -46,6 +46,8 @@ BIAS: dict[float, dict[Kind, Bias]] = {
         "map": Bias((0.59, 0.68), (0.78, 0.93), True),
     },
 }
+# Of a fractal dimension of 2.2, 4e3 goes with three decades of wavelengths, 2e5 with four: no map has more.
+_BROADEST = 1e6
 _FROM: dict[Kind, str] = {
     "equal": "spectral moments with equal radii",
     "nayak": "spectral moments with Nayak's radii and heights",
@@ -53,20 +55,26 @@ _FROM: dict[Kind, str] = {
 }
 
 
-def warn(bandwidth: float, kind: Kind, stacklevel: int) -> None:
+def warn(bandwidth: float, kind: Kind) -> None:
     """A `ValidityWarning` with the expected bias and what to do, if friction at the nearest bandwidth is doubtful."""
     tried = min(BIAS, key=lambda one: abs(math.log(one / bandwidth)))
     area, friction, doubtful = BIAS[tried][kind]
     if not doubtful:
         return
+    if bandwidth > _BROADEST:
+        _caller.warn(
+            f"bandwidth m0 m4/m2^2 = {bandwidth:.3g}: no map resolves so broad a spectrum; is a length in another unit, "
+            "as Sq in nm or um? In SI units Sq is in m, Sds in 1/m^2, m0 in m^2, m4 in 1/m^2",
+            ValidityWarning,
+        )
+        return
     if tried == min(BIAS):
         what = 'take account of high summits being sharper, summits="nayak"'
     else:
         what = "filter the surface to the scale of its contacts (docs/roughness.md), or use boundary elements"
-    warnings.warn(
+    _caller.warn(
         f"bandwidth m0 m4/m2^2 = {bandwidth:.3g}: from {_FROM[kind]} at a bandwidth of {tried:g} real area is "
         f"{area[0]:.2f} to {area[1]:.2f} and friction {friction[0]:.2f} to {friction[1]:.2f} of that of boundary "
         f"elements, where 0.1 to 10 % of the nominal area touch: {what}",
         ValidityWarning,
-        stacklevel=stacklevel + 1,
     )

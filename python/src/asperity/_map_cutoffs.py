@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 import numpy.typing as npt
 
-from . import _bandwidth_bias, _map_warnings
+from . import _bandwidth_bias, _caller, _map_warnings
 from ._map_filter import filter
 from ._map_input import checked, length
 from ._progress import LARGE, Progress, teller
@@ -189,11 +189,11 @@ def _summits(filtered: Callable[[], Any], fewer_may_end: bool) -> Summits | None
 def _warn(found: Cutoffs) -> None:
     """Of what remains to be said at the recommended cutoff, or if there is none."""
     if found.recommended is None:
-        warnings.warn(found.message, _map_warnings.MapWarning, stacklevel=3)
+        _caller.warn(found.message, _map_warnings.MapWarning)
     at = found.cutoff.size - 1 if found.recommended is None else int(np.argmax(found.cutoff >= found.recommended))
     for warning in found.summits[at].warnings:
-        warnings.warn(warning, _map_warnings.MapWarning, stacklevel=3)
-    _bandwidth_bias.warn(found.summits[at].moments.bandwidth, "map", stacklevel=3)
+        _caller.warn(warning, _map_warnings.MapWarning)
+    _bandwidth_bias.warn(found.summits[at].moments.bandwidth, "map")
 
 
 def _ascending(cutoff: npt.ArrayLike) -> Array:

@@ -16,6 +16,8 @@ Array = npt.NDArray[np.float64]
 
 def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> HeightMap:
     """A map of real numbers with its distances; NaN where heights are unknown, if `missing` ones may be."""
+    if isinstance(getattr(height_map, "map", None), HeightMap):  # what `clean` returns
+        height_map = height_map.map
     if isinstance(height_map, HeightMap) or hasattr(height_map, "physical_sizes"):
         if dx is not None or dy is not None:
             raise TypeError("dx, dy: must not be given with a map that has them")

@@ -50,9 +50,11 @@ class _Named(Dict[str, _Entry]):
         return ", a pair is two materials, as 'Si/Si'" if "/" not in name else ""
 
     def _nearest(self, name: str) -> list[str]:
+        meant = _meant(name)
+
         def likeness(other: str) -> float:
             ratio = difflib.SequenceMatcher(None, name.lower(), other.lower()).ratio()
-            return ratio + len(set(name.lower().split("/")) & set(other.lower().split("/")))
+            return ratio + len(set(name.lower().split("/")) & set(other.lower().split("/"))) + 3 * (other == meant)
 
         return sorted(self, key=likeness, reverse=True)[:3]
 
@@ -174,6 +176,20 @@ def contact(
     if slip_stress_1 is not None:
         found["slip_stress_1"] = slip_stress_1
     return found
+
+
+def _meant(name: str) -> str:
+    """What the library says is nearest to an unknown name: it knows "gold" for "Au"."""
+    data: Any = _header.asperity_material_data(struct_size=ctypes.sizeof(_header.asperity_material_data))
+    pair: Any = _header.asperity_pair_data(struct_size=ctypes.sizeof(_header.asperity_pair_data))
+    try:
+        if "/" in name:
+            check(LIBRARY.asperity_pair(name.encode(), ctypes.byref(pair)))
+        else:
+            check(LIBRARY.asperity_material(name.encode(), ctypes.byref(data)))
+    except Error as error:
+        return str(error).rpartition("the nearest is ")[2]
+    return name
 
 
 def _names(call: Callable[[int], Any]) -> list[str]:

@@ -19,7 +19,7 @@ from typing import Any, Literal, Mapping, Union, overload
 import numpy as np
 import numpy.typing as npt
 
-from . import _header, _units
+from . import _caller, _header, _units
 from . import table as _table
 from ._labelled import HasLabels, Labelled, like
 from ._library import LIBRARY
@@ -453,7 +453,7 @@ class Model:
             if not kind & handle.warned:
                 handle.warned |= kind
                 where = f"between the loads {lightest:g} and {heaviest:g}" if lightest < heaviest else f"at the load {lightest:g}"
-                warnings.warn(f"{where}: {kind}", ValidityWarning, stacklevel=3)
+                _caller.warn(f"{where}: {kind}", ValidityWarning)
 
     def summits_at_overlaps(self, overlap: npt.ArrayLike, height: npt.ArrayLike | None = None) -> SummitStates:
         """Load, friction force and contact radius of single summits, by the law that all sums are made of.

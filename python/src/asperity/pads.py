@@ -122,7 +122,7 @@ def pads(
 
     Args:
         params: the surface, with its true number of summits.
-        loads: normal loads [force], one-dimensional, in any order; also 0 and, with adhesion, negative ones.
+        loads: normal loads [force], one or a one-dimensional array, in any order; also 0 and, with adhesion, negative ones.
         count: number of pads, 2 or more. The mean is known to its scatter over the root of this.
         seed: of the random numbers, >= 0: the same pads for the same seed and the same loads.
         progress: whether to tell how far it is, on the error stream, or a function of the part done, 0 to 1, and of what is
@@ -175,9 +175,9 @@ def _start(model: Model, law: OneSummitLaw, heights: TailHeights, heaviest: floa
 
 
 def _checked_loads(loads: npt.ArrayLike) -> Array:
-    array = np.asarray(loads)
+    array = np.atleast_1d(np.asarray(loads))
     if array.ndim != 1 or array.size == 0 or array.dtype.kind not in "iuf":
-        raise ValueError("loads: must be a one-dimensional array of one or more real numbers")
+        raise ValueError("loads: must be a real number or a one-dimensional array of one or more")
     load = np.array(array, dtype=np.float64)
     if not np.isfinite(load).all():
         index = int(np.argmin(np.isfinite(load)))

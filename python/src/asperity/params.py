@@ -310,7 +310,7 @@ class Params:
         if twice:
             raise TypeError(f'{twice[0]}: summits="nayak" tells heights and radii, leave one out')
         params = cls.si(**surface, **contact)
-        _bandwidth_bias.warn(m0 / m2 * (m4 / m2), summits, stacklevel=2)
+        _bandwidth_bias.warn(m0 / m2 * (m4 / m2), summits)
         return params
 
     @classmethod
@@ -409,7 +409,7 @@ class Params:
         if trending:
             surface["radius_rate"] = law.rate
         params = cls.si(**surface, **_heights_of(summits, heights), **contact)
-        _bandwidth_bias.warn(summits.moments.bandwidth, "map", stacklevel=2)
+        _bandwidth_bias.warn(summits.moments.bandwidth, "map")
         return params
 
     @classmethod

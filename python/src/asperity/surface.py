@@ -14,14 +14,13 @@ extra `topography`, for SciPy and for the files.
 from __future__ import annotations
 
 import math
-import warnings
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Callable
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _map_warnings
+from . import _caller, _map_warnings
 from ._instrument_files import HeightMap, read
 from ._map_cleaning import Cleaned, clean
 from ._map_cutoffs import Cutoffs, cutoffs
@@ -234,7 +233,7 @@ def summits(
         statistics = _statistics(found, level, dx, dy, tell)
     tell(1.0, f"found {statistics.count} summits")
     for warning in statistics.warnings:
-        warnings.warn(warning, MapWarning, stacklevel=2)
+        _caller.warn(warning, MapWarning)
     return statistics
 
 

@@ -31,6 +31,8 @@ Array = npt.NDArray[np.float64]
 _LABELS = {"mu": "friction coefficient $F/P$", "force": "friction force $F$"}
 # Surfaces drawn in vain for each one asked for, at most: more are refused where the spread leaves the domain.
 _REFUSED = 2
+# A relative deviation of 2 is a factor of 7 either way, and with 95 % one of 50: what is known less is not known.
+_WIDEST = 2.0
 # More surfaces than these take more than some seconds.
 _MANY = 1000
 
@@ -110,8 +112,8 @@ def uncertainty(
 
     Args:
         params: the surfaces; or a fit, which brings the spread of its parameters with it, correlations included.
-        spread: name to standard deviation, relative to the value for names that are positive (0.1 is 10 %), absolute for
-            skew and radius_amplitude. The names are those of `fit`, see `asperity.fit_names`.
+        spread: name to standard deviation, relative to the value for names that are positive (0.1 is 10 %, at most 2),
+            absolute for skew and radius_amplitude. The names are those of `fit`, see `asperity.fit_names`.
         loads: normal loads [force], one-dimensional; > 0 for coefficients. By default those of the fit.
         quantity: "mu", the friction coefficient, or "force".
         samples: how many surfaces to draw; 0 for the linear band.
@@ -186,6 +188,13 @@ def _distribution(
         if not (math.isfinite(deviation) and deviation >= 0):
             raise ValueError(f"spread of {name} = {deviation!r}: must be finite and >= 0")
     names = free_names(tuple(spread), params)
+    for one in names:
+        deviation = spread[one.given]
+        if one.positive and deviation > _WIDEST:
+            raise ValueError(
+                f"spread of {one.given} = {deviation!r}: is relative to the value and must be at most {_WIDEST:g}; "
+                f"{deviation:g} % are {deviation / 100:g}"
+            )
     return names, params, np.diag([float(deviation) ** 2 for deviation in spread.values()]), None
 
 

@@ -114,6 +114,23 @@ def table() -> str:
     return "\n".join(rows)
 
 
+def roughness() -> str:
+    """What the roughness of the contacts means in areal parameters, as a table of Markdown: of the isotropic Gaussian
+    surface that has these summits by Nayak's relations (docs/roughness.md)."""
+    rows = ["| Contact | σ [nm] | R [µm] | Sq [nm] | Sdq | Sds [1/µm²] |", "|---|---|---|---|---|---|"]
+    for one in CONTACTS:
+        sigma, radius, area = one.params.height_std, one.params.summit_radius, one.params.nominal_area
+        if area == 0:
+            continue
+        density = one.params.asperity_count / area
+        root_m4 = 3 * math.sqrt(math.pi) / (8 * radius)
+        m2 = root_m4**2 / (6 * math.pi * math.sqrt(3) * density)
+        m0 = sigma**2 + (1 + 16 / math.pi - 3 * math.sqrt(3)) * m2**2 / root_m4**2
+        numbers = (1e9 * sigma, 1e6 * radius, 1e9 * math.sqrt(m0), math.sqrt(2 * m2), 1e-12 * density)
+        rows.append(f"| {one.name} | {' | '.join(map(_number, numbers))} |")
+    return "\n".join(rows)
+
+
 def _pair(values: Array) -> str:
     return f"{_number(float(values[0]))} to {_number(float(values[-1]))}"
 
