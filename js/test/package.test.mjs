@@ -197,6 +197,8 @@ test("unknown names are refused in the library's words, with the nearest", () =>
     assert.throws(() => material(name), { name: "AsperityError", message: entryOf("material", name).refused, status });
   assert.throws(() => pair("steel/steal"), { message: entryOf("pair", "steel/steal").refused, status });
   assert.throws(() => contact("Si", "steal"), /steel/);
+  assert.throws(() => contact("SiC", "WC"), { message: "work_of_adhesion: none is known for SiC/WC: give that of your surfaces, 0 for none", status });
+  assert.equal(contact("SiC", "WC", { work_of_adhesion: 0.05 }).burgers_vector, material("SiC").burgers_vector);
   assert.throws(() => material(/** @type {any} */ (1)), TypeError);
 });
 
@@ -206,8 +208,9 @@ test("a contact has the parameters of the native library's pair, in either order
     assert.deepEqual(pair(`${second}/${first}`), PAIRS[name]);
     const native = contactOf(name, ...Object.values(summits));
     if (native.refused) {
-      assert.match(native.refused, /burgers_vector/);
-      assert.throws(() => new Model({ ...contact(first, second), ...summits }), /adhesion_range|burgers_vector/);
+      assert.match(native.refused, /adhesion_range: must be set/);
+      assert.throws(() => contact(first, second), /^AsperityError: burgers_vector: none is known of a body of PDMS\/PDMS: give one$/);
+      assert.equal(contact(first, second, { burgers_vector: 1e-8 }).adhesion_range, 1e-8);
       continue;
     }
     const model = new Model({ ...contact(first, second), ...summits });
