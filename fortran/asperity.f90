@@ -908,8 +908,8 @@ contains
     call report(asperity_pair(c_loc(text), pair), stat, errmsg)
   end function asperity_pair_of
 
-  ! Sets all that a pair of materials tells, in SI units, all but the roughness: call asperity_params_use_pair(params,
-  ! 'steel/steel').
+  ! Sets all that is known of two materials, in SI units, all but the roughness: call asperity_params_use_pair(params,
+  ! 'steel/steel'). What is not known is left to set.
   subroutine asperity_params_use_pair(params, name, stat, errmsg)
     type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
     character(*), intent(in) :: name

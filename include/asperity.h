@@ -1065,16 +1065,19 @@ asperity_status asperity_pair(const char *name,
 const char *asperity_pair_name(size_t index);
 
 /**
- * Sets all that a pair of materials tells, in SI units; the roughness is left to set.
+ * Sets all that is known of two materials in contact, in SI units; the roughness is left to set.
  *
  * Sets E*, G* and `tangential_modulus` as `asperity_params_set_materials`, `work_of_adhesion`, `burgers_vector`, the longer
  * of both bodies', `adhesion_range`, equal to it as in the paper, `hardness`, that of the softer body or 0 if one is not
  * known, and `slip_stress_1` where it is measured. The other parameters stay as they are.
  *
+ * Any two materials may be named. What is not known of them is left to set, as by `asperity_params_init_unset`: the work of
+ * adhesion of a pair that is not one of `asperity_pair_name`, both lengths where a body has no Burgers vector.
+ *
  * @param params  initialised parameters; must not be NULL; untouched on failure
- * @param name    one of `asperity_pair_name`, in either order; must not be NULL; at most 64 bytes are read
+ * @param name    two of `asperity_material_name` with a slash between; must not be NULL; at most 64 bytes are read
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
- *         nearest; a body without a Burgers vector)
+ *         nearest)
  *
  * Threads: any, on different structs.
  */

@@ -264,7 +264,7 @@ public:
         return *this;
     }
 
-    /// Sets all that a pair of materials tells, in SI units, as asperity_params_set_pair does: all but the roughness.
+    /// Sets all that is known of two materials, in SI units, as asperity_params_set_pair does: all but the roughness.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER); the parameters are then as before.
     Params &set_pair(const std::string &name) {

@@ -124,7 +124,7 @@ impl Default for Params {
 }
 
 /// What the physical inputs are until they are set: a quiet NaN that no arithmetic makes.
-const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
+pub(crate) const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
 
 /// The radius_rate of radii that vary with height.
 pub(crate) const RADIUS_RATES: std::ops::RangeInclusive<f64> = 1e-6..=1e3;

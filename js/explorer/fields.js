@@ -61,7 +61,7 @@ export function numbers(surface) {
 
 /** What the library tells of two materials: numbers for the fields of a pair, as text in the page's units. */
 export function fieldsOfPair(library, first, second) {
-  const given = library.contact(first, second);
+  const given = library.knownOf(first, second);
   const keys = ["E1", "nu1", "E2", "nu2", "work_of_adhesion", "adhesion_range", "burgers_vector", "hardness", "slip_stress_1"];
   return Object.fromEntries(
     keys.map((key) => [key, given[key] === undefined ? "" : String(shifted(given[key], -FIELDS[key].power))]),

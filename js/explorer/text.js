@@ -24,6 +24,9 @@ export function decade(load) {
 /** A friction coefficient. */
 export const coefficient = (mu) => (mu >= 1000 ? mu.toPrecision(4) : mu >= 10 ? mu.toFixed(1) : mu.toFixed(3));
 
+/** A number of contacts or summits. */
+export const count = (contacts) => (contacts < 100 ? contacts.toPrecision(3) : Math.round(contacts).toLocaleString("en"));
+
 export const percent = (part) => (part === 0 ? "0 %" : `${Number((100 * part).toPrecision(2))} %`);
 
 /** How warnings are called on the chart and in the table. */

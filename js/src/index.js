@@ -6,4 +6,4 @@ const response = await fetch(new URL("./asperity.wasm", import.meta.url));
 if (!response.ok) throw new Error(`asperity.wasm: the server answers ${response.status} ${response.statusText}`);
 const instance = await instantiate(await response.arrayBuffer());
 export const { Model, version, warningsOf, memorySize } = instance;
-export const { MATERIALS, PAIRS, material, pair, contact, nayakSummits } = instance;
+export const { MATERIALS, PAIRS, material, pair, knownOf, contact, nayakSummits } = instance;

@@ -7,4 +7,4 @@ const instance = await instantiate(
   await readFile(new URL("./asperity.wasm", import.meta.url)),
 );
 export const { Model, version, warningsOf, memorySize } = instance;
-export const { MATERIALS, PAIRS, material, pair, contact, nayakSummits } = instance;
+export const { MATERIALS, PAIRS, material, pair, knownOf, contact, nayakSummits } = instance;

@@ -1,5 +1,7 @@
 // Materials and pairs of them, with sources, in SI units, as the library has them.
-import { LAYOUTS } from "./header.js";
+import { CONSTANTS, LAYOUTS } from "./header.js";
+import { AsperityError } from "./library.js";
+import { readStruct, writeParams } from "./params.js";
 
 /**
  * An isotropic elastic body; null where no source is known.
@@ -34,23 +36,47 @@ import { LAYOUTS } from "./header.js";
  * @property {Readonly<Record<string, Pair>>} PAIRS all, by name
  * @property {(name: string) => Material} material one of them; of an unknown name the nearest is told
  * @property {(name: string) => Pair} pair one of them, in either order; of an unknown name the nearest is told
- * @property {(first: string, second: string) => import("./params.js").Params} contact the parameters of a contact of two
- *   materials, to which the roughness is added: moduli, the longer Burgers vector, the range of adhesion equal to it, the
- *   lesser hardness if both are known, and of a pair that is listed its work of adhesion and measured slip stress. What is
- *   not known is left out: a model asks for it.
+ * @property {(first: string, second: string) => import("./params.js").Params} knownOf what is known of two materials in contact:
+ *   moduli, the longer Burgers vector, the range of adhesion equal to it, the lesser hardness if both are known, and of a
+ *   pair that is listed its work of adhesion and measured slip stress. What is not known is left out.
+ * @property {(first: string, second: string, given?: import("./params.js").Params) => import("./params.js").Params} contact the
+ *   parameters of a contact of two materials, to which the roughness is added: what is known, and what is given in its
+ *   place. A work of adhesion and a Burgers vector that are not known must be given; a range of adhesion that is not known
+ *   is taken equal to the latter.
  */
 
 /** Reads them. @param {import("./library.js").Library} library @returns {Materials} */
 export function materialsOf(library) {
   const material = (/** @type {string} */ name) => materialOf(library, name);
   const pair = (/** @type {string} */ name) => pairOf(library, name);
-  const PAIRS = table(library, "pair", pair);
-  /** @type {Materials["contact"]} */
-  const contact = (first, second) => {
-    const listed = PAIRS[`${first}/${second}`] ?? PAIRS[`${second}/${first}`];
-    return contactOf(material(first), material(second), listed);
+  /** @type {Materials["knownOf"]} */
+  const knownOf = (first, second) => {
+    const [one, other] = [material(first), material(second)];
+    const bodies = { E1: one.young, nu1: one.poisson, E2: other.young, nu2: other.poisson };
+    return { ...bodies, ...ofPair(library, `${first}/${second}`) };
   };
-  return { MATERIALS: table(library, "material", material), PAIRS, material, pair, contact };
+  /** @type {Materials["contact"]} */
+  const contact = (first, second, given = {}) => {
+    const found = { ...knownOf(first, second), ...given };
+    require(found, "work_of_adhesion", `none is known for ${first}/${second}: give that of your surfaces, 0 for none`);
+    require(found, "burgers_vector", `none is known of a body of ${first}/${second}: give one`);
+    return { adhesion_range: found.burgers_vector, ...found };
+  };
+  return { MATERIALS: table(library, "material", material), PAIRS: table(library, "pair", pair), material, pair, knownOf, contact };
+}
+
+/** What the library sets of two materials beside their moduli. @param {import("./library.js").Library} library @param {string} name */
+function ofPair(library, name) {
+  writeParams(library, { slip_stress_1: NaN }); // set only where it is measured
+  library.run("params_set_pair", library.struct, library.text(name));
+  const { work_of_adhesion, adhesion_range, burgers_vector, hardness, slip_stress_1 } = readStruct(library);
+  const found = { work_of_adhesion, adhesion_range, burgers_vector, slip_stress_1, hardness: hardness || NaN };
+  return Object.fromEntries(Object.entries(found).filter(([, value]) => !Number.isNaN(value)));
+}
+
+/** @param {Record<string, unknown>} params @param {string} name @param {string} says */
+function require(params, name, says) {
+  if (params[name] === undefined) throw new AsperityError(`${name}: ${says}`, CONSTANTS.INVALID_PARAMETER);
 }
 
 /**
@@ -116,15 +142,3 @@ function named(library, of, name) {
 const known = (value) => (value > 0 ? value : null);
 /** @param {number} low @param {number} high */
 const range = (low, high) => (high > 0 ? [low, high] : null);
-
-/** @param {Material} one @param {Material} other @param {Pair} [pair] */
-function contactOf(one, other, pair) {
-  /** @type {import("./params.js").Params} */
-  const found = { E1: one.young, nu1: one.poisson, E2: other.young, nu2: other.poisson };
-  if (one.burgers_vector !== null && other.burgers_vector !== null)
-    found.adhesion_range = found.burgers_vector = Math.max(one.burgers_vector, other.burgers_vector);
-  if (one.hardness !== null && other.hardness !== null) found.hardness = Math.min(one.hardness, other.hardness);
-  if (pair) found.work_of_adhesion = pair.work_of_adhesion;
-  if (pair && pair.slip_stress_1 !== null) found.slip_stress_1 = pair.slip_stress_1;
-  return found;
-}

@@ -14,10 +14,10 @@ import numpy as np
 import pytest
 
 from asperity import Model, Params
-from asperity.figures import curves, drawing, page
+from asperity.figures import curves, drawing, front, measured, page
 
-# Of other pages than the gallery: the contacts of the map, the rows of the measurements.
-ELSEWHERE = {"contacts.svg": [7], "measurements.svg": [6]}
+# Of other pages than the gallery: the contacts of the map, the rows of the measurements, what these lie on.
+ELSEWHERE = {"contacts.svg": [7], "measurements.svg": [6], "measured-points.svg": [3, 1]}
 
 pytestmark = pytest.mark.xdist_group("figures")  # drawn once
 
@@ -112,6 +112,17 @@ def test_a_curve_is_drawn_where_its_numbers_are(written: Path) -> None:
     assert measured == pytest.approx(slope * np.array(expected) + origin, abs=0.01)
     ends = (light[0][0], heavy[0][0])
     assert ends == pytest.approx((0.12 * 6.4 * 72, 0.82 * 6.4 * 72), abs=0.01)
+
+
+def test_points_are_as_far_from_the_law_as_the_table_says() -> None:
+    rows = {row.name.partition(",")[0]: row for row in measured.MEASUREMENTS}
+    points = front.strength_points()
+    assert len(points) == 3 and len(front.rough_points()) == 2
+    for point in points:
+        law = front.strength(np.array(point.at))
+        ratio = (law.min() / point.value[1], law.max() / point.value[0])
+        (row,) = [row for name, row in rows.items() if " ".join(point.label.split()).startswith(name)]
+        assert ratio == pytest.approx(row.ratio(), rel=1e-3), row.name
 
 
 def test_drawing_twice_gives_the_same_bytes(written: Path, tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -67,11 +68,13 @@ def test_gallium_arsenide_is_the_mean_of_voigt_and_reuss() -> None:
 
 
 def test_what_needs_a_number_without_a_source_says_so() -> None:
-    with pytest.raises(Error, match="burgers_vector of PDMS: no source is known here for it; give a number of your own"):
+    with pytest.raises(Error, match="burgers_vector: none is known of a body of PDMS/PDMS: give one"):
         PAIRS["PDMS/PDMS"].contact
+    with pytest.raises(Error, match="work_of_adhesion: none is known for WC/steel: give that of your surfaces, 0 for none"):
+        contact("WC", "steel")
     with pytest.raises(Error, match="hardness of WC: no source"):
         MATERIALS["WC"].need("hardness")
-    assert "hardness" not in contact(MATERIALS["WC"], MATERIALS["steel"], 0.05)
+    assert "hardness" not in contact("WC", "steel", work_of_adhesion=0.05)
 
 
 def test_the_range_of_maugis_has_the_work_and_the_largest_stress_of_lennard_jones_forces(root: Path) -> None:
@@ -132,6 +135,13 @@ def test_a_pair_and_a_roughness_make_a_model(pair: Pair) -> None:
         assert model.friction_at_load(1e-4) > 0
     moments = Params.from_spectral_moments(**pair.contact, m0=4e-18, m2=0.002, m4=8e12, nominal_area=1e-10)
     assert moments.composite_modulus == params.composite_modulus
+
+
+def test_a_pair_of_ones_own_keeps_its_numbers_but_not_other_bodies() -> None:
+    own = replace(PAIRS["Si/Si"], work_of_adhesion=0.1, slip_stress_1=0.01)
+    assert own.contact == PAIRS["Si/Si"].contact | {"work_of_adhesion": 0.1, "slip_stress_1": 0.01}
+    with pytest.raises(Error, match="Si: is none of asperity.materials.MATERIALS: give E1, nu1, E2, nu2"):
+        replace(own, first=replace(own.first, young=1e9)).contact
 
 
 def test_a_measured_slip_stress_takes_the_place_of_the_default() -> None:

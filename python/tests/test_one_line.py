@@ -45,7 +45,7 @@ def test_numbers_that_are_given_replace_those_of_the_pair() -> None:
 
 
 def test_a_burgers_vector_that_is_given_stands_for_one_that_is_not_known() -> None:
-    contact_of = contact(MATERIALS["PDMS"], MATERIALS["PDMS"], 0.045, burgers_vector=50e-9)
+    contact_of = contact("PDMS", "PDMS", burgers_vector=50e-9)
     with Model(Params.from_iso25178(**contact_of, **ROUGH, nominal_area=1.0)) as model:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ValidityWarning)  # rubber is crowded at any load
@@ -54,9 +54,9 @@ def test_a_burgers_vector_that_is_given_stands_for_one_that_is_not_known() -> No
 
 
 def test_two_bodies_without_a_pair_need_a_work_of_adhesion() -> None:
-    with pytest.raises(Error, match="work_of_adhesion: must be given, since none is known here for SiC/WC"):
+    with pytest.raises(Error, match="work_of_adhesion: none is known for SiC/WC: give that of your surfaces, 0 for none"):
         friction("SiC/WC", **ROUGH, load=1e5)
-    params = Params.from_iso25178(**contact(MATERIALS["SiC"], MATERIALS["WC"], 0.05), **ROUGH, nominal_area=1.0)
+    params = Params.from_iso25178(**contact("SiC", "WC", work_of_adhesion=0.05), **ROUGH, nominal_area=1.0)
     with Model(params) as model:
         assert friction("SiC/WC", **ROUGH, load=1e5, work_of_adhesion=0.05) == model.friction_at_load(1e5)
 
@@ -84,7 +84,7 @@ def test_a_surface_that_does_not_hold_is_warned_of_once() -> None:
         ({"Sq": -1e-9}, Error, "Sq = -1e-09: must be finite and > 0"),
         ({"Sdqx": 1.0}, TypeError, "Sdqx: no parameter has this name; the nearest is Sdq"),
         ({"nominal_area": 0.0}, Error, "nominal_area = 0"),
-        ({"pair": "PDMS/PDMS"}, Error, "burgers_vector of PDMS: no source is known here"),
+        ({"pair": "PDMS/PDMS"}, Error, "burgers_vector: none is known of a body of PDMS/PDMS: give one"),
     ],
 )
 def test_bad_input_is_refused(arguments: dict[str, Any], error: type[Exception], message: str) -> None:

@@ -68,7 +68,7 @@ def test_named_materials_bring_what_is_known_of_the_pair(surface_file: SurfaceFi
     found = Params.from_toml(surface_file(text))
     assert found.hardness == min(MATERIALS[name].hardness or 0 for name in ("Si", "Au"))
     assert found.burgers_vector == max(MATERIALS[name].need("burgers_vector") for name in ("Si", "Au"))
-    with pytest.raises(Error, match="work_of_adhesion: must be set"):
+    with pytest.raises(Error, match="work_of_adhesion: none is known for Si/Au: give that of your surfaces, 0 for none"):
         Params.from_toml(surface_file(text.replace("work_of_adhesion = 0\n", "")))
     # A name for one body, numbers for the other, which is rigid.
     text = f'nominal_area = 1e-6\n{toml(CONTACT)}[materials]\nfirst = "Si"\nE2 = inf\nnu2 = 0.3\n{rough}'

@@ -6,7 +6,8 @@ use super::params::asperity_params;
 use super::setters::change;
 use super::state::fill;
 use super::status::asperity_status;
-use crate::materials::{Material, Pair, MATERIALS, PAIRS};
+use crate::materials::{Bodies, Material, Pair, MATERIALS, PAIRS};
+use crate::params::UNSET;
 use std::ffi::c_char;
 
 /// What is known of a material, in SI units. 0 stands for what no source is known for.
@@ -111,11 +112,12 @@ unsafe fn material(name: *const c_char) -> Result<&'static Material, Failure> {
 /// As `material`.
 unsafe fn pair(name: *const c_char) -> Result<&'static Pair, Failure> {
     let given = Given::read(reference(name, "name")?);
-    let names = PAIRS.iter().map(|pair| pair.name);
-    Pair::find(given.text()).ok_or_else(|| {
-        let meant = Pair::meant(given.text()).map(|pair| pair.name);
-        given.unknown("pair", meant, names)
-    })
+    Pair::find(given.text()).ok_or_else(|| unknown_pair(&given))
+}
+
+fn unknown_pair(given: &Given) -> Failure {
+    let meant = Pair::meant(given.text()).map(|pair| pair.name);
+    given.unknown("pair", meant, PAIRS.iter().map(|pair| pair.name))
 }
 
 /// Looks a material up by its name: "steel", "SiO2". docs/materials.md has all of them, with their sources.
@@ -179,16 +181,19 @@ pub extern "C" fn asperity_pair_name(index: usize) -> *const c_char {
     PAIRS.get(index).map_or(std::ptr::null(), |pair| pair.name.as_ptr())
 }
 
-/// Sets all that a pair of materials tells, in SI units; the roughness is left to set.
+/// Sets all that is known of two materials in contact, in SI units; the roughness is left to set.
 ///
 /// Sets E*, G* and `tangential_modulus` as `asperity_params_set_materials`, `work_of_adhesion`, `burgers_vector`, the longer
 /// of both bodies', `adhesion_range`, equal to it as in the paper, `hardness`, that of the softer body or 0 if one is not
 /// known, and `slip_stress_1` where it is measured. The other parameters stay as they are.
 ///
+/// Any two materials may be named. What is not known of them is left to set, as by `asperity_params_init_unset`: the work of
+/// adhesion of a pair that is not one of `asperity_pair_name`, both lengths where a body has no Burgers vector.
+///
 /// @param params  initialised parameters; must not be NULL; untouched on failure
-/// @param name    one of `asperity_pair_name`, in either order; must not be NULL; at most 64 bytes are read
+/// @param name    two of `asperity_material_name` with a slash between; must not be NULL; at most 64 bytes are read
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
-///         nearest; a body without a Burgers vector)
+///         nearest)
 ///
 /// Threads: any, on different structs.
 #[no_mangle]
@@ -196,23 +201,25 @@ pub unsafe extern "C" fn asperity_params_set_pair(
     params: *mut asperity_params,
     name: *const c_char,
 ) -> asperity_status {
-    boundary::status(|| change(params, |params| set_pair(params, pair(name)?)))
+    boundary::status(|| {
+        change(params, |params| {
+            let given = Given::read(reference(name, "name")?);
+            let bodies = Bodies::find(given.text()).ok_or_else(|| unknown_pair(&given))?;
+            set_pair(params, &bodies, Pair::find(given.text()))
+        })
+    })
 }
 
-fn set_pair(params: &mut asperity_params, pair: &Pair) -> Result<(), Failure> {
-    let says =
-        "a body of this pair has none: set E1, nu1, E2, nu2, work_of_adhesion, adhesion_range and burgers_vector \
-                by themselves";
-    let missing = || Failure::Name { name: "burgers_vector", says };
-    let (first, second) = pair.bodies().ok_or_else(missing)?;
-    let burgers_vector = pair.burgers_vector().ok_or_else(missing)?;
+fn set_pair(params: &mut asperity_params, bodies: &Bodies, pair: Option<&Pair>) -> Result<(), Failure> {
+    let Bodies { first, second } = bodies;
     params.set_materials([first.young, first.poisson, second.young, second.poisson])?;
-    params.work_of_adhesion = pair.work_of_adhesion;
-    params.adhesion_range = burgers_vector;
-    params.burgers_vector = burgers_vector;
-    params.hardness = pair.hardness();
-    if pair.slip_stress_1 > 0.0 {
-        params.slip_stress_1 = pair.slip_stress_1;
+    let length = bodies.burgers_vector().unwrap_or(UNSET);
+    params.adhesion_range = length;
+    params.burgers_vector = length;
+    params.hardness = bodies.hardness();
+    params.work_of_adhesion = pair.map_or(UNSET, |pair| pair.work_of_adhesion);
+    if let Some(measured) = pair.map(|pair| pair.slip_stress_1).filter(|&stress| stress > 0.0) {
+        params.slip_stress_1 = measured;
     }
     Ok(())
 }

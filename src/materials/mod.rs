@@ -96,24 +96,33 @@ impl Pair {
         let swapped = (both.1, both.0);
         PAIRS.iter().find(|pair| halves(pair.name.to_bytes()).is_some_and(|found| found == both || found == swapped))
     }
+}
 
-    /// Both bodies.
-    pub fn bodies(&self) -> Option<(&'static Material, &'static Material)> {
-        let (first, second) = halves(self.name.to_bytes())?;
-        Some((Material::find(first)?, Material::find(second)?))
+/// Two materials by the name of their pair, listed or not, and what follows from both.
+#[derive(Debug, Clone, Copy)]
+pub struct Bodies {
+    /// The one before the slash.
+    pub first: &'static Material,
+    /// The one behind it.
+    pub second: &'static Material,
+}
+
+impl Bodies {
+    /// None if one of them is no material.
+    pub fn find(name: &[u8]) -> Option<Self> {
+        let (first, second) = halves(name)?;
+        Some(Self { first: Material::find(first)?, second: Material::find(second)? })
     }
 
-    /// The range of adhesion, taken equal to the Burgers vector as in the paper, and that: the longer of both bodies'.
-    /// None if one of them has none.
+    /// The longer Burgers vector; None if one of them has none.
     pub fn burgers_vector(&self) -> Option<f64> {
-        let (first, second) = self.bodies()?;
-        let known = first.burgers_vector > 0.0 && second.burgers_vector > 0.0;
-        known.then(|| first.burgers_vector.max(second.burgers_vector))
+        let (first, second) = (self.first.burgers_vector, self.second.burgers_vector);
+        (first > 0.0 && second > 0.0).then(|| first.max(second))
     }
 
     /// The hardness of the softer body; 0 if that of one of them is not known.
     pub fn hardness(&self) -> f64 {
-        self.bodies().map_or(0.0, |(first, second)| first.hardness.min(second.hardness))
+        self.first.hardness.min(self.second.hardness)
     }
 }
 
@@ -145,15 +154,15 @@ mod tests {
     fn every_pair_is_of_two_materials_and_found_in_either_order() {
         for pair in &PAIRS {
             let name = pair.name.to_bytes();
-            let (first, second) = pair.bodies().expect("two materials");
-            assert!(first.young > 0.0 && second.young > 0.0);
+            let bodies = Bodies::find(name).expect("two materials");
+            assert!(bodies.first.young > 0.0 && bodies.second.young > 0.0);
             let (one, other) = halves(name).expect("a slash");
             let swapped = [other, b"/", one].concat();
             assert!(std::ptr::eq(Pair::find(name).expect("the pair"), pair), "{:?}", pair.name);
             assert!(std::ptr::eq(Pair::find(&swapped).expect("the pair"), pair), "{:?}", pair.name);
         }
         for none in ["", "Si", "Si/", "/Si", "Si/Si/Si", "si/si"] {
-            assert!(Pair::find(none.as_bytes()).is_none(), "{none}");
+            assert!(Pair::find(none.as_bytes()).is_none() && Bodies::find(none.as_bytes()).is_none(), "{none}");
         }
     }
 

@@ -600,10 +600,11 @@ static void pairs_are_found_in_either_order(void)
     CHECK(asperity_pair("Si/Si", NULL) == ASPERITY_NULL_POINTER && says("pair is NULL"), "%s", last_message());
 }
 
-/* All but the roughness, which stays as it was; a body without a Burgers vector is refused. */
+/* All but the roughness, which stays as it was; what is not known is left to set. */
 static void a_pair_sets_what_it_tells_and_nothing_else(void)
 {
-    asperity_params p = surface(8), expected = p, refused;
+    asperity_params p = surface(8), expected = p, refused, part;
+    asperity_model *model = NULL;
 
     CHECK(asperity_params_set_materials(&expected, 54e9, 0.1, 78e9, 0.44) == ASPERITY_OK, "%s", last_message());
     expected.work_of_adhesion = 0.172;
@@ -617,9 +618,14 @@ static void a_pair_sets_what_it_tells_and_nothing_else(void)
     expected.adhesion_range = expected.burgers_vector = 0.476e-9;
     expected.hardness = 7.5e9;
     CHECK(asperity_params_set_pair(&p, "Al2O3/steel") == ASPERITY_OK && SAME(p, expected), "%s", last_message());
+    part = p;
+    CHECK(asperity_params_set_pair(&part, "PDMS/PDMS") == ASPERITY_OK && part.work_of_adhesion == 0.045 &&
+          isnan(part.adhesion_range) && isnan(part.burgers_vector), "%s", last_message());
+    CHECK(asperity_create(&part, &model) == ASPERITY_INVALID_PARAMETER && says("adhesion_range: must be set"), "%s", last_message());
+    CHECK(asperity_params_set_pair(&part, "WC/SiC") == ASPERITY_OK && isnan(part.work_of_adhesion) &&
+          part.burgers_vector == 0.308e-9 && part.adhesion_range == part.burgers_vector, "%s", last_message());
+    CHECK(asperity_create(&part, &model) == ASPERITY_INVALID_PARAMETER && says("work_of_adhesion: must be set"), "%s", last_message());
     refused = p;
-    CHECK(asperity_params_set_pair(&refused, "PDMS/PDMS") == ASPERITY_INVALID_PARAMETER &&
-          says("burgers_vector: a body of this pair has none") && SAME(refused, p), "%s", last_message());
     CHECK(asperity_params_set_pair(&refused, "wood/wood") == ASPERITY_INVALID_PARAMETER && SAME(refused, p), "%s",
           last_message());
     CHECK(asperity_params_set_pair(NULL, "Si/Si") == ASPERITY_NULL_POINTER && says("params is NULL"), "%s", last_message());

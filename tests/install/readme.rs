@@ -1,17 +1,40 @@
-//! The program in README.md prints what README.md says.
+//! The programs in README.md and on the front page of the site print what stands there.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
 
-#[test]
-fn the_program_of_the_readme_prints_what_it_says() {
-    let readme = std::fs::read_to_string(root().join("README.md")).expect("README.md").replace("\r\n", "\n");
-    let program = readme.split("```c\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a program in C");
-    let expected = readme.split("It prints `").nth(1).and_then(|rest| rest.split('`').next()).expect("what it prints");
-    let source = source("readme.c", program);
+/// Compiles a program with every compiler and linking; it must print this.
+fn prints(name: &str, program: &str, expected: &str) {
+    let source = source(name, program);
     for compiler in Compiler::all(Language::C, "c11") {
         for linking in [Linking::Shared, Linking::Static] {
             let printed = compiler.program(&source, linking).succeeds(&[]);
-            assert_eq!(printed.trim_end(), expected, "{compiler:?}, {linking:?}");
+            assert_eq!(printed.trim_end(), expected.trim_end(), "{compiler:?}, {linking:?}");
         }
     }
+}
+
+fn page(name: &str) -> String {
+    std::fs::read_to_string(root().join(name)).expect(name).replace("\r\n", "\n")
+}
+
+/// What stands between two marks, the first time.
+fn between<'a>(text: &'a str, start: &str, end: &str) -> &'a str {
+    text.split(start).nth(1).and_then(|rest| rest.split(end).next()).expect(start)
+}
+
+#[test]
+fn the_program_of_the_readme_prints_what_it_says() {
+    let readme = page("README.md");
+    prints("readme.c", between(&readme, "```c\n", "```"), between(&readme, "It prints `", "`"));
+}
+
+#[test]
+fn the_lines_of_the_front_page_print_what_stands_below_them() {
+    let front = page("docs/site/index.md");
+    let lines = between(&front, "```c\n", "```");
+    assert_eq!(lines.lines().count(), 5, "the page says that there are five");
+    let start = "#include <asperity.h>\n#include <stdio.h>\n\
+                 int main(void) { asperity_params params; asperity_model *model;\n";
+    let program = format!("{start}{lines}asperity_free(model); }}\n");
+    prints("front.c", &program, between(&front, "```text\n", "```"));
 }

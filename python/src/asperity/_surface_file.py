@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any, Iterable, Union
 
 from .errors import Error, Status
-from .materials import MATERIALS, PAIRS, Material
+from .materials import MATERIALS, Material
+from .materials import contact as contact_of
 from .params import Params, nearest
 
 if sys.version_info >= (3, 11):
@@ -78,7 +79,7 @@ def _params(found: dict[str, Any]) -> Params:
     given = {name: value for name, value in found.items() if name not in ("materials", "roughness")}
     if materials:
         _exclude(given, ("composite_modulus", "effective_shear_modulus", "tangential_modulus"), "materials")
-        given = _contact(materials) | given
+        given = _contact(materials, given) | given
     if roughness:
         _exclude(given, ("height_std", "summit_radius", "asperity_count"), "roughness")
         if "nominal_area" not in given:
@@ -115,7 +116,7 @@ def _of_fields(**given: Any) -> Params:
     return Params.si(**given)
 
 
-def _contact(materials: dict[str, Any]) -> dict[str, Any]:
+def _contact(materials: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:
     """Two bodies, by name or by their elasticity; what is known of a named pair comes with it."""
     bodies: list[Material | None] = []
     contact: dict[str, Any] = {}
@@ -134,13 +135,8 @@ def _contact(materials: dict[str, Any]) -> dict[str, Any]:
         bodies.append(material)
     one, other = bodies
     if one and other:
-        for pair in (f"{one.name}/{other.name}", f"{other.name}/{one.name}"):
-            if pair in PAIRS:
-                return PAIRS[pair].contact | contact
-        if one.burgers_vector is not None and other.burgers_vector is not None:
-            contact["burgers_vector"] = contact["adhesion_range"] = max(one.burgers_vector, other.burgers_vector)
-        if one.hardness is not None and other.hardness is not None:
-            contact["hardness"] = min(one.hardness, other.hardness)
+        lengths = {name: given[name] for name in ("work_of_adhesion", "burgers_vector") if name in given}
+        return contact_of(one.name, other.name, **lengths)
     return contact
 
 

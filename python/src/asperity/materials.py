@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import ctypes
 import difflib
+import math
 from dataclasses import dataclass
 from itertools import count, takewhile
 from types import MappingProxyType
@@ -140,42 +141,56 @@ class Pair(_Sourced):
         A measured `slip_stress_1` is among it.
 
         Raises:
-            Error: a body has no Burgers vector.
+            Error: a body has no Burgers vector, or is none of `MATERIALS`.
         """
-        return contact(self.first, self.second, self.work_of_adhesion, self.slip_stress_1)
+        return self.contact_with()
+
+    def contact_with(self, **given: float) -> dict[str, Any]:
+        """`contact`, with numbers that stand for those of the pair, as the `burgers_vector` of a body that has none.
+
+        Raises:
+            Error: a body has no Burgers vector and none is given, or it is none of `MATERIALS`.
+        """
+        for body in (self.first, self.second):
+            if MATERIALS.get(body.name) != body:
+                says = "is none of asperity.materials.MATERIALS: give E1, nu1, E2, nu2 and the rest by themselves"
+                raise Error(f"{body.name}: {says}", Status.INVALID_PARAMETER)
+        own = {} if self.slip_stress_1 is None else {"slip_stress_1": self.slip_stress_1}
+        own["work_of_adhesion"] = self.work_of_adhesion
+        return contact(self.first.name, self.second.name, **(own | given))
 
 
-def contact(
-    first: Material,
-    second: Material,
-    work_of_adhesion: float,
-    slip_stress_1: float | None = None,
-    burgers_vector: float | None = None,
-) -> dict[str, Any]:
-    """What `Params.si` takes beside the roughness, of any two bodies; `Pair.contact` tells how it follows.
+def contact(first: str, second: str, **given: float) -> dict[str, Any]:
+    """What `Params.si` takes beside the roughness, of any two materials by their names; `Pair.contact` tells how it follows.
 
-    `burgers_vector` [m] stands for the longer of the two.
+    Numbers that are `given` stand for those of the library. Of two materials that are no pair of `PAIRS`, and of a
+    material without a Burgers vector, the `work_of_adhesion` and the `burgers_vector` must be among them. A range of
+    adhesion that is not known is taken equal to such a Burgers vector.
 
     Raises:
-        Error: a body has no Burgers vector, and none is given.
+        KeyError: a material that is not known; the message has the nearest.
+        Error: what is not known here and is not given.
     """
-    longer = burgers_vector
-    if longer is None:
-        longer = max(first.need("burgers_vector"), second.need("burgers_vector"))
-    found: dict[str, Any] = {
-        "E1": first.young,
-        "nu1": first.poisson,
-        "E2": second.young,
-        "nu2": second.poisson,
-        "work_of_adhesion": work_of_adhesion,
-        "adhesion_range": longer,
-        "burgers_vector": longer,
-    }
-    if first.hardness is not None and second.hardness is not None:
-        found["hardness"] = min(first.hardness, second.hardness)
-    if slip_stress_1 is not None:
-        found["slip_stress_1"] = slip_stress_1
-    return found
+    struct: Any = _header.asperity_params()
+    size = ctypes.sizeof(struct)
+    check(LIBRARY.asperity_params_init_unset_sized(ctypes.byref(struct), size))
+    struct.slip_stress_1 = math.nan  # set only where it is measured
+    one, other = MATERIALS[first], MATERIALS[second]
+    check(LIBRARY.asperity_params_set_pair(ctypes.byref(struct), f"{first}/{second}".encode()))
+    bodies = {"E1": one.young, "nu1": one.poisson, "E2": other.young, "nu2": other.poisson}
+    fields = ("work_of_adhesion", "adhesion_range", "burgers_vector", "slip_stress_1")
+    found = {name: getattr(struct, name) for name in fields if not math.isnan(getattr(struct, name))}
+    if struct.hardness > 0:
+        found["hardness"] = struct.hardness
+    for name, says in (
+        ("work_of_adhesion", f"none is known for {first}/{second}: give that of your surfaces, 0 for none"),
+        ("burgers_vector", f"none is known of a body of {first}/{second}: give one"),
+    ):
+        if name not in found and name not in given:
+            raise Error(f"{name}: {says}", Status.INVALID_PARAMETER)
+    if "adhesion_range" not in found:
+        found["adhesion_range"] = given["burgers_vector"]
+    return bodies | found | given
 
 
 def _meant(name: str) -> str:

@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from .errors import Error, Status
 from .materials import MATERIALS, PAIRS, Pair, contact
 from .model import Model
 from .params import Params
@@ -77,23 +76,12 @@ def _made(make: Any, given: dict[str, Any], nominal_area: float) -> Params:
 
 def _contact(pair: str | Pair, surface: dict[str, Any]) -> dict[str, Any]:
     """What the materials tell: of a pair, or of two bodies with a work of adhesion that is given."""
-    burgers_vector = surface.get("burgers_vector")
+    given = {name: surface[name] for name in ("work_of_adhesion", "burgers_vector") if name in surface}
     names = pair.split("/") if isinstance(pair, str) else []
-    if not isinstance(pair, str) or len(names) != 2 or _has(pair) or not all(name in MATERIALS for name in names):
-        known = PAIRS[pair] if isinstance(pair, str) else pair
-        return contact(known.first, known.second, known.work_of_adhesion, known.slip_stress_1, burgers_vector)
-    if "work_of_adhesion" not in surface:
-        raise Error(
-            f"work_of_adhesion: must be given, since none is known here for {pair}; "
-            "0 is none, asperity.materials.PAIRS has those that are known",
-            Status.INVALID_PARAMETER,
-        )
-    first, second = (MATERIALS[name] for name in names)
-    return contact(first, second, surface["work_of_adhesion"], burgers_vector=burgers_vector)
-
-
-def _has(pair: str) -> bool:
-    return pair in PAIRS or "/".join(reversed(pair.split("/"))) in PAIRS
+    if len(names) == 2 and all(name in MATERIALS for name in names):
+        return contact(*names, **given)
+    known = PAIRS[pair] if isinstance(pair, str) else pair
+    return known.contact_with(**given)
 
 
 @lru_cache(maxsize=_KEPT)

@@ -2,7 +2,8 @@
 figures of what the law is good for.
 
 `curves` has the surfaces behind each figure, `drawing` the pictures, `page` the comparison in numbers. `contacts` has
-real contacts and `measured` measured friction, both drawn by `validity`. Drawing needs matplotlib (extra `plot`).
+real contacts and `measured` measured friction, both drawn by `validity`; `front` draws what was measured over the law.
+Drawing needs matplotlib (extra `plot`).
 """
 
 from __future__ import annotations

@@ -55,7 +55,7 @@ class Contact:
 
 
 def _bodies(first: str, second: str, work_of_adhesion: float) -> dict[str, Any]:
-    return contact(MATERIALS[first], MATERIALS[second], work_of_adhesion)
+    return contact(first, second, work_of_adhesion=work_of_adhesion)
 
 
 def _single(bodies: dict[str, Any], radius: float) -> Params:

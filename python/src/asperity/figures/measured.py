@@ -9,13 +9,17 @@ from __future__ import annotations
 import itertools
 import math
 from dataclasses import dataclass
-from typing import Any, Callable
+from typing import Callable
 
 from ..materials import MATERIALS, PAIRS, Material
 from ..model import Model
 from ..params import Params
+from ..results import State
 
 Band = tuple[float, float]
+
+# What the load on the rough contacts may have been [N].
+ROUGH_LOADS = (1e-6, 1e-4)
 
 
 @dataclass(frozen=True)
@@ -55,37 +59,49 @@ class Measurement:
         return low / self.measured[1], high / self.measured[0]
 
 
+def single_contact(first: Material, second: Material, burgers_vector: float, radius: float) -> tuple[float, float]:
+    """Friction force over area of one contact with a radius [m], by Hurtado and Kim's constants; and G*. Both in Pa."""
+    params = Params.si(
+        E1=first.young, nu1=first.poisson, E2=second.young, nu2=second.poisson, work_of_adhesion=0.0,
+        adhesion_range=burgers_vector, burgers_vector=burgers_vector, height_std=1e-5 * radius,
+        summit_radius=100 * radius, asperity_count=1.0,
+    )  # fmt: skip
+    state = Model(params).state_at_load(4 / 3 * params.composite_modulus * radius**2 / 100)
+    return state.friction_force / state.real_area, params.effective_shear_modulus
+
+
 def slip_stress(first: Material, second: Material, burgers_vectors: Band, radii: Band) -> Band:
-    """Friction force over area [MPa] of single contacts with radii in a range [m], by Hurtado and Kim's constants."""
-    stresses = []
-    for burgers_vector, radius in itertools.product(burgers_vectors, radii):
-        params = Params.si(
-            E1=first.young, nu1=first.poisson, E2=second.young, nu2=second.poisson, work_of_adhesion=0.0,
-            adhesion_range=burgers_vector, burgers_vector=burgers_vector, height_std=1e-5 * radius,
-            summit_radius=100 * radius, asperity_count=1.0,
-        )  # fmt: skip
-        state = Model(params).state_at_load(4 / 3 * params.composite_modulus * radius**2 / 100)
-        stresses.append(state.friction_force / state.real_area / 1e6)
+    """The stress of single contacts with radii in a range [m], in MPa."""
+    pairs = itertools.product(burgers_vectors, radii)
+    stresses = [single_contact(first, second, *pair)[0] / 1e6 for pair in pairs]
     return min(stresses), max(stresses)
 
 
-def rough_coefficient(first: Material, second: Material) -> Band:
-    """Friction coefficients of rough polysilicon over the inputs that are open: see the rows that use it."""
+def rough_model(first: Material, second: Material, sigma: float, work: float) -> Model:
+    """Rough polysilicon, 100 um x 100 um of it, with a spread of heights [m] and a work of adhesion [J/m^2]."""
     burgers_vector = max(first.need("burgers_vector"), second.need("burgers_vector"))
-    bodies: dict[str, Any] = dict(
-        E1=first.young, nu1=first.poisson, E2=second.young, nu2=second.poisson, adhesion_range=burgers_vector,
-        burgers_vector=burgers_vector, nominal_area=1e-8, summit_density=1e13, max_friction_coefficient=math.inf,
+    params = Params.si(
+        E1=first.young, nu1=first.poisson, E2=second.young, nu2=second.poisson, work_of_adhesion=work,
+        adhesion_range=burgers_vector, burgers_vector=burgers_vector, nominal_area=1e-8, summit_density=1e13,
+        height_std=sigma, summit_radius=0.05 / (1e13 * sigma), max_friction_coefficient=math.inf,
     )  # fmt: skip
-    found = []
-    for sigma, work in itertools.product((2e-9, 10e-9), PAIRS["Si/Si"].need("work_of_adhesion_range")):
-        radius = 0.05 / (1e13 * sigma)
-        model = Model(Params.si(**bodies, height_std=sigma, summit_radius=radius, work_of_adhesion=work))
-        found += [model.friction_at_load(load) for load in (1e-6, 1e-4)]
+    return Model(params)
+
+
+def rough_models(first: Material, second: Material) -> list[Model]:
+    """At the ends of the ranges of what is open: see the rows that use it."""
+    works = PAIRS["Si/Si"].need("work_of_adhesion_range")
+    return [rough_model(first, second, sigma, work) for sigma, work in itertools.product((2e-9, 10e-9), works)]
+
+
+def rough_coefficient(first: Material, second: Material) -> Band:
+    """Friction coefficients of rough polysilicon over the inputs that are open, the load among them."""
+    found = [model.friction_at_load(load) for model in rough_models(first, second) for load in ROUGH_LOADS]
     return min(found), max(found)
 
 
-def tip_coefficient() -> Band:
-    """Friction coefficients of a Si3N4 tip on Si, radius 20 to 100 nm, at 10 to 100 nN."""
+def tip_states() -> list[State]:
+    """A Si3N4 tip on Si, radius 20 to 100 nm, at 10 and 100 nN: the ends of what is open."""
     burgers_vector = MATERIALS["Si"].need("burgers_vector")
     first, second = MATERIALS["Si3N4"], MATERIALS["Si"]
     found = []
@@ -95,7 +111,14 @@ def tip_coefficient() -> Band:
             adhesion_range=burgers_vector, burgers_vector=burgers_vector, height_std=1e-3 * burgers_vector,
             summit_radius=radius, asperity_count=1.0, max_friction_coefficient=math.inf,
         )  # fmt: skip
-        found += [Model(params).friction_at_load(load) for load in (1e-8, 1e-7)]
+        model = Model(params)
+        found += [model.state_at_load(load) for load in (1e-8, 1e-7)]
+    return found
+
+
+def tip_coefficient() -> Band:
+    """Friction coefficients of these."""
+    found = [state.friction_coefficient for state in tip_states()]
     return min(found), max(found)
 
 

@@ -1,0 +1,87 @@
+// Values at the load that is read, what the model makes of a surface, and where it does not hold.
+import { banded } from "./curves.js";
+import { $, element, head } from "./dom.js";
+import { FIELDS, parsed, shifted } from "./fields.js";
+import { page, readLoad } from "./state.js";
+import { coefficient, count, percent, short, spansText, title, withUnit } from "./text.js";
+
+/** Shows the values at the load that is read. */
+export function readValues() {
+  if (!page.shown.length) {
+    $("read-load").textContent = "";
+    $("values").replaceChildren();
+    return;
+  }
+  const load = readLoad();
+  $("read-load").textContent = withUnit(load, "N", 3);
+  const heard = page.shown.map(({ letter, curve }) => `${letter} ${coefficient(curve.model.frictionAtLoad(load))}`);
+  $("read").setAttribute("aria-valuetext", `${withUnit(load, "N")}: ${heard.join(", ")}`);
+  page.chart.mark(load);
+  const columns = page.shown.map((one) => columnOf(one, load));
+  const rows = Object.keys(columns[0]).map((quantity) =>
+    element("tr", {}, element("th", { scope: "row" }, quantity), ...columns.map((column) => element("td", {}, column[quantity]))),
+  );
+  $("values").replaceChildren(head([`At ${withUnit(load, "N")}`, ...names()]), element("tbody", {}, ...rows));
+}
+
+/** The surfaces by name, in their colours. */
+const names = () =>
+  page.shown.map(({ letter, surface, style }) => {
+    const name = element("span", {}, title(letter, surface));
+    name.style.color = style.color;
+    return name;
+  });
+
+/** The values of one surface, by quantity. */
+function columnOf({ surface, curve: { model } }, load) {
+  const { mu, low, high } = banded(model, load, page.deviations);
+  const exact = model.stateAtLoad(load);
+  return {
+    "Friction coefficient μ": coefficient(mu),
+    "95 % between": `${coefficient(low)} and ${coefficient(high)}`,
+    "Friction force": withUnit(exact.friction_force, "N"),
+    "Summits in contact": count(exact.contacting),
+    "Real area of nominal": percent(exact.real_area / shifted(parsed(surface.nominal_area), FIELDS.nominal_area.power)),
+    "Mean contact radius": withUnit(exact.mean_contact_radius, "m"),
+    "Mean pressure on summits": withUnit(exact.mean_asperity_pressure, "Pa"),
+    "Stiffness before slip": withUnit(exact.tangential_stiffness, "N/m"),
+    "Contacts mostly": regime(exact),
+    "Does not hold": page.library.warningsOf(exact.warnings).map(short).join(", ") || "nothing known",
+  };
+}
+
+/** How most contacts slip. */
+function regime(exact) {
+  const ways = [
+    [exact.fraction_below_slip_radius_1, "slip as a whole"],
+    [exact.fraction_between_slip_radii, "slip by one dislocation"],
+    [exact.fraction_above_slip_radius_2, "slip by many dislocations"],
+  ];
+  const [part, way] = ways.sort(([one], [other]) => other - one)[0];
+  return `${way} (${percent(part)})`;
+}
+
+/** What the model makes of the active surface. */
+export function derived() {
+  const found = page.shown.find(({ letter }) => letter === page.active);
+  if (!found) return $("derived").replaceChildren();
+  const { params } = found.curve.model;
+  const constants = found.curve.model.summary();
+  const psi = found.curve.states[0].plasticity_index;
+  $("derived").textContent =
+    `In the model: σ ${withUnit(params.height_std, "m")}, R ${withUnit(params.summit_radius, "m")}, ${count(params.asperity_count)} summits; ` +
+    `pull-off ${constants.pull_off_load < -1e-15 ? `at ${withUnit(constants.pull_off_load, "N")}` : "below 1 fN"}, Maugis' λ ${constants.lambda.toPrecision(3)}` +
+    (psi ? `, plasticity index ${psi.toPrecision(3)}.` : ".");
+}
+
+/** Each warning once, with the surfaces and loads at which it holds. */
+export function warnings(loads) {
+  const places = new Map();
+  for (const { letter, surface, curve } of page.shown)
+    for (const warning of curve.warnings)
+      places.set(warning.text, [...(places.get(warning.text) ?? []), `${title(letter, surface)} ${spansText(warning, loads)}`]);
+  const lines = [...places].map(([text, where]) =>
+    element("p", { className: "warning" }, element("strong", {}, `${where.join("; ")}: `), `${text}.`),
+  );
+  $("warnings").replaceChildren(...lines);
+}

@@ -1,0 +1,106 @@
+// From what is set to what is shown: once for each frame in which something changed.
+import { keep } from "./address.js";
+import { description } from "./chart.js";
+import { code } from "./code.js";
+import { curveOf } from "./curves.js";
+import { $ } from "./dom.js";
+import { fieldOf, paramsOf, parsed } from "./fields.js";
+import { derived, readValues, warnings } from "./readings.js";
+import { active, page, styleOf } from "./state.js";
+import { table } from "./table.js";
+import { summary } from "./text.js";
+import { spread } from "./uncertainty.js";
+
+/** So long nothing must change before a screen reader is told the summary. */
+const QUIET_MS = 500;
+
+/** Curves that were computed, by letter: with what they were computed from. */
+const computed = new Map();
+let scheduled = false;
+let told;
+
+/** Has the page updated with the next frame. */
+export function schedule() {
+  if (scheduled) return;
+  scheduled = true;
+  requestAnimationFrame(() => {
+    scheduled = false;
+    update();
+  });
+}
+
+/** Computes and shows all. */
+export function update() {
+  let loads;
+  try {
+    [loads, page.deviations] = [loadRange(), spread()];
+  } catch (error) {
+    tell([{ letter: "", message: error.message }]);
+    return;
+  }
+  tell(compute(loads));
+  const options = { active: page.active, logarithmic: $("logarithmic").checked, band: $("band").checked };
+  page.chart.show(page.shown, options);
+  $("chart").setAttribute("aria-label", `Friction coefficient against load: ${description(page.shown)}. The values are in the table below.`);
+  readValues();
+  derived();
+  warnings(loads);
+  table();
+  code();
+  clearTimeout(told);
+  told = setTimeout(announce, QUIET_MS);
+  keep();
+}
+
+/** The curves of all surfaces; what the library refuses comes back. */
+function compute(loads) {
+  const errors = [];
+  page.shown = [];
+  for (const [letter, surface] of page.surfaces) {
+    try {
+      page.shown.push({ letter, surface, style: styleOf(letter), curve: curve(letter, surface, loads) });
+    } catch (error) {
+      errors.push({ letter, message: error.message });
+    }
+  }
+  return errors;
+}
+
+const announce = () =>
+  ($("summary").textContent = page.shown.map(({ letter, surface, curve }) => summary(letter, surface, curve)).join(" "));
+
+function loadRange() {
+  const [lightest, heaviest] = ["lightest", "heaviest"].map((id) => parsed($(id).value));
+  if (!(lightest > 0 && heaviest > lightest && Number.isFinite(heaviest)))
+    throw new RangeError("Loads: the lightest must be above 0 N, the heaviest above the lightest");
+  return [lightest, heaviest];
+}
+
+/** The curve of a surface, computed anew only if something of it has changed. */
+function curve(letter, surface, loads) {
+  const from = JSON.stringify([surface, loads, page.deviations]);
+  const old = computed.get(letter);
+  if (old?.from === from) return old.curve;
+  forget(letter);
+  const found = curveOf(page.library, paramsOf(surface), loads, page.deviations);
+  computed.set(letter, { from, curve: found });
+  return found;
+}
+
+/** Frees the curve of a surface. */
+export function forget(letter) {
+  computed.get(letter)?.curve.model.free();
+  computed.delete(letter);
+}
+
+function tell(errors) {
+  const text = errors.map(({ letter, message }) => (letter && page.surfaces.size > 1 ? `${letter}: ${message}` : message)).join("\n");
+  if ($("error").textContent !== text) $("error").textContent = text;
+  $("error").hidden = !errors.length;
+  document.querySelectorAll("[aria-invalid]").forEach((input) => input.removeAttribute("aria-invalid"));
+  for (const { letter, message } of errors) {
+    if (letter !== page.active) continue;
+    const key = fieldOf(message, active());
+    if (key && $(key)) $(key).setAttribute("aria-invalid", "true");
+  }
+}
