@@ -78,18 +78,6 @@ class Report:
             print(f"{row[0]:{widths[0]}}  {row[1]:>{widths[1]}}  {row[2]:{widths[2]}}  {row[3]}")
 
 
-# How tests/dist proves what is built for a target: here, in an emulator, or not run at all.
-TESTED = {
-    "x86_64-linux-gnu": "run here",
-    "aarch64-linux-gnu": "run in qemu",
-    "x86_64-linux-musl": "run here",
-    "x86_64-windows": "run in Wine",
-    "arm64-macos": "read: install name, signature, exports",
-    "x86_64-macos": "read: install name, signature, exports",
-    "wasm32": "run in Node",
-}
-
-
 def build_target(target, out, env, report):
     """The archive, the wheel and the conda package for a target."""
     report.say(f"{target.name}: library")
@@ -101,11 +89,11 @@ def build_target(target, out, env, report):
     name = f"asperity-{version()}-{target.name}"
     archive = out / f"{name}.{target.archive}"
     pack(stage, archive, int(env["SOURCE_DATE_EPOCH"]), name)
-    report.add(archive, target.name, TESTED[target.name])
+    report.add(archive, target.name, target.tested)
     if target.wheel:
-        report.add(build_wheel(target, stage, out, env), target.name, TESTED[target.name])
+        report.add(build_wheel(target, stage, out, env), target.name, target.tested)
     if target.conda:
-        report.add(build_conda(target, stage, out, env), target.name, TESTED[target.name])
+        report.add(build_conda(target, stage, out, env), target.name, target.tested)
 
 
 def build_packages(packages, out, env, report):

@@ -12,6 +12,7 @@
 # nothing: the library of a target is FOLDER/TARGET/lib/libasperity.a.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+. tests/dist/shared.sh
 
 all="x86_64-unknown-linux-gnu x86_64-unknown-linux-musl aarch64-unknown-linux-gnu armv7-unknown-linux-gnueabihf
     i686-unknown-linux-gnu riscv64gc-unknown-linux-gnu powerpc64le-unknown-linux-gnu s390x-unknown-linux-gnu
@@ -21,13 +22,7 @@ short_step=3
 list=tests/dist/same_bits.txt
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 build=$target/same-bits
-wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
 host=$(rustc -vV 2>/dev/null | sed -n 's/^host: //p')
-
-fails() {
-    echo "tests/dist/same_bits.sh: $*" >&2
-    exit 1
-}
 
 # What a target needs: its compiler, and the command before a program of its.
 describe() {
@@ -44,18 +39,18 @@ describe() {
     s390x-unknown-linux-gnu) compiler=s390x-linux-gnu-gcc run=qemu-s390x ;;
     x86_64-pc-windows-gnu) compiler=x86_64-w64-mingw32-gcc run=$wine ;;
     wasm32-unknown-unknown) compiler="clang --target=wasm32-wasi -nodefaultlibs" run=node ;;
-    *) fails "unknown target '$1'; known are all and:" $all ;;
+    *) fail "unknown target '$1'; known are all and:" $all ;;
     esac
 }
 
 missing() {
-    fails "$1: $2 is missing: run tests/setup.sh dist"
+    fail "$1: $2 is missing: run tests/setup.sh dist"
 }
 
 # Whether everything is there, before anything is built.
 check_tools() {
     describe "$1"
-    [ "$1" = "$host" ] || [ "$(uname -sm)" = "Linux x86_64" ] || fails "$1 takes x86-64 Linux; of here is: $host"
+    [ "$1" = "$host" ] || [ "$(uname -sm)" = "Linux x86_64" ] || fail "$1 takes x86-64 Linux; of here is: $host"
     command -v "${compiler%% *}" >/dev/null || missing "$1" "${compiler%% *}"
     command -v "$run" >/dev/null || missing "$1" "$run"
     case "$1" in
@@ -66,7 +61,7 @@ check_tools() {
         command -v wasm-ld >/dev/null || missing "$1" wasm-ld ;;
     esac
     if [ -n "${STAGE:-}" ]; then
-        [ -e "$STAGE/$1/lib/libasperity.a" ] || fails "$1: there is no $STAGE/$1/lib/libasperity.a"
+        [ -e "$STAGE/$1/lib/libasperity.a" ] || fail "$1: there is no $STAGE/$1/lib/libasperity.a"
     else
         [ -d "$(rustc --print target-libdir --target "$1")" ] || missing "$1" "Rust's library (rustup target add $1)"
     fi
@@ -83,7 +78,7 @@ compile() {
     esac
     # shellcheck disable=SC2086
     $compiler -std=c11 -O1 -ffp-contract=off -Wall -Wextra -Werror -Iinclude "$2" -o "$build/$1" "$library" \
-        "${libraries[@]}" 2>"$build/log" || { cat "$build/log" >&2; fails "$1 cannot be built"; }
+        "${libraries[@]}" 2>"$build/log" || { cat "$build/log" >&2; fail "$1 cannot be built"; }
 }
 
 # The program of a target, where it runs.
@@ -103,9 +98,9 @@ execute() {
 compare() {
     local name=$1 answers="$build/${1//[^A-Za-z0-9_]/-}.txt" seconds=$SECONDS
     shift
-    "$@" >"$answers.all" 2>"$build/log" || { cat "$build/log" >&2; fails "$name: $*"; }
-    tr -d '\r' <"$answers.all" | grep -v '^same_bits:' >"$answers" || fails "$name: no list"
-    diff "$expected" "$answers" || fails "$name has other bits than $list (<)"
+    "$@" >"$answers.all" 2>"$build/log" || { cat "$build/log" >&2; fail "$name: $*"; }
+    tr -d '\r' <"$answers.all" | grep -v '^same_bits:' >"$answers" || fail "$name: no list"
+    diff "$expected" "$answers" || fail "$name has other bits than $list (<)"
     echo "$name: the same bits ($((SECONDS - seconds)) s)"
 }
 
@@ -139,7 +134,7 @@ one() {
     [ "$1" != wasm32-unknown-unknown ] && [ -z "$step" ] || return 0
     compile "environments-$name" tests/c/environments.c
     execute "$build/environments-$name" >"$build/log" 2>&1 ||
-        { tail -n 20 "$build/log" >&2; fails "$1: environments.c"; }
+        { tail -n 20 "$build/log" >&2; fail "$1: environments.c"; }
     echo "$1: the same bits in every environment of the host"
 }
 
@@ -148,7 +143,7 @@ targets=()
 mkdir -p "$build"
 case "${1:-}" in
 --write)
-    [ $# -eq 1 ] || fails "--write takes no target"
+    [ $# -eq 1 ] || fail "--write takes no target"
     write=yes
     set -- "$host" ;;
 "")
@@ -168,7 +163,7 @@ for name in "$@"; do
     *) describe "$name"; targets+=("$name") ;;
     esac
 done
-command -v cargo >/dev/null || [ -n "${STAGE:-}" ] || fails "cargo is missing: https://rustup.rs"
+command -v cargo >/dev/null || [ -n "${STAGE:-}" ] || fail "cargo is missing: https://rustup.rs"
 for name in "${targets[@]}"; do check_tools "$name"; done
 for name in "${targets[@]}"; do one "$name"; done
 echo "$list: $(tail -n 1 "$list"), ${step:+every third surface }on ${#targets[@]} targets"

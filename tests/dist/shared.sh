@@ -1,0 +1,19 @@
+# What scripts of tests/dist have in common: sourced by them, at the root of the tree. Before `quietly`, $work is a folder.
+# shellcheck shell=bash disable=SC2034
+
+wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
+
+fail() {
+    echo "tests/dist/${0##*/}: $*" >&2
+    exit 1
+}
+
+# quietly COMMAND...: what it prints is shown if it fails.
+quietly() {
+    "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "failed: $*"; }
+}
+
+# The version in Cargo.toml.
+version_of_tree() {
+    sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml
+}
