@@ -42,7 +42,7 @@ for rust in x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-unknown-li
     [ -d "$prefixes/$rust" ] || continue
     objdump -T "$prefixes/$rust/lib/libasperity.so" >"$work/symbols" || fail "$rust: objdump cannot read the library"
     grep -q 'asperity_create$' "$work/symbols" || fail "$rust: the library has no asperity_create"
-    newest=$( (echo GLIBC_2.17; grep -o 'GLIBC_[0-9.]*' "$work/symbols") | sort -V | tail -n 1)
+    newest=$( (echo GLIBC_2.17; sed -n 's/.*\(GLIBC_[0-9.]*\).*/\1/p' "$work/symbols") | sort -V | tail -n 1)
     [ "$newest" = GLIBC_2.17 ] || fail "$rust: the library needs $newest"
 done
 if [ -d "$prefixes/x86_64-unknown-linux-gnu" ]; then

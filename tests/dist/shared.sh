@@ -3,6 +3,10 @@
 
 wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
 
+# A command that fails without a word is named.
+set -E
+trap 'echo "tests/dist/${0##*/}: line $LINENO: failed: $BASH_COMMAND" >&2' ERR
+
 fail() {
     echo "tests/dist/${0##*/}: $*" >&2
     exit 1
