@@ -27,7 +27,7 @@ PACKAGES = ("sources", "crate", "debian")
 TOOLS = {
     "zig": ("cargo-zigbuild", "python-zig"),
     "x86_64-windows": ("cmake", "x86_64-w64-mingw32-gcc", "llvm-dlltool"),
-    "debian": ("dpkg-buildpackage", "dh", "dh_python3"),
+    "debian": ("dpkg-buildpackage", "dh", "dh_python3", "aarch64-linux-gnu-strip"),
 }
 
 
@@ -96,6 +96,9 @@ def build_target(target, out, env, report):
         report.add(build_conda(target, stage, out, env), target.name, target.tested)
 
 
+DEBIAN_TESTED = {"amd64": "installed in a system without Rust", "arm64": "unpacked; a C program run in qemu"}
+
+
 def build_packages(packages, out, env, report):
     """What is of no target of the list."""
     for package in packages:
@@ -106,8 +109,9 @@ def build_packages(packages, out, env, report):
         elif package == "crate":
             report.add(build_crate(out, env), "any, with Rust", "built by cargo package")
         else:
-            for file in build_debian(out, env):
-                report.add(file, "Debian 12, amd64", "installed in a system without Rust")
+            for architecture, tested in DEBIAN_TESTED.items():
+                for file in build_debian(architecture, out, env):
+                    report.add(file, f"Debian 12, {architecture}", tested)
 
 
 def write_sums(out):
