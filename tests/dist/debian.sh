@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of dist/ in a Debian 12 that has compilers and no Rust, and uses them from C, C++, Fortran and
+# Installs the Debian packages for amd64 of dist/ in a Debian 12 that has compilers and no Rust, and uses them from C, C++, Fortran and
 # Python. The system is made once, in ROOT; each run lays its changes over it and forgets them.
 #
 # usage: tests/dist/debian.sh ROOT      as root; needs debootstrap
@@ -26,7 +26,7 @@ SYSTEM=$root/system CHANGES=$root/changes VERSION=$(version_of_tree) unshare -m 
     mount -t overlay overlay -o "lowerdir=$SYSTEM,upperdir=$CHANGES/upper,workdir=$CHANGES/work" "$CHANGES/root"
     root=$CHANGES/root
     mkdir "$root/packages" "$root/source"
-    cp dist/*.deb "$root/packages"
+    cp dist/*_amd64.deb "$root/packages"
     git archive HEAD tests/consumers tests/dist fortran | tar -x -C "$root/source"
     mount -t proc proc "$root/proc"
     chroot "$root" sh -euc "

@@ -139,7 +139,9 @@ fi
 if ls dist/*.deb >/dev/null 2>&1; then
     quietly lintian --allow-root --fail-on error,warning dist/*.deb
     tests/dist/debian.sh "$target/dist/bookworm"
-    passed "$(cd dist && echo *.deb)" "lintian; installed in a Debian 12 without Rust, used from C, C++, Fortran and Python"
+    passed "$(cd dist && echo *.deb)" "lintian; amd64 installed in a Debian 12 without Rust, used from C, C++, Fortran and Python"
+    said=$(tests/dist/debian_arm64.sh "$work/arm64")
+    passed "$(cd dist && echo *_arm64.deb)" "$said"
 fi
 for package in dist/*.conda; do
     [ -f "$package" ] || continue
