@@ -11,7 +11,7 @@ cd "$(dirname "$0")/../.."
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 copy=$target/dist-refusals
 rm -rf "$copy" "$copy.log"
-git clone --quiet --local . "$copy"
+copy_commit "$copy"
 cd "$copy"
 git config user.name tests
 git config user.email tests@localhost

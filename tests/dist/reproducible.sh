@@ -11,7 +11,7 @@ root=$PWD work=$1
 shift
 rm -rf "$work"
 mkdir -p "$work/other/built"
-git clone --quiet --local . "$work/other/checkout"
+copy_commit "$work/other/checkout"
 ln -s "$target/dist-venv" "$work/other/built/dist-venv"
 cd "$work/other/checkout"
 CARGO_TARGET_DIR=$work/other/built python3 packaging/dist.py "$@" >"$work/log" 2>&1 ||

@@ -17,6 +17,11 @@ quietly() {
     "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "failed: $*"; }
 }
 
+# copy_commit FOLDER: a checkout of the commit; git's advice about one that is on no branch, as that of a tag is, is left out.
+copy_commit() {
+    git -c advice.detachedHead=false -c init.defaultBranch=main clone --quiet --local . "$1"
+}
+
 # The version in Cargo.toml.
 version_of_tree() {
     sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml
