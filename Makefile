@@ -31,7 +31,7 @@ WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Werror
 # The scripts of `make test` that check other languages and hosts; each is run as it is, from the root.
 TEST_SCRIPTS := tests/cpp/called.sh tests/c/gpu.sh fortran/test.sh python/test.sh js/test.sh tests/validation/run.sh \
     tests/examples/run.sh tests/consumers/run.sh tests/build_checks.sh tests/harden/run.sh tests/harden/memory.sh \
-    tests/harden/supply_chain.sh tests/dist/refusals.sh
+    tests/harden/supply_chain.sh tests/dist/same_bits.sh tests/dist/refusals.sh
 
 .PHONY: all demo test hosts site figures header clean library
 

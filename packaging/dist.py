@@ -27,7 +27,7 @@ PACKAGES = ("sources", "crate", "debian")
 TOOLS = {
     "zig": ("cargo-zigbuild", "python-zig"),
     "x86_64-windows": ("cmake", "x86_64-w64-mingw32-gcc", "llvm-dlltool"),
-    "debian": ("dpkg-buildpackage", "dh", "dh_python3"),
+    "debian": ("dpkg-buildpackage", "dh", "dh_python3", "aarch64-linux-gnu-strip"),
 }
 
 
@@ -78,18 +78,6 @@ class Report:
             print(f"{row[0]:{widths[0]}}  {row[1]:>{widths[1]}}  {row[2]:{widths[2]}}  {row[3]}")
 
 
-# How tests/dist proves what is built for a target: here, in an emulator, or not run at all.
-TESTED = {
-    "x86_64-linux-gnu": "run here",
-    "aarch64-linux-gnu": "run in qemu",
-    "x86_64-linux-musl": "run here",
-    "x86_64-windows": "run in Wine",
-    "arm64-macos": "read: install name, signature, exports",
-    "x86_64-macos": "read: install name, signature, exports",
-    "wasm32": "run in Node",
-}
-
-
 def build_target(target, out, env, report):
     """The archive, the wheel and the conda package for a target."""
     report.say(f"{target.name}: library")
@@ -101,11 +89,14 @@ def build_target(target, out, env, report):
     name = f"asperity-{version()}-{target.name}"
     archive = out / f"{name}.{target.archive}"
     pack(stage, archive, int(env["SOURCE_DATE_EPOCH"]), name)
-    report.add(archive, target.name, TESTED[target.name])
+    report.add(archive, target.name, target.tested)
     if target.wheel:
-        report.add(build_wheel(target, stage, out, env), target.name, TESTED[target.name])
+        report.add(build_wheel(target, stage, out, env), target.name, target.tested)
     if target.conda:
-        report.add(build_conda(target, stage, out, env), target.name, TESTED[target.name])
+        report.add(build_conda(target, stage, out, env), target.name, target.tested)
+
+
+DEBIAN_TESTED = {"amd64": "installed in a system without Rust", "arm64": "unpacked; a C program run in qemu"}
 
 
 def build_packages(packages, out, env, report):
@@ -118,8 +109,9 @@ def build_packages(packages, out, env, report):
         elif package == "crate":
             report.add(build_crate(out, env), "any, with Rust", "built by cargo package")
         else:
-            for file in build_debian(out, env):
-                report.add(file, "Debian 12, amd64", "installed in a system without Rust")
+            for architecture, tested in DEBIAN_TESTED.items():
+                for file in build_debian(architecture, out, env):
+                    report.add(file, f"Debian 12, {architecture}", tested)
 
 
 def write_sums(out):

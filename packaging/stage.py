@@ -4,7 +4,7 @@ import re
 import shutil
 
 from notices import write_notices
-from targets import ROOT, WORK, Refusal, linker_environment, run, small_std_environment
+from targets import ROOT, WORK, demand_size, linker_environment, run, small_std_environment
 
 # What a released shared library may weigh, stripped.
 LIBRARY_LIMIT = 700_000
@@ -32,7 +32,7 @@ def build_stage(target, folder, env):
     if "wasm32" not in target.rust:  # llvm-strip refuses static libraries for WebAssembly
         run("llvm-strip", "--strip-debug", folder / "lib" / "libasperity.a")
     add_common_files(target, folder)
-    check_size(target, folder)
+    demand_size(folder / target.shared, LIBRARY_LIMIT, target.name)
 
 
 def install_with_cmake(target, folder, env):
@@ -81,10 +81,3 @@ def add_common_files(target, folder):
         shutil.copy2(example, examples)
     shutil.copy2(ROOT / "README.md", folder)
     write_notices(target.rust, folder / "share" / "licenses" / "asperity")
-
-
-def check_size(target, folder):
-    """Refuses a shared library that is too heavy."""
-    size = (folder / target.shared).stat().st_size
-    if size > LIBRARY_LIMIT:
-        raise Refusal(f"{target.name}: {target.shared} has {size} bytes; at most {LIBRARY_LIMIT} are allowed")

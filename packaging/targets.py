@@ -24,6 +24,7 @@ class Target:
     archive: str
     wheel: "str | None"
     conda: "str | None"
+    tested: str
 
     @property
     def zig(self):
@@ -43,12 +44,19 @@ class Target:
 def read_targets():
     """Targets by their names."""
     lines = (ROOT / "packaging" / "targets.txt").read_text(encoding="utf-8").splitlines()
-    rows = [line.split() for line in lines if line and not line.startswith("#")]
+    rows = [line.split(maxsplit=6) for line in lines if line and not line.startswith("#")]
     return {row[0]: Target(*(None if word == "-" else word for word in row)) for row in rows}
 
 
 class Refusal(Exception):
     """Why nothing is built, in a line that says what to do."""
+
+
+def demand_size(file, limit, of):
+    """Refuses a file that is heavier than files of its kind may be."""
+    size = file.stat().st_size
+    if size > limit:
+        raise Refusal(f"{of}: {file.name} has {size} bytes; at most {limit} are allowed")
 
 
 def run(*command, cwd=ROOT, env=None, show=False):

@@ -2,7 +2,7 @@
 
 import shutil
 
-from targets import ROOT, VENV, WORK, Refusal, run
+from targets import ROOT, VENV, WORK, demand_size, run
 
 # What a wheel may weigh.
 WHEEL_LIMIT = 1_000_000
@@ -21,9 +21,7 @@ def build_wheel(target, stage, out, env):
         f"-C--build-option=--plat-name={target.wheel}", ROOT / "python", env=env,
     )  # fmt: skip
     (wheel,) = folder.glob(f"asperity-*-py3-none-{target.wheel}.whl")
-    size = wheel.stat().st_size
-    if size > WHEEL_LIMIT:
-        raise Refusal(f"{wheel.name} has {size} bytes; at most {WHEEL_LIMIT} are allowed")
+    demand_size(wheel, WHEEL_LIMIT, target.name)
     return shutil.move(wheel, out / wheel.name)
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the demo and the tests need beside cargo, a C compiler and make.
 #
-# usage: tests/setup.sh [core] [hosts] [harden] [validation] [dist] [web]     (core when no group is named)
+# usage: tests/setup.sh [core] [hosts] [harden] [validation] [bits] [dist] [web]     (core when no group is named)
 # As root on Debian or Ubuntu it installs what is missing; otherwise it prints the one command that would, and fails.
 set -euo pipefail
 
@@ -16,17 +16,20 @@ command -v npm >/dev/null || web+=" npm"
 # Of crates.io, at the versions that were tried; fetched and built by cargo.
 harden_tools="cargo-deny@0.20.2 cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
 
+# For the short form of tests/dist/same_bits.sh: 64-bit ARM.
+bits="qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross"
+bits_target=aarch64-unknown-linux-gnu
+
 # What make dist and make dist-test need beside the tools that come from PyPI.
 dist="cmake debhelper debootstrap dh-python dpkg-dev gcc-mingw-w64-x86-64 gfortran lintian llvm pkg-config python3 python3-venv xz-utils
     zstd"
-dist_targets="x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-unknown-linux-musl x86_64-pc-windows-gnu
+dist_targets="x86_64-unknown-linux-gnu $bits_target x86_64-unknown-linux-musl x86_64-pc-windows-gnu
     aarch64-apple-darwin x86_64-apple-darwin wasm32-unknown-unknown"
 
 # The compilers of other machines for tests/dist/same_bits.sh, and what runs their programs.
-machines="qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-arm-linux-gnueabihf libc6-dev-armhf-cross
-    gcc-i686-linux-gnu libc6-dev-i386-cross gcc-riscv64-linux-gnu libc6-dev-riscv64-cross gcc-powerpc64le-linux-gnu
-    libc6-dev-ppc64el-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross gcc-mingw-w64-x86-64 wine64 musl-tools clang lld
-    wasi-libc nodejs"
+machines="$bits gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-i686-linux-gnu libc6-dev-i386-cross
+    gcc-riscv64-linux-gnu libc6-dev-riscv64-cross gcc-powerpc64le-linux-gnu libc6-dev-ppc64el-cross gcc-s390x-linux-gnu
+    libc6-dev-s390x-cross gcc-mingw-w64-x86-64 wine64 musl-tools clang lld wasi-libc nodejs"
 machine_targets="armv7-unknown-linux-gnueabihf i686-unknown-linux-gnu riscv64gc-unknown-linux-gnu
     powerpc64le-unknown-linux-gnu s390x-unknown-linux-gnu"
 
@@ -35,16 +38,17 @@ dist_packages="ziglang==0.17.1 cargo-zigbuild==0.24.0 build==1.6.1 setuptools==8
     conan==2.34.0 py-rattler==0.28.0 check-jsonschema==0.39.0"
 validation_packages="tamaas==2.9.0 Adhesion==0.93 mpmath>=1.3 matplotlib>=3.5 scipy>=1.9 pytest>=7"
 
-packages="" tools=""
-for group in "${@:-core}"; do
+groups=${*:-core} packages="" tools=""
+for group in $groups; do
     case "$group" in
     core) packages+=" $core" ;;
     hosts) packages+=" $hosts" ;;
     harden) packages+=" $harden" tools+=" $harden_tools" ;;
     validation) packages+=" python3 python3-venv" ;;
+    bits) packages+=" $bits" ;;
     dist) packages+=" $dist $machines" ;;
     web) packages+=" $web" ;;
-    *) echo "tests/setup.sh: unknown group '$group': core, hosts, harden, validation, dist or web" >&2; exit 2 ;;
+    *) echo "tests/setup.sh: unknown group '$group': core, hosts, harden, validation, bits, dist or web" >&2; exit 2 ;;
     esac
 done
 
@@ -64,14 +68,17 @@ if [[ " $* " == *" dist "* ]] && command -v rustup >/dev/null; then
     rustup -q component add rust-src
 fi
 
-if [[ " $* " == *" web "* ]] && command -v rustup >/dev/null; then
-    rustup target list --installed | grep -qx wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown
-fi
+# target GROUP NAME: Rust's standard library for a target, where the group is asked for.
+target() {
+    [[ " $groups " == *" $1 "* ]] && command -v rustup >/dev/null || return 0
+    rustup target list --installed | grep -qx "$2" || rustup target add "$2"
+}
+target web wasm32-unknown-unknown
+target bits $bits_target
 
 # environment GROUP PACKAGES: a virtual environment with the packages, where the group is asked for.
-groups=" ${*:-core} "
 environment() {
-    [[ "$groups" == *" $1 "* ]] || return 0
+    [[ " $groups " == *" $1 "* ]] || return 0
     local venv="${CARGO_TARGET_DIR:-target}/$1-venv"
     # The list of packages stands in it once they are installed.
     [ "$(cat "$venv/packages" 2>/dev/null)" = "$2" ] && return 0

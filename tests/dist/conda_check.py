@@ -1,6 +1,7 @@
 """Installs a conda package by conda's rules into a new environment: conda_check.py PACKAGE.conda FOLDER."""
 
 import asyncio
+import os
 import shutil
 import sys
 from pathlib import Path
@@ -34,3 +35,6 @@ async def main(package, folder):
 
 if __name__ == "__main__":
     asyncio.run(main(Path(sys.argv[1]), Path(sys.argv[2]).resolve()))
+    # Threads of py-rattler may outlive the interpreter, which then crashes at its end.
+    sys.stdout.flush()
+    os._exit(0)

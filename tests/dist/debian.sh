@@ -1,24 +1,24 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of dist/ in a Debian 12 that has compilers and no Rust, and uses them from C, C++, Fortran and
+# Installs the Debian packages for amd64 of dist/ in a Debian 12 that has compilers and no Rust, and uses them from C, C++, Fortran and
 # Python. The system is made once, in ROOT; each run lays its changes over it and forgets them.
 #
 # usage: tests/dist/debian.sh ROOT      as root; needs debootstrap
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+. tests/dist/shared.sh
 root=$1
-[ "$(id -u)" = 0 ] || { echo "tests/dist/debian.sh: only root can make and enter another system: sudo make dist-test" >&2; exit 1; }
+[ "$(id -u)" = 0 ] || fail "only root can make and enter another system: sudo make dist-test"
 
 if [ ! -f "$root/made" ]; then
     rm -rf "$root"
     mkdir -p "$root"
     debootstrap --variant=minbase \
         --include=g++,gfortran,make,cmake,pkg-config,python3,python3-numpy bookworm "$root/system" >"$root/log" ||
-        { tail -n 20 "$root/log" >&2; echo "tests/dist/debian.sh: debootstrap failed" >&2; exit 1; }
+        { tail -n 20 "$root/log" >&2; fail "debootstrap failed"; }
     touch "$root/made"
 fi
-version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
 # In mount and network name spaces of its own: nothing stays mounted, nothing is fetched.
-SYSTEM=$root/system CHANGES=$root/changes VERSION=$version unshare -m -n --propagation private bash -euo pipefail -c '
+SYSTEM=$root/system CHANGES=$root/changes VERSION=$(version_of_tree) unshare -m -n --propagation private bash -euo pipefail -c '
     rm -rf "$CHANGES"
     mkdir -p "$CHANGES"
     mount -t tmpfs tmpfs "$CHANGES"
@@ -26,7 +26,7 @@ SYSTEM=$root/system CHANGES=$root/changes VERSION=$version unshare -m -n --propa
     mount -t overlay overlay -o "lowerdir=$SYSTEM,upperdir=$CHANGES/upper,workdir=$CHANGES/work" "$CHANGES/root"
     root=$CHANGES/root
     mkdir "$root/packages" "$root/source"
-    cp dist/*.deb "$root/packages"
+    cp dist/*_amd64.deb "$root/packages"
     git archive HEAD tests/consumers tests/dist fortran | tar -x -C "$root/source"
     mount -t proc proc "$root/proc"
     chroot "$root" sh -euc "

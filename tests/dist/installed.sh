@@ -5,16 +5,13 @@
 # usage: tests/dist/installed.sh WORK [PREFIX]    WORK is for what is built; PREFIX where the installation is, if not the system's
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+. tests/dist/shared.sh
 work=$1 prefix=${2:-}
 rm -rf "$work"
 mkdir -p "$work"
 if [ -n "$prefix" ]; then
     export PKG_CONFIG_PATH=$prefix/lib/pkgconfig CMAKE_PREFIX_PATH=$prefix
 fi
-
-quietly() {
-    "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; echo "tests/dist/installed.sh: failed: $*" >&2; exit 1; }
-}
 
 for project in pkg-config pkg-config-static; do
     mkdir -p "$work/$project"

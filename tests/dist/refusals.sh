@@ -7,21 +7,17 @@
 #                                          after tests/setup.sh dist
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+. tests/dist/shared.sh
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 copy=$target/dist-refusals
 rm -rf "$copy" "$copy.log"
-git clone --quiet --local . "$copy"
+copy_commit "$copy"
 cd "$copy"
 git config user.name tests
 git config user.email tests@localhost
 export CARGO_TARGET_DIR=$copy/target
 mkdir dist
 echo "of an earlier run" >dist/file
-
-fail() {
-    echo "tests/dist/refusals.sh: $*" >&2
-    exit 1
-}
 
 # refuses TEXT COMMAND...: the command fails, says the text in one line, and leaves dist/ alone.
 refuses() {
@@ -33,7 +29,7 @@ refuses() {
     [ "$(cat dist/*)" = "of an earlier run" ] || fail "'$*' changed dist/"
 }
 
-version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
+version=$(version_of_tree)
 
 refuses "no target 'x86-linux'; there are x86_64-linux-gnu, " make dist TARGETS="x86_64-linux-gnu x86-linux"
 

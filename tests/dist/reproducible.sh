@@ -5,25 +5,25 @@
 # usage: tests/dist/reproducible.sh WORK [NAME...]     after make dist; NAME as for packaging/dist.py
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+. tests/dist/shared.sh
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 root=$PWD work=$1
 shift
 rm -rf "$work"
 mkdir -p "$work/other/built"
-git clone --quiet --local . "$work/other/checkout"
+copy_commit "$work/other/checkout"
 ln -s "$target/dist-venv" "$work/other/built/dist-venv"
 cd "$work/other/checkout"
 CARGO_TARGET_DIR=$work/other/built python3 packaging/dist.py "$@" >"$work/log" 2>&1 ||
-    { cat "$work/log" >&2; echo "tests/dist/reproducible.sh: the second build failed" >&2; exit 1; }
+    { cat "$work/log" >&2; fail "the second build failed"; }
 same=0
 while read -r sum file; do
     if [ "$(grep "  $file\$" "$root/dist/SHA256SUMS")" != "$sum  $file" ]; then
-        echo "tests/dist/reproducible.sh: $file differs from that in dist/ (is dist/ of this commit?): $PWD/dist/$file" >&2
-        exit 1
+        fail "$file differs from that in dist/ (is dist/ of this commit?): $PWD/dist/$file"
     fi
     same=$((same + 1))
 done <dist/SHA256SUMS
-[ "$same" != 0 ] || { echo "tests/dist/reproducible.sh: nothing was built" >&2; exit 1; }
+[ "$same" != 0 ] || fail "nothing was built"
 cd "$root"
 rm -rf "$work"
 echo "$same files, built again elsewhere: the same bytes"

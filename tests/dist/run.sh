@@ -6,21 +6,13 @@
 # usage: tests/dist/run.sh      after make dist; needs what tests/setup.sh dist installs, and root for the Debian system
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+. tests/dist/shared.sh
 root=$PWD
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 work=$target/dist/test
 venv=$target/dist-venv
-version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
+version=$(version_of_tree)
 proved=0
-
-fail() {
-    echo "tests/dist/run.sh: $*" >&2
-    exit 1
-}
-
-quietly() {
-    "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "failed: $*"; }
-}
 
 # passed FILE WHAT: tells what was proved of a file.
 passed() {
@@ -45,15 +37,13 @@ while read -r name rust _ ending _; do
     mv "$work/asperity-$version-$name" "$prefixes/$rust"
 done < <(grep -v '^#' packaging/targets.txt)
 
-# Symbols of the C library that are later than 2.17 would keep a library from old systems.
-old_enough() {
-    local newest
-    newest=$(objdump -T "$1" 2>/dev/null | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n 1)
-    [ "$(printf 'GLIBC_2.17\n%s\n' "$newest" | sort -V | tail -n 1)" = GLIBC_2.17 ] || fail "$1 needs $newest"
-}
-
+# Symbols of the C library that are later than 2.17 would keep a library from old systems. musl's have no version.
 for rust in x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-unknown-linux-musl; do
-    [ ! -d "$prefixes/$rust" ] || old_enough "$prefixes/$rust/lib/libasperity.so"
+    [ -d "$prefixes/$rust" ] || continue
+    objdump -T "$prefixes/$rust/lib/libasperity.so" >"$work/symbols" || fail "$rust: objdump cannot read the library"
+    grep -q 'asperity_create$' "$work/symbols" || fail "$rust: the library has no asperity_create"
+    newest=$( (echo GLIBC_2.17; sed -n 's/.*\(GLIBC_[0-9.]*\).*/\1/p' "$work/symbols") | sort -V | tail -n 1)
+    [ "$newest" = GLIBC_2.17 ] || fail "$rust: the library needs $newest"
 done
 if [ -d "$prefixes/x86_64-unknown-linux-gnu" ]; then
     said=$(tests/dist/installed.sh "$work/installed" "$prefixes/x86_64-unknown-linux-gnu")
@@ -154,7 +144,9 @@ fi
 if ls dist/*.deb >/dev/null 2>&1; then
     quietly lintian --allow-root --fail-on error,warning dist/*.deb
     tests/dist/debian.sh "$target/dist/bookworm"
-    passed "$(cd dist && echo *.deb)" "lintian; installed in a Debian 12 without Rust, used from C, C++, Fortran and Python"
+    passed "$(cd dist && echo *.deb)" "lintian; amd64 installed in a Debian 12 without Rust, used from C, C++, Fortran and Python"
+    said=$(tests/dist/debian_arm64.sh "$work/arm64")
+    passed "$(cd dist && echo *_arm64.deb)" "$said"
 fi
 for package in dist/*.conda; do
     [ -f "$package" ] || continue

@@ -4,14 +4,10 @@
 # usage: tests/dist/windows.sh WORK PREFIX      needs gcc-mingw-w64-x86-64, cmake, wine64
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+. tests/dist/shared.sh
 work=$1 prefix=$2
 rm -rf "$work"
 mkdir -p "$work"
-wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
-
-quietly() {
-    "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; echo "tests/dist/windows.sh: failed: $*" >&2; exit 1; }
-}
 in_wine() {
     WINEDEBUG=-all WINEPREFIX=$(dirname "$work")/wine quietly "$wine" "$@"
 }

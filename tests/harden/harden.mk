@@ -75,7 +75,7 @@ miri:
 	done
 
 processors:
-	$(LOW) tests/dist/same_bits.sh
+	$(LOW) tests/dist/same_bits.sh all
 
 supply-chain:
 	$(CARGO) deny --locked check licenses bans sources
