@@ -298,7 +298,7 @@ impl Curve {
         let s = coordinates.map(|(s, _)| s);
         // Mostly one panel holds all: then they are evaluated side by side.
         let panel = self.panel(s[0]);
-        let logs = if s.iter().all(|&s| std::ptr::eq(self.panel(s), panel)) {
+        let logs = if s.iter().all(|&s| s >= panel.lowest && s <= panel.highest) {
             panel.log_value_at(quantity, s)
         } else {
             s.map(|s| self.panel(s).log_value_at(quantity, [s])[0])
@@ -410,14 +410,15 @@ impl Panel {
 
     /// The same, good or not.
     fn interpolated<const N: usize>(&self, quantity: Quantity, s: [f64; N]) -> [(f64, f64); N] {
-        let log_value = &self.log_value[quantity as usize];
-        let mut value = [log_value[CONDITIONS - 1]; N];
-        let mut slope = [0.0; N];
-        for i in (0..CONDITIONS - 1).rev() {
-            for k in 0..N {
-                let distance = s[k] - self.nodes[i / 2];
-                slope[k] = slope[k] * distance + value[k];
-                value[k] = value[k] * distance + log_value[i];
+        let (mut value, mut slope) = ([0.0; N], [0.0; N]);
+        let coefficients = self.log_value[quantity as usize].chunks_exact(2);
+        for (node, pair) in self.nodes.iter().zip(coefficients).rev() {
+            let distance = s.map(|s| s - node);
+            for coefficient in [pair[1], pair[0]] {
+                for k in 0..N {
+                    slope[k] = slope[k] * distance[k] + value[k];
+                    value[k] = value[k] * distance[k] + coefficient;
+                }
             }
         }
         std::array::from_fn(|k| (self.reference[quantity as usize] + value[k], slope[k]))
