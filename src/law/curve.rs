@@ -30,8 +30,9 @@ const NOISE: f64 = 4.0;
 /// No more than about this many exact states are spent where kinks do not ask for more, and no more than half of them
 /// to resolve loads so heavy that all summits are deep in contact; what they do not reach is evaluated exactly.
 const MOST_SAMPLES: usize = 1000;
-/// Where ln(sinh s) is larger, s is that and ln 2 to rounding.
-const FAR: f64 = 20.0;
+/// Where ln(sinh s) is larger, so many terms of the series of ln((1 + (1 + y)^(1/2))/2) give it to rounding.
+const FAR: f64 = 3.0;
+const SERIES: [f64; 5] = [1.0 / 4.0, -3.0 / 32.0, 5.0 / 96.0, -35.0 / 1024.0, 63.0 / 2560.0];
 /// In panels that span less than this of s, differences of logarithms have lost the digits that its slopes have.
 const NARROW: f64 = 2e-4;
 
@@ -119,14 +120,15 @@ impl Coordinate {
         };
         let log_sinh = log_excess.map(|log_excess| 0.5 * (log_excess - log_pull_off));
         if log_sinh.iter().all(|&log_sinh| log_sinh > FAR) {
-            return log_sinh.map(|log_sinh| (LN_2 + log_sinh, 0.5));
+            // s = ln 2 + ln(sinh s) + ln((1 + (1 + y)^(1/2))/2) with y = 1/sinh^2 s.
+            let y = exp_each(log_sinh.map(|log_sinh| -2.0 * log_sinh));
+            return std::array::from_fn(|i| {
+                let y = y[i];
+                let rest = y * (SERIES[0] + y * (SERIES[1] + y * (SERIES[2] + y * (SERIES[3] + y * SERIES[4]))));
+                (LN_2 + log_sinh[i] + rest, 0.5 / (1.0 + y).sqrt())
+            });
         }
-        let sinh = exp_each(log_sinh);
-        std::array::from_fn(|i| {
-            let sinh = sinh[i];
-            if log_sinh[i] > FAR {
-                return (LN_2 + log_sinh[i], 0.5);
-            }
+        exp_each(log_sinh).map(|sinh| {
             let cosh = (1.0 + sinh * sinh).sqrt();
             let s = if sinh > 1.0 { log(sinh + cosh) } else { log1p(sinh + sinh * sinh / (1.0 + cosh)) };
             (s, 0.5 * sinh / cosh)
@@ -315,7 +317,7 @@ impl Curve {
         if !(panel.good[quantity as usize] && s >= panel.lowest && s <= panel.highest) {
             return None;
         }
-        let [(log_value, slope)] = panel.interpolated(quantity, [s]);
+        let (log_value, slope) = panel.interpolated(quantity, s);
         Some((self.coordinate.reference[quantity as usize] * exp(log_value), slope * rate))
     }
 
@@ -405,23 +407,22 @@ impl Panel {
         if !self.good[quantity as usize] {
             return [(f64::NAN, f64::NAN); N];
         }
-        self.interpolated(quantity, s)
+        s.map(|s| self.interpolated(quantity, s))
     }
 
-    /// The same, good or not.
-    fn interpolated<const N: usize>(&self, quantity: Quantity, s: [f64; N]) -> [(f64, f64); N] {
-        let (mut value, mut slope) = ([0.0; N], [0.0; N]);
+    /// The same at one s, good or not.
+    #[inline(always)] // so that several are worked out side by side
+    fn interpolated(&self, quantity: Quantity, s: f64) -> (f64, f64) {
+        let (mut value, mut slope) = (0.0, 0.0);
         let coefficients = self.log_value[quantity as usize].chunks_exact(2);
         for (node, pair) in self.nodes.iter().zip(coefficients).rev() {
-            let distance = s.map(|s| s - node);
+            let distance = s - node;
             for coefficient in [pair[1], pair[0]] {
-                for k in 0..N {
-                    slope[k] = slope[k] * distance[k] + value[k];
-                    value[k] = value[k] * distance[k] + coefficient;
-                }
+                slope = slope * distance + value;
+                value = value * distance + coefficient;
             }
         }
-        std::array::from_fn(|k| (self.reference[quantity as usize] + value[k], slope[k]))
+        (self.reference[quantity as usize] + value, slope)
     }
 
     fn position_at(&self, s: f64) -> f64 {
@@ -438,7 +439,7 @@ impl Panel {
     /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number. The
     /// slope may miss by so many times its tolerance.
     fn excess(&self, quantity: Quantity, sample: &Sample, slope_slack: f64) -> f64 {
-        let [(value, slope)] = self.interpolated(quantity, [sample.s]);
+        let (value, slope) = self.interpolated(quantity, sample.s);
         let exact = sample.slope[quantity as usize];
         let value_excess = (value - sample.log_value[quantity as usize]).abs() / VALUE_TOLERANCE;
         if exact.is_nan() {

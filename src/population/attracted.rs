@@ -91,7 +91,8 @@ impl Population {
                 let (rise, rate) = here.rise(wider);
                 (rise, weight * rate)
             });
-            let densities = self.densities(separation, nodes.map(|(rise, _)| (z + rise, overlap + rise)));
+            let [heights, overlaps] = [z, overlap].map(|from| nodes.map(|(rise, _)| from + rise));
+            let densities = self.densities(separation, heights, overlaps);
             for ((rise, weight), density) in nodes.into_iter().zip(densities) {
                 visit(z + rise, overlap + rise, weight * density);
             }

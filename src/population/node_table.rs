@@ -23,14 +23,10 @@ pub struct NodeTable {
 struct TablePanel {
     from: Point,
     to: Point,
-    nodes: [Node; POINTS],
-}
-
-/// A node without the density of heights.
-#[derive(Debug, Clone, Copy)]
-struct Node {
-    weight: f64,
-    summit: Summit,
+    /// The weights without the density of heights.
+    weights: [f64; POINTS],
+    overlaps: [f64; POINTS],
+    summits: [Summit; POINTS],
 }
 
 impl NodeTable {
@@ -52,9 +48,14 @@ impl NodeTable {
 
 impl TablePanel {
     fn new(population: &Population, panel: &Panel) -> Self {
-        let node =
-            |(weight, point): (f64, Point)| Node { weight, summit: Summit::new(&point.contact, &population.slip) };
-        Self { from: panel.from, to: panel.to, nodes: population.nodes(0.0, panel).map(node) }
+        let nodes = population.nodes(0.0, panel);
+        Self {
+            from: panel.from,
+            to: panel.to,
+            weights: nodes.map(|(weight, _)| weight),
+            overlaps: nodes.map(|(_, point)| point.contact.overlap),
+            summits: nodes.map(|(_, point)| Summit::new(&point.contact, &population.slip)),
+        }
     }
 }
 
@@ -81,15 +82,12 @@ impl Population {
                     return false;
                 }
             } else {
-                let heights = panel.nodes.map(|node| separation + node.summit.overlap);
-                let densities = self.densities(
-                    separation,
-                    panel.nodes.map(|node| (separation + node.summit.overlap, node.summit.overlap)),
-                );
-                for ((node, density), z) in panel.nodes.iter().zip(densities).zip(heights) {
-                    let fraction = node.weight * density;
-                    progress.add(fraction, node.summit.overlap);
-                    visitor.summits(z, fraction, &node.summit);
+                let heights = panel.overlaps.map(|overlap| separation + overlap);
+                let densities = self.densities(separation, heights, panel.overlaps);
+                for i in 0..POINTS {
+                    let fraction = panel.weights[i] * densities[i];
+                    progress.add(fraction, panel.overlaps[i]);
+                    visitor.summits(heights[i], fraction, &panel.summits[i]);
                 }
                 visitor.end_of_panel(&panel.to.raised(separation));
             }

@@ -162,7 +162,8 @@ impl Population {
                 reach *= 0.25;
                 (panel, nodes) = lay(reach);
             }
-            let densities = self.densities(separation, nodes.map(|(_, point)| (point.z, point.contact.overlap)));
+            let overlaps = nodes.map(|(_, point)| point.contact.overlap);
+            let densities = self.densities(separation, nodes.map(|(_, point)| point.z), overlaps);
             for ((weight, point), density) in nodes.iter().zip(densities).take_while(|((weight, _), _)| *weight != 0.0)
             {
                 let fraction = weight * density;
@@ -199,17 +200,17 @@ impl Population {
         }
     }
 
-    /// The densities at the nodes of a panel, of which each is given by height and overlap: of small overlaps far out in a
-    /// steep tail more digits count than heights have.
+    /// The densities at the nodes of a panel, given by their heights and overlaps: of small overlaps far out in a steep tail
+    /// more digits count than heights have.
     #[inline]
-    pub(super) fn densities(&self, separation: f64, nodes: [(f64, f64); POINTS]) -> [f64; POINTS] {
-        let slope = self.heights.log_density_slope(nodes[POINTS / 2].0);
+    pub(super) fn densities(&self, separation: f64, z: [f64; POINTS], overlaps: [f64; POINTS]) -> [f64; POINTS] {
+        let slope = self.heights.log_density_slope(z[POINTS / 2]);
         // At the end of the heights itself it is no number; nothing lies so near.
         let slope = if slope.is_finite() { slope } else { 0.0 };
-        let mut densities = self.heights.densities(nodes.map(|(z, _)| z));
-        for (density, (z, overlap)) in densities.iter_mut().zip(nodes) {
-            let rounding = overlap - (z - separation);
-            *density += *density * (slope * rounding);
+        let mut densities = self.heights.densities(z);
+        for i in 0..POINTS {
+            let rounding = overlaps[i] - (z[i] - separation);
+            densities[i] += densities[i] * (slope * rounding);
         }
         densities
     }
