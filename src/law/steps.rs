@@ -25,7 +25,7 @@ const PART_OF_DEEP: f64 = 0.75;
 const LAST_DEEP: f64 = 10.0;
 /// The panel that ends at pull-off spans no more of s than this, and not much less, since slopes there have few digits;
 /// each one before takes no more than this part of the way there.
-const LONGEST_LAST: f64 = 1.4;
+const LONGEST_LAST: f64 = 1.6;
 const LAST: f64 = 1.2;
 const PART_OF_THE_WAY: f64 = 0.65;
 /// Without a pull-off load no panel covers more than this part of what is left of the branch, at whose end load vanishes.
@@ -49,6 +49,10 @@ const NEAREST_PART: f64 = 0.02;
 /// Far below the heights: the part of the separation in which panels between the passings of a kink have no digits left in
 /// the load to say how far it is: those loads are evaluated exactly.
 const SHORTEST_PASSING: f64 = 1e-6;
+/// No panel takes more than this part of the way to where the curve is not smooth: there its error is below the tolerance.
+const PART_TO_OBSTACLE: f64 = 0.7;
+/// What misses the curve does so on a panel that is shorter by no more than this factor too.
+const HARDLY_SHORTER: f64 = 1.3;
 /// The shortest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved (a
 /// height density whose foot passes the edge of contact, say) is evaluated exactly.
 const SHORTEST: f64 = 0.05;
@@ -202,7 +206,7 @@ impl Steps {
         let border = (self.is_deep(from) && self.middle + DEEP < self.end).then_some(self.middle + DEEP);
         let stop = kink.into_iter().chain(border).fold(self.end, f64::min);
         let shortest = if self.at_pull_off && s <= LONGEST_LAST { 0.1 * rest } else { self.shortest(from, rest) };
-        let length = self.longest(from, s).min((0.5 * (self.obstacle - start)).max(shortest));
+        let length = self.longest(from, s).min((PART_TO_OBSTACLE * (self.obstacle - start)).max(shortest));
         let whole = self.distance(from, stop);
         // What little would be left is part of this panel.
         if length >= WHOLE * whole {
@@ -263,7 +267,7 @@ impl Steps {
         if excess <= 1.0 {
             let growth = GROWTH.iter().find(|&&(part, _)| excess < part).map_or(1.0, |&(_, growth)| growth);
             self.length = (growth * length).min(self.limit);
-        } else if length > shortest && self.resolved {
+        } else if length > HARDLY_SHORTER * shortest && self.resolved {
             // As the error of so many conditions grows with length.
             let shorter = 0.9 * pow(excess, -1.0 / CONDITIONS as f64);
             let shorter = shorter.clamp(0.25, 0.8);
