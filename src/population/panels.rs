@@ -147,10 +147,11 @@ impl Population {
                 here = self.at_height(separation, stop, here.contact.parameter);
                 continue;
             }
-            if self.is_rest_negligible(progress, &here) {
+            let log_density = self.heights.log_density(here.z);
+            if self.is_rest_negligible(progress, &here, log_density) {
                 return true;
             }
-            let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z);
+            let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z, log_density);
             let mut reach = reach.min(self.radius.smooth_length(here.z));
             let lay = |reach: f64| {
                 let panel = self.panel(separation, here, kink, here.z - edge_height, reach, stop);
@@ -176,23 +177,23 @@ impl Population {
         false
     }
 
-    /// How much longer a panel may be where the density has fallen from its largest value, of which this is the logarithm.
-    pub(super) fn panel_factor(&self, largest: f64, z: f64) -> f64 {
+    /// How much longer a panel may be where the density has fallen from its largest value, both given by their logarithms.
+    pub(super) fn panel_factor(&self, largest: f64, z: f64, log_density: f64) -> f64 {
         if z < self.heights.last_mode() {
             return 1.0;
         }
         // No number where the density is 0.
-        let fall = (largest - self.heights.log_density(z)).max(0.0);
+        let fall = (largest - log_density).max(0.0);
         (1.0 + fall * LONGER_PER_FOLD).min(2.0)
     }
 
     /// Whether the summits above one add nothing to what has been summed: above the last mode, where ln of their density
     /// falls about as fast as there.
-    pub(super) fn is_rest_negligible(&self, progress: &Progress, from: &Point) -> bool {
+    pub(super) fn is_rest_negligible(&self, progress: &Progress, from: &Point, log_density: f64) -> bool {
         if from.z < self.heights.last_mode() {
             return false;
         }
-        let density = exp(self.heights.log_density(from.z));
+        let density = exp(log_density);
         // Where the density is 0 it has no rate.
         density == 0.0 || {
             let rate = -self.heights.log_density_slope(from.z);
