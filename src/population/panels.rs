@@ -44,6 +44,9 @@ const PART_AT_FOOT: f64 = 0.02;
 const NEGLIGIBLE: f64 = 1e-18;
 /// The shortest panel, in sigma: what lies within it of a singular point is negligible.
 const SHORTEST: f64 = 1e-8;
+/// To what part of a panel a kink is found, and an extremum: next to that what it is one of hardly changes.
+const LAST_BITS: f64 = 1e-18;
+const NEAR_EXTREMUM: f64 = 1e-2;
 /// The end of a panel takes some three steps to find.
 const MOST_STEPS: u32 = 60;
 /// What is nearer to a stretch's end, where another follows, than this relative to 1 or to its height, is there.
@@ -386,13 +389,15 @@ impl Population {
         panel
     }
 
-    /// Ends a panel where a function of its summits changes sign.
+    /// Ends a panel where a function of its summits changes sign: at a kink, or near enough to an extremum.
     fn cut_where(&self, separation: f64, panel: &mut Panel, f: impl Fn(&Point) -> f64, kink: Option<usize>) {
-        if (f(&panel.from) < 0.0) == (f(&panel.to) < 0.0) {
+        let ends = [panel.from, panel.to].map(|end| (panel.variable(&end), f(&end)));
+        let [(from, at_from), (to, at_to)] = ends;
+        if (at_from < 0.0) == (at_to < 0.0) {
             return;
         }
-        let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
-        let root = root::bracketed(|x| f(&self.on_panel(separation, panel, x)), from, to);
+        let part = if kink.is_some() { LAST_BITS } else { NEAR_EXTREMUM };
+        let root = root::between(|x| f(&self.on_panel(separation, panel, x)), ends[0], ends[1], part);
         if is_inside(root, from, to) {
             panel.to = self.on_panel(separation, panel, root);
             panel.kink = kink;
