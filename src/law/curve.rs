@@ -77,15 +77,13 @@ struct Panel {
     /// s at its ends.
     lowest: f64,
     highest: f64,
-    /// The logarithms at the first node, to which the others are relative.
+    /// The logarithms at the first node, to which the others are relative; no number where the panel misses exact states.
     reference: PerQuantity,
     nodes: [f64; NODES],
     /// The logarithms in Newton's form, each node twice.
     log_value: [[f64; CONDITIONS]; Quantity::COUNT],
     /// The position of the separation, as [`Steps::position`], in Newton's form, each node once.
     position: [f64; NODES],
-    /// Whether its quantities meet the exact states between its nodes.
-    good: [bool; Quantity::COUNT],
 }
 
 /// A panel with the exact states that it was compared with.
@@ -219,14 +217,12 @@ impl Curve {
         let sparse = steps.separation(panel.position_at(panel.sparsest())).max(first).min(last);
         let sparse = self.sample(branch, sparse)?;
         self.samples += NODES + 3;
-        let excess = Quantity::ALL.map(|quantity| {
+        let excess = panel.keep_good(|panel, quantity| {
             // Where a panel ends there may be a kink; between the nodes it is slopes that tell how far values are off.
             let slack = quantity.slope_slack();
             let compared = [(&from, slack), (&between, 1.0), (&sparse, 1.0), (&end, slack)];
             compared.map(|(sample, slack)| panel.excess(quantity, sample, slack)).into_iter().fold(0.0, largest)
         });
-        panel.good = excess.map(|excess| excess <= 1.0);
-        let excess = excess.into_iter().fold(0.0, f64::max);
         Ok(Attempt { panel, between: [between, sparse], end, excess })
     }
 
@@ -236,7 +232,7 @@ impl Curve {
         let between = self.sample(branch, 0.5 * (from.separation + end.separation))?;
         let mut panel = Panel::bridge(&from, &end, |sample| self.steps.position(sample.separation));
         self.samples += 2;
-        panel.good = Quantity::ALL.map(|quantity| panel.excess(quantity, &between, quantity.slope_slack()) <= 1.0);
+        panel.keep_good(|panel, quantity| panel.excess(quantity, &between, quantity.slope_slack()));
         Ok(Attempt { panel, between: [between, between], end, excess: 0.0 })
     }
 
@@ -300,25 +296,20 @@ impl Curve {
         let s = coordinates.map(|(s, _)| s);
         // Mostly one panel holds all: then they are evaluated side by side.
         let panel = self.panel(s[0]);
-        let logs = if s.iter().all(|&s| s >= panel.lowest && s <= panel.highest) {
-            panel.log_value_at(quantity, s)
-        } else {
-            s.map(|s| self.panel(s).log_value_at(quantity, [s])[0])
+        let logs = match s.iter().all(|&s| panel.holds(s)) {
+            true => s.map(|s| panel.log_value_at(quantity, s)),
+            false => s.map(|s| self.panel(s).log_value_at(quantity, s)),
         };
         let value = exp_each(logs.map(|(log_value, _)| log_value));
         let reference = self.coordinate.reference[quantity as usize];
         std::array::from_fn(|i| (reference * value[i], logs[i].1 * coordinates[i].1))
     }
 
-    /// The same at one ln x, of which the curve covers or not.
+    /// The same at one ln x; `None` where the curve does not know it.
     pub fn within(&self, quantity: Quantity, log_excess: f64) -> Option<(f64, f64)> {
-        let (s, rate) = self.coordinate.at(log_excess);
-        let panel = self.panel(s);
-        if !(panel.good[quantity as usize] && s >= panel.lowest && s <= panel.highest) {
-            return None;
-        }
-        let (log_value, slope) = panel.interpolated(quantity, s);
-        Some((self.coordinate.reference[quantity as usize] * exp(log_value), slope * rate))
+        let (s, _) = self.coordinate.at(log_excess);
+        let [at] = self.at_each(quantity, [log_excess]);
+        (self.panel(s).holds(s) && !at.0.is_nan()).then_some(at)
     }
 
     /// A quantity of an exact state, and the slope of its logarithm by ln x.
@@ -331,7 +322,7 @@ impl Curve {
     pub fn separation(&self, log_excess: f64) -> Option<f64> {
         let (s, _) = self.coordinate.at(log_excess);
         let panel = self.panel(s);
-        (s >= panel.lowest && s <= panel.highest).then(|| self.steps.separation(panel.position_at(s)))
+        panel.holds(s).then(|| self.steps.separation(panel.position_at(s)))
     }
 
     fn panel(&self, s: f64) -> &Panel {
@@ -367,15 +358,7 @@ impl Panel {
             hermite(&nodes, values, slopes)
         });
         let position = differences(&nodes, std::array::from_fn(|i| position(&samples[i])));
-        Self {
-            lowest,
-            highest,
-            reference: samples[0].log_value,
-            nodes,
-            log_value,
-            position,
-            good: [false; Quantity::COUNT],
-        }
+        Self { lowest, highest, reference: samples[0].log_value, nodes, log_value, position }
     }
 
     /// The cubic between two states.
@@ -389,30 +372,27 @@ impl Panel {
             (log_value[1], log_value[2]) = (start, (0.5 * (start + end) - start) / width);
             log_value
         });
-        let mut stretch = [0.0; NODES];
-        (stretch[0], stretch[1]) = (position(from), (position(to) - position(from)) / width);
-        Self {
-            lowest: to.s,
-            highest: from.s,
-            reference: from.log_value,
-            nodes,
-            log_value,
-            position: stretch,
-            good: [false; Quantity::COUNT],
-        }
+        let mut line = [0.0; NODES];
+        (line[0], line[1]) = (position(from), (position(to) - position(from)) / width);
+        Self { lowest: to.s, highest: from.s, reference: from.log_value, nodes, log_value, position: line }
     }
 
-    /// The logarithm of a quantity and its derivative by s; NaN where the panel is not known to be good.
-    fn log_value_at<const N: usize>(&self, quantity: Quantity, s: [f64; N]) -> [(f64, f64); N] {
-        if !self.good[quantity as usize] {
-            return [(f64::NAN, f64::NAN); N];
+    /// Makes quantities no numbers that miss exact states by more than the tolerance; the largest error over it.
+    fn keep_good(&mut self, excess: impl Fn(&Self, Quantity) -> f64) -> f64 {
+        let excess = Quantity::ALL.map(|quantity| excess(self, quantity));
+        for (reference, _) in self.reference.iter_mut().zip(excess).filter(|(_, excess)| *excess > 1.0) {
+            *reference = f64::NAN;
         }
-        s.map(|s| self.interpolated(quantity, s))
+        excess.into_iter().fold(0.0, f64::max)
     }
 
-    /// The same at one s, good or not.
+    fn holds(&self, s: f64) -> bool {
+        s >= self.lowest && s <= self.highest
+    }
+
+    /// The logarithm of a quantity and its derivative by s.
     #[inline(always)] // so that several are worked out side by side
-    fn interpolated(&self, quantity: Quantity, s: f64) -> (f64, f64) {
+    fn log_value_at(&self, quantity: Quantity, s: f64) -> (f64, f64) {
         let (mut value, mut slope) = (0.0, 0.0);
         let coefficients = self.log_value[quantity as usize].chunks_exact(2);
         for (node, pair) in self.nodes.iter().zip(coefficients).rev() {
@@ -439,7 +419,7 @@ impl Panel {
     /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number. The
     /// slope may miss by so many times its tolerance.
     fn excess(&self, quantity: Quantity, sample: &Sample, slope_slack: f64) -> f64 {
-        let (value, slope) = self.interpolated(quantity, sample.s);
+        let (value, slope) = self.log_value_at(quantity, sample.s);
         let exact = sample.slope[quantity as usize];
         let value_excess = (value - sample.log_value[quantity as usize]).abs() / VALUE_TOLERANCE;
         if exact.is_nan() {
@@ -669,10 +649,7 @@ mod tests {
             }
         };
         let node = |j: usize| 0.1 + (1.0 + (std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64).cos()).powf(1.2);
-        Panel {
-            good: [true; Quantity::COUNT],
-            ..Panel::new(2.5, 0.1, &std::array::from_fn(|j| sample(node(j))), |sample| sample.separation)
-        }
+        Panel::new(2.5, 0.1, &std::array::from_fn(|j| sample(node(j))), |sample| sample.separation)
     }
 
     #[test]
@@ -699,9 +676,11 @@ mod tests {
         };
         assert!(near(panel.position_at(1.2), -0.2, 1e-13));
         for (quantity, expected) in [(Quantity::Friction, (6.32, 4.2)), (Quantity::Radius, (1.44, 2.4))] {
-            let [(value, slope)] = panel.log_value_at(quantity, [1.2]);
+            let (value, slope) = panel.log_value_at(quantity, 1.2);
             assert!(near(value, expected.0, 1e-13) && near(slope, expected.1, 1e-11), "{value}, {slope}");
-            assert!(Panel { good: [false; 2], ..panel.clone() }.log_value_at(quantity, [1.2])[0].0.is_nan());
+            let mut missed = panel.clone();
+            assert_eq!(missed.keep_good(|_, of| if of == quantity { 2.0 } else { 0.5 }), 2.0);
+            assert!(Quantity::ALL.iter().all(|&of| missed.log_value_at(of, 1.2).0.is_nan() == (of == quantity)));
         }
         let gaps: Vec<[f64; 2]> =
             panel.nodes.windows(2).map(|pair| [pair[0] - pair[1], 0.5 * (pair[0] + pair[1])]).collect();
