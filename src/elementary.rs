@@ -81,7 +81,7 @@ pub fn log1p_each<const N: usize>(numbers: [f64; N]) -> [f64; N] {
     }
 }
 
-/// By the series of ln((1 + s)/(1 - s)) in s^2, with coefficients as in FreeBSD's e_log.c.
+/// By the series of ln((1 + s)/(1 - s)) in s^2, with the coefficients of Sun's fdlibm (e_log.c).
 #[inline]
 fn ordinary_log1p(x: f64) -> f64 {
     const SERIES: [f64; 7] = [

@@ -27,7 +27,6 @@ struct TablePanel {
     to: Point,
     /// The weights without the density of heights.
     weights: [f64; POINTS],
-    overlaps: [f64; POINTS],
     summits: [Summit; POINTS],
 }
 
@@ -55,7 +54,6 @@ impl TablePanel {
             from: panel.from,
             to: panel.to,
             weights: nodes.map(|(weight, _)| weight),
-            overlaps: nodes.map(|(_, point)| point.contact.overlap),
             summits: nodes.map(|(_, point)| Summit::new(&point.contact, &population.slip)),
         }
     }
@@ -85,11 +83,12 @@ impl Population {
                     return false;
                 }
             } else {
-                let heights = panel.overlaps.map(|overlap| separation + overlap);
-                let densities = self.densities(separation, heights, panel.overlaps);
+                let overlaps = panel.summits.map(|summit| summit.overlap);
+                let heights = overlaps.map(|overlap| separation + overlap);
+                let densities = self.densities(separation, heights, overlaps);
                 for i in 0..POINTS {
                     let fraction = panel.weights[i] * densities[i];
-                    progress.add(fraction, panel.overlaps[i]);
+                    progress.add(fraction, overlaps[i]);
                     visitor.summits(heights[i], fraction, &panel.summits[i]);
                 }
                 visitor.end_of_panel(&panel.to.raised(separation));
