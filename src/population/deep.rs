@@ -41,8 +41,9 @@ pub struct DeepRule {
 #[derive(Debug, Clone)]
 struct Points<const N: usize> {
     heights: [f64; N],
-    /// For each panel, the integrals over the density from where it begins up, times the polynomial that is 1 at one point
-    /// and 0 at the others.
+    /// The product of the distances of each from the others.
+    scales: [f64; N],
+    /// For each panel, the integrals over the density from where it begins up, times the polynomials.
     weights: Vec<[f64; N]>,
 }
 
@@ -108,23 +109,15 @@ impl DeepRule {
         change: &RegimeChange<N>,
         kink: f64,
     ) {
-        // The panel that begins above it.
+        // The panel that begins above it, and what is left of the one before.
         let next = self.ends.partition_point(|&end| end <= kink);
-        if let Some(weights) = points.weights.get(next) {
-            for ((weight, force), slope) in weights.iter().zip(change.force).zip(change.slope) {
-                sums.friction += weight * force;
-                sums.friction_slope -= weight * slope;
-            }
-        }
-        let [force, slope] = [change.force, change.slope].map(|change| Interpolation::new(&points.heights, change));
+        let mut weights = points.weights.get(next).copied().unwrap_or([0.0; N]);
         for (from, to) in panel::panels(heights, kink, self.ends[next]) {
-            let nodes = quadrature::panel(from, to);
-            let z = nodes.map(|(z, _)| z);
-            let (force, slope) = (force.at(z), slope.at(z));
-            for (i, density) in heights.densities(z).into_iter().enumerate() {
-                sums.friction += nodes[i].1 * density * force[i];
-                sums.friction_slope -= nodes[i].1 * density * slope[i];
-            }
+            points.weigh(&mut weights, &samples(heights, from, to));
+        }
+        for ((weight, force), slope) in weights.iter().zip(change.force).zip(change.slope) {
+            sums.friction += weight * force;
+            sums.friction_slope -= weight * slope;
         }
     }
 }
@@ -134,18 +127,41 @@ impl<const N: usize> Points<N> {
     fn new(ends: &[f64], panels: &[Samples], part: f64) -> Self {
         let mut nodes = quadrature::nodes_of_part(part, ends[0], ends[ends.len() - 1]);
         let heights: [f64; N] = std::array::from_fn(|_| nodes.next().unwrap_or_default().0);
-        let basis = Basis::new(&heights);
+        let scales = std::array::from_fn(|i| {
+            let others = heights.iter().enumerate().filter(|&(other, _)| other != i);
+            others.map(|(_, other)| heights[i] - other).product()
+        });
+        let mut points = Self { heights, scales, weights: Vec::new() };
         let mut above = [0.0; N];
-        let mut weights = vec![above; panels.len()];
-        for (weights, panel) in weights.iter_mut().zip(panels).rev() {
-            for &(z, fraction) in panel {
-                for (above, polynomial) in above.iter_mut().zip(basis.at(z)) {
-                    *above += fraction * polynomial;
-                }
-            }
-            *weights = above;
+        for panel in panels.iter().rev() {
+            points.weigh(&mut above, panel);
+            points.weights.push(above);
         }
-        Self { heights, weights }
+        points.weights.reverse();
+        points
+    }
+
+    /// Adds the fractions of a panel, each times the polynomials.
+    fn weigh(&self, weights: &mut [f64; N], panel: &Samples) {
+        for &(z, fraction) in panel {
+            for (weight, polynomial) in weights.iter_mut().zip(self.polynomials(z)) {
+                *weight += fraction * polynomial;
+            }
+        }
+    }
+
+    /// The polynomials that are 1 at one of the points and 0 at the others, at one place.
+    fn polynomials(&self, z: f64) -> [f64; N] {
+        let mut values = self.scales.map(|scale| 1.0 / scale);
+        let (mut below, mut above) = (1.0, 1.0);
+        for i in 0..N {
+            values[i] *= below;
+            below *= z - self.heights[i];
+            let last = N - 1 - i;
+            values[last] *= above;
+            above *= z - self.heights[last];
+        }
+        values
     }
 
     /// The contacts at the points.
@@ -183,6 +199,13 @@ impl<const N: usize> RegimeChange<N> {
 /// The fractions of all summits at the nodes of one panel.
 type Samples = [(f64, f64); quadrature::POINTS];
 
+/// Those of an ordinary panel.
+fn samples(heights: &dyn HeightDistribution, from: f64, to: f64) -> Samples {
+    let nodes = quadrature::panel(from, to);
+    let densities = heights.densities(nodes.map(|(z, _)| z));
+    std::array::from_fn(|i| (nodes[i].0, nodes[i].1 * densities[i]))
+}
+
 /// Panels over all heights that count: where they begin and end, and the density at their nodes, times the weights.
 fn sampled(heights: &dyn HeightDistribution, lowest: f64, highest: f64) -> (Vec<f64>, Vec<Samples>) {
     let (mut ends, mut panels, mut total) = (vec![lowest], Vec::new(), 0.0);
@@ -196,7 +219,7 @@ fn sampled(heights: &dyn HeightDistribution, lowest: f64, highest: f64) -> (Vec<
         ends.push(start);
     }
     for (from, to) in panel::panels(heights, start, highest) {
-        let samples = quadrature::panel(from, to).map(|(z, weight)| (z, weight * exp(heights.log_density(z))));
+        let samples = samples(heights, from, to);
         let mass: f64 = samples.iter().map(|(_, fraction)| fraction).sum();
         panels.push(samples);
         ends.push(to);
@@ -206,66 +229,6 @@ fn sampled(heights: &dyn HeightDistribution, lowest: f64, highest: f64) -> (Vec<
         }
     }
     (ends, panels)
-}
-
-/// The polynomials that are 1 at one of the points and 0 at the others.
-struct Basis<'a, const N: usize> {
-    points: &'a [f64; N],
-    /// What the products of the distances from the other points are divided by.
-    scales: [f64; N],
-}
-
-impl<'a, const N: usize> Basis<'a, N> {
-    fn new(points: &'a [f64; N]) -> Self {
-        let scales = std::array::from_fn(|i| {
-            let others = points.iter().enumerate().filter(|&(other, _)| other != i);
-            others.map(|(_, other)| points[i] - other).product()
-        });
-        Self { points, scales }
-    }
-
-    /// All of them at one place.
-    fn at(&self, z: f64) -> [f64; N] {
-        let mut values = self.scales.map(|scale| 1.0 / scale);
-        let (mut below, mut above) = (1.0, 1.0);
-        for i in 0..N {
-            values[i] *= below;
-            below *= z - self.points[i];
-            let last = N - 1 - i;
-            values[last] *= above;
-            above *= z - self.points[last];
-        }
-        values
-    }
-}
-
-/// The polynomial through points, in Newton's form.
-struct Interpolation<'a, const N: usize> {
-    points: &'a [f64; N],
-    differences: [f64; N],
-}
-
-impl<'a, const N: usize> Interpolation<'a, N> {
-    fn new(points: &'a [f64; N], values: [f64; N]) -> Self {
-        let mut differences = values;
-        for order in 1..N {
-            for i in (order..N).rev() {
-                differences[i] = (differences[i] - differences[i - 1]) / (points[i] - points[i - order]);
-            }
-        }
-        Self { points, differences }
-    }
-
-    /// At several places, side by side.
-    fn at<const PLACES: usize>(&self, x: [f64; PLACES]) -> [f64; PLACES] {
-        let mut values = [self.differences[N - 1]; PLACES];
-        for i in (0..N - 1).rev() {
-            for (value, x) in values.iter_mut().zip(x) {
-                *value = *value * (x - self.points[i]) + self.differences[i];
-            }
-        }
-        values
-    }
 }
 
 #[cfg(test)]
