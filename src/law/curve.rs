@@ -4,8 +4,10 @@
 //! minimum over separation, it is linear in separation, far from it logarithmic in load; without adhesion it is
 //! ln(x)/2. In it ln F is smooth between the kinks of the branch, and so is the logarithm of the stiffness. Panels of exact
 //! states, each with its slopes, are joined by Hermite interpolation; a panel that misses the exact states between its nodes
-//! is tried again shorter.
+//! is tried again shorter. Where the foot of a density that is a power passes an edge of contact, the curve is a broken power
+//! of the distance: panels that begin or end there are in its fourth root, in which that is a high power.
 
+use super::broken_power::BrokenPower;
 use super::fill::Source;
 use super::steps::{Steps, Stretch};
 use super::{Quantity, CONDITIONS};
@@ -35,6 +37,10 @@ const FAR: f64 = 3.0;
 const SERIES: [f64; 5] = [1.0 / 4.0, -3.0 / 32.0, 5.0 / 96.0, -35.0 / 1024.0, 63.0 / 2560.0];
 /// In panels that span less than this of s, differences of logarithms have lost the digits that its slopes have.
 const NARROW: f64 = 2e-4;
+/// Where a panel is compared next to a broken power. s has lost digits of the distance there, and slopes may miss by so
+/// many times their tolerance.
+const NEXT_TO_BROKEN_POWER: f64 = 0.8;
+const SLACK_AT_BROKEN_POWER: f64 = 10.0;
 
 /// At this separation the load rises already, or cannot be had: the branch ends before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,8 +83,10 @@ struct Panel {
     /// s at its ends.
     lowest: f64,
     highest: f64,
+    broken_power: BrokenPower,
     /// The logarithms at the first node, to which the others are relative; no number where the panel misses exact states.
     reference: PerQuantity,
+    /// In s, or in the root of the distance from the broken power.
     nodes: [f64; NODES],
     /// The logarithms in Newton's form, each node twice.
     log_value: [[f64; CONDITIONS]; Quantity::COUNT],
@@ -203,24 +211,35 @@ impl Curve {
     fn attempt(&mut self, branch: &Branch, from: Sample, stretch: Stretch) -> Result<Attempt, Unfollowed> {
         let steps = self.steps.clone();
         // Where on the panel, from -1 to 1.
-        let at = |part: f64| steps.between(from.separation, stretch.to, part);
+        let at = |part: f64| steps.between(from.separation, stretch.to, stretch.broken_power.part(part));
         let mut nodes = [from; NODES];
         for (j, node) in nodes.iter_mut().enumerate() {
             let angle = std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64;
             *node = self.sample(branch, at(-cos(angle)))?;
         }
         let end = self.end(branch, stretch.to)?;
-        let mut panel = Panel::new(from.s, end.s, &nodes, |sample| steps.position(sample.separation));
+        let position = |sample: &Sample| steps.position(sample.separation);
+        let mut panel = Panel::new((end.s, from.s), stretch.broken_power, &nodes, position);
         // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
         let between = self.sample(branch, at(0.1))?;
         let (first, last) = (nodes[0].separation, nodes[NODES - 1].separation);
         let sparse = steps.separation(panel.position_at(panel.sparsest())).max(first).min(last);
         let sparse = self.sample(branch, sparse)?;
+        // Slopes have fewer digits next to a broken power.
+        let next_to_it = match stretch.broken_power {
+            _ if panel.is_narrow() => between,
+            BrokenPower::Nowhere => between,
+            BrokenPower::AtBegin => self.sample(branch, at(-NEXT_TO_BROKEN_POWER))?,
+            BrokenPower::AtEnd => self.sample(branch, at(NEXT_TO_BROKEN_POWER))?,
+        };
         self.samples += NODES + 3;
         let excess = panel.keep_good(|panel, quantity| {
-            // Where a panel ends there may be a kink; between the nodes it is slopes that tell how far values are off.
+            // Where a panel ends there may be a kink; between the nodes it is slopes that tell how far values are off, but not
+            // in a narrow one.
             let slack = quantity.slope_slack();
-            let compared = [(&from, slack), (&between, 1.0), (&sparse, 1.0), (&end, slack)];
+            let within = if panel.is_narrow() { slack } else { 1.0 };
+            let next_to_it = (&next_to_it, slack * SLACK_AT_BROKEN_POWER);
+            let compared = [(&from, slack), (&between, within), (&sparse, within), next_to_it, (&end, slack)];
             compared.map(|(sample, slack)| panel.excess(quantity, sample, slack)).into_iter().fold(0.0, largest)
         });
         Ok(Attempt { panel, between: [between, sparse], end, excess })
@@ -297,8 +316,8 @@ impl Curve {
         // Mostly one panel holds all: then they are evaluated side by side.
         let panel = self.panel(s[0]);
         let logs = match s.iter().all(|&s| panel.holds(s)) {
-            true => s.map(|s| panel.log_value_at(quantity, s)),
-            false => s.map(|s| self.panel(s).log_value_at(quantity, s)),
+            true => panel.log_value_at(quantity, s),
+            false => s.map(|s| self.panel(s).log_value_at(quantity, [s])[0]),
         };
         let value = exp_each(logs.map(|(log_value, _)| log_value));
         let reference = self.coordinate.reference[quantity as usize];
@@ -347,10 +366,16 @@ impl Source for Along<'_> {
 }
 
 impl Panel {
-    fn new(highest: f64, lowest: f64, samples: &[Sample; NODES], position: impl Fn(&Sample) -> f64) -> Self {
-        let nodes = samples.map(|sample| sample.s);
+    fn new(
+        (lowest, highest): (f64, f64),
+        broken_power: BrokenPower,
+        samples: &[Sample; NODES],
+        position: impl Fn(&Sample) -> f64,
+    ) -> Self {
+        let places = samples.map(|sample| broken_power.place((lowest, highest), sample.s));
+        let nodes = places.map(|(place, _)| place);
         let log_value = std::array::from_fn(|quantity| {
-            let slopes = samples.map(|sample| sample.slope[quantity]);
+            let slopes = std::array::from_fn(|i| samples[i].slope[quantity] / places[i].1);
             let values = match highest - lowest < NARROW {
                 true => integrals(&nodes, slopes),
                 false => samples.map(|sample| log(sample.value[quantity] / samples[0].value[quantity])),
@@ -358,7 +383,7 @@ impl Panel {
             hermite(&nodes, values, slopes)
         });
         let position = differences(&nodes, std::array::from_fn(|i| position(&samples[i])));
-        Self { lowest, highest, reference: samples[0].log_value, nodes, log_value, position }
+        Self { lowest, highest, broken_power, reference: samples[0].log_value, nodes, log_value, position }
     }
 
     /// The cubic between two states.
@@ -374,7 +399,15 @@ impl Panel {
         });
         let mut line = [0.0; NODES];
         (line[0], line[1]) = (position(from), (position(to) - position(from)) / width);
-        Self { lowest: to.s, highest: from.s, reference: from.log_value, nodes, log_value, position: line }
+        Self {
+            lowest: to.s,
+            highest: from.s,
+            broken_power: BrokenPower::Nowhere,
+            reference: from.log_value,
+            nodes,
+            log_value,
+            position: line,
+        }
     }
 
     /// Makes quantities no numbers that miss exact states by more than the tolerance; the largest error over it.
@@ -391,12 +424,19 @@ impl Panel {
     }
 
     /// The logarithm of a quantity and its derivative by s.
+    fn log_value_at<const N: usize>(&self, quantity: Quantity, s: [f64; N]) -> [(f64, f64); N] {
+        s.map(|s| self.place(s)).map(|(place, rate)| {
+            let (value, slope) = self.polynomial(quantity, place);
+            (value, slope * rate)
+        })
+    }
+
     #[inline(always)] // so that several are worked out side by side
-    fn log_value_at(&self, quantity: Quantity, s: f64) -> (f64, f64) {
+    fn polynomial(&self, quantity: Quantity, place: f64) -> (f64, f64) {
         let (mut value, mut slope) = (0.0, 0.0);
         let coefficients = self.log_value[quantity as usize].chunks_exact(2);
         for (node, pair) in self.nodes.iter().zip(coefficients).rev() {
-            let distance = s - node;
+            let distance = place - node;
             for coefficient in [pair[1], pair[0]] {
                 slope = slope * distance + value;
                 value = value * distance + coefficient;
@@ -405,25 +445,36 @@ impl Panel {
         (self.reference[quantity as usize] + value, slope)
     }
 
+    /// Where s lies among the nodes, and d(that)/ds.
+    fn place(&self, s: f64) -> (f64, f64) {
+        self.broken_power.place((self.lowest, self.highest), s)
+    }
+
     fn position_at(&self, s: f64) -> f64 {
-        newton(&self.nodes, &self.position, s)
+        newton(&self.nodes, &self.position, self.place(s).0)
+    }
+
+    fn is_narrow(&self) -> bool {
+        self.highest - self.lowest < NARROW
     }
 
     /// The middle of the widest gap between neighbouring nodes.
     fn sparsest(&self) -> f64 {
         let gap = |pair: &[f64]| (pair[1] - pair[0]).abs();
         let widest = self.nodes.windows(2).max_by(|a, b| gap(a).total_cmp(&gap(b)));
-        widest.map_or(self.lowest, |pair| 0.5 * (pair[0] + pair[1]))
+        let place = widest.map_or(self.nodes[0], |pair| 0.5 * (pair[0] + pair[1]));
+        self.broken_power.s_at((self.lowest, self.highest), place)
     }
 
     /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number. The
     /// slope may miss by so many times its tolerance.
     fn excess(&self, quantity: Quantity, sample: &Sample, slope_slack: f64) -> f64 {
-        let (value, slope) = self.log_value_at(quantity, sample.s);
+        let [(value, slope)] = self.log_value_at(quantity, [sample.s]);
         let exact = sample.slope[quantity as usize];
         let value_excess = (value - sample.log_value[quantity as usize]).abs() / VALUE_TOLERANCE;
-        if exact.is_nan() {
-            return value_excess; // at pull-off itself
+        // Neither at pull-off itself nor at a broken power slopes are known.
+        if exact.is_nan() || self.broken_power.is_at((self.lowest, self.highest), sample.s) {
+            return value_excess;
         }
         let tolerance = if sample.s < NEAR_PULL_OFF { NOISE * SLOPE_TOLERANCE } else { SLOPE_TOLERANCE };
         largest(value_excess, (slope / exact - 1.0).abs() / (slope_slack * tolerance))
@@ -623,7 +674,7 @@ mod tests {
             let mut covered = 0;
             for i in 0..300 {
                 let state = curve.sample(&branch, -6410.0 + 0.1 * f64::from(i)).expect("a state");
-                // But next to the foot of the second heights' density.
+                // But next to the foot of the second heights' density, so far below.
                 let Some((force, slope)) = curve.within(Quantity::Friction, state.log_excess) else { continue };
                 covered += 1;
                 let (exact, exact_slope) = curve.at_sample(Quantity::Friction, &state);
@@ -649,7 +700,9 @@ mod tests {
             }
         };
         let node = |j: usize| 0.1 + (1.0 + (std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64).cos()).powf(1.2);
-        Panel::new(2.5, 0.1, &std::array::from_fn(|j| sample(node(j))), |sample| sample.separation)
+        Panel::new((0.1, 2.5), BrokenPower::Nowhere, &std::array::from_fn(|j| sample(node(j))), |sample| {
+            sample.separation
+        })
     }
 
     #[test]
@@ -676,11 +729,11 @@ mod tests {
         };
         assert!(near(panel.position_at(1.2), -0.2, 1e-13));
         for (quantity, expected) in [(Quantity::Friction, (6.32, 4.2)), (Quantity::Radius, (1.44, 2.4))] {
-            let (value, slope) = panel.log_value_at(quantity, 1.2);
+            let [(value, slope)] = panel.log_value_at(quantity, [1.2]);
             assert!(near(value, expected.0, 1e-13) && near(slope, expected.1, 1e-11), "{value}, {slope}");
             let mut missed = panel.clone();
             assert_eq!(missed.keep_good(|_, of| if of == quantity { 2.0 } else { 0.5 }), 2.0);
-            assert!(Quantity::ALL.iter().all(|&of| missed.log_value_at(of, 1.2).0.is_nan() == (of == quantity)));
+            assert!(Quantity::ALL.iter().all(|&of| missed.log_value_at(of, [1.2])[0].0.is_nan() == (of == quantity)));
         }
         let gaps: Vec<[f64; 2]> =
             panel.nodes.windows(2).map(|pair| [pair[0] - pair[1], 0.5 * (pair[0] + pair[1])]).collect();

@@ -15,6 +15,9 @@ const PARTS: [f64; 8] = [INTERIOR[0], INTERIOR[1], INTERIOR[2], INTERIOR[3], BET
 const MOST_PIECES: usize = (DIVISIONS + 1) * (DIVISIONS + 1);
 /// Where a row is not good as a whole, a piece with more joints than this is not tried: most are not good either.
 const FEW_JOINTS: usize = 2;
+/// Next to where the law is not smooth it may be a broken power of the distance, which takes shorter and shorter pieces: by
+/// this factor.
+const NEXT_TO_JOINT: f64 = 0.125;
 /// No piece is shorter than this part of its row: x has few digits more.
 const SHORTEST_PIECE: f64 = 1e-9;
 
@@ -119,30 +122,31 @@ impl<'a, S: Source> Filling<'a, S> {
         let log_of = |t: f64| log1p(start + t) + log_binade;
         let joints = self.source.joints(log_of(0.0), log_of(self.width));
         let joints: Vec<f64> = joints.into_iter().map(|joint| exp(joint - log_binade) - 1.0 - start).collect();
-        let most = MOST_PIECES.min(room);
-        // From right to left, so that the last is the next.
-        let mut ends = vec![self.width];
-        let (mut begin, mut pieces, mut worst) = (0.0, Vec::new(), 0.0_f64);
-        while let Some(&end) = ends.last() {
+        let (most, width) = (MOST_PIECES.min(room), self.width);
+        let mut fill = |begin: f64, end: f64| {
             let length = end - begin;
             let within = joints.iter().filter(|&&joint| joint > begin && joint < end).count();
             let is_tried = length == self.width || within <= FEW_JOINTS;
-            match is_tried.then(|| self.piece(&basis, start + begin, length, log_binade)).flatten() {
-                Some((filled, error)) => {
-                    pieces.push((begin, filled));
-                    worst = worst.max(error);
-                }
-                // Hardly any of its parts would be good.
-                None if joints.len() >= most => return None,
-                None if length > SHORTEST_PIECE * self.width && pieces.len() + ends.len() < most => {
-                    ends.push(division(&joints, begin, end));
-                    continue;
-                }
-                None => pieces.push((begin, Row::LEFT_OUT)),
-            }
-            ends.pop();
-            begin = end;
+            let filled = is_tried.then(|| self.piece(&basis, start + begin, length, log_binade)).flatten();
+            Part { begin, end, filled }
+        };
+        let mut parts = vec![fill(0.0, width)];
+        // Hardly any part of it would be good.
+        if parts[0].filled.is_none() && joints.len() >= most {
+            return None;
         }
+        // Where there is not room for all it takes, what is left is as short as can be.
+        while parts.len() < most {
+            let Some(i) = longest_unfilled(&parts).filter(|&i| parts[i].length() > SHORTEST_PIECE * width) else {
+                break;
+            };
+            let Part { begin, end, .. } = parts[i];
+            let at = division(&joints, begin, end);
+            parts.splice(i..=i, [fill(begin, at), fill(at, end)]);
+        }
+        let worst = parts.iter().filter_map(|part| part.filled).fold(0.0, |worst: f64, (_, error)| worst.max(error));
+        let pieces: Vec<Piece> =
+            parts.iter().map(|part| (part.begin, part.filled.map_or(Row::LEFT_OUT, |(row, _)| row))).collect();
         // Links take room too.
         let links = if pieces.len() > DIVISIONS + 1 { pieces.len().div_ceil(DIVISIONS + 1) } else { 0 };
         let any = pieces.iter().any(|(_, piece)| !piece.is_left_out());
@@ -170,12 +174,36 @@ impl<'a, S: Source> Filling<'a, S> {
     }
 }
 
-/// Where to divide a piece: where the law is not smooth, next to the middle, or there.
+/// A part of a row, and its polynomial with its error, if that is good.
+struct Part {
+    begin: f64,
+    end: f64,
+    filled: Option<(Row, f64)>,
+}
+
+impl Part {
+    fn length(&self) -> f64 {
+        self.end - self.begin
+    }
+}
+
+fn longest_unfilled(parts: &[Part]) -> Option<usize> {
+    let unfilled = (0..parts.len()).filter(|&i| parts[i].filled.is_none());
+    unfilled.max_by(|&a, &b| parts[a].length().total_cmp(&parts[b].length()))
+}
+
+/// Where to divide a piece: where the law is not smooth, next to the middle; else next to an end where it is not, or in the
+/// middle.
 fn division(joints: &[f64], begin: f64, end: f64) -> f64 {
     let middle = 0.5 * (begin + end);
     let margin = SHORTEST_PIECE * (end - begin);
     let within = joints.iter().copied().filter(|&joint| joint > begin + margin && joint < end - margin);
-    within.min_by(|a, b| (a - middle).abs().total_cmp(&(b - middle).abs())).unwrap_or(middle)
+    let near_end = match (joints.contains(&begin), joints.contains(&end)) {
+        (true, false) => begin + NEXT_TO_JOINT * (end - begin),
+        (false, true) => end - NEXT_TO_JOINT * (end - begin),
+        _ => middle,
+    };
+    within.min_by(|a, b| (a - middle).abs().total_cmp(&(b - middle).abs())).unwrap_or(near_end)
 }
 
 /// ln of the beginning of the binade with these bits.

@@ -6,6 +6,7 @@
 //! agree where rows meet. A row across which the law has a kink is a link to several polynomials. Loads that are lighter
 //! than the table's are interpolated by the curve that it was filled from; others are evaluated exactly.
 
+mod broken_power;
 mod curve;
 mod exact;
 mod fill;
@@ -302,6 +303,48 @@ mod tests {
             }
             // Now and then the exact slope has fewer digits, so far below the heights.
             assert!(parts > 150 && misses <= 4, "{parts} in parts, {misses} missed");
+        }
+    }
+
+    /// Where the foot of Weibull's density passes an edge of contact, friction is a broken power of the distance in load.
+    #[test]
+    fn rows_with_a_broken_power_are_answered_up_to_it() {
+        for (shape, adhesion) in [(1.8, 1.0), (2.0, 1.0), (1.8, 0.0), (3.6, 1.0)] {
+            let default = Params::default();
+            let params = Params {
+                heights: crate::params::HeightFamily::Weibull { shape },
+                work_of_adhesion: adhesion * default.work_of_adhesion,
+                ..default
+            };
+            let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
+            let law = Law::new(&branch, LOAD, UNITS).expect("a law");
+            let feet: Vec<f64> = branch.kinks().into_iter().filter(|&kink| kink > -10.0).collect();
+            assert!(feet.len() >= 2, "{feet:?}");
+            for quantity in Quantity::ALL {
+                let table = law.table(quantity);
+                let mut unanswered = 0;
+                for i in 0..600 {
+                    // On both sides of each, at distances of all sizes.
+                    let distance = [1e-1, -1e-1][i % 2] * 10_f64.powf(-7.0 * (i / 6) as f64 / 100.0);
+                    let separation = feet[i / 2 % feet.len()] + distance;
+                    let point = branch.log_excess(separation);
+                    let load = LOAD * point.sums.load();
+                    unanswered += usize::from(table.at_load(load).is_none());
+                    let found = table.at_load(load).or_else(|| law.interpolated(quantity, load));
+                    let (value, slope) = found.unwrap_or_else(|| panic!("{shape}: {separation} is not answered"));
+                    let (exact, exact_slope) = quantity.of(&point.sums);
+                    let exact = UNITS[quantity as usize] * exact;
+                    let exact_slope = UNITS[quantity as usize] * exact_slope / (LOAD * point.sums.load_slope);
+                    assert!((value / exact - 1.0).abs() < 1e-10, "{shape}, {quantity:?}, {separation}: {value:e}");
+                    let miss = (slope / exact_slope - 1.0).abs();
+                    // Next to one the load has lost digits of the distance.
+                    let distance = feet.iter().map(|foot| (separation - foot).abs()).fold(f64::MAX, f64::min);
+                    let tolerance = quantity.slope_slack() * 2e-8 * (1e-4 / distance).max(1.0);
+                    assert!(miss < tolerance, "{shape}, {quantity:?}, {separation}, {distance:e}: {miss:e}");
+                }
+                // By the table: but for what is nearer than a millionth of sigma.
+                assert!(unanswered < 150, "{shape}, {quantity:?}: {unanswered} of 600");
+            }
         }
     }
 

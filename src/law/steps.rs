@@ -4,6 +4,7 @@
 //! Lengths are of positions: equal to separations among the heights, logarithmic far from them, where what matters is
 //! the part by which a separation changes.
 
+use super::broken_power::BrokenPower;
 use super::CONDITIONS;
 use crate::elementary::{exp, log, pow};
 use crate::equilibrium::Branch;
@@ -15,7 +16,7 @@ const TURN: f64 = 3.7;
 /// Panels shorter than this are as long in separation.
 const SHORT: f64 = 0.1;
 /// Among the heights no panel is longer than this: their density changes on the scale of sigma.
-const LONGEST: f64 = 2.0;
+const LONGEST: f64 = 2.2;
 /// Below this separation from the mean, in sigma, all summits are deep in contact, and panels are as long as they can be.
 const DEEP: f64 = -8.0;
 /// The longest panel there, a change of load by a factor of 1e8, and of which part of the way to the heights it takes no more:
@@ -36,6 +37,8 @@ const WHOLE: f64 = 0.99;
 const AT_END: f64 = 1e-9;
 /// How much longer the next panel is tried after an error of less than this part of the tolerance.
 const GROWTH: [(f64, f64); 3] = [(0.01, 3.0), (0.03, 2.0), (0.5, 1.5)];
+/// How long the first panel after a kink is tried.
+const AFTER_KINK: f64 = 0.4;
 /// After a panel of about the longest that was too long others are no longer than this part of it.
 const BELOW_FAILED: f64 = 0.9;
 /// Between more kinks than these hardly a row of the law would be smooth: panels that miss the curve are then kept,
@@ -50,11 +53,9 @@ const NEAREST_PART: f64 = 0.02;
 /// the load to say how far it is: those loads are evaluated exactly.
 const SHORTEST_PASSING: f64 = 1e-6;
 /// No panel takes more than this part of the way to where the curve is not smooth: there its error is below the tolerance.
-const PART_TO_OBSTACLE: f64 = 0.7;
-/// What misses the curve does so on a panel that is shorter by no more than this factor too.
-const HARDLY_SHORTER: f64 = 1.3;
-/// The shortest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved (a
-/// height density whose foot passes the edge of contact, say) is evaluated exactly.
+const PART_TO_OBSTACLE: f64 = 0.5;
+/// The shortest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved is
+/// evaluated exactly.
 const SHORTEST: f64 = 0.05;
 const SHORTEST_AT_END: f64 = 5e-4;
 
@@ -62,6 +63,7 @@ const SHORTEST_AT_END: f64 = 5e-4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
     pub to: f64,
+    pub broken_power: BrokenPower,
     /// Whether it lies between kinks so near to each other that no panel is worth its states.
     pub is_bridge: bool,
     length: f64,
@@ -81,7 +83,10 @@ pub struct Steps {
     /// Where the curve has kinks; none where there are too many.
     kinks: Vec<f64>,
     resolved: bool,
-    /// The longest panel, as the last one was.
+    /// Those of them, among the heights, about which it is a broken power of the distance. Far below them loads do not tell
+    /// the distance well enough.
+    broken_powers: Vec<f64>,
+    /// The longest panel: longer than the last that was good by the growth that it allows.
     length: f64,
     /// No panel before the next kink is longer: one that was longer failed.
     limit: f64,
@@ -103,15 +108,20 @@ impl Steps {
             Some(point) => point.separation,
             None => branch.farthest() - LEAST_OVERLAP,
         };
-        // All that is left of the branch may be as short as adhesion reaches.
-        let shortest_at_end = SHORTEST_AT_END.min(0.01 * population.range_of_adhesion());
+        // Where heights end, all that is left of the branch may be as short as adhesion reaches.
+        let shortest_at_end = match population.heights().support().1.is_finite() {
+            true => SHORTEST_AT_END.min(0.01 * population.range_of_adhesion()),
+            false => SHORTEST_AT_END,
+        };
+        let middle = -population.heights().origin();
         Self {
-            middle: -population.heights().origin(),
+            middle,
             end,
             at_pull_off: branch.pull_off().is_some(),
             shortest_at_end,
             kinks,
             resolved,
+            broken_powers: population.passings_of_foot().into_iter().filter(|&at| at >= middle + DEEP).collect(),
             length: f64::MAX,
             limit: f64::INFINITY,
             obstacle: f64::INFINITY,
@@ -195,19 +205,35 @@ impl Steps {
         let start = self.position(from);
         let nearest = if self.is_table() { NEAREST_KINKS } else { SHORTEST }.min(NEAREST_PART * rest);
         let nearest = nearest.max(SHORTEST_PASSING * (self.middle + DEEP - from));
-        if let Some(to) = kink.filter(|&kink| kink - from < nearest) {
+        let (begins, ends) = (self.is_broken_power(from), kink.is_some_and(|kink| self.is_broken_power(kink)));
+        if let Some(to) = kink.filter(|&kink| kink - from < nearest && !(begins || ends)) {
             return self.bridge(from, to);
         }
         let border = (self.is_deep(from) && self.middle + DEEP < self.end).then_some(self.middle + DEEP);
-        let stop = kink.into_iter().chain(border).fold(self.end, f64::min);
+        // A panel has room for one broken power.
+        let halfway = kink.filter(|_| begins && ends).map(|kink| 0.5 * (from + kink));
+        let stop = [kink, border, halfway].into_iter().flatten().fold(self.end, f64::min);
         let shortest = if self.at_pull_off && s <= LONGEST_LAST { 0.1 * rest } else { self.shortest(from, rest) };
         let length = self.longest(from, s).min((PART_TO_OBSTACLE * (self.obstacle - start)).max(shortest));
         let whole = self.distance(from, stop);
         // What little would be left is part of this panel.
-        if length >= WHOLE * whole {
-            return Stretch { to: stop, is_bridge: false, length: whole, shortest };
-        }
-        Stretch { to: self.beyond(from, length), is_bridge: false, length, shortest }
+        let is_whole = length >= WHOLE * whole;
+        let (to, length) = if is_whole { (stop, whole) } else { (self.beyond(from, length), length) };
+        let broken_power = match () {
+            () if begins => BrokenPower::AtBegin,
+            () if is_whole && self.is_broken_power(stop) => BrokenPower::AtEnd,
+            () => BrokenPower::Nowhere,
+        };
+        Stretch { to, broken_power, is_bridge: false, length, shortest }
+    }
+
+    fn bridge(&self, from: f64, to: f64) -> Stretch {
+        let length = self.distance(from, to);
+        Stretch { to, broken_power: BrokenPower::Nowhere, is_bridge: true, length, shortest: length }
+    }
+
+    fn is_broken_power(&self, separation: f64) -> bool {
+        self.broken_powers.contains(&separation)
     }
 
     /// Whether the last panel was too long.
@@ -223,11 +249,6 @@ impl Steps {
     /// The rest of what lies far below the heights up to the next kink, left to exact evaluation.
     pub fn skip(&self, from: f64) -> Stretch {
         self.bridge(from, self.kink_after(from).unwrap_or(f64::INFINITY).min(self.middle + DEEP).min(self.end))
-    }
-
-    fn bridge(&self, from: f64, to: f64) -> Stretch {
-        let length = self.distance(from, to);
-        Stretch { to, is_bridge: true, length, shortest: length }
     }
 
     fn kink_after(&self, from: f64) -> Option<f64> {
@@ -267,16 +288,19 @@ impl Steps {
         let to = self.position(to);
         if excess <= 1.0 {
             let growth = GROWTH.iter().find(|&&(part, _)| excess < part).map_or(1.0, |&(_, growth)| growth);
-            self.length = (growth * length).min(self.limit);
-        } else if length > HARDLY_SHORTER * shortest && self.resolved {
+            // Also where it was short for another reason.
+            self.length = (growth * length).max(self.length).min(self.limit);
+        } else if length > shortest && self.resolved {
             // As the error of so many conditions grows with length.
             let shorter = 0.9 * pow(excess, -1.0 / CONDITIONS as f64);
             let shorter = shorter.clamp(0.25, 0.8);
             // What is smooth needs no second try: the panel begins or ends where the curve is not.
             let is_deep = stretch.to <= self.middle + DEEP;
             self.length = (if self.failed && is_deep { 0.25 } else { shorter } * length).max(shortest);
-            let at_foot = !self.is_table() && self.kinks.contains(&stretch.to);
-            if (self.failed || at_foot) && !is_deep {
+            if stretch.broken_power == BrokenPower::AtEnd {
+                // Half of the way is far enough from it.
+                self.length = (0.5 * length).max(shortest);
+            } else if self.failed && !is_deep {
                 self.obstacle = to;
             } else if length > 0.5 * LONGEST && !is_deep {
                 self.limit = BELOW_FAILED * length;
@@ -297,7 +321,7 @@ impl Steps {
         self.kinks.len() > FEW_KINKS
     }
 
-    /// After a kink: where the foot of a density passes, panels are short again; far below the heights what comes after has
+    /// After a kink panels are short again; far below the heights what comes after has
     /// nothing to do with what came before.
     fn begin_anew(&mut self, at: f64) {
         if self.kinks.binary_search_by(|kink| kink.total_cmp(&at)).is_err() {
@@ -306,7 +330,7 @@ impl Steps {
         self.limit = f64::INFINITY;
         if at >= self.middle + DEEP {
             if !self.is_table() {
-                self.length = SHORTEST;
+                self.length = AFTER_KINK;
             }
             return;
         }
@@ -327,6 +351,7 @@ mod tests {
             shortest_at_end: SHORTEST_AT_END,
             kinks: kinks.to_vec(),
             resolved: true,
+            broken_powers: Vec::new(),
             length: f64::MAX,
             limit: f64::INFINITY,
             obstacle: f64::INFINITY,
@@ -389,8 +414,8 @@ mod tests {
         let beyond = Stretch { to: second.to, ..third };
         assert!(steps.keeps(&beyond, 0.001));
         assert!(near(steps.next(second.to, 10.0).length, LONGEST.min(3.0 * third.length)));
-        let shortest = Stretch { length: HARDLY_SHORTER * third.shortest, ..third };
-        assert!(steps.keeps(&shortest, 1e9), "can hardly be shorter");
+        let shortest = Stretch { length: third.shortest, ..third };
+        assert!(steps.keeps(&shortest, 1e9), "cannot be shorter");
     }
 
     /// At kinks and at the end, but over kinks next to each other; where they are too many, what misses the curve is kept.
@@ -403,6 +428,32 @@ mod tests {
         let mut unresolved = Steps { resolved: false, ..steps(&[]) };
         let stretch = unresolved.next(0.0, 10.0);
         assert!(unresolved.keeps(&stretch, 1e9) && !unresolved.is_resolved());
+    }
+
+    #[test]
+    fn panels_begin_and_end_at_broken_powers() {
+        let mut steps = Steps { broken_powers: vec![0.9, 1.0], ..steps(&[0.9, 1.0, 5.0]) };
+        let to_foot = steps.next(0.0, 10.0);
+        assert_eq!((to_foot.to, to_foot.broken_power), (0.9, BrokenPower::AtEnd));
+        // One that is not good is tried again from halfway.
+        assert!(!steps.keeps(&to_foot, 1.5));
+        let halfway = steps.next(0.0, 10.0);
+        assert!(
+            near(halfway.length, PART_TO_OBSTACLE * to_foot.length) && halfway.broken_power == BrokenPower::Nowhere
+        );
+        assert!(steps.keeps(&halfway, 0.9));
+        let to_foot = steps.next(halfway.to, 10.0);
+        assert_eq!((to_foot.to, to_foot.broken_power), (0.9, BrokenPower::AtEnd));
+        assert!(steps.keeps(&to_foot, 0.9));
+        // Between two of them there are two panels, however near they are.
+        let first = steps.next(0.9, 10.0);
+        assert_eq!((first.to, first.broken_power), (0.95, BrokenPower::AtBegin));
+        assert!(steps.keeps(&first, 0.9));
+        let second = steps.next(0.95, 10.0);
+        assert_eq!((second.to, second.broken_power), (1.0, BrokenPower::AtEnd));
+        assert!(steps.keeps(&second, 0.9));
+        let beyond = steps.next(1.0, 10.0);
+        assert!(near(beyond.length, AFTER_KINK) && beyond.broken_power == BrokenPower::AtBegin);
     }
 
     #[test]

@@ -224,13 +224,19 @@ impl Population {
     /// an overlap where the law of one summit is not. And those between which all heights but a few pass such an overlap
     /// within a small part of it: there the sums are smooth on the scale of the heights alone.
     pub fn kinks(&self) -> Vec<f64> {
-        let foot = self.heights.power_at_lower_end().map(|_| self.heights.support().0);
-        let foot = foot.filter(|foot| foot + self.heights.origin() > LOWEST_FOOT);
-        let passed = self.heights.breakpoints().iter().copied().chain(foot).flat_map(|z| self.passings(z));
-        let mut kinks: Vec<f64> = passed.chain(self.deep_passings()).collect();
+        let passed = self.heights.breakpoints().iter().flat_map(|&z| self.passings(z));
+        let mut kinks: Vec<f64> = passed.chain(self.passings_of_foot()).chain(self.deep_passings()).collect();
         kinks.sort_by(f64::total_cmp);
         kinks.dedup();
         kinks
+    }
+
+    /// Those of them about which the sums are a broken power of the distance: the lower end of heights whose density there is
+    /// a power passes.
+    pub fn passings_of_foot(&self) -> Vec<f64> {
+        let foot = self.heights.power_at_lower_end().map(|_| self.heights.support().0);
+        let foot = foot.filter(|foot| foot + self.heights.origin() > LOWEST_FOOT);
+        foot.map_or(Vec::new(), |foot| self.passings(foot))
     }
 
     /// The separations at which smooth heights, from one end to the other in steps, pass overlaps far larger than heights
