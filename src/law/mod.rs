@@ -339,7 +339,7 @@ mod tests {
                     let miss = (slope / exact_slope - 1.0).abs();
                     // Next to one the load has lost digits of the distance.
                     let distance = feet.iter().map(|foot| (separation - foot).abs()).fold(f64::MAX, f64::min);
-                    let tolerance = quantity.slope_slack() * 2e-8 * (1e-4 / distance).max(1.0);
+                    let tolerance = quantity.slope_slack() * 5e-8 * (1e-4 / distance).max(1.0);
                     assert!(miss < tolerance, "{shape}, {quantity:?}, {separation}, {distance:e}: {miss:e}");
                 }
                 // By the table: but for what is nearer than a millionth of sigma.
