@@ -20,8 +20,8 @@ const SHORTEST: f64 = 1e-8;
 const AT_BREAKPOINT: f64 = 4e-15;
 /// Densities below exp(-NEGLIGIBLE) of the largest are left out of sums.
 const NEGLIGIBLE: f64 = 41.0;
-/// The upper tail is summed by panels of one length as far as ln phi falls by this.
-const TAIL: f64 = 30.0;
+/// The upper tail is summed by panels of one length as far as ln phi falls by this: the steeper rest is hardly ever summed.
+const TAIL: f64 = 20.0;
 /// It begins so far above the mode, in sigma.
 const TAIL_BEGINS: f64 = 0.5;
 /// The first panel above a lower end where the density is a power, in sigma: a density that is not a power alone is a power
@@ -81,7 +81,7 @@ fn lower_cut_at(heights: &dyn HeightDistribution, fall: f64) -> f64 {
     }
 }
 
-/// A panel length that serves the upper tail, from half a sigma above the mode to where ln phi is 30 below its largest
+/// A panel length that serves the upper tail, from half a sigma above the mode to where ln phi is 20 below its largest
 /// value, wherever it lies. It is as short as the steepest part needs: next to the upper end of a support very short.
 pub fn tail_panel_length(heights: &dyn HeightDistribution) -> f64 {
     let (lowest, highest) = heights.support();

@@ -2,7 +2,7 @@
 //! omega alone remains, and with it skew and kurtosis together.
 
 use super::{HeightDistribution, Motion};
-use crate::elementary::{exp, exp_each, expm1, log, log1p, pow};
+use crate::elementary::{exp, exp_each, expm1, log, log1p, log1p_each, pow};
 use crate::error::Error;
 use crate::float_bits::finite;
 use crate::numerics::quadrature::POINTS;
@@ -25,6 +25,7 @@ pub struct Weibull {
     mean: f64,
     /// ln(omega / z_M).
     ln_shape_over_mean: f64,
+    last_mode: f64,
     skew: f64,
     kurtosis: f64,
 }
@@ -54,7 +55,10 @@ impl Weibull {
     fn of_shape(shape: f64) -> Self {
         let Moments { ln_b1, variance, skew, kurtosis } = Moments::of(shape);
         let mean = 1.0 / variance.sqrt();
-        Self { shape, ln_b1, mean, ln_shape_over_mean: log(shape / mean), skew, kurtosis }
+        let mut heights =
+            Self { shape, ln_b1, mean, ln_shape_over_mean: log(shape / mean), last_mode: 0.0, skew, kurtosis };
+        heights.last_mode = heights.height_of_hazard(1.0 - 1.0 / shape);
+        heights
     }
 
     /// The shape whose skew this is.
@@ -85,16 +89,17 @@ impl Weibull {
     }
 
     /// ln(1 + z/z_M), ln of the height above the lower end over the mean height; finite at the end itself.
-    fn log_relative(&self, z: f64) -> f64 {
+    #[inline]
+    fn log_relative<const N: usize>(&self, z: [f64; N]) -> [f64; N] {
         /// exp of less is 0.
         const LOWEST: f64 = -745.0;
-        log1p((z / self.mean).max(-1.0)).max(LOWEST)
+        log1p_each(z.map(|z| (z / self.mean).max(-1.0))).map(|log| log.max(LOWEST))
     }
 
     /// ln phi at each height of the support.
     #[inline]
     fn log_densities<const N: usize>(&self, z: [f64; N]) -> [f64; N] {
-        let relative = z.map(|z| self.log_relative(z));
+        let relative = self.log_relative(z);
         // The logarithm of the cumulative hazard (C y)^omega at y = z + z_M.
         let log_hazard = relative.map(|relative| self.shape * (self.ln_b1 + relative));
         // Beyond these bounds a hazard is nothing, or the density is.
@@ -126,7 +131,8 @@ impl HeightDistribution for Weibull {
     }
 
     fn log_density_slope(&self, z: f64) -> f64 {
-        let hazard = exp((self.shape * (self.ln_b1 + self.log_relative(z))).min(600.0));
+        let [relative] = self.log_relative([z]);
+        let hazard = exp((self.shape * (self.ln_b1 + relative)).min(600.0));
         (self.shape - 1.0 - self.shape * hazard) / (z + self.mean).max(f64::MIN_POSITIVE)
     }
 
@@ -144,7 +150,7 @@ impl HeightDistribution for Weibull {
     }
 
     fn last_mode(&self) -> f64 {
-        self.height_of_hazard(1.0 - 1.0 / self.shape)
+        self.last_mode
     }
 
     fn is_log_concave(&self) -> bool {
@@ -194,7 +200,8 @@ impl<'a> WeibullMotion<'a> {
 
 impl Motion for WeibullMotion<'_> {
     fn above_origin(&self, z: f64) -> [f64; 2] {
-        let f = Self::shape_change(self.heights.shape, self.heights.log_relative(z));
+        let [log_relative] = self.heights.log_relative([z]);
+        let f = Self::shape_change(self.heights.shape, log_relative);
         [self.heights.mean * (f - self.mean - z * self.slope), 0.0]
     }
 }

@@ -32,8 +32,9 @@ const NOISE: f64 = 4.0;
 /// No more than about this many exact states are spent where kinks do not ask for more, and no more than half of them
 /// to resolve loads so heavy that all summits are deep in contact; what they do not reach is evaluated exactly.
 const MOST_SAMPLES: usize = 1000;
-/// Where ln(sinh s) is larger, s is that and ln 2 to rounding.
-const FAR: f64 = 20.0;
+/// Where ln(sinh s) is larger, so many terms of the series of ln((1 + (1 + y)^(1/2))/2) give it to rounding.
+const FAR: f64 = 3.0;
+const SERIES: [f64; 5] = [1.0 / 4.0, -3.0 / 32.0, 5.0 / 96.0, -35.0 / 1024.0, 63.0 / 2560.0];
 /// In panels that span less than this of s, differences of logarithms have lost the digits that its slopes have.
 const NARROW: f64 = 2e-4;
 /// Where a panel is compared next to a broken power. s has lost digits of the distance there, and slopes may miss by so
@@ -83,7 +84,7 @@ struct Panel {
     lowest: f64,
     highest: f64,
     broken_power: BrokenPower,
-    /// The logarithms at the first node, to which the others are relative.
+    /// The logarithms at the first node, to which the others are relative; no number where the panel misses exact states.
     reference: PerQuantity,
     /// In s, or in the root of the distance from the broken power.
     nodes: [f64; NODES],
@@ -91,8 +92,6 @@ struct Panel {
     log_value: [[f64; CONDITIONS]; Quantity::COUNT],
     /// The position of the separation, as [`Steps::position`], in Newton's form, each node once.
     position: [f64; NODES],
-    /// Whether its quantities meet the exact states between its nodes.
-    good: [bool; Quantity::COUNT],
 }
 
 /// A panel with the exact states that it was compared with.
@@ -127,14 +126,15 @@ impl Coordinate {
         };
         let log_sinh = log_excess.map(|log_excess| 0.5 * (log_excess - log_pull_off));
         if log_sinh.iter().all(|&log_sinh| log_sinh > FAR) {
-            return log_sinh.map(|log_sinh| (LN_2 + log_sinh, 0.5));
+            // s = ln 2 + ln(sinh s) + ln((1 + (1 + y)^(1/2))/2) with y = 1/sinh^2 s.
+            let y = exp_each(log_sinh.map(|log_sinh| -2.0 * log_sinh));
+            return std::array::from_fn(|i| {
+                let y = y[i];
+                let rest = y * (SERIES[0] + y * (SERIES[1] + y * (SERIES[2] + y * (SERIES[3] + y * SERIES[4]))));
+                (LN_2 + log_sinh[i] + rest, 0.5 / (1.0 + y).sqrt())
+            });
         }
-        let sinh = exp_each(log_sinh);
-        std::array::from_fn(|i| {
-            let sinh = sinh[i];
-            if log_sinh[i] > FAR {
-                return (LN_2 + log_sinh[i], 0.5);
-            }
+        exp_each(log_sinh).map(|sinh| {
             let cosh = (1.0 + sinh * sinh).sqrt();
             let s = if sinh > 1.0 { log(sinh + cosh) } else { log1p(sinh + sinh * sinh / (1.0 + cosh)) };
             (s, 0.5 * sinh / cosh)
@@ -233,7 +233,7 @@ impl Curve {
             BrokenPower::AtEnd => self.sample(branch, at(NEXT_TO_BROKEN_POWER))?,
         };
         self.samples += NODES + 3;
-        let excess = Quantity::ALL.map(|quantity| {
+        let excess = panel.keep_good(|panel, quantity| {
             // Where a panel ends there may be a kink; between the nodes it is slopes that tell how far values are off, but not
             // in a narrow one.
             let slack = quantity.slope_slack();
@@ -242,8 +242,6 @@ impl Curve {
             let compared = [(&from, slack), (&between, within), (&sparse, within), next_to_it, (&end, slack)];
             compared.map(|(sample, slack)| panel.excess(quantity, sample, slack)).into_iter().fold(0.0, largest)
         });
-        panel.good = excess.map(|excess| excess <= 1.0);
-        let excess = excess.into_iter().fold(0.0, f64::max);
         Ok(Attempt { panel, between: [between, sparse], end, excess })
     }
 
@@ -253,7 +251,7 @@ impl Curve {
         let between = self.sample(branch, 0.5 * (from.separation + end.separation))?;
         let mut panel = Panel::bridge(&from, &end, |sample| self.steps.position(sample.separation));
         self.samples += 2;
-        panel.good = Quantity::ALL.map(|quantity| panel.excess(quantity, &between, quantity.slope_slack()) <= 1.0);
+        panel.keep_good(|panel, quantity| panel.excess(quantity, &between, quantity.slope_slack()));
         Ok(Attempt { panel, between: [between, between], end, excess: 0.0 })
     }
 
@@ -317,25 +315,20 @@ impl Curve {
         let s = coordinates.map(|(s, _)| s);
         // Mostly one panel holds all: then they are evaluated side by side.
         let panel = self.panel(s[0]);
-        let logs = if s.iter().all(|&s| std::ptr::eq(self.panel(s), panel)) {
-            panel.log_value_at(quantity, s)
-        } else {
-            s.map(|s| self.panel(s).log_value_at(quantity, [s])[0])
+        let logs = match s.iter().all(|&s| panel.holds(s)) {
+            true => panel.log_value_at(quantity, s),
+            false => s.map(|s| self.panel(s).log_value_at(quantity, [s])[0]),
         };
         let value = exp_each(logs.map(|(log_value, _)| log_value));
         let reference = self.coordinate.reference[quantity as usize];
         std::array::from_fn(|i| (reference * value[i], logs[i].1 * coordinates[i].1))
     }
 
-    /// The same at one ln x, of which the curve covers or not.
+    /// The same at one ln x; `None` where the curve does not know it.
     pub fn within(&self, quantity: Quantity, log_excess: f64) -> Option<(f64, f64)> {
-        let (s, rate) = self.coordinate.at(log_excess);
-        let panel = self.panel(s);
-        if !(panel.good[quantity as usize] && s >= panel.lowest && s <= panel.highest) {
-            return None;
-        }
-        let [(log_value, slope)] = panel.interpolated(quantity, [s]);
-        Some((self.coordinate.reference[quantity as usize] * exp(log_value), slope * rate))
+        let (s, _) = self.coordinate.at(log_excess);
+        let [at] = self.at_each(quantity, [log_excess]);
+        (self.panel(s).holds(s) && !at.0.is_nan()).then_some(at)
     }
 
     /// A quantity of an exact state, and the slope of its logarithm by ln x.
@@ -348,7 +341,7 @@ impl Curve {
     pub fn separation(&self, log_excess: f64) -> Option<f64> {
         let (s, _) = self.coordinate.at(log_excess);
         let panel = self.panel(s);
-        (s >= panel.lowest && s <= panel.highest).then(|| self.steps.separation(panel.position_at(s)))
+        panel.holds(s).then(|| self.steps.separation(panel.position_at(s)))
     }
 
     fn panel(&self, s: f64) -> &Panel {
@@ -392,16 +385,7 @@ impl Panel {
             hermite(&nodes, values, slopes)
         });
         let position = differences(&nodes, std::array::from_fn(|i| position(&samples[i])));
-        Self {
-            lowest,
-            highest,
-            broken_power,
-            reference: samples[0].log_value,
-            nodes,
-            log_value,
-            position,
-            good: [false; Quantity::COUNT],
-        }
+        Self { lowest, highest, broken_power, reference: samples[0].log_value, nodes, log_value, position }
     }
 
     /// The cubic between two states.
@@ -415,8 +399,8 @@ impl Panel {
             (log_value[1], log_value[2]) = (start, (0.5 * (start + end) - start) / width);
             log_value
         });
-        let mut stretch = [0.0; NODES];
-        (stretch[0], stretch[1]) = (position(from), (position(to) - position(from)) / width);
+        let mut line = [0.0; NODES];
+        (line[0], line[1]) = (position(from), (position(to) - position(from)) / width);
         Self {
             lowest: to.s,
             highest: from.s,
@@ -424,33 +408,43 @@ impl Panel {
             reference: from.log_value,
             nodes,
             log_value,
-            position: stretch,
-            good: [false; Quantity::COUNT],
+            position: line,
         }
     }
 
-    /// The logarithm of a quantity and its derivative by s; NaN where the panel is not known to be good.
+    /// Makes quantities no numbers that miss exact states by more than the tolerance; the largest error over it.
+    fn keep_good(&mut self, excess: impl Fn(&Self, Quantity) -> f64) -> f64 {
+        let excess = Quantity::ALL.map(|quantity| excess(self, quantity));
+        for (reference, _) in self.reference.iter_mut().zip(excess).filter(|(_, excess)| *excess > 1.0) {
+            *reference = f64::NAN;
+        }
+        excess.into_iter().fold(0.0, f64::max)
+    }
+
+    fn holds(&self, s: f64) -> bool {
+        s >= self.lowest && s <= self.highest
+    }
+
+    /// The logarithm of a quantity and its derivative by s.
     fn log_value_at<const N: usize>(&self, quantity: Quantity, s: [f64; N]) -> [(f64, f64); N] {
-        if !self.good[quantity as usize] {
-            return [(f64::NAN, f64::NAN); N];
-        }
-        self.interpolated(quantity, s)
+        s.map(|s| self.place(s)).map(|(place, rate)| {
+            let (value, slope) = self.polynomial(quantity, place);
+            (value, slope * rate)
+        })
     }
 
-    /// The same, good or not.
-    fn interpolated<const N: usize>(&self, quantity: Quantity, s: [f64; N]) -> [(f64, f64); N] {
-        let log_value = &self.log_value[quantity as usize];
-        let mut value = [log_value[CONDITIONS - 1]; N];
-        let mut slope = [0.0; N];
-        let places = s.map(|s| self.place(s));
-        for i in (0..CONDITIONS - 1).rev() {
-            for k in 0..N {
-                let distance = places[k].0 - self.nodes[i / 2];
-                slope[k] = slope[k] * distance + value[k];
-                value[k] = value[k] * distance + log_value[i];
+    #[inline(always)] // so that several are worked out side by side
+    fn polynomial(&self, quantity: Quantity, place: f64) -> (f64, f64) {
+        let (mut value, mut slope) = (0.0, 0.0);
+        let coefficients = self.log_value[quantity as usize].chunks_exact(2);
+        for (node, pair) in self.nodes.iter().zip(coefficients).rev() {
+            let distance = place - node;
+            for coefficient in [pair[1], pair[0]] {
+                slope = slope * distance + value;
+                value = value * distance + coefficient;
             }
         }
-        std::array::from_fn(|k| (self.reference[quantity as usize] + value[k], slope[k] * places[k].1))
+        (self.reference[quantity as usize] + value, slope)
     }
 
     /// Where s lies among the nodes, and d(that)/ds.
@@ -477,7 +471,7 @@ impl Panel {
     /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number. The
     /// slope may miss by so many times its tolerance.
     fn excess(&self, quantity: Quantity, sample: &Sample, slope_slack: f64) -> f64 {
-        let [(value, slope)] = self.interpolated(quantity, [sample.s]);
+        let [(value, slope)] = self.log_value_at(quantity, [sample.s]);
         let exact = sample.slope[quantity as usize];
         let value_excess = (value - sample.log_value[quantity as usize]).abs() / VALUE_TOLERANCE;
         // Neither at pull-off itself nor at a broken power slopes are known.
@@ -708,12 +702,9 @@ mod tests {
             }
         };
         let node = |j: usize| 0.1 + (1.0 + (std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64).cos()).powf(1.2);
-        Panel {
-            good: [true; Quantity::COUNT],
-            ..Panel::new((0.1, 2.5), BrokenPower::Nowhere, &std::array::from_fn(|j| sample(node(j))), |sample| {
-                sample.separation
-            })
-        }
+        Panel::new((0.1, 2.5), BrokenPower::Nowhere, &std::array::from_fn(|j| sample(node(j))), |sample| {
+            sample.separation
+        })
     }
 
     #[test]
@@ -742,7 +733,9 @@ mod tests {
         for (quantity, expected) in [(Quantity::Friction, (6.32, 4.2)), (Quantity::Radius, (1.44, 2.4))] {
             let [(value, slope)] = panel.log_value_at(quantity, [1.2]);
             assert!(near(value, expected.0, 1e-13) && near(slope, expected.1, 1e-11), "{value}, {slope}");
-            assert!(Panel { good: [false; 2], ..panel.clone() }.log_value_at(quantity, [1.2])[0].0.is_nan());
+            let mut missed = panel.clone();
+            assert_eq!(missed.keep_good(|_, of| if of == quantity { 2.0 } else { 0.5 }), 2.0);
+            assert!(Quantity::ALL.iter().all(|&of| missed.log_value_at(of, [1.2])[0].0.is_nan() == (of == quantity)));
         }
         let gaps: Vec<[f64; 2]> =
             panel.nodes.windows(2).map(|pair| [pair[0] - pair[1], 0.5 * (pair[0] + pair[1])]).collect();

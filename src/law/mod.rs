@@ -180,6 +180,7 @@ impl Compiled {
         let base = ((exp(lower.max(-700.0)).to_bits() >> shift) + 1).min(end);
         let mut table = Table::new(FRACTION, base, pull_off_load * scale.load);
         let count = ((end - base) as usize).min(MOST_ROWS);
+        table.rows.reserve(count);
         let mut error = Filling::new(&mut Along(curve, quantity), scale, FRACTION).rows(&mut table, count);
         error = error.max(match exact {
             None => divide(&mut Along(curve, quantity), scale, &mut table),

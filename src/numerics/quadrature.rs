@@ -38,6 +38,13 @@ pub fn nodes(a: f64, b: f64) -> impl Iterator<Item = (f64, f64)> {
     on(&HALF, a, b)
 }
 
+/// The same, all at once.
+#[inline]
+pub fn panel(a: f64, b: f64) -> [(f64, f64); POINTS] {
+    let mut nodes = nodes(a, b);
+    std::array::from_fn(|_| nodes.next().unwrap_or_default())
+}
+
 /// As [`nodes`], with fewer points where the panel is but a `part` of one that 16 points are enough for: the error is
 /// about (part/4)^(2 points).
 #[inline]

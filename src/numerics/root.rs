@@ -6,18 +6,23 @@
 /// `f` must change sign between the ends; where it does not, the end with the smaller |f| is the answer.
 pub fn bracketed(mut f: impl FnMut(f64) -> f64, lower: f64, upper: f64) -> f64 {
     let (at_upper, at_lower) = (f(upper), f(lower));
-    between(f, (lower, at_lower), (upper, at_upper))
+    between(f, (lower, at_lower), (upper, at_upper), 1e-18)
 }
 
-/// The same where the values at both ends are known.
-pub fn between(mut f: impl FnMut(f64) -> f64, (lower, at_lower): (f64, f64), (upper, at_upper): (f64, f64)) -> f64 {
+/// The same where the values at both ends are known, to this part of the bracket or to the last bit or two.
+pub fn between(
+    mut f: impl FnMut(f64) -> f64,
+    (lower, at_lower): (f64, f64),
+    (upper, at_upper): (f64, f64),
+    part: f64,
+) -> f64 {
     let (mut a, mut b) = (upper, lower);
     let (mut fa, mut fb) = (at_upper, at_lower);
     if (fa < 0.0) == (fb < 0.0) {
         return if fa.abs() < fb.abs() { a } else { b };
     }
     // A root at zero has no relative resolution.
-    let resolution = 1e-18 * (upper - lower).abs();
+    let resolution = part * (upper - lower).abs();
     let mut t = 0.5;
     for _ in 0..200 {
         let x = a + t * (b - a);
@@ -50,12 +55,19 @@ pub fn between(mut f: impl FnMut(f64) -> f64, (lower, at_lower): (f64, f64), (up
 
 #[cfg(test)]
 mod tests {
-    use super::bracketed;
+    use super::{between, bracketed};
 
     #[test]
-    fn a_root_is_found_to_the_last_bits() {
+    fn a_root_is_found_to_the_last_bits_or_as_well_as_is_asked_for() {
         let root = bracketed(|x| x * x * x - 2.0, 0.0, 2.0);
         assert!((root - 2f64.cbrt()).abs() < 1e-15);
+        let mut count = 0;
+        let counted = |x: f64| {
+            count += 1;
+            x * x * x - 2.0
+        };
+        let rough = between(counted, (0.0, -2.0), (2.0, 6.0), 1e-3);
+        assert!((rough - 2f64.cbrt()).abs() < 4e-3 && count < 6, "{rough} by {count} evaluations");
         let steep = bracketed(|x: f64| x.exp() - 1e100, 0.0, 700.0);
         assert!((steep / (100.0 * 10f64.ln()) - 1.0).abs() < 1e-15);
     }

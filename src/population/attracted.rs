@@ -87,15 +87,12 @@ impl Population {
             let g = self.radius.factor(z);
             let here = law.at_overlap(overlap, g);
             let (length, span) = self.attraction_panel(&here, smooth, shortest);
-            let nodes: [_; quadrature::POINTS] = {
-                let mut nodes = quadrature::nodes(0.0, span);
-                std::array::from_fn(|_| {
-                    let (wider, weight) = nodes.next().unwrap_or_default();
-                    let (rise, rate) = here.rise(wider);
-                    (rise, weight * rate)
-                })
-            };
-            let densities = self.densities(separation, nodes.map(|(rise, _)| (z + rise, overlap + rise)));
+            let nodes = quadrature::panel(0.0, span).map(|(wider, weight)| {
+                let (rise, rate) = here.rise(wider);
+                (rise, weight * rate)
+            });
+            let [heights, overlaps] = [z, overlap].map(|from| nodes.map(|(rise, _)| from + rise));
+            let densities = self.densities(separation, heights, overlaps);
             for ((rise, weight), density) in nodes.into_iter().zip(densities) {
                 visit(z + rise, overlap + rise, weight * density);
             }

@@ -34,8 +34,8 @@ impl Edge {
 
     /// The edge at a separation, where no summit holds on to a smaller overlap than `deepest`.
     pub fn at_separation(law: &dyn ContactLaw, radius: &RadiusProfile, separation: f64, deepest: f64) -> Self {
-        if deepest == 0.0 {
-            return Self::at(law, radius, separation);
+        if deepest == 0.0 || radius.is_constant() {
+            return Self::at(law, radius, separation + deepest);
         }
         let excess = |z: f64| (z - separation) - law.break_away(radius.factor(z)).overlap;
         // An edge lies between d + deepest and d, rounding apart.

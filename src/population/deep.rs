@@ -7,27 +7,29 @@
 use super::sums::{Summit, Sums};
 use super::Population;
 use crate::asperity::contact::{Contact, KINKS};
+use crate::asperity::slip::Slip;
 use crate::distribution::panel::{self, FootPanel};
 use crate::distribution::HeightDistribution;
 use crate::elementary::exp;
-use crate::numerics::quadrature::{self, POINTS};
+use crate::numerics::quadrature;
 
-/// How far above break-away the lowest summit is, over the range of heights: a polynomial through the points then follows
-/// the law of contact to rounding.
+/// How far above break-away the lowest summit is, over the range of heights: a polynomial through [`MANY`] points then
+/// follows the law of contact to rounding.
 const LEAST_CLEARANCE: f64 = 0.7;
+const MANY: usize = quadrature::POINTS;
+/// And so far above, through [`FEW`].
+const FAR_CLEARANCE: f64 = 60.0;
+const FEW: usize = 6;
 /// Heights above which less than this part of all lies are left out.
 const NEGLIGIBLE: f64 = 1e-17;
 
 /// Points among the heights with their weights.
 #[derive(Debug, Clone)]
 pub struct DeepRule {
-    /// The range of the heights that count.
-    lowest: f64,
-    highest: f64,
-    /// Gauss points of the range.
-    heights: [f64; POINTS],
-    /// The integrals of the density times the polynomial that is 1 at one point and 0 at the others.
-    weights: [f64; POINTS],
+    /// Where the panels of the density begin and end, over the range of the heights that count.
+    ends: Vec<f64>,
+    many: Points<MANY>,
+    few: Points<FEW>,
     /// The smallest overlap at which a contact holds, and those at the radii of the slip law.
     break_away: f64,
     kinks: [f64; 2],
@@ -35,172 +37,198 @@ pub struct DeepRule {
     kinks_of_contact: [f64; KINKS],
 }
 
+/// So many Gauss points of the range of heights.
+#[derive(Debug, Clone)]
+struct Points<const N: usize> {
+    heights: [f64; N],
+    /// The product of the distances of each from the others.
+    scales: [f64; N],
+    /// For each panel, the integrals over the density from where it begins up, times the polynomials.
+    weights: Vec<[f64; N]>,
+}
+
 impl DeepRule {
     /// The rule of a population of equal radii.
     pub fn new(population: &Population) -> Self {
-        let density = sampled(&*population.heights, population.lower_cut, population.highest);
-        let lowest = population.lower_cut;
-        let highest = density.last().map_or(lowest, |&(z, _)| z);
-        let heights: [f64; POINTS] = {
-            let mut nodes = quadrature::nodes(lowest, highest);
-            std::array::from_fn(|_| nodes.next().unwrap_or_default().0)
-        };
-        let basis = Basis::new(&heights);
-        let mut weights = [0.0; POINTS];
-        for &(z, fraction) in &density {
-            for (weight, polynomial) in weights.iter_mut().zip(basis.at(z)) {
-                *weight += fraction * polynomial;
-            }
-        }
+        let (ends, samples) = sampled(&*population.heights, population.lower_cut, population.highest);
+        let (many, few) = (Points::new(&ends, &samples, 1.0), Points::new(&ends, &samples, 0.0));
         let break_away = population.law.break_away(1.0).overlap;
         let kinks =
             population.slip.kinks().map(|radius| population.overlap_at_radius(radius, 1.0).unwrap_or(break_away));
-        let kinks_of_contact = population.kinks_of_contact;
-        Self { lowest, highest, heights, weights, break_away, kinks, kinks_of_contact }
+        Self { ends, many, few, break_away, kinks, kinks_of_contact: population.kinks_of_contact }
+    }
+
+    /// The lowest and the highest of the heights that count.
+    fn range(&self) -> (f64, f64) {
+        (self.ends[0], self.ends[self.ends.len() - 1])
+    }
+
+    /// How far above break-away the lowest summit is at a separation, over the range of heights.
+    fn clearance(&self, separation: f64) -> f64 {
+        let (lowest, highest) = self.range();
+        (lowest - separation - self.break_away) / (highest - lowest)
     }
 
     /// Whether the rule is good at a separation.
     pub fn covers(&self, separation: f64) -> bool {
-        let clearance = self.lowest - separation - self.break_away;
-        let is_within = |kink: &f64| (self.lowest..self.highest).contains(&(separation + kink));
-        clearance > LEAST_CLEARANCE * (self.highest - self.lowest) && !self.kinks_of_contact.iter().any(is_within)
+        let (lowest, highest) = self.range();
+        let is_within = |kink: &f64| (lowest..highest).contains(&(separation + kink));
+        self.clearance(separation) > LEAST_CLEARANCE && !self.kinks_of_contact.iter().any(is_within)
     }
 
     /// The sums at a separation that the rule covers.
     pub fn sums(&self, population: &Population, separation: f64) -> Sums {
+        match self.clearance(separation) > FAR_CLEARANCE {
+            true => self.sums_over(&self.few, population, separation),
+            false => self.sums_over(&self.many, population, separation),
+        }
+    }
+
+    fn sums_over<const N: usize>(&self, points: &Points<N>, population: &Population, separation: f64) -> Sums {
+        let (lowest, highest) = self.range();
+        let contacts = points.contacts(population, separation);
+        let kinks = self.kinks.map(|overlap| separation + overlap);
+        let regime = kinks.iter().filter(|&&kink| kink <= lowest).count();
+        let mut sums = Sums::default();
+        for (contact, weight) in contacts.iter().zip(points.weights[0]) {
+            sums.add_contact(weight, &Summit::in_regime(contact, &population.slip, regime));
+        }
+        for (regime, &kink) in kinks.iter().enumerate().skip(regime).filter(|(_, &kink)| kink < highest) {
+            let change = RegimeChange::new(&contacts, &population.slip, regime);
+            self.add_above(&mut sums, &*population.heights, points, &change, kink);
+        }
+        sums
+    }
+
+    /// Adds a change of friction for all summits above a kink.
+    fn add_above<const N: usize>(
+        &self,
+        sums: &mut Sums,
+        heights: &dyn HeightDistribution,
+        points: &Points<N>,
+        change: &RegimeChange<N>,
+        kink: f64,
+    ) {
+        // The panel that begins above it, and what is left of the one before.
+        let next = self.ends.partition_point(|&end| end <= kink);
+        let mut weights = points.weights.get(next).copied().unwrap_or([0.0; N]);
+        for (from, to) in panel::panels(heights, kink, self.ends[next]) {
+            points.weigh(&mut weights, &samples(heights, from, to));
+        }
+        for ((weight, force), slope) in weights.iter().zip(change.force).zip(change.slope) {
+            sums.friction += weight * force;
+            sums.friction_slope -= weight * slope;
+        }
+    }
+}
+
+impl<const N: usize> Points<N> {
+    /// Of a density sampled panel by panel, with the rule for this part of a long panel.
+    fn new(ends: &[f64], panels: &[Samples], part: f64) -> Self {
+        let mut nodes = quadrature::nodes_of_part(part, ends[0], ends[ends.len() - 1]);
+        let heights: [f64; N] = std::array::from_fn(|_| nodes.next().unwrap_or_default().0);
+        let scales = std::array::from_fn(|i| {
+            let others = heights.iter().enumerate().filter(|&(other, _)| other != i);
+            others.map(|(_, other)| heights[i] - other).product()
+        });
+        let mut points = Self { heights, scales, weights: Vec::new() };
+        let mut above = [0.0; N];
+        for panel in panels.iter().rev() {
+            points.weigh(&mut above, panel);
+            points.weights.push(above);
+        }
+        points.weights.reverse();
+        points
+    }
+
+    /// Adds the fractions of a panel, each times the polynomials.
+    fn weigh(&self, weights: &mut [f64; N], panel: &Samples) {
+        for &(z, fraction) in panel {
+            for (weight, polynomial) in weights.iter_mut().zip(self.polynomials(z)) {
+                *weight += fraction * polynomial;
+            }
+        }
+    }
+
+    /// The polynomials that are 1 at one of the points and 0 at the others, at one place.
+    fn polynomials(&self, z: f64) -> [f64; N] {
+        let mut values = self.scales.map(|scale| 1.0 / scale);
+        let (mut below, mut above) = (1.0, 1.0);
+        for i in 0..N {
+            values[i] *= below;
+            below *= z - self.heights[i];
+            let last = N - 1 - i;
+            values[last] *= above;
+            above *= z - self.heights[last];
+        }
+        values
+    }
+
+    /// The contacts at the points.
+    fn contacts(&self, population: &Population, separation: f64) -> [Contact; N] {
         let law = &*population.law;
         let mut guess = law.guess(self.heights[0] - separation, 1.0);
         let mut last: Option<(f64, Contact)> = None;
-        let contacts: [Contact; POINTS] = std::array::from_fn(|i| {
-            let z = self.heights[i];
+        self.heights.map(|z| {
             if let Some((before, contact)) = last {
                 guess = contact.parameter + (z - before) / contact.overlap_rate;
             }
             let contact = law.at_overlap(z - separation, 1.0, guess);
             last = Some((z, contact));
             contact
-        });
-        let kinks = self.kinks.map(|overlap| separation + overlap);
-        let regime = kinks.iter().filter(|&&kink| kink <= self.lowest).count();
-        let mut sums = Sums::default();
-        for (contact, weight) in contacts.iter().zip(self.weights) {
-            sums.add_contact(weight, &Summit::in_regime(contact, &population.slip, regime));
-        }
-        for (regime, &kink) in kinks.iter().enumerate().skip(regime).filter(|(_, &kink)| kink < self.highest) {
-            self.add_next_regime(&mut sums, population, &contacts, (regime, kink));
-        }
-        sums
+        })
     }
+}
 
-    /// Adds what friction above a kink of the slip law has more than if its regime went on.
-    fn add_next_regime(
-        &self,
-        sums: &mut Sums,
-        population: &Population,
-        contacts: &[Contact; POINTS],
-        (regime, kink): (usize, f64),
-    ) {
-        let [before, after] =
-            [regime, regime + 1].map(|regime| contacts.map(|c| Summit::in_regime(&c, &population.slip, regime)));
-        let change = |of: fn(&Summit) -> f64| {
-            Interpolation::new(&self.heights, std::array::from_fn(|i| of(&after[i]) - of(&before[i])))
-        };
-        let (force, slope) = (change(|summit| summit.friction), change(|summit| summit.friction_by_overlap));
-        for (from, to) in panel::panels(&*population.heights, kink, self.highest) {
-            let mut nodes = quadrature::nodes(from, to);
-            let nodes: [(f64, f64); POINTS] = std::array::from_fn(|_| nodes.next().unwrap_or_default());
-            let heights = nodes.map(|(z, _)| z);
-            let (force, slope) = (force.at(heights), slope.at(heights));
-            for (i, density) in population.heights.densities(heights).into_iter().enumerate() {
-                sums.friction += nodes[i].1 * density * force[i];
-                sums.friction_slope -= nodes[i].1 * density * slope[i];
-            }
+/// What friction and its slope by overlap change by from one regime of slip to the next, at each point.
+struct RegimeChange<const N: usize> {
+    force: [f64; N],
+    slope: [f64; N],
+}
+
+impl<const N: usize> RegimeChange<N> {
+    fn new(contacts: &[Contact; N], slip: &Slip, regime: usize) -> Self {
+        let [before, after] = [regime, regime + 1].map(|regime| contacts.map(|c| Summit::in_regime(&c, slip, regime)));
+        Self {
+            force: std::array::from_fn(|i| after[i].friction - before[i].friction),
+            slope: std::array::from_fn(|i| after[i].friction_by_overlap - before[i].friction_by_overlap),
         }
     }
 }
 
-/// The density at the nodes of panels over all heights that count, times their weights; the last is the end of the range.
-fn sampled(heights: &dyn HeightDistribution, lowest: f64, highest: f64) -> Vec<(f64, f64)> {
-    let (mut samples, mut total, mut end) = (Vec::new(), 0.0, lowest);
+/// The fractions of all summits at the nodes of one panel.
+type Samples = [(f64, f64); quadrature::POINTS];
+
+/// Those of an ordinary panel.
+fn samples(heights: &dyn HeightDistribution, from: f64, to: f64) -> Samples {
+    let nodes = quadrature::panel(from, to);
+    let densities = heights.densities(nodes.map(|(z, _)| z));
+    std::array::from_fn(|i| (nodes[i].0, nodes[i].1 * densities[i]))
+}
+
+/// Panels over all heights that count: where they begin and end, and the density at their nodes, times the weights.
+fn sampled(heights: &dyn HeightDistribution, lowest: f64, highest: f64) -> (Vec<f64>, Vec<Samples>) {
+    let (mut ends, mut panels, mut total) = (vec![lowest], Vec::new(), 0.0);
+    let mut start = lowest;
     if let Some(panel) = FootPanel::new(heights, 1.0).filter(|_| lowest <= heights.support().0) {
-        for (v, weight) in quadrature::nodes(0.0, 1.0) {
+        panels.push(quadrature::panel(0.0, 1.0).map(|(v, weight)| {
             let (rise, rate) = panel.at(v);
-            samples.push((lowest + rise, weight * rate * exp(heights.log_density(lowest + rise))));
-        }
-        end += panel.length;
+            (lowest + rise, weight * rate * exp(heights.log_density(lowest + rise)))
+        }));
+        start += panel.length;
+        ends.push(start);
     }
-    for (from, to) in panel::panels(heights, end, highest) {
-        let before = samples.len();
-        samples.extend(quadrature::nodes(from, to).map(|(x, weight)| (x, weight * exp(heights.log_density(x)))));
-        let mass: f64 = samples[before..].iter().map(|(_, fraction)| fraction).sum();
+    for (from, to) in panel::panels(heights, start, highest) {
+        let samples = samples(heights, from, to);
+        let mass: f64 = samples.iter().map(|(_, fraction)| fraction).sum();
+        panels.push(samples);
+        ends.push(to);
         total += mass;
-        end = to;
-        if end > heights.last_mode() && mass <= NEGLIGIBLE * total {
+        if to > heights.last_mode() && mass <= NEGLIGIBLE * total {
             break;
         }
     }
-    samples.push((end, 0.0));
-    samples
-}
-
-/// The polynomials that are 1 at one of the points and 0 at the others.
-struct Basis<'a> {
-    points: &'a [f64; POINTS],
-    /// What the products of the distances from the other points are divided by.
-    scales: [f64; POINTS],
-}
-
-impl<'a> Basis<'a> {
-    fn new(points: &'a [f64; POINTS]) -> Self {
-        let scales = std::array::from_fn(|i| {
-            let others = points.iter().enumerate().filter(|&(other, _)| other != i);
-            others.map(|(_, other)| points[i] - other).product()
-        });
-        Self { points, scales }
-    }
-
-    /// All of them at one place.
-    fn at(&self, z: f64) -> [f64; POINTS] {
-        let mut values = self.scales.map(|scale| 1.0 / scale);
-        let (mut below, mut above) = (1.0, 1.0);
-        for i in 0..POINTS {
-            values[i] *= below;
-            below *= z - self.points[i];
-            let last = POINTS - 1 - i;
-            values[last] *= above;
-            above *= z - self.points[last];
-        }
-        values
-    }
-}
-
-/// The polynomial through points, in Newton's form.
-struct Interpolation<'a> {
-    points: &'a [f64; POINTS],
-    differences: [f64; POINTS],
-}
-
-impl<'a> Interpolation<'a> {
-    fn new(points: &'a [f64; POINTS], values: [f64; POINTS]) -> Self {
-        let mut differences = values;
-        for order in 1..POINTS {
-            for i in (order..POINTS).rev() {
-                differences[i] = (differences[i] - differences[i - 1]) / (points[i] - points[i - order]);
-            }
-        }
-        Self { points, differences }
-    }
-
-    /// At several places, side by side.
-    fn at<const N: usize>(&self, x: [f64; N]) -> [f64; N] {
-        let mut values = [self.differences[POINTS - 1]; N];
-        for i in (0..POINTS - 1).rev() {
-            for (value, x) in values.iter_mut().zip(x) {
-                *value = *value * (x - self.points[i]) + self.differences[i];
-            }
-        }
-        values
-    }
+    (ends, panels)
 }
 
 #[cfg(test)]
@@ -221,11 +249,13 @@ mod tests {
             let population = of(&surface(groups, heights.clone(), [0.0, 1.0]));
             let rule = population.deep.clone().expect("radii are equal");
             let walked = Population { nodes: None, deep: None, ..population.clone() };
-            let range = rule.highest - rule.lowest;
-            let at = |distance: f64| rule.lowest - rule.break_away - distance;
+            let (lowest, highest) = rule.range();
+            let range = highest - lowest;
+            let at = |distance: f64| lowest - rule.break_away - distance;
             assert!(!rule.covers(at(0.999 * LEAST_CLEARANCE * range)));
-            let passing = rule.lowest - rule.break_away - (0.5 * (rule.lowest + rule.highest) - rule.kinks[1]);
-            for distance in [1.001 * LEAST_CLEARANCE * range, 3.0 * range, 100.0 * range, passing.abs(), 1e5] {
+            let passing = lowest - rule.break_away - (0.5 * (lowest + highest) - rule.kinks[1]);
+            let clearances = [1.001 * LEAST_CLEARANCE, 3.0, 0.999 * FAR_CLEARANCE, 1.001 * FAR_CLEARANCE];
+            for distance in clearances.map(|part| part * range).into_iter().chain([passing.abs(), 1e5]) {
                 let separation = at(distance);
                 assert!(rule.covers(separation));
                 let (a, b) = (population.at_separation(separation), walked.at_separation(separation));

@@ -178,7 +178,7 @@ impl Population {
             fineness: 1.0,
         };
         if radius.is_constant() {
-            population.nodes = Some(NodeTable::new(&population, &population.edge(0.0)));
+            population.nodes = Some(NodeTable::new(&population, population.edge(0.0).point));
             population.deep = Some(DeepRule::new(&population));
         }
         Ok(population)
@@ -312,7 +312,10 @@ impl Population {
 
     /// The height at which summits just break away.
     fn edge(&self, separation: f64) -> Edge {
-        Edge::at_separation(&*self.law, &self.radius, separation, self.deepest)
+        match &self.nodes {
+            Some(table) => Edge { point: table.edge.raised(separation), rate: 1.0 },
+            None => Edge::at_separation(&*self.law, &self.radius, separation, self.deepest),
+        }
     }
 
     /// Hands all summits in contact to a visitor; `false` if that takes more panels than there may be.

@@ -2,7 +2,7 @@
 
 use super::panels::{Panel, Progress, Visitor, Walk};
 use super::sums::Summit;
-use super::{Edge, Point, Population};
+use super::{Point, Population};
 use crate::distribution::panel;
 use crate::numerics::quadrature::POINTS;
 
@@ -15,6 +15,8 @@ const MOST_PANELS: usize = 64;
 /// Panels from break-away upwards, at separation 0.
 #[derive(Debug, Clone)]
 pub struct NodeTable {
+    /// Where contact breaks.
+    pub edge: Point,
     panels: Vec<TablePanel>,
     end: Point,
 }
@@ -23,24 +25,19 @@ pub struct NodeTable {
 struct TablePanel {
     from: Point,
     to: Point,
-    nodes: [Node; POINTS],
-}
-
-/// A node without the density of heights.
-#[derive(Debug, Clone, Copy)]
-struct Node {
-    weight: f64,
-    summit: Summit,
+    /// The weights without the density of heights.
+    weights: [f64; POINTS],
+    summits: [Summit; POINTS],
 }
 
 impl NodeTable {
     /// Tabulates the panels of a population of equal radii.
-    pub fn new(population: &Population, edge: &Edge) -> Self {
+    pub fn new(population: &Population, edge: Point) -> Self {
         let reach = panel::tail_panel_length(&*population.heights);
-        let mut table = NodeTable { panels: Vec::new(), end: edge.point };
+        let mut table = NodeTable { edge, panels: Vec::new(), end: edge };
         let mut kink = None;
         while table.end.z < LARGEST_OVERLAP && table.panels.len() < MOST_PANELS {
-            let clearance = table.end.z - edge.point.z;
+            let clearance = table.end.z - edge.z;
             let panel = population.panel(0.0, table.end, kink, clearance, reach, f64::INFINITY);
             table.panels.push(TablePanel::new(population, &panel));
             (table.end, kink) = (panel.to, panel.kink);
@@ -52,9 +49,13 @@ impl NodeTable {
 
 impl TablePanel {
     fn new(population: &Population, panel: &Panel) -> Self {
-        let node =
-            |(weight, point): (f64, Point)| Node { weight, summit: Summit::new(&point.contact, &population.slip) };
-        Self { from: panel.from, to: panel.to, nodes: population.nodes(0.0, panel).map(node) }
+        let nodes = population.nodes(0.0, panel);
+        Self {
+            from: panel.from,
+            to: panel.to,
+            weights: nodes.map(|(weight, _)| weight),
+            summits: nodes.map(|(_, point)| Summit::new(&point.contact, &population.slip)),
+        }
     }
 }
 
@@ -64,6 +65,7 @@ impl Population {
         let separation = walk.separation;
         let mut progress = Progress::default();
         let largest = self.heights.log_density(walk.start.z.max(self.heights.last_mode()));
+        let (_, highest) = self.heights.support();
         let mut start = Some(walk.start);
         for panel in &table.panels {
             let (from, to) = (separation + panel.from.z, separation + panel.to.z);
@@ -71,29 +73,27 @@ impl Population {
                 continue;
             }
             let from_start = start.take().unwrap_or_else(|| panel.from.raised(separation));
-            if self.is_rest_negligible(&progress, &from_start) {
+            let log_density = self.heights.log_density(from_start.z);
+            if self.is_rest_negligible(&progress, &from_start, log_density) {
                 return true;
             }
-            let ends_within = to > self.heights.support().1;
-            let longer = self.panel_factor(largest, from);
-            if from_start.z > from || ends_within || !panel::is_one_panel(&*self.heights, from, to, longer) {
+            let longer = self.panel_factor(largest, from, log_density);
+            if from_start.z > from || to > highest || !panel::is_one_panel(&*self.heights, from, to, longer) {
                 if !self.walk(&Walk { start: from_start, end: to, ..*walk }, &mut progress, visitor) {
                     return false;
                 }
             } else {
-                let heights = panel.nodes.map(|node| separation + node.summit.overlap);
-                let densities = self.densities(
-                    separation,
-                    panel.nodes.map(|node| (separation + node.summit.overlap, node.summit.overlap)),
-                );
-                for ((node, density), z) in panel.nodes.iter().zip(densities).zip(heights) {
-                    let fraction = node.weight * density;
-                    progress.add(fraction, node.summit.overlap);
-                    visitor.summits(z, fraction, &node.summit);
+                let overlaps = panel.summits.map(|summit| summit.overlap);
+                let heights = overlaps.map(|overlap| separation + overlap);
+                let densities = self.densities(separation, heights, overlaps);
+                for i in 0..POINTS {
+                    let fraction = panel.weights[i] * densities[i];
+                    progress.add(fraction, overlaps[i]);
+                    visitor.summits(heights[i], fraction, &panel.summits[i]);
                 }
                 visitor.end_of_panel(&panel.to.raised(separation));
             }
-            if to >= self.heights.support().1 {
+            if to >= highest {
                 return true;
             }
         }

@@ -44,6 +44,9 @@ const PART_AT_FOOT: f64 = 0.02;
 const NEGLIGIBLE: f64 = 1e-18;
 /// The shortest panel, in sigma: what lies within it of a singular point is negligible.
 const SHORTEST: f64 = 1e-8;
+/// To what part of a panel a kink is found, and an extremum: next to that what it is one of hardly changes.
+const LAST_BITS: f64 = 1e-18;
+const NEAR_EXTREMUM: f64 = 1e-2;
 /// The end of a panel takes some three steps to find.
 const MOST_STEPS: u32 = 60;
 /// What is nearer to a stretch's end, where another follows, than this relative to 1 or to its height, is there.
@@ -147,10 +150,11 @@ impl Population {
                 here = self.at_height(separation, stop, here.contact.parameter);
                 continue;
             }
-            if self.is_rest_negligible(progress, &here) {
+            let log_density = self.heights.log_density(here.z);
+            if self.is_rest_negligible(progress, &here, log_density) {
                 return true;
             }
-            let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z);
+            let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z, log_density);
             let mut reach = reach.min(self.radius.smooth_length(here.z));
             let lay = |reach: f64| {
                 let panel = self.panel(separation, here, kink, here.z - edge_height, reach, stop);
@@ -162,7 +166,8 @@ impl Population {
                 reach *= 0.25;
                 (panel, nodes) = lay(reach);
             }
-            let densities = self.densities(separation, nodes.map(|(_, point)| (point.z, point.contact.overlap)));
+            let overlaps = nodes.map(|(_, point)| point.contact.overlap);
+            let densities = self.densities(separation, nodes.map(|(_, point)| point.z), overlaps);
             for ((weight, point), density) in nodes.iter().zip(densities).take_while(|((weight, _), _)| *weight != 0.0)
             {
                 let fraction = weight * density;
@@ -175,23 +180,23 @@ impl Population {
         false
     }
 
-    /// How much longer a panel may be where the density has fallen from its largest value, of which this is the logarithm.
-    pub(super) fn panel_factor(&self, largest: f64, z: f64) -> f64 {
+    /// How much longer a panel may be where the density has fallen from its largest value, both given by their logarithms.
+    pub(super) fn panel_factor(&self, largest: f64, z: f64, log_density: f64) -> f64 {
         if z < self.heights.last_mode() {
             return 1.0;
         }
         // No number where the density is 0.
-        let fall = (largest - self.heights.log_density(z)).max(0.0);
+        let fall = (largest - log_density).max(0.0);
         (1.0 + fall * LONGER_PER_FOLD).min(2.0)
     }
 
     /// Whether the summits above one add nothing to what has been summed: above the last mode, where ln of their density
     /// falls about as fast as there.
-    pub(super) fn is_rest_negligible(&self, progress: &Progress, from: &Point) -> bool {
+    pub(super) fn is_rest_negligible(&self, progress: &Progress, from: &Point, log_density: f64) -> bool {
         if from.z < self.heights.last_mode() {
             return false;
         }
-        let density = exp(self.heights.log_density(from.z));
+        let density = exp(log_density);
         // Where the density is 0 it has no rate.
         density == 0.0 || {
             let rate = -self.heights.log_density_slope(from.z);
@@ -199,17 +204,17 @@ impl Population {
         }
     }
 
-    /// The densities at the nodes of a panel, of which each is given by height and overlap: of small overlaps far out in a
-    /// steep tail more digits count than heights have.
+    /// The densities at the nodes of a panel, given by their heights and overlaps: of small overlaps far out in a steep tail
+    /// more digits count than heights have.
     #[inline]
-    pub(super) fn densities(&self, separation: f64, nodes: [(f64, f64); POINTS]) -> [f64; POINTS] {
-        let slope = self.heights.log_density_slope(nodes[POINTS / 2].0);
+    pub(super) fn densities(&self, separation: f64, z: [f64; POINTS], overlaps: [f64; POINTS]) -> [f64; POINTS] {
+        let slope = self.heights.log_density_slope(z[POINTS / 2]);
         // At the end of the heights itself it is no number; nothing lies so near.
         let slope = if slope.is_finite() { slope } else { 0.0 };
-        let mut densities = self.heights.densities(nodes.map(|(z, _)| z));
-        for (density, (z, overlap)) in densities.iter_mut().zip(nodes) {
-            let rounding = overlap - (z - separation);
-            *density += *density * (slope * rounding);
+        let mut densities = self.heights.densities(z);
+        for i in 0..POINTS {
+            let rounding = overlaps[i] - (z[i] - separation);
+            densities[i] += densities[i] * (slope * rounding);
         }
         densities
     }
@@ -384,13 +389,15 @@ impl Population {
         panel
     }
 
-    /// Ends a panel where a function of its summits changes sign.
+    /// Ends a panel where a function of its summits changes sign: at a kink, or near enough to an extremum.
     fn cut_where(&self, separation: f64, panel: &mut Panel, f: impl Fn(&Point) -> f64, kink: Option<usize>) {
-        if (f(&panel.from) < 0.0) == (f(&panel.to) < 0.0) {
+        let ends = [panel.from, panel.to].map(|end| (panel.variable(&end), f(&end)));
+        let [(from, at_from), (to, at_to)] = ends;
+        if (at_from < 0.0) == (at_to < 0.0) {
             return;
         }
-        let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
-        let root = root::bracketed(|x| f(&self.on_panel(separation, panel, x)), from, to);
+        let part = if kink.is_some() { LAST_BITS } else { NEAR_EXTREMUM };
+        let root = root::between(|x| f(&self.on_panel(separation, panel, x)), ends[0], ends[1], part);
         if is_inside(root, from, to) {
             panel.to = self.on_panel(separation, panel, root);
             panel.kink = kink;

@@ -36,11 +36,8 @@ pub struct Statistics {
 struct Counting<'a> {
     population: &'a Population,
     count: f64,
-    radius: f64,
-    steepness: f64,
-    by_regime: [f64; 3],
-    elastic: f64,
-    flowing: f64,
+    /// Sums in place of means and fractions.
+    sums: Statistics,
     seen: Vec<(f64, f64)>,
 }
 
@@ -51,11 +48,12 @@ impl Visitor for Counting<'_> {
         let g = self.population.radius.factor(z);
         let [yields, flows] = self.population.yields.map(|overlap| overlap * g);
         self.count += fraction;
-        self.radius += fraction * summit.radius;
-        self.steepness += fraction * summit.radius / g;
-        self.by_regime[regime] += fraction;
-        self.elastic += if summit.overlap <= yields { fraction } else { 0.0 };
-        self.flowing += if summit.overlap >= flows { fraction } else { 0.0 };
+        let sums = &mut self.sums;
+        sums.mean_radius += fraction * summit.radius;
+        sums.mean_steepness += fraction * summit.radius / g;
+        sums.by_regime[regime] += fraction;
+        sums.elastic += if summit.overlap <= yields { fraction } else { 0.0 };
+        sums.flowing += if summit.overlap >= flows { fraction } else { 0.0 };
         self.seen.push((z, summit.radius));
     }
 
@@ -71,16 +69,7 @@ impl Population {
     /// [`Error::NotConverged`] if they cannot be counted in as many panels as there may be.
     pub fn statistics(&self, separation: f64, number: f64) -> Result<Statistics, Error> {
         let edge = self.edge(separation);
-        let mut counting = Counting {
-            population: self,
-            count: 0.0,
-            radius: 0.0,
-            steepness: 0.0,
-            by_regime: [0.0; 3],
-            elastic: 0.0,
-            flowing: 0.0,
-            seen: Vec::new(),
-        };
+        let mut counting = Counting { population: self, count: 0.0, sums: Statistics::default(), seen: Vec::new() };
         let is_done = if self.yields == self.kinks_of_contact {
             self.visit(separation, &edge, &mut counting)
         } else {
@@ -89,11 +78,11 @@ impl Population {
         if !is_done {
             return Err(sums::out_of_panels(separation));
         }
-        let Counting { count, radius, steepness, by_regime, elastic, flowing, seen, .. } = counting;
+        let Counting { count, sums, seen, .. } = counting;
         if count == 0.0 {
             return Ok(Statistics::default());
         }
-        let mean_radius = radius / count;
+        let mean_radius = sums.mean_radius / count;
         let mut largest_radius = mean_radius;
         if number > 1.0 {
             let lowest = edge.point.z.max(self.lower_cut);
@@ -105,11 +94,11 @@ impl Population {
         }
         Ok(Statistics {
             mean_radius,
-            mean_steepness: steepness / count,
+            mean_steepness: sums.mean_steepness / count,
             largest_radius,
-            by_regime: by_regime.map(|fraction| fraction / count),
-            elastic: elastic / count,
-            flowing: flowing / count,
+            by_regime: sums.by_regime.map(|fraction| fraction / count),
+            elastic: sums.elastic / count,
+            flowing: sums.flowing / count,
         })
     }
 

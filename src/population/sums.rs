@@ -75,8 +75,8 @@ impl Sums {
         self.contacting += weight;
         self.load_contacting += weight * summit.load;
         self.friction += weight * summit.friction;
-        self.area += weight * summit.area;
         self.radius += weight * summit.radius;
+        self.area += weight * summit.area;
         self.load_slope -= weight * summit.load_by_overlap;
         self.friction_slope -= weight * summit.friction_by_overlap;
         self.radius_slope -= weight * summit.radius_by_overlap;
