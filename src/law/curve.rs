@@ -4,11 +4,11 @@
 //! minimum over separation, it is linear in separation, far from it logarithmic in load; without adhesion it is
 //! ln(x)/2. In it ln F is smooth between the kinks of the branch, and so is the logarithm of the stiffness. Panels of exact
 //! states, each with its slopes, are joined by Hermite interpolation; a panel that misses the exact states between its nodes
-//! is tried again shorter. Where the foot of a density that is a power passes an edge of contact, the curve is a broken power
-//! of the distance: panels that begin or end there are in its fourth root, in which that is a high power.
+//! is tried again shorter. Where the foot of a density that is a power passes an edge of contact, the curve is a
+//! non-integer power of the distance: panels that begin or end there are in its fourth root, in which that is a high power.
 
-use super::broken_power::BrokenPower;
 use super::fill::Source;
+use super::non_integer_power::NonIntegerPower;
 use super::steps::{Steps, Stretch};
 use super::{Quantity, CONDITIONS};
 use crate::elementary::{cos, exp, exp_each, log, log1p, sinh};
@@ -37,10 +37,10 @@ const FAR: f64 = 3.0;
 const SERIES: [f64; 5] = [1.0 / 4.0, -3.0 / 32.0, 5.0 / 96.0, -35.0 / 1024.0, 63.0 / 2560.0];
 /// In panels that span less than this of s, differences of logarithms have lost the digits that its slopes have.
 const NARROW: f64 = 2e-4;
-/// Where a panel is compared next to a broken power. s has lost digits of the distance there, and slopes may miss by so
+/// Where a panel is compared next to a non-integer power. s has lost digits of the distance there, and slopes may miss by so
 /// many times their tolerance.
-const NEXT_TO_BROKEN_POWER: f64 = 0.8;
-const SLACK_AT_BROKEN_POWER: f64 = 10.0;
+const NEXT_TO_NON_INTEGER_POWER: f64 = 0.8;
+const SLACK_AT_NON_INTEGER_POWER: f64 = 10.0;
 
 /// At this separation the load rises already, or cannot be had: the branch ends before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,10 +83,10 @@ struct Panel {
     /// s at its ends.
     lowest: f64,
     highest: f64,
-    broken_power: BrokenPower,
+    non_integer_power: NonIntegerPower,
     /// The logarithms at the first node, to which the others are relative; no number where the panel misses exact states.
     reference: PerQuantity,
-    /// In s, or in the root of the distance from the broken power.
+    /// In s, or in the root of the distance from the non-integer power.
     nodes: [f64; NODES],
     /// The logarithms in Newton's form, each node twice.
     log_value: [[f64; CONDITIONS]; Quantity::COUNT],
@@ -211,7 +211,7 @@ impl Curve {
     fn attempt(&mut self, branch: &Branch, from: Sample, stretch: Stretch) -> Result<Attempt, Unfollowed> {
         let steps = self.steps.clone();
         // Where on the panel, from -1 to 1.
-        let at = |part: f64| steps.between(from.separation, stretch.to, stretch.broken_power.part(part));
+        let at = |part: f64| steps.between(from.separation, stretch.to, stretch.non_integer_power.part(part));
         let mut nodes = [from; NODES];
         for (j, node) in nodes.iter_mut().enumerate() {
             let angle = std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64;
@@ -219,18 +219,18 @@ impl Curve {
         }
         let end = self.end(branch, stretch.to)?;
         let position = |sample: &Sample| steps.position(sample.separation);
-        let mut panel = Panel::new((end.s, from.s), stretch.broken_power, &nodes, position);
+        let mut panel = Panel::new((end.s, from.s), stretch.non_integer_power, &nodes, position);
         // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
         let between = self.sample(branch, at(0.1))?;
         let (first, last) = (nodes[0].separation, nodes[NODES - 1].separation);
         let sparse = steps.separation(panel.position_at(panel.sparsest())).max(first).min(last);
         let sparse = self.sample(branch, sparse)?;
-        // Slopes have fewer digits next to a broken power.
-        let next_to_it = match stretch.broken_power {
+        // Slopes have fewer digits next to a non-integer power.
+        let next_to_it = match stretch.non_integer_power {
             _ if panel.is_narrow() => between,
-            BrokenPower::Nowhere => between,
-            BrokenPower::AtBegin => self.sample(branch, at(-NEXT_TO_BROKEN_POWER))?,
-            BrokenPower::AtEnd => self.sample(branch, at(NEXT_TO_BROKEN_POWER))?,
+            NonIntegerPower::Nowhere => between,
+            NonIntegerPower::AtBegin => self.sample(branch, at(-NEXT_TO_NON_INTEGER_POWER))?,
+            NonIntegerPower::AtEnd => self.sample(branch, at(NEXT_TO_NON_INTEGER_POWER))?,
         };
         self.samples += NODES + 3;
         let excess = panel.keep_good(|panel, quantity| {
@@ -238,7 +238,7 @@ impl Curve {
             // in a narrow one.
             let slack = quantity.slope_slack();
             let within = if panel.is_narrow() { slack } else { 1.0 };
-            let next_to_it = (&next_to_it, slack * SLACK_AT_BROKEN_POWER);
+            let next_to_it = (&next_to_it, slack * SLACK_AT_NON_INTEGER_POWER);
             let compared = [(&from, slack), (&between, within), (&sparse, within), next_to_it, (&end, slack)];
             compared.map(|(sample, slack)| panel.excess(quantity, sample, slack)).into_iter().fold(0.0, largest)
         });
@@ -370,11 +370,11 @@ impl Source for Along<'_> {
 impl Panel {
     fn new(
         (lowest, highest): (f64, f64),
-        broken_power: BrokenPower,
+        non_integer_power: NonIntegerPower,
         samples: &[Sample; NODES],
         position: impl Fn(&Sample) -> f64,
     ) -> Self {
-        let places = samples.map(|sample| broken_power.place((lowest, highest), sample.s));
+        let places = samples.map(|sample| non_integer_power.place((lowest, highest), sample.s));
         let nodes = places.map(|(place, _)| place);
         let log_value = std::array::from_fn(|quantity| {
             let slopes = std::array::from_fn(|i| samples[i].slope[quantity] / places[i].1);
@@ -385,7 +385,7 @@ impl Panel {
             hermite(&nodes, values, slopes)
         });
         let position = differences(&nodes, std::array::from_fn(|i| position(&samples[i])));
-        Self { lowest, highest, broken_power, reference: samples[0].log_value, nodes, log_value, position }
+        Self { lowest, highest, non_integer_power, reference: samples[0].log_value, nodes, log_value, position }
     }
 
     /// The cubic between two states.
@@ -404,7 +404,7 @@ impl Panel {
         Self {
             lowest: to.s,
             highest: from.s,
-            broken_power: BrokenPower::Nowhere,
+            non_integer_power: NonIntegerPower::Nowhere,
             reference: from.log_value,
             nodes,
             log_value,
@@ -449,7 +449,7 @@ impl Panel {
 
     /// Where s lies among the nodes, and d(that)/ds.
     fn place(&self, s: f64) -> (f64, f64) {
-        self.broken_power.place((self.lowest, self.highest), s)
+        self.non_integer_power.place((self.lowest, self.highest), s)
     }
 
     fn position_at(&self, s: f64) -> f64 {
@@ -465,7 +465,7 @@ impl Panel {
         let gap = |pair: &[f64]| (pair[1] - pair[0]).abs();
         let widest = self.nodes.windows(2).max_by(|a, b| gap(a).total_cmp(&gap(b)));
         let place = widest.map_or(self.nodes[0], |pair| 0.5 * (pair[0] + pair[1]));
-        self.broken_power.s_at((self.lowest, self.highest), place)
+        self.non_integer_power.s_at((self.lowest, self.highest), place)
     }
 
     /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number. The
@@ -474,8 +474,8 @@ impl Panel {
         let [(value, slope)] = self.log_value_at(quantity, [sample.s]);
         let exact = sample.slope[quantity as usize];
         let value_excess = (value - sample.log_value[quantity as usize]).abs() / VALUE_TOLERANCE;
-        // Neither at pull-off itself nor at a broken power slopes are known.
-        if exact.is_nan() || self.broken_power.is_at((self.lowest, self.highest), sample.s) {
+        // Slopes are known neither at pull-off itself nor at a non-integer power.
+        if exact.is_nan() || self.non_integer_power.is_at((self.lowest, self.highest), sample.s) {
             return value_excess;
         }
         let tolerance = if sample.s < NEAR_PULL_OFF { NOISE * SLOPE_TOLERANCE } else { SLOPE_TOLERANCE };
@@ -702,7 +702,7 @@ mod tests {
             }
         };
         let node = |j: usize| 0.1 + (1.0 + (std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64).cos()).powf(1.2);
-        Panel::new((0.1, 2.5), BrokenPower::Nowhere, &std::array::from_fn(|j| sample(node(j))), |sample| {
+        Panel::new((0.1, 2.5), NonIntegerPower::Nowhere, &std::array::from_fn(|j| sample(node(j))), |sample| {
             sample.separation
         })
     }

@@ -15,8 +15,8 @@ const PARTS: [f64; 8] = [INTERIOR[0], INTERIOR[1], INTERIOR[2], INTERIOR[3], BET
 const MOST_PIECES: usize = (DIVISIONS + 1) * (DIVISIONS + 1);
 /// Where a row is not good as a whole, a piece with more joints than this is not tried: most are not good either.
 const FEW_JOINTS: usize = 2;
-/// Next to where the law is not smooth it may be a broken power of the distance, which takes shorter and shorter pieces: by
-/// this factor.
+/// Next to where the law is not smooth it may be a non-integer power of the distance, which takes shorter and shorter
+/// pieces: by this factor.
 const NEXT_TO_JOINT: f64 = 0.125;
 /// No piece is shorter than this part of its row: x has few digits more.
 const SHORTEST_PIECE: f64 = 1e-9;

@@ -6,10 +6,10 @@
 //! agree where rows meet. A row across which the law has a kink is a link to several polynomials. Loads that are lighter
 //! than the table's are interpolated by the curve that it was filled from; others are evaluated exactly.
 
-mod broken_power;
 mod curve;
 mod exact;
 mod fill;
+mod non_integer_power;
 mod row;
 mod steps;
 mod table;
@@ -306,9 +306,9 @@ mod tests {
         }
     }
 
-    /// Where the foot of Weibull's density passes an edge of contact, friction is a broken power of the distance in load.
+    /// Where the foot of Weibull's density passes an edge of contact, friction is a non-integer power of the distance in load.
     #[test]
-    fn rows_with_a_broken_power_are_answered_up_to_it() {
+    fn rows_with_a_non_integer_power_are_answered_up_to_it() {
         for (shape, adhesion) in [(1.8, 1.0), (2.0, 1.0), (1.8, 0.0), (3.6, 1.0)] {
             let default = Params::default();
             let params = Params {

@@ -4,7 +4,7 @@
 //! Lengths are of positions: equal to separations among the heights, logarithmic far from them, where what matters is
 //! the part by which a separation changes.
 
-use super::broken_power::BrokenPower;
+use super::non_integer_power::NonIntegerPower;
 use super::CONDITIONS;
 use crate::elementary::{exp, log, pow};
 use crate::equilibrium::Branch;
@@ -63,7 +63,7 @@ const SHORTEST_AT_END: f64 = 5e-4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
     pub to: f64,
-    pub broken_power: BrokenPower,
+    pub non_integer_power: NonIntegerPower,
     /// Whether it lies between kinks so near to each other that no panel is worth its states.
     pub is_bridge: bool,
     length: f64,
@@ -83,9 +83,9 @@ pub struct Steps {
     /// Where the curve has kinks; none where there are too many.
     kinks: Vec<f64>,
     resolved: bool,
-    /// Those of them, among the heights, about which it is a broken power of the distance. Far below them loads do not tell
-    /// the distance well enough.
-    broken_powers: Vec<f64>,
+    /// Those of them, among the heights, about which it is a non-integer power of the distance. Far below them loads do not
+    /// tell the distance well enough.
+    non_integer_powers: Vec<f64>,
     /// The longest panel: longer than the last that was good by the growth that it allows.
     length: f64,
     /// No panel before the next kink is longer: one that was longer failed.
@@ -121,7 +121,7 @@ impl Steps {
             shortest_at_end,
             kinks,
             resolved,
-            broken_powers: population.passings_of_foot().into_iter().filter(|&at| at >= middle + DEEP).collect(),
+            non_integer_powers: population.passings_of_foot().into_iter().filter(|&at| at >= middle + DEEP).collect(),
             length: f64::MAX,
             limit: f64::INFINITY,
             obstacle: f64::INFINITY,
@@ -205,12 +205,13 @@ impl Steps {
         let start = self.position(from);
         let nearest = if self.is_table() { NEAREST_KINKS } else { SHORTEST }.min(NEAREST_PART * rest);
         let nearest = nearest.max(SHORTEST_PASSING * (self.middle + DEEP - from));
-        let (begins, ends) = (self.is_broken_power(from), kink.is_some_and(|kink| self.is_broken_power(kink)));
+        let (begins, ends) =
+            (self.is_non_integer_power(from), kink.is_some_and(|kink| self.is_non_integer_power(kink)));
         if let Some(to) = kink.filter(|&kink| kink - from < nearest && !(begins || ends)) {
             return self.bridge(from, to);
         }
         let border = (self.is_deep(from) && self.middle + DEEP < self.end).then_some(self.middle + DEEP);
-        // A panel has room for one broken power.
+        // A panel has room for one non-integer power.
         let halfway = kink.filter(|_| begins && ends).map(|kink| 0.5 * (from + kink));
         let stop = [kink, border, halfway].into_iter().flatten().fold(self.end, f64::min);
         let shortest = if self.at_pull_off && s <= LONGEST_LAST { 0.1 * rest } else { self.shortest(from, rest) };
@@ -219,21 +220,21 @@ impl Steps {
         // What little would be left is part of this panel.
         let is_whole = length >= WHOLE * whole;
         let (to, length) = if is_whole { (stop, whole) } else { (self.beyond(from, length), length) };
-        let broken_power = match () {
-            () if begins => BrokenPower::AtBegin,
-            () if is_whole && self.is_broken_power(stop) => BrokenPower::AtEnd,
-            () => BrokenPower::Nowhere,
+        let non_integer_power = match () {
+            () if begins => NonIntegerPower::AtBegin,
+            () if is_whole && self.is_non_integer_power(stop) => NonIntegerPower::AtEnd,
+            () => NonIntegerPower::Nowhere,
         };
-        Stretch { to, broken_power, is_bridge: false, length, shortest }
+        Stretch { to, non_integer_power, is_bridge: false, length, shortest }
     }
 
     fn bridge(&self, from: f64, to: f64) -> Stretch {
         let length = self.distance(from, to);
-        Stretch { to, broken_power: BrokenPower::Nowhere, is_bridge: true, length, shortest: length }
+        Stretch { to, non_integer_power: NonIntegerPower::Nowhere, is_bridge: true, length, shortest: length }
     }
 
-    fn is_broken_power(&self, separation: f64) -> bool {
-        self.broken_powers.contains(&separation)
+    fn is_non_integer_power(&self, separation: f64) -> bool {
+        self.non_integer_powers.contains(&separation)
     }
 
     /// Whether the last panel was too long.
@@ -297,7 +298,7 @@ impl Steps {
             // What is smooth needs no second try: the panel begins or ends where the curve is not.
             let is_deep = stretch.to <= self.middle + DEEP;
             self.length = (if self.failed && is_deep { 0.25 } else { shorter } * length).max(shortest);
-            if stretch.broken_power == BrokenPower::AtEnd {
+            if stretch.non_integer_power == NonIntegerPower::AtEnd {
                 // Half of the way is far enough from it.
                 self.length = (0.5 * length).max(shortest);
             } else if self.failed && !is_deep {
@@ -321,8 +322,7 @@ impl Steps {
         self.kinks.len() > FEW_KINKS
     }
 
-    /// After a kink panels are short again; far below the heights what comes after has
-    /// nothing to do with what came before.
+    /// After a kink panels are short again; far below the heights what comes after has nothing to do with what came before.
     fn begin_anew(&mut self, at: f64) {
         if self.kinks.binary_search_by(|kink| kink.total_cmp(&at)).is_err() {
             return;
@@ -351,7 +351,7 @@ mod tests {
             shortest_at_end: SHORTEST_AT_END,
             kinks: kinks.to_vec(),
             resolved: true,
-            broken_powers: Vec::new(),
+            non_integer_powers: Vec::new(),
             length: f64::MAX,
             limit: f64::INFINITY,
             obstacle: f64::INFINITY,
@@ -431,29 +431,30 @@ mod tests {
     }
 
     #[test]
-    fn panels_begin_and_end_at_broken_powers() {
-        let mut steps = Steps { broken_powers: vec![0.9, 1.0], ..steps(&[0.9, 1.0, 5.0]) };
+    fn panels_begin_and_end_at_non_integer_powers() {
+        let mut steps = Steps { non_integer_powers: vec![0.9, 1.0], ..steps(&[0.9, 1.0, 5.0]) };
         let to_foot = steps.next(0.0, 10.0);
-        assert_eq!((to_foot.to, to_foot.broken_power), (0.9, BrokenPower::AtEnd));
+        assert_eq!((to_foot.to, to_foot.non_integer_power), (0.9, NonIntegerPower::AtEnd));
         // One that is not good is tried again from halfway.
         assert!(!steps.keeps(&to_foot, 1.5));
         let halfway = steps.next(0.0, 10.0);
         assert!(
-            near(halfway.length, PART_TO_OBSTACLE * to_foot.length) && halfway.broken_power == BrokenPower::Nowhere
+            near(halfway.length, PART_TO_OBSTACLE * to_foot.length)
+                && halfway.non_integer_power == NonIntegerPower::Nowhere
         );
         assert!(steps.keeps(&halfway, 0.9));
         let to_foot = steps.next(halfway.to, 10.0);
-        assert_eq!((to_foot.to, to_foot.broken_power), (0.9, BrokenPower::AtEnd));
+        assert_eq!((to_foot.to, to_foot.non_integer_power), (0.9, NonIntegerPower::AtEnd));
         assert!(steps.keeps(&to_foot, 0.9));
         // Between two of them there are two panels, however near they are.
         let first = steps.next(0.9, 10.0);
-        assert_eq!((first.to, first.broken_power), (0.95, BrokenPower::AtBegin));
+        assert_eq!((first.to, first.non_integer_power), (0.95, NonIntegerPower::AtBegin));
         assert!(steps.keeps(&first, 0.9));
         let second = steps.next(0.95, 10.0);
-        assert_eq!((second.to, second.broken_power), (1.0, BrokenPower::AtEnd));
+        assert_eq!((second.to, second.non_integer_power), (1.0, NonIntegerPower::AtEnd));
         assert!(steps.keeps(&second, 0.9));
         let beyond = steps.next(1.0, 10.0);
-        assert!(near(beyond.length, AFTER_KINK) && beyond.broken_power == BrokenPower::AtBegin);
+        assert!(near(beyond.length, AFTER_KINK) && beyond.non_integer_power == NonIntegerPower::AtBegin);
     }
 
     #[test]

@@ -231,8 +231,8 @@ impl Population {
         kinks
     }
 
-    /// Those of them about which the sums are a broken power of the distance: the lower end of heights whose density there is
-    /// a power passes.
+    /// Those of them about which the sums are a non-integer power of the distance: the lower end of heights whose density
+    /// there is a power passes.
     pub fn passings_of_foot(&self) -> Vec<f64> {
         let foot = self.heights.power_at_lower_end().map(|_| self.heights.support().0);
         let foot = foot.filter(|foot| foot + self.heights.origin() > LOWEST_FOOT);

@@ -1,18 +1,18 @@
-//! Where a panel of the curve begins or ends at a broken power of the distance: its nodes lie in the fourth root of that
+//! Where a panel of the curve begins or ends at a non-integer power of the distance: its nodes lie in the fourth root of that
 //! distance, in which the power is a high one and polynomials converge.
 
 /// What is nearer, as a part of the panel, is taken to be that near: slopes have no digits there.
 const NEAREST: f64 = 1e-12;
 
-/// The end of a panel at which the curve is a broken power of the distance. s falls from the beginning to the end.
+/// The end of a panel at which the curve is a non-integer power of the distance. s falls from the beginning to the end.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum BrokenPower {
+pub enum NonIntegerPower {
     Nowhere,
     AtBegin,
     AtEnd,
 }
 
-impl BrokenPower {
+impl NonIntegerPower {
     /// Where s lies among the nodes of a panel from `highest` to `lowest`, and d(that)/ds.
     pub fn place(self, (lowest, highest): (f64, f64), s: f64) -> (f64, f64) {
         let (distance, sign) = match self {
@@ -66,36 +66,37 @@ mod tests {
 
     #[test]
     fn places_are_fourth_roots_of_the_distance_and_have_its_slopes() {
-        for (broken_power, distance) in
-            [(BrokenPower::AtBegin, |s: f64| RANGE.1 - s), (BrokenPower::AtEnd, |s: f64| s - RANGE.0)]
-                as [(BrokenPower, fn(f64) -> f64); 2]
+        for (non_integer_power, distance) in
+            [(NonIntegerPower::AtBegin, |s: f64| RANGE.1 - s), (NonIntegerPower::AtEnd, |s: f64| s - RANGE.0)]
+                as [(NonIntegerPower, fn(f64) -> f64); 2]
         {
             for s in [2.001, 2.1, 2.4, 2.499] {
-                let (place, slope) = broken_power.place(RANGE, s);
+                let (place, slope) = non_integer_power.place(RANGE, s);
                 assert!((place - distance(s).powf(0.25)).abs() < 1e-15, "{place}");
                 let step = 1e-6;
-                let difference = broken_power.place(RANGE, s + step).0 - broken_power.place(RANGE, s - step).0;
+                let difference =
+                    non_integer_power.place(RANGE, s + step).0 - non_integer_power.place(RANGE, s - step).0;
                 assert!((slope - difference / (2.0 * step)).abs() < 1e-5 * slope.abs(), "{slope} at {s}");
-                assert!((broken_power.s_at(RANGE, place) - s).abs() < 1e-15);
-                assert!(!broken_power.is_at(RANGE, s));
+                assert!((non_integer_power.s_at(RANGE, place) - s).abs() < 1e-15);
+                assert!(!non_integer_power.is_at(RANGE, s));
             }
-            let end = if broken_power == BrokenPower::AtBegin { RANGE.1 } else { RANGE.0 };
-            let (place, slope) = broken_power.place(RANGE, end);
-            assert!(broken_power.is_at(RANGE, end) && place > 0.0 && slope.is_finite());
+            let end = if non_integer_power == NonIntegerPower::AtBegin { RANGE.1 } else { RANGE.0 };
+            let (place, slope) = non_integer_power.place(RANGE, end);
+            assert!(non_integer_power.is_at(RANGE, end) && place > 0.0 && slope.is_finite());
         }
-        assert_eq!(BrokenPower::Nowhere.place(RANGE, 2.2), (2.2, 1.0));
-        assert_eq!(BrokenPower::Nowhere.s_at(RANGE, 2.2), 2.2);
-        assert!(!BrokenPower::Nowhere.is_at(RANGE, RANGE.0));
+        assert_eq!(NonIntegerPower::Nowhere.place(RANGE, 2.2), (2.2, 1.0));
+        assert_eq!(NonIntegerPower::Nowhere.s_at(RANGE, 2.2), 2.2);
+        assert!(!NonIntegerPower::Nowhere.is_at(RANGE, RANGE.0));
     }
 
     #[test]
-    fn parts_are_dense_next_to_the_broken_power() {
-        for (broken_power, parts) in [
-            (BrokenPower::Nowhere, [-1.0, 0.0, 1.0]),
-            (BrokenPower::AtBegin, [-1.0, -0.875, 1.0]),
-            (BrokenPower::AtEnd, [-1.0, 0.875, 1.0]),
+    fn parts_are_dense_next_to_the_non_integer_power() {
+        for (non_integer_power, parts) in [
+            (NonIntegerPower::Nowhere, [-1.0, 0.0, 1.0]),
+            (NonIntegerPower::AtBegin, [-1.0, -0.875, 1.0]),
+            (NonIntegerPower::AtEnd, [-1.0, 0.875, 1.0]),
         ] {
-            assert_eq!([-1.0, 0.0, 1.0].map(|part| broken_power.part(part)), parts);
+            assert_eq!([-1.0, 0.0, 1.0].map(|part| non_integer_power.part(part)), parts);
         }
     }
 }
