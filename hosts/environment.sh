@@ -1,5 +1,6 @@
 # Read by the scripts of hosts, in the root of the tree; `fail MESSAGE` is theirs.
 # shellcheck shell=bash
+root=$PWD
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 
 library() {
@@ -29,4 +30,3 @@ run() {
     [ "$status" -le 1 ] || fail "$(basename "$2") ended with status $status"
     [ "$status" -eq 0 ] || exit 1
 }
-root=$PWD

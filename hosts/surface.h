@@ -1,5 +1,5 @@
-/* The surface of all hosts, and the check that the model holds for it at the loads of a run. For C and C++; the same in
- * Python is hosts/surface.py. docs/hosts.md says where the numbers come from. SI units. */
+/* The surface of all hosts, the check that the model holds for it at the loads of a run, and the larger of two errors. For C
+ * and C++; the surface in Python is hosts/surface.py. docs/hosts.md says where the numbers come from. SI units. */
 #ifndef HOSTS_SURFACE_H
 #define HOSTS_SURFACE_H
 
@@ -44,5 +44,8 @@ static inline int surface_holds(const asperity_model *model, double lightest, do
     printf("surface: the model holds from %.4g to %.4g\n", lightest, heaviest);
     return 1;
 }
+
+/* The larger of two errors, or the first that is not a number: fmax would drop that, and the check would pass. */
+static inline double worse(double a, double b) { return a != a || b <= a ? a : b; }
 
 #endif

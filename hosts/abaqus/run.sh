@@ -69,12 +69,18 @@ stops surface 'the first property of \*FRICTION is 3.*1 to 2'
 stops stiffness 'the stick stiffness, must be > 0'
 
 awk -v started="$started" -v now="$(date +%s.%N)" '
+    # What is not a number fails: awk takes it for 0.
+    NF == 3 && !($2 ~ /^[0-9][-+.E0-9]*$/ && $2 + 0 <= $3 + 0) { wrong = wrong " " $1 " = " $2 " (limit " $3 ")" }
     function keep(name) { if ($2 + 0 > worst[name]) worst[name] = $2 + 0; limit[name] = $3; seen[name]++ }
     $1 == "mu" || $1 == "tangent" || $1 == "mu_single" { keep($1) }
     $1 == "iterations" && $2 > iterations { iterations = $2 }
     END {
         if (seen["mu"] < 5 || seen["tangent"] < 6 || seen["mu_single"] != 1) {
             print "abaqus  FAIL  measures are missing"
+            exit 1
+        }
+        if (wrong != "") {
+            print "abaqus  FAIL " wrong
             exit 1
         }
         printf "abaqus  PASS  max |t/p - mu(p)|/mu = %.0e (limit %.0e), in single precision %.0e (limit %.0e), " \

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs DART, runs the box on an incline; the last line says PASS or FAIL.
+# Installs DART, runs the sled; the last line says PASS or FAIL.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 

@@ -107,9 +107,6 @@ typedef struct pull {
     int steps, passes;
 } pull;
 
-/* The larger, or the one that is not a number: fmax would drop that, and an error that is none would pass. */
-static double worse(double a, double b) { return isnan(a) || islessequal(b, a) ? a : b; }
-
 /* Two seconds under a load of 200 to 1000 N on top of the weight. F and N come from the momentum of the sled. */
 static pull pull_sled(const asperity_model *model, const asperity_model *reference, int max_passes) {
     const double dt = 1e-3, traction = 400;

@@ -108,9 +108,6 @@ static void set_problem(double *W, double *q) {
     }
 }
 
-/* The larger, or the one that is not a number: fmax would drop that, and an error that is none would pass. */
-static double worse(double a, double b) { return isnan(a) || islessequal(b, a) ? a : b; }
-
 /* The driver again and again until each mu is the law at its own reaction; without a model once, with mu as it is. */
 static int solve(FrictionContactProblem *problem, SolverOptions *options, const asperity_model *model, double *r,
                  double *u) {

@@ -192,9 +192,6 @@ double stopping_distance(double speed, double force) {
     return mass / force * (0.5 * speed * speed + Pi * Pi / 12 * slip_scale * slip_scale);
 }
 
-// The larger of two errors; NaN, which no limit admits, if one is.
-double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
-
 // What the pads of a run carry: the least and the greatest load.
 struct Loads {
     double least, greatest;

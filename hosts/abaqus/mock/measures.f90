@@ -1,5 +1,6 @@
 ! What the mock hosts measure, and the law by another path: the C functions, for one patch of surface of given area.
 module measures
+  use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
   use, intrinsic :: iso_c_binding
   use, intrinsic :: iso_fortran_env, only: error_unit
   use asperity
@@ -25,12 +26,12 @@ contains
     write (error_unit, '(a)') 'FAIL: ' // claim
   end subroutine check
 
-  ! Keeps the largest error met. The error of a NaN is huge.
+  ! Keeps the largest error met, or the first that is not a number, which no limit allows.
   subroutine worse(largest_so_far, error)
     real(c_double), intent(inout) :: largest_so_far
     real(c_double), intent(in) :: error
-    if (error <= largest_so_far) return
-    largest_so_far = error
+    if (ieee_is_nan(largest_so_far)) return
+    if (.not. (error <= largest_so_far)) largest_so_far = error
   end subroutine worse
 
   ! Prints a measure for run.sh, and fails above its limit.

@@ -144,7 +144,7 @@ contains
         call point(nfdir, 1, STIFFNESS, pressure, moved, lm, values(:, k), unused, not_needed)
       end do
       do i = 1, nfdir
-        error = max(error, abs(ddtddg(i, j) - difference(values(i, :), step)) / scale)
+        call worse(error, abs(ddtddg(i, j) - difference(values(i, :), step)) / scale)
       end do
     end do
     step = 1e-2_c_double * pressure
@@ -154,7 +154,7 @@ contains
     end do
     scale = maxval(abs(ddtddp)) + 1e-9_c_double
     do i = 1, nfdir
-      error = max(error, abs(ddtddp(i) - difference(values(i, :), step)) / scale)
+      call worse(error, abs(ddtddp(i) - difference(values(i, :), step)) / scale)
     end do
   end function tangent_error
 
@@ -216,7 +216,7 @@ contains
       end do
       most = max(most, iteration)
       call check('Newton converges', iteration <= ENOUGH)
-      error = max(error, norm2(residual) / pressure)
+      call worse(error, norm2(residual) / pressure)
       held = tau
     end do
     write (*, '(a, i0)') 'iterations ', most - 1

@@ -36,9 +36,6 @@ static void fail(const char *what) {
     exit(1);
 }
 
-/* The larger, or the one that is not a number. */
-static double worse(double a, double b) { return isnan(a) || islessequal(b, a) ? a : b; }
-
 static double now(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
