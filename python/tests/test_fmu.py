@@ -223,7 +223,7 @@ def test_another_platform_needs_its_library(tmp_path: Path, capsys: pytest.Captu
     PARAMS.to_toml(tmp_path / "surface.toml")
     assert main(command) == 1
     message = capsys.readouterr().err
-    assert "--library win64=FILE" in message and "--no-deps --platform win_amd64" in message
+    assert "--library win64=FILE" in message and "-py3-none-win_amd64.whl" in message
     script = tmp_path / "asperity.dll"
     script.write_text("MZ is how a program begins", encoding="utf-8")
     assert main([*command, "--library", f"win64={script}"]) == 1

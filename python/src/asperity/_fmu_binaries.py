@@ -18,7 +18,8 @@ from . import _header, _library
 
 @dataclass(frozen=True)
 class _Platform:
-    """What units for a platform need: its system, its library and how its files begin, its compilers."""
+    """What units for a platform need: its system, its library and the ending of its files, the platform of its wheel, its
+    compilers with Debian's package, zig's name of it, and flags."""
 
     system: str
     library: str
@@ -56,9 +57,9 @@ def library_for(name: str, given: Path | None) -> bytes:
     if given is None:
         if name != native():
             raise ImportError(
-                f"a unit for {name} needs the library of {wanted.system}: give it with --library {name}=FILE, where FILE is a "
-                f"wheel (pip download asperity=={_header.ASPERITY_VERSION} --no-deps --platform {wanted.wheel}), the "
-                f"archive of a release for that system, if it is a zip, or {wanted.library}"
+                f"a unit for {name} needs the library of {wanted.system}: give it with --library {name}=FILE, where FILE is the "
+                f"wheel asperity-{_header.ASPERITY_VERSION}-py3-none-{wanted.wheel}.whl, the archive of a release for that "
+                f"system, if it is a zip, or {wanted.library}"
             )
         given = Path(_library.PATH)
     content = _taken(given, wanted.library) if zipfile.is_zipfile(given) else given.read_bytes()
