@@ -18,9 +18,9 @@ for host in "$@"; do
     script=hosts/$host/cost.sh
     [ -x "$script" ] || script=hosts/$host/run.sh
     for run in $(seq "$runs"); do
-        # What cost.sh of a host has installed and built it need not build again; a run.sh takes no argument.
+        # A cost.sh need not install and build again what its first run did; a run.sh takes no argument.
         again=""
-        [ "$run" = 1 ] || again=again
+        [ "$run" = 1 ] || [ "${script##*/}" = run.sh ] || again=again
         # shellcheck disable=SC2086
         "$script" $again >"$log.run" 2>&1 || { tail -n 5 "$log.run" >&2; exit 1; }
         # "constant mu 1.2 s; the law at the lagged force x 1.02, at the current force x 1.85" has two costs.

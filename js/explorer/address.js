@@ -34,7 +34,7 @@ export function restore() {
   } catch {
     return;
   }
-  const surfaces = (Array.isArray(kept?.surfaces) ? kept.surfaces : []).filter(([letter, one]) => isSurface(letter, one));
+  const surfaces = (Array.isArray(kept?.surfaces) ? kept.surfaces : []).filter(isSurface);
   if (!surfaces.length) return;
   page.surfaces = new Map(surfaces.map(([letter, one]) => [letter, surfaceOf(one)]));
   page.active = page.surfaces.has(kept.active) ? kept.active : surfaces[0][0];
@@ -42,9 +42,10 @@ export function restore() {
   for (const id of CHECKED) if (typeof kept.checked?.[id] === "boolean") $(id).checked = kept.checked[id];
 }
 
-function isSurface(letter, { first, second, roughness }) {
+function isSurface(entry) {
   const { MATERIALS } = page.library;
-  const known = [first, second].every((name) => Object.hasOwn(MATERIALS, name)) && Object.hasOwn(ROUGHNESS, roughness);
+  const [letter, one] = Array.isArray(entry) ? entry : [];
+  const known = [one?.first, one?.second].every((name) => Object.hasOwn(MATERIALS, name)) && Object.hasOwn(ROUGHNESS, one?.roughness);
   return LETTERS.includes(letter) && known;
 }
 

@@ -30,7 +30,7 @@ export function schedule() {
 }
 
 /** Computes and shows all. */
-export function update() {
+function update() {
   let loads;
   try {
     [loads, page.deviations] = [loadRange(), spread()];

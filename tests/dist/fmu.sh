@@ -6,15 +6,10 @@
 # Needs gcc, gcc-mingw-w64-x86-64 and wine64: tests/setup.sh dist.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+. tests/dist/shared.sh
 work=$1 python=$2 library=$3
 rm -rf "$work"
 mkdir -p "$work/unit"
-wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
-
-fail() {
-    echo "tests/dist/fmu.sh: $*" >&2
-    exit 1
-}
 for tool in cc x86_64-w64-mingw32-gcc "$wine"; do
     command -v "$tool" >/dev/null || fail "$tool is missing: run tests/setup.sh dist"
 done
