@@ -3,8 +3,8 @@
 # of the source tree, layouts against a C compiler, copied programs, and the page in Chromium.
 #
 # usage: js/test.sh
-# CARGO_TARGET_DIR is honoured, CHROMIUM names the browser; FIREFOX=/usr/bin/firefox-esr has the page tried in that one in its
-# place, all but the picture. tests/setup.sh validation web installs what it needs; the
+# CARGO_TARGET_DIR is honoured, CHROMIUM names the browser; FIREFOX=/usr/bin/firefox-esr has the page tried in Firefox in its
+# place, all but the picture and accessibility. tests/setup.sh validation web installs what it needs; the
 # versions of packages from npm are those of package-lock.json.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the site in target/site/html: the guides, searchable, the references of C, Python and Rust, the explorer. Checks its links.
 #
-# usage: docs/site/build.sh      needs what tests/setup.sh web installs, and a C compiler; fetches MkDocs from PyPI, at fixed versions
+# usage: docs/site/build.sh      needs what tests/setup.sh web installs; fetches MkDocs from PyPI, at fixed versions
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 

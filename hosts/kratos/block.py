@@ -135,6 +135,7 @@ def check_refusals():
         "pascal = 0: must be": lambda p: process_of(p, 1).AddDouble("pascal", 0),
         "at pressures up to 1.": lambda p: process_of(p, 1).AddDouble("pascal", 1e-200),
         "No such file": lambda p: process_of(p, 1)["surface"].SetString("missing.toml"),
+        '"surface" must name a surface file': lambda p: process_of(p, 1).RemoveValue("surface"),
     }
     for message, change in wrong.items():
         try:

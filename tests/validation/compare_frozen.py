@@ -30,7 +30,7 @@ def main(what: str, file: Path) -> None:
     for number, (then, now) in enumerate(zip(old, new)):
         for field, before, after in zip(fields(row), astuple(then), astuple(now)):
             allowed = COUNTS.get(field.name, 1e-4 * abs(before))
-            if abs(after - before) > allowed:
+            if not abs(after - before) <= allowed:  # a NaN too
                 sys.exit(f"{file}, row {number + 1}: {field.name} is {after} instead of {before}")
     print(f"{len(new)} rows as frozen")
 

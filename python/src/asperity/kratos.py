@@ -52,9 +52,12 @@ class FrictionProcess(KratosMultiphysics.Process):  # type: ignore[misc]
         self._pascal = settings["pascal"].GetDouble()
         if not self._pascal > 0:
             raise self._error(f"pascal = {self._pascal:g}: must be the model's stress for 1 Pa, 1e-6 for MPa")
-        params = Params.from_toml(settings["surface"].GetString())
+        surface = settings["surface"].GetString()
+        if not surface:
+            raise self._error('"surface" must name a surface file')
+        params = Params.from_toml(surface)
         if not params.nominal_area > 0:
-            raise self._error(f"{settings['surface'].GetString()}: nominal_area must be given: loads are pressures")
+            raise self._error(f"{surface}: nominal_area must be given: loads are pressures")
         self.law = Model(params)
         self.pressures: tuple[float, float] | None = None
 
