@@ -17,6 +17,7 @@ from .params import Params
 # Far from the small numbers that a model uses, and short enough that all IDs have five digits, which older LS-DYNA allow.
 _TABLE_ID = 90000
 
+
 def add(commands: Any) -> None:
     """Adds the command to those of the parser."""
     command = commands.add_parser(
