@@ -185,7 +185,7 @@ EXPORT fmi2Component FMI(fmi2Instantiate)(fmi2String name, fmi2Type type, fmi2St
             failed(u, fmi2Error, "the GUID is not that of this unit");
 #ifdef _WIN32
         else if (!load_asperity())
-            failed(u, fmi2Error, "there is no asperity.dll of this version beside the unit's DLL");
+            failed(u, fmi2Error, "asperity.dll beside the unit's DLL is missing, of another version, or lacks a DLL of its own");
 #endif
         else if (set_start(u))
             return u;
