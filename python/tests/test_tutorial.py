@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 import sysconfig
-import venv
 from pathlib import Path
 
 import pytest
+from processes import fresh_environment
 from test_docs import check_page
 
 
@@ -17,12 +16,10 @@ from test_docs import check_page
 def environment(root: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """A fresh virtual environment, active, that finds the dependencies of this one and so need not download them."""
     directory = tmp_path_factory.mktemp("venv")
-    venv.create(directory, with_pip=True)
+    active = fresh_environment(directory)
     (packages,) = directory.glob("lib/python*/site-packages")
     (packages / "dependencies.pth").write_text(sysconfig.get_path("purelib") + "\n", encoding="utf-8")
-    kept = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "ASPERITY"))}
-    path = f"{directory / 'bin'}{os.pathsep}{os.environ['PATH']}"
-    return {**kept, "VIRTUAL_ENV": str(directory), "PATH": path, "ASPERITY": str(root)}
+    return {**active, "ASPERITY": str(root)}
 
 
 @pytest.mark.xdist_group("tutorial")
