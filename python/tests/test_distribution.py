@@ -17,8 +17,6 @@ from processes import outside
 
 from asperity import Model, Params, __version__, _library
 
-pytestmark = pytest.mark.xdist_group("distribution")  # one wheel, one build directory
-
 NUMBER = """
 from asperity import Model, Params, _library
 print(Model(Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)).friction_at_load(100.0).hex())

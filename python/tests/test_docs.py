@@ -12,8 +12,6 @@ from pathlib import Path
 import pytest
 from processes import fresh_environment
 
-pytestmark = pytest.mark.xdist_group("docs")  # pages that build on each other
-
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 MARK = "-- end of block {} --"
 

@@ -22,7 +22,6 @@ def environment(root: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[st
     return {**active, "ASPERITY": str(root)}
 
 
-@pytest.mark.xdist_group("tutorial")
 def test_the_tutorial_runs_and_prints_what_it_says(root: Path, environment: dict[str, str], tmp_path: Path) -> None:
     follow, page = root / "tests" / "consumers" / "follow_docs.py", root / "docs" / "tutorial.md"
     command = [sys.executable, str(follow), str(page), str(tmp_path)]
@@ -31,7 +30,6 @@ def test_the_tutorial_runs_and_prints_what_it_says(root: Path, environment: dict
     assert done.stdout.endswith("3 files, 5 blocks of commands, 3 outputs as written\n")
 
 
-@pytest.mark.xdist_group("tutorial")
 def test_the_page_on_height_maps_prints_what_it_says(root: Path, environment: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "python").symlink_to(root / "python")
     check_page(root / "docs" / "topography.md", tmp_path, environment)
