@@ -416,8 +416,8 @@ void report_memory(const std::vector<Surface> &surfaces) {
         }
     }
     std::printf("\n### Memory of a model\n\n| | KiB | limit | |\n|---|---|---|---|\n"
-                "| largest set: %s | %.1f | 192 | %s |\n",
-                set ? set->c_str() : "none", most / 1024.0, verdict(set && most <= 192.0 * 1024.0));
+                "| largest set: %s | %.1f | 128 | %s |\n",
+                set ? set->c_str() : "none", most / 1024.0, verdict(set && most <= 128.0 * 1024.0));
 }
 
 double seconds_per_pass(const std::function<void()> &pass) {

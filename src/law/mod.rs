@@ -29,8 +29,8 @@ pub use table::Table;
 
 /// Interpolation conditions per panel of the curve: value and slope at each of its exact states.
 const CONDITIONS: usize = 20;
-/// Rows of one table at most, without and with the parts of rows: 80 KiB.
-const MOST_ROWS: usize = 1024;
+/// Rows of one table at most, without and with the parts of rows: 35 and 80 KiB.
+const MOST_ROWS: usize = 560;
 const MOST_ROWS_AND_PARTS: usize = 1280;
 /// Rows per binade, as a power of two: so many that nearly all are good.
 const FRACTION: u32 = 2;
@@ -42,7 +42,7 @@ const LOG_RANGE: f64 = (MOST_ROWS - 8) as f64 / (1 << FRACTION) as f64 * std::f6
 const LOG_RANGE_WITHOUT_PULL_OFF: f64 = 87.0;
 /// What is lighter than the rows reach, but not by more than this in ln(load - pull-off), is left to the curve if that
 /// leads it to pull-off.
-const LOG_RANGE_OF_CURVE: f64 = 30.0;
+const LOG_RANGE_OF_CURVE: f64 = 110.0;
 /// The largest relative error of a quantity, and of its slope, of a row against an exact state.
 const VALUE_TOLERANCE: f64 = 1e-10;
 const SLOPE_TOLERANCE: f64 = 1e-8;

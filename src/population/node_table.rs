@@ -10,7 +10,7 @@ use crate::numerics::quadrature::POINTS;
 /// does not serve Gaussian heights.
 const LARGEST_OVERLAP: f64 = 31.0;
 /// A tabulated panel takes 1 kB; deeper ones are walked when needed.
-const MOST_PANELS: usize = 64;
+const MOST_PANELS: usize = 36;
 
 /// Panels from break-away upwards, at separation 0.
 #[derive(Debug, Clone)]
