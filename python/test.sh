@@ -23,7 +23,8 @@ before="$(git status --porcelain)"
 environment="$(python/environment.sh)"
 cd python
 "$environment/bin/mypy" --cache-dir "$target/python-mypy" src tests examples
-"$environment/bin/pytest" -n auto --dist loadgroup --basetemp "$target/python-tests" "$@"
+# A file is one worker's: its pages build on each other, its wheel is built once and its figures drawn once.
+"$environment/bin/pytest" -n auto --dist loadfile --basetemp "$target/python-tests" "$@"
 cd ..
 
 if [ "$(git status --porcelain)" != "$before" ]; then

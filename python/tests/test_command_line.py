@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import contextlib
-import io
 import subprocess
 import sys
-import warnings
 from pathlib import Path
 from typing import Any
 
 import pytest
+from processes import run_main
 
 from asperity import Model, Params, __version__
-from asperity.__main__ import main
 
 POLYSILICON = (
     "--E1 160e9 --nu1 0.22 --E2 160e9 --nu2 0.22 --work-of-adhesion 0.063 --adhesion-range 0.384e-9 "
@@ -28,15 +25,8 @@ def started(arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
 
 
 def asperity(arguments: str) -> subprocess.CompletedProcess[str]:
-    """The command in this process, which need not import all anew."""
-    with contextlib.redirect_stdout(io.StringIO()) as output, contextlib.redirect_stderr(io.StringIO()) as errors:
-        with warnings.catch_warnings():
-            warnings.simplefilter("default")  # as in a process of its own
-            try:
-                status = main(arguments.split())
-            except SystemExit as end:
-                status = int(end.code or 0)
-    return subprocess.CompletedProcess(arguments, status, output.getvalue(), errors.getvalue())
+    """The command in this process."""
+    return run_main(*arguments.split())
 
 
 def table(text: str) -> list[list[float]]:

@@ -13,10 +13,9 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from processes import outside
 
 from asperity import Model, Params, __version__, _library
-
-pytestmark = pytest.mark.xdist_group("distribution")  # one wheel, one build directory
 
 NUMBER = """
 from asperity import Model, Params, _library
@@ -27,9 +26,7 @@ print(_library.PATH)
 
 def run(*command: object, **environment: str) -> str:
     words = [str(word) for word in command]
-    kept = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "ASPERITY"))}
-    merged = {**kept, **environment}
-    done = subprocess.run(words, env=merged, capture_output=True, text=True, timeout=600, check=False)
+    done = subprocess.run(words, env=outside(**environment), capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 

@@ -5,15 +5,12 @@ A `text` block after a `sh` or `python` block is what the latter prints.
 
 from __future__ import annotations
 
-import os
 import re
 import subprocess
-import venv
 from pathlib import Path
 
 import pytest
-
-pytestmark = pytest.mark.xdist_group("docs")  # pages that build on each other
+from processes import fresh_environment
 
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 MARK = "-- end of block {} --"
@@ -52,10 +49,7 @@ def checkout(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """A fresh virtual environment, active."""
-    directory = tmp_path_factory.mktemp("venv")
-    venv.create(directory, with_pip=True)
-    kept = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "ASPERITY"))}
-    return {**kept, "VIRTUAL_ENV": str(directory), "PATH": f"{directory / 'bin'}{os.pathsep}{os.environ['PATH']}"}
+    return fresh_environment(tmp_path_factory.mktemp("venv"))
 
 
 def check_page(page: Path, checkout: Path, environment: dict[str, str]) -> None:

@@ -19,8 +19,6 @@ from asperity.figures import curves, drawing, front, measured, page
 # Of other pages than the gallery: the contacts of the map, the rows of the measurements, what these lie on.
 ELSEWHERE = {"contacts.svg": [7], "measurements.svg": [6], "measured-points.svg": [3, 1]}
 
-pytestmark = pytest.mark.xdist_group("figures")  # drawn once
-
 SVG = "{http://www.w3.org/2000/svg}"
 # Each picture with the number of curves in each of its panels.
 PICTURES = {

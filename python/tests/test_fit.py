@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from processes import run_main
 from scipy.stats import chi2
 
 from asperity import Error, Fit, Model, Params, ValidityWarning, fit, fit_names
@@ -415,11 +416,6 @@ f = lambda: fit([1, 2, 3], [3, 2.8, 2.7], free=["gamma"], params=params)
 # ---- The command line ----
 
 
-def asperity(*arguments: object, text: str = "") -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "asperity", "fit", *map(str, arguments)]
-    return subprocess.run(command, input=text, capture_output=True, text=True, timeout=60, check=False)
-
-
 def table(*columns: Any) -> str:
     return "# measured\n" + "".join(" ".join(f"{number:.17g}" for number in row) + "\n" for row in zip(*columns))
 
@@ -427,7 +423,8 @@ def table(*columns: Any) -> str:
 def test_the_command_finds_what_the_function_finds(params: Params, found: Fit, tmp_path: Path) -> None:
     file, figure = tmp_path / "friction.txt", tmp_path / "fit.png"
     file.write_text(table(found.load, found.measured, found.sigma))
-    done = asperity(file, "--free", "gamma,sigma", "--figure", figure)
+    command = [sys.executable, "-m", "asperity", "fit", str(file), "--free", "gamma,sigma", "--figure", str(figure)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
     assert done.returncode == 0 and figure.read_bytes().startswith(b"\x89PNG")
     assert done.stderr.startswith("asperity: warning: between the loads 0.1 and 10000: CROWDED: "), done.stderr
     head, gamma, sigma, *remarks = done.stdout.splitlines()
@@ -441,7 +438,7 @@ def test_the_command_reads_commas_forces_bounds_and_a_start(params: Params) -> N
     start = params.replace(radius_amplitude=0.5)
     force = LOADS * friction(start.replace(asperity_count=3.0))
     text = table(LOADS, force).replace(" ", ",").replace("#,", "# ")
-    done = asperity("-", "--free=N", "--force", "--bounds", "N", 0.5, 5, "--radius-amplitude", 0.5, text=text)
+    done = run_main("fit", "-", "--free=N", "--force", "--bounds", "N", 0.5, 5, "--radius-amplitude", 0.5, text=text)
     assert float(done.stdout.split()[5 + 1]) == pytest.approx(3.0, rel=1e-6)
 
 
@@ -459,5 +456,5 @@ def test_the_command_reads_commas_forces_bounds_and_a_start(params: Params) -> N
     ],
 )  # fmt: skip
 def test_the_command_refuses_bad_input(arguments: list[str], text: str, status: int, message: str) -> None:
-    done = asperity(*arguments, text=text)
+    done = run_main("fit", *arguments, text=text)
     assert (done.returncode, done.stdout) == (status, "") and message in done.stderr and "Traceback" not in done.stderr

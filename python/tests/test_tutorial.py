@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 import sysconfig
-import venv
 from pathlib import Path
 
 import pytest
+from processes import fresh_environment
 from test_docs import check_page
 
 
@@ -17,15 +16,12 @@ from test_docs import check_page
 def environment(root: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """A fresh virtual environment, active, that finds the dependencies of this one and so need not download them."""
     directory = tmp_path_factory.mktemp("venv")
-    venv.create(directory, with_pip=True)
+    active = fresh_environment(directory)
     (packages,) = directory.glob("lib/python*/site-packages")
     (packages / "dependencies.pth").write_text(sysconfig.get_path("purelib") + "\n", encoding="utf-8")
-    kept = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "ASPERITY"))}
-    path = f"{directory / 'bin'}{os.pathsep}{os.environ['PATH']}"
-    return {**kept, "VIRTUAL_ENV": str(directory), "PATH": path, "ASPERITY": str(root)}
+    return {**active, "ASPERITY": str(root)}
 
 
-@pytest.mark.xdist_group("tutorial")
 def test_the_tutorial_runs_and_prints_what_it_says(root: Path, environment: dict[str, str], tmp_path: Path) -> None:
     follow, page = root / "tests" / "consumers" / "follow_docs.py", root / "docs" / "tutorial.md"
     command = [sys.executable, str(follow), str(page), str(tmp_path)]
@@ -34,7 +30,6 @@ def test_the_tutorial_runs_and_prints_what_it_says(root: Path, environment: dict
     assert done.stdout.endswith("3 files, 5 blocks of commands, 3 outputs as written\n")
 
 
-@pytest.mark.xdist_group("tutorial")
 def test_the_page_on_height_maps_prints_what_it_says(root: Path, environment: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "python").symlink_to(root / "python")
     check_page(root / "docs" / "topography.md", tmp_path, environment)
