@@ -12,7 +12,7 @@ fail() {
 }
 # shellcheck source=hosts/lammps/environment.sh
 . hosts/lammps/environment.sh
-[ "${1:-}" = again ] || { install_lammps && settle; }
+if [ "${1:-}" = again ]; then get_lammps; else install_lammps && settle; fi
 
 # The styles in turn move the same grains, in one process; of each the fastest run counts, since other programs slow them.
 styles=()

@@ -6,8 +6,12 @@ build=$target/hosts/lammps here=$PWD/hosts/lammps
 plugin=$build/libasperity_lammps.so
 export OMP_NUM_THREADS=1
 
-install_lammps() {
+get_lammps() {
     packages lammps 'lammps[mpi]==2025.7.22.4.0' mpich==5.0.2 numpy
+}
+
+install_lammps() {
+    get_lammps
     mkdir -p "$build"
     hosts/lammps/build.sh "$environment/bin/python" "$plugin" || fail "the plugin does not build"
 }
