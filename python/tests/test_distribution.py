@@ -39,6 +39,9 @@ def number_from(wheel: Path, directory: Path) -> list[str]:
     return run(python, "-c", NUMBER).split()
 
 
+pytestmark = pytest.mark.usefixtures("one_build_at_a_time")
+
+
 @pytest.fixture(scope="module")
 def wheel(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     directory = tmp_path_factory.mktemp("wheel")

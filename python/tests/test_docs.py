@@ -38,6 +38,9 @@ def run(command: list[str], source: str, directory: Path, environment: dict[str,
     return done.stdout
 
 
+pytestmark = pytest.mark.usefixtures("one_build_at_a_time")
+
+
 @pytest.fixture(scope="module")
 def checkout(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A directory that looks like the checkout to the commands of the guide, and keeps what they write."""

@@ -12,6 +12,9 @@ from processes import fresh_environment
 from test_docs import check_page
 
 
+pytestmark = pytest.mark.usefixtures("one_build_at_a_time")
+
+
 @pytest.fixture(scope="module")
 def environment(root: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """A fresh virtual environment, active, that finds the dependencies of this one and so need not download them."""
