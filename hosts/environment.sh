@@ -22,11 +22,15 @@ packages() {
     echo "$*" >"$environment/packages"
 }
 
-# run PYTHON PROGRAM [ARGUMENT...]: with the asperity package of this tree. A program that ends with 0 or 1 has given its verdict.
-run() {
+# verdict COMMAND...: a program that ends with 0 or 1 has given its verdict.
+verdict() {
     local status=0
-    PYTHONPATH=$root/python/src ASPERITY_LIBRARY=$target/release/libasperity.so PYTHONPYCACHEPREFIX=$target/pycache \
-        "$@" || status=$?
-    [ "$status" -le 1 ] || fail "$(basename "$2") ended with status $status"
+    "$@" || status=$?
+    [ "$status" -le 1 ] || fail "$* ended with status $status"
     [ "$status" -eq 0 ] || exit 1
+}
+
+# run PYTHON PROGRAM [ARGUMENT...]: the verdict of a program with the asperity package of this tree.
+run() {
+    PYTHONPATH=$root/python/src ASPERITY_LIBRARY=$target/release/libasperity.so PYTHONPYCACHEPREFIX=$target/pycache verdict "$@"
 }
