@@ -14,24 +14,7 @@ for tool in cc x86_64-w64-mingw32-gcc "$wine"; do
     command -v "$tool" >/dev/null || fail "$tool is missing: run tests/setup.sh dist"
 done
 
-# The surface of docs/hosts.md, on a square millimetre.
-cat >"$work/surface.toml" <<'END'
-nominal_area = 1e-6
-work_of_adhesion = 0.06
-adhesion_range = 0.25e-9
-burgers_vector = 0.25e-9
-hardness = 51e9
-[materials]
-E1 = 493e9
-nu1 = 0.25
-E2 = 493e9
-nu2 = 0.25
-[roughness]
-m0 = 9.604e-17
-m2 = 1.8e-3
-m4 = 3.3736e11
-END
-"$python" -m asperity fmu "$work/surface.toml" -o "$work/pad.fmu" --platform linux64,win64 --library "win64=$library" \
+"$python" -m asperity fmu hosts/kratos/surface.toml -o "$work/pad.fmu" --platform linux64,win64 --library "win64=$library" \
     2>"$work/log" || { cat "$work/log" >&2; fail "no unit was made"; }
 "$python" -m zipfile -e "$work/pad.fmu" "$work/unit"
 guid=$(sed -n 's/.* guid="\([^"]*\)".*/\1/p' "$work/unit/modelDescription.xml")
