@@ -326,9 +326,11 @@ impl Curve {
 
     /// The same at one ln x; `None` where the curve does not know it.
     pub fn within(&self, quantity: Quantity, log_excess: f64) -> Option<(f64, f64)> {
-        let (s, _) = self.coordinate.at(log_excess);
-        let [at] = self.at_each(quantity, [log_excess]);
-        (self.panel(s).holds(s) && !at.0.is_nan()).then_some(at)
+        let (s, rate) = self.coordinate.at(log_excess);
+        let panel = self.panel(s);
+        let [(log_value, slope)] = panel.log_value_at(quantity, [s]);
+        let value = self.coordinate.reference[quantity as usize] * exp(log_value);
+        (panel.holds(s) && !value.is_nan()).then_some((value, slope * rate))
     }
 
     /// A quantity of an exact state, and the slope of its logarithm by ln x.
