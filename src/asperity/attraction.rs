@@ -121,16 +121,13 @@ impl Attraction {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn near(a: f64, b: f64, tolerance: f64) -> bool {
-        (a - b).abs() <= tolerance * b.abs()
-    }
+    use crate::asperity::contact::tests::elastic;
+    use crate::numerics::near;
 
     /// Eq (10): the gap at the edge of the circle, deformed by the constant stress within, is h.
     #[test]
     fn the_gap_at_the_circle_is_the_range_of_adhesion() {
-        let groups =
-            Groups { alpha: 0.02, beta: 300.0, gamma: 0.004, b_over_h: 0.5, hardness: f64::INFINITY, yields: false };
+        let groups = elastic([0.02, 300.0, 0.004, 0.5]);
         let law = Attraction::new(&groups);
         assert!(near(law.reach, groups.reach(), 1e-15) && near(groups.reach(), 1.0 / (0.02 * 300.0 * 0.5), 1e-15));
         for g in [0.4, 1.0, 1.7] {
@@ -162,8 +159,7 @@ mod tests {
 
     #[test]
     fn changes_are_those_of_secants() {
-        let groups =
-            Groups { alpha: 0.02, beta: 300.0, gamma: 0.004, b_over_h: 0.5, hardness: f64::INFINITY, yields: false };
+        let groups = elastic([0.02, 300.0, 0.004, 0.5]);
         let law = Attraction::new(&groups);
         let load = |law: &Attraction, overlap: f64, g: f64| law.at_overlap(overlap, g).load;
         for (part, g) in [(-0.99, 0.4), (-0.5, 1.0), (-0.01, 1.7)] {

@@ -2,61 +2,60 @@
 
 use crate::groups::GROUPS;
 
-/// One asperity in contact, and its derivatives along the branch of states.
+/// Overlap, contact radius and load of one asperity, or what these change by with something else.
 ///
-/// Lengths: radius in b, overlap in sigma; load in E* b^2. `g` is the summit's radius over the mean one.
+/// Lengths: radius in b, overlap in sigma; load in E* b^2.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Rates {
+    /// Of the overlap u = z - d.
+    pub overlap: f64,
+    /// Of the contact radius a.
+    pub radius: f64,
+    /// Of the load P.
+    pub load: f64,
+}
+
+/// One asperity in contact, and its derivatives along the branch of states. `g` is the summit's radius over the mean one.
 #[derive(Debug, Clone, Copy)]
 pub struct Contact {
-    /// Where on the branch it is; see [`ContactLaw`].
+    /// Where on the branch it is, s; see [`ContactLaw`].
     pub parameter: f64,
-    /// Overlap u = z - d.
+    /// Overlap u, in sigma.
     pub overlap: f64,
-    /// Contact radius a.
+    /// Contact radius a, in b.
     pub radius: f64,
-    /// Load P.
+    /// Load P, in E* b^2.
     pub load: f64,
-    /// du/ds at fixed g: positive, but 0 at break-away.
-    pub overlap_rate: f64,
-    /// da/ds at fixed g.
-    pub radius_rate: f64,
-    /// dP/ds at fixed g.
-    pub load_rate: f64,
-    /// du/dg at fixed s.
-    pub overlap_by_g: f64,
-    /// da/dg at fixed s.
-    pub radius_by_g: f64,
-    /// dP/dg at fixed s.
-    pub load_by_g: f64,
+    /// Derivatives by s at fixed g; that of the overlap is positive, but 0 at break-away.
+    pub by_s: Rates,
+    /// Derivatives by g at fixed s.
+    pub by_g: Rates,
 }
 
 impl Contact {
-    /// No contact: all numbers are NaN.
-    pub const UNKNOWN: Self = Self {
-        parameter: f64::NAN,
-        overlap: f64::NAN,
-        radius: f64::NAN,
-        load: f64::NAN,
-        overlap_rate: f64::NAN,
-        radius_rate: f64::NAN,
-        load_rate: f64::NAN,
-        overlap_by_g: f64::NAN,
-        radius_by_g: f64::NAN,
-        load_by_g: f64::NAN,
-    };
-
-    /// The contact a little farther on: where the parameter grows by `parameter` and g by `g`, to first order.
+    /// ds/du at fixed g; 0 where the contact just breaks away, and the overlap does not depend on s.
     #[inline]
-    pub fn moved(self, parameter: f64, g: f64) -> Self {
+    pub fn s_by_overlap(&self) -> f64 {
+        if self.by_s.overlap > f64::MIN_POSITIVE {
+            1.0 / self.by_s.overlap
+        } else {
+            0.0
+        }
+    }
+
+    /// The contact a little farther on: where s grows by `s` and g by `g`, to first order.
+    #[inline]
+    pub fn moved(self, s: f64, g: f64) -> Self {
         Self {
-            parameter: self.parameter + parameter,
-            overlap: self.overlap + parameter * self.overlap_rate + g * self.overlap_by_g,
-            radius: self.radius + parameter * self.radius_rate + g * self.radius_by_g,
-            load: self.load + parameter * self.load_rate + g * self.load_by_g,
+            parameter: self.parameter + s,
+            overlap: self.overlap + s * self.by_s.overlap + g * self.by_g.overlap,
+            radius: self.radius + s * self.by_s.radius + g * self.by_g.radius,
+            load: self.load + s * self.by_s.load + g * self.by_g.load,
             ..self
         }
     }
 
-    /// This contact, with the rates by s that go on from one contact to another at the same g, where it lies a little beyond.
+    /// This contact, with the rates that go on from one contact to another at the same g, where it lies a little beyond.
     #[inline]
     pub fn with_rates_beyond(self, here: &Self, before: &Self) -> Self {
         let way = here.parameter - before.parameter;
@@ -65,27 +64,13 @@ impl Contact {
         }
         let part = (self.parameter - here.parameter) / way;
         let onwards = |here: f64, before: f64| here + part * (here - before);
-        Self {
-            overlap_rate: onwards(here.overlap_rate, before.overlap_rate),
-            radius_rate: onwards(here.radius_rate, before.radius_rate),
-            load_rate: onwards(here.load_rate, before.load_rate),
-            overlap_by_g: onwards(here.overlap_by_g, before.overlap_by_g),
-            radius_by_g: onwards(here.radius_by_g, before.radius_by_g),
-            load_by_g: onwards(here.load_by_g, before.load_by_g),
-            ..self
-        }
+        let all_onwards = |here: Rates, before: Rates| Rates {
+            overlap: onwards(here.overlap, before.overlap),
+            radius: onwards(here.radius, before.radius),
+            load: onwards(here.load, before.load),
+        };
+        Self { by_s: all_onwards(here.by_s, before.by_s), by_g: all_onwards(here.by_g, before.by_g), ..self }
     }
-}
-
-/// What a contact changes by as a group grows, per change of the group's logarithm, at fixed s and g.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct GroupChange {
-    /// Of the overlap.
-    pub overlap: f64,
-    /// Of the contact radius.
-    pub radius: f64,
-    /// Of the load.
-    pub load: f64,
 }
 
 /// A law of contact: the states of one asperity from break-away to any load, as functions of a parameter s.
@@ -106,8 +91,9 @@ pub trait ContactLaw: std::fmt::Debug + Send + Sync {
     /// A guess of the parameter at an overlap.
     fn guess(&self, overlap: f64, g: f64) -> f64;
 
-    /// What the state at a parameter changes by with each group, in the order of [`Groups`](crate::groups::Groups).
-    fn by_groups(&self, parameter: f64, g: f64) -> [GroupChange; GROUPS];
+    /// The derivatives of the state by the logarithm of each group, in the order of [`Groups`](crate::groups::Groups), at fixed
+    /// s and g.
+    fn by_groups(&self, parameter: f64, g: f64) -> [Rates; GROUPS];
 
     /// Distance from a parameter to the nearest point, real or complex, where the states are not analytic in it, but for
     /// the kinks.
@@ -128,49 +114,36 @@ pub(crate) mod tests {
     use super::*;
     use crate::groups::Groups;
 
-    /// At these parameters and at three radii, of the law of groups.
-    pub fn assert_group_changes_are_secants<L: ContactLaw>(law: fn(&Groups) -> L, groups: &Groups, parameters: &[f64]) {
+    /// Of elastic summits.
+    pub fn elastic([alpha, beta, gamma, b_over_h]: [f64; 4]) -> Groups {
+        Groups { alpha, beta, gamma, b_over_h, hardness: f64::INFINITY, yields: false }
+    }
+
+    /// By s, by g and by the groups, at these parameters and at three radii.
+    pub fn assert_rates_are_secants<L: ContactLaw>(law: fn(&Groups) -> L, groups: &Groups, parameters: &[f64]) {
+        let here = law(groups);
         for (s, g) in parameters.iter().flat_map(|&s| [0.3, 1.0, 1.8].map(|g| (s, g))) {
-            let changes = law(groups).by_groups(s, g);
-            for (i, change) in changes.into_iter().enumerate() {
-                let [before, after] = [-1e-5, 1e-5].map(|step| law(&groups.grown(i, step)).at(s, g));
-                for (name, before, after, found) in [
-                    ("u", before.overlap, after.overlap, change.overlap),
-                    ("a", before.radius, after.radius, change.radius),
-                    ("P", before.load, after.load, change.load),
-                ] {
-                    let secant = (after - before) / 2e-5;
-                    let known = 1e-9 * (found.abs() + after.abs());
-                    assert!((secant - found).abs() <= known, "d{name} at {s}, {g} by group {i}: {found}, not {secant}");
-                }
+            let step = 1e-5 * s.clamp(0.01, 1.0);
+            let contact = here.at(s, g);
+            assert_rates([here.at(s - step, g), here.at(s + step, g)], step, contact.by_s, &format!("ds at {s}, {g}"));
+            assert_rates([here.at(s, g - step), here.at(s, g + step)], step, contact.by_g, &format!("dg at {s}, {g}"));
+            for (i, rates) in here.by_groups(s, g).into_iter().enumerate() {
+                let ends = [-1e-5, 1e-5].map(|step| law(&groups.grown(i, step)).at(s, g));
+                assert_rates(ends, 1e-5, rates, &format!("group {i} at {s}, {g}"));
             }
         }
     }
 
-    /// At these parameters and at three radii.
-    pub fn assert_rates_are_secants(law: &dyn ContactLaw, parameters: &[f64]) {
-        for &s in parameters {
-            for g in [0.3, 1.0, 1.8] {
-                let here = law.at(s, g);
-                let along = |step: f64| [law.at(s - step, g), law.at(s + step, g)];
-                let across = |step: f64| [law.at(s, g - step), law.at(s, g + step)];
-                let step = 1e-5 * s.min(1.0);
-                for (name, pair, rate, value) in [
-                    ("du/ds", along(step).map(|c| c.overlap), here.overlap_rate, here.overlap),
-                    ("da/ds", along(step).map(|c| c.radius), here.radius_rate, here.radius),
-                    ("dP/ds", along(step).map(|c| c.load), here.load_rate, here.load),
-                    ("du/dg", across(step).map(|c| c.overlap), here.overlap_by_g, here.overlap),
-                    ("da/dg", across(step).map(|c| c.radius), here.radius_by_g, here.radius),
-                    ("dP/dg", across(step).map(|c| c.load), here.load_by_g, here.load),
-                ] {
-                    let secant = (pair[1] - pair[0]) / (2.0 * step);
-                    let rounding = 1e-15 * value.abs() / step;
-                    assert!(
-                        (secant - rate).abs() < 1e-7 * rate.abs() + rounding,
-                        "{name} at {s}, {g}: {rate}, not {secant}"
-                    );
-                }
-            }
+    /// From the contacts a step before and a step beyond.
+    fn assert_rates([before, after]: [Contact; 2], step: f64, rates: Rates, by: &str) {
+        for (name, before, after, rate) in [
+            ("du", before.overlap, after.overlap, rates.overlap),
+            ("da", before.radius, after.radius, rates.radius),
+            ("dP", before.load, after.load, rates.load),
+        ] {
+            let secant = (after - before) / (2.0 * step);
+            let known = 1e-7 * rate.abs() + 1e-15 * after.abs() / step;
+            assert!((secant - rate).abs() <= known, "{name}/{by}: {rate}, not {secant}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Hertz' contact of one asperity: Maugis' law without adhesion, eqs (5) and (6) with gamma = 0.
 
-use super::contact::{Contact, ContactLaw, GroupChange};
+use super::contact::{Contact, ContactLaw, Rates};
 use crate::groups::{Groups, GROUPS};
 
 /// Hertz' law. Its parameter is the square root of the overlap.
@@ -30,12 +30,8 @@ impl ContactLaw for Hertz {
             overlap: parameter * parameter,
             radius,
             load: load_over_radius * radius,
-            overlap_rate: 2.0 * parameter,
-            radius_rate,
-            load_rate: 3.0 * load_over_radius * radius_rate,
-            overlap_by_g: 0.0,
-            radius_by_g: 0.5 * radius / g,
-            load_by_g: 0.5 * load_over_radius * radius / g,
+            by_s: Rates { overlap: 2.0 * parameter, radius: radius_rate, load: 3.0 * load_over_radius * radius_rate },
+            by_g: Rates { overlap: 0.0, radius: 0.5 * radius / g, load: 0.5 * load_over_radius * radius / g },
         }
     }
 
@@ -52,11 +48,11 @@ impl ContactLaw for Hertz {
     }
 
     /// The overlap is that of the parameter; a is as beta, P as alpha beta^2.
-    fn by_groups(&self, parameter: f64, g: f64) -> [GroupChange; GROUPS] {
+    fn by_groups(&self, parameter: f64, g: f64) -> [Rates; GROUPS] {
         let Contact { radius, load, .. } = self.at(parameter, g);
-        let by_alpha = GroupChange { load, ..GroupChange::default() };
-        let by_beta = GroupChange { radius, load: 2.0 * load, ..GroupChange::default() };
-        [by_alpha, by_beta, GroupChange::default(), GroupChange::default(), GroupChange::default()]
+        let by_alpha = Rates { load, ..Rates::default() };
+        let by_beta = Rates { radius, load: 2.0 * load, ..Rates::default() };
+        [by_alpha, by_beta, Rates::default(), Rates::default(), Rates::default()]
     }
 
     fn distance_to_singularity(&self, _parameter: f64, _g: f64) -> f64 {
@@ -67,39 +63,21 @@ impl ContactLaw for Hertz {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::asperity::contact::tests::{assert_group_changes_are_secants, assert_rates_are_secants};
+    use crate::asperity::contact::tests::{assert_rates_are_secants, elastic};
+    use crate::numerics::near;
 
     #[test]
     fn load_and_radius_are_those_of_hertz() {
         let (alpha, beta) = (0.02, 300.0);
-        let law =
-            Hertz::new(&Groups { alpha, beta, gamma: 0.0, b_over_h: 1.0, hardness: f64::INFINITY, yields: false });
-        for g in [0.3, 1.0, 1.8] {
-            for overlap in [1e-200, 1e-3, 0.5, 40.0] {
-                let contact = law.at_overlap(overlap, g, 0.0);
-                // In units of b, E* and sigma: R = g beta/alpha, sigma = alpha beta; a^2 = R u, P = 4/3 R^(1/2) u^(3/2).
-                let (summit_radius, depth): (f64, f64) = (g * beta / alpha, overlap * alpha * beta);
-                let near = |a: f64, b: f64| (a - b).abs() <= 1e-14 * b.abs();
-                assert!(near(contact.radius, (summit_radius * depth).sqrt()), "{contact:?}");
-                assert!(near(contact.load, 4.0 / 3.0 * summit_radius.sqrt() * depth.powf(1.5)), "{contact:?}");
-                assert!(near(contact.overlap, overlap), "{contact:?}");
-            }
+        let groups = elastic([alpha, beta, 0.0, 1.0]);
+        for (g, overlap) in [0.3, 1.0, 1.8].into_iter().flat_map(|g| [1e-200, 1e-3, 0.5, 40.0].map(|u| (g, u))) {
+            let contact = Hertz::new(&groups).at_overlap(overlap, g, 0.0);
+            // In units of b, E* and sigma: R = g beta/alpha, sigma = alpha beta; a^2 = R u, P = 4/3 R^(1/2) u^(3/2).
+            let (summit_radius, depth): (f64, f64) = (g * beta / alpha, overlap * alpha * beta);
+            assert!(near(contact.radius, (summit_radius * depth).sqrt(), 1e-14), "{contact:?}");
+            assert!(near(contact.load, 4.0 / 3.0 * summit_radius.sqrt() * depth.powf(1.5), 1e-14), "{contact:?}");
+            assert_eq!(contact.overlap, overlap);
         }
-    }
-
-    #[test]
-    fn rates_are_slopes_of_secants() {
-        let law = Hertz::new(&Groups {
-            alpha: 0.02,
-            beta: 300.0,
-            gamma: 0.0,
-            b_over_h: 1.0,
-            hardness: f64::INFINITY,
-            yields: false,
-        });
-        assert_rates_are_secants(&law, &[0.1, 1.0, 30.0]);
-        let groups =
-            Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0, hardness: f64::INFINITY, yields: false };
-        assert_group_changes_are_secants(Hertz::new, &groups, &[0.1, 1.0, 30.0]);
+        assert_rates_are_secants(Hertz::new, &groups, &[0.1, 1.0, 30.0]);
     }
 }

@@ -6,7 +6,7 @@
 //! special care. The parameter of the branch is s with theta = (pi/2)/(1 + s).
 //! Attraction without contact belongs to [`super::attraction`], friction to [`super::slip`].
 
-use super::contact::{Contact, ContactLaw, GroupChange};
+use super::contact::{Contact, ContactLaw, Rates};
 use crate::elementary::{cbrt, sincos};
 use crate::groups::{Groups, GROUPS};
 use crate::numerics::root;
@@ -23,9 +23,9 @@ const LAST_STEPS: f64 = 1e-13;
 /// Newton's method takes some five steps; more are halvings of a bracket.
 const MOST_STEPS: u32 = 100;
 
-/// Maugis' contact law with its coefficients.
+/// The coefficients of eqs (4)-(6), or what powers of a group they are.
 #[derive(Debug, Clone)]
-pub struct Maugis {
+struct Coefficients {
     /// alpha b / (pi beta h): the factor of the first bracket of eq (4), times g.
     bracket_2: f64,
     /// 4 gamma b^2 / (pi h^2): the factor of the second bracket of eq (4).
@@ -38,6 +38,29 @@ pub struct Maugis {
     load_hertz: f64,
     /// 2 gamma b / h, the adhesive term of eq (5).
     load_adhesion: f64,
+}
+
+impl Coefficients {
+    /// In their order.
+    const fn of(coefficients: [f64; 6]) -> Self {
+        let [bracket_2, bracket_1, overlap_hertz, overlap_adhesion, load_hertz, load_adhesion] = coefficients;
+        Self { bracket_2, bracket_1, overlap_hertz, overlap_adhesion, load_hertz, load_adhesion }
+    }
+}
+
+/// Their powers of alpha, beta, gamma, b/h and hardness.
+const POWERS: [Coefficients; GROUPS] = [
+    Coefficients::of([1.0, 0.0, 0.0, -1.0, 1.0, 0.0]),
+    Coefficients::of([-1.0, 0.0, -2.0, -1.0, -1.0, 0.0]),
+    Coefficients::of([0.0, 1.0, 0.0, 1.0, 0.0, 1.0]),
+    Coefficients::of([1.0, 2.0, 0.0, 1.0, 0.0, 1.0]),
+    Coefficients::of([0.0; 6]),
+];
+
+/// Maugis' contact law.
+#[derive(Debug, Clone)]
+pub struct Maugis {
+    of: Coefficients,
     lambda_cubed: f64,
 }
 
@@ -45,15 +68,15 @@ impl Maugis {
     /// The contact law of a surface's groups, of which gamma > 0.
     pub fn new(groups: &Groups) -> Self {
         let Groups { alpha, beta, gamma, b_over_h, .. } = *groups;
-        Self {
+        let of = Coefficients {
             bracket_2: alpha * b_over_h / (PI * beta),
             bracket_1: 4.0 * gamma * b_over_h * b_over_h / PI,
             overlap_hertz: 1.0 / (beta * beta),
             overlap_adhesion: 2.0 * gamma * b_over_h / (alpha * beta),
             load_hertz: 4.0 * alpha / (3.0 * beta),
             load_adhesion: 2.0 * gamma * b_over_h,
-            lambda_cubed: groups.lambda_cubed(),
-        }
+        };
+        Self { of, lambda_cubed: groups.lambda_cubed() }
     }
 
     /// Whether the contact of a summit breaks at a > 0.
@@ -72,37 +95,41 @@ impl ContactLaw for Maugis {
         let Angle { sin, cos, bracket_2, bracket_1 } = Angle::new(theta);
         let inv_g = 1.0 / g;
         // Eq (4) as k2 c^2 + k1 c = 1; d(bracket)/dtheta = 2 theta sin 2theta and theta cos theta.
-        let factor_2 = self.bracket_2 * inv_g;
+        let factor_2 = self.of.bracket_2 * inv_g;
         let k2 = factor_2 * bracket_2;
-        let k1 = self.bracket_1 * bracket_1;
+        let k1 = self.of.bracket_1 * bracket_1;
         let root = (k1 * k1 + 4.0 * k2).sqrt();
         // c = 2/(k1 + root); 2 k2 c + k1 equals the root.
         let c_over_root = 2.0 / ((k1 + root) * root);
         let c = c_over_root * root;
         let k_rate = theta * cos * theta_rate;
-        let c_rate = -c_over_root * k_rate * (factor_2 * 4.0 * sin * c + self.bracket_1);
+        let c_rate = -c_over_root * k_rate * (factor_2 * 4.0 * sin * c + self.of.bracket_1);
         let c_by_g = c_over_root * k2 * c * inv_g;
 
         let a = c * cos;
         let a_rate = c_rate * cos - c * sin * theta_rate;
         let a_by_g = c_by_g * cos;
-        let hertz = self.overlap_hertz * inv_g;
-        let load_hertz = self.load_hertz * inv_g;
+        let hertz = self.of.overlap_hertz * inv_g;
+        let load_hertz = self.of.load_hertz * inv_g;
         // d(annulus)/dtheta = 2 cos^2.
         let annulus = sin * cos + theta;
         Contact {
             parameter,
-            overlap: hertz * a * a - self.overlap_adhesion * sin * c,
+            overlap: hertz * a * a - self.of.overlap_adhesion * sin * c,
             radius: a,
-            load: load_hertz * a * a * a - self.load_adhesion * annulus * c * c,
-            overlap_rate: 2.0 * hertz * a * a_rate - self.overlap_adhesion * (cos * theta_rate * c + sin * c_rate),
-            radius_rate: a_rate,
-            load_rate: 3.0 * load_hertz * a * a * a_rate
-                - 2.0 * self.load_adhesion * c * (cos * cos * theta_rate * c + annulus * c_rate),
-            overlap_by_g: hertz * a * (2.0 * a_by_g - a * inv_g) - self.overlap_adhesion * sin * c_by_g,
-            radius_by_g: a_by_g,
-            load_by_g: load_hertz * a * a * (3.0 * a_by_g - a * inv_g)
-                - 2.0 * self.load_adhesion * annulus * c * c_by_g,
+            load: load_hertz * a * a * a - self.of.load_adhesion * annulus * c * c,
+            by_s: Rates {
+                overlap: 2.0 * hertz * a * a_rate - self.of.overlap_adhesion * (cos * theta_rate * c + sin * c_rate),
+                radius: a_rate,
+                load: 3.0 * load_hertz * a * a * a_rate
+                    - 2.0 * self.of.load_adhesion * c * (cos * cos * theta_rate * c + annulus * c_rate),
+            },
+            by_g: Rates {
+                overlap: hertz * a * (2.0 * a_by_g - a * inv_g) - self.of.overlap_adhesion * sin * c_by_g,
+                radius: a_by_g,
+                load: load_hertz * a * a * (3.0 * a_by_g - a * inv_g)
+                    - 2.0 * self.of.load_adhesion * annulus * c * c_by_g,
+            },
         }
     }
 
@@ -113,11 +140,11 @@ impl ContactLaw for Maugis {
         }
         // From heavy load the overlap falls with s down to the fold: its first extremum.
         let mut upper = 1.0;
-        while self.at(upper, g).overlap_rate <= 0.0 {
+        while self.at(upper, g).by_s.overlap <= 0.0 {
             upper *= 2.0;
         }
         // At s = 0 the rate is 0 whatever lambda_g is.
-        let rate_over_s = |s: f64| self.at(s, g).overlap_rate / s;
+        let rate_over_s = |s: f64| self.at(s, g).by_s.overlap / s;
         self.at(root::bracketed(rate_over_s, LEAST_PARAMETER_AT_FOLD * upper, upper), g)
     }
 
@@ -129,17 +156,17 @@ impl ContactLaw for Maugis {
             let s = contact.parameter;
             let missing = overlap - contact.overlap;
             // Past the fold the overlap rises again: that is off the branch.
-            if contact.overlap_rate <= 0.0 || missing > 0.0 {
+            if contact.by_s.overlap <= 0.0 || missing > 0.0 {
                 lower = s;
             } else {
                 upper = s;
             }
-            let newton = s + missing / contact.overlap_rate;
+            let newton = s + missing / contact.by_s.overlap;
             let step = (newton - s).abs();
             if step * last_step <= LAST_STEPS * s * s || step <= LAST_STEP * s {
                 return Contact { overlap, ..contact.moved(newton - s, 0.0).with_rates_beyond(&contact, &before) };
             }
-            let next = if newton > lower && newton < upper && contact.overlap_rate > 0.0 {
+            let next = if newton > lower && newton < upper && contact.by_s.overlap > 0.0 {
                 newton
             } else if upper < f64::INFINITY {
                 0.5 * (lower + upper)
@@ -157,29 +184,29 @@ impl ContactLaw for Maugis {
 
     /// Eq (4) for heavy load, with Hertz' radius.
     fn guess(&self, overlap: f64, g: f64) -> f64 {
-        let hertz_radius_squared = overlap.max(0.0) / self.overlap_hertz; // over g
+        let hertz_radius_squared = overlap.max(0.0) / self.of.overlap_hertz; // over g
         let radius = (hertz_radius_squared * g).sqrt();
         // 1/theta by either of the two brackets.
-        let by_bracket_2 = cbrt(self.bracket_2 * hertz_radius_squared / 0.75);
-        let by_bracket_1 = (0.5 * self.bracket_1 * radius).sqrt();
+        let by_bracket_2 = cbrt(self.of.bracket_2 * hertz_radius_squared / 0.75);
+        let by_bracket_1 = (0.5 * self.of.bracket_1 * radius).sqrt();
         (FRAC_PI_2 * by_bracket_2.max(by_bracket_1) - 1.0).max(LEAST_GUESS)
     }
 
     /// Eqs (4)-(6), of which each coefficient is a product of powers of the groups.
-    fn by_groups(&self, parameter: f64, g: f64) -> [GroupChange; GROUPS] {
+    fn by_groups(&self, parameter: f64, g: f64) -> [Rates; GROUPS] {
         let Angle { sin, cos, bracket_2, bracket_1 } = Angle::new(FRAC_PI_2 / (1.0 + parameter));
-        let k2 = self.bracket_2 / g * bracket_2;
-        let k1 = self.bracket_1 * bracket_1;
+        let k2 = self.of.bracket_2 / g * bracket_2;
+        let k1 = self.of.bracket_1 * bracket_1;
         let root = (k1 * k1 + 4.0 * k2).sqrt();
         let c = 2.0 / (k1 + root);
         let a = c * cos;
-        let (overlap_hertz, overlap_adhesion) = (self.overlap_hertz / g * a * a, self.overlap_adhesion * sin * c);
-        let load_hertz = self.load_hertz / g * a * a * a;
-        let load_adhesion = self.load_adhesion * (sin * cos + FRAC_PI_2 / (1.0 + parameter)) * c * c;
+        let (overlap_hertz, overlap_adhesion) = (self.of.overlap_hertz / g * a * a, self.of.overlap_adhesion * sin * c);
+        let load_hertz = self.of.load_hertz / g * a * a * a;
+        let load_adhesion = self.of.load_adhesion * (sin * cos + FRAC_PI_2 / (1.0 + parameter)) * c * c;
         POWERS.map(|powers| {
             // d ln c, with d(k2 c^2 + k1 c) = 0.
             let log_c = -(k2 * c * powers.bracket_2 + k1 * powers.bracket_1) / root;
-            GroupChange {
+            Rates {
                 overlap: overlap_hertz * (2.0 * log_c + powers.overlap_hertz)
                     - overlap_adhesion * (log_c + powers.overlap_adhesion),
                 radius: a * log_c,
@@ -201,33 +228,6 @@ const SINGULAR_BEFORE: f64 = 0.3;
 const LEAST_GUESS: f64 = 0.1;
 /// A fold nearer to s = 0 than this has an overlap that is that of s = 0 to rounding.
 const LEAST_PARAMETER_AT_FOLD: f64 = 1e-6;
-
-/// The powers of one group in the coefficients of [`Maugis`].
-struct Powers {
-    bracket_2: f64,
-    bracket_1: f64,
-    overlap_hertz: f64,
-    overlap_adhesion: f64,
-    load_hertz: f64,
-    load_adhesion: f64,
-}
-
-/// Of alpha, beta, gamma, b/h and hardness: as in [`Maugis::new`].
-const POWERS: [Powers; GROUPS] = [
-    Powers::of([1.0, 0.0, 0.0, -1.0, 1.0, 0.0]),
-    Powers::of([-1.0, 0.0, -2.0, -1.0, -1.0, 0.0]),
-    Powers::of([0.0, 1.0, 0.0, 1.0, 0.0, 1.0]),
-    Powers::of([1.0, 2.0, 0.0, 1.0, 0.0, 1.0]),
-    Powers::of([0.0; 6]),
-];
-
-impl Powers {
-    /// In the order of the coefficients.
-    const fn of(powers: [f64; 6]) -> Self {
-        let [bracket_2, bracket_1, overlap_hertz, overlap_adhesion, load_hertz, load_adhesion] = powers;
-        Self { bracket_2, bracket_1, overlap_hertz, overlap_adhesion, load_hertz, load_adhesion }
-    }
-}
 
 /// What eqs (4)-(6) take of theta.
 struct Angle {
@@ -315,27 +315,19 @@ const fn series_1() -> [f64; SERIES_TERMS] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::asperity::contact::tests::{assert_group_changes_are_secants, assert_rates_are_secants};
+    use crate::asperity::contact::tests::{assert_rates_are_secants, elastic};
+    use crate::numerics::near;
 
     /// With little adhesion and with much.
+    fn groups() -> [Groups; 2] {
+        [1e-4, 0.02].map(|gamma| elastic([0.01, 1e3, gamma, 0.7]))
+    }
+
     fn laws() -> [Maugis; 2] {
-        [1e-4, 0.02].map(|gamma| {
-            Maugis::new(&Groups {
-                alpha: 0.01,
-                beta: 1e3,
-                gamma,
-                b_over_h: 0.7,
-                hardness: f64::INFINITY,
-                yields: false,
-            })
-        })
+        groups().map(|groups| Maugis::new(&groups))
     }
 
     const FACTORS: [f64; 3] = [0.3, 1.0, 1.8];
-
-    fn near(a: f64, b: f64, tolerance: f64) -> bool {
-        (a - b).abs() <= tolerance * b.abs()
-    }
 
     #[test]
     fn brackets_are_one_function_by_series_and_in_closed_form() {
@@ -358,13 +350,8 @@ mod tests {
 
     #[test]
     fn rates_are_slopes_of_secants() {
-        for law in laws() {
-            assert_rates_are_secants(&law, &[0.03, 0.4, 2.0, 50.0, 1e4]);
-        }
-        for gamma in [1e-4, 0.02] {
-            let groups =
-                Groups { alpha: 0.01, beta: 1e3, gamma, b_over_h: 0.7, hardness: f64::INFINITY, yields: false };
-            assert_group_changes_are_secants(Maugis::new, &groups, &[0.0, 0.03, 0.4, 2.0, 50.0, 1e4]);
+        for groups in groups() {
+            assert_rates_are_secants(Maugis::new, &groups, &[0.0, 0.03, 0.4, 2.0, 50.0, 1e4]);
         }
     }
 
@@ -374,13 +361,13 @@ mod tests {
             for g in FACTORS {
                 let edge = law.break_away(g);
                 assert_eq!(edge.parameter == 0.0, !law.has_fold(g), "{g}");
-                let scale = law.at(edge.parameter + 1.0, g).overlap_rate;
-                assert!(edge.overlap_rate.abs() < 1e-10 * scale, "{}", edge.overlap_rate);
+                let scale = law.at(edge.parameter + 1.0, g).by_s.overlap;
+                assert!(edge.by_s.overlap.abs() < 1e-10 * scale, "{}", edge.by_s.overlap);
                 for step in 1..100 {
                     let s = 0.05 * f64::from(step);
                     let contact = law.at(s, g);
                     assert!(contact.overlap >= edge.overlap, "{s} before {}", edge.parameter);
-                    assert!(s <= edge.parameter || contact.overlap_rate > 0.0, "{s} before {}", edge.parameter);
+                    assert!(s <= edge.parameter || contact.by_s.overlap > 0.0, "{s} before {}", edge.parameter);
                 }
             }
         }
@@ -402,14 +389,14 @@ mod tests {
                     let expected = law.at(edge.parameter + off, g);
                     let s = expected.parameter;
                     // Next to break-away the overlap hardly depends on s.
-                    let known = 1e-11 * (1.0 + 1.0 / off) + 1e-15 * edge.overlap.abs() / (expected.overlap_rate * off);
+                    let known = 1e-11 * (1.0 + 1.0 / off) + 1e-15 * edge.overlap.abs() / (expected.by_s.overlap * off);
                     for guess in [law.guess(expected.overlap, g), 0.0, 0.3 * s, s, 1.0001 * s, 40.0 * s, f64::NAN] {
                         let found = law.at_overlap(expected.overlap, g, guess);
                         for (name, a, b) in [
                             ("s", found.parameter, s),
                             ("a", found.radius, expected.radius),
-                            ("du/ds", found.overlap_rate, expected.overlap_rate),
-                            ("dP/ds", found.load_rate, expected.load_rate),
+                            ("du/ds", found.by_s.overlap, expected.by_s.overlap),
+                            ("dP/ds", found.by_s.load, expected.by_s.load),
                         ] {
                             assert!(
                                 near(a, b, 20.0 * known),

@@ -286,10 +286,7 @@ mod tests {
     use super::*;
     use crate::error::Value;
     use crate::neighbours::Neighbours;
-
-    fn near(a: f64, b: f64, tolerance: f64) -> bool {
-        (a - b).abs() <= tolerance * b.abs()
-    }
+    use crate::numerics::near;
 
     /// Uneven heights with uneven densities, zero in the middle and at one end.
     fn uneven(count: usize) -> (Vec<f64>, Vec<f64>) {

@@ -249,10 +249,7 @@ impl Moments {
 mod tests {
     use super::*;
     use crate::neighbours::Neighbours;
-
-    fn near(a: f64, b: f64, tolerance: f64) -> bool {
-        (a - b).abs() <= tolerance * b.abs()
-    }
+    use crate::numerics::near;
 
     fn weibull(shape: f64) -> Weibull {
         Weibull::new(shape).expect("a shape")

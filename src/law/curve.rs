@@ -552,11 +552,8 @@ impl Sample {
 mod tests {
     use super::super::tests::branch;
     use super::*;
+    use crate::numerics::near;
     use crate::params::{HeightFamily, Params};
-
-    fn near(a: f64, b: f64, tolerance: f64) -> bool {
-        (a - b).abs() <= tolerance * b.abs()
-    }
 
     #[test]
     fn the_coordinate_is_arsinh_of_the_root_of_load_over_pull_off() {

@@ -29,7 +29,7 @@ impl Edge {
         let (g, g_rate) = radius.at(z);
         let contact = law.break_away(g);
         // At break-away du/ds = 0, so that du_break/dg is the partial derivative.
-        Self { point: Point { z, g_rate, contact }, rate: 1.0 - contact.overlap_by_g * g_rate }
+        Self { point: Point { z, g_rate, contact }, rate: 1.0 - contact.by_g.overlap * g_rate }
     }
 
     /// The edge at a separation, where no summit holds on to a smaller overlap than `deepest`.

@@ -8,6 +8,7 @@ use super::break_away::Edge;
 use super::panels::{ContactVisitor, Progress, Walk};
 use super::radius::RadiusProfile;
 use super::{sums, Point, Population};
+use crate::asperity::contact::Rates;
 use crate::asperity::slip::Slip;
 use crate::distribution::Motion;
 use crate::elementary::exp;
@@ -40,21 +41,23 @@ pub struct Changes {
 }
 
 impl Change {
-    fn add(&mut self, weight: f64, load: f64, friction: f64) {
-        self.load += weight * load;
-        self.friction += weight * friction;
+    fn add(&mut self, weight: f64, of_one: Self) {
+        self.load += weight * of_one.load;
+        self.friction += weight * of_one.friction;
     }
 }
 
-/// How heights move at fixed quantiles, where they do.
+/// How heights move at fixed quantiles; where they do not, by nothing.
 struct Heights<'a> {
     motion: Option<Box<dyn Motion + 'a>>,
     of_origin: [f64; 2],
 }
 
 impl Heights<'_> {
-    fn above_origin(&self, z: f64) -> [f64; 2] {
-        self.motion.as_ref().map_or([0.0; 2], |motion| motion.above_origin(z))
+    /// By each parameter, how a height moves above the origin, and with it.
+    fn at(&self, z: f64) -> [(f64, f64); 2] {
+        let rises = self.motion.as_ref().map_or([0.0; 2], |motion| motion.above_origin(z));
+        std::array::from_fn(|i| (rises[i], self.of_origin[i]))
     }
 }
 
@@ -67,32 +70,28 @@ struct Adding<'a> {
 
 impl ContactVisitor for Adding<'_> {
     fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip) {
-        let contact = &point.contact;
-        let (g, _) = self.population.radius.at(point.z);
-        let (friction, friction_by_radius) = slip.force(contact.radius);
-        let by_overlap = if contact.overlap_rate > f64::MIN_POSITIVE { 1.0 / contact.overlap_rate } else { 0.0 };
-        let load_by_overlap = contact.load_rate * by_overlap;
-        let friction_by_overlap = friction_by_radius * contact.radius_rate * by_overlap;
+        let Point { z, g_rate, contact } = *point;
+        let Population { law, radius, .. } = self.population;
         let changes = &mut self.changes;
-        let of_law = self.population.law.by_groups(contact.parameter, g);
-        for (change, by_group) in changes.by_groups.iter_mut().zip(of_law) {
-            // At fixed overlap.
-            let load = by_group.load - load_by_overlap * by_group.overlap;
-            let friction = friction_by_radius * by_group.radius - friction_by_overlap * by_group.overlap;
-            change.add(fraction, load, friction);
+        let (friction, friction_by_radius) = slip.force(contact.radius);
+        let s_by_overlap = contact.s_by_overlap();
+        let load_by_overlap = contact.by_s.load * s_by_overlap;
+        let friction_by_overlap = friction_by_radius * contact.by_s.radius * s_by_overlap;
+        let at_fixed_overlap = |rates: Rates| Change {
+            load: rates.load - load_by_overlap * rates.overlap,
+            friction: friction_by_radius * rates.radius - friction_by_overlap * rates.overlap,
+        };
+        let by_g = at_fixed_overlap(contact.by_g);
+        for (change, rates) in changes.by_groups.iter_mut().zip(law.by_groups(contact.parameter, radius.factor(z))) {
+            change.add(fraction, at_fixed_overlap(rates));
         }
-        let load_by_g = contact.load_by_g - load_by_overlap * contact.overlap_by_g;
-        let friction_by_g = friction_by_radius * contact.radius_by_g - friction_by_overlap * contact.overlap_by_g;
-        for (change, g_change) in changes.by_radius.iter_mut().zip(self.population.radius.changes(point.z)) {
-            change.add(fraction * g_change, load_by_g, friction_by_g);
+        for (change, g_change) in changes.by_radius.iter_mut().zip(radius.changes(z)) {
+            change.add(fraction * g_change, by_g);
         }
-        if self.heights.motion.is_some() {
-            let moved = self.heights.above_origin(point.z).into_iter().zip(self.heights.of_origin);
-            for (change, (rise, of_origin)) in changes.by_heights.iter_mut().zip(moved) {
-                let g_change = point.g_rate * (rise + of_origin);
-                let load = load_by_overlap * rise + load_by_g * g_change;
-                change.add(fraction, load, friction_by_overlap * rise + friction_by_g * g_change);
-            }
+        for (change, (rise, of_origin)) in changes.by_heights.iter_mut().zip(self.heights.at(z)) {
+            let g_change = g_rate * (rise + of_origin);
+            let load = load_by_overlap * rise + by_g.load * g_change;
+            change.add(fraction, Change { load, friction: friction_by_overlap * rise + by_g.friction * g_change });
         }
         for (change, log_change) in changes.friction_by_slip.iter_mut().zip(slip.log_changes(contact.radius)) {
             *change += fraction * friction * log_change;
@@ -142,21 +141,19 @@ impl Population {
     fn add_edge_changes(&self, changes: &mut Changes, separation: f64, edge: &Edge, heights: &Heights) {
         let Point { z, g_rate, contact } = edge.point;
         let below = self.attraction_at(z - separation, z).map_or(0.0, |attracted| attracted.load);
-        let load = contact.load - below;
-        let friction = self.slip.force(contact.radius).0;
+        let lost = Change { load: contact.load - below, friction: self.slip.force(contact.radius).0 };
         let density = exp(self.heights.log_density(z));
-        let add = |change: &mut Change, edge_rise: f64| change.add(-density * edge_rise, load, friction);
+        let add = |change: &mut Change, edge_rise: f64| change.add(-density * edge_rise, lost);
         // At break-away du/ds = 0, so that changes at fixed s are those of the overlap there.
         let of_law = self.law.by_groups(contact.parameter, self.radius.factor(z));
-        for (change, by_group) in changes.by_groups.iter_mut().zip(of_law) {
-            add(change, by_group.overlap / edge.rate);
+        for (change, rates) in changes.by_groups.iter_mut().zip(of_law) {
+            add(change, rates.overlap / edge.rate);
         }
         for (change, g_change) in changes.by_radius.iter_mut().zip(self.radius.changes(z)) {
-            add(change, contact.overlap_by_g * g_change / edge.rate);
+            add(change, contact.by_g.overlap * g_change / edge.rate);
         }
-        let moved = heights.above_origin(z).into_iter().zip(heights.of_origin);
-        for (change, (rise, of_origin)) in changes.by_heights.iter_mut().zip(moved) {
-            add(change, contact.overlap_by_g * g_rate * of_origin / edge.rate - rise);
+        for (change, (rise, of_origin)) in changes.by_heights.iter_mut().zip(heights.at(z)) {
+            add(change, contact.by_g.overlap * g_rate * of_origin / edge.rate - rise);
         }
     }
 
@@ -170,7 +167,7 @@ impl Population {
             for (change, reach_change) in changes.by_groups.iter_mut().zip(law.reach_changes()) {
                 change.load += gain * reach_change;
             }
-            for (change, rise) in changes.by_heights.iter_mut().zip(heights.above_origin(z)) {
+            for (change, (rise, _)) in changes.by_heights.iter_mut().zip(heights.at(z)) {
                 change.load += gain * rise;
             }
         }
@@ -183,12 +180,9 @@ impl Population {
             for (change, g_change) in changes.by_radius.iter_mut().zip(self.radius.changes(z)) {
                 change.load += fraction * by_g * g_change;
             }
-            if heights.motion.is_some() {
-                let by_overlap = law.at_overlap(overlap, g).load_by_overlap;
-                let moved = heights.above_origin(z).into_iter().zip(heights.of_origin);
-                for (change, (rise, of_origin)) in changes.by_heights.iter_mut().zip(moved) {
-                    change.load += fraction * (by_overlap * rise + by_g * g_rate * (rise + of_origin));
-                }
+            let by_overlap = law.at_overlap(overlap, g).load_by_overlap;
+            for (change, (rise, of_origin)) in changes.by_heights.iter_mut().zip(heights.at(z)) {
+                change.load += fraction * (by_overlap * rise + by_g * g_rate * (rise + of_origin));
             }
         })
     }

@@ -171,7 +171,7 @@ impl<const N: usize> Points<N> {
         let mut last: Option<(f64, Contact)> = None;
         self.heights.map(|z| {
             if let Some((before, contact)) = last {
-                guess = contact.parameter + (z - before) / contact.overlap_rate;
+                guess = contact.parameter + (z - before) / contact.by_s.overlap;
             }
             let contact = law.at_overlap(z - separation, 1.0, guess);
             last = Some((z, contact));

@@ -101,24 +101,21 @@ pub struct Point {
 }
 
 impl Point {
-    /// A summit that was not found: sums over it are no numbers.
-    const UNKNOWN: Self = Self { z: f64::NAN, g_rate: f64::NAN, contact: Contact::UNKNOWN };
-
     /// dz/ds along the branch of summits at one separation.
     #[inline]
     fn z_rate(&self) -> f64 {
-        self.contact.overlap_rate / self.height_share()
+        self.contact.by_s.overlap / self.height_share()
     }
 
     /// What part of a change of overlap at fixed s remains of a change of height: 1 where radii are equal.
     #[inline]
     fn height_share(&self) -> f64 {
-        1.0 - self.contact.overlap_by_g * self.g_rate
+        1.0 - self.contact.by_g.overlap * self.g_rate
     }
 
     /// da/ds along the same.
     fn radius_rate(&self) -> f64 {
-        self.contact.radius_rate + self.contact.radius_by_g * self.g_rate * self.z_rate()
+        self.contact.by_s.radius + self.contact.by_g.radius * self.g_rate * self.z_rate()
     }
 
     /// The same contact of a higher summit at a larger separation, where radii are equal.
@@ -366,13 +363,13 @@ impl Population {
         Point { z, g_rate, contact: self.law.at_overlap(z - separation, g, guess) }
     }
 
-    /// The summit of a parameter, from a guess of its height: the root of z - d - u(s, g(z)). `None` if Newton's method does
-    /// not find it.
+    /// The summit of a parameter, from a guess of its height: the root of z - d - u(s, g(z)). All of it is NaN, and so are
+    /// sums over it, if Newton's method does not find it.
     #[inline]
-    fn on_branch(&self, separation: f64, parameter: f64, guess: f64) -> Option<Point> {
+    fn on_branch(&self, separation: f64, parameter: f64, guess: f64) -> Point {
         if self.radius.is_constant() {
             let contact = self.law.at(parameter, 1.0);
-            return Some(Point { z: separation + contact.overlap, g_rate: 0.0, contact });
+            return Point { z: separation + contact.overlap, g_rate: 0.0, contact };
         }
         let mut z = guess;
         for _ in 0..MOST_STEPS {
@@ -381,11 +378,11 @@ impl Population {
             let step = (point.contact.overlap - (z - separation)) / point.height_share();
             let rounding = 2.0 * f64::EPSILON * (z.abs() + separation.abs());
             if step.abs() * self.radius.rate <= LAST_STEP || step.abs() <= rounding {
-                return Some(Point { z: z + step, contact: point.contact.moved(0.0, g_rate * step), ..point });
+                return Point { z: z + step, contact: point.contact.moved(0.0, g_rate * step), ..point };
             }
             z += step;
         }
-        None
+        Point { z: f64::NAN, g_rate: f64::NAN, contact: self.law.at(f64::NAN, 1.0) }
     }
 }
 

@@ -335,10 +335,10 @@ impl Population {
         }
         for _ in 0..MOST_STEPS {
             let there = self.on_branch(separation, s + step, here.z + step * (start_rate + step));
-            let Some(there) = there.filter(|there| there.height_share() * MOST_BEND >= here.height_share()) else {
+            if there.z.is_nan() || there.height_share() * MOST_BEND < here.height_share() {
                 step *= 0.25;
                 continue;
-            };
+            }
             let rise = there.z - here.z;
             let limit = reach.min(stop - here.z);
             // What would be left of the stretch goes into the panel if it is next to nothing.
@@ -411,12 +411,10 @@ impl Population {
         let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
         let mut count = 0;
         for (x, weight) in quadrature::nodes_of_part(panel.part, from, to) {
+            let point = self.at_place(separation, panel.axis, x, guess.at(x));
             nodes[count] = match panel.axis {
-                Axis::Parameter => {
-                    let point = self.on_branch(separation, x, guess.at(x)).unwrap_or(Point::UNKNOWN);
-                    (weight * point.z_rate(), point)
-                }
-                Axis::Height => (weight, self.at_height(separation, x, guess.at(x))),
+                Axis::Parameter => (weight * point.z_rate(), point),
+                Axis::Height => (weight, point),
             };
             count += 1;
         }
@@ -427,9 +425,15 @@ impl Population {
 
     /// The summit at a value of the variable of a panel.
     fn on_panel(&self, separation: f64, panel: &Panel, x: f64) -> Point {
-        match panel.axis {
-            Axis::Parameter => self.on_branch(separation, x, panel.guess().at(x)).unwrap_or(Point::UNKNOWN),
-            Axis::Height => self.at_height(separation, x, panel.guess().at(x)),
+        self.at_place(separation, panel.axis, x, panel.guess().at(x))
+    }
+
+    /// The summit of a parameter or of a height, from a guess of the other.
+    #[inline]
+    fn at_place(&self, separation: f64, axis: Axis, x: f64, guess: f64) -> Point {
+        match axis {
+            Axis::Parameter => self.on_branch(separation, x, guess),
+            Axis::Height => self.at_height(separation, x, guess),
         }
     }
 }

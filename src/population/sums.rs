@@ -124,16 +124,16 @@ impl Summit {
 
     #[inline]
     fn with_friction(contact: &Contact, (friction, friction_by_radius): (f64, f64)) -> Self {
-        let by_overlap = if contact.overlap_rate > f64::MIN_POSITIVE { 1.0 / contact.overlap_rate } else { 0.0 };
+        let by_overlap = contact.s_by_overlap();
         Self {
             overlap: contact.overlap,
             radius: contact.radius,
             load: contact.load,
             friction,
             area: PI * contact.radius * contact.radius,
-            load_by_overlap: contact.load_rate * by_overlap,
-            friction_by_overlap: friction_by_radius * contact.radius_rate * by_overlap,
-            radius_by_overlap: contact.radius_rate * by_overlap,
+            load_by_overlap: contact.by_s.load * by_overlap,
+            friction_by_overlap: friction_by_radius * contact.by_s.radius * by_overlap,
+            radius_by_overlap: contact.by_s.radius * by_overlap,
         }
     }
 }

@@ -200,11 +200,8 @@ impl Moments {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::near;
     use std::f64::consts::PI;
-
-    fn near(a: f64, b: f64, tolerance: f64) -> bool {
-        (a - b).abs() <= tolerance * b.abs()
-    }
 
     #[test]
     fn lognormal_curves_have_the_moments_of_the_closed_form() {
