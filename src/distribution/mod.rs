@@ -109,3 +109,6 @@ pub fn heights(family: &HeightFamily) -> Result<Arc<dyn HeightDistribution>, Err
         HeightFamily::Tabulated { height, density } => Arc::new(Tabulated::new(height, density)?),
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -185,33 +185,9 @@ fn slack(z: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::distribution::gaussian::Gaussian;
-    use crate::distribution::johnson;
-    use crate::distribution::tabulated::Tabulated;
-    use crate::distribution::weibull::Weibull;
+    use crate::distribution::tests::families;
     use crate::elementary::exp;
     use crate::numerics::quadrature::nodes;
-    use std::sync::Arc;
-
-    /// Families and shapes from one end of the domain to the other.
-    fn families() -> Vec<Arc<dyn HeightDistribution>> {
-        let mut all: Vec<Arc<dyn HeightDistribution>> = vec![Arc::new(Gaussian)];
-        for shape in [1.0, 1.001, 1.1, 1.5, 2.0, 2.5, 3.602, 5.0, 7.3, 10.0, 20.0, 50.0, 100.0, 200.0] {
-            all.push(Arc::new(Weibull::new(shape).expect("a shape")));
-        }
-        for skew in [0.0_f64, 0.001, 0.1, 0.5, 1.0, 2.0, 3.0] {
-            let least = 1.87 + 1.25 * skew * skew;
-            for part in [0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0] {
-                for skew in [skew, -skew] {
-                    all.push(johnson::heights(skew, least + (100.0 - least) * part).expect("a curve"));
-                }
-            }
-        }
-        for density in [[1.0, 3.0, 1.0, 0.0, 0.0, 2.0], [0.0, 0.1, 4.0, 5.0, 1.0, 0.0]] {
-            all.push(Arc::new(Tabulated::new(&[0.0, 1.0, 2.0, 2.5, 3.0, 4.0], &density).expect("a table")));
-        }
-        all
-    }
 
     /// The integrals of the density times powers of the height above the mean, by panels; and how many panels.
     fn moments(heights: &dyn HeightDistribution) -> ([f64; 5], usize) {

@@ -411,27 +411,6 @@ mod tests {
     }
 
     #[test]
-    fn densities_side_by_side_are_those_of_each_height() {
-        let (height, density) = uneven(20);
-        let table = Tabulated::new(&height, &density).expect("a table");
-        for length in [0.1, 9.0] {
-            let z: [f64; POINTS] = std::array::from_fn(|i| length * (i as f64 / 15.0 - 0.9));
-            assert_eq!(table.densities(z), z.map(|z| table.density(z)));
-        }
-    }
-
-    #[test]
-    fn the_slope_is_that_of_a_secant() {
-        let (height, density) = uneven(20);
-        let table = Tabulated::new(&height, &density).expect("a table");
-        for ends in table.knots.windows(2).filter(|ends| table.density(ends[0]).min(table.density(ends[1])) > 0.0) {
-            let z = 0.3 * ends[0] + 0.7 * ends[1];
-            let secant = (table.log_density(z + 1e-6) - table.log_density(z - 1e-6)) / 2e-6;
-            assert!((table.log_density_slope(z) - secant).abs() < 1e-6 * (1.0 + secant.abs()), "{secant} at {z}");
-        }
-    }
-
-    #[test]
     fn above_the_last_mode_the_density_only_falls() {
         for (density, last) in
             [([1.0, 3.0, 2.0, 2.5, 1.0], 3), ([5.0, 4.0, 4.0, 1.0, 0.0], 0), ([0.0, 1.0, 2.0, 3.0, 4.0], 4)]
