@@ -4,7 +4,8 @@
 //! over it, and no breakpoint lies within.
 
 use super::HeightDistribution;
-use crate::elementary::pow;
+use crate::elementary::{exp, pow};
+use crate::numerics::quadrature::{self, POINTS};
 use crate::numerics::root;
 
 /// The largest length times the change of the slope of ln phi over either half, that of 3.5 sigma of a Gaussian density: over
@@ -20,6 +21,8 @@ const SHORTEST: f64 = 1e-8;
 const AT_BREAKPOINT: f64 = 4e-15;
 /// Densities below exp(-NEGLIGIBLE) of the largest are left out of sums.
 const NEGLIGIBLE: f64 = 41.0;
+/// Densities below exp of this are no numbers.
+const SMALLEST_LOG_DENSITY: f64 = -700.0;
 /// The upper tail is summed by panels of one length as far as ln phi falls by this: the steeper rest is hardly ever summed.
 const TAIL: f64 = 20.0;
 /// It begins so far above the mode, in sigma.
@@ -81,6 +84,16 @@ fn lower_cut_at(heights: &dyn HeightDistribution, fall: f64) -> f64 {
     }
 }
 
+/// Above this height the density is no number.
+pub fn upper_cut(heights: &dyn HeightDistribution) -> f64 {
+    let ((_, highest), mode) = (heights.support(), heights.last_mode());
+    if highest.is_finite() {
+        return highest;
+    }
+    let above = |z: f64| (heights.log_density(z) - SMALLEST_LOG_DENSITY).max(-1e3);
+    root::bracketed(above, mode, outwards(mode, 1.0, |z| above(z) <= 0.0))
+}
+
 /// A panel length that serves the upper tail, from half a sigma above the mode to where ln phi is 20 below its largest
 /// value, wherever it lies. It is as short as the steepest part needs: next to the upper end of a support very short.
 pub fn tail_panel_length(heights: &dyn HeightDistribution) -> f64 {
@@ -115,14 +128,17 @@ fn excess_over(heights: &dyn HeightDistribution, fall: f64) -> impl Fn(f64) -> f
 pub struct FootPanel {
     /// Its length in z.
     pub length: f64,
+    foot: f64,
     power: f64,
 }
 
 impl FootPanel {
-    /// The panel of these heights, no longer than `longest`; `None` where the density is no power at a lower end.
-    pub fn new(heights: &dyn HeightDistribution, longest: f64) -> Option<Self> {
-        let exponent = heights.power_at_lower_end()?;
-        Some(Self { length: longest.min(FOOT), power: (9.0 / (exponent + 1.0)).max(1.0) })
+    /// The panel of these heights where a range begins, no longer than `longest`; `None` unless that is a lower end at which
+    /// the density is a power.
+    pub fn new(heights: &dyn HeightDistribution, from: f64, longest: f64) -> Option<Self> {
+        let (foot, exponent) = (heights.support().0, heights.power_at_lower_end()?);
+        let panel = Self { length: longest.min(FOOT), foot, power: (9.0 / (exponent + 1.0)).max(1.0) };
+        (from <= foot).then_some(panel)
     }
 
     /// The same panel, ending at another height above the lower end.
@@ -130,10 +146,13 @@ impl FootPanel {
         Self { length, ..self }
     }
 
-    /// The height above the lower end and its derivative by v, for v from 0 to 1.
-    pub fn at(&self, v: f64) -> (f64, f64) {
-        let rise = self.length * pow(v, self.power);
-        (rise, self.power * rise / v)
+    /// Its nodes: heights above the lower end, with the fraction of all summits that each stands for.
+    pub fn nodes(&self, heights: &dyn HeightDistribution) -> [(f64, f64); POINTS] {
+        quadrature::panel(0.0, 1.0).map(|(v, weight)| {
+            let rise = self.length * pow(v, self.power);
+            let rate = self.power * rise / v;
+            (rise, weight * rate * exp(heights.log_density(self.foot + rise)))
+        })
     }
 }
 
@@ -186,36 +205,30 @@ fn slack(z: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::distribution::tests::families;
-    use crate::elementary::exp;
     use crate::numerics::quadrature::nodes;
 
     /// The integrals of the density times powers of the height above the mean, by panels; and how many panels.
     fn moments(heights: &dyn HeightDistribution) -> ([f64; 5], usize) {
         let (mut moments, mut count) = ([0.0; 5], 0);
-        let mut add = |z: f64, weight: f64| {
-            let mut term = weight * exp(heights.log_density(z));
+        let mut add = |z: f64, fraction: f64| {
+            let mut term = fraction;
             for moment in &mut moments {
                 *moment += term;
                 term *= z + heights.origin();
             }
         };
-        let (lowest, highest) = heights.support();
+        let (_, highest) = heights.support();
         // The fourth moment needs more of a heavy tail than other sums.
         let is_left = excess_over(heights, 3.0 * NEGLIGIBLE);
         let mut z = lower_cut_at(heights, 3.0 * NEGLIGIBLE);
-        if z == lowest {
-            if let Some(foot) = FootPanel::new(heights, f64::MAX) {
-                for (v, weight) in nodes(0.0, 1.0) {
-                    let (rise, rate) = foot.at(v);
-                    add(z + rise, weight * rate);
-                }
-                z += foot.length;
-                count += 1;
-            }
+        if let Some(foot) = FootPanel::new(heights, z, f64::MAX) {
+            foot.nodes(heights).map(|(rise, fraction)| add(z + rise, fraction));
+            z += foot.length;
+            count += 1;
         }
         let counts = |&(z, _): &(f64, f64)| z < heights.last_mode() || is_left(z) > 0.0;
         for (from, to) in panels(heights, z, highest).take_while(counts) {
-            nodes(from, to).for_each(|(x, weight)| add(x, weight));
+            nodes(from, to).for_each(|(x, weight)| add(x, weight * exp(heights.log_density(x))));
             count += 1;
         }
         (moments, count)

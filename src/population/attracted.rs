@@ -2,18 +2,18 @@
 //!
 //! Panels are laid in the radius of the circle of interaction, of which the overlap is a quadratic polynomial.
 
-use super::sums::Sums;
+use super::panels::PART_AT_FOOT;
+use super::sums::{out_of_panels, Sums};
 use super::{Edge, Population};
 use crate::asperity::attraction::{Attracted, Attraction, ATTRACTION_LAMBDA_CUBED};
 use crate::distribution::panel::{self, FootPanel, MOST_PANELS};
 use crate::elementary::exp;
+use crate::error::Error;
 use crate::numerics::quadrature;
 use crate::numerics::root;
 
 /// One panel of attraction with varying radius spans no more than this ratio of du/dc.
 const CIRCLE_RATIO: f64 = 4.0;
-/// The panel at a foot of the heights takes this part of where attraction is smooth.
-const PART_AT_FOOT: f64 = 0.02;
 /// The shortest panel over the whole range: what lies within it of a singular point is negligible.
 const SHORTEST_PART: f64 = 1e-8;
 
@@ -49,7 +49,7 @@ impl Population {
             let attracted = law.at_overlap(overlap, g);
             sums.add_attraction(fraction, attracted.load, attracted.load_by_overlap);
         });
-        if !found {
+        if found.is_err() {
             *sums = Sums::unknown();
         }
     }
@@ -67,21 +67,20 @@ impl Population {
         Some(AttractedRange { law, sets_in, from, to })
     }
 
-    /// Hands the summits of a range to a visitor, as height, overlap and fraction of all; `false` if that takes more panels
-    /// than there may be.
+    /// Hands the summits of a range to a visitor, as height, overlap and fraction of all.
     pub(super) fn visit_attracted(
         &self,
         range: &AttractedRange,
         separation: f64,
         mut visit: impl FnMut(f64, f64, f64),
-    ) -> bool {
+    ) -> Result<(), Error> {
         let &AttractedRange { law, from, to: (upper, end), .. } = range;
         let (mut z, mut overlap) = self.attractions_at_foot(law, from, upper, &mut visit);
         // The smallest summits are attracted within a layer that is thinner than a rounding.
         let shortest = (SHORTEST_PART * (end - overlap)).max(4.0 * f64::EPSILON * overlap.abs());
         for _ in 0..MOST_PANELS {
             if overlap >= end {
-                return true;
+                return Ok(());
             }
             let smooth = panel::panel_length(&*self.heights, z).min(self.radius.smooth_length(z)).min(end - overlap);
             let g = self.radius.factor(z);
@@ -99,7 +98,7 @@ impl Population {
             z += length;
             overlap += length;
         }
-        false
+        Err(out_of_panels(separation))
     }
 
     /// The first panel where the range begins at a foot at which the density is a power; returns where it ends, as height
@@ -112,14 +111,10 @@ impl Population {
         visit: &mut impl FnMut(f64, f64, f64),
     ) -> (f64, f64) {
         let smooth = (overlap + law.reach).min(self.radius.smooth_length(z));
-        let Some(panel) = FootPanel::new(&*self.heights, (PART_AT_FOOT * smooth).min(upper - z))
-            .filter(|_| z <= self.heights.support().0)
-        else {
-            return (z, overlap);
-        };
-        for (v, weight) in quadrature::nodes(0.0, 1.0) {
-            let (rise, rate) = panel.at(v);
-            visit(z + rise, overlap + rise, weight * rate * exp(self.heights.log_density(z + rise)));
+        let longest = (PART_AT_FOOT * smooth).min(upper - z);
+        let Some(panel) = FootPanel::new(&*self.heights, z, longest) else { return (z, overlap) };
+        for (rise, fraction) in panel.nodes(&*self.heights) {
+            visit(z + rise, overlap + rise, fraction);
         }
         (z + panel.length, overlap + panel.length)
     }

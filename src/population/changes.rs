@@ -5,9 +5,9 @@
 //! of contact and past where attraction sets in. Nothing is taken by differences.
 
 use super::break_away::Edge;
-use super::panels::{ContactVisitor, Progress, Walk};
+use super::panels::{ContactVisitor, Progress};
 use super::radius::RadiusProfile;
-use super::{sums, Point, Population};
+use super::{Point, Population};
 use crate::asperity::contact::Rates;
 use crate::asperity::slip::Slip;
 use crate::distribution::Motion;
@@ -115,26 +115,21 @@ impl Population {
         let radius = RadiusProfile { amplitude, ..self.radius };
         // A table of nodes would cost more than these sums.
         let varied = Self { radius, ..self.without_tables() };
-        varied.summed_changes(separation, &heights).ok_or_else(|| sums::out_of_panels(separation))
+        varied.summed_changes(separation, &heights)
     }
 
-    fn summed_changes(&self, separation: f64, heights: &Heights) -> Option<Changes> {
+    fn summed_changes(&self, separation: f64, heights: &Heights) -> Result<Changes, Error> {
         let edge = self.edge(separation);
         let mut adding = Adding { population: self, heights, changes: Changes::default() };
-        if let Some(start) = self.lowest_contact(separation, &edge) {
-            let walk = Walk { separation, start, edge_height: edge.point.z, end: f64::INFINITY };
-            if !self.walk(&walk, &mut Progress::default(), &mut adding) {
-                return None;
-            }
+        if let Some(walk) = self.contacts(separation, &edge) {
+            self.walk(&walk, &mut Progress::default(), &mut adding)?;
         }
         let mut changes = adding.changes;
-        if !self.add_attraction_changes(&mut changes, separation, &edge, heights) {
-            return None;
-        }
+        self.add_attraction_changes(&mut changes, separation, &edge, heights)?;
         if self.has_summits_at(&edge) {
             self.add_edge_changes(&mut changes, separation, &edge, heights);
         }
-        Some(changes)
+        Ok(changes)
     }
 
     /// Adds what summits gain and lose that move past the edge of contact.
@@ -157,9 +152,15 @@ impl Population {
         }
     }
 
-    /// Adds the summits that attract; `false` if that takes more panels than there may be.
-    fn add_attraction_changes(&self, changes: &mut Changes, separation: f64, edge: &Edge, heights: &Heights) -> bool {
-        let Some(range) = self.attracted_range(separation, edge) else { return true };
+    /// Adds the summits that attract.
+    fn add_attraction_changes(
+        &self,
+        changes: &mut Changes,
+        separation: f64,
+        edge: &Edge,
+        heights: &Heights,
+    ) -> Result<(), Error> {
+        let Some(range) = self.attracted_range(separation, edge) else { return Ok(()) };
         let law = range.law;
         if range.sets_in {
             let (z, overlap) = range.from;

@@ -10,7 +10,6 @@ use crate::asperity::contact::{Contact, KINKS};
 use crate::asperity::slip::Slip;
 use crate::distribution::panel::{self, FootPanel};
 use crate::distribution::HeightDistribution;
-use crate::elementary::exp;
 use crate::numerics::quadrature;
 
 /// How far above break-away the lowest summit is, over the range of heights: a polynomial through [`MANY`] points then
@@ -210,11 +209,8 @@ fn samples(heights: &dyn HeightDistribution, from: f64, to: f64) -> Samples {
 fn sampled(heights: &dyn HeightDistribution, lowest: f64, highest: f64) -> (Vec<f64>, Vec<Samples>) {
     let (mut ends, mut panels, mut total) = (vec![lowest], Vec::new(), 0.0);
     let mut start = lowest;
-    if let Some(panel) = FootPanel::new(heights, 1.0).filter(|_| lowest <= heights.support().0) {
-        panels.push(quadrature::panel(0.0, 1.0).map(|(v, weight)| {
-            let (rise, rate) = panel.at(v);
-            (lowest + rise, weight * rate * exp(heights.log_density(lowest + rise)))
-        }));
+    if let Some(panel) = FootPanel::new(heights, lowest, 1.0) {
+        panels.push(panel.nodes(heights).map(|(rise, fraction)| (lowest + rise, fraction)));
         start += panel.length;
         ends.push(start);
     }

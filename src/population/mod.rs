@@ -51,8 +51,6 @@ const LOG_NOTHING: f64 = -18.9;
 const DEEP: f64 = 40.0;
 /// ...in steps of no more than this, in sigma, over which a panel of the law follows the density.
 const LONGEST_PASSING: f64 = 4.0;
-/// Densities below exp of this are no numbers.
-const SMALLEST_LOG_DENSITY: f64 = -700.0;
 /// A step of Newton's method for a height, over the length in which radii change, after which derivatives are those of the
 /// solution to rounding.
 const LAST_STEP: f64 = 1e-13;
@@ -85,8 +83,8 @@ pub struct Population {
     lower_cut: f64,
     /// What lies above this height is no number.
     highest: f64,
-    nodes: Option<NodeTable>,
-    deep: Option<DeepRule>,
+    nodes: Option<Arc<NodeTable>>,
+    deep: Option<Arc<DeepRule>>,
     /// What part a whole panel counts as when its points are chosen.
     fineness: f64,
 }
@@ -150,7 +148,7 @@ impl Population {
             _ => Arc::new(Hertz::new(groups)),
         };
         let lower_cut = panel::lower_cut(&*heights);
-        let highest = highest(&*heights);
+        let highest = panel::upper_cut(&*heights);
         let deepest = break_away::deepest(&*law, &radius, lower_cut, highest)?;
         let slip = Slip::new(slip);
         let [first, second] = slip.kinks();
@@ -175,8 +173,8 @@ impl Population {
             fineness: 1.0,
         };
         if radius.is_constant() {
-            population.nodes = Some(NodeTable::new(&population, population.edge(0.0).point));
-            population.deep = Some(DeepRule::new(&population));
+            population.nodes = Some(Arc::new(NodeTable::new(&population, population.edge(0.0).point)));
+            population.deep = Some(Arc::new(DeepRule::new(&population)));
         }
         Ok(population)
     }
@@ -282,7 +280,7 @@ impl Population {
         let edge = self.edge(separation);
         let mut sums = Sums::default();
         self.add_attractions(&mut sums, separation, &edge);
-        if !self.visit(separation, &edge, &mut sums) {
+        if self.visit(separation, &edge, &mut sums).is_err() {
             return Sums::unknown();
         }
         self.add_edge(&mut sums, separation, &edge);
@@ -291,15 +289,7 @@ impl Population {
 
     /// The same population without what is tabulated of it, which would not follow another law, other radii or other kinks.
     fn without_tables(&self) -> Self {
-        Self {
-            law: self.law.clone(),
-            attraction: self.attraction.clone(),
-            slip: self.slip.clone(),
-            heights: self.heights.clone(),
-            nodes: None,
-            deep: None,
-            ..*self
-        }
+        Self { nodes: None, deep: None, ..self.clone() }
     }
 
     /// The same population summed in panels that end at other kinks too.
@@ -315,26 +305,29 @@ impl Population {
         }
     }
 
-    /// Hands all summits in contact to a visitor; `false` if that takes more panels than there may be.
-    fn visit(&self, separation: f64, edge: &Edge, visitor: &mut impl Visitor) -> bool {
-        let Some(start) = self.lowest_contact(separation, edge) else { return true };
-        let walk = Walk { separation, start, edge_height: edge.point.z, end: f64::INFINITY };
-        match &self.nodes {
-            Some(table) => self.walk_table(table, &walk, visitor),
-            None => self.walk(&walk, &mut Progress::default(), visitor),
+    /// Hands all summits in contact to a visitor.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] if that takes more panels than there may be; the same of all that goes over summits.
+    fn visit(&self, separation: f64, edge: &Edge, visitor: &mut impl Visitor) -> Result<(), Error> {
+        match (self.contacts(separation, edge), &self.nodes) {
+            (None, _) => Ok(()),
+            (Some(walk), Some(table)) => self.walk_table(table, &walk, visitor),
+            (Some(walk), None) => self.walk(&walk, &mut Progress::default(), visitor),
         }
     }
 
-    /// Where sums over the contacts begin; `None` if there are none.
-    fn lowest_contact(&self, separation: f64, edge: &Edge) -> Option<Point> {
-        if edge.point.z >= self.highest {
-            return None;
-        }
-        if edge.point.z >= self.lower_cut {
-            return Some(edge.point);
-        }
-        let g = self.radius.factor(self.lower_cut);
-        Some(self.at_height(separation, self.lower_cut, self.law.guess(self.lower_cut - separation, g)))
+    /// All contacts; `None` if there are none.
+    fn contacts(&self, separation: f64, edge: &Edge) -> Option<Walk> {
+        let (edge_height, lowest) = (edge.point.z, self.lower_cut);
+        let start = match edge_height >= lowest {
+            true => edge.point,
+            false => {
+                let guess = self.law.guess(lowest - separation, self.radius.factor(lowest));
+                self.at_height(separation, lowest, guess)
+            }
+        };
+        (edge_height < self.highest).then_some(Walk { separation, start, edge_height, end: f64::INFINITY })
     }
 
     /// Whether there are summits that break away at a separation.
@@ -384,21 +377,6 @@ impl Population {
         }
         Point { z: f64::NAN, g_rate: f64::NAN, contact: self.law.at(f64::NAN, 1.0) }
     }
-}
-
-/// A height above which the density is no number.
-fn highest(heights: &dyn HeightDistribution) -> f64 {
-    let (_, highest) = heights.support();
-    if highest.is_finite() {
-        return highest;
-    }
-    let mode = heights.last_mode();
-    let mut step = 1.0;
-    while heights.log_density(mode + step) > SMALLEST_LOG_DENSITY {
-        step *= 2.0;
-    }
-    let excess = |z: f64| (heights.log_density(z) - SMALLEST_LOG_DENSITY).max(-1e3);
-    root::bracketed(excess, mode, mode + step)
 }
 
 #[cfg(test)]

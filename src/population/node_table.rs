@@ -4,6 +4,7 @@ use super::panels::{Panel, Progress, Visitor, Walk};
 use super::sums::Summit;
 use super::{Point, Population};
 use crate::distribution::panel;
+use crate::error::Error;
 use crate::numerics::quadrature::POINTS;
 
 /// Panels are tabulated up to this overlap, in sigma: as far as the rule for separations far below the heights
@@ -61,7 +62,7 @@ impl TablePanel {
 
 impl Population {
     /// Hands summits in contact to a visitor from the table; panels across which the density is not smooth are walked anew.
-    pub(super) fn walk_table(&self, table: &NodeTable, walk: &Walk, visitor: &mut impl Visitor) -> bool {
+    pub(super) fn walk_table(&self, table: &NodeTable, walk: &Walk, visitor: &mut impl Visitor) -> Result<(), Error> {
         let separation = walk.separation;
         let mut progress = Progress::default();
         let largest = self.heights.log_density(walk.start.z.max(self.heights.last_mode()));
@@ -75,13 +76,11 @@ impl Population {
             let from_start = start.take().unwrap_or_else(|| panel.from.raised(separation));
             let log_density = self.heights.log_density(from_start.z);
             if self.is_rest_negligible(&progress, &from_start, log_density) {
-                return true;
+                return Ok(());
             }
             let longer = self.panel_factor(largest, from, log_density);
             if from_start.z > from || to > highest || !panel::is_one_panel(&*self.heights, from, to, longer) {
-                if !self.walk(&Walk { start: from_start, end: to, ..*walk }, &mut progress, visitor) {
-                    return false;
-                }
+                self.walk(&Walk { start: from_start, end: to, ..*walk }, &mut progress, visitor)?;
             } else {
                 let overlaps = panel.summits.map(|summit| summit.overlap);
                 let heights = overlaps.map(|overlap| separation + overlap);
@@ -94,7 +93,7 @@ impl Population {
                 visitor.end_of_panel(&panel.to.raised(separation));
             }
             if to >= highest {
-                return true;
+                return Ok(());
             }
         }
         let rest = start.unwrap_or(table.end.raised(separation));

@@ -5,11 +5,12 @@
 //! not smooth, and at the kinks of the laws: where a contact radius is one of the slip law's, or an overlap one of the law of
 //! contact's.
 
-use super::sums::Summit;
+use super::sums::{out_of_panels, Summit};
 use super::{Point, Population, RADII};
 use crate::asperity::slip::Slip;
 use crate::distribution::panel::{self, FootPanel, MOST_PANELS};
 use crate::elementary::exp;
+use crate::error::Error;
 use crate::numerics::hermite::Cubic;
 use crate::numerics::quadrature::{self, POINTS};
 use crate::numerics::root;
@@ -39,7 +40,7 @@ const LENGTH_SLACK: f64 = 1.05;
 const REMNANT: f64 = 1e-3;
 /// The panel at a foot of the heights takes this part of where the law of contact is smooth: there a power of its variable
 /// is the height.
-const PART_AT_FOOT: f64 = 0.02;
+pub(super) const PART_AT_FOOT: f64 = 0.02;
 /// What is less than this part of all above the last mode of the heights ends the sum.
 const NEGLIGIBLE: f64 = 1e-18;
 /// The shortest panel, in sigma: what lies within it of a singular point is negligible.
@@ -133,9 +134,13 @@ fn importance(overlap: f64) -> f64 {
 }
 
 impl Population {
-    /// Hands summits in contact to a visitor, up to where the rest is negligible. `false` if that takes more panels than
-    /// there may be.
-    pub(super) fn walk(&self, walk: &Walk, progress: &mut Progress, visitor: &mut impl ContactVisitor) -> bool {
+    /// Hands summits in contact to a visitor, up to where the rest is negligible.
+    pub(super) fn walk(
+        &self,
+        walk: &Walk,
+        progress: &mut Progress,
+        visitor: &mut impl ContactVisitor,
+    ) -> Result<(), Error> {
         let &Walk { separation, start, edge_height, end } = walk;
         let mut here = self.above_foot(walk, progress, visitor);
         let mut kink = None;
@@ -143,7 +148,7 @@ impl Population {
         let largest = self.heights.log_density(start.z.max(self.heights.last_mode()));
         for _ in 0..MOST_PANELS {
             if here.z >= end {
-                return true;
+                return Ok(());
             }
             let stop = self.stop_above(here.z).min(end);
             if stop < end && stop - here.z <= AT_STOP * (1.0 + here.z.abs()) {
@@ -152,7 +157,7 @@ impl Population {
             }
             let log_density = self.heights.log_density(here.z);
             if self.is_rest_negligible(progress, &here, log_density) {
-                return true;
+                return Ok(());
             }
             let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z, log_density);
             let mut reach = reach.min(self.radius.smooth_length(here.z));
@@ -177,7 +182,7 @@ impl Population {
             visitor.last_contact(&panel.to);
             (here, kink) = (panel.to, panel.kink);
         }
-        false
+        Err(out_of_panels(separation))
     }
 
     /// How much longer a panel may be where the density has fallen from its largest value, both given by their logarithms.
@@ -240,21 +245,15 @@ impl Population {
         let &Walk { separation, start, edge_height, end } = walk;
         let (foot, _) = self.heights.support();
         let smooth = (start.z - edge_height).min(self.radius.smooth_length(foot));
-        let Some(panel) =
-            FootPanel::new(&*self.heights, (PART_AT_FOOT * smooth).min(end - foot)).filter(|_| start.z <= foot)
-        else {
-            return start;
-        };
+        let longest = (PART_AT_FOOT * smooth).min(end - foot);
+        let Some(panel) = FootPanel::new(&*self.heights, start.z, longest) else { return start };
         // A kink of the slip law within so short a panel ends it.
-        let end = self.at_height(separation, foot + panel.length, start.contact.parameter);
-        let whole = Panel { axis: Axis::Height, from: start, to: end, kink: None, part: 1.0 };
-        let cut = self.cut_at_kink(separation, whole, None);
-        let panel = panel.shortened(cut.to.z - foot);
+        let to = self.at_height(separation, foot + panel.length, start.contact.parameter);
+        let whole = Panel { axis: Axis::Height, from: start, to, kink: None, part: 1.0 };
+        let panel = panel.shortened(self.cut_at_kink(separation, whole, None).to.z - foot);
         let mut here = start;
-        for (v, weight) in quadrature::nodes(0.0, 1.0) {
-            let (rise, rate) = panel.at(v);
+        for (rise, fraction) in panel.nodes(&*self.heights) {
             here = self.at_height(separation, foot + rise, here.contact.parameter);
-            let fraction = weight * rate * exp(self.heights.log_density(here.z));
             progress.add(fraction, here.contact.overlap);
             visitor.contacts(fraction, &here, &self.slip);
         }

@@ -4,7 +4,7 @@
 //! For exact states only: the sums that a law is compiled from need none of this.
 
 use super::panels::Visitor;
-use super::sums::{self, Summit};
+use super::sums::Summit;
 use super::{Point, Population};
 use crate::distribution::panel;
 use crate::elementary::{exp, log};
@@ -70,13 +70,10 @@ impl Population {
     pub fn statistics(&self, separation: f64, number: f64) -> Result<Statistics, Error> {
         let edge = self.edge(separation);
         let mut counting = Counting { population: self, count: 0.0, sums: Statistics::default(), seen: Vec::new() };
-        let is_done = if self.yields == self.kinks_of_contact {
-            self.visit(separation, &edge, &mut counting)
+        if self.yields == self.kinks_of_contact {
+            self.visit(separation, &edge, &mut counting)?;
         } else {
-            self.with_kinks(self.radius_kinks, self.yields).visit(separation, &edge, &mut counting)
-        };
-        if !is_done {
-            return Err(sums::out_of_panels(separation));
+            self.with_kinks(self.radius_kinks, self.yields).visit(separation, &edge, &mut counting)?;
         }
         let Counting { count, sums, seen, .. } = counting;
         if count == 0.0 {

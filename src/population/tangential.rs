@@ -4,7 +4,7 @@
 //! it slips at that. Small contacts slip first.
 
 use super::panels::Visitor;
-use super::sums::{self, Summit};
+use super::sums::Summit;
 use super::Population;
 use crate::error::Error;
 
@@ -49,9 +49,7 @@ impl Population {
         let [a, b, c] = self.slip.radii_at_force_over_radius(force_over_radius);
         let population = self.with_kinks([first, second, a, b, c], self.kinks_of_contact);
         let mut displaced = Displaced { force_over_radius, sums: Microslip::default() };
-        match population.visit(separation, &population.edge(separation), &mut displaced) {
-            true => Ok(displaced.sums),
-            false => Err(sums::out_of_panels(separation)),
-        }
+        population.visit(separation, &population.edge(separation), &mut displaced)?;
+        Ok(displaced.sums)
     }
 }
