@@ -6,10 +6,13 @@
 //! agree where rows meet. A row across which the law has a kink is a link to several polynomials. Loads that are lighter
 //! than the table's are interpolated by the curve that it was filled from; others are evaluated exactly.
 
+mod coordinate;
 mod curve;
 mod exact;
 mod fill;
 mod non_integer_power;
+mod panel;
+mod position;
 mod row;
 mod steps;
 mod table;
@@ -17,9 +20,10 @@ mod table;
 use crate::elementary::{exp, log};
 use crate::equilibrium::{Branch, PullOff};
 use crate::population::Sums;
-use curve::{Along, Curve, Sample};
+use curve::{Along, Curve};
 use exact::{ExactStates, Exactly};
 use fill::Filling;
+use panel::Sample;
 
 pub use curve::Unfollowed;
 pub use row::{polynomial, Row};
@@ -124,7 +128,7 @@ impl Law {
         let curve = Curve::new(branch, log_range, &mut samples)?;
         let (lower, upper) = curve.log_range();
         let lower = nearest.max(lower).max(upper - log_range(upper).min(LOG_RANGE));
-        let mut exact = (!curve.is_resolved()).then(|| ExactStates::new(branch, &curve));
+        let mut exact = (!curve.is_resolved).then(|| ExactStates::new(branch, &curve));
         let compiled = Quantity::ALL.map(|quantity| {
             let scale = Scale { load, value: units[quantity as usize] };
             let mut compiled =

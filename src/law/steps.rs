@@ -1,20 +1,15 @@
 //! The step controller of the curve: how far the next panel reaches. As far as those before it were good, and not beyond
 //! a separation about which the curve is not smooth.
-//!
-//! Lengths are of positions: equal to separations among the heights, logarithmic far from them, where what matters is
-//! the part by which a separation changes.
+//! Lengths are of `position`s.
 
 use super::non_integer_power::NonIntegerPower;
+use super::position::Positions;
 use super::CONDITIONS;
-use crate::elementary::{exp, log, pow};
+use crate::elementary::pow;
 use crate::equilibrium::Branch;
 
 /// Without adhesion, how near to the highest summit the branch is followed: loads there are no numbers.
 const LEAST_OVERLAP: f64 = 1e-100;
-/// Positions turn from separations to their logarithms this far from the mean height, in sigma.
-const TURN: f64 = 3.7;
-/// Panels shorter than this are as long in separation.
-const SHORT: f64 = 0.1;
 /// Among the heights no panel is longer than this: their density changes on the scale of sigma.
 const LONGEST: f64 = 2.2;
 /// Below this separation from the mean, in sigma, all summits are deep in contact, and panels are as long as they can be.
@@ -74,8 +69,9 @@ pub struct Stretch {
 /// Tells how far the next panel may reach.
 #[derive(Debug, Clone)]
 pub struct Steps {
-    /// The separation at which the flat is at the mean height.
-    middle: f64,
+    pub positions: Positions,
+    /// The separation below which all summits are deep in contact.
+    deep: f64,
     /// Where the branch ends, and whether that is at pull-off.
     end: f64,
     at_pull_off: bool,
@@ -113,15 +109,17 @@ impl Steps {
             true => SHORTEST_AT_END.min(0.01 * population.range_of_adhesion()),
             false => SHORTEST_AT_END,
         };
-        let middle = -population.heights().origin();
+        let positions = Positions { middle: -population.heights().origin() };
+        let deep = positions.middle + DEEP;
         Self {
-            middle,
+            positions,
+            deep,
             end,
             at_pull_off: branch.pull_off().is_some(),
             shortest_at_end,
             kinks,
             resolved,
-            non_integer_powers: population.passings_of_foot().into_iter().filter(|&at| at >= middle + DEEP).collect(),
+            non_integer_powers: population.passings_of_foot().into_iter().filter(|&at| at >= deep).collect(),
             length: f64::MAX,
             limit: f64::INFINITY,
             obstacle: f64::INFINITY,
@@ -134,11 +132,6 @@ impl Steps {
         self.end
     }
 
-    /// The separation at which the flat is at the mean height.
-    pub fn middle(&self) -> f64 {
-        self.middle
-    }
-
     /// Whether panels end at all kinks.
     pub fn is_resolved(&self) -> bool {
         self.resolved
@@ -149,77 +142,28 @@ impl Steps {
         &self.kinks
     }
 
-    /// What panels are long in: arsinh of the distance from the mean height.
-    pub fn position(&self, separation: f64) -> f64 {
-        let distance = (separation - self.middle) / TURN;
-        let size = distance.abs();
-        (TURN * log(size + (1.0 + size * size).sqrt())).copysign(distance)
-    }
-
-    /// The separation at a position.
-    pub fn separation(&self, position: f64) -> f64 {
-        let growth = exp(position.abs() / TURN);
-        self.middle + (0.5 * TURN * (growth - 1.0 / growth)).copysign(position)
-    }
-
-    /// How long a panel between two separations is.
-    fn distance(&self, from: f64, to: f64) -> f64 {
-        let length = (to - from) * self.density(from);
-        // Of short panels positions have too few digits.
-        if length < SHORT {
-            length
-        } else {
-            self.position(to) - self.position(from)
-        }
-    }
-
-    /// The separation at a distance beyond another.
-    fn beyond(&self, from: f64, length: f64) -> f64 {
-        if length < SHORT {
-            from + length / self.density(from)
-        } else {
-            self.separation(self.position(from) + length)
-        }
-    }
-
-    /// The separation at a part of a panel, -1 at its beginning and 1 at its end.
-    pub fn between(&self, from: f64, to: f64, part: f64) -> f64 {
-        let at = |from: f64, to: f64| 0.5 * (from + to) + 0.5 * part * (to - from);
-        if (to - from) * self.density(from) < SHORT {
-            at(from, to)
-        } else {
-            self.separation(at(self.position(from), self.position(to)))
-        }
-    }
-
-    /// d(position)/d(separation).
-    fn density(&self, separation: f64) -> f64 {
-        let distance = (separation - self.middle) / TURN;
-        1.0 / (1.0 + distance * distance).sqrt()
-    }
-
     /// What comes next after a separation, at which the coordinate of the curve is `s`.
     pub fn next(&self, from: f64, s: f64) -> Stretch {
         let rest = self.end - from;
         let kink = self.kink_after(from).filter(|&kink| self.end - kink > AT_END * rest);
-        let start = self.position(from);
+        let start = self.positions.position(from);
         let nearest = if self.is_table() { NEAREST_KINKS } else { SHORTEST }.min(NEAREST_PART * rest);
-        let nearest = nearest.max(SHORTEST_PASSING * (self.middle + DEEP - from));
+        let nearest = nearest.max(SHORTEST_PASSING * (self.deep - from));
         let (begins, ends) =
             (self.is_non_integer_power(from), kink.is_some_and(|kink| self.is_non_integer_power(kink)));
         if let Some(to) = kink.filter(|&kink| kink - from < nearest && !(begins || ends)) {
             return self.bridge(from, to);
         }
-        let border = (self.is_deep(from) && self.middle + DEEP < self.end).then_some(self.middle + DEEP);
+        let border = (self.is_deep(from) && self.deep < self.end).then_some(self.deep);
         // A panel has room for one non-integer power.
         let halfway = kink.filter(|_| begins && ends).map(|kink| 0.5 * (from + kink));
         let stop = [kink, border, halfway].into_iter().flatten().fold(self.end, f64::min);
         let shortest = if self.at_pull_off && s <= LONGEST_LAST { 0.1 * rest } else { self.shortest(from, rest) };
         let length = self.longest(from, s).min((PART_TO_OBSTACLE * (self.obstacle - start)).max(shortest));
-        let whole = self.distance(from, stop);
+        let whole = self.positions.distance(from, stop);
         // What little would be left is part of this panel.
         let is_whole = length >= WHOLE * whole;
-        let (to, length) = if is_whole { (stop, whole) } else { (self.beyond(from, length), length) };
+        let (to, length) = if is_whole { (stop, whole) } else { (self.positions.beyond(from, length), length) };
         let non_integer_power = match () {
             () if begins => NonIntegerPower::AtBegin,
             () if is_whole && self.is_non_integer_power(stop) => NonIntegerPower::AtEnd,
@@ -229,7 +173,7 @@ impl Steps {
     }
 
     fn bridge(&self, from: f64, to: f64) -> Stretch {
-        let length = self.distance(from, to);
+        let length = self.positions.distance(from, to);
         Stretch { to, non_integer_power: NonIntegerPower::Nowhere, is_bridge: true, length, shortest: length }
     }
 
@@ -244,12 +188,12 @@ impl Steps {
 
     /// Whether all summits are deep in contact at a separation.
     pub fn is_deep(&self, separation: f64) -> bool {
-        separation < self.middle + DEEP
+        separation < self.deep
     }
 
     /// The rest of what lies far below the heights up to the next kink, left to exact evaluation.
     pub fn skip(&self, from: f64) -> Stretch {
-        self.bridge(from, self.kink_after(from).unwrap_or(f64::INFINITY).min(self.middle + DEEP).min(self.end))
+        self.bridge(from, self.kink_after(from).unwrap_or(f64::INFINITY).min(self.deep).min(self.end))
     }
 
     fn kink_after(&self, from: f64) -> Option<f64> {
@@ -264,11 +208,11 @@ impl Steps {
             true => PART_OF_THE_WAY.min(1.0 - LAST / s),
         };
         let longest = if self.is_deep(from) { self.longest_deep(from) } else { LONGEST };
-        (part * self.distance(from, self.end)).min(self.length).min(longest)
+        (part * self.positions.distance(from, self.end)).min(self.length).min(longest)
     }
 
     fn longest_deep(&self, from: f64) -> f64 {
-        let rest = self.distance(from, self.middle + DEEP);
+        let rest = self.positions.distance(from, self.deep);
         if rest > LAST_DEEP {
             LONGEST_DEEP.min(PART_OF_DEEP * rest)
         } else {
@@ -279,14 +223,14 @@ impl Steps {
     /// The shortest panel that is tried after a separation.
     fn shortest(&self, from: f64, rest: f64) -> f64 {
         let shortest = (0.2 * rest).clamp(if self.at_pull_off { self.shortest_at_end } else { 0.0 }, SHORTEST);
-        shortest * self.density(from)
+        shortest * self.positions.density(from)
     }
 
     /// Whether a panel that misses the curve by so many times the tolerance is kept, since it is good or cannot be
     /// shorter; if not, the next is shorter.
     pub fn keeps(&mut self, stretch: &Stretch, excess: f64) -> bool {
         let Stretch { to, length, shortest, .. } = *stretch;
-        let to = self.position(to);
+        let to = self.positions.position(to);
         if excess <= 1.0 {
             let growth = GROWTH.iter().find(|&&(part, _)| excess < part).map_or(1.0, |&(_, growth)| growth);
             // Also where it was short for another reason.
@@ -296,7 +240,7 @@ impl Steps {
             let shorter = 0.9 * pow(excess, -1.0 / CONDITIONS as f64);
             let shorter = shorter.clamp(0.25, 0.8);
             // What is smooth needs no second try: the panel begins or ends where the curve is not.
-            let is_deep = stretch.to <= self.middle + DEEP;
+            let is_deep = stretch.to <= self.deep;
             self.length = (if self.failed && is_deep { 0.25 } else { shorter } * length).max(shortest);
             if stretch.non_integer_power == NonIntegerPower::AtEnd {
                 // Half of the way is far enough from it.
@@ -328,7 +272,7 @@ impl Steps {
             return;
         }
         self.limit = f64::INFINITY;
-        if at >= self.middle + DEEP {
+        if at >= self.deep {
             if !self.is_table() {
                 self.length = AFTER_KINK;
             }
@@ -345,7 +289,8 @@ mod tests {
 
     fn steps(kinks: &[f64]) -> Steps {
         Steps {
-            middle: 0.0,
+            positions: Positions { middle: 0.0 },
+            deep: DEEP,
             end: 10.0,
             at_pull_off: true,
             shortest_at_end: SHORTEST_AT_END,
@@ -361,18 +306,6 @@ mod tests {
 
     fn near(a: f64, b: f64) -> bool {
         (a - b).abs() < 1e-12 * (1.0 + b.abs())
-    }
-
-    #[test]
-    fn positions_are_separations_among_the_heights_and_logarithms_far_from_them() {
-        let steps = Steps { middle: 3.0, ..steps(&[]) };
-        for separation in [-5e8, -100.0, 2.0, 3.0, 3.1, 40.0] {
-            let position = steps.position(separation);
-            assert!(near(steps.separation(position), separation), "{separation}");
-        }
-        assert!(near(steps.position(3.0 + 1e-7), 1e-7) && near(steps.position(3.0 - 1e-7), -1e-7));
-        let decade = steps.position(-1e6) - steps.position(-1e7);
-        assert!((decade - TURN * 10_f64.ln()).abs() < 1e-5, "{decade}");
     }
 
     /// Of a table of so many heights within a few sigma, with adhesion that reaches a small part of it.
