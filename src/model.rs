@@ -216,7 +216,7 @@ impl Model {
         let (light, lightest_slope) = at(lightest);
         let (at_pull_off, at_zero, apart) = match self.branch.pull_off() {
             Some(point) => {
-                let value = quantity.at_pull_off(&point) * self.units.of(quantity);
+                let value = quantity.of(&point.sums).0 * self.units.of(quantity);
                 ((value, f64::INFINITY), at(0.0), 0.0)
             }
             // Both vanish with load, and have no slope there but that next to it.
@@ -538,7 +538,7 @@ impl Model {
             skew: self.branch.population().heights().skew(),
             kurtosis: self.branch.population().heights().kurtosis(),
             pull_off_load: self.pull_off_load(),
-            pull_off_friction_force: pull_off.map_or(0.0, |point| point.friction * self.units.force),
+            pull_off_friction_force: pull_off.map_or(0.0, |point| point.sums.friction * self.units.force),
             zero_load_friction_force: self.friction_force_at_load(0.0),
             min_table_load: self.law.table(Quantity::Friction).range().0,
             max_table_load: self.law.table(Quantity::Friction).range().1,
@@ -845,7 +845,7 @@ mod tests {
         assert!(near(summary.pull_off_load, point.load * params.composite_modulus * 0.09 * 11.0, 1e-14));
         assert!(near(
             summary.pull_off_friction_force,
-            point.friction * params.effective_shear_modulus * 0.09 * 11.0,
+            point.sums.friction * params.effective_shear_modulus * 0.09 * 11.0,
             1e-14
         ));
         assert!(near(pull_off.friction_force, summary.pull_off_friction_force, 1e-14));

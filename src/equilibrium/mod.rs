@@ -87,11 +87,6 @@ impl Branch {
         self.end.farthest
     }
 
-    /// The separations at which the sums are not smooth, in ascending order.
-    pub fn kinks(&self) -> Vec<f64> {
-        self.population.kinks()
-    }
-
     /// The state at a separation on the branch.
     pub fn log_excess(&self, separation: f64) -> BranchPoint {
         let sums = self.population.at_separation(separation);

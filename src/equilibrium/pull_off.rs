@@ -24,16 +24,14 @@ const FARTHEST_SCAN: f64 = 1e12;
 const SMALLEST_LOG_LOAD: f64 = -640.0;
 
 /// Where the surfaces part under load control.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct PullOff {
     /// In sigma.
     pub separation: f64,
     /// Negative, in E* b^2 per summit.
     pub load: f64,
-    /// In G* b^2 per summit.
-    pub friction: f64,
-    /// Sum of contact radii, in b per summit.
-    pub radius: f64,
+    /// The sums over the summits.
+    pub sums: Sums,
 }
 
 /// The end of the branch: where the load has its first minimum, or where nothing is left.
@@ -109,7 +107,7 @@ impl End {
                           a second maximum",
             });
         }
-        let pull_off = PullOff { separation, load: sums.load(), friction: sums.friction, radius: sums.radius };
+        let pull_off = PullOff { separation, load: sums.load(), sums };
         Ok(Self { pull_off: is_number.then_some(pull_off), farthest: separation })
     }
 }

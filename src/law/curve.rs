@@ -64,8 +64,7 @@ impl Curve {
     /// [`Unfollowed`].
     pub fn new(branch: &Branch, log_range: impl Fn(f64) -> f64, check: &mut Vec<Sample>) -> Result<Self, Unfollowed> {
         let log_pull_off = branch.pull_off().map(|point| log(-point.load));
-        let reference =
-            Quantity::ALL.map(|quantity| branch.pull_off().map_or(1.0, |point| quantity.at_pull_off(&point)));
+        let reference = Quantity::ALL.map(|quantity| branch.pull_off().map_or(1.0, |point| quantity.of(&point.sums).0));
         let mut steps = Steps::new(branch);
         let positions = steps.positions;
         let is_resolved = steps.is_resolved();
@@ -209,7 +208,7 @@ impl Curve {
     }
 
     /// A quantity and the slope of its logarithm by ln x at neighbouring ln x; NaN where the curve is not known to be good.
-    fn at_each<const N: usize>(&self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
+    pub fn at_each<const N: usize>(&self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
         let coordinates = self.coordinate.at_each(log_excess);
         let s = coordinates.map(|(s, _)| s);
         // Mostly one panel holds all: then they are evaluated side by side.
@@ -225,11 +224,9 @@ impl Curve {
 
     /// The same at one ln x; `None` where the curve does not know it.
     pub fn within(&self, quantity: Quantity, log_excess: f64) -> Option<(f64, f64)> {
-        let (s, rate) = self.coordinate.at(log_excess);
-        let panel = self.panel(s);
-        let [(log_value, slope)] = panel.log_value_at(quantity, [s]);
-        let value = self.reference[quantity as usize] * exp(log_value);
-        (panel.holds(s) && !value.is_nan()).then_some((value, slope * rate))
+        let (s, _) = self.coordinate.at(log_excess);
+        let [(value, slope)] = self.at_each(quantity, [log_excess]);
+        (self.panel(s).holds(s) && !value.is_nan()).then_some((value, slope))
     }
 
     /// A quantity of an exact state, and the slope of its logarithm by ln x.
@@ -251,19 +248,15 @@ impl Curve {
     }
 }
 
-/// One quantity of a curve.
-pub struct Along<'a>(pub &'a Curve, pub Quantity);
-
-impl Source for Along<'_> {
+impl Source for &Curve {
     const IN_ANY_ORDER: bool = true;
 
-    fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
-        self.0.at_each(self.1, log_excess)
+    fn at<const N: usize>(&mut self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
+        self.at_each(quantity, log_excess)
     }
 
     fn joints(&mut self, lower: f64, upper: f64) -> Vec<f64> {
-        let curve = self.0;
-        let joints = curve.panels.iter().rev().map(|panel| curve.coordinate.log_excess(panel.lowest));
+        let joints = self.panels.iter().rev().map(|panel| self.coordinate.log_excess(panel.lowest));
         joints.filter(|&joint| joint > lower && joint < upper).collect()
     }
 }

@@ -46,7 +46,7 @@ pub struct ExactStates<'a> {
 
 impl<'a> ExactStates<'a> {
     pub fn new(branch: &'a Branch, curve: &'a Curve) -> Self {
-        Self { branch, curve, kinks: branch.kinks(), last: None, known: BTreeMap::new(), evaluations: 0 }
+        Self { branch, curve, kinks: branch.population().kinks(), last: None, known: BTreeMap::new(), evaluations: 0 }
     }
 
     fn evaluate(&mut self, separation: f64) -> Option<State> {
@@ -109,35 +109,30 @@ impl<'a> ExactStates<'a> {
     }
 }
 
-/// One quantity of them.
-pub struct Exactly<'a, 'b>(pub &'a mut ExactStates<'b>, pub Quantity);
-
-impl Source for Exactly<'_, '_> {
+impl Source for ExactStates<'_> {
     // The next is extrapolated from the last.
     const IN_ANY_ORDER: bool = false;
 
-    fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
-        let i = self.1 as usize;
-        log_excess.map(|log_excess| match self.0.known(log_excess) {
+    fn at<const N: usize>(&mut self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
+        let i = quantity as usize;
+        log_excess.map(|log_excess| match self.known(log_excess) {
             Some(state) => (state.value[i], state.slope[i]),
             None => (f64::NAN, f64::NAN),
         })
     }
 
     fn joints(&mut self, lower: f64, upper: f64) -> Vec<f64> {
-        let states = &mut *self.0;
-        let [Some(near), Some(far)] = [upper, lower].map(|log_excess| states.curve.separation(log_excess)) else {
+        let [Some(near), Some(far)] = [upper, lower].map(|log_excess| self.curve.separation(log_excess)) else {
             return Vec::new();
         };
-        let within: Vec<f64> = states.kinks.iter().copied().filter(|&kink| kink > near && kink < far).collect();
-        let joints = within.into_iter().rev().filter_map(|kink| Some(states.evaluate(kink)?.log_excess));
+        let within: Vec<f64> = self.kinks.iter().copied().filter(|&kink| kink > near && kink < far).collect();
+        let joints = within.into_iter().rev().filter_map(|kink| Some(self.evaluate(kink)?.log_excess));
         joints.filter(|&joint| joint > lower && joint < upper).collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::curve::Along;
     use super::super::tests::branch;
     use super::*;
 
@@ -149,15 +144,14 @@ mod tests {
             let loads: [f64; 40] = std::array::from_fn(|i| 9.0 + 0.07 * i as f64);
             let mut states = ExactStates::new(&branch, &curve);
             for quantity in Quantity::ALL {
-                let expected = Along(&curve, quantity).at(loads);
-                let found = Exactly(&mut states, quantity).at(loads);
+                let (expected, found) = (curve.at_each(quantity, loads), states.at(quantity, loads));
                 for ((found, expected), load) in found.into_iter().zip(expected).zip(loads) {
                     assert!((found.0 / expected.0 - 1.0).abs() < 1e-10, "{load}: {found:?}, not {expected:?}");
                     assert!((found.1 / expected.1 - 1.0).abs() < 1e-8, "{load}: {found:?}, not {expected:?}");
                 }
             }
             // Beyond the curve nothing is known.
-            let beyond = Exactly(&mut states, Quantity::Friction).at([curve.log_range().1 + 3.0]);
+            let beyond = states.at(Quantity::Friction, [curve.log_range().1 + 3.0]);
             assert!(beyond[0].0.is_nan());
         }
     }

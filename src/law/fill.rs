@@ -5,7 +5,7 @@ use super::row::{
     OF_PIECE,
 };
 use super::table::Table;
-use super::Scale;
+use super::{Quantity, Scale};
 use crate::elementary::{exp, log, log1p};
 use std::f64::consts::LN_2;
 
@@ -21,21 +21,22 @@ const NEXT_TO_JOINT: f64 = 0.125;
 /// No piece is shorter than this part of its row: x has few digits more.
 const SHORTEST_PIECE: f64 = 1e-9;
 
-/// The law, as rows are filled from it: a quantity and the slope of its logarithm by ln x, NaN where they are not known. The
+/// The law, as rows are filled from it: quantities and the slope of its logarithm by ln x, NaN where they are not known. The
 /// loads of a call are near to each other.
 pub trait Source {
     /// Whether loads cost the same in any order.
     const IN_ANY_ORDER: bool;
 
-    fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N];
+    fn at<const N: usize>(&mut self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N];
     /// ln x between two of them where the law is not smooth, rising.
     fn joints(&mut self, lower: f64, upper: f64) -> Vec<f64>;
 }
 
 /// What rows are filled from.
 pub struct Filling<'a, S> {
-    pub source: &'a mut S,
-    pub scale: Scale,
+    source: &'a mut S,
+    quantity: Quantity,
+    scale: Scale,
     /// Rows per binade and the part of a mantissa that each takes.
     per_binade: u64,
     width: f64,
@@ -46,9 +47,9 @@ pub struct Filling<'a, S> {
 type Piece = (f64, Row);
 
 impl<'a, S: Source> Filling<'a, S> {
-    pub fn new(source: &'a mut S, scale: Scale, fraction: u32) -> Self {
+    pub fn new(source: &'a mut S, quantity: Quantity, scale: Scale, fraction: u32) -> Self {
         let per_binade = 1_u64 << fraction;
-        Self { source, scale, per_binade, width: 1.0 / per_binade as f64, log_load: log(scale.load) }
+        Self { source, quantity, scale, per_binade, width: 1.0 / per_binade as f64, log_load: log(scale.load) }
     }
 
     /// Fills as many rows of a table; those that miss the law are left out. The largest error of the others.
@@ -61,7 +62,7 @@ impl<'a, S: Source> Filling<'a, S> {
         let mut points_of = |row: u64| {
             let within = row % per_binade;
             let log_binade = log_binade(row / per_binade) - log_load;
-            let mut points = self.source.at(mantissas[within as usize].map(|log| log + log_binade));
+            let mut points = self.source.at(self.quantity, mantissas[within as usize].map(|log| log + log_binade));
             for (point, part) in points.iter_mut().zip(PARTS) {
                 let force = scale.value * point.0;
                 *point = (force, force * point.1 * width / (1.0 + (within as f64 + part) * width));
@@ -170,7 +171,7 @@ impl<'a, S: Source> Filling<'a, S> {
                 |i| if i < OF_PIECE.len() { OF_PIECE[i] } else { BETWEEN_OF_PIECE[i - OF_PIECE.len()] },
             );
         let mantissas = parts.map(|part| begin + part * length);
-        let law = self.source.at(mantissas.map(|mantissa| log1p(mantissa) + log_binade));
+        let law = self.source.at(self.quantity, mantissas.map(|mantissa| log1p(mantissa) + log_binade));
         let points: [(f64, f64); ALL] = std::array::from_fn(|i| {
             let force = self.scale.value * law[i].0;
             (force, force * law[i].1 * length / (1.0 + mantissas[i]))
@@ -246,7 +247,7 @@ mod tests {
     impl Source for Broken {
         const IN_ANY_ORDER: bool = true;
 
-        fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
+        fn at<const N: usize>(&mut self, _: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
             log_excess.map(|log_excess| {
                 let beyond = (log_excess - self.at).max(0.0);
                 (exp(2.0 / 3.0 * log_excess - 0.15 * beyond * beyond), 2.0 / 3.0 - 0.3 * beyond)
@@ -261,7 +262,7 @@ mod tests {
     fn filled(at: f64, start: f64, count: usize) -> Table {
         let mut source = Broken { at };
         let mut table = Table::new(2, start.to_bits() >> Table::shift_of(2), 0.0);
-        let mut filling = Filling::new(&mut source, SCALE, 2);
+        let mut filling = Filling::new(&mut source, Quantity::Friction, SCALE, 2);
         let error = filling.rows(&mut table, count);
         assert!(error > 1e-17 && error < 5e-11, "{error:e}");
         for row in 0..count {
@@ -282,7 +283,8 @@ mod tests {
         for i in 0..3000 {
             let x = 0.5 * 8_f64.powf(f64::from(i) / 3000.0);
             let (force, slope) = table.at_load(x).expect("it answers");
-            let [(exact, power)] = Broken { at: (1.3 * 1.1 / SCALE.load).ln() }.at([(x / SCALE.load).ln()]);
+            let [(exact, power)] =
+                Broken { at: (1.3 * 1.1 / SCALE.load).ln() }.at(Quantity::Friction, [(x / SCALE.load).ln()]);
             let exact = SCALE.value * exact;
             assert!((force / exact - 1.0).abs() < 5e-11, "{x}: {force}, not {exact}");
             assert!((slope * x / exact / power - 1.0).abs() < 5e-9, "{x}: slope {slope}");
@@ -298,7 +300,7 @@ mod tests {
     impl Source for Wiggly {
         const IN_ANY_ORDER: bool = false;
 
-        fn at<const N: usize>(&mut self, log_excess: [f64; N]) -> [(f64, f64); N] {
+        fn at<const N: usize>(&mut self, _: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
             let rate = 2.0 * std::f64::consts::PI * self.per_row / 0.25;
             log_excess.map(|log_excess| {
                 let (sine, cosine) = crate::elementary::sincos(rate * log_excess);
@@ -316,7 +318,7 @@ mod tests {
         let table = |per_row: f64, room: usize| {
             let mut source = Wiggly { per_row };
             let mut table = Table::new(2, 1_f64.to_bits() >> Table::shift_of(2), 0.0);
-            let mut filling = Filling::new(&mut source, Scale { load: 1.0, value: 1.0 }, 2);
+            let mut filling = Filling::new(&mut source, Quantity::Friction, Scale { load: 1.0, value: 1.0 }, 2);
             filling.rows(&mut table, 1);
             assert!(table.rows[0].is_left_out());
             filling.divide(&mut table, 0, room);
@@ -326,7 +328,7 @@ mod tests {
         assert!(full.rows.len() > 1 + DIVISIONS + 2 && !full.rows.iter().any(Row::is_left_out), "{}", full.rows.len());
         for i in 0..1000 {
             let x = 1.0 + 0.25 * (f64::from(i) + 0.5) / 1000.0;
-            let [(exact, log_slope)] = Wiggly { per_row: 4.0 }.at([x.ln()]);
+            let [(exact, log_slope)] = Wiggly { per_row: 4.0 }.at(Quantity::Friction, [x.ln()]);
             let (force, slope) = full.at_load(x).expect("it answers");
             assert!((force / exact - 1.0).abs() < 5e-11 && (slope * x / exact / log_slope - 1.0).abs() < 5e-9, "{x}");
         }

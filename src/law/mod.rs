@@ -18,10 +18,10 @@ mod steps;
 mod table;
 
 use crate::elementary::{exp, log};
-use crate::equilibrium::{Branch, PullOff};
+use crate::equilibrium::Branch;
 use crate::population::Sums;
-use curve::{Along, Curve};
-use exact::{ExactStates, Exactly};
+use curve::Curve;
+use exact::ExactStates;
 use fill::Filling;
 use panel::Sample;
 
@@ -79,14 +79,6 @@ impl Quantity {
         match self {
             Self::Friction => (sums.friction, sums.friction_slope),
             Self::Radius => (sums.radius, sums.radius_slope),
-        }
-    }
-
-    /// The quantity where the surfaces part.
-    pub fn at_pull_off(self, point: &PullOff) -> f64 {
-        match self {
-            Self::Friction => point.friction,
-            Self::Radius => point.radius,
         }
     }
 }
@@ -185,10 +177,11 @@ impl Compiled {
         let mut table = Table::new(FRACTION, base, pull_off_load * scale.load);
         let count = ((end - base) as usize).min(MOST_ROWS);
         table.rows.reserve(count);
-        let mut error = Filling::new(&mut Along(curve, quantity), scale, FRACTION).rows(&mut table, count);
-        error = error.max(match exact {
-            None => divide(&mut Along(curve, quantity), scale, &mut table),
-            Some(exact) => divide(&mut Exactly(exact, quantity), scale, &mut table),
+        let mut source = curve;
+        let mut filling = Filling::new(&mut source, quantity, scale, FRACTION);
+        let error = filling.rows(&mut table, count).max(match exact {
+            None => divide(filling, &mut table),
+            Some(exact) => divide(Filling::new(exact, quantity, scale, FRACTION), &mut table),
         });
         table.rows.shrink_to_fit();
         Self { table, scale, error }
@@ -213,8 +206,7 @@ impl Compiled {
 }
 
 /// Divides the rows that are left out into pieces, as far as there is room; the largest error of these.
-fn divide(source: &mut impl fill::Source, scale: Scale, table: &mut Table) -> f64 {
-    let mut filling = Filling::new(source, scale, FRACTION);
+fn divide(mut filling: Filling<impl fill::Source>, table: &mut Table) -> f64 {
     let mut worst = 0.0_f64;
     for row in (0..table.row_count).rev() {
         if table.rows[row].is_left_out() {
@@ -291,7 +283,7 @@ mod tests {
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
             let law = Law::new(&branch, LOAD, UNITS).expect("a law");
             let table = law.table(Quantity::Friction);
-            let kinks = branch.kinks();
+            let kinks = branch.population().kinks();
             let [.., first, last] = kinks[..] else { panic!("{kinks:?}") };
             let (mut parts, mut misses) = (0, 0);
             for i in 0..200 {
@@ -322,7 +314,7 @@ mod tests {
             };
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
             let law = Law::new(&branch, LOAD, UNITS).expect("a law");
-            let feet: Vec<f64> = branch.kinks().into_iter().filter(|&kink| kink > -10.0).collect();
+            let feet: Vec<f64> = branch.population().kinks().into_iter().filter(|&kink| kink > -10.0).collect();
             assert!(feet.len() >= 2, "{feet:?}");
             for quantity in Quantity::ALL {
                 let table = law.table(quantity);
@@ -359,7 +351,7 @@ mod tests {
         let law = Law::new(&branch, LOAD, UNITS).expect("a law");
         let point = branch.pull_off().expect("adhesion");
         for quantity in Quantity::ALL {
-            let at_pull_off = UNITS[quantity as usize] * quantity.at_pull_off(&point);
+            let at_pull_off = UNITS[quantity as usize] * quantity.of(&point.sums).0;
             let table = law.table(quantity);
             for part in [1e-10, 1e-12, 1e-14] {
                 let load = table.pull_off * (1.0 - part);

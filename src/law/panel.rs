@@ -235,21 +235,23 @@ mod tests {
     use super::*;
     use crate::numerics::near;
 
-    /// The logarithms are 2 + 3 s + s^2/2 and s^2 at separations 1 - s.
+    /// The logarithms are 2 + 3 s + s^2/2 and s^2 at positions 1 - s.
+    fn sample(s: f64) -> Sample {
+        let (log_value, slope) = ([2.0 + 3.0 * s + 0.5 * s * s, s * s], [3.0 + s, 2.0 * s]);
+        let (separation, log_excess, log_slope) = (f64::NAN, 2.0 * s, [f64::NAN; 2]);
+        Sample {
+            separation,
+            position: 1.0 - s,
+            log_excess,
+            s,
+            log_value,
+            value: log_value.map(f64::exp),
+            slope,
+            log_slope,
+        }
+    }
+
     fn parabola() -> Panel {
-        let sample = |s: f64| {
-            let log_value = [2.0 + 3.0 * s + 0.5 * s * s, s * s];
-            Sample {
-                separation: f64::NAN,
-                position: 1.0 - s,
-                log_excess: 2.0 * s,
-                s,
-                log_value,
-                value: log_value.map(f64::exp),
-                slope: [3.0 + s, 2.0 * s],
-                log_slope: [f64::NAN; 2],
-            }
-        };
         let node = |j: usize| 0.1 + (1.0 + (std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64).cos()).powf(1.2);
         Panel::new((0.1, 2.5), NonIntegerPower::Nowhere, &std::array::from_fn(|j| sample(node(j))))
     }
@@ -264,58 +266,45 @@ mod tests {
     }
 
     #[test]
-    fn a_panel_has_the_values_and_slopes_it_is_made_from_and_says_how_far_others_lie() {
-        let panel = parabola();
-        let unknown = f64::NAN;
-        let exact = Sample {
-            separation: -0.2,
-            log_excess: 2.4,
-            s: 1.2,
-            log_value: [6.32, 1.44],
-            value: [unknown; 2],
-            slope: [4.2, 2.4],
-            log_slope: [unknown; 2],
-        };
+    fn a_panel_has_the_values_and_slopes_it_is_made_from() {
+        let (panel, exact) = (parabola(), sample(1.2));
         assert!(near(panel.position_at(1.2), -0.2, 1e-13));
-        for (quantity, expected) in [(Quantity::Friction, (6.32, 4.2)), (Quantity::Radius, (1.44, 2.4))] {
+        for quantity in Quantity::ALL {
             let [(value, slope)] = panel.log_value_at(quantity, [1.2]);
-            assert!(near(value, expected.0, 1e-13) && near(slope, expected.1, 1e-11), "{value}, {slope}");
+            let (expected, expected_slope) = (exact.log_value[quantity as usize], exact.slope[quantity as usize]);
+            assert!(near(value, expected, 1e-13) && near(slope, expected_slope, 1e-11), "{value}, {slope}");
             let mut missed = panel.clone();
             assert_eq!(missed.keep_good(|_, of| if of == quantity { 2.0 } else { 0.5 }), 2.0);
             assert!(Quantity::ALL.iter().all(|&of| missed.log_value_at(of, [1.2])[0].0.is_nan() == (of == quantity)));
         }
-        let gaps: Vec<[f64; 2]> =
-            panel.nodes.windows(2).map(|pair| [pair[0] - pair[1], 0.5 * (pair[0] + pair[1])]).collect();
-        let widest = gaps.iter().fold([0.0; 2], |widest, &gap| if gap[0] > widest[0] { gap } else { widest });
-        assert!(near(panel.sparsest(), widest[1], 1e-15), "{}, not {widest:?} of {gaps:?}", panel.sparsest());
+        let gaps = panel.nodes.windows(2).map(|pair| (pair[0] - pair[1], 0.5 * (pair[0] + pair[1])));
+        let widest = gaps.max_by(|a, b| a.0.total_cmp(&b.0)).expect("gaps");
+        assert!(near(panel.sparsest(), widest.1, 1e-15), "{}, not {widest:?}", panel.sparsest());
+    }
+
+    #[test]
+    fn a_panel_says_how_far_exact_states_lie_from_it() {
+        let (panel, exact) = (parabola(), sample(1.2));
         for quantity in Quantity::ALL {
             let off = |value: f64, slope: f64| {
                 let mut off = exact;
-                off.log_value[quantity as usize] += value;
-                off.slope[quantity as usize] *= 1.0 + 5.0 * slope;
+                off.log_value[quantity as usize] += value * VALUE_TOLERANCE;
+                off.slope[quantity as usize] *= 1.0 + 5.0 * slope * SLOPE_TOLERANCE;
                 panel.excess(quantity, &off, 5.0)
             };
-            for sign in [1.0, -1.0] {
-                assert!(
-                    near(off(sign * 20.0 * VALUE_TOLERANCE, 0.0), 20.0, 0.1),
-                    "{}",
-                    off(20.0 * VALUE_TOLERANCE, 0.0)
-                );
-                assert!(
-                    near(off(0.0, sign * 20.0 * SLOPE_TOLERANCE), 20.0, 0.1),
-                    "{}",
-                    off(0.0, 20.0 * SLOPE_TOLERANCE)
-                );
+            for excess in [[20.0, 0.0], [-20.0, 0.0], [0.0, 20.0], [0.0, -20.0]].map(|[value, slope]| off(value, slope))
+            {
+                assert!(near(excess, 20.0, 0.1), "{excess}");
             }
-            assert!(off(0.0, 0.0) < 0.1);
-            assert_eq!(off(f64::NAN, 0.0), f64::INFINITY);
+            assert!(off(0.0, 0.0) < 0.1 && off(f64::NAN, 0.0) == f64::INFINITY);
+            // At pull-off itself there is no slope.
+            let log_value = exact.log_value.map(|value| value + 5.0 * VALUE_TOLERANCE);
+            let at_pull_off = Sample { slope: [f64::NAN; 2], log_value, ..exact };
+            assert!(near(panel.excess(quantity, &at_pull_off, 1.0), 5.0, 0.1));
         }
-        // At pull-off itself there is no slope; a value that is none is as far as can be.
-        let log_value = exact.log_value.map(|value| value + 5.0 * VALUE_TOLERANCE);
-        let at_pull_off = Sample { slope: [f64::NAN; 2], log_value, ..exact };
-        assert!(near(panel.excess(Quantity::Friction, &at_pull_off, 1.0), 5.0, 0.1));
-        assert_eq!(larger(1.0, f64::NAN), f64::INFINITY);
-        assert_eq!(larger(f64::NAN, 1.0), f64::INFINITY);
-        assert_eq!(larger(1.0, 2.0), 2.0);
+        assert_eq!(
+            [larger(1.0, f64::NAN), larger(f64::NAN, 1.0), larger(1.0, 2.0)],
+            [f64::INFINITY, f64::INFINITY, 2.0]
+        );
     }
 }

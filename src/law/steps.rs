@@ -95,7 +95,7 @@ pub struct Steps {
 impl Steps {
     pub fn new(branch: &Branch) -> Self {
         let population = branch.population();
-        let mut kinks = branch.kinks();
+        let mut kinks = population.kinks();
         let resolved = kinks.len() <= MOST_KINKS;
         if !resolved {
             kinks.clear();
@@ -322,7 +322,7 @@ mod tests {
             };
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
             let steps = Steps::new(&branch);
-            let kinks = branch.kinks();
+            let kinks = branch.population().kinks();
             assert_eq!(steps.is_resolved(), count == 5, "{} kinks", kinks.len());
             assert_eq!(steps.kinks(), if count == 5 { &kinks[..] } else { &[] });
             let shortest = 0.01 * branch.population().range_of_adhesion();

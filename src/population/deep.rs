@@ -7,7 +7,6 @@
 use super::sums::{Summit, Sums};
 use super::Population;
 use crate::asperity::contact::{Contact, KINKS};
-use crate::asperity::slip::Slip;
 use crate::distribution::panel::{self, FootPanel};
 use crate::distribution::HeightDistribution;
 use crate::numerics::quadrature;
@@ -87,37 +86,38 @@ impl DeepRule {
         let (lowest, highest) = self.range();
         let contacts = points.contacts(population, separation);
         let kinks = self.kinks.map(|overlap| separation + overlap);
-        let regime = kinks.iter().filter(|&&kink| kink <= lowest).count();
+        let summits = |regime: usize| {
+            contacts.map(|contact| Summit::new(&contact, population.slip.force_in_regime(regime, contact.radius)))
+        };
+        let lowest_regime = kinks.iter().filter(|&&kink| kink <= lowest).count();
         let mut sums = Sums::default();
-        for (contact, weight) in contacts.iter().zip(points.weights[0]) {
-            sums.add_contact(weight, &Summit::in_regime(contact, &population.slip, regime));
+        for (summit, weight) in summits(lowest_regime).iter().zip(points.weights[0]) {
+            sums.add_contact(weight, summit);
         }
-        for (regime, &kink) in kinks.iter().enumerate().skip(regime).filter(|(_, &kink)| kink < highest) {
-            let change = RegimeChange::new(&contacts, &population.slip, regime);
-            self.add_above(&mut sums, &*population.heights, points, &change, kink);
+        for (regime, &kink) in kinks.iter().enumerate().skip(lowest_regime).filter(|(_, &kink)| kink < highest) {
+            let (before, after) = (summits(regime), summits(regime + 1));
+            for (i, weight) in self.weights_above(kink, points, &*population.heights).into_iter().enumerate() {
+                sums.friction += weight * (after[i].friction - before[i].friction);
+                sums.friction_slope -= weight * (after[i].friction_by_overlap - before[i].friction_by_overlap);
+            }
         }
         sums
     }
 
-    /// Adds a change of friction for all summits above a kink.
-    fn add_above<const N: usize>(
+    /// The integrals over the density above a kink, times the polynomials.
+    fn weights_above<const N: usize>(
         &self,
-        sums: &mut Sums,
-        heights: &dyn HeightDistribution,
-        points: &Points<N>,
-        change: &RegimeChange<N>,
         kink: f64,
-    ) {
+        points: &Points<N>,
+        heights: &dyn HeightDistribution,
+    ) -> [f64; N] {
         // The panel that begins above it, and what is left of the one before.
         let next = self.ends.partition_point(|&end| end <= kink);
         let mut weights = points.weights.get(next).copied().unwrap_or([0.0; N]);
         for (from, to) in panel::panels(heights, kink, self.ends[next]) {
             points.weigh(&mut weights, &samples(heights, from, to));
         }
-        for ((weight, force), slope) in weights.iter().zip(change.force).zip(change.slope) {
-            sums.friction += weight * force;
-            sums.friction_slope -= weight * slope;
-        }
+        weights
     }
 }
 
@@ -176,22 +176,6 @@ impl<const N: usize> Points<N> {
             last = Some((z, contact));
             contact
         })
-    }
-}
-
-/// What friction and its slope by overlap change by from one regime of slip to the next, at each point.
-struct RegimeChange<const N: usize> {
-    force: [f64; N],
-    slope: [f64; N],
-}
-
-impl<const N: usize> RegimeChange<N> {
-    fn new(contacts: &[Contact; N], slip: &Slip, regime: usize) -> Self {
-        let [before, after] = [regime, regime + 1].map(|regime| contacts.map(|c| Summit::in_regime(&c, slip, regime)));
-        Self {
-            force: std::array::from_fn(|i| after[i].friction - before[i].friction),
-            slope: std::array::from_fn(|i| after[i].friction_by_overlap - before[i].friction_by_overlap),
-        }
     }
 }
 

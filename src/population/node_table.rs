@@ -1,6 +1,6 @@
 //! Quadrature nodes that serve every separation: with equal radii the contacts depend on overlap alone.
 
-use super::panels::{Panel, Progress, Visitor, Walk};
+use super::panels::{Progress, Visitor, Walk};
 use super::sums::Summit;
 use super::{Point, Population};
 use crate::distribution::panel;
@@ -40,23 +40,18 @@ impl NodeTable {
         while table.end.z < LARGEST_OVERLAP && table.panels.len() < MOST_PANELS {
             let clearance = table.end.z - edge.z;
             let panel = population.panel(0.0, table.end, kink, clearance, reach, f64::INFINITY);
-            table.panels.push(TablePanel::new(population, &panel));
+            let nodes = population.nodes(0.0, &panel);
+            let summit = |point: Point| Summit::new(&point.contact, population.slip.force(point.contact.radius));
+            table.panels.push(TablePanel {
+                from: panel.from,
+                to: panel.to,
+                weights: nodes.map(|(weight, _)| weight),
+                summits: nodes.map(|(_, point)| summit(point)),
+            });
             (table.end, kink) = (panel.to, panel.kink);
         }
         table.panels.shrink_to_fit();
         table
-    }
-}
-
-impl TablePanel {
-    fn new(population: &Population, panel: &Panel) -> Self {
-        let nodes = population.nodes(0.0, panel);
-        Self {
-            from: panel.from,
-            to: panel.to,
-            weights: nodes.map(|(weight, _)| weight),
-            summits: nodes.map(|(_, point)| Summit::new(&point.contact, &population.slip)),
-        }
     }
 }
 

@@ -72,7 +72,7 @@ pub trait ContactVisitor {
 impl<V: Visitor> ContactVisitor for V {
     #[inline]
     fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip) {
-        self.summits(point.z, fraction, &Summit::new(&point.contact, slip));
+        self.summits(point.z, fraction, &Summit::new(&point.contact, slip.force(point.contact.radius)));
     }
 
     #[inline]

@@ -1,7 +1,6 @@
 //! The sums at one separation, and what one summit adds to them.
 
 use crate::asperity::contact::Contact;
-use crate::asperity::slip::Slip;
 use crate::error::Error;
 use std::f64::consts::PI;
 
@@ -110,20 +109,9 @@ pub struct Summit {
 }
 
 impl Summit {
-    /// Of a contact that is not just breaking away, where the overlap does not depend on the parameter.
+    /// Of a contact, its friction force and the slope of that by radius.
     #[inline]
-    pub fn new(contact: &Contact, slip: &Slip) -> Self {
-        Self::with_friction(contact, slip.force(contact.radius))
-    }
-
-    /// The same, with friction by the law of one regime of slip.
-    #[inline]
-    pub fn in_regime(contact: &Contact, slip: &Slip, regime: usize) -> Self {
-        Self::with_friction(contact, slip.force_in_regime(regime, contact.radius))
-    }
-
-    #[inline]
-    fn with_friction(contact: &Contact, (friction, friction_by_radius): (f64, f64)) -> Self {
+    pub fn new(contact: &Contact, (friction, friction_by_radius): (f64, f64)) -> Self {
         let by_overlap = contact.s_by_overlap();
         Self {
             overlap: contact.overlap,
