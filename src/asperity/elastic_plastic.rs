@@ -155,51 +155,8 @@ impl ContactLaw for ElasticPlastic {
 mod tests {
     use super::*;
     use crate::asperity::contact::tests::assert_rates_are_secants;
-    use crate::numerics::near;
 
     const GROUPS: Groups = Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0, hardness: 0.01, yields: true };
-
-    /// In units of E*, b and R: Hertz' pressure 4 a/(3 pi R) is 0.4 H at u1 = a^2/R.
-    #[test]
-    fn a_summit_is_elastic_up_to_a_mean_pressure_of_0_4_h_and_flows_at_h_from_54_times_that_overlap_on() {
-        let (law, hertz) = (ElasticPlastic::new(&GROUPS), Hertz::new(&GROUPS));
-        for g in [0.3, 1.0, 1.8] {
-            let [first, flow] = law.kinks().map(|kink| kink * g);
-            let pressure = |overlap: f64| {
-                let contact = law.at_overlap(overlap, g, 0.0);
-                contact.load / (PI * contact.radius * contact.radius)
-            };
-            assert!(near(pressure(first), 0.4 * 0.01, 1e-13) && near(flow, 54.0 * first, 1e-15), "{g}");
-            for part in [1e-9, 0.3, 1.0] {
-                let (found, elastic) = (law.at_overlap(part * first, g, 0.0), hertz.at_overlap(part * first, g, 0.0));
-                assert!(near(found.load, elastic.load, 1e-15) && near(found.radius, elastic.radius, 1e-15), "{part}");
-            }
-            for ratio in [1.0, 1.5, 1e6] {
-                let flows = law.at_overlap(ratio * flow, g, 0.0);
-                // Abbott and Firestone: the area that the flat cuts off.
-                let area = 2.0 * PI * (g * 300.0 / 0.02) * (ratio * flow * 0.02 * 300.0);
-                assert!(near(PI * flows.radius.powi(2), area, 1e-14) && near(pressure(ratio * flow), 0.01, 1e-14));
-            }
-            // Half of the way by overlap, and by its logarithm.
-            let middle = law.at_overlap(0.5 * (first + flow), g, 0.0);
-            let elastic = hertz.at_overlap(0.5 * (first + flow), g, 0.0);
-            assert!(near(middle.radius.powi(2), 1.5 * elastic.radius.powi(2), 1e-14), "{g}");
-            assert!(near(pressure((first * flow).sqrt()), 0.7 * 0.01, 1e-14), "{g}");
-        }
-    }
-
-    #[test]
-    fn radius_and_load_are_continuous_where_yield_begins_and_ends_and_the_slope_of_the_load_is_not() {
-        let law = ElasticPlastic::new(&GROUPS);
-        for g in [0.3, 1.0, 1.8] {
-            for kink in law.kinks().map(|kink| kink * g) {
-                let [below, above] = [-1e-9, 1e-9].map(|off| law.at_overlap(kink * (1.0 + off), g, 0.0));
-                assert!(near(below.radius, above.radius, 1e-8) && near(below.load, above.load, 1e-8), "{kink}");
-                assert!(near(below.by_s.radius, above.by_s.radius, 1e-7), "{kink}");
-                assert!(!near(below.by_s.load, above.by_s.load, 0.05), "{kink}: {below:?}, {above:?}");
-            }
-        }
-    }
 
     #[test]
     fn rates_are_slopes_of_secants() {

@@ -174,7 +174,7 @@ impl ContactLaw for Maugis {
                 2.0 * s + 1.0
             };
             if upper < f64::INFINITY && upper - lower <= f64::EPSILON * (1.0 + upper) {
-                return Contact { overlap, ..contact };
+                break;
             }
             (before, last_step) = (contact, (next - s).abs());
             contact = self.at(next, g);

@@ -16,8 +16,8 @@ const MOST_E_FOLDS: f64 = 14.0;
 /// The largest length over the distance to a singularity, for which the error of 16 points is about 1e-16.
 const OVER_DISTANCE: f64 = 1.2;
 /// No panel is shorter, in sigma: what lies within it of a singularity is negligible.
-const SHORTEST: f64 = 1e-8;
-/// What is nearer to a breakpoint than this, relative to 1 or to its height, counts as at it.
+pub const SHORTEST: f64 = 1e-8;
+/// What is nearer to a breakpoint, or to where a stretch ends, than this, relative to 1 or to its height, counts as at it.
 const AT_BREAKPOINT: f64 = 4e-15;
 /// Densities below exp(-NEGLIGIBLE) of the largest are left out of sums.
 const NEGLIGIBLE: f64 = 41.0;
@@ -197,7 +197,8 @@ fn next_breakpoint(heights: &dyn HeightDistribution, z: f64) -> f64 {
     breakpoints.get(breakpoints.partition_point(|&point| point <= z)).copied().unwrap_or(f64::INFINITY)
 }
 
-fn slack(z: f64) -> f64 {
+/// How near to a height what lies beside it counts as at it.
+pub fn slack(z: f64) -> f64 {
     AT_BREAKPOINT * (1.0 + z.abs())
 }
 
@@ -222,7 +223,7 @@ mod tests {
         let is_left = excess_over(heights, 3.0 * NEGLIGIBLE);
         let mut z = lower_cut_at(heights, 3.0 * NEGLIGIBLE);
         if let Some(foot) = FootPanel::new(heights, z, f64::MAX) {
-            foot.nodes(heights).map(|(rise, fraction)| add(z + rise, fraction));
+            foot.nodes(heights).into_iter().for_each(|(rise, fraction)| add(z + rise, fraction));
             z += foot.length;
             count += 1;
         }

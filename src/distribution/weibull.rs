@@ -255,24 +255,6 @@ mod tests {
         Weibull::new(shape).expect("a shape")
     }
 
-    /// Of a height of fixed hazard, as the shape grows.
-    #[test]
-    fn motions_are_differences_of_heights_of_fixed_hazard() {
-        for shape in [1.0, 1.02, 1.5, 3.602, 40.0, 190.0] {
-            let here = weibull(shape);
-            let motion = here.motion().expect("a motion");
-            for hazard in [1e-6, 0.01, 1.0, 20.0, 600.0] {
-                let moved = |part: f64| Weibull::of_shape(shape * (1.0 + 1e-4 * part)).height_of_hazard(hazard);
-                let [far, near] = [2.0, 1.0].map(|part| (moved(part) - moved(-part)) / (2e-4 * part * shape));
-                let expected = (4.0 * near - far) / 3.0;
-                let [found, none] = motion.above_origin(here.height_of_hazard(hazard));
-                let known = 1e-10 * (1.0 + expected.abs()) + 1e-12 * here.mean / shape;
-                assert!((found - expected).abs() < known, "{shape}, {hazard}: {found}, not {expected}");
-                assert_eq!(none, 0.0);
-            }
-        }
-    }
-
     /// A mean of sqrt(6)/pi omega and Gumbel's moments.
     #[test]
     fn moments_of_large_shapes_are_those_of_the_limit() {

@@ -59,9 +59,6 @@ impl Branch {
     }
 
     /// The branch that ends before a separation at which the load was found to rise already.
-    ///
-    /// # Errors
-    /// As [`Branch::new`].
     pub fn ending_near(self, separation: f64) -> Result<Self, Error> {
         let end = End::before(&self.population, separation)?;
         Ok(Self { end, ..self })
@@ -110,9 +107,6 @@ impl Branch {
 
     /// The separation at which ln(load - pull-off load) is this, and the sums there, from a guess if there is one: by
     /// Newton's method within a bracket.
-    ///
-    /// # Errors
-    /// [`Error::NotConverged`].
     pub fn at_log_excess(&self, target: f64, guess: Option<f64>) -> Result<(f64, Sums), Error> {
         let failure = Error::NotConverged { what: "ln(load - pull-off load)", value: target };
         if target < SMALLEST_LOG_LOAD && self.end.pull_off.is_none() {

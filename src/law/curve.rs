@@ -59,9 +59,6 @@ pub struct Curve {
 impl Curve {
     /// Follows the branch from heavy load down to pull-off, but not farther than `log_range` of the heaviest ln(load -
     /// pull-off). Hands every exact state that is not a node to `check`.
-    ///
-    /// # Errors
-    /// [`Unfollowed`].
     pub fn new(branch: &Branch, log_range: impl Fn(f64) -> f64, check: &mut Vec<Sample>) -> Result<Self, Unfollowed> {
         let log_pull_off = branch.pull_off().map(|point| log(-point.load));
         let reference = Quantity::ALL.map(|quantity| branch.pull_off().map_or(1.0, |point| quantity.of(&point.sums).0));

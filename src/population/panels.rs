@@ -8,7 +8,7 @@
 use super::sums::{out_of_panels, Summit};
 use super::{Point, Population, RADII};
 use crate::asperity::slip::Slip;
-use crate::distribution::panel::{self, FootPanel, MOST_PANELS};
+use crate::distribution::panel::{self, FootPanel, MOST_PANELS, SHORTEST};
 use crate::elementary::exp;
 use crate::error::Error;
 use crate::numerics::hermite::Cubic;
@@ -43,15 +43,11 @@ const REMNANT: f64 = 1e-3;
 pub(super) const PART_AT_FOOT: f64 = 0.02;
 /// What is less than this part of all above the last mode of the heights ends the sum.
 const NEGLIGIBLE: f64 = 1e-18;
-/// The shortest panel, in sigma: what lies within it of a singular point is negligible.
-const SHORTEST: f64 = 1e-8;
 /// To what part of a panel a kink is found, and an extremum: next to that what it is one of hardly changes.
 const LAST_BITS: f64 = 1e-18;
 const NEAR_EXTREMUM: f64 = 1e-2;
 /// The end of a panel takes some three steps to find.
 const MOST_STEPS: u32 = 60;
-/// What is nearer to a stretch's end, where another follows, than this relative to 1 or to its height, is there.
-const AT_STOP: f64 = 4e-15;
 
 /// What the summits in contact are handed to.
 pub trait Visitor {
@@ -151,7 +147,7 @@ impl Population {
                 return Ok(());
             }
             let stop = self.stop_above(here.z).min(end);
-            if stop < end && stop - here.z <= AT_STOP * (1.0 + here.z.abs()) {
+            if stop < end && stop - here.z <= panel::slack(here.z) {
                 here = self.at_height(separation, stop, here.contact.parameter);
                 continue;
             }

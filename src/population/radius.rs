@@ -103,25 +103,6 @@ mod tests {
         assert_eq!(vanishing.at(-140.0), (SMALLEST_FACTOR, 0.0));
     }
 
-    #[test]
-    fn changes_are_those_of_secants() {
-        for (amplitude, rate, origin) in [(0.0, 0.5, 0.0), (0.6, 0.5, 0.0), (-0.9, 2.0, 1.5)] {
-            let factor = |by_amplitude: f64, by_rate: f64, z: f64| {
-                RadiusProfile { amplitude: amplitude + by_amplitude, rate: rate * (1.0 + by_rate), origin }.factor(z)
-            };
-            for z in [-5.0, -1.0, 0.0, 0.3, 4.0] {
-                let secants =
-                    [factor(1e-6, 0.0, z) - factor(-1e-6, 0.0, z), factor(0.0, 1e-6, z) - factor(0.0, -1e-6, z)];
-                let changes = RadiusProfile { amplitude, rate, origin }.changes(z);
-                for (found, secant) in changes.into_iter().zip(secants) {
-                    assert!((found - secant / 2e-6).abs() < 1e-9, "{amplitude} at {z}: {found}, not {}", secant / 2e-6);
-                }
-            }
-        }
-        // Summits that carry nothing go on doing so.
-        assert_eq!(RadiusProfile { amplitude: 1.0, rate: 0.5, origin: 0.0 }.changes(-140.0), [0.0; 2]);
-    }
-
     /// Of 16 points, on the integral of g, z + epsilon ln(cosh(rho z))/rho; nor is a panel shorter than it need be.
     #[test]
     fn a_panel_gives_the_integral_to_rounding() {

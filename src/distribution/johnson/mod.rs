@@ -69,31 +69,32 @@ pub fn heights(skew: f64, kurtosis: f64) -> Result<Arc<dyn HeightDistribution>, 
 }
 
 fn check(skew: f64, kurtosis: f64) -> Result<(), Error> {
-    if !finite(skew) {
-        return Err(Error::InvalidParameter { name: "skew", value: skew.into(), allowed: "must be finite" });
-    }
+    let impossible = |name, value: f64, allowed| Err(Error::InvalidParameter { name, value: value.into(), allowed });
+    let out_of_range = |name, value: f64, allowed| Err(Error::OutOfRange { name, value: value.into(), allowed });
     // Squares stay finite.
     let bounded = skew.clamp(-1e150, 1e150);
-    if !finite(kurtosis) || kurtosis <= bounded * bounded + 1.0 {
-        let allowed = "must be finite and > skew^2 + 1, as that of every distribution";
-        return Err(Error::InvalidParameter { name: "kurtosis", value: kurtosis.into(), allowed });
-    }
-    if skew.abs() > LARGEST_SKEW {
-        let allowed = "must be between -3 and 3; take a table of heights, without the few that are far from the rest";
-        return Err(Error::OutOfRange { name: "skew", value: skew.into(), allowed });
-    }
-    let out_of_range = |allowed| Err(Error::OutOfRange { name: "kurtosis", value: kurtosis.into(), allowed });
-    if kurtosis > LARGEST_KURTOSIS {
-        return out_of_range(
+    match () {
+        () if !finite(skew) => impossible("skew", skew, "must be finite"),
+        () if !finite(kurtosis) || kurtosis <= bounded * bounded + 1.0 => {
+            impossible("kurtosis", kurtosis, "must be finite and > skew^2 + 1, as that of every distribution")
+        }
+        () if skew.abs() > LARGEST_SKEW => out_of_range(
+            "skew",
+            skew,
+            "must be between -3 and 3; take a table of heights, without the few that are far from the rest",
+        ),
+        () if kurtosis > LARGEST_KURTOSIS => out_of_range(
+            "kurtosis",
+            kurtosis,
             "must be at most 100; take a table of heights, without the few that are far from the rest",
-        );
-    }
-    if kurtosis < least_kurtosis(skew) {
-        return out_of_range(
+        ),
+        () if kurtosis < least_kurtosis(skew) => out_of_range(
+            "kurtosis",
+            kurtosis,
             "must be at least 1.87 + 1.25 skew^2: with less, Johnson's heights may gather at two; take a table of heights",
-        );
+        ),
+        () => Ok(()),
     }
-    Ok(())
 }
 
 impl Johnson {
