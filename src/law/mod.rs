@@ -178,10 +178,10 @@ impl Compiled {
         let count = ((end - base) as usize).min(MOST_ROWS);
         table.rows.reserve(count);
         let mut source = curve;
-        let mut filling = Filling::new(&mut source, quantity, scale, FRACTION);
+        let mut filling = Filling::new(&mut source, quantity, scale);
         let error = filling.rows(&mut table, count).max(match exact {
             None => divide(filling, &mut table),
-            Some(exact) => divide(Filling::new(exact, quantity, scale, FRACTION), &mut table),
+            Some(exact) => divide(Filling::new(exact, quantity, scale), &mut table),
         });
         table.rows.shrink_to_fit();
         Self { table, scale, error }

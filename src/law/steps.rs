@@ -272,13 +272,11 @@ impl Steps {
             return;
         }
         self.limit = f64::INFINITY;
-        if at >= self.deep {
-            if !self.is_table() {
-                self.length = AFTER_KINK;
-            }
-            return;
+        if at < self.deep {
+            self.length = f64::MAX;
+        } else if !self.is_table() {
+            self.length = AFTER_KINK;
         }
-        self.length = f64::MAX;
     }
 }
 
