@@ -53,15 +53,12 @@ impl End {
         if !population.is_adhesive() {
             return Ok(none);
         }
-        let bracket = if population.has_single_minimum() {
-            bracket_first_minimum(population)?
-        } else {
-            // Signs of slopes need few digits, but at the bracket that is found.
-            match bracket_first_minimum(&population.roughly())? {
-                Some((lower, upper)) if falls(population, lower)? && !falls(population, upper)? => Some((lower, upper)),
-                Some(_) => bracket_first_minimum(population)?,
-                None => None,
+        // Signs of slopes need few digits, but at the bracket that is found.
+        let bracket = match bracket_first_minimum(&population.roughly())? {
+            Some((lower, upper)) if !falls(population, lower)? || falls(population, upper)? => {
+                bracket_first_minimum(population)?
             }
+            rough => rough,
         };
         match bracket {
             Some(bracket) => Self::within(population, bracket),

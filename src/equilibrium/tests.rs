@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::params::{HeightFamily, Params};
-use crate::population::tests::{of, surface, table, FOLD, HERTZ, WEAK};
+use crate::population::tests::{of, surface, table, FOLD, WEAK};
 
 fn surfaces() -> Vec<Params> {
     vec![
@@ -26,15 +26,6 @@ fn the_branch_ends_at_the_first_minimum_of_the_load() {
         assert!(load(end - 1e-3) > point.load && load(end + 1e-3) > point.load, "{params:?}: {point:?}");
         let before: Vec<f64> = (0..800).map(|i| load(end - 0.01 * f64::from(i))).collect();
         assert!(before.windows(2).all(|pair| pair[1] > pair[0]), "{params:?}: the load has a minimum before {end}");
-    }
-}
-
-#[test]
-fn without_adhesion_nothing_pulls() {
-    for heights in [HeightFamily::Gaussian, table()] {
-        let branch = Branch::new(of(&surface(HERTZ, heights, [0.0, 1.0]))).expect("a branch");
-        assert!(branch.pull_off().is_none());
-        assert_eq!(branch.pull_off_load(), 0.0);
     }
 }
 

@@ -64,21 +64,21 @@ impl Curve {
         let reference = Quantity::ALL.map(|quantity| branch.pull_off().map_or(1.0, |point| quantity.of(&point.sums).0));
         let mut steps = Steps::new(branch);
         let positions = steps.positions;
-        let is_resolved = steps.is_resolved();
         let coordinate = Coordinate { log_pull_off };
-        let mut curve = Self { coordinate, positions, reference, is_resolved, panels: Vec::new(), samples: 0 };
+        let mut curve =
+            Self { coordinate, positions, reference, is_resolved: steps.resolved, panels: Vec::new(), samples: 0 };
         let closest = CLOSEST + positions.middle;
-        let mut from = curve.sample(branch, closest.min(steps.end() - 10.0))?;
+        let mut from = curve.sample(branch, closest.min(steps.end - 10.0))?;
         // Adhesion that is strong beside the roughness: on to loads well above pull-off.
         while log_pull_off.is_some_and(|pull_off| from.log_excess < pull_off + LOG_ABOVE_PULL_OFF) {
             from = curve.sample(branch, 1.5 * from.separation.min(closest))?;
         }
         check.push(from);
         let lightest = from.log_excess - log_range(from.log_excess);
-        let most_samples = MOST_SAMPLES + 2 * NODES * steps.kinks().len();
-        while from.separation < steps.end() && from.log_excess > lightest && curve.samples < most_samples {
+        let most_samples = MOST_SAMPLES + 2 * NODES * steps.kinks.len();
+        while from.separation < steps.end && from.log_excess > lightest && curve.samples < most_samples {
             let is_spent = steps.is_deep(from.separation) && curve.samples > most_samples / 2;
-            let stretch = if is_spent && steps.has_failed() {
+            let stretch = if is_spent && steps.failed {
                 steps.skip(from.separation)
             } else {
                 steps.next(from.separation, from.s)

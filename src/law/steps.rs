@@ -73,12 +73,13 @@ pub struct Steps {
     /// The separation below which all summits are deep in contact.
     deep: f64,
     /// Where the branch ends, and whether that is at pull-off.
-    end: f64,
+    pub end: f64,
     at_pull_off: bool,
     shortest_at_end: f64,
-    /// Where the curve has kinks; none where there are too many.
-    kinks: Vec<f64>,
-    resolved: bool,
+    /// The separations of the kinks at which panels end; none where there are too many.
+    pub kinks: Vec<f64>,
+    /// Whether panels end at all kinks.
+    pub resolved: bool,
     /// Those of them, among the heights, about which it is a non-integer power of the distance. Far below them loads do not
     /// tell the distance well enough.
     non_integer_powers: Vec<f64>,
@@ -89,7 +90,7 @@ pub struct Steps {
     /// The position at which the curve is found not to be smooth, if that is ahead.
     obstacle: f64,
     /// Whether the last panel was too long.
-    failed: bool,
+    pub failed: bool,
 }
 
 impl Steps {
@@ -125,21 +126,6 @@ impl Steps {
             obstacle: f64::INFINITY,
             failed: false,
         }
-    }
-
-    /// Where the branch ends.
-    pub fn end(&self) -> f64 {
-        self.end
-    }
-
-    /// Whether panels end at all kinks.
-    pub fn is_resolved(&self) -> bool {
-        self.resolved
-    }
-
-    /// The separations of the kinks at which panels end.
-    pub fn kinks(&self) -> &[f64] {
-        &self.kinks
     }
 
     /// What comes next after a separation, at which the coordinate of the curve is `s`.
@@ -179,11 +165,6 @@ impl Steps {
 
     fn is_non_integer_power(&self, separation: f64) -> bool {
         self.non_integer_powers.contains(&separation)
-    }
-
-    /// Whether the last panel was too long.
-    pub fn has_failed(&self) -> bool {
-        self.failed
     }
 
     /// Whether all summits are deep in contact at a separation.
@@ -321,8 +302,8 @@ mod tests {
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
             let steps = Steps::new(&branch);
             let kinks = branch.population().kinks();
-            assert_eq!(steps.is_resolved(), count == 5, "{} kinks", kinks.len());
-            assert_eq!(steps.kinks(), if count == 5 { &kinks[..] } else { &[] });
+            assert_eq!(steps.resolved, count == 5, "{} kinks", kinks.len());
+            assert_eq!(steps.kinks, if count == 5 { &kinks[..] } else { &[] });
             let shortest = 0.01 * branch.population().range_of_adhesion();
             assert!(steps.shortest_at_end == shortest && shortest < SHORTEST_AT_END, "{shortest}");
         }
@@ -358,7 +339,7 @@ mod tests {
         assert!(bridge.is_bridge && bridge.to == 1.005);
         let mut unresolved = Steps { resolved: false, ..steps(&[]) };
         let stretch = unresolved.next(0.0, 10.0);
-        assert!(unresolved.keeps(&stretch, 1e9) && !unresolved.is_resolved());
+        assert!(unresolved.keeps(&stretch, 1e9) && !unresolved.resolved);
     }
 
     #[test]
