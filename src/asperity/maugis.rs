@@ -268,8 +268,8 @@ fn even_odd(c: &[f64; SERIES_TERMS], x: f64) -> f64 {
 }
 
 const SERIES_TERMS: usize = 10;
-const SERIES_2: [f64; SERIES_TERMS] = series_2();
-const SERIES_1: [f64; SERIES_TERMS] = series_1();
+const SERIES_2: [f64; SERIES_TERMS] = series_of_bracket(3);
+const SERIES_1: [f64; SERIES_TERMS] = series_of_bracket(2);
 const SERIES_SIN: [f64; SERIES_TERMS] = series_of_sine(3);
 const SERIES_COS: [f64; SERIES_TERMS] = series_of_sine(2);
 
@@ -286,27 +286,16 @@ const fn series_of_sine(first: usize) -> [f64; SERIES_TERMS] {
     out
 }
 
-/// Coefficients of theta^(2k+3): (-1)^k 2^(2k+2) (2k+2)/(2k+3)!.
-const fn series_2() -> [f64; SERIES_TERMS] {
+/// Coefficients of theta^(2k + power): of the first bracket, from theta^3 on, (-1)^k 2^(2k+2) (2k+2)/(2k+3)!; of the second,
+/// from theta^2 on, (-1)^k (2k+1)/(2k+2)!.
+const fn series_of_bracket(power: usize) -> [f64; SERIES_TERMS] {
+    let square = if power == 3 { 4.0 } else { 1.0 };
     let mut out = [0.0; SERIES_TERMS];
-    let mut term = 4.0; // 2^(2k+2) / (2k+1)! with sign
+    let mut term = square; // square^(k+1) / (2k + power - 2)! with sign
     let mut k = 0;
     while k < SERIES_TERMS {
-        out[k] = term / (2 * k + 3) as f64;
-        term *= -4.0 / ((2 * k + 2) * (2 * k + 3)) as f64;
-        k += 1;
-    }
-    out
-}
-
-/// Coefficients of theta^(2k+2): (-1)^k (2k+1)/(2k+2)!.
-const fn series_1() -> [f64; SERIES_TERMS] {
-    let mut out = [0.0; SERIES_TERMS];
-    let mut term = 1.0; // 1 / (2k)! with sign
-    let mut k = 0;
-    while k < SERIES_TERMS {
-        out[k] = term / (2 * k + 2) as f64;
-        term *= -1.0 / ((2 * k + 1) * (2 * k + 2)) as f64;
+        out[k] = term / (2 * k + power) as f64;
+        term *= -square / ((2 * k + power - 1) * (2 * k + power)) as f64;
         k += 1;
     }
     out

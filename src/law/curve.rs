@@ -277,18 +277,13 @@ mod tests {
             assert!(if range < 100.0 { upper - lower < 3.0 * range } else { lower == f64::NEG_INFINITY }, "{lower}");
             for state in &states {
                 let found = curve.separation(state.log_excess).expect("a separation");
-                assert!(
-                    (found - state.separation).abs() < 1e-4 * (1.0 + state.separation.abs()),
-                    "{found}, not {}",
-                    state.separation
-                );
+                let known = 1e-4 * (1.0 + state.separation.abs());
+                assert!((found - state.separation).abs() < known, "{found}, not that of {state:?}");
                 for quantity in Quantity::ALL {
                     let [(value, slope)] = curve.at_each(quantity, [state.log_excess]);
                     let (exact, exact_slope) = curve.at_sample(quantity, state);
-                    assert!(
-                        near(value, exact, 1e-10) && near(slope, exact_slope, 1e-8),
-                        "{quantity:?}: {value}, {slope}"
-                    );
+                    let is_near = near(value, exact, 1e-10) && near(slope, exact_slope, 1e-8);
+                    assert!(is_near, "{quantity:?}: {value}, {slope}");
                 }
             }
             assert_eq!(curve.separation(upper + 1e-9), None);

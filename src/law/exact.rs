@@ -5,6 +5,7 @@
 
 use super::curve::Curve;
 use super::fill::Source;
+use super::panel::PerQuantity;
 use super::Quantity;
 use crate::elementary::exp;
 use crate::equilibrium::{Branch, BranchPoint};
@@ -19,9 +20,6 @@ const BESIDE: f64 = 1e-3;
 /// No more evaluations are spent on a law: of the largest tables they take a second. What is then not filled is evaluated
 /// when it is asked for.
 const MOST_EVALUATIONS: usize = 15_000;
-
-/// A number for each quantity.
-type PerQuantity = [f64; Quantity::COUNT];
 
 /// An exact state: ln x, separation, d(ln x)/d(separation), the quantities, and the slopes of their logarithms by ln x.
 #[derive(Debug, Clone, Copy)]
