@@ -362,20 +362,6 @@ mod tests {
     }
 
     #[test]
-    fn what_is_left_out_side_by_side_is_one_part() {
-        let table = {
-            let mut source = Wiggly { per_row: 1000.0 };
-            let mut table = Table::new(2, 1_f64.to_bits() >> Table::shift_of(2), 0.0);
-            let mut filling = Filling::new(&mut source, Scale { load: 1.0, value: 1.0 }, 2);
-            filling.rows(&mut table, 1);
-            filling.divide(&mut table, 0, 100);
-            table
-        };
-        let is_followed = |pair: &[Row]| pair[0].is_left_out() && pair[1].is_left_out();
-        assert!(!table.rows[1..].windows(2).any(is_followed), "{:?}", table.rows);
-    }
-
-    #[test]
     fn links_lead_over_links_to_as_many_parts_as_there_is_room_for() {
         let table = |per_row: f64, room: usize| {
             let mut source = Wiggly { per_row };
@@ -399,5 +385,9 @@ mod tests {
         assert!(crowded.rows.len() <= 101 && crowded.at_load(1.1).is_none());
         let cramped = table(4.0, 5);
         assert!(cramped.rows.len() <= 6, "{}", cramped.rows.len());
+        // What is left out side by side is one part.
+        let begun = table(60.0, 100);
+        assert_eq!(begun.rows.iter().filter(|row| row.is_left_out()).count(), 1, "{:?}", begun.rows);
+        assert!(begun.at_load(1.001).is_some() && begun.at_load(1.249).is_none());
     }
 }

@@ -64,7 +64,6 @@ const SIGN_AND_EXPONENT: u64 = !Table::MANTISSA;
 const ROW_SHIFT: u32 = size_of::<Row>().trailing_zeros();
 /// Lighter positive loads may make a slope overflow: the scalar call takes care.
 const LIGHTEST: f64 = 1e-100;
-
 /// In place of a load that is not finite, of which arithmetic or a comparison would raise a flag: below any table.
 const BELOW_TABLES: f64 = -1e300;
 
