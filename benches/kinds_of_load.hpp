@@ -21,8 +21,9 @@ public:
                     "Cost of a call over that of an ordinary one (contacts between a tenth of the load at which half of the "
                     "summits touch and ten times it): the median, of scalar mu, scalar F, batch mu, batch F and dF/dP. "
                     "*Light* is 1e-20 of that load, *far beyond* 1e6 times the heaviest load that tables had before they "
-                    "reached so far, *kink* the row in which all summits pass the slip law's second radius.\n\n"
-                    "| kind of load |");
+                    "reached so far, *kink* the row in which all summits pass the slip law's second radius. The limit is %.0f; "
+                    "what is above is marked.\n\n"
+                    "| kind of load |", kMost);
         const std::vector<Surface> surfaces = kinds_of_surface();
         for (const Surface &surface : surfaces) std::printf(" %s |", surface.name.c_str());
         std::printf("\n|---|");
@@ -39,6 +40,8 @@ public:
 
 private:
     static constexpr size_t kCount = 256;
+    // A load of any kind may cost so many ordinary ones.
+    static constexpr double kMost = 3.0;
     // The separation, in height_std, to which tables reached before.
     static constexpr double kFormerEnd = -12.0;
 
@@ -118,13 +121,16 @@ private:
         std::vector<std::pair<std::string, std::string>> cells;
         for (const auto &[kind, loads] : kinds) {
             std::string cell;
+            bool is_met = true;
             for (const char *call : kCalls) {
-                char ratio[32];
-                if (!loads.empty())
-                    std::snprintf(ratio, sizeof ratio, "%.1f ",
-                                  times.ratio(kind + call, std::string("ordinary") + call).median);
-                cell += loads.empty() ? "" : ratio;
+                if (loads.empty()) break;
+                char text[32];
+                const double ratio = times.ratio(kind + call, std::string("ordinary") + call).median;
+                is_met = is_met && ratio <= kMost;
+                std::snprintf(text, sizeof text, "%.1f ", ratio);
+                cell += text;
             }
+            if (!is_met) cell += "**MISSED**";
             cells.emplace_back(kind, cell.empty() ? "none" : cell);
         }
         return cells;

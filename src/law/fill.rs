@@ -8,6 +8,7 @@ use super::table::Table;
 use super::{Quantity, Scale, FRACTION};
 use crate::elementary::{exp, log, log1p};
 use std::f64::consts::LN_2;
+use std::ops::Range;
 
 /// Where the law is asked for a row: where it is determined, where it is compared, and at its end.
 const PARTS: [f64; 8] = [INTERIOR[0], INTERIOR[1], INTERIOR[2], INTERIOR[3], BETWEEN[0], BETWEEN[1], BETWEEN[2], 1.0];
@@ -95,25 +96,25 @@ impl<'a, S: Source> Filling<'a, S> {
     /// Replaces a row that is left out by a link to pieces, if so many more rows are enough; the largest error of these.
     pub fn divide(&mut self, table: &mut Table, row: usize, room: usize) -> f64 {
         let Some((pieces, error)) = self.pieces(table.base + row as u64, room) else { return 0.0 };
-        let group = if pieces.len() > DIVISIONS + 1 { DIVISIONS + 1 } else { pieces.len() };
         let (begins, rows): (Vec<f64>, Vec<Row>) = pieces.into_iter().unzip();
         if let [whole] = rows[..] {
             table.rows[row] = whole;
             return error;
         }
+        let groups = groups(&begins, self.width);
         let first = table.rows.len();
-        table.rows.extend(&rows);
-        if rows.len() == group {
-            table.rows[row] = Row::link(first, &begins[1..]);
-            return error;
+        let mut below = first + groups.len();
+        table.rows[row] = Row::link(first, &groups[1..].iter().map(|group| begins[group.start]).collect::<Vec<f64>>());
+        for group in &groups {
+            table.rows.push(match group.len() {
+                1 => rows[group.start],
+                _ => Row::link(below, &begins[group.start + 1..group.end]),
+            });
+            below += if group.len() > 1 { group.len() } else { 0 };
         }
-        // A link to links.
-        let second = table.rows.len();
-        for (index, of_group) in begins.chunks(group).enumerate() {
-            table.rows.push(Row::link(first + index * group, &of_group[1..]));
+        for group in groups.into_iter().filter(|group| group.len() > 1) {
+            table.rows.extend(&rows[group]);
         }
-        let divisions: Vec<f64> = begins.iter().step_by(group).skip(1).copied().collect();
-        table.rows[row] = Row::link(second, &divisions);
         error
     }
 
@@ -154,12 +155,14 @@ impl<'a, S: Source> Filling<'a, S> {
             shortest *= NEXT_TO_JOINT;
         }
         let worst = parts.iter().filter_map(|part| part.filled).fold(0.0, |worst: f64, (_, error)| worst.max(error));
-        let pieces: Vec<Piece> =
+        let mut pieces: Vec<Piece> =
             parts.iter().map(|part| (part.begin, part.filled.map_or(Row::LEFT_OUT, |(row, _)| row))).collect();
+        // Side by side they are one.
+        pieces.dedup_by(|next, piece| next.1.is_left_out() && piece.1.is_left_out());
         // Links take room too.
-        let links = if pieces.len() > DIVISIONS + 1 { pieces.len().div_ceil(DIVISIONS + 1) } else { 0 };
+        let links = if pieces.len() > DIVISIONS + 1 { DIVISIONS + 1 } else { 0 };
         let any = pieces.iter().any(|(_, piece)| !piece.is_left_out());
-        (any && pieces.len() <= MOST_PIECES && pieces.len() + links <= room).then_some((pieces, worst))
+        (any && pieces.len() + links <= room).then_some((pieces, worst))
     }
 
     /// The polynomial of a part of a row that begins at a mantissa, less one, and its error, if it is good.
@@ -189,6 +192,31 @@ struct Part {
     begin: f64,
     end: f64,
     filled: Option<(Row, f64)>,
+}
+
+/// The pieces to which each place of a row's link leads: one, or several by another link. The widest pieces are alone, so that
+/// most loads follow one link.
+fn groups(begins: &[f64], width: f64) -> Vec<Range<usize>> {
+    let ends = begins[1..].iter().chain([&width]);
+    let lengths: Vec<f64> = ends.zip(begins).map(|(end, begin)| end - begin).collect();
+    let mut by_length: Vec<usize> = (0..begins.len()).collect();
+    by_length.sort_by(|&a, &b| lengths[b].total_cmp(&lengths[a]));
+    let alone_in = |alone: &[usize]| {
+        let mut groups: Vec<Range<usize>> = Vec::new();
+        for piece in 0..begins.len() {
+            match groups.last_mut() {
+                Some(group) if group.len() <= DIVISIONS && !alone.contains(&piece) && !alone.contains(&group.start) => {
+                    group.end += 1;
+                }
+                _ => groups.push(piece..piece + 1),
+            }
+        }
+        groups
+    };
+    let most = begins.len().min(DIVISIONS + 1);
+    let mut found =
+        (1..=most).rev().map(|count| alone_in(&by_length[..count])).filter(|groups| groups.len() <= DIVISIONS + 1);
+    found.next().unwrap_or_else(|| alone_in(&[]))
 }
 
 /// Where to divide a piece: where the law is not smooth, next to the middle; else next to an end where it is not, or in the
@@ -296,6 +324,28 @@ mod tests {
 
     /// As many wiggles in a row as one level of links cannot hold, and as many as two cannot.
     #[test]
+    fn the_widest_pieces_of_a_row_take_one_link_and_all_have_their_place() {
+        for count in 2..=MOST_PIECES {
+            let mut begins = vec![0.0];
+            for piece in 0..count {
+                let is_wide = [0, 15, count - 1].contains(&piece);
+                begins.push(begins[piece] + if is_wide { 100.0 } else { 1.0 });
+            }
+            let end = begins.pop().expect("the end");
+            let groups = groups(&begins, end);
+            assert!(
+                groups.len() <= DIVISIONS + 1 && groups.iter().all(|group| group.len() <= DIVISIONS + 1),
+                "{groups:?}"
+            );
+            assert!(groups.iter().cloned().flatten().eq(0..count), "{groups:?}");
+            // As long as there is room.
+            for wide in [0, 15, count - 1].into_iter().filter(|&wide| wide < count && count <= 31) {
+                assert!(groups.contains(&(wide..wide + 1)), "{wide} of {count}: {groups:?}");
+            }
+        }
+    }
+
+    #[test]
     fn links_lead_over_links_to_as_many_parts_as_there_is_room_for() {
         let scale = Scale { load: 1.0, value: 1.0 };
         let wiggly = |per_row: f64| {
@@ -313,5 +363,9 @@ mod tests {
         assert!(crowded.rows.len() <= 101 && crowded.at_load(1.1).is_none());
         let cramped = filled(wiggly(4.0), None, scale, 1, 5);
         assert!(cramped.rows.len() <= 6, "{}", cramped.rows.len());
+        // What is left out side by side is one part.
+        let begun = table(60.0, 100);
+        assert_eq!(begun.rows.iter().filter(|row| row.is_left_out()).count(), 1, "{:?}", begun.rows);
+        assert!(begun.at_load(1.001).is_some() && begun.at_load(1.249).is_none());
     }
 }

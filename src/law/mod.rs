@@ -28,7 +28,7 @@ use panel::Sample;
 pub use curve::Unfollowed;
 pub use row::{polynomial, Row};
 #[cfg(target_arch = "x86_64")]
-pub use row::{COEFFICIENTS, OFFSET};
+pub use row::{COEFFICIENTS, DIVISIONS, OFFSET};
 pub use table::Table;
 
 /// Interpolation conditions per panel of the curve: value and slope at each of its exact states.

@@ -64,10 +64,6 @@ unsafe impl Lanes for __m256d {
         _mm256_mul_pd(self, other)
     }
     #[inline(always)]
-    unsafe fn max(self, other: Self) -> Self {
-        _mm256_max_pd(self, other)
-    }
-    #[inline(always)]
     unsafe fn div(self, other: Self) -> Self {
         _mm256_div_pd(self, other)
     }
@@ -82,7 +78,11 @@ unsafe impl Lanes for __m256d {
     }
     #[inline(always)]
     unsafe fn is_nan(self) -> __m256d {
-        _mm256_cmp_pd::<_CMP_UNORD_Q>(self, self)
+        self.unordered(self)
+    }
+    #[inline(always)]
+    unsafe fn unordered(self, other: Self) -> __m256d {
+        _mm256_cmp_pd::<_CMP_UNORD_Q>(self, other)
     }
     #[inline(always)]
     unsafe fn not_finite(self) -> __m256d {
@@ -129,10 +129,14 @@ unsafe impl Lanes for __m256d {
         _mm256_srl_epi64(a, _mm_cvtsi32_si128(count as i32))
     }
     #[inline(always)]
-    unsafe fn outside(a: __m256i, bound: u64) -> __m256d {
-        let below = _mm256_cmpgt_epi64(_mm256_setzero_si256(), a);
-        let above = _mm256_cmpgt_epi64(a, Self::splat_bits(bound.wrapping_sub(1)));
-        _mm256_castsi256_pd(_mm256_or_si256(below, above))
+    unsafe fn sub_bits_where(a: __m256i, mask: __m256d, b: __m256i) -> __m256i {
+        _mm256_sub_epi64(a, _mm256_and_si256(_mm256_castpd_si256(mask), b))
+    }
+    #[inline(always)]
+    unsafe fn below(a: __m256i, bound: u64) -> __m256d {
+        // The upper halves are 0 as well where nothing is larger than what it is compared with.
+        let least = _mm256_min_epu32(a, Self::splat_bits(bound - 1));
+        _mm256_castsi256_pd(_mm256_cmpeq_epi64(least, a))
     }
     #[inline(always)]
     unsafe fn or_bits_where(a: __m256i, mask: __m256d, b: __m256i) -> __m256i {

@@ -66,10 +66,6 @@ unsafe impl Lanes for __m512d {
         _mm512_mul_pd(self, other)
     }
     #[inline(always)]
-    unsafe fn max(self, other: Self) -> Self {
-        _mm512_max_pd(self, other)
-    }
-    #[inline(always)]
     unsafe fn div(self, other: Self) -> Self {
         _mm512_div_pd(self, other)
     }
@@ -83,7 +79,11 @@ unsafe impl Lanes for __m512d {
     }
     #[inline(always)]
     unsafe fn is_nan(self) -> __mmask8 {
-        _mm512_cmp_pd_mask::<_CMP_UNORD_Q>(self, self)
+        self.unordered(self)
+    }
+    #[inline(always)]
+    unsafe fn unordered(self, other: Self) -> __mmask8 {
+        _mm512_cmp_pd_mask::<_CMP_UNORD_Q>(self, other)
     }
     #[inline(always)]
     unsafe fn not_finite(self) -> __mmask8 {
@@ -130,8 +130,12 @@ unsafe impl Lanes for __m512d {
         _mm512_srl_epi64(a, _mm_cvtsi32_si128(count as i32))
     }
     #[inline(always)]
-    unsafe fn outside(a: __m512i, bound: u64) -> __mmask8 {
-        _mm512_cmpge_epu64_mask(a, Self::splat_bits(bound))
+    unsafe fn sub_bits_where(a: __m512i, mask: __mmask8, b: __m512i) -> __m512i {
+        _mm512_mask_sub_epi64(a, mask, a, b)
+    }
+    #[inline(always)]
+    unsafe fn below(a: __m512i, bound: u64) -> __mmask8 {
+        _mm512_cmplt_epu64_mask(a, Self::splat_bits(bound))
     }
     #[inline(always)]
     unsafe fn or_bits_where(a: __m512i, mask: __mmask8, b: __m512i) -> __m512i {
