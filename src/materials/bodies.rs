@@ -49,6 +49,7 @@ macro_rules! metal {
 }
 
 /// All materials.
+#[allow(clippy::needless_update)] // in rows of which all is known
 pub static MATERIALS: &[Material] = bodies! {
     "Si" or "silicon" or "polysilicon": E 160e9 in [152e9, 170e9], nu 0.22, H 12e9 in [10e9, 13e9], b 0.384e-9,
         from "polysilicon films: Sharpe et al., IMECE 2000, MEMS, 255-259, and J. Microelectromech. Syst. 6 (1997) \

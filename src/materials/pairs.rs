@@ -31,6 +31,7 @@ const NOTHING_KNOWN: Pair = Pair {
 };
 
 /// All pairs.
+#[allow(clippy::needless_update)] // in rows of which all is known
 pub static PAIRS: &[Pair] = pairs! {
     "Si/Si": w 0.063 in [0.03, 0.144], A 6.5e-20,
         from "oxide skins, van der Waals: Israelachvili, Intermolecular and Surface Forces; measured to hold such \
