@@ -1,10 +1,9 @@
 //! The calls of a solver's inner loop.
 
 use super::batch::{self, Arrays, Quantity};
-use super::boundary::{self, reference, Failure};
-use super::model::asperity_model;
+use super::boundary::{self, Failure};
+use super::model::{self, asperity_model};
 use super::status::asperity_status;
-use crate::model::Model;
 
 /// Friction coefficient F/P at a load.
 ///
@@ -56,10 +55,7 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
     mu: *mut f64,
     dmu_dload: *mut f64,
 ) -> asperity_status {
-    boundary::fast_status!({
-        let model = &reference(model, "model")?.model;
-        evaluate(model, Quantity::Coefficient, n, load, mu, dmu_dload)
-    })
+    evaluate(model, Quantity::Coefficient, n, load, mu, dmu_dload)
 }
 
 /// Friction forces at many loads, and their slopes.
@@ -86,22 +82,22 @@ pub unsafe extern "C" fn asperity_friction_force_at_loads(
     force: *mut f64,
     dforce_dload: *mut f64,
 ) -> asperity_status {
-    boundary::fast_status!({
-        let model = &reference(model, "model")?.model;
-        evaluate(model, Quantity::Force, n, load, force, dforce_dload)
-    })
+    evaluate(model, Quantity::Force, n, load, force, dforce_dload)
 }
 
 pub(super) unsafe fn evaluate(
-    model: &Model,
+    model: *const asperity_model,
     quantity: Quantity,
     n: usize,
     load: *const f64,
     value: *mut f64,
     slope: *mut f64,
-) -> Result<(), Failure> {
-    if n > 0 && load.is_null() {
-        return Err(Failure::Null("load"));
-    }
-    batch::evaluate(model, quantity, Arrays { n, load, value, slope })
+) -> asperity_status {
+    boundary::fast!(contained_status, {
+        let model = model::of(model)?;
+        if n > 0 && load.is_null() {
+            return Err(Failure::Null("load"));
+        }
+        batch::evaluate(model, quantity, Arrays { n, load, value, slope })
+    })
 }

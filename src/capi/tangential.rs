@@ -1,9 +1,9 @@
 //! Contacts before they slip: tangential stiffness and microslip.
 
 use super::batch::Quantity;
-use super::boundary::{self, reference, write};
+use super::boundary::{self, write};
 use super::evaluate::evaluate;
-use super::model::asperity_model;
+use super::model::{self, asperity_model};
 use super::reserve;
 use super::status::asperity_status;
 
@@ -44,10 +44,7 @@ pub unsafe extern "C" fn asperity_tangential_stiffness_at_loads(
     load: *const f64,
     stiffness: *mut f64,
 ) -> asperity_status {
-    boundary::fast_status!({
-        let model = &reference(model, "model")?.model;
-        evaluate(model, Quantity::Stiffness, n, load, stiffness, std::ptr::null_mut())
-    })
+    evaluate(model, Quantity::Stiffness, n, load, stiffness, std::ptr::null_mut())
 }
 
 /// The tangential force T at a load and a displacement, by integration over the summits, without the table.
@@ -76,7 +73,7 @@ pub unsafe extern "C" fn asperity_tangential_at_load(
     stiffness: *mut f64,
 ) -> asperity_status {
     boundary::status(|| {
-        let model = &reference(model, "model")?.model;
+        let model = model::of(model)?;
         let found = reserve::held(|| Ok(model.tangential_at_load(load, displacement)?))?;
         write(force, 0, found.0);
         write(stiffness, 0, found.1);

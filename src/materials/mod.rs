@@ -56,16 +56,7 @@ pub struct Pair {
 impl Pair {
     /// The pair of this name, or of the same bodies in the other order.
     pub fn find(name: &[u8]) -> Option<&'static Self> {
-        Self::of(halves(name)?)
-    }
-
-    /// The pair of two bodies in words.
-    pub fn meant(name: &[u8]) -> Option<&'static Self> {
-        let (first, second) = halves(name)?;
-        Self::of((Material::meant(first)?.name.to_bytes(), Material::meant(second)?.name.to_bytes()))
-    }
-
-    fn of(both: (&[u8], &[u8])) -> Option<&'static Self> {
+        let both = halves(name)?;
         let swapped = (both.1, both.0);
         PAIRS.iter().find(|pair| halves(pair.name.to_bytes()).is_some_and(|found| found == both || found == swapped))
     }
@@ -115,7 +106,7 @@ impl Material {
 }
 
 /// The names on both sides of the slash.
-fn halves(name: &[u8]) -> Option<(&[u8], &[u8])> {
+pub fn halves(name: &[u8]) -> Option<(&[u8], &[u8])> {
     let slash = name.iter().position(|&byte| byte == b'/')?;
     Some((&name[..slash], &name[slash + 1..]))
 }
@@ -147,8 +138,6 @@ mod tests {
             assert_eq!(Material::meant(word.to_uppercase().as_bytes()).map(|found| found.name), Some(material.name));
         }
         assert!(Material::meant(b"unobtainium").is_none());
-        assert_eq!(Pair::meant(b"gold/Mica").map(|found| found.name), Some(c"mica/Au"));
-        assert!(Pair::meant(b"gold/lead").is_none() && Pair::meant(b"gold").is_none());
     }
 
     #[test]
