@@ -34,8 +34,8 @@ pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_
 
 /// Friction coefficients at many loads, and their slopes.
 ///
-/// Every element has the bits that `asperity_friction_at_load` gives. All elements are filled; then the first load that
-/// is not in order, if any, is reported, and `asperity_last_error` names its index.
+/// Every element has the bits that the call for one load gives. All elements are filled; then the first load that is not
+/// in order, if any, is reported, and `asperity_last_error` names its index.
 ///
 /// @param model      must not be NULL
 /// @param n          number of loads; may be 0
@@ -44,7 +44,7 @@ pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_
 /// @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load`
 ///                   itself
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
-///         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the coefficient is NaN)
+///         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the answer is NaN)
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -58,10 +58,7 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
     evaluate(model, Quantity::Coefficient, n, load, mu, dmu_dload)
 }
 
-/// Friction forces at many loads, and their slopes.
-///
-/// Every element has the bits that `asperity_friction_force_at_load` gives. All elements are filled; then the first
-/// load that is not in order, if any, is reported, and `asperity_last_error` names its index.
+/// Friction forces at many loads, and their slopes, filled and reported as by `asperity_friction_at_loads`.
 ///
 /// @param model         must not be NULL
 /// @param n             number of loads; may be 0
@@ -70,8 +67,7 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
 /// @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without
 ///                      adhesion, where F has no slope at zero load, there and below that of the lightest load of the
 ///                      table, finite; NULL to skip; may be `load` itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
-///         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the force is NaN)
+/// @return as `asperity_friction_at_loads`
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]

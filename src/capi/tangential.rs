@@ -24,17 +24,13 @@ pub unsafe extern "C" fn asperity_tangential_stiffness_at_load(model: *const asp
     model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls.stiffness)(&handle.model, load))
 }
 
-/// Tangential stiffnesses at many loads.
-///
-/// Every element has the bits that `asperity_tangential_stiffness_at_load` gives. All elements are filled; then the first
-/// load that is not in order, if any, is reported, and `asperity_last_error` names its index.
+/// Tangential stiffnesses at many loads, filled and reported as by `asperity_friction_at_loads`.
 ///
 /// @param model      must not be NULL
 /// @param n          number of loads; may be 0
 /// @param load       n loads [force]; must not be NULL unless n = 0
 /// @param stiffness  receives n stiffnesses [force/length]; NULL to skip; may be `load` itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
-///         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the stiffness is NaN)
+/// @return as `asperity_friction_at_loads`
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
