@@ -917,12 +917,9 @@ asperity_status asperity_params_set_spectral_moments(struct asperity_params *par
  * With narrow spectra, whose bandwidth is near 1.5, this takes a third off the area that one radius gives at light loads
  * and brings it to that of boundary elements; docs/validation.md has both for other bandwidths; above 2 one radius errs less.
  *
- * @param params        initialised parameters; must not be NULL; untouched on failure
- * @param m0            variance of the heights [length^2] > 0
- * @param m2            variance of the slopes > 0
- * @param m4            variance of the curvatures [1/length^2] > 0; m0 m4/m2^2 must be at least 1.5
- * @param nominal_area  [length^2] > 0
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+ * @param params                 initialised parameters; must not be NULL; untouched on failure
+ * @param m0,m2,m4,nominal_area  as for `asperity_params_set_spectral_moments`
+ * @return as `asperity_params_set_spectral_moments`, and `ASPERITY_INVALID_PARAMETER` for a struct without the fields
  *
  * Threads: any, on different structs.
  */
