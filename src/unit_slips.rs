@@ -63,8 +63,10 @@ pub fn check(params: &Params) -> Result<(), Error> {
 mod tests {
     use super::*;
 
+    type Surface = (&'static str, [f64; 4], [f64; 6]);
+
     /// In SI units E and nu of both bodies, w, b, sigma, R, density R sigma being 0.05, N as density times area, and H.
-    const SURFACES: [(&str, [f64; 4], [f64; 6]); 5] = [
+    const SURFACES: [Surface; 5] = [
         ("polysilicon", [160e9, 0.22, 160e9, 0.22], [0.063, 0.384e-9, 5e-9, 1e-6, 1e13 * 1e-8, 12e9]),
         ("ground steel", [205e9, 0.3, 205e9, 0.3], [0.05, 0.248e-9, 0.3e-6, 1e-5, 1.7e10 * 1e-4, 7.5e9]),
         ("wafer", [160e9, 0.22, 160e9, 0.22], [0.1, 0.384e-9, 0.3e-9, 5e-5, 3e12 * 1e-4, 12e9]),
@@ -72,28 +74,27 @@ mod tests {
         ("tread rubber on glass", [15e6, 0.5, 72e9, 0.17], [0.05, 0.5e-9, 1e-6, 1e-4, 5e8 * 1e-4, 5e6]),
     ];
 
-    fn surfaces() -> impl Iterator<Item = (&'static str, Params)> {
-        SURFACES.into_iter().map(|(name, [young_1, poisson_1, young_2, poisson_2], others)| {
-            let [work_of_adhesion, burgers_vector, height_std, summit_radius, asperity_count, hardness] = others;
-            let mut params = Params {
-                work_of_adhesion,
-                adhesion_range: burgers_vector,
-                burgers_vector,
-                height_std,
-                summit_radius,
-                asperity_count,
-                hardness,
-                ..Params::default()
-            };
-            params.set_materials(young_1, poisson_1, young_2, poisson_2).expect("materials");
-            (name, params)
-        })
+    fn params(&(_, [young_1, poisson_1, young_2, poisson_2], others): &Surface) -> Params {
+        let [work_of_adhesion, burgers_vector, height_std, summit_radius, asperity_count, hardness] = others;
+        let mut params = Params {
+            work_of_adhesion,
+            adhesion_range: burgers_vector,
+            burgers_vector,
+            height_std,
+            summit_radius,
+            asperity_count,
+            hardness,
+            ..Params::default()
+        };
+        params.set_materials(young_1, poisson_1, young_2, poisson_2).expect("materials");
+        params
     }
 
     /// Which surfaces pass although one of their numbers is in another unit.
     fn passes(slip: impl Fn(&mut Params), hint: &str) -> Vec<&'static str> {
         let mut passed = Vec::new();
-        for (name, mut params) in surfaces() {
+        for surface in &SURFACES {
+            let (name, mut params) = (surface.0, params(surface));
             slip(&mut params);
             match params.surface() {
                 Ok(_) => passed.push(name),
@@ -136,7 +137,8 @@ mod tests {
     #[test]
     fn other_units_are_not_judged_as_metres() {
         // The same surfaces in um-uN-MPa and in the paper's units are as good; their counts are the caller's.
-        for (name, si) in surfaces() {
+        for surface in &SURFACES {
+            let (name, si) = (surface.0, params(surface));
             for (length, stress) in [(1e6, 1e-6), (1e3, 1e-6), (1.0 / si.burgers_vector, 1.0 / si.composite_modulus)] {
                 for count in [1e-3, 1.0, 1e30] {
                     let params = Params { asperity_count: count, ..si.in_units(stress, length) };
@@ -149,7 +151,7 @@ mod tests {
     #[test]
     fn what_some_surface_has_is_taken_up_to_the_limits_and_no_further() {
         let refused = |change: &dyn Fn(&mut Params)| {
-            let (_, mut params) = surfaces().next().expect("polysilicon");
+            let mut params = params(&SURFACES[0]);
             change(&mut params);
             check(&params).err().map(|error| error.to_string())
         };

@@ -70,19 +70,19 @@ pub fn heights(skew: f64, kurtosis: f64) -> Result<Arc<dyn HeightDistribution>, 
 
 fn check(skew: f64, kurtosis: f64) -> Result<(), Error> {
     if !finite(skew) {
-        return Err(Error::invalid("skew", skew, "must be finite"));
+        return Err(Error::InvalidParameter { name: "skew", value: skew.into(), allowed: "must be finite" });
     }
     // Squares stay finite.
     let bounded = skew.clamp(-1e150, 1e150);
     if !finite(kurtosis) || kurtosis <= bounded * bounded + 1.0 {
         let allowed = "must be finite and > skew^2 + 1, as that of every distribution";
-        return Err(Error::invalid("kurtosis", kurtosis, allowed));
+        return Err(Error::InvalidParameter { name: "kurtosis", value: kurtosis.into(), allowed });
     }
     if skew.abs() > LARGEST_SKEW {
         let allowed = "must be between -3 and 3; take a table of heights, without the few that are far from the rest";
-        return Err(Error::out_of_range("skew", skew, allowed));
+        return Err(Error::OutOfRange { name: "skew", value: skew.into(), allowed });
     }
-    let out_of_range = |allowed| Err(Error::out_of_range("kurtosis", kurtosis, allowed));
+    let out_of_range = |allowed| Err(Error::OutOfRange { name: "kurtosis", value: kurtosis.into(), allowed });
     if kurtosis > LARGEST_KURTOSIS {
         return out_of_range(
             "must be at most 100; take a table of heights, without the few that are far from the rest",
