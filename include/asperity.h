@@ -917,12 +917,9 @@ asperity_status asperity_params_set_spectral_moments(struct asperity_params *par
  * With narrow spectra, whose bandwidth is near 1.5, this takes a third off the area that one radius gives at light loads
  * and brings it to that of boundary elements; docs/validation.md has both for other bandwidths; above 2 one radius errs less.
  *
- * @param params        initialised parameters; must not be NULL; untouched on failure
- * @param m0            variance of the heights [length^2] > 0
- * @param m2            variance of the slopes > 0
- * @param m4            variance of the curvatures [1/length^2] > 0; m0 m4/m2^2 must be at least 1.5
- * @param nominal_area  [length^2] > 0
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+ * @param params                 initialised parameters; must not be NULL; untouched on failure
+ * @param m0,m2,m4,nominal_area  as for `asperity_params_set_spectral_moments`
+ * @return as `asperity_params_set_spectral_moments`, and `ASPERITY_INVALID_PARAMETER` for a struct without the fields
  *
  * Threads: any, on different structs.
  */
@@ -1046,8 +1043,8 @@ const char *asperity_material_name(size_t index);
  *
  * @param name  one of `asperity_pair_name`; must not be NULL; at most 64 bytes are read
  * @param pair  receives the numbers; must not be NULL; its `struct_size` must be set; untouched on failure
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
- *         nearest; `struct_size`)
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (two materials that are no pair: the
+ *         message tells what to give; unknown name: it tells the nearest; `struct_size`)
  *
  * Threads: any.
  */
@@ -1184,8 +1181,8 @@ double asperity_friction_force_at_load(const struct asperity_model *model,
 /**
  * Friction coefficients at many loads, and their slopes.
  *
- * Every element has the bits that `asperity_friction_at_load` gives. All elements are filled; then the first load that
- * is not in order, if any, is reported, and `asperity_last_error` names its index.
+ * Every element has the bits that the call for one load gives. All elements are filled; then the first load that is not
+ * in order, if any, is reported, and `asperity_last_error` names its index.
  *
  * @param model      must not be NULL
  * @param n          number of loads; may be 0
@@ -1194,7 +1191,7 @@ double asperity_friction_force_at_load(const struct asperity_model *model,
  * @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load`
  *                   itself
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
- *         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the coefficient is NaN)
+ *         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the answer is NaN)
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -1205,10 +1202,7 @@ asperity_status asperity_friction_at_loads(const struct asperity_model *model,
                                            double *dmu_dload);
 
 /**
- * Friction forces at many loads, and their slopes.
- *
- * Every element has the bits that `asperity_friction_force_at_load` gives. All elements are filled; then the first
- * load that is not in order, if any, is reported, and `asperity_last_error` names its index.
+ * Friction forces at many loads, and their slopes, filled and reported as by `asperity_friction_at_loads`.
  *
  * @param model         must not be NULL
  * @param n             number of loads; may be 0
@@ -1217,8 +1211,7 @@ asperity_status asperity_friction_at_loads(const struct asperity_model *model,
  * @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without
  *                      adhesion, where F has no slope at zero load, there and below that of the lightest load of the
  *                      table, finite; NULL to skip; may be `load` itself
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
- *         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the force is NaN)
+ * @return as `asperity_friction_at_loads`
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */
@@ -1338,17 +1331,13 @@ double asperity_tangential_stiffness_at_load(const struct asperity_model *model,
                                              double load);
 
 /**
- * Tangential stiffnesses at many loads.
- *
- * Every element has the bits that `asperity_tangential_stiffness_at_load` gives. All elements are filled; then the first
- * load that is not in order, if any, is reported, and `asperity_last_error` names its index.
+ * Tangential stiffnesses at many loads, filled and reported as by `asperity_friction_at_loads`.
  *
  * @param model      must not be NULL
  * @param n          number of loads; may be 0
  * @param load       n loads [force]; must not be NULL unless n = 0
  * @param stiffness  receives n stiffnesses [force/length]; NULL to skip; may be `load` itself
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
- *         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the stiffness is NaN)
+ * @return as `asperity_friction_at_loads`
  *
  * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
  */

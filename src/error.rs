@@ -72,6 +72,18 @@ pub enum Error {
     },
 }
 
+impl Error {
+    /// A parameter that has no meaning.
+    pub(crate) fn invalid(name: &'static str, value: impl Into<Value>, allowed: &'static str) -> Self {
+        Self::InvalidParameter { name, value: value.into(), allowed }
+    }
+
+    /// A quantity that the model cannot be evaluated for.
+    pub(crate) fn out_of_range(name: &'static str, value: impl Into<Value>, allowed: &'static str) -> Self {
+        Self::OutOfRange { name, value: value.into(), allowed }
+    }
+}
+
 /// A value in a message.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Value {

@@ -14,6 +14,7 @@
 //! ```
 
 pub mod asperity;
+mod c_string;
 #[doc(hidden)]
 pub mod capi;
 pub mod distribution;

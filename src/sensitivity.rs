@@ -8,45 +8,29 @@ use crate::float_bits::finite;
 use crate::params::{HeightFamily, Params, RADIUS_RATES};
 use crate::population::{Change, Changes, Population, Sums};
 
-/// The sensitivities of the friction force F at constant load: d ln F/d ln p, but dF/dp/F for `radius_amplitude` and `skew`,
-/// which may be 0 or negative. 0 for what the model does not read.
+/// The sensitivities of the friction force F at constant load to the parameters of the same names: d ln F/d ln p, but dF/dp/F
+/// for `radius_amplitude` and `skew`, which may be 0 or negative. 0 for what the model does not read. The slip radii, which
+/// are ratios, stay as they are while `burgers_vector` changes, as the kurtosis does while the skew changes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[allow(missing_docs)] // said above, of all
 pub struct Sensitivities {
-    /// To E*.
     pub composite_modulus: f64,
-    /// To G*: 1.
     pub effective_shear_modulus: f64,
-    /// To w; 0 without adhesion.
     pub work_of_adhesion: f64,
-    /// To h; 0 without adhesion.
     pub adhesion_range: f64,
-    /// To b, with the slip radii growing with it.
     pub burgers_vector: f64,
-    /// To sigma.
     pub height_std: f64,
-    /// To R.
     pub summit_radius: f64,
-    /// To N.
     pub asperity_count: f64,
-    /// To omega, for Weibull heights.
     pub weibull_shape: f64,
-    /// To epsilon: d ln F/d(epsilon).
     pub radius_amplitude: f64,
-    /// To rho; 0 if epsilon is 0.
     pub radius_rate: f64,
-    /// To a_1.
     pub slip_radius_1: f64,
-    /// To tau_1.
     pub slip_stress_1: f64,
-    /// To a_2.
     pub slip_radius_2: f64,
-    /// To tau_2.
     pub slip_stress_2: f64,
-    /// To the skew of Johnson's heights, at fixed kurtosis: d ln F/d(skew).
     pub skew: f64,
-    /// To the kurtosis of Johnson's heights, at fixed skew.
     pub kurtosis: f64,
-    /// To H; 0 where contacts are elastic.
     pub hardness: f64,
 }
 

@@ -27,152 +27,65 @@ const MOST_SUMMITS: f64 = 3e16;
 /// # Errors
 /// [`Error::OutOfRange`], with the likely slip.
 pub fn check(params: &Params) -> Result<(), Error> {
-    let refuse = |name: &'static str, value: f64, allowed: &'static str| {
-        Err(Error::OutOfRange { name, value: value.into(), allowed })
-    };
     let hardness = params.hardness / params.composite_modulus;
     if params.hardness != 0.0 && !HARDNESS.contains(&hardness) {
-        return refuse(
-            "hardness/composite_modulus",
-            hardness,
-            "must be between 1e-5 and 100, or hardness 0 for not known; is hardness in GPa, and of the softer body?",
-        );
+        let allowed =
+            "must be between 1e-5 and 100, or hardness 0 for not known; is hardness in GPa, and of the softer body?";
+        return Err(Error::out_of_range("hardness/composite_modulus", hardness, allowed));
     }
     if !CRYSTALS.contains(&params.burgers_vector) {
         return Ok(());
     }
-    if params.composite_modulus < SOFTEST {
-        return refuse(
-            "composite_modulus",
-            params.composite_modulus,
-            "must be at least 1000 Pa where burgers_vector is in m; is it in GPa?",
-        );
-    }
-    if params.work_of_adhesion > STRONGEST_ADHESION {
-        return refuse(
-            "work_of_adhesion",
-            params.work_of_adhesion,
-            "must be at most 20 J/m^2 where burgers_vector is in m; is it in mJ/m^2?",
-        );
-    }
-    if params.summit_radius > WIDEST_SUMMIT {
-        return refuse(
-            "summit_radius",
-            params.summit_radius,
-            "must be at most 0.1 m where burgers_vector is in m; is it in um?",
-        );
-    }
-    if params.asperity_count < FEWEST_SUMMITS {
-        return refuse(
-            "asperity_count",
-            params.asperity_count,
-            "fewer than one summit; is the summit density per um^2 or mm^2, and the area in m^2? For a part of a summit \
-             ask a model of the whole for load/part, and take that part of the force",
-        );
-    }
-    if params.asperity_count > MOST_SUMMITS {
-        return refuse(
-            "asperity_count",
-            params.asperity_count,
-            "must be at most 3e16 where burgers_vector is in m; is the area in um^2, and the summit density per m^2?",
-        );
-    }
-    Ok(())
+    let (modulus, work, radius) = (params.composite_modulus, params.work_of_adhesion, params.summit_radius);
+    let count = params.asperity_count;
+    let (name, value, allowed) = if modulus < SOFTEST {
+        ("composite_modulus", modulus, "must be at least 1000 Pa where burgers_vector is in m; is it in GPa?")
+    } else if work > STRONGEST_ADHESION {
+        ("work_of_adhesion", work, "must be at most 20 J/m^2 where burgers_vector is in m; is it in mJ/m^2?")
+    } else if radius > WIDEST_SUMMIT {
+        ("summit_radius", radius, "must be at most 0.1 m where burgers_vector is in m; is it in um?")
+    } else if count < FEWEST_SUMMITS {
+        let allowed =
+            "fewer than one summit; is the summit density per um^2 or mm^2, and the area in m^2? For a part of \
+                       a summit ask a model of the whole for load/part, and take that part of the force";
+        ("asperity_count", count, allowed)
+    } else if count > MOST_SUMMITS {
+        let allowed = "must be at most 3e16 where burgers_vector is in m; is the area in um^2, and the summit density \
+                       per m^2?";
+        ("asperity_count", count, allowed)
+    } else {
+        return Ok(());
+    };
+    Err(Error::out_of_range(name, value, allowed))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    struct Surface {
-        name: &'static str,
-        young: [f64; 2],
-        poisson: [f64; 2],
-        work: f64,
-        burgers: f64,
-        sigma: f64,
-        radius: f64,
-        density: f64,
-        area: f64,
-        hardness: f64,
-    }
+    type Surface = (&'static str, [f64; 4], [f64; 6]);
 
-    /// Surfaces in SI units, with density R sigma = 0.05.
+    /// In SI units E and nu of both bodies, w, b, sigma, R, density R sigma being 0.05, N as density times area, and H.
     const SURFACES: [Surface; 5] = [
-        Surface {
-            name: "polysilicon",
-            young: [160e9, 160e9],
-            poisson: [0.22, 0.22],
-            work: 0.063,
-            burgers: 0.384e-9,
-            sigma: 5e-9,
-            radius: 1e-6,
-            density: 1e13,
-            area: 1e-8,
-            hardness: 12e9,
-        },
-        Surface {
-            name: "ground steel",
-            young: [205e9, 205e9],
-            poisson: [0.3, 0.3],
-            work: 0.05,
-            burgers: 0.248e-9,
-            sigma: 0.3e-6,
-            radius: 1e-5,
-            density: 1.7e10,
-            area: 1e-4,
-            hardness: 7.5e9,
-        },
-        Surface {
-            name: "wafer",
-            young: [160e9, 160e9],
-            poisson: [0.22, 0.22],
-            work: 0.1,
-            burgers: 0.384e-9,
-            sigma: 0.3e-9,
-            radius: 5e-5,
-            density: 3e12,
-            area: 1e-4,
-            hardness: 12e9,
-        },
-        Surface {
-            name: "gold tip on mica",
-            young: [78e9, 60e9],
-            poisson: [0.44, 0.25],
-            work: 0.1,
-            burgers: 0.288e-9,
-            sigma: 0.3e-9,
-            radius: 2e-8,
-            density: 8e15,
-            area: 1e-14,
-            hardness: 1.3e9,
-        },
-        Surface {
-            name: "tread rubber on glass",
-            young: [15e6, 72e9],
-            poisson: [0.5, 0.17],
-            work: 0.05,
-            burgers: 0.5e-9,
-            sigma: 1e-6,
-            radius: 1e-4,
-            density: 5e8,
-            area: 1e-4,
-            hardness: 5e6,
-        },
+        ("polysilicon", [160e9, 0.22, 160e9, 0.22], [0.063, 0.384e-9, 5e-9, 1e-6, 1e13 * 1e-8, 12e9]),
+        ("ground steel", [205e9, 0.3, 205e9, 0.3], [0.05, 0.248e-9, 0.3e-6, 1e-5, 1.7e10 * 1e-4, 7.5e9]),
+        ("wafer", [160e9, 0.22, 160e9, 0.22], [0.1, 0.384e-9, 0.3e-9, 5e-5, 3e12 * 1e-4, 12e9]),
+        ("gold tip on mica", [78e9, 0.44, 60e9, 0.25], [0.1, 0.288e-9, 0.3e-9, 2e-8, 8e15 * 1e-14, 1.3e9]),
+        ("tread rubber on glass", [15e6, 0.5, 72e9, 0.17], [0.05, 0.5e-9, 1e-6, 1e-4, 5e8 * 1e-4, 5e6]),
     ];
 
-    fn params(surface: &Surface) -> Params {
+    fn params(&(_, [young_1, poisson_1, young_2, poisson_2], others): &Surface) -> Params {
+        let [work_of_adhesion, burgers_vector, height_std, summit_radius, asperity_count, hardness] = others;
         let mut params = Params {
-            work_of_adhesion: surface.work,
-            adhesion_range: surface.burgers,
-            burgers_vector: surface.burgers,
-            height_std: surface.sigma,
-            summit_radius: surface.radius,
-            asperity_count: surface.density * surface.area,
-            hardness: surface.hardness,
+            work_of_adhesion,
+            adhesion_range: burgers_vector,
+            burgers_vector,
+            height_std,
+            summit_radius,
+            asperity_count,
+            hardness,
             ..Params::default()
         };
-        let ([young_1, young_2], [poisson_1, poisson_2]) = (surface.young, surface.poisson);
         params.set_materials(young_1, poisson_1, young_2, poisson_2).expect("materials");
         params
     }
@@ -181,11 +94,11 @@ mod tests {
     fn passes(slip: impl Fn(&mut Params), hint: &str) -> Vec<&'static str> {
         let mut passed = Vec::new();
         for surface in &SURFACES {
-            let mut params = params(surface);
+            let (name, mut params) = (surface.0, params(surface));
             slip(&mut params);
             match params.surface() {
-                Ok(_) => passed.push(surface.name),
-                Err(error) => assert!(error.to_string().contains(hint), "{}: {error}, not {hint}", surface.name),
+                Ok(_) => passed.push(name),
+                Err(error) => assert!(error.to_string().contains(hint), "{name}: {error}, not {hint}"),
             }
         }
         passed
@@ -193,7 +106,7 @@ mod tests {
 
     #[test]
     fn a_slip_of_units_is_refused_with_the_unit_that_was_meant() {
-        let all: Vec<_> = SURFACES.iter().map(|surface| surface.name).collect();
+        let all = SURFACES.map(|(name, ..)| name);
         assert_eq!(passes(|_| {}, ""), all);
         let none: [&str; 0] = [];
         assert_eq!(passes(|params| params.work_of_adhesion *= 1e3, "in mJ/m^2"), none);
@@ -225,22 +138,11 @@ mod tests {
     fn other_units_are_not_judged_as_metres() {
         // The same surfaces in um-uN-MPa and in the paper's units are as good; their counts are the caller's.
         for surface in &SURFACES {
-            let si = params(surface);
-            for (length, stress) in [(1e6, 1e-6), (1e3, 1e-6), (1.0 / surface.burgers, 1.0 / si.composite_modulus)] {
-                let mut params = si.clone();
-                for modulus in
-                    [&mut params.composite_modulus, &mut params.effective_shear_modulus, &mut params.hardness]
-                {
-                    *modulus *= stress;
-                }
-                params.work_of_adhesion *= stress * length;
-                params.adhesion_range *= length;
-                params.burgers_vector *= length;
-                params.height_std *= length;
-                params.summit_radius *= length;
+            let (name, si) = (surface.0, params(surface));
+            for (length, stress) in [(1e6, 1e-6), (1e3, 1e-6), (1.0 / si.burgers_vector, 1.0 / si.composite_modulus)] {
                 for count in [1e-3, 1.0, 1e30] {
-                    params.asperity_count = count;
-                    assert_eq!(params.surface().err(), None, "{} with lengths times {length}", surface.name);
+                    let params = Params { asperity_count: count, ..si.in_units(stress, length) };
+                    assert_eq!(params.surface().err(), None, "{name} with lengths times {length}");
                 }
             }
         }
@@ -248,9 +150,8 @@ mod tests {
 
     #[test]
     fn what_some_surface_has_is_taken_up_to_the_limits_and_no_further() {
-        let mems = || params(&SURFACES[0]);
         let refused = |change: &dyn Fn(&mut Params)| {
-            let mut params = mems();
+            let mut params = params(&SURFACES[0]);
             change(&mut params);
             check(&params).err().map(|error| error.to_string())
         };

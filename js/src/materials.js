@@ -58,8 +58,11 @@ export function materialsOf(library) {
   /** @type {Materials["contact"]} */
   const contact = (first, second, given = {}) => {
     const found = { ...knownOf(first, second), ...given };
-    require(found, "work_of_adhesion", `none is known for ${first}/${second}: give that of your surfaces, 0 for none`);
-    require(found, "burgers_vector", `none is known of a body of ${first}/${second}: give one`);
+    if (found.work_of_adhesion === undefined) pair(`${first}/${second}`); // which the library refuses
+    if (found.burgers_vector === undefined) {
+      const says = `burgers_vector: none is known of a body of ${first}/${second}: give one`;
+      throw new AsperityError(says, CONSTANTS.INVALID_PARAMETER);
+    }
     return { adhesion_range: found.burgers_vector, ...found };
   };
   return { MATERIALS: table(library, "material", material), PAIRS: table(library, "pair", pair), material, pair, knownOf, contact };
@@ -72,11 +75,6 @@ function ofPair(library, name) {
   const { work_of_adhesion, adhesion_range, burgers_vector, hardness, slip_stress_1 } = readStruct(library);
   const found = { work_of_adhesion, adhesion_range, burgers_vector, slip_stress_1, hardness: hardness || NaN };
   return Object.fromEntries(Object.entries(found).filter(([, value]) => !Number.isNaN(value)));
-}
-
-/** @param {Record<string, unknown>} params @param {string} name @param {string} says */
-function require(params, name, says) {
-  if (params[name] === undefined) throw new AsperityError(`${name}: ${says}`, CONSTANTS.INVALID_PARAMETER);
 }
 
 /**

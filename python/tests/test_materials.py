@@ -89,13 +89,13 @@ def test_the_range_of_maugis_has_the_work_and_the_largest_stress_of_lennard_jone
 
 
 def test_a_name_that_is_not_there_is_answered_with_the_nearest() -> None:
-    with pytest.raises(KeyError, match="'steel/Si' is not known; nearest: .*steel/steel.*; all: .*SiO2"):
+    with pytest.raises(KeyError, match="work_of_adhesion: none is known for steel/Si: give .*; all: .*SiO2"):
         PAIRS["steel/Si"]
-    with pytest.raises(KeyError, match="'Steel' is not known; nearest: steel, "):
+    with pytest.raises(KeyError, match="Steel: no material has this name; the nearest is steel; all: Si, "):
         MATERIALS["Steel"]
-    with pytest.raises(KeyError, match="'gold' is not known; nearest: Au, "):
+    with pytest.raises(KeyError, match="gold: no material has this name; the nearest is Au; "):
         MATERIALS["gold"]
-    with pytest.raises(KeyError, match="'gold/mica' is not known, .*; nearest: mica/Au, "):
+    with pytest.raises(KeyError, match="gold/mica: no pair has this name; the nearest is Au/mica; "):
         PAIRS["gold/mica"]
     assert PAIRS.get("steel/Si") is None and "steel/Si" not in PAIRS
 

@@ -74,9 +74,9 @@ def test_a_surface_that_does_not_hold_is_warned_of_once() -> None:
 @pytest.mark.parametrize(
     "arguments, error, message",
     [
-        ({"pair": "steel/wood"}, KeyError, "nearest: steel/"),
-        ({"pair": "steel"}, KeyError, "'steel' is not known, a pair is two materials, as 'Si/Si'; nearest: "),
-        ({"pair": "Si/gold"}, KeyError, "'Si/gold' is not known, there is no material 'gold'"),
+        ({"pair": "steel/wood"}, KeyError, "steel/wood: no pair has this name; the nearest is steel/"),
+        ({"pair": "steel"}, KeyError, "steel: no pair has this name; the nearest is steel/"),
+        ({"pair": "Si/gold"}, KeyError, "Si/gold: no pair has this name; the nearest is Si/Au"),
         ({"pair": 5}, TypeError, "pair = 5: must be a name"),
         ({"load": math.nan}, Error, "load = NaN: must be finite"),
         ({"load": [1.0, math.inf]}, Error, "element 1: load = inf"),

@@ -122,7 +122,7 @@ def test_heights_are_chosen_as_in_si(surface_file: SurfaceFile) -> None:
         ("height_std = 1e-9\n" + WHOLE, "height_std: is told by roughness already"),
         ("composite_modulus = 1e11\n" + WHOLE, "composite_modulus: is told by materials already"),
         ("contact_law = \"plastic\"\n" + WHOLE, "contact_law = 'plastic': must be one of 'maugis'"),
-        (WHOLE.replace("E1 = 493000000000.0\n", 'first = "Stahl"\n').replace("nu1", "# "), "'Stahl' is not known"),
+        (WHOLE.replace("E1 = 493000000000.0\n", 'first = "Stahl"\n').replace("nu1", "# "), "Stahl: no material has this name; the nearest is steel"),
         (WHOLE.replace("E1 =", 'first = "Si"\nE1 ='), "E1: is told by first already"),
         ("materials = 3\n", r"materials = 3: must be a table, \[materials\]"),
         ("height_std = 1e-9\n", "composite_modulus: must be set"),

@@ -1,5 +1,6 @@
 //! What every entry point passes through: no panic crosses it, and every failure leaves a message.
 
+use super::given::Given;
 use super::status::{
     asperity_status, ASPERITY_INTERNAL, ASPERITY_INVALID_PARAMETER, ASPERITY_NULL_POINTER, ASPERITY_OK,
     ASPERITY_OUT_OF_MEMORY,
@@ -20,8 +21,12 @@ pub enum Failure {
     OutOfMemory,
     /// What is wrong about a parameter that is named.
     Name { name: &'static str, says: &'static str },
-    /// A name that no such thing has, as many bytes of it as `length`, and the nearest that one has.
-    UnknownName { of: &'static str, name: [u8; 64], length: usize, nearest: &'static str },
+    /// A name that no such thing has, and the nearest that one has.
+    UnknownName { of: &'static str, name: Given, nearest: &'static str },
+    /// The name of a pair whose halves are not both materials, and the materials nearest to them.
+    UnknownBodies { name: Given, nearest: [&'static str; 2] },
+    /// The name of two materials that are no pair.
+    UnlistedPair(Given),
 }
 
 impl From<Error> for Failure {
@@ -38,9 +43,14 @@ impl std::fmt::Display for Failure {
             Failure::Element(index, error) => write!(f, "element {index}: {error}"),
             Failure::OutOfMemory => write!(f, "out of memory: nothing was made or changed; free some and call again"),
             Failure::Name { name, says } => write!(f, "{name}: {says}"),
-            Failure::UnknownName { of, name, length, nearest } => {
-                let name = name[..*length].escape_ascii();
+            Failure::UnknownName { of, name, nearest } => {
                 write!(f, "{name}: no {of} has this name; the nearest is {nearest}")
+            }
+            Failure::UnknownBodies { name, nearest: [first, second] } => {
+                write!(f, "{name}: no pair has this name; the nearest is {first}/{second}")
+            }
+            Failure::UnlistedPair(name) => {
+                write!(f, "work_of_adhesion: none is known for {name}: give that of your surfaces, 0 for none")
             }
         }
     }
@@ -52,7 +62,10 @@ impl Failure {
             Failure::Null(_) => ASPERITY_NULL_POINTER,
             Failure::Error(error) | Failure::Element(_, error) => error.status(),
             Failure::OutOfMemory => ASPERITY_OUT_OF_MEMORY,
-            Failure::Name { .. } | Failure::UnknownName { .. } => ASPERITY_INVALID_PARAMETER,
+            Failure::Name { .. }
+            | Failure::UnknownName { .. }
+            | Failure::UnknownBodies { .. }
+            | Failure::UnlistedPair(_) => ASPERITY_INVALID_PARAMETER,
         }
     }
 }
@@ -62,30 +75,19 @@ pub fn status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_status {
     fp_environment::held(|| contained_status(body))
 }
 
-/// The same for an entry point of a solver's inner loop, whose body itself sees to what may raise an exception: in the
-/// caller's environment where that rounds to nearest. A macro, as a function would keep the body from being inlined.
-macro_rules! fast_status {
-    ($body:expr) => {
+/// An entry point of a solver's inner loop, `contained_status` or `contained_value`, whose body itself sees to what may
+/// raise an exception: in the caller's environment where that rounds to nearest. A macro, as a function would keep the
+/// body from being inlined.
+macro_rules! fast {
+    ($contained:ident, $body:expr) => {
         if $crate::capi::fp_environment::rounds_to_nearest() {
-            $crate::capi::boundary::contained_status(|| $body)
+            $crate::capi::boundary::$contained(|| $body)
         } else {
-            $crate::capi::fp_environment::held(move || $crate::capi::boundary::contained_status(|| $body))
+            $crate::capi::fp_environment::held(move || $crate::capi::boundary::$contained(|| $body))
         }
     };
 }
-pub(super) use fast_status;
-
-/// The same for an entry point that returns a number; NaN if it panics.
-macro_rules! fast_value {
-    ($body:expr) => {
-        if $crate::capi::fp_environment::rounds_to_nearest() {
-            $crate::capi::boundary::contained_value(|| $body)
-        } else {
-            $crate::capi::fp_environment::held(move || $crate::capi::boundary::contained_value(|| $body))
-        }
-    };
-}
-pub(super) use fast_value;
+pub(super) use fast;
 
 /// A status, whatever the body does.
 pub fn contained_status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_status {
@@ -102,7 +104,7 @@ pub fn contained_status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_
     }
 }
 
-/// A number, whatever the body does.
+/// A number, whatever the body does: NaN if it panics.
 pub fn contained_value(body: impl FnOnce() -> f64) -> f64 {
     catch_unwind(AssertUnwindSafe(body)).unwrap_or(f64::NAN)
 }
@@ -136,7 +138,7 @@ pub unsafe fn write(out: *mut f64, index: usize, value: f64) {
 /// The error of a struct whose `struct_size` is not one this library knows.
 pub fn wrong_struct_size(size: u64, allowed: &'static str) -> Failure {
     let value = Value::Integer(i64::try_from(size).unwrap_or(i64::MAX));
-    Failure::Error(Error::InvalidParameter { name: "struct_size", value, allowed })
+    Failure::Error(Error::invalid("struct_size", value, allowed))
 }
 
 #[cfg(test)]
@@ -177,7 +179,6 @@ mod tests {
         assert_eq!(contained_status(|| Err(Failure::Null(""))), 1);
         assert_eq!(contained_status(|| Err(Failure::OutOfMemory)), 7);
         assert_eq!(contained_status(|| Err(Failure::Name { name: "", says: "" })), 2);
-        assert_eq!(contained_status(|| Err(Failure::UnknownName { of: "", name: [0; 64], length: 0, nearest: "" })), 2);
         assert_eq!(contained_status(|| Ok(())), 0);
     }
 }

@@ -1,10 +1,9 @@
 //! The calls of a solver's inner loop.
 
 use super::batch::{self, Arrays, Quantity};
-use super::boundary::{self, reference, Failure};
-use super::model::asperity_model;
+use super::boundary::{self, Failure};
+use super::model::{self, asperity_model};
 use super::status::asperity_status;
-use crate::model::Model;
 
 /// Friction coefficient F/P at a load.
 ///
@@ -35,8 +34,8 @@ pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_
 
 /// Friction coefficients at many loads, and their slopes.
 ///
-/// Every element has the bits that `asperity_friction_at_load` gives. All elements are filled; then the first load that
-/// is not in order, if any, is reported, and `asperity_last_error` names its index.
+/// Every element has the bits that the call for one load gives. All elements are filled; then the first load that is not
+/// in order, if any, is reported, and `asperity_last_error` names its index.
 ///
 /// @param model      must not be NULL
 /// @param n          number of loads; may be 0
@@ -45,7 +44,7 @@ pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_
 /// @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load`
 ///                   itself
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
-///         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the coefficient is NaN)
+///         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the answer is NaN)
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -56,16 +55,10 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
     mu: *mut f64,
     dmu_dload: *mut f64,
 ) -> asperity_status {
-    boundary::fast_status!({
-        let model = &reference(model, "model")?.model;
-        evaluate(model, Quantity::Coefficient, n, load, mu, dmu_dload)
-    })
+    evaluate(model, Quantity::Coefficient, n, load, mu, dmu_dload)
 }
 
-/// Friction forces at many loads, and their slopes.
-///
-/// Every element has the bits that `asperity_friction_force_at_load` gives. All elements are filled; then the first
-/// load that is not in order, if any, is reported, and `asperity_last_error` names its index.
+/// Friction forces at many loads, and their slopes, filled and reported as by `asperity_friction_at_loads`.
 ///
 /// @param model         must not be NULL
 /// @param n             number of loads; may be 0
@@ -74,8 +67,7 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
 /// @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without
 ///                      adhesion, where F has no slope at zero load, there and below that of the lightest load of the
 ///                      table, finite; NULL to skip; may be `load` itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
-///         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the force is NaN)
+/// @return as `asperity_friction_at_loads`
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -86,22 +78,22 @@ pub unsafe extern "C" fn asperity_friction_force_at_loads(
     force: *mut f64,
     dforce_dload: *mut f64,
 ) -> asperity_status {
-    boundary::fast_status!({
-        let model = &reference(model, "model")?.model;
-        evaluate(model, Quantity::Force, n, load, force, dforce_dload)
-    })
+    evaluate(model, Quantity::Force, n, load, force, dforce_dload)
 }
 
 pub(super) unsafe fn evaluate(
-    model: &Model,
+    model: *const asperity_model,
     quantity: Quantity,
     n: usize,
     load: *const f64,
     value: *mut f64,
     slope: *mut f64,
-) -> Result<(), Failure> {
-    if n > 0 && load.is_null() {
-        return Err(Failure::Null("load"));
-    }
-    batch::evaluate(model, quantity, Arrays { n, load, value, slope })
+) -> asperity_status {
+    boundary::fast!(contained_status, {
+        let model = model::of(model)?;
+        if n > 0 && load.is_null() {
+            return Err(Failure::Null("load"));
+        }
+        batch::evaluate(model, quantity, Arrays { n, load, value, slope })
+    })
 }

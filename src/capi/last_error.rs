@@ -20,13 +20,9 @@ thread_local! {
 
 impl Write for Message {
     fn write_str(&mut self, text: &str) -> std::fmt::Result {
-        for &byte in text.as_bytes() {
-            if self.length == CAPACITY {
-                break;
-            }
-            self.bytes[self.length] = byte;
-            self.length += 1;
-        }
+        let count = text.len().min(CAPACITY - self.length);
+        self.bytes[self.length..][..count].copy_from_slice(&text.as_bytes()[..count]);
+        self.length += count;
         Ok(())
     }
 }

@@ -1,14 +1,15 @@
 //! Materials and pairs of them, as C sees them.
 
-use super::boundary::{self, reference, Failure};
-use super::names::Given;
+use super::boundary::{self, Failure};
+use super::given::{nearest, Given};
+use super::output::fill;
 use super::params::asperity_params;
 use super::setters::change;
-use super::state::fill;
 use super::status::asperity_status;
-use crate::materials::{Bodies, Material, Pair, MATERIALS, PAIRS};
+use crate::materials::{halves, Bodies, Material, Pair, MATERIALS, PAIRS};
 use crate::params::UNSET;
 use std::ffi::c_char;
+use std::mem::size_of;
 
 /// What is known of a material, in SI units. 0 stands for what no source is known for.
 #[repr(C)]
@@ -61,9 +62,9 @@ pub struct asperity_pair_data {
 }
 
 impl asperity_material_data {
-    fn new(material: &'static Material, struct_size: u64) -> Self {
+    fn new(material: &'static Material) -> Self {
         Self {
-            struct_size,
+            struct_size: size_of::<Self>() as u64,
             young: material.young,
             young_low: material.young_range[0],
             young_high: material.young_range[1],
@@ -79,9 +80,9 @@ impl asperity_material_data {
 }
 
 impl asperity_pair_data {
-    fn new(pair: &'static Pair, struct_size: u64) -> Self {
+    fn new(pair: &'static Pair) -> Self {
         Self {
-            struct_size,
+            struct_size: size_of::<Self>() as u64,
             work_of_adhesion: pair.work_of_adhesion,
             work_of_adhesion_low: pair.work_of_adhesion_range[0],
             work_of_adhesion_high: pair.work_of_adhesion_range[1],
@@ -93,31 +94,23 @@ impl asperity_pair_data {
     }
 }
 
-/// The material of this name.
-///
-/// # Safety
-/// `name` is NULL or a string that `Given::read` takes.
-unsafe fn material(name: *const c_char) -> Result<&'static Material, Failure> {
-    let given = Given::read(reference(name, "name")?);
-    let names = MATERIALS.iter().map(|material| material.name);
-    Material::find(given.text()).ok_or_else(|| {
-        let meant = Material::meant(given.text()).map(|material| material.name);
-        given.unknown("material", meant, names)
-    })
+/// What is said of the name of a pair that is none.
+fn no_pair(name: Given) -> Failure {
+    match halves(name.text()) {
+        Some(_) if Bodies::find(name.text()).is_some() => Failure::UnlistedPair(name),
+        Some((first, second)) => Failure::UnknownBodies { name, nearest: [first, second].map(nearest_material) },
+        None => {
+            let nearest = nearest(name.text(), PAIRS.iter().map(|pair| pair.name));
+            Failure::UnknownName { of: "pair", name, nearest }
+        }
+    }
 }
 
-/// The pair of this name.
-///
-/// # Safety
-/// As `material`.
-unsafe fn pair(name: *const c_char) -> Result<&'static Pair, Failure> {
-    let given = Given::read(reference(name, "name")?);
-    Pair::find(given.text()).ok_or_else(|| unknown_pair(&given))
-}
-
-fn unknown_pair(given: &Given) -> Failure {
-    let meant = Pair::meant(given.text()).map(|pair| pair.name);
-    given.unknown("pair", meant, PAIRS.iter().map(|pair| pair.name))
+fn nearest_material(name: &[u8]) -> &'static str {
+    match Material::meant(name) {
+        Some(material) => material.name.to_str().unwrap_or_default(),
+        None => nearest(name, MATERIALS.iter().map(|material| material.name)),
+    }
 }
 
 /// Looks a material up by its name: "steel", "SiO2". docs/materials.md has all of them, with their sources.
@@ -136,8 +129,12 @@ pub unsafe extern "C" fn asperity_material(
     material: *mut asperity_material_data,
 ) -> asperity_status {
     boundary::status(|| {
-        let found = self::material(name)?;
-        fill(material, "material", |size| Ok(asperity_material_data::new(found, size)))
+        let name = Given::read(name)?;
+        let found = Material::find(name.text()).ok_or_else(|| {
+            let nearest = nearest_material(name.text());
+            Failure::UnknownName { of: "material", name, nearest }
+        })?;
+        fill(material, "material", || Ok(asperity_material_data::new(found)))
     })
 }
 
@@ -158,15 +155,16 @@ pub extern "C" fn asperity_material_name(index: usize) -> *const c_char {
 ///
 /// @param name  one of `asperity_pair_name`; must not be NULL; at most 64 bytes are read
 /// @param pair  receives the numbers; must not be NULL; its `struct_size` must be set; untouched on failure
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
-///         nearest; `struct_size`)
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (two materials that are no pair: the
+///         message tells what to give; unknown name: it tells the nearest; `struct_size`)
 ///
 /// Threads: any.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_pair(name: *const c_char, pair: *mut asperity_pair_data) -> asperity_status {
     boundary::status(|| {
-        let found = self::pair(name)?;
-        fill(pair, "pair", |size| Ok(asperity_pair_data::new(found, size)))
+        let name = Given::read(name)?;
+        let found = Pair::find(name.text()).ok_or_else(|| no_pair(name))?;
+        fill(pair, "pair", || Ok(asperity_pair_data::new(found)))
     })
 }
 
@@ -203,9 +201,9 @@ pub unsafe extern "C" fn asperity_params_set_pair(
 ) -> asperity_status {
     boundary::status(|| {
         change(params, |params| {
-            let given = Given::read(reference(name, "name")?);
-            let bodies = Bodies::find(given.text()).ok_or_else(|| unknown_pair(&given))?;
-            set_pair(params, &bodies, Pair::find(given.text()))
+            let name = Given::read(name)?;
+            let bodies = Bodies::find(name.text()).ok_or_else(|| no_pair(name))?;
+            set_pair(params, &bodies, Pair::find(name.text()))
         })
     })
 }

@@ -10,10 +10,12 @@ mod batch;
 mod boundary;
 mod evaluate;
 mod fp_environment;
+mod given;
 mod last_error;
 mod materials;
 mod model;
 mod names;
+mod output;
 mod params;
 #[cfg_attr(not(feature = "memory-reserve"), allow(dead_code))]
 mod reserve;

@@ -15,6 +15,14 @@ pub struct asperity_model {
     unannounced_fields: bool,
 }
 
+/// The model of a caller.
+///
+/// # Safety
+/// `model` is NULL or a model that lives as long as the call.
+pub(super) unsafe fn of<'a>(model: *const asperity_model) -> Result<&'a Model, Failure> {
+    Ok(&reference(model, "model")?.model)
+}
+
 impl asperity_model {
     unsafe fn new(params: *const asperity_params) -> Result<Self, Failure> {
         let params = asperity_params::read(params)?;

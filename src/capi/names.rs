@@ -1,8 +1,11 @@
 //! Parameters by their names, for hosts whose input is words and numbers.
 
 use super::boundary::{self, reference, reference_mut, wrong_struct_size, Failure};
-use super::params::{asperity_params, checked_size, ASPERITY_HEIGHTS_JOHNSON, ASPERITY_HEIGHTS_WEIBULL};
+use super::given::{nearest, Given};
+use super::params::{asperity_params, ASPERITY_HEIGHTS_JOHNSON, ASPERITY_HEIGHTS_WEIBULL};
+use super::setters::change;
 use super::status::asperity_status;
+use crate::c_string::c_string;
 use crate::error::Error;
 use crate::float_bits::finite;
 use crate::spectrum::SpectralMoments;
@@ -10,239 +13,128 @@ use std::ffi::{c_char, CStr};
 use std::mem::{offset_of, size_of};
 
 /// A field of the parameters that is one number.
+struct Field {
+    name: &'static CStr,
+    offset: usize,
+    number: Number,
+}
+
 enum Number {
     Real(fn(&mut asperity_params) -> &mut f64),
     Whole(fn(&mut asperity_params) -> &mut i32),
 }
 
-struct Field {
-    name: &'static CStr,
-    /// Where it ends in the struct: a caller's may be shorter.
-    end: u64,
-    number: Number,
-}
-
-macro_rules! field {
-    ($field:ident, $variant:ident, $type:ty) => {
-        Field {
-            name: match CStr::from_bytes_with_nul(concat!(stringify!($field), "\0").as_bytes()) {
-                Ok(name) => name,
-                Err(_) => panic!(),
-            },
-            end: (offset_of!(asperity_params, $field) + size_of::<$type>()) as u64,
-            number: Number::$variant(|params| &mut params.$field),
-        }
-    };
-}
-macro_rules! real {
-    ($field:ident) => {
-        field!($field, Real, f64)
-    };
-}
-macro_rules! whole {
-    ($field:ident) => {
-        field!($field, Whole, i32)
+macro_rules! fields {
+    ($($number:ident $field:ident),*) => {
+        [$(Field {
+            name: c_string!(stringify!($field)),
+            offset: offset_of!(asperity_params, $field),
+            number: Number::$number(|params| &mut params.$field),
+        }),*]
     };
 }
 
 /// All fields that are one number. Kurtosis, skew and shape choose the heights; in this order, with the choice itself last,
 /// setting one after another what another surface has copies that surface.
-static FIELDS: [Field; 24] = [
-    real!(composite_modulus),
-    real!(effective_shear_modulus),
-    real!(work_of_adhesion),
-    real!(adhesion_range),
-    real!(burgers_vector),
-    real!(height_std),
-    real!(summit_radius),
-    real!(asperity_count),
-    whole!(attraction),
-    real!(radius_amplitude),
-    real!(radius_rate),
-    real!(slip_radius_1),
-    real!(slip_stress_1),
-    real!(slip_radius_2),
-    real!(slip_stress_2),
-    real!(max_friction_coefficient),
-    real!(hardness),
-    real!(tangential_modulus),
-    real!(nominal_area),
-    whole!(contact_law),
-    real!(kurtosis),
-    real!(skew),
-    real!(weibull_shape),
-    whole!(height_distribution),
-];
-const KURTOSIS: usize = 20;
-const SKEW: usize = 21;
-const WEIBULL_SHAPE: usize = 22;
+static FIELDS: [Field; 24] = fields! {
+    Real composite_modulus, Real effective_shear_modulus, Real work_of_adhesion, Real adhesion_range,
+    Real burgers_vector, Real height_std, Real summit_radius, Real asperity_count, Whole attraction,
+    Real radius_amplitude, Real radius_rate, Real slip_radius_1, Real slip_stress_1, Real slip_radius_2,
+    Real slip_stress_2, Real max_friction_coefficient, Real hardness, Real tangential_modulus, Real nominal_area,
+    Whole contact_law, Real kurtosis, Real skew, Real weibull_shape, Whole height_distribution
+};
 
-/// Names that are no fields: arguments of setters, which take all of a group at once.
-static ARGUMENTS: [&CStr; 7] = [c"E1", c"nu1", c"E2", c"nu2", c"m0", c"m2", c"m4"];
-const MATERIALS: std::ops::Range<usize> = 0..4;
-const MOMENTS: std::ops::Range<usize> = 4..7;
+/// Names that are no fields: arguments of two setters, which take all of theirs at once.
+static ARGUMENTS: [&CStr; MATERIALS + MOMENTS] = [c"E1", c"nu1", c"E2", c"nu2", c"m0", c"m2", c"m4"];
+const MATERIALS: usize = 4;
+const MOMENTS: usize = 3;
 
-/// Longer than every name: of a caller's name no more is read.
-const LONGEST: usize = 64;
-
-/// A caller's name, as far as it is read.
-#[derive(Clone, Copy)]
-pub(super) struct Given {
-    bytes: [u8; LONGEST],
-    length: usize,
+/// The names of fields, then those of arguments.
+fn names() -> impl Iterator<Item = &'static CStr> {
+    FIELDS.iter().map(|field| field.name).chain(ARGUMENTS)
 }
 
-impl Given {
-    /// # Safety
-    /// `name` points to a string that ends in NUL or has `LONGEST` bytes.
-    pub(super) unsafe fn read(name: &c_char) -> Self {
-        let first = std::ptr::from_ref(name);
-        let mut given = Self { bytes: [0; LONGEST], length: 0 };
-        while given.length < LONGEST {
-            // SAFETY: no byte before it is NUL.
-            let byte = first.add(given.length).cast::<u8>().read();
-            if byte == 0 {
-                break;
-            }
-            given.bytes[given.length] = byte;
-            given.length += 1;
-        }
-        given
-    }
-
-    pub(super) fn text(&self) -> &[u8] {
-        &self.bytes[..self.length]
-    }
-
-    fn field(&self) -> Option<usize> {
-        FIELDS.iter().position(|field| field.name.to_bytes() == self.text())
-    }
-
-    fn argument(&self) -> Option<usize> {
-        ARGUMENTS.iter().position(|name| name.to_bytes() == self.text())
-    }
-
-    /// The refusal of a name that no such thing has, which tells what is meant, or else the nearest of those that are.
-    pub(super) fn unknown(
-        &self,
-        of: &'static str,
-        meant: Option<&'static CStr>,
-        names: impl Iterator<Item = &'static CStr>,
-    ) -> Failure {
-        let nearest =
-            meant.or_else(|| names.min_by_key(|name| edits(self.text(), name.to_bytes()))).unwrap_or_default();
-        let nearest = nearest.to_str().unwrap_or_default();
-        Failure::UnknownName { of, name: self.bytes, length: self.length, nearest }
-    }
-
-    fn unknown_parameter(&self) -> Failure {
-        self.unknown("parameter", None, FIELDS.iter().map(|field| field.name).chain(ARGUMENTS))
-    }
-}
-
-/// How many letters to insert, remove or replace to make one name of another, capitals or not (Levenshtein's distance).
-fn edits(from: &[u8], to: &[u8]) -> usize {
-    let mut row: [usize; LONGEST + 1] = std::array::from_fn(|column| column);
-    for (i, letter) in from.iter().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (k, other) in to.iter().enumerate() {
-            let replaced = diagonal + usize::from(!letter.eq_ignore_ascii_case(other));
-            diagonal = row[k + 1];
-            row[k + 1] = replaced.min(diagonal + 1).min(row[k] + 1);
-        }
-    }
-    row[to.len()]
+/// Which of the names is given.
+fn position(name: Given) -> Result<usize, Failure> {
+    let found = names().position(|other| other.to_bytes() == name.text());
+    found.ok_or_else(|| Failure::UnknownName { of: "parameter", name, nearest: nearest(name.text(), names()) })
 }
 
 /// Numbers by name, of which the last counts where one is given twice.
-struct Numbers {
-    fields: [Option<f64>; FIELDS.len()],
-    arguments: [Option<f64>; ARGUMENTS.len()],
-}
+struct Numbers([Option<f64>; FIELDS.len() + ARGUMENTS.len()]);
 
 impl Numbers {
     /// # Safety
     /// `names` and `values` are NULL or have `count` elements; names are NULL or strings.
     unsafe fn read(count: usize, names: *const *const c_char, values: *const f64) -> Result<Self, Failure> {
-        let mut numbers = Self { fields: [None; FIELDS.len()], arguments: [None; ARGUMENTS.len()] };
+        let mut numbers = Self([None; FIELDS.len() + ARGUMENTS.len()]);
         if count > 0 {
             reference(names, "names")?;
             reference(values, "values")?;
         }
         for i in 0..count {
-            let given = Given::read(reference(*names.add(i), "name")?);
-            let value = *values.add(i);
-            match (given.field(), given.argument()) {
-                (Some(field), _) => numbers.fields[field] = Some(value),
-                (None, Some(argument)) => numbers.arguments[argument] = Some(value),
-                (None, None) => return Err(given.unknown_parameter()),
-            }
+            numbers.0[position(Given::read(*names.add(i))?)?] = Some(*values.add(i));
         }
         Ok(numbers)
     }
 
-    /// Sets them in parameters of which the caller has so many bytes.
-    fn set(&self, params: &mut asperity_params, size: u64) -> Result<(), Failure> {
-        self.set_materials(params)?;
-        for (i, field) in FIELDS.iter().enumerate() {
-            let Some(value) = self.fields[i] else { continue };
-            if i == SKEW && params.height_distribution != ASPERITY_HEIGHTS_JOHNSON {
-                params.set_skew(value)?;
-                continue;
+    fn set(&self, params: &mut asperity_params) -> Result<(), Failure> {
+        let together = "must be given too: E1, nu1, E2 and nu2 go together, in one call of asperity_params_set_values";
+        if let Some(bodies) = self.arguments::<MATERIALS>(0, together)? {
+            params.set_materials(bodies)?;
+        }
+        for (field, value) in FIELDS.iter().zip(self.0) {
+            let Some(value) = value else { continue };
+            let is_johnsons = params.height_distribution == ASPERITY_HEIGHTS_JOHNSON;
+            match field.name() {
+                "skew" if !is_johnsons => params.set_skew(value)?,
+                _ => field.set(params, value)?,
             }
-            field.set(params, size, value)?;
-            match i {
-                KURTOSIS => params.height_distribution = ASPERITY_HEIGHTS_JOHNSON,
-                WEIBULL_SHAPE => params.height_distribution = ASPERITY_HEIGHTS_WEIBULL,
+            match field.name() {
+                "kurtosis" => params.height_distribution = ASPERITY_HEIGHTS_JOHNSON,
+                "weibull_shape" => params.height_distribution = ASPERITY_HEIGHTS_WEIBULL,
                 _ => {}
             }
         }
-        self.set_moments(params)
-    }
-
-    fn set_materials(&self, params: &mut asperity_params) -> Result<(), Failure> {
-        let together = "must be given too: E1, nu1, E2 and nu2 go together, in one call of asperity_params_set_values";
-        let Some(bodies) = self.group(MATERIALS, together)? else { return Ok(()) };
-        params.set_materials(bodies)
-    }
-
-    /// After `nominal_area`, which they need.
-    fn set_moments(&self, params: &mut asperity_params) -> Result<(), Failure> {
+        // After `nominal_area`, which they need.
         let together = "must be given too: m0, m2 and m4 go together, in one call of asperity_params_set_values";
-        let Some([m0, m2, m4]) = self.group(MOMENTS, together)? else { return Ok(()) };
-        params.set_spectral_moments(SpectralMoments { m0, m2, m4 }, params.nominal_area)
+        if let Some([m0, m2, m4]) = self.arguments::<MOMENTS>(MATERIALS, together)? {
+            params.set_spectral_moments(SpectralMoments { m0, m2, m4 }, params.nominal_area)?;
+        }
+        Ok(())
     }
 
     /// The arguments of a setter: all or none.
-    fn group<const N: usize>(
-        &self,
-        range: std::ops::Range<usize>,
-        together: &'static str,
-    ) -> Result<Option<[f64; N]>, Failure> {
-        let given = &self.arguments[range.clone()];
+    fn arguments<const N: usize>(&self, first: usize, together: &'static str) -> Result<Option<[f64; N]>, Failure> {
+        let given = &self.0[FIELDS.len() + first..][..N];
         if given.iter().all(Option::is_none) {
             return Ok(None);
         }
         let mut values = [0.0; N];
-        for ((value, number), name) in values.iter_mut().zip(given).zip(&ARGUMENTS[range]) {
-            *value = number.ok_or(Failure::Name { name: name.to_str().unwrap_or_default(), says: together })?;
+        for ((value, number), name) in values.iter_mut().zip(given).zip(&ARGUMENTS[first..]) {
+            *value = number.ok_or(Failure::Name { name: text(name), says: together })?;
         }
         Ok(Some(values))
     }
 }
 
+fn text(name: &'static CStr) -> &'static str {
+    name.to_str().unwrap_or_default()
+}
+
 impl Field {
     fn name(&self) -> &'static str {
-        self.name.to_str().unwrap_or_default()
+        text(self.name)
     }
 
-    fn set(&self, params: &mut asperity_params, size: u64, value: f64) -> Result<(), Failure> {
-        if self.end > size {
-            return Err(wrong_struct_size(
-                size,
-                "the struct ends before the parameter named: compile with today's header",
-            ));
+    fn set(&self, params: &mut asperity_params, value: f64) -> Result<(), Failure> {
+        let size = match self.number {
+            Number::Real(_) => size_of::<f64>(),
+            Number::Whole(_) => size_of::<i32>(),
+        };
+        if (self.offset + size) as u64 > params.struct_size {
+            let allowed = "the struct ends before the parameter named: compile with today's header";
+            return Err(wrong_struct_size(params.struct_size, allowed));
         }
         match self.number {
             Number::Real(at) => *at(params) = value,
@@ -250,7 +142,7 @@ impl Field {
                 let fits = finite(value) && value.abs() <= f64::from(i32::MAX) && f64::from(value as i32) == value;
                 if !fits {
                     let allowed = "must be a whole number, one of the constants that asperity.h lists for it";
-                    return Err(Error::InvalidParameter { name: self.name(), value: value.into(), allowed }.into());
+                    return Err(Error::invalid(self.name(), value, allowed).into());
                 }
                 *at(params) = value as i32;
             }
@@ -283,7 +175,7 @@ pub unsafe extern "C" fn asperity_params_set_value(
     name: *const c_char,
     value: f64,
 ) -> asperity_status {
-    boundary::status(|| set_values(params, 1, &name, &value))
+    asperity_params_set_values(params, 1, &name, &value)
 }
 
 /// Sets parameters by their names, in any order, all or none.
@@ -311,20 +203,7 @@ pub unsafe extern "C" fn asperity_params_set_values(
     names: *const *const c_char,
     values: *const f64,
 ) -> asperity_status {
-    boundary::status(|| set_values(params, count, names, values))
-}
-
-unsafe fn set_values(
-    params: *mut asperity_params,
-    count: usize,
-    names: *const *const c_char,
-    values: *const f64,
-) -> Result<(), Failure> {
-    let mut whole = asperity_params::read(params)?;
-    let size = checked_size(params.cast::<u64>().read())?;
-    Numbers::read(count, names, values)?.set(&mut whole, size)?;
-    whole.write(params, size);
-    Ok(())
+    boundary::status(|| change(params, |params| Numbers::read(count, names, values)?.set(params)))
 }
 
 /// Reads one parameter by its name.
@@ -344,16 +223,15 @@ pub unsafe extern "C" fn asperity_params_get_value(
 ) -> asperity_status {
     boundary::status(|| {
         let mut whole = asperity_params::read(params)?;
-        let given = Given::read(reference(name, "name")?);
+        let name = Given::read(name)?;
         let value = reference_mut(value, "value")?;
-        match (given.field(), given.argument()) {
-            (Some(field), _) => *value = FIELDS[field].get(&mut whole),
-            (None, Some(argument)) => {
-                let says = "is not kept: read the fields that were made of it, as composite_modulus or height_std";
-                return Err(Failure::Name { name: ARGUMENTS[argument].to_str().unwrap_or_default(), says });
-            }
-            (None, None) => return Err(given.unknown_parameter()),
-        }
+        let position = position(name)?;
+        let Some(field) = FIELDS.get(position) else {
+            let name = text(ARGUMENTS[position - FIELDS.len()]);
+            let says = "is not kept: read the fields that were made of it, as composite_modulus or height_std";
+            return Err(Failure::Name { name, says });
+        };
+        *value = field.get(&mut whole);
         Ok(())
     })
 }
@@ -369,29 +247,4 @@ pub unsafe extern "C" fn asperity_params_get_value(
 #[no_mangle]
 pub extern "C" fn asperity_params_name(index: usize) -> *const c_char {
     FIELDS.get(index).map_or(std::ptr::null(), |field| field.name.as_ptr())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_positions_are_those_of_the_names() {
-        for (position, name) in [(KURTOSIS, "kurtosis"), (SKEW, "skew"), (WEIBULL_SHAPE, "weibull_shape")] {
-            assert_eq!(FIELDS[position].name(), name);
-        }
-        assert_eq!(ARGUMENTS[MATERIALS], [c"E1", c"nu1", c"E2", c"nu2"]);
-        assert_eq!(ARGUMENTS[MOMENTS], [c"m0", c"m2", c"m4"]);
-        assert!(FIELDS.iter().all(|field| field.name().len() < LONGEST));
-    }
-
-    #[test]
-    fn names_are_as_far_apart_as_their_edits() {
-        for (from, to, expected) in [("", "", 0), ("", "skew", 4), ("skew", "", 4), ("SKEW", "skew", 0)] {
-            assert_eq!(edits(from.as_bytes(), to.as_bytes()), expected, "{from} {to}");
-        }
-        for (from, to, expected) in [("kitten", "sitting", 3), ("flaw", "lawn", 2), ("nu3", "nu1", 1)] {
-            assert_eq!(edits(from.as_bytes(), to.as_bytes()), expected, "{from} {to}");
-        }
-    }
 }

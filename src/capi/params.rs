@@ -3,7 +3,7 @@
 use super::boundary::{wrong_struct_size, Failure};
 use crate::asperity::slip::SlipConstants;
 use crate::distribution::tabulated;
-use crate::error::{Error, Value};
+use crate::error::Error;
 use crate::params::{ContactLawKind, HeightFamily, Params};
 use std::mem::{offset_of, size_of};
 use std::sync::Arc;
@@ -115,6 +115,29 @@ const HARDNESS_END: u64 = offset_of!(asperity_params, table_height) as u64;
 /// Where the fields that tabulated heights read end.
 const TABLE_END: u64 = offset_of!(asperity_params, tangential_modulus) as u64;
 
+/// Parameters in one form, with the numbers that have the same names in the other.
+macro_rules! with_same_numbers {
+    ($from:ident => $struct:ident { $($others:tt)* }) => {
+        $struct {
+            composite_modulus: $from.composite_modulus,
+            effective_shear_modulus: $from.effective_shear_modulus,
+            work_of_adhesion: $from.work_of_adhesion,
+            adhesion_range: $from.adhesion_range,
+            burgers_vector: $from.burgers_vector,
+            height_std: $from.height_std,
+            summit_radius: $from.summit_radius,
+            asperity_count: $from.asperity_count,
+            radius_amplitude: $from.radius_amplitude,
+            radius_rate: $from.radius_rate,
+            max_friction_coefficient: $from.max_friction_coefficient,
+            hardness: $from.hardness,
+            tangential_modulus: $from.tangential_modulus,
+            nominal_area: $from.nominal_area,
+            $($others)*
+        }
+    };
+}
+
 impl asperity_params {
     /// The parameters of a caller, from a struct of any version, with defaults for what it lacks.
     ///
@@ -160,40 +183,26 @@ impl asperity_params {
 
     /// The C form of parameters; a table is pointed to where it is.
     pub(super) fn from_params(params: &Params) -> Self {
-        let mut whole = Self {
+        let mut whole = with_same_numbers!(params => Self {
             struct_size: SIZE,
-            composite_modulus: params.composite_modulus,
-            effective_shear_modulus: params.effective_shear_modulus,
-            work_of_adhesion: params.work_of_adhesion,
-            adhesion_range: params.adhesion_range,
-            burgers_vector: params.burgers_vector,
-            height_std: params.height_std,
-            summit_radius: params.summit_radius,
-            asperity_count: params.asperity_count,
             height_distribution: ASPERITY_HEIGHTS_GAUSSIAN,
             attraction: params.attraction.into(),
             weibull_shape: DEFAULT_SHAPE,
-            radius_amplitude: params.radius_amplitude,
-            radius_rate: params.radius_rate,
             slip_radius_1: params.slip.radius_1,
             slip_stress_1: params.slip.stress_1,
             slip_radius_2: params.slip.radius_2,
             slip_stress_2: params.slip.stress_2,
-            max_friction_coefficient: params.max_friction_coefficient,
             skew: 0.0,
             kurtosis: 3.0,
-            hardness: params.hardness,
             table_height: std::ptr::null(),
             table_density: std::ptr::null(),
             table_length: 0,
-            tangential_modulus: params.tangential_modulus,
-            nominal_area: params.nominal_area,
             contact_law: match params.contact_law {
                 ContactLawKind::Maugis => ASPERITY_CONTACT_MAUGIS,
                 ContactLawKind::ElasticPlastic => ASPERITY_CONTACT_ELASTIC_PLASTIC,
             },
             reserved: 0,
-        };
+        });
         match &params.heights {
             HeightFamily::Gaussian => {}
             HeightFamily::Weibull { shape } => {
@@ -218,63 +227,40 @@ impl asperity_params {
     /// # Safety
     /// The table, where the heights are one, has the length it says.
     pub(super) unsafe fn to_params(self) -> Result<Params, Failure> {
+        let invalid = |name, value: i32, allowed| Err(Failure::Error(Error::invalid(name, value, allowed)));
         let heights = match self.height_distribution {
             ASPERITY_HEIGHTS_GAUSSIAN => HeightFamily::Gaussian,
             ASPERITY_HEIGHTS_WEIBULL => HeightFamily::Weibull { shape: self.weibull_shape },
             ASPERITY_HEIGHTS_JOHNSON => HeightFamily::Johnson { skew: self.skew, kurtosis: self.kurtosis },
             ASPERITY_HEIGHTS_TABULATED => self.table()?,
             other => {
-                return Err(invalid(
-                    "height_distribution",
-                    other.into(),
-                    "must be one of ASPERITY_HEIGHTS_: GAUSSIAN (0), WEIBULL (1), JOHNSON (2), TABULATED (3)",
-                ))
+                let allowed = "must be one of ASPERITY_HEIGHTS_: GAUSSIAN (0), WEIBULL (1), JOHNSON (2), TABULATED (3)";
+                return invalid("height_distribution", other, allowed);
             }
         };
         let attraction = match self.attraction {
             0 => false,
             1 => true,
-            other => return Err(invalid("attraction", other.into(), "must be 0 or 1")),
+            other => return invalid("attraction", other, "must be 0 or 1"),
         };
         let contact_law = match self.contact_law {
             ASPERITY_CONTACT_MAUGIS => ContactLawKind::Maugis,
             ASPERITY_CONTACT_ELASTIC_PLASTIC => ContactLawKind::ElasticPlastic,
             other => {
-                return Err(invalid(
-                    "contact_law",
-                    other.into(),
-                    "must be one of ASPERITY_CONTACT_: MAUGIS (0), ELASTIC_PLASTIC (1)",
-                ))
+                let allowed = "must be one of ASPERITY_CONTACT_: MAUGIS (0), ELASTIC_PLASTIC (1)";
+                return invalid("contact_law", other, allowed);
             }
         };
         if self.reserved != 0 {
-            return Err(invalid("reserved", self.reserved.into(), "must be 0, as asperity_params_init sets it"));
+            return invalid("reserved", self.reserved, "must be 0, as asperity_params_init sets it");
         }
-        Ok(Params {
-            composite_modulus: self.composite_modulus,
-            effective_shear_modulus: self.effective_shear_modulus,
-            work_of_adhesion: self.work_of_adhesion,
-            adhesion_range: self.adhesion_range,
-            burgers_vector: self.burgers_vector,
-            height_std: self.height_std,
-            summit_radius: self.summit_radius,
-            asperity_count: self.asperity_count,
-            heights,
-            attraction,
-            radius_amplitude: self.radius_amplitude,
-            radius_rate: self.radius_rate,
-            slip: SlipConstants {
-                radius_1: self.slip_radius_1,
-                stress_1: self.slip_stress_1,
-                radius_2: self.slip_radius_2,
-                stress_2: self.slip_stress_2,
-            },
-            max_friction_coefficient: self.max_friction_coefficient,
-            hardness: self.hardness,
-            tangential_modulus: self.tangential_modulus,
-            nominal_area: self.nominal_area,
-            contact_law,
-        })
+        let slip = SlipConstants {
+            radius_1: self.slip_radius_1,
+            stress_1: self.slip_stress_1,
+            radius_2: self.slip_radius_2,
+            stress_2: self.slip_stress_2,
+        };
+        Ok(with_same_numbers!(self => Params { heights, attraction, contact_law, slip, }))
     }
 
     /// A copy of the caller's table.
@@ -322,10 +308,6 @@ macro_rules! sizes {
 sizes!(216);
 #[cfg(target_pointer_width = "32")]
 sizes!(208);
-
-fn invalid(name: &'static str, value: Value, allowed: &'static str) -> Failure {
-    Failure::Error(Error::InvalidParameter { name, value, allowed })
-}
 
 /// The shape of Weibull heights without skew (Table 1 of the paper).
 const DEFAULT_SHAPE: f64 = 3.602;

@@ -106,7 +106,7 @@ extern "C" fn in_part<const QUANTITY: u8>(model: &Model, load: f64, row: &Row, t
 #[cold]
 #[inline(never)]
 extern "C" fn beside_rows<const QUANTITY: u8>(model: &Model, load: f64) -> f64 {
-    boundary::fast_value!(quantity(QUANTITY).at(model, load).0)
+    boundary::fast!(contained_value, quantity(QUANTITY).at(model, load).0)
 }
 
 #[cfg(target_arch = "x86_64")]

@@ -1,9 +1,9 @@
 //! Sensitivities of the friction force, as C sees them.
 
-use super::boundary::{self, reference};
-use super::model::asperity_model;
+use super::boundary;
+use super::model::{self, asperity_model};
+use super::output::{fill, same_fields};
 use super::reserve;
-use super::state::fill;
 use super::status::asperity_status;
 use crate::sensitivity::Sensitivities;
 
@@ -57,27 +57,11 @@ pub struct asperity_sensitivities {
 }
 
 impl asperity_sensitivities {
-    fn new(of: &Sensitivities, struct_size: u64) -> Self {
-        Self {
-            struct_size,
-            composite_modulus: of.composite_modulus,
-            effective_shear_modulus: of.effective_shear_modulus,
-            work_of_adhesion: of.work_of_adhesion,
-            adhesion_range: of.adhesion_range,
-            burgers_vector: of.burgers_vector,
-            height_std: of.height_std,
-            summit_radius: of.summit_radius,
-            asperity_count: of.asperity_count,
-            weibull_shape: of.weibull_shape,
-            radius_amplitude: of.radius_amplitude,
-            radius_rate: of.radius_rate,
-            slip_radius_1: of.slip_radius_1,
-            slip_stress_1: of.slip_stress_1,
-            slip_radius_2: of.slip_radius_2,
-            slip_stress_2: of.slip_stress_2,
-            skew: of.skew,
-            kurtosis: of.kurtosis,
-            hardness: of.hardness,
+    fn new(of: &Sensitivities) -> Self {
+        same_fields! { Self of of;
+            composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std summit_radius
+            asperity_count weibull_shape radius_amplitude radius_rate slip_radius_1 slip_stress_1 slip_radius_2
+            slip_stress_2 skew kurtosis hardness
         }
     }
 }
@@ -103,11 +87,10 @@ pub unsafe extern "C" fn asperity_sensitivities_at_load(
     sensitivities: *mut asperity_sensitivities,
 ) -> asperity_status {
     boundary::status(|| {
-        let model = &reference(model, "model")?.model;
-        reserve::held(|| {
-            fill(sensitivities, "sensitivities", |size| {
-                Ok(asperity_sensitivities::new(&model.sensitivities_at_load(load)?, size))
-            })
+        let model = model::of(model)?;
+        fill(sensitivities, "sensitivities", || {
+            let found = reserve::held(|| Ok(model.sensitivities_at_load(load)?))?;
+            Ok(asperity_sensitivities::new(&found))
         })
     })
 }

@@ -18,8 +18,17 @@ pub(super) unsafe fn change(
     let mut whole = asperity_params::read(params)?;
     set(&mut whole)?;
     // Fields that the caller's struct lacks stay unset.
-    whole.write(params, checked_size(params.cast::<u64>().read())?);
+    whole.write(params, whole.struct_size);
     Ok(())
+}
+
+/// Takes fields of the same names.
+macro_rules! take {
+    ($from:expr => $to:ident; $($field:ident)*) => {{
+        let made = $from;
+        $($to.$field = made.$field;)*
+        Ok(())
+    }};
 }
 
 /// What a setter of the library makes of the default parameters.
@@ -32,27 +41,19 @@ fn made(set: impl FnOnce(&mut Params) -> Result<(), Error>) -> Result<asperity_p
 /// What the functions below set, which also parameters by name and pairs of materials set.
 impl asperity_params {
     pub(super) fn set_materials(&mut self, [young_1, poisson_1, young_2, poisson_2]: [f64; 4]) -> Result<(), Failure> {
-        let made = made(|params| params.set_materials(young_1, poisson_1, young_2, poisson_2))?;
-        self.composite_modulus = made.composite_modulus;
-        self.effective_shear_modulus = made.effective_shear_modulus;
-        self.tangential_modulus = made.tangential_modulus;
-        Ok(())
+        take! { made(|params| params.set_materials(young_1, poisson_1, young_2, poisson_2))? => self;
+            composite_modulus effective_shear_modulus tangential_modulus
+        }
     }
 
     pub(super) fn set_spectral_moments(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Failure> {
-        let made = made(|params| params.set_spectral_moments(moments, nominal_area))?;
-        self.height_std = made.height_std;
-        self.summit_radius = made.summit_radius;
-        self.asperity_count = made.asperity_count;
-        self.nominal_area = made.nominal_area;
-        Ok(())
+        take! { made(|params| params.set_spectral_moments(moments, nominal_area))? => self;
+            height_std summit_radius asperity_count nominal_area
+        }
     }
 
     pub(super) fn set_skew(&mut self, skew: f64) -> Result<(), Failure> {
-        let made = made(|params| params.set_skew(skew))?;
-        self.height_distribution = made.height_distribution;
-        self.weibull_shape = made.weibull_shape;
-        Ok(())
+        take! { made(|params| params.set_skew(skew))? => self; height_distribution weibull_shape }
     }
 }
 
@@ -156,17 +157,10 @@ pub unsafe extern "C" fn asperity_params_set_dimensionless(
 ) -> asperity_status {
     boundary::status(|| {
         change(params, |params| {
-            let made = made(|changed| changed.set_dimensionless(alpha, beta, gamma, b_over_h, poisson))?;
-            params.composite_modulus = made.composite_modulus;
-            params.effective_shear_modulus = made.effective_shear_modulus;
-            params.work_of_adhesion = made.work_of_adhesion;
-            params.adhesion_range = made.adhesion_range;
-            params.burgers_vector = made.burgers_vector;
-            params.height_std = made.height_std;
-            params.summit_radius = made.summit_radius;
-            params.asperity_count = made.asperity_count;
-            params.tangential_modulus = made.tangential_modulus;
-            Ok(())
+            take! { made(|changed| changed.set_dimensionless(alpha, beta, gamma, b_over_h, poisson))? => params;
+                composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std
+                summit_radius asperity_count tangential_modulus
+            }
         })
     })
 }
@@ -239,12 +233,9 @@ pub unsafe extern "C" fn asperity_params_set_spectral_moments(
 /// With narrow spectra, whose bandwidth is near 1.5, this takes a third off the area that one radius gives at light loads
 /// and brings it to that of boundary elements; docs/validation.md has both for other bandwidths; above 2 one radius errs less.
 ///
-/// @param params        initialised parameters; must not be NULL; untouched on failure
-/// @param m0            variance of the heights [length^2] > 0
-/// @param m2            variance of the slopes > 0
-/// @param m4            variance of the curvatures [1/length^2] > 0; m0 m4/m2^2 must be at least 1.5
-/// @param nominal_area  [length^2] > 0
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+/// @param params                 initialised parameters; must not be NULL; untouched on failure
+/// @param m0,m2,m4,nominal_area  as for `asperity_params_set_spectral_moments`
+/// @return as `asperity_params_set_spectral_moments`, and `ASPERITY_INVALID_PARAMETER` for a struct without the fields
 ///
 /// Threads: any, on different structs.
 #[no_mangle]
@@ -256,25 +247,15 @@ pub unsafe extern "C" fn asperity_params_set_nayak_summits(
     nominal_area: f64,
 ) -> asperity_status {
     boundary::status(|| {
-        if !params.is_null() {
-            let size = checked_size(params.cast::<u64>().read())?;
-            if size < JOHNSON_END {
-                let allowed = "the struct ends before the skew and kurtosis to be set: compile with today's header";
-                return Err(wrong_struct_size(size, allowed));
-            }
-        }
         change(params, |params| {
-            let made = made(|changed| changed.set_nayak_summits(SpectralMoments { m0, m2, m4 }, nominal_area))?;
-            params.height_std = made.height_std;
-            params.summit_radius = made.summit_radius;
-            params.asperity_count = made.asperity_count;
-            params.nominal_area = made.nominal_area;
-            params.height_distribution = made.height_distribution;
-            params.skew = made.skew;
-            params.kurtosis = made.kurtosis;
-            params.radius_amplitude = made.radius_amplitude;
-            params.radius_rate = made.radius_rate;
-            Ok(())
+            if params.struct_size < JOHNSON_END {
+                let allowed = "the struct ends before the skew and kurtosis to be set: compile with today's header";
+                return Err(wrong_struct_size(params.struct_size, allowed));
+            }
+            take! { made(|changed| changed.set_nayak_summits(SpectralMoments { m0, m2, m4 }, nominal_area))? => params;
+                height_std summit_radius asperity_count nominal_area height_distribution skew kurtosis radius_amplitude
+                radius_rate
+            }
         })
     })
 }

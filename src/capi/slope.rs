@@ -26,7 +26,7 @@ pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
     load: f64,
     dmu_dload: *mut f64,
 ) -> f64 {
-    boundary::fast_value!({
+    boundary::fast!(contained_value, {
         let (mu, slope) = at(model, Quantity::Coefficient, load);
         write(dmu_dload, 0, slope);
         mu
@@ -49,7 +49,7 @@ pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
     load: f64,
     dforce_dload: *mut f64,
 ) -> f64 {
-    boundary::fast_value!({
+    boundary::fast!(contained_value, {
         let (force, slope) = at(model, Quantity::Force, load);
         write(dforce_dload, 0, slope);
         force
@@ -75,7 +75,7 @@ pub unsafe extern "C" fn asperity_friction_at_pressure(
     nominal_area: f64,
     dmu_dpressure: *mut f64,
 ) -> f64 {
-    boundary::fast_value!({
+    boundary::fast!(contained_value, {
         let (mu, slope) = match load_of(pressure, nominal_area) {
             Some(load) => at(model, Quantity::Coefficient, load),
             None => (f64::NAN, f64::NAN),
@@ -104,7 +104,7 @@ pub unsafe extern "C" fn asperity_shear_stress_at_pressure(
     nominal_area: f64,
     dstress_dpressure: *mut f64,
 ) -> f64 {
-    boundary::fast_value!({
+    boundary::fast!(contained_value, {
         let Some(load) = load_of(pressure, nominal_area) else {
             write(dstress_dpressure, 0, f64::NAN);
             return f64::NAN;
@@ -140,7 +140,7 @@ pub unsafe extern "C" fn asperity_slip_force(
     dforce_dload: *mut f64,
     dforce_dslip_rate: *mut f64,
 ) -> f64 {
-    boundary::fast_value!({
+    boundary::fast!(contained_value, {
         if !finite(slip_rate) || !is_allowed(transition_rate) {
             write(dforce_dload, 0, f64::NAN);
             write(dforce_dslip_rate, 0, f64::NAN);

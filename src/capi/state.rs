@@ -1,12 +1,12 @@
 //! Exact states and the summary, as C sees them.
 
-use super::boundary::{self, reference, wrong_struct_size, Failure};
-use super::model::asperity_model;
+use super::boundary;
+use super::model::{self, asperity_model};
+use super::output::{fill, same_fields};
 use super::reserve;
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::model::{State, Summary};
-use std::mem::{align_of, size_of};
+use crate::model::{Model, State, Summary};
 
 /// The exact state of the contact; all quantities in the units of the parameters.
 #[repr(C)]
@@ -99,78 +99,38 @@ pub struct asperity_summary {
 }
 
 impl asperity_state {
-    fn new(state: &State, struct_size: u64) -> Self {
-        Self {
-            struct_size,
-            load: state.load,
-            separation: state.separation,
-            friction_force: state.friction_force,
-            friction_coefficient: state.friction_coefficient,
-            dforce_dload: state.dforce_dload,
-            dmu_dload: state.dmu_dload,
-            dload_dseparation: state.dload_dseparation,
-            real_area: state.real_area,
-            contacting: state.contacting,
-            attracted: state.attracted,
-            attraction_load: state.attraction_load,
-            mean_contact_radius: state.mean_contact_radius,
-            max_contact_radius: state.max_contact_radius,
-            fraction_below_slip_radius_1: state.fraction_below_slip_radius_1,
-            fraction_between_slip_radii: state.fraction_between_slip_radii,
-            fraction_above_slip_radius_2: state.fraction_above_slip_radius_2,
-            fraction_in_contact: state.fraction_in_contact,
-            mean_asperity_pressure: state.mean_asperity_pressure,
-            plasticity_index: state.plasticity_index,
-            warnings: state.warnings,
-            tangential_stiffness: state.tangential_stiffness,
-            fraction_elastic: state.fraction_elastic,
-            fraction_flowing: state.fraction_flowing,
+    fn new(state: &State) -> Self {
+        same_fields! { Self of state;
+            load separation friction_force friction_coefficient dforce_dload dmu_dload dload_dseparation real_area
+            contacting attracted attraction_load mean_contact_radius max_contact_radius fraction_below_slip_radius_1
+            fraction_between_slip_radii fraction_above_slip_radius_2 fraction_in_contact mean_asperity_pressure
+            plasticity_index warnings tangential_stiffness fraction_elastic fraction_flowing
         }
     }
 }
 
 impl asperity_summary {
-    fn new(summary: &Summary, struct_size: u64) -> Self {
-        Self {
-            struct_size,
-            alpha: summary.alpha,
-            beta: summary.beta,
-            gamma: summary.gamma,
-            lambda: summary.lambda,
-            skew: summary.skew,
-            kurtosis: summary.kurtosis,
-            pull_off_load: summary.pull_off_load,
-            pull_off_friction_force: summary.pull_off_friction_force,
-            zero_load_friction_force: summary.zero_load_friction_force,
-            min_table_load: summary.min_table_load,
-            max_table_load: summary.max_table_load,
-            table_error: summary.table_error,
+    fn new(summary: &Summary) -> Self {
+        same_fields! { Self of summary;
+            alpha beta gamma lambda skew kurtosis pull_off_load pull_off_friction_force zero_load_friction_force
+            min_table_load max_table_load table_error
         }
     }
 }
 
-/// Fills an output struct, no further than the caller's `struct_size`.
+/// An exact state for the caller.
 ///
 /// # Safety
-/// `out` is NULL or points to a struct of the size its first field says.
-pub(super) unsafe fn fill<T>(
-    out: *mut T,
-    name: &'static str,
-    make: impl FnOnce(u64) -> Result<T, Error>,
-) -> Result<(), Failure> {
-    if out.is_null() {
-        return Err(Failure::Null(name));
-    }
-    // SAFETY: struct_size is the first field of every such struct, and the caller has set it.
-    let size = out.cast::<u64>().read();
-    if size < 16 || size % align_of::<T>() as u64 != 0 {
-        return Err(wrong_struct_size(size, "must be set to sizeof of the output struct before the call"));
-    }
-    let value = make(size)?;
-    let count = size_of::<T>().min(usize::try_from(size).unwrap_or(usize::MAX));
-    // SAFETY: the caller says that `size` bytes may be written.
-    std::ptr::copy_nonoverlapping((&raw const value).cast::<u8>(), out.cast::<u8>(), count);
-    Ok(())
+/// As every entry point's.
+unsafe fn exact(
+    model: *const asperity_model,
+    out: *mut asperity_state,
+    state: impl FnOnce(&Model) -> Result<State, Error>,
+) -> asperity_status {
+    boundary::status(|| {
+        let model = model::of(model)?;
+        fill(out, "state", || Ok(asperity_state::new(&reserve::held(|| Ok(state(model)?))?)))
+    })
 }
 
 /// The exact state at a load, by integration over the summits, without the table.
@@ -189,10 +149,7 @@ pub unsafe extern "C" fn asperity_state_at_load(
     load: f64,
     state: *mut asperity_state,
 ) -> asperity_status {
-    boundary::status(|| {
-        let model = &reference(model, "model")?.model;
-        reserve::held(|| fill(state, "state", |size| Ok(asperity_state::new(&model.state_at_load(load)?, size))))
-    })
+    exact(model, state, |model| model.state_at_load(load))
 }
 
 /// The exact state at a separation, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
@@ -210,12 +167,7 @@ pub unsafe extern "C" fn asperity_state_at_separation(
     separation: f64,
     state: *mut asperity_state,
 ) -> asperity_status {
-    boundary::status(|| {
-        let model = &reference(model, "model")?.model;
-        reserve::held(|| {
-            fill(state, "state", |size| Ok(asperity_state::new(&model.state_at_separation(separation)?, size)))
-        })
-    })
+    exact(model, state, |model| model.state_at_separation(separation))
 }
 
 /// The constants of a model.
@@ -231,7 +183,7 @@ pub unsafe extern "C" fn asperity_summary_of(
     summary: *mut asperity_summary,
 ) -> asperity_status {
     boundary::status(|| {
-        let model = &reference(model, "model")?.model;
-        fill(summary, "summary", |size| Ok(asperity_summary::new(&model.summary(), size)))
+        let model = model::of(model)?;
+        fill(summary, "summary", || Ok(asperity_summary::new(&model.summary())))
     })
 }

@@ -1,7 +1,7 @@
 //! The law of single summits, as C sees it.
 
-use super::boundary::{self, reference, write, Failure};
-use super::model::asperity_model;
+use super::boundary::{self, write, Failure};
+use super::model::{self, asperity_model};
 use super::status::asperity_status;
 use crate::error::Error;
 use crate::model::{Model, SummitState};
@@ -37,7 +37,7 @@ pub unsafe extern "C" fn asperity_summits_at_overlaps(
     radius: *mut f64,
 ) -> asperity_status {
     boundary::status(|| {
-        let model = &reference(model, "model")?.model;
+        let model = model::of(model)?;
         if n > 0 && overlap.is_null() {
             return Err(Failure::Null("overlap"));
         }

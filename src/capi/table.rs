@@ -1,9 +1,8 @@
 //! The compiled table handed out, for code that cannot call out of a kernel.
 
 use super::boundary;
-use super::boundary::reference;
-use super::model::asperity_model;
-use super::state::fill;
+use super::model::{self, asperity_model};
+use super::output::fill;
 use super::status::asperity_status;
 use crate::law::Quantity;
 use std::mem::size_of;
@@ -73,11 +72,11 @@ pub unsafe extern "C" fn asperity_table_of(
     table: *mut asperity_table,
 ) -> asperity_status {
     boundary::status(|| {
-        let model = &reference(model, "model")?.model;
+        let model = model::of(model)?;
         let (view, known) = (model.table(Quantity::Friction), model.known(Quantity::Friction));
-        fill(table, "table", |struct_size| {
+        fill(table, "table", || {
             Ok(asperity_table {
-                struct_size,
+                struct_size: size_of::<asperity_table>() as u64,
                 rows: view.rows.as_ptr().cast(),
                 row_count: view.row_count as u64,
                 base: view.base,

@@ -1,9 +1,9 @@
 //! Contacts before they slip: tangential stiffness and microslip.
 
 use super::batch::Quantity;
-use super::boundary::{self, reference, write};
+use super::boundary::{self, write};
 use super::evaluate::evaluate;
-use super::model::asperity_model;
+use super::model::{self, asperity_model};
 use super::reserve;
 use super::status::asperity_status;
 
@@ -24,17 +24,13 @@ pub unsafe extern "C" fn asperity_tangential_stiffness_at_load(model: *const asp
     model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls.stiffness)(&handle.model, load))
 }
 
-/// Tangential stiffnesses at many loads.
-///
-/// Every element has the bits that `asperity_tangential_stiffness_at_load` gives. All elements are filled; then the first
-/// load that is not in order, if any, is reported, and `asperity_last_error` names its index.
+/// Tangential stiffnesses at many loads, filled and reported as by `asperity_friction_at_loads`.
 ///
 /// @param model      must not be NULL
 /// @param n          number of loads; may be 0
 /// @param load       n loads [force]; must not be NULL unless n = 0
 /// @param stiffness  receives n stiffnesses [force/length]; NULL to skip; may be `load` itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
-///         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the stiffness is NaN)
+/// @return as `asperity_friction_at_loads`
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -44,10 +40,7 @@ pub unsafe extern "C" fn asperity_tangential_stiffness_at_loads(
     load: *const f64,
     stiffness: *mut f64,
 ) -> asperity_status {
-    boundary::fast_status!({
-        let model = &reference(model, "model")?.model;
-        evaluate(model, Quantity::Stiffness, n, load, stiffness, std::ptr::null_mut())
-    })
+    evaluate(model, Quantity::Stiffness, n, load, stiffness, std::ptr::null_mut())
 }
 
 /// The tangential force T at a load and a displacement, by integration over the summits, without the table.
@@ -76,7 +69,7 @@ pub unsafe extern "C" fn asperity_tangential_at_load(
     stiffness: *mut f64,
 ) -> asperity_status {
     boundary::status(|| {
-        let model = &reference(model, "model")?.model;
+        let model = model::of(model)?;
         let found = reserve::held(|| Ok(model.tangential_at_load(load, displacement)?))?;
         write(force, 0, found.0);
         write(stiffness, 0, found.1);

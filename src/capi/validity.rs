@@ -1,7 +1,7 @@
 //! Where the model holds, as C asks: warnings of a range of loads, and what they mean.
 
-use super::boundary::{self, reference, reference_mut};
-use super::model::asperity_model;
+use super::boundary::{self, reference_mut};
+use super::model::{self, asperity_model};
 use super::reserve;
 use super::status::asperity_status;
 use crate::validity;
@@ -53,7 +53,7 @@ pub unsafe extern "C" fn asperity_check_loads(
     warnings: *mut u64,
 ) -> asperity_status {
     boundary::status(|| {
-        let model = &reference(model, "model")?.model;
+        let model = model::of(model)?;
         let warnings = reference_mut(warnings, "warnings")?;
         *warnings = reserve::held(|| Ok(model.check_loads(lightest, heaviest)?))?;
         Ok(())

@@ -13,22 +13,10 @@ pub const ASPERITY_ABI_VERSION: u32 = 1;
 
 // The header's version is the package's.
 const _: () = assert!(
-    is_number(env!("CARGO_PKG_VERSION_MAJOR"), ASPERITY_VERSION_MAJOR)
-        && is_number(env!("CARGO_PKG_VERSION_MINOR"), ASPERITY_VERSION_MINOR)
-        && is_number(env!("CARGO_PKG_VERSION_PATCH"), ASPERITY_VERSION_PATCH)
+    matches!(i32::from_str_radix(env!("CARGO_PKG_VERSION_MAJOR"), 10), Ok(ASPERITY_VERSION_MAJOR))
+        && matches!(i32::from_str_radix(env!("CARGO_PKG_VERSION_MINOR"), 10), Ok(ASPERITY_VERSION_MINOR))
+        && matches!(i32::from_str_radix(env!("CARGO_PKG_VERSION_PATCH"), 10), Ok(ASPERITY_VERSION_PATCH))
 );
-
-#[allow(dead_code)] // as Rust before 1.86 takes it to be
-const fn is_number(text: &str, number: i32) -> bool {
-    let bytes = text.as_bytes();
-    let mut value = 0;
-    let mut i = 0;
-    while i < bytes.len() {
-        value = 10 * value + (bytes[i] - b'0') as i32;
-        i += 1;
-    }
-    value == number
-}
 
 /// The binary interface of the library loaded: it changes only when compiled callers must be compiled again.
 ///

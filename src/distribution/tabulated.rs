@@ -86,11 +86,8 @@ impl Tabulated {
         let variance = moment(&square) / mass;
         let deviation = variance.sqrt();
         if 1.0 > FARTHEST * deviation {
-            return Err(Error::OutOfRange {
-                name: "table_height range over standard deviation",
-                value: (1.0 / deviation).into(),
-                allowed: "must be at most 1e4: leave heights out that nearly no summit has",
-            });
+            let allowed = "must be at most 1e4: leave heights out that nearly no summit has";
+            return Err(Error::out_of_range("table_height range over standard deviation", 1.0 / deviation, allowed));
         }
         let highest = (1.0 - mean) / deviation;
         let origin = if highest <= FARTHEST_ORIGIN { highest } else { 0.0 };
@@ -188,14 +185,14 @@ impl HeightDistribution for Tabulated {
 /// # Errors
 /// [`Error::InvalidParameter`] for too few, [`Error::OutOfRange`] for too many.
 pub fn check_length(length: usize) -> Result<(), Error> {
-    let (name, value, (fewest, most)) = ("table_length", (length as f64).into(), LENGTHS);
+    let (name, value, (fewest, most)) = ("table_length", length as f64, LENGTHS);
     if length < fewest {
-        return Err(Error::InvalidParameter { name, value, allowed: "must be between 3 and 256" });
+        return Err(Error::invalid(name, value, "must be between 3 and 256"));
     }
     if length > most {
         let allowed =
             "must be between 3 and 256, as many as the law can resolve: smooth the density, or take wider bins";
-        return Err(Error::OutOfRange { name, value, allowed });
+        return Err(Error::out_of_range(name, value, allowed));
     }
     Ok(())
 }
@@ -204,11 +201,7 @@ pub fn check_length(length: usize) -> Result<(), Error> {
 fn checked<'a>(height: &'a [f64], density: &'a [f64]) -> Result<(&'a [f64], &'a [f64]), Error> {
     check_length(height.len())?;
     if density.len() != height.len() {
-        return Err(Error::InvalidParameter {
-            name: "length of table_density",
-            value: (density.len() as f64).into(),
-            allowed: "must be that of table_height",
-        });
+        return Err(Error::invalid("length of table_density", density.len() as f64, "must be that of table_height"));
     }
     for (index, (&h, &d)) in height.iter().zip(density).enumerate() {
         let entry = |name, value: f64, allowed| Error::InvalidEntry { name, index, value, allowed };
@@ -225,18 +218,11 @@ fn checked<'a>(height: &'a [f64], density: &'a [f64]) -> Result<(&'a [f64], &'a 
     let (lowest, highest) = (height[0], height[height.len() - 1]);
     if lowest < -LARGEST_HEIGHT || highest > LARGEST_HEIGHT {
         let value = if highest > LARGEST_HEIGHT { highest } else { lowest };
-        return Err(Error::OutOfRange {
-            name: "table_height",
-            value: value.into(),
-            allowed: "must be between -1e300 and 1e300; choose another unit",
-        });
+        let allowed = "must be between -1e300 and 1e300; choose another unit";
+        return Err(Error::out_of_range("table_height", value, allowed));
     }
     let Some(first) = density.iter().position(|&d| d > 0.0) else {
-        return Err(Error::InvalidParameter {
-            name: "table_density",
-            value: 0.0.into(),
-            allowed: "must be > 0 at one height at least",
-        });
+        return Err(Error::invalid("table_density", 0.0, "must be > 0 at one height at least"));
     };
     let last = density.iter().rposition(|&d| d > 0.0).unwrap_or(first);
     let support = first.saturating_sub(1)..(last + 2).min(height.len());

@@ -38,7 +38,7 @@ impl Weibull {
     pub fn new(shape: f64) -> Result<Self, Error> {
         let name = "weibull_shape";
         if !finite(shape) || shape <= 0.0 {
-            return Err(Error::InvalidParameter { name, value: shape.into(), allowed: "must be finite and > 0" });
+            return Err(Error::invalid(name, shape, "must be finite and > 0"));
         }
         let (smallest, largest) = SHAPE_RANGE;
         if shape < smallest || shape > largest {
@@ -47,7 +47,7 @@ impl Weibull {
             } else {
                 "must be at most 200, where the skew is within 0.03 of its limit; take 200"
             };
-            return Err(Error::OutOfRange { name, value: shape.into(), allowed });
+            return Err(Error::out_of_range(name, shape, allowed));
         }
         Ok(Self::of_shape(shape))
     }
@@ -67,23 +67,15 @@ impl Weibull {
     /// [`Error::InvalidParameter`] at or below [`SKEW_LIMIT`], [`Error::OutOfRange`] outside what [`SHAPE_RANGE`] covers.
     pub fn shape_of_skew(skew: f64) -> Result<f64, Error> {
         if !finite(skew) || skew <= SKEW_LIMIT {
-            return Err(Error::InvalidParameter {
-                name: "skew",
-                value: skew.into(),
-                allowed: "must be finite and > -1.13955, the limit of the Weibull family",
-            });
+            return Err(Error::invalid("skew", skew, "must be finite and > -1.13955, the limit of the Weibull family"));
         }
         let (smallest, largest) = SHAPE_RANGE;
         let residual = |ln_shape: f64| Moments::of(exp(ln_shape)).skew - skew;
         let (lower, upper) = (log(smallest), log(largest));
         if residual(lower) < -1e-12 || residual(upper) > 1e-12 {
-            return Err(Error::OutOfRange {
-                name: "skew",
-                value: skew.into(),
-                allowed:
-                    "must be that of a Weibull shape between 1 and 200, -1.1100 to 2; Johnson heights have any skew \
-                          from -3 to 3",
-            });
+            let allowed = "must be that of a Weibull shape between 1 and 200, -1.1100 to 2; Johnson heights have any \
+                           skew from -3 to 3";
+            return Err(Error::out_of_range("skew", skew, allowed));
         }
         Ok(exp(root::bracketed(residual, lower, upper)).clamp(smallest, largest))
     }

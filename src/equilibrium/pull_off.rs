@@ -93,13 +93,10 @@ impl End {
         let sums = sums_at(population, separation)?;
         let is_number = sums.load() != 0.0 && log(sums.load().abs()) >= SMALLEST_LOG_LOAD;
         if is_number && sums.load() > 0.0 {
-            return Err(Error::OutOfRange {
-                name: "pull-off load",
-                value: sums.load().into(),
-                allowed: "(in composite_modulus burgers_vector^2 per summit) must be below 0: here most summits part while \
+            let allowed = "(in composite_modulus burgers_vector^2 per summit) must be below 0: here most summits part while \
                           a few tall ones still carry the load, and the surfaces would part in steps; use heights without \
-                          a second maximum",
-            });
+                          a second maximum";
+            return Err(Error::out_of_range("pull-off load", sums.load(), allowed));
         }
         let pull_off = PullOff { separation, load: sums.load(), sums };
         Ok(Self { pull_off: is_number.then_some(pull_off), farthest: separation })

@@ -101,7 +101,7 @@ impl<'a, S: Source> Filling<'a, S> {
             table.rows[row] = whole;
             return error;
         }
-        let groups = groups(&begins, self.width);
+        let groups = groups(&begins, WIDTH);
         let first = table.rows.len();
         let mut below = first + groups.len();
         table.rows[row] = Row::link(first, &groups[1..].iter().map(|group| begins[group.start]).collect::<Vec<f64>>());
@@ -196,8 +196,8 @@ struct Part {
 
 /// The pieces to which each place of a row's link leads: one, or several by another link. The widest pieces are alone, so that
 /// most loads follow one link.
-fn groups(begins: &[f64], width: f64) -> Vec<Range<usize>> {
-    let ends = begins[1..].iter().chain([&width]);
+fn groups(begins: &[f64], end: f64) -> Vec<Range<usize>> {
+    let ends = begins[1..].iter().chain([&end]);
     let lengths: Vec<f64> = ends.zip(begins).map(|(end, begin)| end - begin).collect();
     let mut by_length: Vec<usize> = (0..begins.len()).collect();
     by_length.sort_by(|&a, &b| lengths[b].total_cmp(&lengths[a]));
@@ -364,7 +364,7 @@ mod tests {
         let cramped = filled(wiggly(4.0), None, scale, 1, 5);
         assert!(cramped.rows.len() <= 6, "{}", cramped.rows.len());
         // What is left out side by side is one part.
-        let begun = table(60.0, 100);
+        let begun = filled(wiggly(60.0), None, scale, 1, 100);
         assert_eq!(begun.rows.iter().filter(|row| row.is_left_out()).count(), 1, "{:?}", begun.rows);
         assert!(begun.at_load(1.001).is_some() && begun.at_load(1.249).is_none());
     }

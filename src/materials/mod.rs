@@ -10,35 +10,6 @@ pub use bodies::MATERIALS;
 pub use pairs::PAIRS;
 use std::ffi::CStr;
 
-/// What bodies are called in words, for those who look them up so.
-const WORDS: [(&str, &CStr); 25] = [
-    ("silicon", c"Si"),
-    ("polysilicon", c"Si"),
-    ("silica", c"SiO2"),
-    ("gold", c"Au"),
-    ("diamond-like carbon", c"DLC"),
-    ("silicon nitride", c"Si3N4"),
-    ("aluminium", c"Al"),
-    ("aluminum", c"Al"),
-    ("copper", c"Cu"),
-    ("silver", c"Ag"),
-    ("nickel", c"Ni"),
-    ("platinum", c"Pt"),
-    ("tungsten", c"W"),
-    ("molybdenum", c"Mo"),
-    ("chromium", c"Cr"),
-    ("titanium", c"Ti"),
-    ("iron", c"Fe"),
-    ("tantalum", c"Ta"),
-    ("magnesium", c"Mg"),
-    ("lead", c"Pb"),
-    ("stainless steel", c"stainless"),
-    ("alumina", c"Al2O3"),
-    ("silicon carbide", c"SiC"),
-    ("tungsten carbide", c"WC"),
-    ("gallium arsenide", c"GaAs"),
-];
-
 /// A range for which no source is known.
 pub const NONE: [f64; 2] = [0.0, 0.0];
 
@@ -47,6 +18,8 @@ pub const NONE: [f64; 2] = [0.0, 0.0];
 pub struct Material {
     /// By which it is found.
     pub name: &'static CStr,
+    /// What it is called in words, for those who look it up so.
+    pub words: &'static [&'static str],
     /// Young's modulus, in Pa.
     pub young: f64,
     /// Of published values, in Pa.
@@ -83,16 +56,7 @@ pub struct Pair {
 impl Pair {
     /// The pair of this name, or of the same bodies in the other order.
     pub fn find(name: &[u8]) -> Option<&'static Self> {
-        Self::of(halves(name)?)
-    }
-
-    /// The pair of two bodies in words.
-    pub fn meant(name: &[u8]) -> Option<&'static Self> {
-        let (first, second) = halves(name)?;
-        Self::of((Material::meant(first)?.name.to_bytes(), Material::meant(second)?.name.to_bytes()))
-    }
-
-    fn of(both: (&[u8], &[u8])) -> Option<&'static Self> {
+        let both = halves(name)?;
         let swapped = (both.1, both.0);
         PAIRS.iter().find(|pair| halves(pair.name.to_bytes()).is_some_and(|found| found == both || found == swapped))
     }
@@ -134,14 +98,15 @@ impl Material {
 
     /// The material of this name, capitals or not, or of this word: "gold".
     pub fn meant(name: &[u8]) -> Option<&'static Self> {
-        let word = WORDS.iter().find(|(word, _)| name.eq_ignore_ascii_case(word.as_bytes()));
-        let name = word.map_or(name, |(_, meant)| meant.to_bytes());
-        MATERIALS.iter().find(|material| material.name.to_bytes().eq_ignore_ascii_case(name))
+        MATERIALS.iter().find(|material| {
+            let words = material.words.iter().map(|word| word.as_bytes());
+            words.chain([material.name.to_bytes()]).any(|word| name.eq_ignore_ascii_case(word))
+        })
     }
 }
 
 /// The names on both sides of the slash.
-fn halves(name: &[u8]) -> Option<(&[u8], &[u8])> {
+pub fn halves(name: &[u8]) -> Option<(&[u8], &[u8])> {
     let slash = name.iter().position(|&byte| byte == b'/')?;
     Some((&name[..slash], &name[slash + 1..]))
 }
@@ -152,7 +117,7 @@ mod tests {
 
     #[test]
     fn every_pair_is_of_two_materials_and_found_in_either_order() {
-        for pair in &PAIRS {
+        for pair in PAIRS {
             let name = pair.name.to_bytes();
             let bodies = Bodies::find(name).expect("two materials");
             assert!(bodies.first.young > 0.0 && bodies.second.young > 0.0);
@@ -168,14 +133,11 @@ mod tests {
 
     #[test]
     fn every_word_means_a_material() {
-        for (word, name) in WORDS {
-            assert!(Material::find(name.to_bytes()).is_some(), "{word}");
+        for (material, word) in MATERIALS.iter().flat_map(|one| one.words.iter().map(move |word| (one, word))) {
             assert!(Material::find(word.as_bytes()).is_none(), "{word}");
-            assert_eq!(Material::meant(word.to_uppercase().as_bytes()).map(|found| found.name), Some(name));
+            assert_eq!(Material::meant(word.to_uppercase().as_bytes()).map(|found| found.name), Some(material.name));
         }
         assert!(Material::meant(b"unobtainium").is_none());
-        assert_eq!(Pair::meant(b"gold/Mica").map(|found| found.name), Some(c"mica/Au"));
-        assert!(Pair::meant(b"gold/lead").is_none() && Pair::meant(b"gold").is_none());
     }
 
     #[test]
@@ -187,7 +149,7 @@ mod tests {
             assert!(one.hardness > 0.0 || one.hardness_range == NONE, "{:?}", one.name);
             assert!(one.poisson > 0.0 && one.poisson <= 0.5 && one.name.to_bytes().len() < 16, "{:?}", one.name);
         }
-        for pair in &PAIRS {
+        for pair in PAIRS {
             let [low, high] = pair.work_of_adhesion_range;
             assert!(
                 pair.work_of_adhesion_range == NONE || (low <= pair.work_of_adhesion && pair.work_of_adhesion <= high)

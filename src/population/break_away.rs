@@ -57,12 +57,9 @@ pub fn deepest(law: &dyn ContactLaw, radius: &RadiusProfile, lowest: f64, highes
     while z < highest {
         let edge = Edge::at(law, radius, z);
         if edge.rate < LEAST_RATE {
-            return Err(Error::OutOfRange {
-                name: "radius_rate",
-                value: radius.rate.into(),
-                allowed: "must be smaller with this radius_amplitude and work_of_adhesion: radii fall so steeply with height \
-                          that taller summits would part before lower ones; use a smaller radius_amplitude or radius_rate",
-            });
+            let allowed = "must be smaller with this radius_amplitude and work_of_adhesion: radii fall so steeply with height \
+                          that taller summits would part before lower ones; use a smaller radius_amplitude or radius_rate";
+            return Err(Error::out_of_range("radius_rate", radius.rate, allowed));
         }
         deepest = deepest.min(edge.point.contact.overlap);
         z += radius.smooth_length(z) / LOOKS_PER_RADIUS_CHANGE;

@@ -595,7 +595,11 @@ static void pairs_are_found_in_either_order(void)
     CHECK(asperity_pair("stel/steel", &other) == ASPERITY_INVALID_PARAMETER &&
           says("stel/steel: no pair has this name; the nearest is steel/steel"), "%s", last_message());
     CHECK(asperity_pair("gold/mica", &other) == ASPERITY_INVALID_PARAMETER &&
-          says("gold/mica: no pair has this name; the nearest is mica/Au"), "%s", last_message());
+          says("gold/mica: no pair has this name; the nearest is Au/mica"), "%s", last_message());
+    CHECK(asperity_pair("Steel", &other) == ASPERITY_INVALID_PARAMETER &&
+          says("Steel: no pair has this name; the nearest is steel/Cu"), "%s", last_message());
+    CHECK(asperity_pair("WC/SiC", &other) == ASPERITY_INVALID_PARAMETER &&
+          says("work_of_adhesion: none is known for WC/SiC: give that of your surfaces, 0 for none"), "%s", last_message());
     CHECK(asperity_pair(NULL, &other) == ASPERITY_NULL_POINTER && says("name is NULL"), "%s", last_message());
     CHECK(asperity_pair("Si/Si", NULL) == ASPERITY_NULL_POINTER && says("pair is NULL"), "%s", last_message());
 }
@@ -626,8 +630,8 @@ static void a_pair_sets_what_it_tells_and_nothing_else(void)
           part.burgers_vector == 0.308e-9 && part.adhesion_range == part.burgers_vector, "%s", last_message());
     CHECK(asperity_create(&part, &model) == ASPERITY_INVALID_PARAMETER && says("work_of_adhesion: must be set"), "%s", last_message());
     refused = p;
-    CHECK(asperity_params_set_pair(&refused, "wood/wood") == ASPERITY_INVALID_PARAMETER && SAME(refused, p), "%s",
-          last_message());
+    CHECK(asperity_params_set_pair(&refused, "Si/gold") == ASPERITY_INVALID_PARAMETER && SAME(refused, p) &&
+          says("Si/gold: no pair has this name; the nearest is Si/Au"), "%s", last_message());
     CHECK(asperity_params_set_pair(NULL, "Si/Si") == ASPERITY_NULL_POINTER && says("params is NULL"), "%s", last_message());
     CHECK(asperity_params_set_pair(&p, NULL) == ASPERITY_NULL_POINTER && says("name is NULL"), "%s", last_message());
 }

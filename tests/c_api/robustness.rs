@@ -19,6 +19,9 @@ const LONGEST_SURFACE: Duration = Duration::from_secs(8);
 /// So many surfaces that hang are enough to know.
 const MOST_HANGING: usize = 3;
 
+type SummitCall =
+    unsafe extern "C" fn(*const asperity_model, usize, *const f64, *const f64, *mut f64, *mut f64, *mut f64) -> i32;
+
 /// Functions by pointer, so that none is inlined into code that looks at the floating-point flags.
 #[derive(Clone, Copy)]
 struct Library {
@@ -28,6 +31,7 @@ struct Library {
     at_separation: unsafe extern "C" fn(*const asperity_model, f64, *mut asperity_state) -> i32,
     friction: unsafe extern "C" fn(*const asperity_model, f64) -> f64,
     force: unsafe extern "C" fn(*const asperity_model, f64) -> f64,
+    summits: SummitCall,
     set_dimensionless: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64, f64) -> i32,
     set_materials: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
     set_moments: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
@@ -54,6 +58,7 @@ impl Watched {
             at_separation: asperity_state_at_separation,
             friction: asperity_friction_at_load,
             force: asperity_friction_force_at_load,
+            summits: asperity_summits_at_overlaps,
             set_dimensionless: asperity_params_set_dimensionless,
             set_materials: asperity_params_set_materials,
             set_moments: asperity_params_set_spectral_moments,
@@ -288,7 +293,7 @@ fn random_corner(random: &mut SplitMix) -> asperity_params {
     params
 }
 
-/// Calls of every kind on a model, with loads and separations of random bits.
+/// Calls of every kind on a model, with loads, separations, overlaps and heights of random bits.
 fn call_with_random_bits(
     watched: &mut Watched,
     random: &mut SplitMix,
@@ -312,6 +317,21 @@ fn call_with_random_bits(
             mu.is_nan() && force.is_nan()
         };
         watched.claim(as_promised, || format!("{}: mu {mu:e}, force {force:e}", what()));
+        let height = f64::from_bits(x.to_bits().swap_bytes());
+        let what = || format!("overlap {x:e}, height {height:e}, {params:?}");
+        let [mut load, mut force, mut radius] = [7.0; 3];
+        // SAFETY: the model lives, the arrays have one element.
+        let status = watched.call(&what, |library| unsafe {
+            (library.summits)(handle.0, 1, &x, &height, &mut load, &mut force, &mut radius)
+        });
+        let as_promised = match status {
+            OK => load.is_finite() && force >= 0.0 && force.is_finite() && radius >= 0.0 && radius.is_finite(),
+            _ => [load, force, radius].iter().all(|value| value.is_nan()),
+        };
+        watched.claim(as_promised, || format!("{}: status {status}, {load:e}, {force:e}, {radius:e}", what()));
+        if status != OK {
+            refused(status, &[INVALID_PARAMETER, OUT_OF_RANGE], &what);
+        }
     }
 }
 

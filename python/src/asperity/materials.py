@@ -14,7 +14,6 @@ The numbers are those of the library, which C, C++ and Fortran read too; none st
 from __future__ import annotations
 
 import ctypes
-import difflib
 import math
 from dataclasses import dataclass
 from itertools import count, takewhile
@@ -32,32 +31,19 @@ _Entry = TypeVar("_Entry")
 
 
 class _Named(Dict[str, _Entry]):
-    """A dictionary that finds a pair in either order, and whose `KeyError` names what it has."""
+    """The entries of a kind by their names, which finds a pair in either order; its `KeyError` says what the library does."""
+
+    def __init__(self, kind: str, read: Callable[[str], _Entry]) -> None:
+        call = getattr(LIBRARY, f"asperity_{kind}_name")
+        names = takewhile(lambda name: name is not None, map(call, count()))
+        super().__init__({name.decode(): read(name.decode()) for name in names})
+        self._kind = kind
 
     def __missing__(self, name: object) -> _Entry:
-        swapped = "/".join(reversed(str(name).split("/")))
-        if swapped in self:
-            return self[swapped]
-        why, nearest = self._missing(str(name)), ", ".join(self._nearest(str(name)))
-        raise KeyError(f"{name!r} is not known{why}; nearest: {nearest}; all: {', '.join(self)}")
-
-    def _missing(self, name: str) -> str:
-        """Why a pair is not there, if its materials tell."""
-        if "/" not in next(iter(self)):
-            return ""
-        unknown = [material for material in name.split("/") if material not in MATERIALS]
-        if unknown:
-            return f", there is no material {unknown[0]!r} in asperity.materials.MATERIALS"
-        return ", a pair is two materials, as 'Si/Si'" if "/" not in name else ""
-
-    def _nearest(self, name: str) -> list[str]:
-        meant = _meant(name)
-
-        def likeness(other: str) -> float:
-            ratio = difflib.SequenceMatcher(None, name.lower(), other.lower()).ratio()
-            return ratio + len(set(name.lower().split("/")) & set(other.lower().split("/"))) + 3 * (other == meant)
-
-        return sorted(self, key=likeness, reverse=True)[:3]
+        try:
+            return self[_data(self._kind, str(name)).name.decode()]
+        except Error as error:
+            raise KeyError(f"{error}; all: {', '.join(self)}") from None
 
 
 class _Sourced:
@@ -182,33 +168,22 @@ def contact(first: str, second: str, **given: float) -> dict[str, Any]:
     found = {name: getattr(struct, name) for name in fields if not math.isnan(getattr(struct, name))}
     if struct.hardness > 0:
         found["hardness"] = struct.hardness
-    for name, says in (
-        ("work_of_adhesion", f"none is known for {first}/{second}: give that of your surfaces, 0 for none"),
-        ("burgers_vector", f"none is known of a body of {first}/{second}: give one"),
-    ):
-        if name not in found and name not in given:
-            raise Error(f"{name}: {says}", Status.INVALID_PARAMETER)
+    if "work_of_adhesion" not in found | given:
+        _data("pair", f"{first}/{second}")  # which the library refuses
+    if "burgers_vector" not in found | given:
+        says = f"burgers_vector: none is known of a body of {first}/{second}: give one"
+        raise Error(says, Status.INVALID_PARAMETER)
     if "adhesion_range" not in found:
         found["adhesion_range"] = given["burgers_vector"]
     return bodies | found | given
 
 
-def _meant(name: str) -> str:
-    """What the library says is nearest to an unknown name: it knows "gold" for "Au"."""
-    data: Any = _header.asperity_material_data(struct_size=ctypes.sizeof(_header.asperity_material_data))
-    pair: Any = _header.asperity_pair_data(struct_size=ctypes.sizeof(_header.asperity_pair_data))
-    try:
-        if "/" in name:
-            check(LIBRARY.asperity_pair(name.encode(), ctypes.byref(pair)))
-        else:
-            check(LIBRARY.asperity_material(name.encode(), ctypes.byref(data)))
-    except Error as error:
-        return str(error).rpartition("the nearest is ")[2]
-    return name
-
-
-def _names(call: Callable[[int], Any]) -> list[str]:
-    return [name.decode() for name in takewhile(lambda name: name is not None, map(call, count()))]
+def _data(kind: str, name: str) -> Any:
+    """What the library has of this name."""
+    struct = getattr(_header, f"asperity_{kind}_data")
+    data = struct(struct_size=ctypes.sizeof(struct))
+    check(getattr(LIBRARY, f"asperity_{kind}")(name.encode(), ctypes.byref(data)))
+    return data
 
 
 def _known(value: float) -> float | None:
@@ -221,8 +196,7 @@ def _range(low: float, high: float) -> Range | None:
 
 
 def _material(name: str) -> Material:
-    data: Any = _header.asperity_material_data(struct_size=ctypes.sizeof(_header.asperity_material_data))
-    check(LIBRARY.asperity_material(name.encode(), ctypes.byref(data)))
+    data = _data("material", name)
     return Material(
         name=name,
         young=data.young,
@@ -236,8 +210,7 @@ def _material(name: str) -> Material:
 
 
 def _pair(name: str) -> Pair:
-    data: Any = _header.asperity_pair_data(struct_size=ctypes.sizeof(_header.asperity_pair_data))
-    check(LIBRARY.asperity_pair(name.encode(), ctypes.byref(data)))
+    data = _data("pair", name)
     first, second = name.split("/")
     return Pair(
         first=MATERIALS[first],
@@ -250,7 +223,5 @@ def _pair(name: str) -> Pair:
     )
 
 
-MATERIALS: Mapping[str, Material] = MappingProxyType(
-    _Named({name: _material(name) for name in _names(LIBRARY.asperity_material_name)})
-)
-PAIRS: Mapping[str, Pair] = MappingProxyType(_Named({name: _pair(name) for name in _names(LIBRARY.asperity_pair_name)}))
+MATERIALS: Mapping[str, Material] = MappingProxyType(_Named("material", _material))
+PAIRS: Mapping[str, Pair] = MappingProxyType(_Named("pair", _pair))

@@ -1,0 +1,298 @@
+//! What parameters may be, and the groups, heights and radii that they amount to.
+
+use super::{ContactLawKind, Params, RADIUS_RATES, UNSET};
+use crate::asperity::slip::SlipConstants;
+use crate::distribution::{self, HeightDistribution};
+use crate::error::Error;
+use crate::float_bits::{finite, infinite, nan};
+use crate::groups::Groups;
+use crate::population::radius::RadiusProfile;
+use crate::unit_slips;
+use std::sync::Arc;
+
+/// Raw quantities beyond this, or below its inverse, could overflow when combined.
+const LARGEST: f64 = 1e40;
+
+const POSITIVE: &str = "must be finite and > 0";
+
+impl Params {
+    /// The groups of eqs (7) and (8), heights and radii; every number is checked on the way.
+    ///
+    /// # Errors
+    /// [`Error::Unset`], [`Error::InvalidParameter`] or [`Error::OutOfRange`], naming the first offence.
+    pub(crate) fn surface(&self) -> Result<(Groups, Arc<dyn HeightDistribution>, RadiusProfile), Error> {
+        let is_unset = |(_, value): &(_, &mut f64)| value.to_bits() == UNSET.to_bits();
+        if let Some((name, _)) = self.clone().physical().into_iter().find(is_unset) {
+            return Err(Error::Unset { name });
+        }
+        positive("composite_modulus", self.composite_modulus)?;
+        positive("effective_shear_modulus", self.effective_shear_modulus)?;
+        not_negative("work_of_adhesion", self.work_of_adhesion, "must be finite and >= 0")?;
+        positive("adhesion_range", self.adhesion_range)?;
+        positive("burgers_vector", self.burgers_vector)?;
+        positive("height_std", self.height_std)?;
+        positive("summit_radius", self.summit_radius)?;
+        positive("asperity_count", self.asperity_count)?;
+        let heights = distribution::heights(&self.heights)?;
+        let radius = self.checked_radius(heights.origin())?;
+        self.check_slip()?;
+        if !infinite(self.max_friction_coefficient) {
+            magnitude("max_friction_coefficient", self.max_friction_coefficient, "must be > 0; INFINITY is no cap")?;
+        }
+        not_negative("hardness", self.hardness, "must be finite and >= 0; 0 is not known")?;
+        let default_modulus = "must be finite and >= 0; 0 is E* G* / (2 (E* + G*))";
+        not_negative("tangential_modulus", self.tangential_modulus, default_modulus)?;
+        not_negative("nominal_area", self.nominal_area, "must be finite and >= 0; 0 is not known")?;
+        self.check_contact_law()?;
+        let groups = self.groups();
+        check_groups(&groups)?;
+        unit_slips::check(self)?;
+        Ok((groups, heights, radius))
+    }
+
+    fn groups(&self) -> Groups {
+        Groups {
+            alpha: (self.height_std / self.summit_radius).sqrt(),
+            beta: (self.height_std * self.summit_radius).sqrt() / self.burgers_vector,
+            gamma: self.work_of_adhesion / (self.composite_modulus * self.burgers_vector),
+            b_over_h: self.burgers_vector / self.adhesion_range,
+            hardness: if self.hardness > 0.0 { self.hardness / self.composite_modulus } else { f64::INFINITY },
+            yields: self.contact_law == ContactLawKind::ElasticPlastic,
+        }
+    }
+
+    fn checked_radius(&self, origin: f64) -> Result<RadiusProfile, Error> {
+        let (amplitude, rate) = (self.radius_amplitude, self.radius_rate);
+        if nan(amplitude) || !(-1.0..=1.0).contains(&amplitude) {
+            return Err(Error::invalid("radius_amplitude", amplitude, "must be between -1 and 1"));
+        }
+        if !finite(rate) || rate <= 0.0 {
+            return Err(Error::invalid("radius_rate", rate, POSITIVE));
+        }
+        if amplitude != 0.0 && !RADIUS_RATES.contains(&rate) {
+            let allowed = "must be between 1e-6 and 1000 where radius_amplitude is not 0";
+            return Err(Error::out_of_range("radius_rate", rate, allowed));
+        }
+        Ok(RadiusProfile { amplitude, rate, origin })
+    }
+
+    /// What summits that yield need.
+    fn check_contact_law(&self) -> Result<(), Error> {
+        let yields = self.contact_law == ContactLawKind::ElasticPlastic;
+        if yields && self.hardness == 0.0 {
+            let allowed = "must be > 0 where contact_law is ASPERITY_CONTACT_ELASTIC_PLASTIC (1): summits yield at a \
+                           part of it";
+            return Err(Error::invalid("hardness", self.hardness, allowed));
+        }
+        if yields && self.work_of_adhesion != 0.0 {
+            let allowed = "must be 0 where contact_law is ASPERITY_CONTACT_ELASTIC_PLASTIC (1): adhesion of summits \
+                           that yield is not modelled; set it to 0, or contact_law to ASPERITY_CONTACT_MAUGIS (0)";
+            return Err(Error::invalid("work_of_adhesion", self.work_of_adhesion, allowed));
+        }
+        Ok(())
+    }
+
+    fn check_slip(&self) -> Result<(), Error> {
+        let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.slip;
+        positive("slip_radius_1", radius_1)?;
+        positive("slip_stress_1", stress_1)?;
+        positive("slip_radius_2", radius_2)?;
+        positive("slip_stress_2", stress_2)?;
+        // A relative distance, so that the exponent of the power law between the radii stays finite.
+        if radius_2 <= radius_1 * (1.0 + 1e-9) {
+            return Err(Error::invalid("slip_radius_2", radius_2, "must be greater than slip_radius_1"));
+        }
+        if stress_2 * radius_2 * radius_2 < stress_1 * radius_1 * radius_1 * (1.0 - 1e-12) {
+            let allowed = "must be at least slip_stress_1 (slip_radius_1/slip_radius_2)^2, so that the friction force \
+                           of a summit does not fall as its contact grows";
+            return Err(Error::invalid("slip_stress_2", stress_2, allowed));
+        }
+        Ok(())
+    }
+}
+
+/// The limits of the groups, with the slip of units that most likely leads beyond each.
+fn check_groups(groups: &Groups) -> Result<(), Error> {
+    macro_rules! within {
+        ($($name:literal $(where $condition:expr)?, $value:expr, $limits:expr, $allowed:literal,
+           below $below:literal, above $above:literal;)*) => {$(
+            if !$limits.contains(&$value) $(&& $condition)? {
+                let above = $value > *$limits.end();
+                let allowed = if above { concat!($allowed, $above) } else { concat!($allowed, $below) };
+                return Err(Error::out_of_range($name, $value, allowed));
+            }
+        )*};
+    }
+    let adheres = groups.gamma != 0.0;
+    within! {
+        "alpha", groups.alpha, 1e-5..=10.0, "(height_std/summit_radius)^(1/2) must be between 1e-5 and 10; ",
+            below "is summit_radius in um?", above "is height_std in um or nm?";
+        "beta", groups.beta, 0.1..=1e8, "(height_std summit_radius)^(1/2)/burgers_vector must be between 0.1 and 1e8; ",
+            below "is burgers_vector in nm?", above "are height_std and summit_radius in um?";
+        "gamma" where adheres, groups.gamma, 1e-9..=10.0,
+            "work_of_adhesion/(composite_modulus burgers_vector) must be 0 or between 1e-9 and 10; ",
+            below "are work_of_adhesion and the moduli in one system of units?",
+            above "is work_of_adhesion in mJ/m^2, or are the moduli in GPa?";
+        "h/sigma" where adheres, groups.reach(), 0.0..=1e6, "adhesion_range/height_std must be at most 1e6; ",
+            below "", above "is adhesion_range in nm? Else take a rougher surface, or no adhesion";
+        "b/h", groups.b_over_h, 1e-3..=100.0, "burgers_vector/adhesion_range must be between 1e-3 and 100; ",
+            below "is adhesion_range in nm?", above "is burgers_vector in nm?";
+    }
+    Ok(())
+}
+
+pub(super) fn positive(name: &'static str, value: f64) -> Result<(), Error> {
+    magnitude(name, value, POSITIVE)
+}
+
+pub(super) fn not_negative(name: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
+    // By bits, as a NaN may be a signalling one.
+    let is_zero = value.to_bits() << 1 == 0;
+    if is_zero {
+        Ok(())
+    } else {
+        magnitude(name, value, allowed)
+    }
+}
+
+pub(super) fn magnitude(name: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
+    if !finite(value) || value <= 0.0 {
+        return Err(Error::invalid(name, value, allowed));
+    }
+    if !(1.0 / LARGEST..=LARGEST).contains(&value) {
+        return Err(Error::out_of_range(name, value, "must be between 1e-40 and 1e40; choose other units"));
+    }
+    Ok(())
+}
+
+pub(super) fn poisson_ratio(name: &'static str, value: f64) -> Result<(), Error> {
+    if nan(value) || !(value > -1.0 && value <= 0.5) {
+        return Err(Error::invalid(name, value, "must be > -1 and <= 0.5"));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::neighbours::Neighbours;
+
+    /// What a change of the default case is refused for, if it is: whether it has a meaning, and the offence's name.
+    fn refused(change: impl FnOnce(&mut Params)) -> Option<(bool, &'static str)> {
+        let mut params = Params::default();
+        change(&mut params);
+        params.surface().err().map(offence)
+    }
+
+    fn offence(error: Error) -> (bool, &'static str) {
+        match error {
+            Error::InvalidParameter { name, .. } | Error::InvalidEntry { name, .. } => (false, name),
+            Error::OutOfRange { name, .. } => (true, name),
+            Error::Unset { name } => (false, name),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// Refused next to an interval and taken at its ends, by a change of the default case.
+    fn assert_interval(name: &'static str, has_meaning: bool, [from, to]: [f64; 2], change: impl Fn(&mut Params, f64)) {
+        for (value, next) in [(from, from.below()), (to, to.above())] {
+            assert_eq!(refused(|params| change(params, value)), None, "{name} = {value:e}");
+            assert_eq!(refused(|params| change(params, next)), Some((has_meaning, name)), "{name} = {next:e}");
+        }
+    }
+
+    #[test]
+    fn quantities_are_taken_up_to_the_limits_and_no_further() {
+        let magnitudes = [1.0 / LARGEST, LARGEST];
+        assert_interval("max_friction_coefficient", true, magnitudes, |params, x| params.max_friction_coefficient = x);
+        assert_interval("asperity_count", true, magnitudes, |params, x| params.asperity_count = x);
+        assert_interval("effective_shear_modulus", true, magnitudes, |params, x| params.effective_shear_modulus = x);
+        assert_interval("slip_stress_1", true, magnitudes, |params, x| {
+            params.slip = SlipConstants { stress_1: x, stress_2: x.clamp(magnitudes[0], magnitudes[1]), ..params.slip }
+        });
+        assert_eq!(refused(|params| params.hardness = 0.0), None);
+        assert_eq!(refused(|params| params.hardness = -0.0), None);
+        assert_eq!(refused(|params| params.max_friction_coefficient = f64::INFINITY), None);
+        assert_eq!(refused(|params| params.work_of_adhesion = 0.0), None);
+        for (stress, length) in [(1e30, 1e-30), (1e-30, 1e30)] {
+            assert_eq!(refused(|params| *params = params.in_units(stress, length)), None);
+        }
+        let interval = [-1.0, 1.0];
+        assert_interval("radius_amplitude", false, interval, |params, x| params.radius_amplitude = x);
+        let interval = [1e-6, 1e3];
+        assert_interval("radius_rate", true, interval, |params, x| {
+            (params.radius_amplitude, params.radius_rate) = (0.5, x);
+        });
+        // It is not read for equal radii.
+        for rate in interval.map(|rate| 10.0 * rate * rate) {
+            assert_eq!(refused(|params| params.radius_rate = rate), None, "{rate}");
+        }
+        assert_eq!(refused(|params| params.radius_rate = 0.0), Some((false, "radius_rate")));
+    }
+
+    #[test]
+    fn the_first_input_that_was_never_set_is_named() {
+        let mut params = Params::unset();
+        let mut set = Params::default();
+        let names = set.physical().map(|(name, _)| name);
+        for (i, name) in names.into_iter().enumerate() {
+            assert_eq!(params.surface().err(), Some(Error::Unset { name }));
+            assert_eq!(params.surface().unwrap_err().to_string(), format!("{name}: must be set"));
+            *params.physical()[i].1 = *set.physical()[i].1;
+        }
+        assert_eq!(params, set);
+        // A NaN that was computed is told as what it is.
+        let message = Params { height_std: f64::NAN, ..set }.surface().unwrap_err().to_string();
+        assert_eq!(message, "height_std = NaN: must be finite and > 0");
+    }
+
+    #[test]
+    fn groups_are_taken_up_to_the_limits_and_no_further() {
+        fn roughness(params: &mut Params, alpha: f64, beta: f64) {
+            (params.height_std, params.summit_radius) = (alpha * beta, beta / alpha);
+        }
+        type Change = fn(&mut Params, f64);
+        let groups: [(_, [f64; 2], Change); 5] = [
+            ("alpha", [1e-5, 10.0], |params, alpha| roughness(params, alpha, 1e3)),
+            ("beta", [0.1, 1e8], |params, beta| roughness(params, 0.01, beta)),
+            ("gamma", [1e-9, 10.0], |params, gamma| params.work_of_adhesion = gamma * params.composite_modulus),
+            ("b/h", [1e-3, 100.0], |params, b_over_h| params.adhesion_range = 1.0 / b_over_h),
+            ("h/sigma", [0.0, 1e6], |params, reach| {
+                params.adhesion_range = 100.0;
+                roughness(params, 1e-4, 1e6 / reach); // alpha beta is sigma/b
+            }),
+        ];
+        for (name, limits, set) in groups {
+            for (limit, outwards) in limits.into_iter().zip([-1.0, 1.0]).filter(|&(limit, _)| limit > 0.0) {
+                let at = |off: f64| refused(|params| set(params, limit * (1.0 + off * outwards)));
+                assert_eq!(at(-1e-12), None, "{name} = {limit}");
+                assert_eq!(at(1e-12), Some((true, name)), "{name} = {limit}");
+            }
+        }
+        // Without adhesion its range does not matter.
+        let far = |params: &mut Params, work: f64| {
+            roughness(params, 1e-5, 1.0);
+            (params.work_of_adhesion, params.adhesion_range) = (work, 100.0);
+        };
+        assert_eq!(refused(|params| far(params, 0.0)), None);
+        assert_eq!(refused(|params| far(params, 1e-3)), Some((true, "h/sigma")));
+    }
+
+    #[test]
+    fn slip_constants_are_taken_where_force_grows_with_radius() {
+        let with = |radius_2: f64, stress_2: f64| {
+            let slip = SlipConstants { radius_1: 3.0, stress_1: 0.02, radius_2, stress_2 };
+            refused(|params| params.slip = slip)
+        };
+        // A force that does not grow between the two radii.
+        let least = |radius_2: f64| 0.02 * 3.0 * 3.0 / (radius_2 * radius_2);
+        for radius in [3.0 * (1.0 + 2e-9), 5.0, 1e3] {
+            assert_eq!(with(radius, least(radius)), None, "{radius}");
+            assert_eq!(with(radius, 1e3), None, "{radius}");
+            assert_eq!(with(radius, least(radius) * (1.0 - 1e-10)), Some((false, "slip_stress_2")), "{radius}");
+        }
+        for radius in [3.0 * (1.0 + 1e-10), 3.0, 2.0] {
+            assert_eq!(with(radius, 1.0), Some((false, "slip_radius_2")), "{radius}");
+        }
+    }
+}

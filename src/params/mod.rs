@@ -1,0 +1,356 @@
+//! A surface pair in the user's own consistent units, and the ways to set its parameters.
+//!
+//! `checks` says what they may be, and what they amount to.
+
+// Brackets hold units here, not links.
+#![allow(rustdoc::broken_intra_doc_links)]
+
+mod checks;
+
+use crate::asperity::slip::SlipConstants;
+use crate::distribution::weibull::Weibull;
+use crate::error::Error;
+use crate::float_bits::infinite;
+use crate::joint_distribution::SummitShape;
+use crate::spectrum::SpectralMoments;
+use checks::{magnitude, not_negative, poisson_ratio, positive};
+use std::sync::Arc;
+
+/// The family of the distribution of summit heights.
+#[derive(Debug, Clone, PartialEq)]
+pub enum HeightFamily {
+    /// Eq (17).
+    Gaussian,
+    /// Eqs (18)-(21), with its shape omega.
+    Weibull {
+        /// omega from 1 to 200; 3.602 has no skew, more is negative skew.
+        shape: f64,
+    },
+    /// Johnson's system: skew and kurtosis chosen independently.
+    Johnson {
+        /// Third standardised moment, -3 to 3.
+        skew: f64,
+        /// Fourth standardised moment, 1.87 + 1.25 skew^2 to 100; 3 with skew 0 is Gaussian.
+        kurtosis: f64,
+    },
+    /// A measured density of summit heights, in any unit and of any origin; it need not be normalised.
+    Tabulated {
+        /// Heights, 3 to 256, increasing by 1e-12 of their range at least.
+        height: Arc<[f64]>,
+        /// The density at each height, >= 0.
+        density: Arc<[f64]>,
+    },
+}
+
+/// The law of one summit in contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactLawKind {
+    /// Elastic, with adhesion after Maugis; without adhesion Hertz' law. Eqs (4)-(10).
+    Maugis,
+    /// Summits that yield, after Zhao, Maietta and Chang (2000): needs a hardness, and no adhesion.
+    ElasticPlastic,
+}
+
+/// Two rough elastic surfaces, as the equivalent rough surface against a flat.
+///
+/// All quantities are in one consistent system of units. Loads, forces and areas are totals over
+/// `asperity_count` summits.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Params {
+    /// E* [stress]: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+    pub composite_modulus: f64,
+    /// G* = 2 G1 G2/(G1 + G2) [stress].
+    pub effective_shear_modulus: f64,
+    /// w [force/length]; 0 is Hertzian contact.
+    pub work_of_adhesion: f64,
+    /// h [length], the range of the adhesive stress w/h.
+    pub adhesion_range: f64,
+    /// b [length], Burgers vector.
+    pub burgers_vector: f64,
+    /// sigma [length], standard deviation of summit heights.
+    pub height_std: f64,
+    /// R [length], mean radius of summit curvature.
+    pub summit_radius: f64,
+    /// N, summit density times nominal area; need not be whole.
+    pub asperity_count: f64,
+    /// How summit heights are distributed.
+    pub heights: HeightFamily,
+    /// Whether summits out of contact attract.
+    pub attraction: bool,
+    /// epsilon of eq (3), in [-1, 1].
+    pub radius_amplitude: f64,
+    /// rho of eq (3), > 0; read only where epsilon is not 0.
+    pub radius_rate: f64,
+    /// Constants of the shear strength, eq (13).
+    pub slip: SlipConstants,
+    /// Cap on every friction coefficient returned; may be infinite.
+    pub max_friction_coefficient: f64,
+    /// H [stress], indentation hardness of the softer body, to judge whether contacts are elastic; 0 if not known.
+    pub hardness: f64,
+    /// G^ [stress]: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0 stands for
+    /// E* G* / (2 (E* + G*)), which is exact for two bodies of one material and for one rigid body.
+    pub tangential_modulus: f64,
+    /// Nominal area of contact [length^2], to judge whether summits crowd; 0 if not known.
+    pub nominal_area: f64,
+    /// The law of one summit in contact.
+    pub contact_law: ContactLawKind,
+}
+
+impl Default for Params {
+    /// The paper's default case: alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1.
+    fn default() -> Self {
+        let mut params = Self {
+            composite_modulus: 1.0,
+            effective_shear_modulus: 1.0,
+            work_of_adhesion: 0.0,
+            adhesion_range: 1.0,
+            burgers_vector: 1.0,
+            height_std: 1.0,
+            summit_radius: 1.0,
+            asperity_count: 1.0,
+            heights: HeightFamily::Gaussian,
+            attraction: true,
+            radius_amplitude: 0.0,
+            radius_rate: 0.5,
+            slip: SlipConstants::default(),
+            max_friction_coefficient: 1000.0,
+            hardness: 0.0,
+            tangential_modulus: 0.0,
+            nominal_area: 0.0,
+            contact_law: ContactLawKind::Maugis,
+        };
+        params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
+        params
+    }
+}
+
+/// What the physical inputs are until they are set: a quiet NaN that no arithmetic makes.
+pub(crate) const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
+
+/// The radius_rate of radii that vary with height.
+pub(crate) const RADIUS_RATES: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
+
+impl Params {
+    /// The default case without its eight physical inputs, `composite_modulus` to `asperity_count`, which are NaN: a model
+    /// is refused until all are set.
+    pub fn unset() -> Self {
+        let mut params = Self::default();
+        for (_, value) in params.physical() {
+            *value = UNSET;
+        }
+        params
+    }
+
+    /// The inputs that no default can stand for, in their order.
+    fn physical(&mut self) -> [(&'static str, &mut f64); 8] {
+        [
+            ("composite_modulus", &mut self.composite_modulus),
+            ("effective_shear_modulus", &mut self.effective_shear_modulus),
+            ("work_of_adhesion", &mut self.work_of_adhesion),
+            ("adhesion_range", &mut self.adhesion_range),
+            ("burgers_vector", &mut self.burgers_vector),
+            ("height_std", &mut self.height_std),
+            ("summit_radius", &mut self.summit_radius),
+            ("asperity_count", &mut self.asperity_count),
+        ]
+    }
+
+    /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8). The tangential
+    /// modulus becomes its default, which is that of this case.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] or [`Error::OutOfRange`]; the parameters are then as before.
+    pub fn set_dimensionless(
+        &mut self,
+        alpha: f64,
+        beta: f64,
+        gamma: f64,
+        b_over_h: f64,
+        poisson: f64,
+    ) -> Result<(), Error> {
+        positive("alpha", alpha)?;
+        positive("beta", beta)?;
+        not_negative("gamma", gamma, "must be finite and >= 0")?;
+        positive("b_over_h", b_over_h)?;
+        poisson_ratio("poisson", poisson)?;
+        self.write_dimensionless(alpha, beta, gamma, b_over_h, poisson);
+        Ok(())
+    }
+
+    fn write_dimensionless(&mut self, alpha: f64, beta: f64, gamma: f64, b_over_h: f64, poisson: f64) {
+        self.composite_modulus = 2.0 / (1.0 - poisson);
+        self.effective_shear_modulus = 2.0;
+        self.tangential_modulus = 0.0;
+        self.burgers_vector = 1.0;
+        self.asperity_count = 1.0;
+        self.height_std = alpha * beta;
+        self.summit_radius = beta / alpha;
+        self.work_of_adhesion = gamma * self.composite_modulus;
+        self.adhesion_range = 1.0 / b_over_h;
+    }
+
+    /// E*, G* and the tangential modulus of two isotropic bodies; an infinite Young's modulus is a rigid body.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] or [`Error::OutOfRange`]; the parameters are then as before.
+    pub fn set_materials(&mut self, young_1: f64, poisson_1: f64, young_2: f64, poisson_2: f64) -> Result<(), Error> {
+        const YOUNG: &str = "must be > 0; INFINITY is a rigid body";
+        for (name, young) in [("E1", young_1), ("E2", young_2)] {
+            if !infinite(young) {
+                magnitude(name, young, YOUNG)?;
+            }
+        }
+        poisson_ratio("nu1", poisson_1)?;
+        poisson_ratio("nu2", poisson_2)?;
+        if infinite(young_1) && infinite(young_2) {
+            return Err(Error::invalid("E2", young_2, "at least one of the two bodies must be elastic (finite)"));
+        }
+        // Compliances: those of a rigid body are 0.
+        let compliance = |young: f64, factor: f64| if infinite(young) { 0.0 } else { factor / young };
+        self.composite_modulus =
+            1.0 / (compliance(young_1, 1.0 - poisson_1 * poisson_1) + compliance(young_2, 1.0 - poisson_2 * poisson_2));
+        self.effective_shear_modulus =
+            1.0 / (compliance(young_1, 1.0 + poisson_1) + compliance(young_2, 1.0 + poisson_2));
+        let tangential = |poisson: f64| 2.0 * (1.0 + poisson) * (2.0 - poisson);
+        self.tangential_modulus =
+            1.0 / (compliance(young_1, tangential(poisson_1)) + compliance(young_2, tangential(poisson_2)));
+        Ok(())
+    }
+
+    /// Summits of an isotropic Gaussian surface: `height_std`, `summit_radius`, `asperity_count` and `nominal_area` from
+    /// the spectral moments of its profiles and its area.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`], also for moments that no such surface has, or [`Error::OutOfRange`]; the parameters
+    /// are then as before.
+    pub fn set_spectral_moments(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Error> {
+        let SpectralMoments { m0, m2, m4 } = moments;
+        for (name, value) in [("m0", m0), ("m2", m2), ("m4", m4), ("nominal_area", nominal_area)] {
+            positive(name, value)?;
+        }
+        if !moments.exist() {
+            let allowed = "must be at least 1.5, as that of every isotropic surface is; are all lengths in one unit?";
+            return Err(Error::invalid("bandwidth m0 m4/m2^2", moments.bandwidth(), allowed));
+        }
+        self.height_std = moments.summit_height_std();
+        self.summit_radius = moments.summit_radius();
+        self.asperity_count = moments.summit_density() * nominal_area;
+        self.nominal_area = nominal_area;
+        Ok(())
+    }
+
+    /// The same summits with the heights and radii of Nayak's joint distribution: also sets Johnson's heights,
+    /// `radius_amplitude` and `radius_rate`, and `summit_radius` is that at the mean height.
+    ///
+    /// # Errors
+    /// As [`Params::set_spectral_moments`].
+    pub fn set_nayak_summits(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Error> {
+        self.set_spectral_moments(moments, nominal_area)?;
+        let shape = SummitShape::of_bandwidth(moments.bandwidth());
+        self.summit_radius *= shape.radius_ratio;
+        self.radius_amplitude = shape.radius_amplitude;
+        self.radius_rate = shape.radius_rate;
+        self.heights = HeightFamily::Johnson { skew: shape.skew, kurtosis: shape.kurtosis };
+        Ok(())
+    }
+
+    /// Weibull heights of this skew.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] at or below -1.13955, the limit of the family; [`Error::OutOfRange`] outside -1.1100 to
+    /// 2, the skews of the shapes from 200 to 1. The parameters are then as before.
+    pub fn set_skew(&mut self, skew: f64) -> Result<(), Error> {
+        self.heights = HeightFamily::Weibull { shape: Weibull::shape_of_skew(skew)? };
+        Ok(())
+    }
+
+    /// G^: that given, or its default E* G*/(2 (E* + G*)).
+    pub(crate) fn effective_tangential_modulus(&self) -> f64 {
+        let (composite, shear) = (self.composite_modulus, self.effective_shear_modulus);
+        if self.tangential_modulus > 0.0 {
+            self.tangential_modulus
+        } else {
+            0.5 * composite * shear / (composite + shear)
+        }
+    }
+
+    /// The same surfaces in other units.
+    #[cfg(test)]
+    pub(crate) fn in_units(&self, stress: f64, length: f64) -> Self {
+        Self {
+            composite_modulus: self.composite_modulus * stress,
+            effective_shear_modulus: self.effective_shear_modulus * stress,
+            hardness: self.hardness * stress,
+            work_of_adhesion: self.work_of_adhesion * (stress * length),
+            adhesion_range: self.adhesion_range * length,
+            burgers_vector: self.burgers_vector * length,
+            height_std: self.height_std * length,
+            summit_radius: self.summit_radius * length,
+            ..self.clone()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::neighbours::Neighbours;
+
+    #[test]
+    fn poissons_ratios_are_taken_above_minus_1_up_to_a_half() {
+        let allowed = |nu: f64| {
+            let mut params = Params::default();
+            let outcomes = [
+                params.set_dimensionless(0.01, 1e3, 0.0, 1.0, nu),
+                params.set_materials(1.0, nu, 1.0, 0.0),
+                params.set_materials(1.0, 0.0, 1.0, nu),
+            ];
+            outcomes.map(|outcome| outcome.is_ok())
+        };
+        for (nu, outcome) in [(-1.0, false), ((-1.0_f64).above(), true), (0.5, true), (0.5_f64.above(), false)] {
+            assert_eq!(allowed(nu), [outcome; 3], "{nu}");
+        }
+        assert_eq!(allowed(f64::NAN), [false; 3]);
+    }
+
+    #[test]
+    fn moduli_are_those_of_two_bodies_in_series() {
+        let moduli = |young_1: f64, nu_1: f64, young_2: f64, nu_2: f64| {
+            let mut params = Params::default();
+            params.set_materials(young_1, nu_1, young_2, nu_2).expect("materials");
+            (params.composite_modulus, params.effective_shear_modulus)
+        };
+        let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-14;
+        // 1/E* = 0.91/200 + 0.96/70, 1/G* = 1.3/200 + 1.2/70.
+        let (composite, shear) = moduli(200.0, 0.3, 70.0, 0.2);
+        assert!(near(composite, 1.0 / (0.00455 + 0.96 / 70.0)) && near(shear, 1.0 / (0.0065 + 1.2 / 70.0)));
+        assert_eq!(moduli(70.0, 0.2, 200.0, 0.3), (composite, shear));
+        // On a rigid body that of the other alone.
+        let (composite, shear) = moduli(200.0, 0.3, f64::INFINITY, 0.1);
+        assert!(near(composite, 200.0 / 0.91) && near(shear, 200.0 / 1.3));
+        assert_eq!(moduli(f64::INFINITY, 0.1, 200.0, 0.3), (composite, shear));
+        let both = Params::default().set_materials(f64::INFINITY, 0.3, f64::INFINITY, 0.3);
+        assert!(matches!(both, Err(Error::InvalidParameter { name: "E2", .. })), "{both:?}");
+    }
+
+    #[test]
+    fn summits_of_an_area_are_their_density_times_it() {
+        let moments = SpectralMoments { m0: 2.0, m2: 0.01, m4: 3e-4 };
+        let mut params = Params::default();
+        params.set_spectral_moments(moments, 250.0).expect("summits");
+        assert_eq!(params.height_std, moments.summit_height_std());
+        assert_eq!(params.summit_radius, moments.summit_radius());
+        assert!((params.asperity_count / (250.0 * moments.summit_density()) - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn nayaks_summits_are_taken_at_every_bandwidth() {
+        for bandwidth in [1.5, 1.6, 2.0, 4.0, 20.0, 1e3, 1e6, 1e9] {
+            let mut params = Params { work_of_adhesion: 0.0, ..Params::default() };
+            let moments = SpectralMoments { m0: 1e4, m2: 0.01 / f64::sqrt(bandwidth), m4: 1e-8 };
+            params.set_nayak_summits(moments, 250.0).expect("summits");
+            assert!(params.radius_amplitude < 0.0 && params.radius_amplitude > -0.6, "{params:?}");
+            params.surface().unwrap_or_else(|error| panic!("{bandwidth}: {error}"));
+        }
+    }
+}
