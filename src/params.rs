@@ -444,7 +444,8 @@ fn check_groups(groups: &Groups) -> Result<(), Error> {
             1e-9..=10.0,
             "work_of_adhesion/(composite_modulus burgers_vector) must be 0 or between 1e-9 and 10",
             "are work_of_adhesion and the moduli in one system of units?",
-            "is work_of_adhesion in mJ/m^2, or are the moduli in GPa?"
+            "is work_of_adhesion in mJ/m^2, or are the moduli in GPa? Rubber and gels are outside of the law; to try them, set \
+             work_of_adhesion to 0"
         );
         within!(
             "h/sigma",
