@@ -192,9 +192,13 @@ def test_a_program_in_c_has_the_surface_of_the_file(
     "lines, message",
     [
         (None, "surface.txt: No such file"),
+        ("", "surface.txt: composite_modulus: must be set"),
         ("hight_std 3\n", "surface.txt: hight_std: no parameter has this name; the nearest is height_std"),
         ("height_std 1e-8\nskew x\n", "surface.txt: no number after skew"),
-        ("height_std -1\n", "surface.txt: height_std = -1: must be finite and > 0"),
+        (
+            "".join(f"{name} {value!r}\n" for name, value in {**FIELDS.by_name(), "height_std": -1.0}.items()),
+            "surface.txt: height_std = -1: must be finite and > 0",
+        ),
     ],
 )
 def test_a_program_in_c_says_what_is_wrong_with_the_lines(
