@@ -105,6 +105,16 @@ mod tests {
     }
 
     #[test]
+    fn rubber_that_adheres_is_told_that_it_is_outside_of_the_law() {
+        let mut soft = params(&SURFACES[4]);
+        soft.set_materials(2e6, 0.5, 72e9, 0.17).expect("materials");
+        let told = soft.surface().expect_err("adhesion of rubber").to_string();
+        assert!(told.contains("Rubber and gels are outside of the law"), "{told}");
+        soft.work_of_adhesion = 0.0;
+        soft.surface().expect("what the message says to try");
+    }
+
+    #[test]
     fn a_slip_of_units_is_refused_with_the_unit_that_was_meant() {
         let all = SURFACES.map(|(name, ..)| name);
         assert_eq!(passes(|_| {}, ""), all);

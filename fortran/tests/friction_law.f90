@@ -25,6 +25,7 @@ program friction_law
   call error_reports
   call many_contacts
   call parameters
+  call other_units
   call copies
   call freeing
   call finish('friction_model')
@@ -448,6 +449,38 @@ contains
     call check('what was never set is refused', stat == ASPERITY_INVALID_PARAMETER)
     call check_text('... by name', trim(errmsg), 'composite_modulus: must be set')
   end subroutine parameters
+
+  ! The conversion of docs/fortran.md: the same steel in N and m, and in N and mm.
+  subroutine other_units
+    type(friction_model) :: metres, millimetres
+    type(asperity_params) :: p
+    type(asperity_summary) :: of_metres, of_millimetres
+    real(c_double), parameter :: LOAD = 10
+    call asperity_check(asperity_params_init_unset(p))
+    call asperity_params_use_pair(p, 'steel/steel')
+    p%height_std = 0.4e-6_c_double
+    p%summit_radius = 20e-6_c_double
+    p%asperity_count = 5e5_c_double
+    call metres%create(p)
+    p%composite_modulus = p%composite_modulus * 1e-6_c_double
+    p%effective_shear_modulus = p%effective_shear_modulus * 1e-6_c_double
+    p%tangential_modulus = p%tangential_modulus * 1e-6_c_double
+    p%hardness = p%hardness * 1e-6_c_double
+    p%work_of_adhesion = p%work_of_adhesion * 1e-3_c_double
+    p%adhesion_range = p%adhesion_range * 1e3_c_double
+    p%burgers_vector = p%burgers_vector * 1e3_c_double
+    p%height_std = p%height_std * 1e3_c_double
+    p%summit_radius = p%summit_radius * 1e3_c_double
+    call millimetres%create(p)
+    call check_close('a coefficient has no units', millimetres%friction_at_load(LOAD), metres%friction_at_load(LOAD), &
+                     1e-10_c_double)
+    call check_close('stiffness is per mm', 1e3_c_double * millimetres%tangential_stiffness_at_load(LOAD), &
+                     metres%tangential_stiffness_at_load(LOAD), 1e-10_c_double)
+    call metres%summary(of_metres)
+    call millimetres%summary(of_millimetres)
+    call check_close('gamma has no units', of_millimetres%gamma, of_metres%gamma, 1e-12_c_double)
+    call check_close('lambda has no units', of_millimetres%lambda, of_metres%lambda, 1e-12_c_double)
+  end subroutine other_units
 
   subroutine copies
     type(friction_model) :: a, b

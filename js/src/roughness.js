@@ -53,7 +53,9 @@ export function nayakSummits(library, { m0, m2, m4 }, nominal_area) {
  */
 export function momentsOfMap(heights, columns, dx, dy = dx) {
   const rows = heights.length / columns;
-  if (!(Number.isInteger(rows) && rows >= 3 && columns >= 3))
+  if (!Number.isInteger(rows))
+    throw new RangeError(`height map: ${heights.length} heights in rows of ${columns}: the last row is not whole`);
+  if (!(rows >= 3 && columns >= 3))
     throw new RangeError(`height map: ${heights.length} heights in rows of ${columns}: must be at least 3 rows and 3 columns`);
   for (const [name, value] of Object.entries({ dx, dy }))
     if (!(value > 0 && Number.isFinite(value))) throw new RangeError(`${name} = ${value}: must be finite and > 0`);

@@ -62,6 +62,7 @@ test("distances of rows and columns may differ, and a map may be transposed", ()
 
 test("maps that tell nothing are refused with what is wrong", () => {
   assert.throws(() => momentsOfMap([1, 2, 3, 4], 2, 1), /4 heights in rows of 2: must be at least 3 rows/);
+  assert.throws(() => momentsOfMap(new Float64Array(100), 7, 1), /100 heights in rows of 7: the last row is not whole/);
   assert.throws(() => momentsOfMap(new Float64Array(100), 10, 1), /flat/);
   assert.throws(() => momentsOfMap(heights, COLUMNS, -1), /dx = -1: must be finite and > 0/);
   assert.throws(() => momentsOfMap(heights.map((z, i) => (i === 85 ? NaN : z)), COLUMNS, 1), /NaN in row 2, column 6/);

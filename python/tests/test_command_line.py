@@ -51,6 +51,19 @@ def test_the_table_is_that_of_the_model(params: Params) -> None:
             assert found == pytest.approx(expected, rel=1e-8)
 
 
+def test_a_surface_file_stands_for_the_options(tmp_path: Path) -> None:
+    params = Params.si(
+        E1=205e9, nu1=0.3, E2=205e9, nu2=0.3, work_of_adhesion=0.0, adhesion_range=0.248e-9, burgers_vector=0.248e-9,
+        height_std=0.4e-6, summit_radius=20e-6, asperity_count=5e5, hardness=2e9, contact_law="elastic-plastic",
+    )  # fmt: skip
+    params.to_toml(tmp_path / "steel.toml")
+    (load, mu, *_), _ = table(
+        asperity(f"curve --figure - --surface {tmp_path / 'steel.toml'} --lowest 1 --highest 10 --count 2").stdout
+    )
+    with Model(params) as model:
+        assert load == 1.0 and mu == pytest.approx(model.friction_at_load(1.0), rel=1e-9)
+
+
 @pytest.mark.parametrize(
     "arguments, changes",
     [
@@ -123,6 +136,9 @@ def test_without_matplotlib_it_says_so_and_prints_nothing(tmp_path: Path) -> Non
         ("curve --E1 3", 2, "physical parameters need --work-of-adhesion, --adhesion-range, --burgers-vector"),
         (f"curve {POLYSILICON} --asperity-count 3", 2, "asperity_count, or summit_density and nominal_area"),
         ("curve --skew 1 --weibull-shape 2", 2, "do not give weibull_shape too"),
+        ("curve --surface x.toml --skew 1", 2, "--surface is the whole surface: leave out --skew, and change the file"),
+        ("curve --surface x.toml --no-attraction", 2, "leave out --no-attraction, and change the file"),
+        ("curve --surface nowhere.toml", 1, "nowhere.toml"),
         ("curve --count 1", 2, "--count 1: must be 2 or more"),
         ("curve --lowest 0", 2, "--lowest 0: must be finite and > 0"),
         ("curve --lowest nan", 2, "--lowest nan: must be finite and > 0"),

@@ -450,7 +450,7 @@ def test_the_command_reads_commas_forces_bounds_and_a_start(params: Params) -> N
         (["no-such-file", "--free=gamma"], "", 1, "No such file"),
         (["-", "--free=gamma"], "", 1, "-: must have 2 or 3 columns, load, friction and its standard error; it"),
         (["-", "--free=gamma"], "1 2\n3 4 5\n", 1, "it has 2 or 3"),
-        (["-", "--free=gamma"], "1 x\n3 4\n", 1, "-: could not convert string to float: 'x'"),
+        (["-", "--free=gamma"], "# N\n1 x\n3 4\n", 1, "-, line 2: could not convert string to float: 'x'; # makes"),
         (["-", "--free=gama"], "1 2\n3 4\n", 1, "name 'gama': must be one of"),
         (["-", "--free=gamma"], "1 2\n-3 4\n", 1, "load[1] = -3: must be > 0"),
     ],

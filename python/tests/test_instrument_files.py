@@ -111,6 +111,9 @@ def test_what_holds_no_map_is_refused(tmp_path: Path) -> None:
     (tmp_path / "noise").write_bytes(bytes(range(256)))
     with pytest.raises(ValueError, match="noise: no format that SurfaceTopography knows"):
         surface.read(tmp_path / "noise")
+    np.savetxt(tmp_path / "table.csv", np.zeros((20, 20)), delimiter=",")
+    with pytest.raises(ValueError, match=r"table.csv: no format .* numpy.loadtxt\(file, delimiter=','\)"):
+        surface.read(tmp_path / "table.csv")
     np.savetxt(tmp_path / "profile.xyz", np.stack([np.arange(20), np.arange(20) % 3], axis=1))
     with pytest.raises(ValueError, match="is a profile: must be a map"):
         surface.read(tmp_path / "profile.xyz", unit="nm")

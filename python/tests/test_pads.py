@@ -131,6 +131,8 @@ def test_at_zero_load_a_pad_hangs_on_its_tallest_summits(silicon: Params) -> Non
     assert found.mean_force[1] == pytest.approx(1.6e-6, rel=0.3)  # the model has 8e-63
     assert found.apart[:, 0].mean() > 0.9 and not found.apart[:, 1].any()
     assert (found.friction_force[found.apart] == 0).all() and (found.contacting[found.apart] == 0).all()
+    load, _, force, against, _ = str(found).splitlines()[2].split("  ")
+    assert (load, against) == ("-1e-06", "-") and float(force) == pytest.approx(found.mean_force[0], rel=0.01)
 
 
 def test_the_same_seed_gives_the_same_pads(silicon: Params) -> None:

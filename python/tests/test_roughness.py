@@ -50,6 +50,29 @@ def test_moments_that_no_surface_has_are_refused() -> None:
         Params.from_spectral_moments(m0=1, m2=1, m4=2, nominal_area=1, **CONTACT, **twice)
 
 
+def test_profile_parameters_give_the_moments_that_the_page_says() -> None:
+    """A long Gaussian profile with the autocorrelation function exp(-x^2): what an instrument counts on it."""
+    count, dx = 2**20, 0.05
+    q = 2 * np.pi * np.fft.rfftfreq(count, dx)
+    random = np.random.default_rng(4)
+    waves = np.exp(-(q**2) / 8) * (random.standard_normal(q.size) + 1j * random.standard_normal(q.size))
+    profile = np.fft.irfft(waves, count)
+    profile /= profile.std()
+    slope, length = np.diff(profile), count * dx
+    RSm = length / np.count_nonzero((profile[:-1] < 0) & (profile[1:] >= 0))
+    D = np.count_nonzero((slope[:-1] > 0) & (slope[1:] <= 0)) / length
+    m2, m4 = (slope**2).mean() / dx**2, (np.diff(slope) ** 2).mean() / dx**4
+    assert m2 == pytest.approx(2, rel=0.02) and m4 == pytest.approx(12, rel=0.02)
+    assert (2 * np.pi / RSm) ** 2 == pytest.approx(m2, rel=0.03)
+    assert (2 * np.pi * D) ** 2 * m2 == pytest.approx(m4, rel=0.03)
+    correlation = [1.0, *(float(np.mean(profile[k:] * profile[:-k])) for k in (4, 8))]
+    spacing = 4 * dx
+    over_spacing = profile[::4]
+    assert 2 * (1 - correlation[1]) / spacing**2 == pytest.approx((np.diff(over_spacing) ** 2).mean() / spacing**2, rel=0.01)
+    curvature = (np.diff(over_spacing, 2) ** 2).mean() / spacing**4
+    assert (6 - 8 * correlation[1] + 2 * correlation[2]) / spacing**4 == pytest.approx(curvature, rel=0.02)
+
+
 def test_areal_parameters_of_a_gaussian_surface_agree_with_its_moments() -> None:
     expected = Params.from_spectral_moments(m0=M0, m2=M2, m4=M4, nominal_area=AREA, **CONTACT)
     areal: dict[str, Any] = dict(Sq=math.sqrt(M0), Sdq=math.sqrt(2 * M2), nominal_area=AREA, **CONTACT)

@@ -125,7 +125,9 @@ def test_spreads_that_leave_the_domain_are_drawn_anew_or_refused(params: Params)
         ({"spread": {}}, "must name at least one"),
         ({"spread": {"nonsense": 0.1}}, "name 'nonsense'"),
         ({"spread": {"sigma": -0.1}}, "spread of sigma = -0.1"),
-        ({"spread": {"w": 30}}, "spread of w = 30: is relative to the value and must be at most 2; 30 % are 0.3"),
+        ({"spread": {"w": 30}}, "spread of w = 30: is relative to the value and must be at most 2.*; 30 % are 0.3"),
+        ({"spread": {"R": 4e-8}}, "spread of R = 4e-08: is relative .* at least 1e-06; divide an error in units by the value"),
+        ({"spread": {"N": 2e11}}, "divide an error in units by the value"),
         ({"spread": {"sigma": 0.1, "height_std": 0.1}}, "both vary"),
         ({"loads": None}, "loads: must be given"),
         ({"loads": [[1.0]]}, "one-dimensional"),
@@ -145,3 +147,12 @@ def test_a_band_is_drawn(params: Params, tmp_path: Path) -> None:
     assert legend is not None
     assert [text.get_text() for text in legend.get_texts()] == ["sigma", "w", "all"]
     assert (tmp_path / "band.svg").stat().st_size > 1000
+
+
+@pytest.mark.parametrize(
+    "spread, message",
+    [({"sigma": "10%"}, "spread of sigma = '10%': must be a real number; 10 % are 0.1"), (["sigma"], "must be a mapping")],
+)
+def test_what_is_no_number_is_refused_by_name(params: Params, spread: Any, message: str) -> None:
+    with pytest.raises(TypeError, match=message):
+        uncertainty(params, spread, [1.0])

@@ -92,6 +92,15 @@ def test_missing_points_are_filled_like_a_membrane_and_make_no_summits(plain: Ar
     assert np.array_equal(surface.clean(masked, PIXEL).map.height_map, height)
 
 
+def test_a_map_of_which_much_is_filled_is_warned_of(plain: Array) -> None:
+    holes = plain.copy()
+    holes[:, :100] = np.nan
+    with pytest.warns(surface.MapWarning, match="39% of the map is filled, where no summits are"):
+        cleaned = surface.clean(holes, PIXEL)
+    found, whole = surface.summits(cleaned.map), surface.summits(plain, PIXEL)
+    assert found.density.value == pytest.approx(0.61 * whole.density.value, rel=0.15)
+
+
 def test_what_clean_returns_is_taken_as_a_map(plain: Array) -> None:
     cleaned = surface.clean(plain, PIXEL)
     assert surface.summits(cleaned).radius == surface.summits(cleaned.map).radius
@@ -196,6 +205,8 @@ def test_where_no_cutoff_will_do_none_is_recommended(plain: Array) -> None:
         surface.cutoffs(plain, 0.0, PIXEL, **MATERIAL)
     with pytest.raises(ValueError, match=r"cutoff\[0\] = -1.0: must be finite and > 0"):
         surface.cutoffs(plain, 1.0, PIXEL, cutoff=[-1.0], **MATERIAL)
+    with pytest.raises(ValueError, match=r"256 x 256 points, dx = 5e-09, dy = 0.0001: too small for the shortest cutoff"):
+        surface.cutoffs(plain, 5e-9, 5e-9, 1e-4, **MATERIAL)  # the load in the place of dy
 
 
 # ---- What a map may be given as ----

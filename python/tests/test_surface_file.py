@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 import re
+import subprocess
 from pathlib import Path
 from typing import Any, Callable
 
 import pytest
 
-from asperity import Error, Model, Params
+from asperity import Error, Model, Params, _library
 from asperity.materials import MATERIALS, PAIRS
 
 SurfaceFile = Callable[[str], Path]
@@ -153,3 +154,57 @@ def test_the_example_is_in_the_domain_of_the_model(surface_file: SurfaceFile) ->
         for pressure in (1e3, 70e6):
             state = model.state_at_load(pressure * 1e-6)
             assert state.contacting >= 20 and state.fraction_in_contact < 0.1 and not state.warnings
+
+
+@pytest.fixture
+def reader(root: Path, compile_c: Callable[..., None], tmp_path: Path) -> Callable[[], subprocess.CompletedProcess[str]]:
+    """The program in C of the page, which reads surface.txt."""
+    (source,) = re.findall(r"```c\n(.*?)```", (root / "docs" / "surface-file.md").read_text(encoding="utf-8"), re.DOTALL)
+    (tmp_path / "reader.c").write_text(source, encoding="utf-8")
+    library = Path(_library.PATH)
+    strict = ("-std=c11", "-Wall", "-Wextra", "-Werror")
+    compile_c(*strict, tmp_path / "reader.c", "-I", root / "include", "-o", tmp_path / "reader", library,
+              f"-Wl,-rpath,{library.parent}")  # fmt: skip
+    return lambda: subprocess.run([tmp_path / "reader"], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False)
+
+
+def test_a_program_in_c_has_the_surface_of_the_file(
+    reader: Callable[[], subprocess.CompletedProcess[str]], root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page = (root / "docs" / "surface-file.md").read_text(encoding="utf-8")
+    (writes,), (printed,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL), re.findall(r"```text\n(.*?)```", page, re.DOTALL)
+    monkeypatch.chdir(tmp_path)
+    yielding = FIELDS.replace(contact_law="elastic-plastic", work_of_adhesion=0.0, hardness=30e9)
+    nayak = Params.from_spectral_moments(**MOMENTS, **BODIES, **CONTACT, nominal_area=1e-6, summits="nayak")
+    for params in (FIELDS, yielding, nayak, FIELDS.replace(skew=0.4), FIELDS.replace(attraction=False)):
+        params.to_toml("surface.toml")
+        exec(writes, {})
+        with Model(params) as model:
+            expected = [f"{load:.0e} N: mu = {model.friction_at_load(load):.4f}" for load in (1e-3, 1e-2, 1e-1, 1.0)]
+        assert reader().stdout.splitlines() == expected
+        if params is FIELDS:
+            assert expected == printed.splitlines()
+    with pytest.raises(ValueError, match="tabulated heights cannot be handed on by name"):
+        FIELDS.replace(table_height=(0.0, 1.0, 2.0), table_density=(0.0, 1.0, 0.0)).by_name()
+
+
+@pytest.mark.parametrize(
+    "lines, message",
+    [
+        (None, "surface.txt: No such file"),
+        ("", "surface.txt: composite_modulus: must be set"),
+        ("hight_std 3\n", "surface.txt: hight_std: no parameter has this name; the nearest is height_std"),
+        ("height_std 1e-8\nskew x\n", "surface.txt: no number after skew"),
+        (
+            "".join(f"{name} {value!r}\n" for name, value in {**FIELDS.by_name(), "height_std": -1.0}.items()),
+            "surface.txt: height_std = -1: must be finite and > 0",
+        ),
+    ],
+)
+def test_a_program_in_c_says_what_is_wrong_with_the_lines(
+    reader: Callable[[], subprocess.CompletedProcess[str]], tmp_path: Path, lines: str | None, message: str
+) -> None:
+    if lines is not None:
+        (tmp_path / "surface.txt").write_text(lines, encoding="utf-8")
+    done = reader()
+    assert done.returncode == 1 and message in done.stderr

@@ -61,14 +61,18 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
 
 def _read(file: str) -> tuple[Any, Any, Any]:
     """Loads, friction, and its standard errors or None."""
+    rows: list[list[float]] = []
     with sys.stdin if file == "-" else open(file, encoding="utf-8") as lines:
-        rows = [words for line in lines if (words := line.partition("#")[0].replace(",", " ").split())]
+        for number, line in enumerate(lines, 1):
+            if not (words := line.partition("#")[0].replace(",", " ").split()):
+                continue
+            try:
+                rows.append([float(word) for word in words])
+            except ValueError as error:
+                raise ValueError(f"{file}, line {number}: {error}; # makes a heading a comment") from None
     counts = {len(row) for row in rows}
     if counts not in ({2}, {3}):
         found = " or ".join(map(str, sorted(counts))) or "none"
         raise ValueError(f"{file}: must have 2 or 3 columns, load, friction and its standard error; it has {found}")
-    try:
-        columns = np.array(rows, dtype=np.float64).T
-    except ValueError as error:
-        raise ValueError(f"{file}: {error}") from None
+    columns = np.array(rows).T
     return columns[0], columns[1], columns[2] if len(columns) == 3 else None

@@ -59,7 +59,10 @@ def read(
             chosen = _channel(name, reader, channel)
             return _in_metres(name, chosen, unit, physical_sizes)
     except library.Exceptions.CannotDetectFileFormat:
-        raise ValueError(f"{name}: no format that SurfaceTopography knows") from None
+        raise ValueError(
+            f"{name}: no format that SurfaceTopography knows; of a table of numbers give surface.summits the array, as "
+            "numpy.loadtxt(file, delimiter=',') reads it, with the distances dx and dy in its unit"
+        ) from None
     except library.Exceptions.ReadFileError as error:
         raise ValueError(f"{name}: {error}") from None
 

@@ -7,14 +7,19 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from . import _caller
 from ._instrument_files import HeightMap
 from ._map_input import checked, degree
 from ._map_spikes import MOST, spikes
+from ._map_warnings import MapWarning
 from ._progress import LARGE, Progress, teller
 from ._summit_search import basis, products_of
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
+
+# A density that is lower by this part matters beside the standard errors of maps with some hundred summits.
+_MUCH = 0.05
 
 
 class Cleaned(NamedTuple):
@@ -60,6 +65,9 @@ def clean(
             spikes but what the surface is.
         TypeError: no real numbers.
         ImportError: SciPy is not installed.
+
+    Warns:
+        MapWarning: more than 5 % of the map is filled.
     """
     raw, dx, dy = checked(height_map, dx, dy, missing=True)
     degree(detrend)
@@ -83,6 +91,12 @@ def clean(
     tell(0.7, f"filling {missing} missing points and {count} spikes")
     level[bad] = _membrane(level, bad)
     tell(1.0, "cleaned")
+    if (part := bad.mean()) > _MUCH:
+        _caller.warn(
+            f"{part:.0%} of the map is filled, where no summits are: their density is low by as much; crop the map to what "
+            "was measured",
+            MapWarning,
+        )
     return Cleaned(HeightMap(level, dx, dy), missing, count, bad)
 
 

@@ -137,6 +137,11 @@ def cutoffs(
     longest = min(given.height_map.shape[0] * given.dy, given.height_map.shape[1] * given.dx) / 4
     if cutoff is None:
         chosen = chosen[chosen <= longest]
+    if chosen.size == 0:
+        raise ValueError(
+            f"height_map: {given.height_map.shape[0]} x {given.height_map.shape[1]} points, dx = {given.dx:g}, dy = {given.dy:g}: "
+            "too small for the shortest cutoff, 2 points, which a map must be 4 times as wide and as high as"
+        )
     tell = teller(progress, given.height_map.size > LARGE)
     found: list[tuple[Summits, Params, Any]] = []
     for i, one in enumerate(chosen):

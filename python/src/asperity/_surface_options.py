@@ -1,4 +1,4 @@
-"""Two surfaces as options of a command: the dimensionless groups or physical parameters, and what goes with either."""
+"""Two surfaces as options of a command: a file, or the dimensionless groups or physical parameters and what goes with either."""
 
 from __future__ import annotations
 
@@ -50,6 +50,9 @@ _CHOOSING = ("skew", "kurtosis")
 
 def add(command: argparse.ArgumentParser) -> None:
     """Adds the options."""
+    command.add_argument(
+        "--surface", metavar="FILE.toml", help="the surfaces as a file (docs/surface-file.md), instead of all that follows"
+    )
     dimensionless = command.add_argument_group("the paper's dimensionless groups: b = G = 1, loads are P/(N G b^2)")
     for name, (default, text) in _GROUPS.items():
         dimensionless.add_argument(_flag(name), type=float, metavar="X", help=f"{text} ({default:g})")
@@ -76,6 +79,10 @@ def params(parser: argparse.ArgumentParser, options: argparse.Namespace) -> Para
     """The surfaces that the options name; ends the program if they exclude each other."""
     groups, physical = _given(options, _GROUPS), _given(options, _PHYSICAL)
     others = _given(options, _OPTIONS)
+    if options.surface is not None:
+        if beside := [*groups, *physical, *others, *(["no_attraction"] if options.no_attraction else [])]:
+            parser.error(f"--surface is the whole surface: leave out {_flag(beside[0])}, and change the file")
+        return Params.from_toml(options.surface)
     others["attraction"] = not options.no_attraction
     if groups and physical:
         one, other = _flag(next(iter(groups))), _flag(next(iter(physical)))

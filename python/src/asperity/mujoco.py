@@ -40,16 +40,8 @@ __all__ = ["PLUGIN", "instance", "solve"]
 
 def instance(name: str, params: Params) -> str:
     """The element `<instance>` of a model that has these surfaces."""
-    if params.table_height:
-        raise ValueError("tabulated heights cannot be written in a model of MuJoCo: its plugins take single numbers")
-    struct = params._as_struct()
     lines = [f"<instance name={quoteattr(name)}>"]
-    count = 0
-    while (key := _library.LIBRARY.asperity_params_name(count)) is not None:
-        count += 1
-        value = ctypes.c_double()
-        _library.LIBRARY.asperity_params_get_value(struct, key, value)
-        lines.append(f'  <config key="{key.decode()}" value="{value.value!r}"/>')
+    lines += [f'  <config key="{key}" value="{value!r}"/>' for key, value in params.by_name().items()]
     return "\n".join([*lines, "</instance>"])
 
 

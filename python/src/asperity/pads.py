@@ -104,10 +104,16 @@ class Pads:
         return draw(self, file)
 
     def __str__(self) -> str:
-        lines = [f"{self.count} pads of {round(self.params.asperity_count)} summits", "load  contacts  mean/model  scatter"]
+        lines = [
+            f"{self.count} pads of {round(self.params.asperity_count)} summits",
+            "load  contacts  mean force  mean/model  scatter",
+        ]
         contacts = self.contacting.mean(axis=0)
-        for row in zip(self.load, contacts, self.bias, self.bias_error, self.scatter):
-            lines.append("{:.3g}  {:.3g}  {:.3g} +- {:.1g}  {:.0%}".format(*row))
+        for load, touching, force, bias, error, scatter in zip(
+            self.load, contacts, self.mean_force, self.bias, self.bias_error, self.scatter
+        ):
+            against = f"{bias:.3g} +- {error:.1g}" if math.isfinite(bias) else "-"
+            lines.append(f"{load:.3g}  {touching:.3g}  {force:.3g}  {against}  {scatter:.0%}")
         return "\n".join(lines)
 
 

@@ -430,6 +430,22 @@ class Params:
 
         write(self, path)
 
+    def by_name(self) -> dict[str, float]:
+        """All parameters as single numbers, by the names and in the order in which `asperity_params_set_value` takes them in C.
+
+        Raises:
+            ValueError: tabulated heights, which are no single numbers.
+        """
+        if self.table_height:
+            raise ValueError("table_height: tabulated heights cannot be handed on by name, which takes single numbers")
+        struct = self._as_struct()
+        values: dict[str, float] = {}
+        while (name := LIBRARY.asperity_params_name(len(values))) is not None:
+            value = ctypes.c_double()
+            check(LIBRARY.asperity_params_get_value(struct, name, value))
+            values[name.decode()] = value.value
+        return values
+
     def replace(self, **changes: Any) -> Params:
         """A copy with some fields changed, understood as the options of `si`; Johnson's heights keep to a new `skew`."""
         kept = {field.name: getattr(self, field.name) for field in fields(self)}

@@ -221,9 +221,10 @@ class Summary(_WithUnits):
         lambda_: Maugis' adhesion parameter: small is DMT, large is JKR.
         skew: of the summit heights.
         kurtosis: of the summit heights; 3 for Gaussian.
-        pull_off_load: the least load that holds the surfaces together, <= 0 [force].
+        pull_off_load: the least load that holds the surfaces together, <= 0 [force]. Of the mean surface: a pad of which few
+            summits touch hangs on the tallest of them, and holds far more; see `asperity.pads`.
         pull_off_friction_force: friction force at the pull-off load [force].
-        zero_load_friction_force: friction force at zero load [force].
+        zero_load_friction_force: friction force at zero load [force], of the mean surface as well.
         min_table_load: the lightest load that the compiled law covers [force]; lighter ones are evaluated exactly.
         max_table_load: the heaviest load that the compiled law covers [force]; heavier ones are evaluated exactly.
         table_error: largest relative error of the compiled friction force found when it was built, at samples; between

@@ -228,7 +228,7 @@ def summits(
         if found.height.size < MIN_SUMMITS:
             raise ValueError(
                 f"height_map: has {found.height.size} summits on {raw.shape[0]} x {raw.shape[1]} points: "
-                f"must have at least {MIN_SUMMITS}"
+                f"must have at least {MIN_SUMMITS}, and some hundred for good numbers; map a larger area, or with finer steps"
             )
         statistics = _statistics(found, level, dx, dy, tell)
     tell(1.0, f"found {statistics.count} summits")

@@ -6,10 +6,12 @@ Linear from the sensitivities, or by as many models as are asked for with parame
 from __future__ import annotations
 
 import math
+import numbers
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass
 from statistics import NormalDist
-from typing import TYPE_CHECKING, Callable, Mapping
+from typing import TYPE_CHECKING, Any, Callable
 
 import numpy as np
 import numpy.typing as npt
@@ -33,6 +35,8 @@ _LABELS = {"mu": "friction coefficient $F/P$", "force": "friction force $F$"}
 _REFUSED = 2
 # A relative deviation of 2 is a factor of 7 either way, and with 95 % one of 50: what is known less is not known.
 _WIDEST = 2.0
+# No parameter is known to a millionth: 5e-10 is an error in metres.
+_NARROWEST = 1e-6
 # More surfaces than these take more than some seconds.
 _MANY = 1000
 
@@ -112,7 +116,7 @@ def uncertainty(
 
     Args:
         params: the surfaces; or a fit, which brings the spread of its parameters with it, correlations included.
-        spread: name to standard deviation, relative to the value for names that are positive (0.1 is 10 %, at most 2),
+        spread: name to standard deviation, relative to the value for names that are positive (0.1 is 10 %; 1e-6 to 2, or 0),
             absolute for skew and radius_amplitude. The names are those of `fit`, see `asperity.fit_names`.
         loads: normal loads [force], one-dimensional; > 0 for coefficients. By default those of the fit.
         quantity: "mu", the friction coefficient, or "force".
@@ -184,16 +188,22 @@ def _distribution(
         raise TypeError(f"params = {params!r}: must be a Params or a Fit")
     if not spread:
         raise ValueError("spread: must name at least one parameter, {name: standard deviation}")
-    for name, deviation in spread.items():
-        if not (math.isfinite(deviation) and deviation >= 0):
+    given: Any = spread
+    if not isinstance(given, Mapping):
+        raise TypeError(f"spread = {given!r}: must be a mapping, {{name: standard deviation}}")
+    for name, deviation in given.items():
+        if not isinstance(deviation, numbers.Real):
+            raise TypeError(f"spread of {name} = {deviation!r}: must be a real number; 10 % are 0.1")
+        if not (math.isfinite(deviation) and float(deviation) >= 0):
             raise ValueError(f"spread of {name} = {deviation!r}: must be finite and >= 0")
     names = free_names(tuple(spread), params)
     for one in names:
         deviation = spread[one.given]
-        if one.positive and deviation > _WIDEST:
+        if one.positive and deviation != 0 and not _NARROWEST <= deviation <= _WIDEST:
+            meant = f"{deviation:g} % are {deviation / 100:g}" if 1 < deviation <= 100 else "divide an error in units by the value"
             raise ValueError(
-                f"spread of {one.given} = {deviation!r}: is relative to the value and must be at most {_WIDEST:g}; "
-                f"{deviation:g} % are {deviation / 100:g}"
+                f"spread of {one.given} = {deviation!r}: is relative to the value and must be at most {_WIDEST:g}, and 0 or at "
+                f"least {_NARROWEST:g}; {meant}"
             )
     return names, params, np.diag([float(deviation) ** 2 for deviation in spread.values()]), None
 
