@@ -12,6 +12,7 @@ from yade.wrapper import (
 )
 
 import incline
+import verdict
 from asperity.loads import PairLoads
 
 RADIUS, STEP = 0.02, 1e-4
@@ -62,7 +63,12 @@ def slide():
     return incline.acceleration(times, speeds)
 
 
-loads = PairLoads(0)
-print(f"incline: {slide():.3f} m/s2 with the line through the last two loads")
-loads = PairLoads(incline.TIME_CONSTANT)
-incline.judge("yade", slide(), incline.right_acceleration(law))
+def main():
+    global loads
+    loads = PairLoads(0)
+    print(f"incline: {slide():.3f} m/s2 with the line through the last two loads")
+    loads = PairLoads(incline.TIME_CONSTANT)
+    return incline.judge(slide(), incline.right_acceleration(law))
+
+
+verdict.run("yade", main)
