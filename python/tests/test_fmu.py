@@ -13,6 +13,7 @@ from typing import Any, Iterator
 import fmpy
 import numpy as np
 import pytest
+from conftest import HARD_CARBON
 from fmpy import extract, read_model_description, simulate_fmu
 from fmpy.fmi2 import FMU2Model, FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from fmpy.fmi3 import FMU3Model, FMU3Slave
@@ -28,11 +29,7 @@ from asperity import Model, Params
 from asperity.__main__ import main
 from asperity._fmu_binaries import _soname
 
-# Hard carbon on hard carbon, as in docs/hosts.md, on a square millimetre.
-PARAMS = Params.from_spectral_moments(
-    m0=9.604e-17, m2=1.8e-3, m4=3.3736e11, nominal_area=1e-6, E1=493e9, nu1=0.25, E2=493e9, nu2=0.25,
-    work_of_adhesion=0.06, adhesion_range=0.25e-9, burgers_vector=0.25e-9, hardness=51e9,
-)  # fmt: skip
+PARAMS = Params.from_toml(HARD_CARBON)
 LOAD, FORCE, COEFFICIENT, SLOPE = range(4)
 
 
