@@ -1,7 +1,5 @@
 """A block of four spheres on an incline in YADE, let go above its rest: nothing damps its bounce, and the load swings
 between nothing and twice its mean. Its acceleration with the mean of the loads (asperity.loads) against the right one.
-
-README.md says how to run it.
 """
 
 from yade import O, utils
