@@ -1,4 +1,4 @@
-"""Mock-up units of FMI 2.0 and 3.0: valid for FMPy, run by FMPy, those of 2.0 by libcosim, and their outputs are the law's."""
+"""Mock-up units of FMI 2.0 and 3.0: valid for FMPy, run by FMPy and (2.0) libcosim, and their outputs are the law's."""
 
 from __future__ import annotations
 
@@ -184,8 +184,11 @@ def test_arrays_that_differ_in_length_are_refused(units: dict[str, Path], tmp_pa
     description = read_model_description(units["3.0"])
     found: list[str] = []
     slave = FMU3Slave(
-        guid=description.guid, modelIdentifier="hard_carbon", unzipDirectory=extract(units["3.0"], str(tmp_path)), instanceName="pad"
-    )  # fmt: skip
+        guid=description.guid,
+        modelIdentifier="hard_carbon",
+        unzipDirectory=extract(units["3.0"], str(tmp_path)),
+        instanceName="pad",
+    )
 
     def log(*said: Any) -> None:
         found.append(said[3].decode())

@@ -41,7 +41,9 @@ for version in 2 3; do
 
     # Without its library the unit says so, and is not made.
     rm "$unit/binaries/$windows/asperity.dll"
-    if in_wine $version "$unit/binaries/$windows" >"$work/alone.txt" 2>/dev/null; then fail "a unit without its library is made"; fi
+    if in_wine $version "$unit/binaries/$windows" >"$work/alone.txt" 2>/dev/null; then
+        fail "a unit without its library is made"
+    fi
     grep -q 'log: 3 logStatusError asperity.dll beside the unit.s DLL is missing' "$work/alone.txt" ||
         fail "a missing library is not named"
 done

@@ -62,6 +62,7 @@ static void log_message(void *environment, const char *name, int status, const c
     va_end(arguments);
 }
 
+typedef void log_3(void *, int, const char *, const char *);
 static void log_message_3(void *environment, int status, const char *category, const char *message)
 {
     (void)environment;
@@ -105,7 +106,7 @@ static void *instantiate(const char *name, const char *guid)
 {
     static const callbacks calls = {log_message, calloc, free, NULL, NULL};
     void *(*two)(const char *, int, const char *, const char *, const callbacks *, int, int);
-    void *(*three)(const char *, const char *, const char *, bool, bool, void *, void (*)(void *, int, const char *, const char *));
+    void *(*three)(const char *, const char *, const char *, bool, bool, void *, log_3 *);
     if (version == 2) {
         find(unit_file, "fmi2Instantiate", &two);
         return two(name, MODEL_EXCHANGE, guid, NULL, &calls, 0, 0);

@@ -52,7 +52,7 @@ def build(
     name = name if re.match(r"[A-Za-z_]", name) else f"_{name}"
     parameters = _parameters(params)
     surface = _surface(params, parameters, start_load)
-    guid = f"{{{uuid.UUID(bytes=hashlib.sha256((name + surface).encode()).digest()[:16])}}}"
+    guid = f"{{{uuid.UUID(bytes=hashlib.sha256((fmi + name + surface).encode()).digest()[:16])}}}"
     surface += f"#define GUID {json.dumps(guid)}\n"
     with tempfile.TemporaryDirectory(prefix="asperity-fmu-") as made:
         sources = Path(made, "sources")

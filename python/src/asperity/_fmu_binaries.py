@@ -36,7 +36,8 @@ class _Platform:
 PLATFORMS = {
     "linux64": _Platform(
         "x86_64-linux", "Linux", "libasperity.so", ".so", "manylinux_2_17_x86_64", "cc", "x86_64-linux-gnu-gcc",
-        "gcc-x86-64-linux-gnu", "x86_64-linux-gnu.2.17", ("-fPIC", "-fvisibility=hidden", "-Wl,-rpath,$ORIGIN", "-Wl,--no-undefined"),
+        "gcc-x86-64-linux-gnu", "x86_64-linux-gnu.2.17",
+        ("-fPIC", "-fvisibility=hidden", "-Wl,-rpath,$ORIGIN", "-Wl,--no-undefined"),
     ),
     "win64": _Platform(
         "x86_64-windows", "Windows", "asperity.dll", ".dll", "win_amd64", "gcc", "x86_64-w64-mingw32-gcc",

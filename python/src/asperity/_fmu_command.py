@@ -46,9 +46,7 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
         if name not in platforms:
             parser.error(f"--library {name}=...: the unit is not for {name}; add it to --platform")
     params = Params.from_toml(options.surface)
-    build(
-        params, options.output, fmi=options.fmi, start_load=options.load, platforms=platforms, libraries=libraries
-    )  # fmt: skip
+    build(params, options.output, fmi=options.fmi, start_load=options.load, platforms=platforms, libraries=libraries)
     print(f"asperity: wrote {options.output}", file=sys.stderr)
 
 
