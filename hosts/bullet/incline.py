@@ -11,6 +11,7 @@ from asperity.loads import PairLoads
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 import incline  # noqa: E402
+import verdict  # noqa: E402
 
 STEP = 1 / 120  # [s]; in shorter ones the box comes to lie still on its points
 
@@ -53,8 +54,8 @@ def slide(law, time_constant):
 def main():
     law = incline.law()
     pybullet.connect(pybullet.DIRECT)
-    incline.judge("bullet", slide(law, incline.TIME_CONSTANT), incline.right_acceleration(law), lagged=slide(law, None))
+    return incline.judge(slide(law, incline.TIME_CONSTANT), incline.right_acceleration(law), lagged=slide(law, None))
 
 
 if __name__ == "__main__":
-    main()
+    verdict.run("bullet", main)

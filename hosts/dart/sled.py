@@ -16,6 +16,7 @@ from asperity.loads import PairLoads
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 import surface  # noqa: E402
+import verdict  # noqa: E402
 
 MASS, GRAVITY, AREA = 20.0, 9.81, 1e-4
 HALF_LENGTHS = (0.2, 0.1, 0.05)
@@ -124,13 +125,8 @@ def main():
     print(f"dart  cost  constant mu {1e6 * constant * STEP / END:.0f} us a step; the law {told}")
     good = all(errors[force] <= limit for force, limit in LIMITS.items())
     found = ", ".join(f"{errors[force]:.1e} {force} (limit {limit:.0e})" for force, limit in LIMITS.items())
-    print(f"dart  {'PASS' if good else 'FAIL'}  max |F/N - mu(N)|/mu = {found}")
-    return 0 if good else 1
+    return good, f"max |F/N - mu(N)|/mu = {found}"
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except (RuntimeError, ValueError) as error:
-        print(f"dart  FAIL  {error}")
-        sys.exit(1)
+    verdict.run("dart", main)

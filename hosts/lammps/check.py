@@ -12,6 +12,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import surface  # of hosts/
+import verdict
 
 LAW_LIMIT, ENERGY_LIMIT, RANK_LIMIT = 1e-6, 5e-3, 1e-6
 REAL_MODULUS, POISSON = 1.7531556e9, 0.38
@@ -163,13 +164,8 @@ def main(folder):
     print(f"  the run continued from a restart file has {'the same digits' if same else 'OTHER digits'}")
     passed = slide <= LAW_LIMIT and law <= LAW_LIMIT and energy <= ENERGY_LIMIT and ranks <= RANK_LIMIT
     passed = passed and held >= LEAST_HELD and same
-    print(f"lammps  {'PASS' if passed else 'FAIL'}  one, two and four ranks differ by {ranks:.1e}  (limit {RANK_LIMIT:.0e})")
-    return 0 if passed else 1
+    return passed, f"one, two and four ranks differ by {ranks:.1e} (limit {RANK_LIMIT:.0e})"
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main(Path(sys.argv[1])))
-    except (RuntimeError, ValueError) as error:
-        print(f"lammps  FAIL  {error}")
-        sys.exit(1)
+    verdict.run("lammps", main, Path(sys.argv[1]))

@@ -11,6 +11,7 @@ import asperity.mujoco
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 import incline  # noqa: E402
+import verdict  # noqa: E402
 
 
 def model_of(surface, config):
@@ -68,8 +69,8 @@ def main():
     config = f'<config key="time_constant" value="{incline.TIME_CONSTANT}"/>'
     mean = slide(model_of(law.params, config), mujoco.mj_step)
     lagged = slide(model_of(None, ""), lagged_step(law))
-    incline.judge("mujoco", mean, incline.right_acceleration(law), lagged)
+    return incline.judge(mean, incline.right_acceleration(law), lagged)
 
 
 if __name__ == "__main__":
-    main()
+    verdict.run("mujoco", main)

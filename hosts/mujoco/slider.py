@@ -18,6 +18,7 @@ import asperity
 import asperity.mujoco
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
+import verdict  # noqa: E402
 from surface import demand, surface  # noqa: E402
 
 XML = Path(__file__).with_name("slider.xml").read_text(encoding="utf-8")
@@ -25,11 +26,6 @@ PLAIN_LIMIT, SOLVED_LIMIT = 1e-5, 1e-9
 BALL_SERVO, BOX_SERVO = 0.035, 0.016  # they slip slower, by the friction over kv
 MASS, GRAVITY = 20, 9.81
 AREAS = {"ball": 1e-4, "box": 4e-4}
-
-
-def fail(message):
-    print(f"mujoco  FAIL  {message}")
-    sys.exit(1)
 
 
 def added_load(seconds):
@@ -79,7 +75,7 @@ def deviation(laws, step, seconds=3.0, **options):
         if begin < 1:
             continue
         if data.ncon != 5 or data.qvel[0] < 0.01 or data.qvel[3] < 0.002:
-            fail(f"at t = {begin:g} s there are {data.ncon} contacts, not 5, or ball or box is stuck: {data.qvel}")
+            raise RuntimeError(f"at t = {begin:g} s there are {data.ncon} contacts, not 5, or ball or box is stuck: {data.qvel}")
         for name, (normal, friction) in forces(model, data).items():
             mu = laws[name].state_at_load(normal).friction_coefficient
             worst = np.maximum(worst, abs(friction / normal / mu - 1))  # what is no number stays, as it would not in max
@@ -110,9 +106,9 @@ def check_state(model):
             plain_step(model, each)
     for name, other in (("copied", copy), ("restored", restored)):
         if other.qvel.tobytes() != data.qvel.tobytes():
-            fail(f"the {name} run goes on otherwise: {other.qvel} in place of {data.qvel}")
+            raise RuntimeError(f"the {name} run goes on otherwise: {other.qvel} in place of {data.qvel}")
     if forgetful.qvel.tobytes() == data.qvel.tobytes():
-        fail("the plugin's state plays no part")
+        raise RuntimeError("the plugin's state plays no part")
 
 
 def check_refusals():
@@ -132,9 +128,9 @@ def check_refusals():
             mujoco.MjModel.from_xml_string(XML.replace(old, new, 1))
         except ValueError as error:
             if not all(word in str(error) for word in words):
-                fail(f"{new!r}: the message lacks one of {words}: {error}")
+                raise RuntimeError(f"{new!r}: the message lacks one of {words}: {error}")
         else:
-            fail(f"{new!r} is taken")
+            raise RuntimeError(f"{new!r} is taken")
     boxes = XML.replace("</worldbody>", '<body pos="0 .3 .15"><freejoint/><plugin instance="carbon, 1 cm2"/>'
                         '<geom name="upper" type="box" size=".1 .05 .05" mass="1"/></body></worldbody>')
     few = XML.replace("1e-4\"/>", '1e-4"/><config key="most_pairs" value="1"/><config key="pairs" value="box plane"/>')
@@ -144,9 +140,9 @@ def check_refusals():
             mujoco.mj_step(model, mujoco.MjData(model), 5)
         except mujoco.FatalError as error:
             if not all(word in str(error) for word in words):
-                fail(f"the message lacks one of {words}: {error}")
+                raise RuntimeError(f"the message lacks one of {words}: {error}")
         else:
-            fail(f"a run goes on that had to be refused with {words}")
+            raise RuntimeError(f"a run goes on that had to be refused with {words}")
 
 
 def check_named_pair(laws):
@@ -158,7 +154,7 @@ def check_named_pair(laws):
         plain_step(model, data)
     normal, friction = forces(model, data)["box"]
     if not abs(friction / normal / laws["ball"].friction_at_load(normal) - 1) < PLAIN_LIMIT:
-        fail(f"the pair 'plane box' has mu = {friction / normal}")
+        raise RuntimeError(f"the pair 'plane box' has mu = {friction / normal}")
 
 
 def check_built(plugin):
@@ -177,7 +173,7 @@ def check_built(plugin):
         command = [sys.executable, "-c", program, file, str(Path(__file__).with_name("slider.xml"))]
         bits.add(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
     if len(bits) != 1:
-        fail(f"{plugin} does not give what {asperity.mujoco.PLUGIN} gives")
+        raise RuntimeError(f"{plugin} does not give what {asperity.mujoco.PLUGIN} gives")
 
 
 def cost():
@@ -223,7 +219,6 @@ def solved_cost():
 
 
 def main():
-    start = time.process_time()
     laws = {name: asperity.Model(surface(area)) for name, area in AREAS.items()}
     plain, plain_servo, ranges = deviation(laws, plain_step)
     solved, solved_servo, _ = deviation(laws, solved_step)
@@ -244,10 +239,10 @@ def main():
         print(f"  {option} {value.name}: {found:.1e}")
         worst = np.maximum(worst, found)
     if not worst <= PLAIN_LIMIT:
-        fail(f"under plain mj_step |F/N - mu(N)|/mu = {worst:.1e} (limit {PLAIN_LIMIT:.0e})")
+        raise RuntimeError(f"under plain mj_step |F/N - mu(N)|/mu = {worst:.1e} (limit {PLAIN_LIMIT:.0e})")
     settled = np.maximum(solved, solved_servo)
     if not settled <= SOLVED_LIMIT:
-        fail(f"solved, |F/N - mu(N)|/mu = {settled:.1e} (limit {SOLVED_LIMIT:.0e})")
+        raise RuntimeError(f"solved, |F/N - mu(N)|/mu = {settled:.1e} (limit {SOLVED_LIMIT:.0e})")
     check_state(mujoco.MjModel.from_xml_string(XML))
     check_named_pair(laws)
     check_refusals()
@@ -255,9 +250,11 @@ def main():
     constant, ratio = cost()
     print(f"mujoco  cost  constant mu {1e6 * constant:.1f} us a step; the law at the expected force x {ratio:.2f}, "
           f"at the current force x {ratio * solved_cost():.2f}")
-    print(f"mujoco  PASS  max |F/N - mu(N)|/mu = {worst:.1e} under mj_step (limit {PLAIN_LIMIT:.0e}), "
-          f"{settled:.1e} solved (limit {SOLVED_LIMIT:.0e})  {time.process_time() - start:.1f} s")
+    return True, (
+        f"max |F/N - mu(N)|/mu = {worst:.1e} under mj_step (limit {PLAIN_LIMIT:.0e}), "
+        f"{settled:.1e} solved (limit {SOLVED_LIMIT:.0e})"
+    )
 
 
 if __name__ == "__main__":
-    main()
+    verdict.run("mujoco", main)

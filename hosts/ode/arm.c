@@ -8,11 +8,9 @@
 #define _GNU_SOURCE
 #include <fenv.h>
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
 
-#include "../surface.h"
+#define HOST "ode"
+#include "../verdict.h"
 #include "law_step.h"
 
 enum { STEPS = 60, CASES = 4 };
@@ -23,26 +21,6 @@ typedef struct arm_case {
     double lagged[STEPS], current[STEPS];   /* |N/N* - 1| after each step */
     double measured_gain;
 } arm_case;
-
-static _Noreturn void fail(const char *format, ...) {
-    va_list arguments;
-    va_start(arguments, format);
-    printf("ode  FAIL  ");
-    vprintf(format, arguments);
-    printf("\n");
-    va_end(arguments);
-    exit(1);
-}
-
-/* The 1 cm2 of the tip that bears. */
-static asperity_model *coated_pads(void) {
-    asperity_params params;
-    asperity_model *model = NULL;
-    char message[400];
-    if (set_surface(&params, 1e-4) == ASPERITY_OK && asperity_create(&params, &model) == ASPERITY_OK) return model;
-    asperity_last_error(message, sizeof message);
-    fail("%s", message);
-}
 
 /* The arm's reach and the moment on it, such that N* = normal_force has the gain wanted. */
 static void reach_and_moment(const asperity_model *model, double gain, double *reach, double *moment) {
@@ -148,7 +126,7 @@ int main(int count, char **arguments) {
     int good = 1;
     dInitODE2(0);
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
-    asperity_model *model = coated_pads();
+    asperity_model *model = law_of_contact();
     if (!surface_holds(model, 0.1 * normal_force, 10 * normal_force))
         fail("the model does not hold for the surface at these loads");
     for (int i = 0; i < CASES; i++) {

@@ -5,49 +5,13 @@
 #define _GNU_SOURCE
 #include <fenv.h>
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
 
-#include "../surface.h"
+#define HOST "ode"
+#include "../verdict.h"
 #include "law_step.h"
 
 static const double limit = 1e-6;
 static const double mass = 20, gravity = 9.81, length = 0.2, width = 0.1, height = 0.02;
-
-/* Processor time, in which other programs have no part. */
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static _Noreturn void fail(const char *format, ...) {
-    va_list arguments;
-    va_start(arguments, format);
-    printf("ode  FAIL  ");
-    vprintf(format, arguments);
-    printf("\n");
-    va_end(arguments);
-    exit(1);
-}
-
-/* The 1 cm2 of the runners that bear. */
-static asperity_model *coated_pads(void) {
-    asperity_params params;
-    asperity_model *model = NULL;
-    char message[400];
-    if (set_surface(&params, 1e-4) == ASPERITY_OK && asperity_create(&params, &model) == ASPERITY_OK) return model;
-    asperity_last_error(message, sizeof message);
-    fail("%s", message);
-}
-
-static double exact_mu(const asperity_model *model, double load) {
-    asperity_state state = {.struct_size = sizeof state};
-    if (asperity_state_at_load(model, load, &state) != ASPERITY_OK) fail("no exact state at %g N", load);
-    return state.friction_coefficient;
-}
 
 typedef struct sled {
     dWorldID world;
@@ -181,7 +145,7 @@ int main(void) {
     dInitODE2(0);
     if (!dCheckConfiguration("ODE_double_precision")) fail("this ODE is built in single precision");
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
-    asperity_model *model = coated_pads();
+    asperity_model *model = law_of_contact();
 
     const pull current = pull_sled(model, model, 30), lagged = pull_sled(model, model, 1);
     printf("sled: N = %.0f to %.0f N, %d steps, %.2f passes a step: |F/N - mu(N)|/mu <= %.1e\n", current.least_load,

@@ -10,11 +10,7 @@
 #define _GNU_SOURCE
 #include <fenv.h>
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include <FrictionContactProblem.h>
 #include <Friction_cst.h>
@@ -22,45 +18,13 @@
 #include <NumericsMatrix.h>
 #include <SolverOptions.h>
 
-#include "../surface.h"
+#define HOST "siconos"
+#include "../verdict.h"
 
 enum { FINGERS = 120, SIZE = 3 * FINGERS };
 static const double cone_limit = 1e-8, motion_limit = 1e-8;
 static const double time_step = 1e-3, hinge_height = 0.1, reach = 0.25;
 static const double plate_mass = 20, plate_speed = 1, pull = 8000;
-
-/* Processor time, in which other programs have no part. */
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static _Noreturn void fail(const char *format, ...) {
-    va_list arguments;
-    va_start(arguments, format);
-    printf("siconos  FAIL  ");
-    vprintf(format, arguments);
-    printf("\n");
-    va_end(arguments);
-    exit(1);
-}
-
-/* The 1 cm2 of a tip. */
-static asperity_model *coated_pads(void) {
-    asperity_params params;
-    asperity_model *model = NULL;
-    char message[400];
-    if (set_surface(&params, 1e-4) == ASPERITY_OK && asperity_create(&params, &model) == ASPERITY_OK) return model;
-    asperity_last_error(message, sizeof message);
-    fail("%s", message);
-}
-
-static double exact_mu(const asperity_model *model, double load) {
-    asperity_state state = {.struct_size = sizeof state};
-    if (asperity_state_at_load(model, load, &state) != ASPERITY_OK) fail("no exact state at %g N", load);
-    return state.friction_coefficient;
-}
 
 /* Finger i: without friction its moment would press with 1 to 1000 N; from above, it points by yaw off the plate's
  * motion. */
@@ -191,7 +155,7 @@ int main(void) {
     double *W = malloc(SIZE * SIZE * sizeof *W);
     if (!W) fail("out of memory");
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
-    asperity_model *model = coated_pads();
+    asperity_model *model = law_of_contact();
     set_problem(W, q);
     NumericsMatrix *matrix = NM_create_from_data(NM_DENSE, SIZE, SIZE, W);
     FrictionContactProblem *problem = frictionContactProblem_new_with_data(3, FINGERS, matrix, q, mu);

@@ -1,7 +1,5 @@
 """A block of four spheres on an incline in YADE, let go above its rest: nothing damps its bounce, and the load swings
 between nothing and twice its mean. Its acceleration with the mean of the loads (asperity.loads) against the right one.
-
-README.md says how to run it.
 """
 
 from yade import O, utils
@@ -12,6 +10,7 @@ from yade.wrapper import (
 )
 
 import incline
+import verdict
 from asperity.loads import PairLoads
 
 RADIUS, STEP = 0.02, 1e-4
@@ -62,7 +61,12 @@ def slide():
     return incline.acceleration(times, speeds)
 
 
-loads = PairLoads(0)
-print(f"incline: {slide():.3f} m/s2 with the line through the last two loads")
-loads = PairLoads(incline.TIME_CONSTANT)
-incline.judge("yade", slide(), incline.right_acceleration(law))
+def main():
+    global loads
+    loads = PairLoads(0)
+    print(f"incline: {slide():.3f} m/s2 with the line through the last two loads")
+    loads = PairLoads(incline.TIME_CONSTANT)
+    return incline.judge(slide(), incline.right_acceleration(law))
+
+
+verdict.run("yade", main)

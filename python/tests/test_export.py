@@ -3,33 +3,20 @@
 from __future__ import annotations
 
 import re
+import shutil
 from pathlib import Path
 from typing import Callable
 
 import numpy as np
 import numpy.typing as npt
 import pytest
+from conftest import HARD_CARBON
 
 from asperity import Model, Params
 from asperity.__main__ import main
 from asperity._export_formats import FORMATS
 
-# Hard carbon on hard carbon, as in docs/hosts.md.
-SURFACE = """nominal_area = 2e-6
-work_of_adhesion = 0.06
-adhesion_range = 0.25e-9
-burgers_vector = 0.25e-9
-hardness = 51e9
-[materials]
-E1 = 493e9
-nu1 = 0.25
-E2 = 493e9
-nu2 = 0.25
-[roughness]
-m0 = 9.604e-17
-m2 = 1.8e-3
-m4 = 3.3736e11
-"""
+AREA = 1e-4  # of HARD_CARBON
 Array = npt.NDArray[np.float64]
 Rows = list[tuple[float, float]]
 
@@ -37,7 +24,7 @@ Rows = list[tuple[float, float]]
 @pytest.fixture
 def surface(tmp_path: Path) -> Path:
     path = tmp_path / "hard carbon.toml"
-    path.write_text(SURFACE, encoding="utf-8")
+    shutil.copy(HARD_CARBON, path)
     return path
 
 
@@ -135,7 +122,7 @@ def largest_error(surface: Path, rows: Rows, pascal: float) -> float:
     pressures = np.concatenate([np.linspace(p, q, 7) for (p, _), (q, _) in zip(rows, rows[1:])])
     found = np.interp(pressures, *np.array(rows).T)
     with Model(Params.from_toml(surface)) as model:
-        exact = np.array([model.state_at_load(p * pascal * 2e-6).friction_coefficient for p in pressures])
+        exact = np.array([model.state_at_load(p * pascal * AREA).friction_coefficient for p in pressures])
     return float(np.max(abs(found / exact - 1)))
 
 
@@ -189,7 +176,7 @@ def test_without_a_file_the_table_is_printed(surface: Path, capsys: pytest.Captu
 
 
 def test_pressures_that_the_surface_does_not_bear_are_told(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    surface.write_text(SURFACE.replace("51e9", "5e9"), encoding="utf-8")
+    Params.from_toml(surface).replace(hardness=5e9).to_toml(surface)
     assert main(["export", str(surface), "--format", "csv", "--range", "1e6:1e9"]) == 0
     assert "asperity: between 1e+06 and 1e+09 Pa: " in capsys.readouterr().err
 
@@ -217,9 +204,6 @@ def test_a_wrong_command_line_is_refused(
 
 def test_a_surface_without_an_area_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "surface.toml"
-    Params.from_spectral_moments(
-        m0=9.604e-17, m2=1.8e-3, m4=3.3736e11, nominal_area=1e-6, E1=493e9, nu1=0.25, E2=493e9, nu2=0.25,
-        work_of_adhesion=0.06, adhesion_range=0.25e-9, burgers_vector=0.25e-9,
-    ).replace(nominal_area=0.0).to_toml(path)  # fmt: skip
+    Params.from_toml(HARD_CARBON).replace(nominal_area=0.0).to_toml(path)
     assert main(["export", str(path), "--format", "csv", "--range", "1e6:2e6"]) == 1
     assert "nominal_area = 0: must be set" in capsys.readouterr().err

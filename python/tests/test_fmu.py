@@ -1,7 +1,8 @@
-"""The mock-up unit: valid for FMPy, run by FMPy and libcosim, and its outputs are the law's."""
+"""Mock-up units of FMI 2.0 and 3.0: valid for FMPy, run by FMPy and (2.0) libcosim, and their outputs are the law's."""
 
 from __future__ import annotations
 
+import ctypes
 import re
 import shutil
 import subprocess
@@ -12,8 +13,12 @@ from typing import Any, Iterator
 import fmpy
 import numpy as np
 import pytest
+from conftest import HARD_CARBON
 from fmpy import extract, read_model_description, simulate_fmu
-from fmpy.fmi2 import FMU2Model, FMU2Slave
+from fmpy.fmi2 import FMU2Model, FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
+from fmpy.fmi3 import FMU3Model, FMU3Slave
+from fmpy.logging import addLoggerProxy
+from fmpy.model_description import read_build_description
 from fmpy.validation import validate_fmu
 from libcosimpy.CosimExecution import CosimExecution
 from libcosimpy.CosimManipulator import CosimManipulator
@@ -24,33 +29,42 @@ from asperity import Model, Params
 from asperity.__main__ import main
 from asperity._fmu_binaries import _soname
 
-# Hard carbon on hard carbon, as in docs/hosts.md, on a square millimetre.
-PARAMS = Params.from_spectral_moments(
-    m0=9.604e-17, m2=1.8e-3, m4=3.3736e11, nominal_area=1e-6, E1=493e9, nu1=0.25, E2=493e9, nu2=0.25,
-    work_of_adhesion=0.06, adhesion_range=0.25e-9, burgers_vector=0.25e-9, hardness=51e9,
-)  # fmt: skip
+PARAMS = Params.from_toml(HARD_CARBON)
 LOAD, FORCE, COEFFICIENT, SLOPE = range(4)
 
 
-def made(params: Params, directory: Path) -> Path:
+def made(params: Params, directory: Path, fmi: str) -> Path:
     params.to_toml(directory / "surface.toml")
     unit = directory / "hard_carbon.fmu"
-    assert main(["fmu", str(directory / "surface.toml"), "-o", str(unit), "--load", "0.5"]) == 0
+    assert main(["fmu", str(directory / "surface.toml"), "-o", str(unit), "--load", "0.5", "--fmi", fmi]) == 0
     return unit
 
 
 @pytest.fixture(scope="module")
-def unit(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return made(PARAMS, tmp_path_factory.mktemp("fmu"))
+def units(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    return {fmi: made(PARAMS, tmp_path_factory.mktemp("fmu"), fmi) for fmi in ("2.0", "3.0")}
+
+
+@pytest.fixture(params=["2.0", "3.0"])
+def unit(units: dict[str, Path], request: pytest.FixtureRequest) -> Path:
+    return units[request.param]
 
 
 @pytest.fixture(scope="module")
-def references(unit: Path) -> dict[str, int]:
-    return {variable.name: variable.valueReference for variable in read_model_description(unit).modelVariables}
+def references(units: dict[str, Path]) -> dict[str, int]:
+    """The same in both versions but for the time."""
+    two, three = (
+        {variable.name: variable.valueReference for variable in read_model_description(units[fmi]).modelVariables}
+        for fmi in ("2.0", "3.0")
+    )
+    assert three.pop("time") == len(two) and two == three
+    return two
 
 
-@pytest.fixture(params=[FMU2Model, FMU2Slave])
-def instance(unit: Path, tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Any]:
+@pytest.fixture(params=[FMU2Model, FMU2Slave, FMU3Model, FMU3Slave])
+def instance(units: dict[str, Path], tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Any]:
+    """A new instance, and what was logged, with the names of FMI 2.0."""
+    unit = units["2.0" if request.param in (FMU2Model, FMU2Slave) else "3.0"]
     description = read_model_description(unit)
     made = request.param(
         guid=description.guid,
@@ -58,8 +72,16 @@ def instance(unit: Path, tmp_path: Path, request: pytest.FixtureRequest) -> Iter
         unzipDirectory=extract(unit, str(tmp_path / "unit")),
         instanceName="pad",
     )
-    made.instantiate()
-    made.setupExperiment()
+    made.log = []
+    if request.param in (FMU2Model, FMU2Slave):
+        calls = fmi2CallbackFunctions()
+        calls.logger = fmi2CallbackLoggerTYPE(lambda *said: made.log.append(said[4].decode()))
+        addLoggerProxy(ctypes.byref(calls))
+        made.instantiate(callbacks=calls)
+        made.setupExperiment()
+    else:
+        made.getReal, made.setReal = made.getFloat64, made.setFloat64
+        made.instantiate(logMessage=lambda *said: made.log.append(said[3].decode()))
     yield made
     made.freeInstance()
 
@@ -75,7 +97,8 @@ def test_the_validator_finds_no_problem(unit: Path) -> None:
     assert validate_fmu(str(unit)) == []
 
 
-def test_all_kinds_of_heights_make_valid_units(tmp_path: Path) -> None:
+@pytest.mark.parametrize("fmi", ["2.0", "3.0"])
+def test_all_kinds_of_heights_make_valid_units(tmp_path: Path, fmi: str) -> None:
     kinds: dict[str, tuple[dict[str, Any], set[str]]] = {
         "weibull": ({"skew": -0.5}, {"weibull_shape"}),
         "johnson": ({"skew": -0.5, "kurtosis": 4.0, "max_friction_coefficient": float("inf")}, {"skew", "kurtosis"}),
@@ -84,7 +107,7 @@ def test_all_kinds_of_heights_make_valid_units(tmp_path: Path) -> None:
     for kind, (changes, names) in kinds.items():
         directory = tmp_path / kind
         directory.mkdir()
-        found = made(PARAMS.replace(**changes), directory)
+        found = made(PARAMS.replace(**changes), directory, fmi)
         assert validate_fmu(str(found)) == []
         variables = {variable.name for variable in read_model_description(found).modelVariables}
         assert variables & {"weibull_shape", "skew", "kurtosis"} == names
@@ -102,6 +125,7 @@ def test_outputs_are_read_in_initialization_mode(instance: Any, references: dict
     instance.setReal([LOAD, references["height_std"]], [3.0, 8e-9])  # tuned
     assert instance.getReal([FORCE, COEFFICIENT, SLOPE]) == law(3.0, work_of_adhesion=0.03, height_std=8e-9)
     assert instance.getReal([references["height_std"]]) == [8e-9]
+    instance.terminate()
     instance.reset()
     assert instance.getReal([LOAD, FORCE, references["height_std"]]) == [0.5, law(0.5)[0], PARAMS.height_std]
 
@@ -109,8 +133,9 @@ def test_outputs_are_read_in_initialization_mode(instance: Any, references: dict
 def test_a_parameter_that_is_refused_is_an_error_and_mends(instance: Any, references: dict[str, int]) -> None:
     instance.enterInitializationMode()
     instance.setReal([references["height_std"]], [-1.0])
-    with pytest.raises(Exception, match="fmi2GetReal failed with status 3"):
+    with pytest.raises(Exception, match="status 3"):
         instance.getReal([FORCE])
+    assert "height_std = -1: must be" in instance.log[-1]
     instance.setReal([references["height_std"]], [PARAMS.height_std])
     assert instance.getReal([FORCE]) == law(0.5)[:1]
     instance.setReal([LOAD], [-1e3])  # apart: no friction, no error
@@ -120,6 +145,74 @@ def test_a_parameter_that_is_refused_is_an_error_and_mends(instance: Any, refere
         instance.getReal([FORCE])
     with pytest.raises(Exception, match="status 3"):
         instance.setReal([FORCE], [1.0])
+    with pytest.raises(Exception, match="status 3"):
+        instance.getReal([10**9])
+    assert instance.log[-1] == "a value reference that no variable has"
+
+
+def test_functions_called_in_the_wrong_mode_are_refused(instance: Any) -> None:
+    """And do nothing: the next call in order goes well."""
+    exchange = isinstance(instance, (FMU2Model, FMU3Model))
+    step = instance.completedIntegratorStep if exchange else lambda: instance.doStep(0.0, 0.1)
+    refusals = []
+
+    def refused(*calls: Any) -> None:
+        for call in calls:
+            with pytest.raises(Exception, match="status 3"):
+                call()
+            refusals.append(instance.log[-1])
+
+    refused(instance.exitInitializationMode, step, instance.terminate)
+    instance.enterInitializationMode()
+    refused(instance.enterInitializationMode, step, instance.terminate)
+    instance.exitInitializationMode()
+    if exchange:
+        refused(instance.exitInitializationMode, step)
+        instance.enterContinuousTimeMode()
+        refused(instance.enterContinuousTimeMode)
+    step()
+    if exchange:
+        instance.enterEventMode()
+    instance.terminate()
+    refused(step, instance.terminate)
+    assert re.fullmatch(r"fmi\dExitInitializationMode must not be called before initialization mode", refusals[0])
+    assert refusals[-1].endswith("Terminate must not be called after the end")
+
+
+def test_arrays_that_differ_in_length_are_refused(units: dict[str, Path], tmp_path: Path) -> None:
+    """And what a unit of FMI 3.0 cannot be: one with an event mode in co-simulation, or for scheduled execution."""
+    description = read_model_description(units["3.0"])
+    found: list[str] = []
+    slave = FMU3Slave(
+        guid=description.guid,
+        modelIdentifier="hard_carbon",
+        unzipDirectory=extract(units["3.0"], str(tmp_path)),
+        instanceName="pad",
+    )
+
+    def log(*said: Any) -> None:
+        found.append(said[3].decode())
+
+    with pytest.raises(Exception, match="instantiate"):
+        slave.instantiate(eventModeUsed=True, logMessage=log)
+    assert "no event mode" in found[-1]
+    slave.guid = "another"
+    with pytest.raises(Exception, match="instantiate"):
+        slave.instantiate(logMessage=log)
+    assert "not that of this unit" in found[-1]
+    slave.guid = description.guid
+    slave.instantiate(logMessage=log)
+    slave.enterInitializationMode(startTime=2.0)
+    time = next(variable.valueReference for variable in description.modelVariables if variable.name == "time")
+    assert slave.getFloat64([time, LOAD]) == [2.0, 0.5]
+    with pytest.raises(Exception, match="status 3"):
+        slave.getFloat64([LOAD], 2)
+    with pytest.raises(Exception, match="status 3"):
+        slave.getDirectionalDerivative([FORCE], [LOAD], [1.0, 1.0])
+    assert len(found) == 4 and all("differ in length" in message for message in found[2:])
+    slave.exitInitializationMode()
+    assert slave.doStep(2.0, 0.5) == (False, False, False, 2.5) and slave.getFloat64([time]) == [2.5]
+    slave.freeInstance()
 
 
 def test_directional_derivatives_are_the_slopes_of_the_law(instance: Any) -> None:
@@ -169,9 +262,9 @@ def test_newtons_method_closes_the_loop_of_a_leading_shoe(instance: Any) -> None
     assert load * arm == pytest.approx(moment + exact.friction_force * height, rel=1e-7)
 
 
-def test_libcosim_runs_the_unit(unit: Path, references: dict[str, int]) -> None:
+def test_libcosim_runs_the_unit(units: dict[str, Path]) -> None:
     execution = CosimExecution.from_step_size(int(1e8))
-    slave = execution.add_local_slave(CosimLocalSlave(fmu_path=str(unit), instance_name="pad"))
+    slave = execution.add_local_slave(CosimLocalSlave(fmu_path=str(units["2.0"]), instance_name="pad"))
     manipulator, observer = CosimManipulator.create_override(), CosimObserver.create_last_value()
     assert execution.add_manipulator(manipulator) and execution.add_observer(observer)
     for load in (0.5, 7.0, 60.0):
@@ -180,21 +273,30 @@ def test_libcosim_runs_the_unit(unit: Path, references: dict[str, int]) -> None:
         assert observer.last_real_values(slave, [FORCE, COEFFICIENT, SLOPE]) == law(load)
 
 
-def test_the_sources_inside_are_those_of_the_binary(unit: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("fmi", ["2.0", "3.0"])
+def test_the_sources_inside_are_those_of_the_binary(units: dict[str, Path], tmp_path: Path, fmi: str) -> None:
     """They compile without a warning, also with the prefix of a static unit, and have every function of the standard."""
-    with zipfile.ZipFile(unit) as archive:
+    with zipfile.ZipFile(units[fmi]) as archive:
         archive.extractall(tmp_path)
     if shutil.which("cc") is None:
         pytest.fail("this test needs a C compiler named cc: apt-get install gcc libc6-dev")
     command = ["cc", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-I.", "-c", "asperity_fmu.c"]
-    subprocess.run([*command, "-DFMI2_FUNCTION_PREFIX=pad_"], cwd=tmp_path / "sources", check=True, timeout=60)
+    subprocess.run([*command, f"-DFMI{fmi[0]}_FUNCTION_PREFIX=pad_"], cwd=tmp_path / "sources", check=True, timeout=60)
     symbols = subprocess.run(
         ["nm", "-g", "--defined-only", "asperity_fmu.o"], cwd=tmp_path / "sources", capture_output=True, text=True, check=True
     )
     names = [line.split()[-1] for line in symbols.stdout.splitlines()]
-    declarations = Path(fmpy.__file__).with_name("c-code").joinpath("fmi2Functions.h").read_text(encoding="utf-8")
-    standard = set(re.findall(r"FMI2_Export\s+fmi2\w+TYPE\s+(fmi2\w+);", declarations))
+    header = Path(fmpy.__file__).with_name("c-code") / f"fmi{fmi[0]}Functions.h"
+    declared = rf"FMI{fmi[0]}_Export\s+fmi{fmi[0]}\w+TYPE\s+(fmi{fmi[0]}\w+);"
+    standard = set(re.findall(declared, header.read_text(encoding="utf-8")))
     assert {name.removeprefix("pad_") for name in names} == standard and len(standard) > 40
+
+
+def test_the_build_description_names_the_sources(units: dict[str, Path]) -> None:
+    """FMPy reads it by the schema of FMI 3.0."""
+    (built,) = read_build_description(str(units["3.0"]))
+    assert built.modelIdentifier == "hard_carbon"
+    assert [file for files in built.sourceFileSets for file in files.sourceFiles] == ["asperity_fmu.c"]
 
 
 def test_a_library_with_a_soname_lies_under_it(tmp_path: Path) -> None:

@@ -148,8 +148,6 @@ follow() {
 
 follow docs/install.md
 follow docs/cpp.md
-mkdir -p "$work/modelica"
-python3 tests/consumers/follow_docs.py docs/modelica.md "$work/modelica"
 with_make modelica
 check modelica static
 

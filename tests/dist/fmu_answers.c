@@ -1,10 +1,11 @@
-/* Runs a mock-up unit through the calls of FMI 2.0 and prints the bits of what it answers, to be compared between systems.
+/* Runs a mock-up unit through the calls of FMI 2.0 or 3.0 and prints the bits of what it answers, to be compared between systems.
  *
- * usage: fmu_answers UNIT-LIBRARY GUID HEIGHT_STD-REFERENCE
+ * usage: fmu_answers VERSION UNIT-LIBRARY GUID HEIGHT_STD-REFERENCE       VERSION is 2 or 3
  * Exit status: 0 where each call ends with the status that it must. */
 
 #include <inttypes.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,17 +56,76 @@ static void print_bits(const char *name, double value)
 static void log_message(void *environment, const char *name, int status, const char *category, const char *format, ...)
 {
     va_list arguments;
-    (void)environment;
+    (void)environment, (void)name;
     va_start(arguments, format);
-    printf("log of %s: %d %s %s\n", name, status, category, va_arg(arguments, const char *));
+    printf("log: %d %s %s\n", status, category, va_arg(arguments, const char *));
     va_end(arguments);
 }
 
-static void *(*instantiate)(const char *, int, const char *, const char *, const callbacks *, int, int);
-static int (*setup)(void *, int, double, double, int, double), (*enter)(void *), (*leave)(void *), (*reset)(void *);
-static int (*get)(void *, const unsigned *, size_t, double *), (*set)(void *, const unsigned *, size_t, const double *);
-static int (*derivative)(void *, const unsigned *, size_t, const unsigned *, size_t, const double *, double *);
+typedef void log_3(void *, int, const char *, const char *);
+static void log_message_3(void *environment, int status, const char *category, const char *message)
+{
+    (void)environment;
+    printf("log: %d %s %s\n", status, category, message);
+}
+
+static int version;
+static const char *unit_file;
+static int (*leave)(void *), (*reset)(void *);
 static void (*release)(void *);
+static union {
+    int (*two)(void *, const unsigned *, size_t, double *);
+    int (*three)(void *, const unsigned *, size_t, double *, size_t);
+} getter;
+static union {
+    int (*two)(void *, const unsigned *, size_t, const double *);
+    int (*three)(void *, const unsigned *, size_t, const double *, size_t);
+} setter;
+static union {
+    int (*two)(void *, const unsigned *, size_t, const unsigned *, size_t, const double *, double *);
+    int (*three)(void *, const unsigned *, size_t, const unsigned *, size_t, const double *, size_t, double *, size_t);
+} differentiate;
+
+static int get(void *unit, const unsigned *references, size_t n, double *values)
+{
+    return version == 2 ? getter.two(unit, references, n, values) : getter.three(unit, references, n, values, n);
+}
+
+static int set(void *unit, const unsigned *reference, size_t n, const double *values)
+{
+    return version == 2 ? setter.two(unit, reference, n, values) : setter.three(unit, reference, n, values, n);
+}
+
+static int derivative(void *unit, const unsigned *unknown, size_t n, const unsigned *known, const double *seed, double *values)
+{
+    return version == 2 ? differentiate.two(unit, unknown, n, known, 1, seed, values)
+                        : differentiate.three(unit, unknown, n, known, 1, seed, 1, values, n);
+}
+
+static void *instantiate(const char *name, const char *guid)
+{
+    static const callbacks calls = {log_message, calloc, free, NULL, NULL};
+    void *(*two)(const char *, int, const char *, const char *, const callbacks *, int, int);
+    void *(*three)(const char *, const char *, const char *, bool, bool, void *, log_3 *);
+    if (version == 2) {
+        find(unit_file, "fmi2Instantiate", &two);
+        return two(name, MODEL_EXCHANGE, guid, NULL, &calls, 0, 0);
+    }
+    find(unit_file, "fmi3InstantiateModelExchange", &three);
+    return three(name, guid, NULL, false, false, NULL, log_message_3);
+}
+
+static int enter(void *unit)
+{
+    int (*two)(void *);
+    int (*three)(void *, bool, double, double, bool, double);
+    if (version == 2) {
+        find(unit_file, "fmi2EnterInitializationMode", &two);
+        return two(unit);
+    }
+    find(unit_file, "fmi3EnterInitializationMode", &three);
+    return three(unit, false, 0, 0, false, 0);
+}
 
 static void demand(const char *what, int status, int wanted)
 {
@@ -82,12 +142,12 @@ static void print_answers(void *unit)
     const double one = 1;
     double value[3];
     for (double p = 1e-9; p < 1e3; p *= 1.2) {
-        demand("fmi2SetReal", set(unit, &load, 1, &p), OK);
-        demand("fmi2GetReal", get(unit, outputs, 3, value), OK);
+        demand("setting the load", set(unit, &load, 1, &p), OK);
+        demand("getting outputs", get(unit, outputs, 3, value), OK);
         print_bits("force", value[0]);
         print_bits("coefficient", value[1]);
         print_bits("slope", value[2]);
-        demand("fmi2GetDirectionalDerivative", derivative(unit, outputs, 3, &load, 1, &one, value), OK);
+        demand("differentiating", derivative(unit, outputs, 3, &load, &one, value), OK);
         for (int i = 0; i < 3; i++)
             print_bits("derivative", value[i]);
     }
@@ -95,53 +155,52 @@ static void print_answers(void *unit)
 
 int main(int count, char **arguments)
 {
-    static const callbacks calls = {log_message, calloc, free, NULL, NULL};
     static const unsigned load = LOAD, force = FORCE;
     double value, number;
-    if (count != 4)
-        fail("usage: fmu_answers UNIT-LIBRARY GUID HEIGHT_STD-REFERENCE");
-    const char *file = arguments[1], *guid = arguments[2];
-    const unsigned height_std = (unsigned)strtoul(arguments[3], NULL, 10);
+    if (count != 5)
+        fail("usage: fmu_answers VERSION UNIT-LIBRARY GUID HEIGHT_STD-REFERENCE");
+    version = atoi(arguments[1]);
+    unit_file = arguments[2];
+    const char *guid = arguments[3];
+    const unsigned height_std = (unsigned)strtoul(arguments[4], NULL, 10);
 #ifdef _WIN32
-    if (LoadLibraryA(file) == NULL)
+    if (LoadLibraryA(unit_file) == NULL)
 #else
-    if (dlopen(file, RTLD_NOW | RTLD_LOCAL) == NULL)
+    if (dlopen(unit_file, RTLD_NOW | RTLD_LOCAL) == NULL)
 #endif
         fail("the unit cannot be loaded");
-    find(file, "fmi2Instantiate", &instantiate);
-    find(file, "fmi2SetupExperiment", &setup);
-    find(file, "fmi2EnterInitializationMode", &enter);
-    find(file, "fmi2ExitInitializationMode", &leave);
-    find(file, "fmi2Reset", &reset);
-    find(file, "fmi2GetReal", &get);
-    find(file, "fmi2SetReal", &set);
-    find(file, "fmi2GetDirectionalDerivative", &derivative);
-    find(file, "fmi2FreeInstance", &release);
+    const bool two = version == 2;
+    find(unit_file, two ? "fmi2ExitInitializationMode" : "fmi3ExitInitializationMode", &leave);
+    find(unit_file, two ? "fmi2Reset" : "fmi3Reset", &reset);
+    find(unit_file, two ? "fmi2GetReal" : "fmi3GetFloat64", &getter);
+    find(unit_file, two ? "fmi2SetReal" : "fmi3SetFloat64", &setter);
+    find(unit_file, two ? "fmi2GetDirectionalDerivative" : "fmi3GetDirectionalDerivative", &differentiate);
+    find(unit_file, two ? "fmi2FreeInstance" : "fmi3FreeInstance", &release);
 
-    if (instantiate("stranger", MODEL_EXCHANGE, "{no}", NULL, &calls, 0, 0) != NULL)
+    if (instantiate("stranger", "{no}") != NULL)
         fail("a GUID of another unit is taken");
-    void *unit = instantiate("pad", MODEL_EXCHANGE, guid, NULL, &calls, 0, 0);
+    void *unit = instantiate("pad", guid);
     if (unit == NULL)
-        fail("fmi2Instantiate gives nothing");
-    demand("fmi2SetupExperiment", setup(unit, 0, 0, 0, 0, 0), OK);
-    demand("fmi2EnterInitializationMode", enter(unit), OK);
-    demand("fmi2ExitInitializationMode", leave(unit), OK);
+        fail("no unit is made");
+    demand("leaving initialization mode before entering it", leave(unit), ERROR_STATUS);
+    demand("entering initialization mode", enter(unit), OK);
+    demand("leaving initialization mode", leave(unit), OK);
     print_answers(unit);
 
-    demand("fmi2GetReal", get(unit, &height_std, 1, &number), OK);
+    demand("getting", get(unit, &height_std, 1, &number), OK);
     print_bits("height_std", number);
     value = -1;
-    demand("fmi2SetReal", set(unit, &height_std, 1, &value), OK);
-    demand("fmi2GetReal of a surface that is refused", get(unit, &force, 1, &value), ERROR_STATUS);
+    demand("setting", set(unit, &height_std, 1, &value), OK);
+    demand("getting the force of a surface that is refused", get(unit, &force, 1, &value), ERROR_STATUS);
     value = 0.8 * number;
-    demand("fmi2SetReal", set(unit, &height_std, 1, &value), OK);
+    demand("setting", set(unit, &height_std, 1, &value), OK);
     print_answers(unit);
     value = -1e3;
-    demand("fmi2SetReal", set(unit, &load, 1, &value), OK);
-    demand("fmi2GetReal of surfaces apart", get(unit, &force, 1, &value), OK);
+    demand("setting", set(unit, &load, 1, &value), OK);
+    demand("getting the force of surfaces apart", get(unit, &force, 1, &value), OK);
     print_bits("apart", value);
-    demand("fmi2Reset", reset(unit), OK);
-    demand("fmi2GetReal", get(unit, &height_std, 1, &value), OK);
+    demand("resetting", reset(unit), OK);
+    demand("getting", get(unit, &height_std, 1, &value), OK);
     print_bits("height_std", value);
     release(unit);
     return 0;

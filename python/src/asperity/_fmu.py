@@ -1,4 +1,4 @@
-"""A surface as a functional mock-up unit (FMI 2.0): description, C sources and binaries in one archive."""
+"""A surface as a functional mock-up unit (FMI 2.0 or 3.0): description, C sources and binaries in one archive."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ import uuid
 import zipfile
 from pathlib import Path
 from typing import Mapping, Sequence
-from xml.sax.saxutils import quoteattr
 
 from . import _header
-from ._fmu_binaries import add_binaries, library_for
+from ._fmu_binaries import PLATFORMS, add_binaries, library_for
+from ._fmu_description import build_description, model_description
 from .model import Model
 from .params import Params
 
@@ -39,15 +39,11 @@ _HEIGHTS = {
     "weibull": {"weibull_shape": "omega of the Weibull heights"},
     "johnson": {"skew": "of the summit heights", "kurtosis": "of the summit heights"},
 }
-_OUTPUTS = {
-    "friction_force": "F [force]",
-    "friction_coefficient": "F/load, capped",
-    "slope": "dF/d(load)",
-}
-_PARAMETERS = 4  # the first value reference of a parameter, as in _fmu.c
 
 
-def build(params: Params, file: Path, *, start_load: float, platforms: Sequence[str], libraries: Mapping[str, Path]) -> None:
+def build(
+    params: Params, file: Path, *, fmi: str, start_load: float, platforms: Sequence[str], libraries: Mapping[str, Path]
+) -> None:
     """Writes a unit with binaries for the platforms; `ImportError` names the compiler or library that is missing for one."""
     found = {platform: library_for(platform, libraries.get(platform)) for platform in platforms}
     with Model(params) as model:  # refuses what no unit could be initialised with
@@ -56,18 +52,23 @@ def build(params: Params, file: Path, *, start_load: float, platforms: Sequence[
     name = name if re.match(r"[A-Za-z_]", name) else f"_{name}"
     parameters = _parameters(params)
     surface = _surface(params, parameters, start_load)
-    guid = f"{{{uuid.UUID(bytes=hashlib.sha256((name + surface).encode()).digest()[:16])}}}"
+    guid = f"{{{uuid.UUID(bytes=hashlib.sha256((fmi + name + surface).encode()).digest()[:16])}}}"
     surface += f"#define GUID {json.dumps(guid)}\n"
     with tempfile.TemporaryDirectory(prefix="asperity-fmu-") as made:
         sources = Path(made, "sources")
         sources.mkdir()
         (sources / "surface.h").write_text(surface, encoding="utf-8")
-        shutil.copy(Path(__file__).with_name("_fmu.c"), sources / "asperity_fmu.c")
+        shutil.copy(Path(__file__).with_name(f"_fmu{fmi[0]}.c"), sources / "asperity_fmu.c")
+        shutil.copy(Path(__file__).with_name("_fmu_unit.h"), sources / "asperity_unit.h")
         shutil.copy(Path(__file__).with_name("_fmu_dll.h"), sources / "asperity_dll.h")
         shutil.copy(_c_header(), sources / "asperity.h")
         for platform, library in found.items():
-            add_binaries(Path(made, "binaries", platform), platform, library, sources, name)
-        description = _description(name, guid, params, parameters, start_load)
+            folder = platform if fmi == "2.0" else PLATFORMS[platform].fmi3
+            add_binaries(Path(made, "binaries", folder), platform, library, sources, name)
+        if fmi == "3.0":
+            (sources / "buildDescription.xml").write_text(build_description(name), encoding="utf-8")
+        starts = {parameter: getattr(params, parameter) for parameter in parameters}
+        description = model_description(fmi, name, guid, start_load, parameters, starts)
         Path(made, "modelDescription.xml").write_text(description, encoding="utf-8")
         with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
             for path in sorted(Path(made).rglob("*")):
@@ -112,44 +113,3 @@ def _c_header() -> Path:
     """`asperity.h`: in the package, or in the checkout whose sources these are."""
     packed = Path(__file__).with_name("asperity.h")
     return packed if packed.exists() else Path(__file__).parents[3] / "include" / "asperity.h"
-
-
-def _description(name: str, guid: str, params: Params, parameters: dict[str, str], start_load: float) -> str:
-    unit = f'modelIdentifier="{name}" canNotUseMemoryManagementFunctions="true" providesDirectionalDerivative="true"'
-    files = "<SourceFiles><File name=\"asperity_fmu.c\"/></SourceFiles>"
-    variables = [
-        f'<ScalarVariable name="load" valueReference="0" causality="input" variability="continuous" '
-        f'description="normal load [force]"><Real start="{start_load!r}"/></ScalarVariable>'
-    ]
-    for reference, (output, meaning) in enumerate(_OUTPUTS.items(), 1):
-        variables.append(
-            f'<ScalarVariable name="{output}" valueReference="{reference}" causality="output" variability="continuous" '
-            f'initial="calculated" description={quoteattr(meaning)}><Real/></ScalarVariable>'
-        )
-    for reference, (parameter, meaning) in enumerate(parameters.items(), _PARAMETERS):
-        start = getattr(params, parameter)
-        start = start if start != float("inf") else "INF"
-        variables.append(
-            f'<ScalarVariable name="{parameter}" valueReference="{reference}" causality="parameter" variability="tunable" '
-            f'description={quoteattr(meaning)}><Real start="{start}"/></ScalarVariable>'
-        )
-    outputs = "".join(f'<Unknown index="{i}" dependencies="1" dependenciesKind="dependent"/>' for i in (2, 3, 4))
-    initial = "".join(f'<Unknown index="{i}"/>' for i in (2, 3, 4))
-    listed = "\n    ".join(variables)
-    return f"""<?xml version="1.0" encoding="UTF-8"?>
-<fmiModelDescription fmiVersion="2.0" modelName="{name}" guid="{guid}" numberOfEventIndicators="0"
-    description="Friction of two rough surfaces as a function of the normal load"
-    generationTool="asperity {_header.ASPERITY_VERSION}" variableNamingConvention="flat">
-  <ModelExchange {unit}>{files}</ModelExchange>
-  <CoSimulation {unit} canHandleVariableCommunicationStepSize="true">{files}</CoSimulation>
-  <LogCategories><Category name="logStatusError"/><Category name="logStatusDiscard"/></LogCategories>
-  <DefaultExperiment startTime="0" stopTime="1"/>
-  <ModelVariables>
-    {listed}
-  </ModelVariables>
-  <ModelStructure>
-    <Outputs>{outputs}</Outputs>
-    <InitialUnknowns>{initial}</InitialUnknowns>
-  </ModelStructure>
-</fmiModelDescription>
-"""

@@ -1,4 +1,4 @@
-"""The binaries of a mock-up unit: for the platforms of FMI 2.0 that have a library, on this machine or for another."""
+"""The binaries of a mock-up unit: for the platforms of FMI that have a library, on this machine or for another."""
 
 from __future__ import annotations
 
@@ -18,9 +18,10 @@ from . import _header, _library
 
 @dataclass(frozen=True)
 class _Platform:
-    """What units for a platform need: its system, its library and the ending of its files, the platform of its wheel, its
-    compilers with Debian's package, zig's name of it, and flags."""
+    """What units for a platform need: its name in FMI 3.0, its system, its library and the ending of its files, the platform of
+    its wheel, its compilers with Debian's package, zig's name of it, and flags."""
 
+    fmi3: str
     system: str
     library: str
     ending: str
@@ -34,12 +35,13 @@ class _Platform:
 
 PLATFORMS = {
     "linux64": _Platform(
-        "Linux", "libasperity.so", ".so", "manylinux_2_17_x86_64", "cc", "x86_64-linux-gnu-gcc", "gcc-x86-64-linux-gnu",
-        "x86_64-linux-gnu.2.17", ("-fPIC", "-fvisibility=hidden", "-Wl,-rpath,$ORIGIN", "-Wl,--no-undefined"),
+        "x86_64-linux", "Linux", "libasperity.so", ".so", "manylinux_2_17_x86_64", "cc", "x86_64-linux-gnu-gcc",
+        "gcc-x86-64-linux-gnu", "x86_64-linux-gnu.2.17",
+        ("-fPIC", "-fvisibility=hidden", "-Wl,-rpath,$ORIGIN", "-Wl,--no-undefined"),
     ),
     "win64": _Platform(
-        "Windows", "asperity.dll", ".dll", "win_amd64", "gcc", "x86_64-w64-mingw32-gcc", "gcc-mingw-w64-x86-64",
-        "x86_64-windows-gnu", (),
+        "x86_64-windows", "Windows", "asperity.dll", ".dll", "win_amd64", "gcc", "x86_64-w64-mingw32-gcc",
+        "gcc-mingw-w64-x86-64", "x86_64-windows-gnu", (),
     ),
 }  # fmt: skip
 

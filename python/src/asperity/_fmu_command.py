@@ -17,7 +17,7 @@ def add(commands: Any) -> None:
     """Adds the command to those of the parser."""
     command = commands.add_parser(
         "fmu",
-        help="write a functional mock-up unit (FMI 2.0)",
+        help="write a functional mock-up unit (FMI 2.0 or 3.0)",
         description="Writes a unit for model exchange and co-simulation: input load, outputs friction_force, "
         "friction_coefficient and slope, tunable parameters. Needs a C compiler for each platform.",
         allow_abbrev=False,
@@ -25,6 +25,7 @@ def add(commands: Any) -> None:
     command.set_defaults(run=_run)
     command.add_argument("surface", metavar="SURFACE.toml", help="the surface")
     command.add_argument("-o", "--output", required=True, type=Path, metavar="NAME.fmu", help="where to")
+    command.add_argument("--fmi", choices=["2.0", "3.0"], default="2.0", help="version of the standard (%(default)s)")
     command.add_argument(
         "--platform", metavar="NAMES", help="of linux64 and win64, with a comma between: systems to run on (that of this machine)"
     )
@@ -45,7 +46,7 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
         if name not in platforms:
             parser.error(f"--library {name}=...: the unit is not for {name}; add it to --platform")
     params = Params.from_toml(options.surface)
-    build(params, options.output, start_load=options.load, platforms=platforms, libraries=libraries)
+    build(params, options.output, fmi=options.fmi, start_load=options.load, platforms=platforms, libraries=libraries)
     print(f"asperity: wrote {options.output}", file=sys.stderr)
 
 

@@ -55,10 +55,16 @@ class FrictionProcess(KratosMultiphysics.Process):  # type: ignore[misc]
         surface = settings["surface"].GetString()
         if not surface:
             raise self._error('"surface" must name a surface file')
-        params = Params.from_toml(surface)
+        try:
+            params = Params.from_toml(surface)
+        except (Error, OSError) as error:  # which name the file
+            raise self._error(str(error)) from None
         if not params.nominal_area > 0:
             raise self._error(f"{surface}: nominal_area must be given: loads are pressures")
-        self.law = Model(params)
+        try:
+            self.law = Model(params)
+        except Error as error:
+            raise self._error(f"{surface}: {error}") from None
         self.pressures: tuple[float, float] | None = None
 
     def _error(self, text: str) -> RuntimeError:

@@ -1,0 +1,53 @@
+package Asperity "Friction from contact physics"
+  class Law "A friction law"
+    extends ExternalObject;
+
+    function constructor
+      input Real E1(unit = "Pa");
+      input Real nu1;
+      input Real E2(unit = "Pa");
+      input Real nu2;
+      input Real w(unit = "J/m2") "Work of adhesion";
+      input Real h(unit = "m") "Range of adhesion";
+      input Real b(unit = "m") "Burgers vector";
+      input Real sigma(unit = "m") "Standard deviation of summit heights";
+      input Real R(unit = "m") "Mean radius of the summits";
+      input Real n "Number of summits";
+      output Law law;
+      external "C" law = asperity_modelica_create(E1, nu1, E2, nu2, w, h, b, sigma, R, n)
+        annotation(Include = "#include \"asperity_modelica.h\"", Library = "asperity");
+    end constructor;
+
+    function destructor
+      input Law law;
+      external "C" asperity_modelica_free(law)
+        annotation(Include = "#include \"asperity_modelica.h\"", Library = "asperity");
+    end destructor;
+  end Law;
+
+  function frictionForce "Friction force at a normal load"
+    input Law law;
+    input Real load(unit = "N");
+    output Real force(unit = "N");
+    external "C" force = asperity_modelica_force(law, load)
+      annotation(Include = "#include \"asperity_modelica.h\"", Library = "asperity");
+    annotation(derivative(noDerivative = law) = frictionForce_der);
+  end frictionForce;
+
+  function frictionForce_der
+    input Law law;
+    input Real load(unit = "N");
+    input Real der_load(unit = "N/s");
+    output Real der_force(unit = "N/s");
+  algorithm
+    der_force := slope(law, load)*der_load;
+  end frictionForce_der;
+
+  function slope "d(friction force)/d(normal load)"
+    input Law law;
+    input Real load(unit = "N");
+    output Real slope;
+    external "C" slope = asperity_modelica_slope(law, load)
+      annotation(Include = "#include \"asperity_modelica.h\"", Library = "asperity");
+  end slope;
+end Asperity;

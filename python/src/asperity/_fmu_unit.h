@@ -1,0 +1,220 @@
+/* What a mock-up unit is, behind the functions of FMI 2.0 and 3.0. The law has no state and no event; outputs follow from the
+ * load and the parameters alone. surface.h is written for each unit: its parameters.
+ *
+ * The model is made on entering initialization mode, and made anew where outputs are read after a parameter was set. */
+
+#include <asperity.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifdef _WIN32
+#include "asperity_dll.h"
+#endif
+#include "surface.h"
+
+#ifdef _WIN32
+#define EXPORT __declspec(dllexport)
+#else
+#define EXPORT __attribute__((visibility("default")))
+#endif
+/* A static unit has its name before those of the functions. */
+#ifdef FMI_PREFIX
+#define JOINED(a, b) a##b
+#define JOIN(a, b) JOINED(a, b)
+#define FMI(name) JOIN(FMI_PREFIX, name)
+#else
+#define FMI(name) name
+#endif
+
+typedef enum { fmiOK, fmiWarning, fmiDiscard, fmiError, fmiFatal, fmiPending } fmiStatus;
+
+/* Value references: of parameters PARAMETERS + their place in PARAMETER_NAMES. */
+enum { LOAD, FORCE, COEFFICIENT, SLOPE, PARAMETERS };
+
+enum { INSTANTIATED = 1, INITIALIZATION = 2, EVENT = 4, CONTINUOUS_TIME = 8, STEP = 16, TERMINATED = 32 };
+
+typedef struct {
+    asperity_params params;
+    asperity_model *model; /* NULL until it is made */
+    int stale;             /* a parameter was set since */
+    int exchange;          /* model exchange, not co-simulation */
+    int mode;
+    double load;
+    void (*log)(void *environment, fmiStatus, const char *category, const char *message); /* may be NULL */
+    void *environment;
+} unit;
+
+static fmiStatus failed(const unit *u, fmiStatus status, const char *message)
+{
+    if (u->log)
+        u->log(u->environment, status, status == fmiError ? "logStatusError" : "logStatusDiscard", message);
+    return status;
+}
+
+static fmiStatus refused(const unit *u, fmiStatus status)
+{
+    char message[512];
+    asperity_last_error(message, sizeof message);
+    return failed(u, status, message);
+}
+
+/* fmiOK in one of the modes: elsewhere the function must not be called. */
+static fmiStatus called_in(const unit *u, int modes, const char *function)
+{
+    const char *name = u->mode == INSTANTIATED      ? "before initialization mode"
+                       : u->mode == INITIALIZATION  ? "in initialization mode"
+                       : u->mode == EVENT           ? "in event mode"
+                       : u->mode == CONTINUOUS_TIME ? "in continuous-time mode"
+                       : u->mode == STEP            ? "in co-simulation"
+                                                    : "after the end";
+    char message[128];
+    if (u->mode & modes)
+        return fmiOK;
+    snprintf(message, sizeof message, "%s must not be called %s", function, name);
+    return failed(u, fmiError, message);
+}
+
+static fmiStatus move(unit *u, int from, int to, const char *function)
+{
+    const fmiStatus status = called_in(u, from, function);
+    if (status == fmiOK)
+        u->mode = to;
+    return status;
+}
+
+/* The parameters that the unit was exported with, and their load. */
+static fmiStatus set_start(unit *u)
+{
+    asperity_free(u->model);
+    u->model = NULL;
+    u->stale = 1;
+    u->mode = INSTANTIATED;
+    u->load = START_LOAD;
+    return surface(&u->params) == ASPERITY_OK ? fmiOK : refused(u, fmiError);
+}
+
+/* The unit, ready, or NULL after a message. It is the first member of what was allocated. */
+static unit *instantiated(unit *u, const char *guid)
+{
+    if (guid == NULL || strcmp(guid, GUID) != 0)
+        failed(u, fmiError, "the GUID is not that of this unit");
+#ifdef _WIN32
+    else if (!load_asperity())
+        failed(u, fmiError, "asperity.dll beside the unit's DLL is missing, of another version, or lacks a DLL of its own");
+#endif
+    else if (set_start(u) == fmiOK)
+        return u;
+    free(u);
+    return NULL;
+}
+
+static void release(unit *u)
+{
+    if (u != NULL)
+        asperity_free(u->model);
+    free(u);
+}
+
+static fmiStatus make_model(unit *u)
+{
+    asperity_status status = ASPERITY_OK;
+    if (u->model == NULL)
+        status = asperity_create(&u->params, &u->model);
+    else if (u->stale)
+        status = asperity_set_params(u->model, &u->params);
+    if (status != ASPERITY_OK)
+        return refused(u, fmiError);
+    u->stale = 0;
+    return fmiOK;
+}
+
+static fmiStatus enter_initialization(unit *u, const char *function)
+{
+    if (called_in(u, INSTANTIATED, function) != fmiOK || make_model(u) != fmiOK)
+        return fmiError;
+    u->mode = INITIALIZATION;
+    return fmiOK;
+}
+
+/* An open contact has no friction: no error. A load that cannot be evaluated may be one that a solver only tries. */
+static fmiStatus evaluate(unit *u, int coefficient, double load, double *value, double *slope)
+{
+    asperity_status status;
+    if (make_model(u) != fmiOK)
+        return fmiError;
+    status = coefficient ? asperity_friction_at_loads(u->model, 1, &load, value, slope)
+                         : asperity_friction_force_at_loads(u->model, 1, &load, value, slope);
+    return status == ASPERITY_OK || status == ASPERITY_SEPARATED ? fmiOK : refused(u, fmiDiscard);
+}
+
+static fmiStatus get_one(unit *u, unsigned reference, double *value)
+{
+    double other;
+    switch (reference) {
+    case LOAD: *value = u->load; return fmiOK;
+    case FORCE: return evaluate(u, 0, u->load, value, NULL);
+    case COEFFICIENT: return evaluate(u, 1, u->load, value, NULL);
+    case SLOPE: return evaluate(u, 0, u->load, &other, value);
+    default: break;
+    }
+    if (reference - PARAMETERS >= PARAMETER_COUNT)
+        return failed(u, fmiError, "a value reference that no variable has");
+    if (asperity_params_get_value(&u->params, PARAMETER_NAMES[reference - PARAMETERS], value) != ASPERITY_OK)
+        return refused(u, fmiError);
+    return fmiOK;
+}
+
+static fmiStatus set_one(unit *u, unsigned reference, double value)
+{
+    if (reference == LOAD) {
+        u->load = value;
+        return fmiOK;
+    }
+    if (reference < PARAMETERS || reference - PARAMETERS >= PARAMETER_COUNT)
+        return failed(u, fmiError, "a value reference of no input and no parameter is set");
+    if (asperity_params_set_value(&u->params, PARAMETER_NAMES[reference - PARAMETERS], value) != ASPERITY_OK)
+        return refused(u, fmiError);
+    u->stale = 1;
+    return fmiOK;
+}
+
+/* d(output)/d(load). The slope's own is a central difference: the law tells no second derivative. */
+static fmiStatus derivative(unit *u, unsigned output, double *value)
+{
+    double other, below, above, step = 1e-5 * (u->load < 0 ? -u->load : u->load);
+    fmiStatus status;
+    switch (output) {
+    case FORCE: return evaluate(u, 0, u->load, &other, value);
+    case COEFFICIENT: return evaluate(u, 1, u->load, &other, value);
+    case SLOPE:
+        *value = 0;
+        if (!(step > 0))
+            return fmiOK;
+        if ((status = evaluate(u, 0, u->load - step, &other, &below)) != fmiOK ||
+            (status = evaluate(u, 0, u->load + step, &other, &above)) != fmiOK)
+            return status;
+        *value = (above - below) / (2 * step);
+        return fmiOK;
+    default: return failed(u, fmiError, "only outputs have directional derivatives");
+    }
+}
+
+static fmiStatus directional_derivative(unit *u, const unsigned unknown[], size_t unknowns, const unsigned known[],
+                                        size_t knowns, const double seed[], double value[])
+{
+    double along = 0;
+    for (size_t i = 0; i < knowns; i++) {
+        if (known[i] != LOAD)
+            return failed(u, fmiError, "directional derivatives are those with respect to the load");
+        along += seed[i];
+    }
+    for (size_t i = 0; i < unknowns; i++) {
+        double slope;
+        fmiStatus status = derivative(u, unknown[i], &slope);
+        if (status != fmiOK)
+            return status;
+        value[i] = slope * along;
+    }
+    return fmiOK;
+}
