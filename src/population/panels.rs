@@ -23,7 +23,7 @@ const SHORT_RATIO: f64 = 0.5;
 const FAR_FROM_BREAK_AWAY: f64 = 6.0;
 /// Where radii vary, dz/ds must not rise by more than this factor over a panel because they do: where the radius of contact
 /// falls with height, the parameter does at last.
-const MOST_BEND: f64 = 2.0;
+const MOST_BEND: f64 = 1.5;
 /// A panel in the parameter is no longer than this many times the distance to where the law is singular.
 const PARAMETER_RATIO: f64 = 3.0;
 /// Between the slip law's radii friction is a power of the contact radius of about 3/2, which the rule follows closely: no
@@ -163,7 +163,7 @@ impl Population {
             };
             let (mut panel, mut nodes) = lay(reach);
             // Where radii change so fast that the height does not follow from the parameter, a shorter panel serves.
-            while nodes.iter().any(|(_, point)| point.z.is_nan()) && reach > SHORTEST {
+            while !nodes.iter().all(|(_, point)| panel.follows(point)) && reach > SHORTEST {
                 reach *= 0.25;
                 (panel, nodes) = lay(reach);
             }
@@ -330,7 +330,7 @@ impl Population {
         }
         for _ in 0..MOST_STEPS {
             let there = self.on_branch(separation, s + step, here.z + step * (start_rate + step));
-            if there.z.is_nan() || there.height_share() * MOST_BEND < here.height_share() {
+            if !there.follows(here) {
                 step *= 0.25;
                 continue;
             }
@@ -344,10 +344,16 @@ impl Population {
             // As if the rise were quadratic in the step.
             let bend = ((rise - start_rate * step) / (step * step)).max(0.0);
             let shorter = 2.0 * limit / (start_rate + (start_rate * start_rate + 4.0 * bend * limit).sqrt());
-            if reaches_stop && here.z + limit >= stop {
-                return Some(self.at_height(separation, stop, s + shorter));
-            }
-            step = shorter.min(0.9 * step);
+            step = if reaches_stop && here.z + limit >= stop {
+                // What was tried may lie so far above the stop that radii are level there.
+                let there = self.at_height(separation, stop, s + shorter);
+                if there.follows(here) {
+                    return Some(there);
+                }
+                0.5 * (there.contact.parameter - s)
+            } else {
+                shorter.min(0.9 * step)
+            };
         }
         None
     }
@@ -388,7 +394,8 @@ impl Population {
     fn cut_where(&self, separation: f64, panel: &mut Panel, f: impl Fn(&Point) -> f64, kink: Option<usize>) {
         let ends = [panel.from, panel.to].map(|end| (panel.variable(&end), f(&end)));
         let [(from, at_from), (to, at_to)] = ends;
-        if (at_from < 0.0) == (at_to < 0.0) {
+        // An end that was not found tells nothing: the panel will be tried again shorter.
+        if (at_from < 0.0) == (at_to < 0.0) || to.is_nan() {
             return;
         }
         let part = if kink.is_some() { LAST_BITS } else { NEAR_EXTREMUM };
@@ -433,7 +440,19 @@ impl Population {
     }
 }
 
+impl Point {
+    /// Whether heights follow from the parameter between another summit and this one. Not so if this one was not found.
+    fn follows(&self, other: &Self) -> bool {
+        !self.z.is_nan() && self.height_share() * MOST_BEND >= other.height_share()
+    }
+}
+
 impl Panel {
+    /// Whether the panel serves for a summit at one of its nodes.
+    fn follows(&self, node: &Point) -> bool {
+        self.axis == Axis::Height || node.follows(&self.from)
+    }
+
     fn variable(&self, point: &Point) -> f64 {
         match self.axis {
             Axis::Parameter => point.contact.parameter,
