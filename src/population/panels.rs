@@ -43,6 +43,8 @@ const REMNANT: f64 = 1e-3;
 pub(super) const PART_AT_FOOT: f64 = 0.02;
 /// What is less than this part of all above the last mode of the heights ends the sum.
 const NEGLIGIBLE: f64 = 1e-18;
+/// A slope of ln phi, per sigma, over which rounding errors of heights change the density by no small part.
+const STEEPEST: f64 = 1e9;
 /// To what part of a panel a kink is found, and an extremum: next to that what it is one of hardly changes.
 const LAST_BITS: f64 = 1e-18;
 const NEAR_EXTREMUM: f64 = 1e-2;
@@ -210,8 +212,8 @@ impl Population {
     #[inline]
     pub(super) fn densities(&self, separation: f64, z: [f64; POINTS], overlaps: [f64; POINTS]) -> [f64; POINTS] {
         let slope = self.heights.log_density_slope(z[POINTS / 2]);
-        // At the end of the heights itself it is no number; nothing lies so near.
-        let slope = if slope.is_finite() { slope } else { 0.0 };
+        // Next to the end of the heights it is no number, or so large that a rounding error is no small change; little lies so near.
+        let slope = if slope.abs() < STEEPEST { slope } else { 0.0 };
         let mut densities = self.heights.densities(z);
         for i in 0..POINTS {
             let rounding = overlaps[i] - (z[i] - separation);
