@@ -15,7 +15,7 @@ def build_debian(architecture, out, env):
     shutil.rmtree(work, ignore_errors=True)
     source = work / "asperity"
     unpack_commit(source)
-    shutil.copytree(source / "packaging" / "debian", source / "debian")  # with the date of the commit
+    shutil.copytree(source / "packaging" / "debian", source / "debian")
     target = read_targets()[ARCHITECTURES[architecture]]
     env = env | linker_environment(target) | small_std_environment()
     env |= {"CARGO_BUILD_TARGET": target.rust, "DEB_BUILD_OPTIONS": "noautodbgsym nocheck"}
