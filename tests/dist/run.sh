@@ -36,9 +36,9 @@ load_wheel() {
     passed "$wheel" "its library, loaded and unloaded by a C program of that platform"
 }
 
-# Uses the files that are ready.
-use_ready() {
-    local work=$all/ready since=$SECONDS
+# Uses the files of dist/.
+use_files() {
+    local work=$all/files since=$SECONDS
     mkdir "$work"
 
     # ---- Archives: unpacked as installations, by Rust's names of the targets ----
@@ -126,26 +126,6 @@ use_ready() {
         said=$("$venv/bin/python" tests/dist/conda_check.py "$package" "$work/conda-$(basename "$package")")
         passed "$package" "$said"
     done
-}
-
-# Builds from the sources.
-build_again() {
-    local work=$all/built since=$SECONDS
-    mkdir "$work"
-
-    # ---- The same bytes from a second build ----
-    again=()
-    [ ! -f "dist/asperity-$version-x86_64-linux-gnu.tar.xz" ] || again+=(x86_64-linux-gnu)
-    [ ! -f "dist/asperity-$version-source.tar.xz" ] || again+=(sources)
-    [ ! -f "dist/asperity-$version.crate" ] || again+=(crate)
-    ! ls dist/*.deb >/dev/null 2>&1 || again+=(debian)
-    if [ "${#again[@]}" != 0 ]; then
-        said=$(tests/dist/reproducible.sh "$target/dist/again" "${again[@]}")
-        passed "${again[*]}" "$said"
-    fi
-
-    tests/dist/refusals.sh building
-    passed "make dist, make release" "what they cannot do they name; workflows follow GitHub's schema"
 
     # ---- Sources, without a network ----
     if [ -f "dist/asperity-$version-source.tar.xz" ]; then
@@ -162,17 +142,37 @@ build_again() {
         said=$(cd / && "$work/sdist/bin/python" "$root/tests/dist/python_check.py" "$version")
         passed "asperity-$version.tar.gz" "installed by pip: $said"
     fi
+}
+
+# Builds from the checkout.
+build_again() {
+    local work=$all/again since=$SECONDS
+    mkdir "$work"
+
+    # ---- The same bytes from a second build ----
+    again=()
+    [ ! -f "dist/asperity-$version-x86_64-linux-gnu.tar.xz" ] || again+=(x86_64-linux-gnu)
+    [ ! -f "dist/asperity-$version-source.tar.xz" ] || again+=(sources)
+    [ ! -f "dist/asperity-$version.crate" ] || again+=(crate)
+    ! ls dist/*.deb >/dev/null 2>&1 || again+=(debian)
+    if [ "${#again[@]}" != 0 ]; then
+        said=$(tests/dist/reproducible.sh "$target/dist/again" "${again[@]}")
+        passed "${again[*]}" "$said"
+    fi
+
+    tests/dist/refusals.sh building
+    passed "make dist, make release" "what they cannot do they name; workflows follow GitHub's schema"
 
     CONAN_HOME=$target/dist/conan tests/dist/conan.sh "$work/conan" "$venv/bin/conan"
     passed packaging/conan "conan create builds from source, and the test package runs"
 }
 
 # The two at a time: most steps keep one processor busy.
-use_ready &
-ready=$!
+use_files &
+files=$!
 build_again &
-built=$!
-wait "$ready" || fail "a file that is ready cannot be used; see above"
-wait "$built" || fail "a build fails; see above"
+builds=$!
+wait "$files" || fail "a file of dist/ cannot be used; see above"
+wait "$builds" || fail "the checkout does not build as it is to; see above"
 proved=$(wc -l <"$all/proved")
 echo "tests/dist/run.sh: $proved proofs passed, 0 failed, in $SECONDS s"
