@@ -16,7 +16,7 @@ directory = "vendor"
 
 
 def unpack_commit(folder):
-    """The files of the commit that is checked out, of now: with the commit's date cargo could take earlier builds for newer."""
+    """The files of the commit, with the date of now: with the commit's, cargo could take earlier builds for newer."""
     folder.mkdir(parents=True)
     archive = folder.with_suffix(".tar")
     run("git", "archive", "--format=tar", "-o", archive, "HEAD")

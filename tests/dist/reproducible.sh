@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds a part of dist/ again, in another checkout of the commit with another target directory: every file must have the sum that it
-# has in dist/SHA256SUMS. Of that directory only Rust's standard library, built there by the first run, is used by the next ones.
+# Builds a part of dist/ again, in another checkout of the commit with another target directory: every file must have the
+# sum that it has in dist/SHA256SUMS. Later runs find Rust's standard library in that directory, built by the first one.
 #
 # usage: tests/dist/reproducible.sh WORK [NAME...]     after make dist; NAME as for packaging/dist.py
 set -euo pipefail

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Proves the files in dist/ as users get them: unpacks, installs, builds against, runs. What make dist was not told to
-# build is not proved; the last line says how much was. The first run makes a Debian system to install packages in and builds Rust's
-# standard library once more, which takes some minutes; both are kept under the target directory.
+# build is not proved; the last line says how much was. The first run makes a Debian system to install packages in and
+# builds Rust's standard library once more, which takes some minutes; both are kept under the target directory.
 #
 # usage: tests/dist/run.sh      after make dist; needs what tests/setup.sh dist installs, and root for the Debian system
 set -euo pipefail
@@ -129,7 +129,8 @@ use_files() {
 
     # ---- Sources, without a network ----
     if [ -f "dist/asperity-$version-source.tar.xz" ]; then
-        tar -xmf "dist/asperity-$version-source.tar.xz" -C "$work" # -m: of now, so that cargo takes no earlier build for newer
+        # -m: with the date of now, so that cargo takes no earlier build for newer.
+        tar -xmf "dist/asperity-$version-source.tar.xz" -C "$work"
         CARGO_HOME=$work/no-crates quietly unshare -r -n make -C "$work/asperity-$version-source" \
             CARGO_TARGET_DIR="$target/dist/test-source" install PREFIX="$work/from-source"
         said=$(tests/dist/installed.sh "$work/from-source-installed" "$work/from-source")

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs this checkout by its Spack recipe, with the system's Rust and compiler, and runs a program that
-# finds the library with pkg-config. In folders of its own: the user's Spack is left as it is.
+# Installs this checkout by its Spack recipe, with the system's Rust and compiler, and runs a program that finds the library
+# with pkg-config. In folders of its own: the user's Spack is left as it is.
 #
-# usage: tests/dist/spack.sh      needs Spack 1.0 or later: SPACK names the program if it is not `spack`; where Spack cannot clone
-#                                 its recipes from the network, SPACK_BUILTIN is the folder of those, .../spack_repo/builtin
+# usage: tests/dist/spack.sh      needs Spack 1.0 or later: SPACK names the program if it is not `spack`; where Spack cannot
+#                                 clone its recipes from the network, SPACK_BUILTIN is their folder, .../spack_repo/builtin
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . tests/dist/shared.sh

@@ -8,7 +8,8 @@ cd "$(dirname "$0")/../.."
 . tests/dist/shared.sh
 [ -n "${VCPKG_ROOT:-}" ] || fail "VCPKG_ROOT names no folder of vcpkg: https://learn.microsoft.com/vcpkg has how to install it"
 vcpkg=${VCPKG:-$VCPKG_ROOT/vcpkg}
-command -v "$vcpkg" >/dev/null || fail "$vcpkg is missing: run bootstrap-vcpkg.sh in $VCPKG_ROOT, or name it: VCPKG=/folder/vcpkg $0"
+command -v "$vcpkg" >/dev/null ||
+    fail "$vcpkg is missing: run bootstrap-vcpkg.sh in $VCPKG_ROOT, or name it: VCPKG=/folder/vcpkg $0"
 work=$(realpath -m "${CARGO_TARGET_DIR:-target}")/dist/vcpkg
 rm -rf "$work"
 mkdir -p "$work"

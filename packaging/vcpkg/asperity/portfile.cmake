@@ -1,5 +1,5 @@
-# Builds the sources that this port stands in, with the cargo that CMake finds. Shared and static, whatever the triplet asks for, and
-# always cargo's release build.
+# Builds the sources that this port stands in, with the cargo that CMake finds: shared and static, whatever the triplet
+# asks for, and always cargo's release build.
 get_filename_component(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 set(VCPKG_BUILD_TYPE release)
 set(VCPKG_POLICY_MISMATCHED_NUMBER_OF_BINARIES enabled)

@@ -4,8 +4,8 @@ from spack.package import *
 
 
 class Asperity(MakefilePackage):
-    """Friction laws from contact physics, callable from any solver. `spack dev-build` builds it from the sources that this recipe
-    stands in."""
+    """Friction laws from contact physics, callable from any solver. `spack dev-build` builds it from the sources that this
+    recipe stands in."""
 
     license("MIT OR Apache-2.0")
 
