@@ -3,7 +3,7 @@
 import shutil
 
 from sources import unpack_commit
-from targets import WORK, linker_environment, read_targets, run, small_std_environment
+from targets import WORK, read_targets, run, small_std_environment
 
 # Debian's name of an architecture, and the target whose library its packages have.
 ARCHITECTURES = {"amd64": "x86_64-linux-gnu", "arm64": "aarch64-linux-gnu"}
@@ -15,9 +15,9 @@ def build_debian(architecture, out, env):
     shutil.rmtree(work, ignore_errors=True)
     source = work / "asperity"
     unpack_commit(source)
-    shutil.copytree(source / "packaging" / "debian", source / "debian")  # with the date of the commit
+    shutil.copytree(source / "packaging" / "debian", source / "debian")
     target = read_targets()[ARCHITECTURES[architecture]]
-    env = env | linker_environment(target) | small_std_environment()
+    env = env | small_std_environment()
     env |= {"CARGO_BUILD_TARGET": target.rust, "DEB_BUILD_OPTIONS": "noautodbgsym nocheck"}
     # -d: cargo may be of rustup, not of Debian.
     run("dpkg-buildpackage", "-b", "-uc", "-us", "-d", f"--host-arch={architecture}", cwd=source, env=env)

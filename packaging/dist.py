@@ -25,7 +25,6 @@ from wheels import build_sdist, build_wheel
 PACKAGES = ("sources", "crate", "debian")
 # What each part needs beside cargo and make; tests/setup.sh dist installs all of it.
 TOOLS = {
-    "zig": ("cargo-zigbuild", "python-zig"),
     "x86_64-windows": ("cmake", "x86_64-w64-mingw32-gcc", "llvm-dlltool"),
     "debian": ("dpkg-buildpackage", "dh", "dh_python3", "aarch64-linux-gnu-strip"),
 }
@@ -40,11 +39,9 @@ def demand_clean_tree():
 
 def demand_tools(targets, packages, env):
     """All that is missing, before anything is built."""
-    wanted = {"git", "rustc", "llvm-strip", "zstd"}
-    for target in targets:
-        wanted.update(TOOLS["zig"] if target.zig else TOOLS.get(target.name, ()))
-    if "debian" in packages:
-        wanted.update((*TOOLS["zig"], *TOOLS["debian"]))
+    wanted = {"git", "rustc", "llvm-strip", "zstd", "cargo-zigbuild", "python-zig"}
+    for name in (*(target.name for target in targets), *packages):
+        wanted.update(TOOLS.get(name, ()))
     missing = [tool for tool in sorted(wanted) if not shutil.which(tool, path=env["PATH"])]
     if not (VENV / "packages").is_file():
         missing.append(f"the tools from PyPI in {VENV}")

@@ -26,6 +26,8 @@ PLACES = {
     "js/package.json": r'^  "version": "(.+)"',
     "docs/javascript.md": r"asperity-(\d+\.\d+\.\d+)\.tgz",
     "packaging/debian/changelog": r"\Aasperity \((.+)-1\)",
+    "packaging/spack/spack_repo/asperity/packages/asperity/package.py": r'^    version\("(.+)"\)',
+    "packaging/vcpkg/asperity/vcpkg.json": r'^  "version": "(.+)"',
     "docs/install.md": r"^\./lib/libasperity\.so\.(\d+\.\d+\.\d+)$",
     "docs/python.md": r"^asperity (\S+) \(library",
 }

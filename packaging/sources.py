@@ -2,6 +2,7 @@
 
 import shutil
 import tarfile
+import time
 
 from archives import pack_tar
 from targets import WORK, run, version
@@ -15,12 +16,12 @@ directory = "vendor"
 
 
 def unpack_commit(folder):
-    """The files of the commit that is checked out."""
+    """The files of the commit, with the date of now: with the commit's, cargo could take earlier builds for newer."""
     folder.mkdir(parents=True)
     archive = folder.with_suffix(".tar")
     run("git", "archive", "--format=tar", "-o", archive, "HEAD")
     with tarfile.open(archive) as tar:
-        tar.extractall(folder, filter="data")
+        tar.extractall(folder, filter=lambda info, path: tarfile.data_filter(info, path).replace(mtime=time.time()))
     archive.unlink()
 
 

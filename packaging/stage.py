@@ -4,7 +4,7 @@ import re
 import shutil
 
 from notices import write_notices
-from targets import ROOT, WORK, demand_size, linker_environment, run, small_std_environment
+from targets import ROOT, WORK, demand_size, run, small_std_environment
 
 # What a released shared library may weigh, stripped.
 LIBRARY_LIMIT = 700_000
@@ -12,7 +12,7 @@ LIBRARY_LIMIT = 700_000
 
 def build_stage(target, folder, env):
     """Builds the library for a target and fills `folder` with the installation."""
-    env = env | linker_environment(target) | {"CARGO_BUILD_TARGET": target.rust}
+    env = env | {"CARGO_BUILD_TARGET": target.rust}
     if "wasm32" not in target.rust:  # whose library has no traces
         env |= small_std_environment()
     if target.rust.endswith("musl"):

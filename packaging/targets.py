@@ -96,7 +96,7 @@ def build_environment():
     env["PATH"] = f"{VENV / 'bin'}:{env['PATH']}"
     env["CARGO_TARGET_DIR"] = str(WORK / "cargo")
     env["CARGO_PROFILE_RELEASE_STRIP"] = "symbols"
-    env.update(MACOSX_DEPLOYMENT_TARGET="11.0", LC_ALL="C", TZ="UTC")
+    env.update(linker_environment(), MACOSX_DEPLOYMENT_TARGET="11.0", LC_ALL="C", TZ="UTC")
     return env
 
 
@@ -116,12 +116,17 @@ def small_std_environment():
     return {"RUSTC_BOOTSTRAP": "1", "CARGO_UNSTABLE_BUILD_STD": "std,panic_unwind", "CARGO_UNSTABLE_BUILD_STD_FEATURES": ""}
 
 
-def linker_environment(target):
-    """What makes cargo link for a target: the compiler that zig is, behind a script as cargo knows only programs."""
-    if not target.zig:
-        return {}
-    script = WORK / "linkers" / target.name
-    script.parent.mkdir(parents=True, exist_ok=True)
-    script.write_text(f'#!/bin/sh\nexec cargo-zigbuild zig cc -- -target {target.zig} "$@"\n', encoding="utf-8")
-    script.chmod(0o755)
-    return {f"CARGO_TARGET_{target.rust.upper().replace('-', '_')}_LINKER": str(script)}
+def linker_environment():
+    """
+    What makes cargo link by the compiler that zig is, behind scripts as cargo knows only programs. The same for all builds: what
+    the compiler runs, and the standard library with it, cargo builds again if this machine's own linker is another one.
+    """
+    env = {}
+    for target in read_targets().values():
+        if target.zig:
+            script = WORK / "linkers" / target.name
+            script.parent.mkdir(parents=True, exist_ok=True)
+            script.write_text(f'#!/bin/sh\nexec cargo-zigbuild zig cc -- -target {target.zig} "$@"\n', encoding="utf-8")
+            script.chmod(0o755)
+            env[f"CARGO_TARGET_{target.rust.upper().replace('-', '_')}_LINKER"] = str(script)
+    return env

@@ -16,20 +16,18 @@ command -v npm >/dev/null || web+=" npm"
 # Of crates.io, at the versions that were tried; fetched and built by cargo.
 harden_tools="cargo-deny@0.20.2 cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
 
-# For the short form of tests/dist/same_bits.sh: 64-bit ARM.
-bits="qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross"
-bits_target=aarch64-unknown-linux-gnu
+# For the short form of tests/dist/same_bits.sh: 64-bit ARM, Windows. That adds Rust's targets itself.
+bits="qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-mingw-w64-x86-64-win32 wine64"
 
 # What make dist and make dist-test need beside the tools that come from PyPI.
-dist="cmake debhelper debootstrap dh-python dpkg-dev gcc-mingw-w64-x86-64 gfortran lintian llvm pkg-config python3 python3-venv xz-utils
-    zstd"
-dist_targets="x86_64-unknown-linux-gnu $bits_target x86_64-unknown-linux-musl x86_64-pc-windows-gnu
+dist="cmake debhelper debootstrap dh-python dpkg-dev gfortran lintian llvm pkg-config python3 python3-venv xz-utils zstd"
+dist_targets="x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-unknown-linux-musl x86_64-pc-windows-gnu
     aarch64-apple-darwin x86_64-apple-darwin wasm32-unknown-unknown"
 
 # The compilers of other machines for tests/dist/same_bits.sh, and what runs their programs.
 machines="$bits gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-i686-linux-gnu libc6-dev-i386-cross
     gcc-riscv64-linux-gnu libc6-dev-riscv64-cross gcc-powerpc64le-linux-gnu libc6-dev-ppc64el-cross gcc-s390x-linux-gnu
-    libc6-dev-s390x-cross gcc-mingw-w64-x86-64 wine64 musl-tools clang lld wasi-libc nodejs"
+    libc6-dev-s390x-cross musl-tools clang lld wasi-libc nodejs"
 machine_targets="armv7-unknown-linux-gnueabihf i686-unknown-linux-gnu riscv64gc-unknown-linux-gnu
     powerpc64le-unknown-linux-gnu s390x-unknown-linux-gnu"
 
@@ -74,7 +72,6 @@ target() {
     rustup target list --installed | grep -qx "$2" || rustup target add "$2"
 }
 target web wasm32-unknown-unknown
-target bits $bits_target
 
 # environment GROUP PACKAGES: a virtual environment with the packages, where the group is asked for.
 environment() {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds a part of dist/ again, from nothing, in another checkout of the commit with another target directory: every file must
-# have the sum that it has in dist/SHA256SUMS.
+# Builds a part of dist/ again, in another checkout of the commit with another target directory: every file must have the
+# sum that it has in dist/SHA256SUMS. Later runs find Rust's standard library in that directory, built by the first one.
 #
 # usage: tests/dist/reproducible.sh WORK [NAME...]     after make dist; NAME as for packaging/dist.py
 set -euo pipefail
@@ -9,12 +9,12 @@ cd "$(dirname "$0")/../.."
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 root=$PWD work=$1
 shift
-rm -rf "$work"
-mkdir -p "$work/other/built"
-copy_commit "$work/other/checkout"
-ln -s "$target/dist-venv" "$work/other/built/dist-venv"
-cd "$work/other/checkout"
-CARGO_TARGET_DIR=$work/other/built python3 packaging/dist.py "$@" >"$work/log" 2>&1 ||
+rm -rf "$work/checkout"
+mkdir -p "$work/built"
+copy_commit "$work/checkout"
+ln -sfn "$target/dist-venv" "$work/built/dist-venv"
+cd "$work/checkout"
+CARGO_TARGET_DIR=$work/built python3 packaging/dist.py "$@" >"$work/log" 2>&1 ||
     { cat "$work/log" >&2; fail "the second build failed"; }
 same=0
 while read -r sum file; do
@@ -25,5 +25,5 @@ while read -r sum file; do
 done <dist/SHA256SUMS
 [ "$same" != 0 ] || fail "nothing was built"
 cd "$root"
-rm -rf "$work"
+rm -rf "$work/checkout"
 echo "$same files, built again elsewhere: the same bytes"

@@ -3,7 +3,7 @@
 # and compares its list of answers with same_bits.txt; then tests/c/environments.c, but in WebAssembly, which has one.
 #
 # usage: tests/dist/same_bits.sh                the short form: every third surface, on this machine, and on x86-64 Linux
-#                                               also with AVX2, with SSE and as 64-bit ARM; installs what that takes
+#                                               also with AVX2, with SSE, as 64-bit ARM and as Windows; installs what that takes
 #        tests/dist/same_bits.sh all            every target
 #        tests/dist/same_bits.sh TARGET...      Rust's names of targets
 #        tests/dist/same_bits.sh --write        makes the list anew, after a change that is to change answers
@@ -89,7 +89,6 @@ execute() {
         "$run" -L "/usr/${prefix%-gcc}" "$@" ;;
     */ld-linux.so.2) "$run" --library-path "${run%/*}" "$@" ;;
     node) node --no-warnings tests/dist/run_wasi.mjs "$@" ;;
-    "$wine") WINEDEBUG=-all WINEPREFIX=$build/wine "$wine" "$@" ;;
     *) "$run" "$@" ;;
     esac
 }
@@ -104,13 +103,8 @@ compare() {
     echo "$name: the same bits ($((SECONDS - seconds)) s)"
 }
 
-one() {
-    local suffix="" name
-    describe "$1"
-    case "$1" in
-    *windows*) suffix=.exe ;;
-    wasm32*) suffix=.wasm ;;
-    esac
+# Sets `library` to that of a target, and builds it.
+build_library() {
     library=${STAGE:+$STAGE/$1/lib/libasperity.a}
     if [ -z "$library" ] && [ "$1" = "$host" ]; then
         # As every other test builds it.
@@ -120,6 +114,16 @@ one() {
         cargo rustc --release --locked --quiet --lib --crate-type staticlib --target "$1"
         library=$target/$1/release/libasperity.a
     fi
+}
+
+one() {
+    local suffix="" name
+    describe "$1"
+    case "$1" in
+    *windows*) suffix=.exe ;;
+    wasm32*) suffix=.wasm ;;
+    esac
+    build_library "$1"
     name=$1$suffix
     compile "$name" tests/dist/same_bits.c
     if [ -n "$write" ]; then
@@ -153,8 +157,16 @@ case "${1:-}" in
         "$list" >"$expected"
     set -- "$host"
     if [ "$host" = x86_64-unknown-linux-gnu ]; then
-        tests/setup.sh bits
-        set -- "$host" aarch64-unknown-linux-gnu
+        set -- "$host" aarch64-unknown-linux-gnu x86_64-pc-windows-gnu
+        # Compilers and emulators are installed while cargo builds.
+        tests/setup.sh bits &
+        installing=$!
+        ! command -v rustup >/dev/null || rustup -q target add "$@"
+        for name in "$@"; do
+            # What is missing is named below.
+            [ ! -d "$(rustc --print target-libdir --target "$name")" ] || build_library "$name"
+        done
+        wait "$installing"
     fi ;;
 esac
 for name in "$@"; do

@@ -2,6 +2,9 @@
 # shellcheck shell=bash disable=SC2034
 
 wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
+# Wine's files are made once for all tests, without the parts for .NET and HTML.
+WINEPREFIX=$(realpath -m "${CARGO_TARGET_DIR:-target}")/wine
+export WINEPREFIX WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml="
 
 # A command that fails without a word is named.
 set -E

@@ -8,9 +8,6 @@ cd "$(dirname "$0")/../.."
 work=$1 prefix=$2
 rm -rf "$work"
 mkdir -p "$work"
-in_wine() {
-    WINEDEBUG=-all WINEPREFIX=$(dirname "$work")/wine quietly "$wine" "$@"
-}
 
 for project in find-package-shared find-package-static; do
     quietly cmake -S "tests/consumers/$project" -B "$work/$project" -DCMAKE_SYSTEM_NAME=Windows \
@@ -18,14 +15,14 @@ for project in find-package-shared find-package-static; do
         -DASPERITY_WANTED=0
     quietly cmake --build "$work/$project"
     cp "$prefix/bin/asperity.dll" "$work/$project"
-    in_wine "$work/$project/consumer.exe"
+    quietly "$wine" "$work/$project/consumer.exe"
 done
 # The import library for Microsoft's linker, alone in a folder so that no other can be taken.
 mkdir "$work/msvc"
 cp "$prefix/lib/asperity.dll.lib" "$prefix/bin/asperity.dll" "$work/msvc"
 quietly x86_64-w64-mingw32-gcc -std=c11 -I"$prefix/include" tests/consumers/greenwood_williamson.c -o "$work/msvc/consumer.exe" \
     "$work/msvc/asperity.dll.lib"
-in_wine "$work/msvc/consumer.exe"
+quietly "$wine" "$work/msvc/consumer.exe"
 # Which of the two the CMake package takes where the compiler is Microsoft's: asked without one.
 mkdir "$work/choice"
 cat >"$work/choice/CMakeLists.txt" <<'END'
