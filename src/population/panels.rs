@@ -325,13 +325,15 @@ impl Population {
     fn parameter_panel_end(&self, separation: f64, here: &Point, reach: f64, stop: f64) -> Option<Point> {
         let s = here.contact.parameter;
         let mut step = self.longest_step(here);
-        let start_rate = here.z_rate();
+        let (start_rate, here_g) = (here.z_rate(), self.radius.factor(here.z));
         if step == f64::INFINITY {
             // Hertz: the height is s^2.
             step = reach / (0.5 * start_rate + (0.25 * start_rate * start_rate + reach).sqrt());
         }
         for _ in 0..MOST_STEPS {
-            let there = self.on_branch(separation, s + step, here.z + step * (start_rate + step));
+            // As if radii went on as they begin to.
+            let deeper = self.law.at(s + step, here_g).overlap - here.contact.overlap;
+            let there = self.on_branch(separation, s + step, here.z + deeper / here.height_share());
             if !there.follows(here) {
                 step *= 0.25;
                 continue;
