@@ -6,4 +6,5 @@ mod common;
 mod domain;
 mod domain_map;
 mod findings;
+mod found_by_sweeps;
 mod thresholds;
