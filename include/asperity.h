@@ -537,7 +537,8 @@ typedef struct asperity_summary {
    */
   double kurtosis;
   /**
-   * The pull-off load, the smallest load at which the surfaces hold together, <= 0 [force].
+   * The pull-off load, the smallest load at which the surfaces hold together, <= 0 [force]. It is that of the mean over
+   * many summits, far below that of one rough pad, which its few tallest summits hold (docs/c.md).
    */
   double pull_off_load;
   /**

@@ -83,7 +83,8 @@ pub struct asperity_summary {
     pub skew: f64,
     /// Kurtosis of the summit heights; 3 for Gaussian.
     pub kurtosis: f64,
-    /// The pull-off load, the smallest load at which the surfaces hold together, <= 0 [force].
+    /// The pull-off load, the smallest load at which the surfaces hold together, <= 0 [force]. It is that of the mean over
+    /// many summits, far below that of one rough pad, which its few tallest summits hold (docs/c.md).
     pub pull_off_load: f64,
     /// Friction force at the pull-off load [force].
     pub pull_off_friction_force: f64,
