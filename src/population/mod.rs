@@ -111,9 +111,10 @@ impl Point {
         1.0 - self.contact.by_g.overlap * self.g_rate
     }
 
-    /// da/ds along the same.
-    fn radius_rate(&self) -> f64 {
-        self.contact.by_s.radius + self.contact.by_g.radius * self.g_rate * self.z_rate()
+    /// How the contact radius changes with height at one separation: da/dz du/ds, which is finite also where s turns back.
+    fn radius_change(&self) -> f64 {
+        self.contact.by_s.radius * self.height_share()
+            + self.contact.by_g.radius * self.g_rate * self.contact.by_s.overlap
     }
 
     /// The same contact of a higher summit at a larger separation, where radii are equal.

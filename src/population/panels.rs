@@ -371,7 +371,7 @@ impl Population {
                 panel.to = self.on_panel(separation, &panel, turn);
                 panel.kink = None;
             }
-            self.cut_where(separation, &mut panel, Point::radius_rate, None);
+            self.cut_where(separation, &mut panel, Point::radius_change, None);
         }
         for (index, kink) in self.radius_kinks.into_iter().enumerate().filter(|&(index, _)| start_kink != Some(index)) {
             self.cut_where(separation, &mut panel, |point| point.contact.radius - kink, Some(index));
@@ -468,8 +468,8 @@ impl Panel {
     fn between_extrema(&self) -> Option<f64> {
         let (from, to) = (self.variable(&self.from), self.variable(&self.to));
         let slope = |point: &Point| match self.axis {
-            Axis::Parameter => point.radius_rate() * (to - from),
-            Axis::Height => point.radius_rate() / point.z_rate() * (to - from),
+            Axis::Parameter => point.radius_change() / point.height_share() * (to - from),
+            Axis::Height => point.radius_change() / point.contact.by_s.overlap * (to - from),
         };
         let change = self.to.contact.radius - self.from.contact.radius;
         let (start, end) = (slope(&self.from), slope(&self.to));

@@ -347,6 +347,23 @@ fn and_so_is_every_one_that_long_sweeps_found_wrong() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
+/// The contact radius rises over the slip law's second radius with height and falls below it again, while the parameter of the
+/// contact law turns back: within one panel, whose ends showed neither.
+#[test]
+fn friction_is_summed_from_kink_to_kink_where_contact_radii_rise_and_fall() {
+    let surface = found_by_sweeps::surfaces().pop().expect("the last one");
+    let params = params_of(&surface);
+    let model = Model::new(&params).expect("a model");
+    for step in -5..=5 {
+        let separation = 0.955 + 1e-3 * f64::from(step);
+        let state = model.state_at_separation(separation * params.height_std).expect("a state");
+        assert!(state.fraction_above_slip_radius_2 > 0.01 && state.fraction_between_slip_radii > 0.9, "{state:?}");
+        for (name, error) in errors(&surface, &state, separation, &surface.at_separation(separation)) {
+            assert!(error < 1e-10, "{name} off by {error:.1e} at {separation}");
+        }
+    }
+}
+
 /// The second evaluation against the 80-bit rows of `reference/`.
 #[test]
 fn the_second_evaluation_agrees_with_the_80_bit_rows() {
