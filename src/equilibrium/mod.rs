@@ -15,8 +15,6 @@ use pull_off::End;
 
 /// No separation on the branch is smaller, in sigma: loads there are beyond all that is asked for.
 const CLOSEST: f64 = -1e60;
-/// Steps in separation by which a branch is followed back are no longer.
-const FARTHEST_STEP: f64 = 100.0;
 /// Below this part of the pull-off load, load minus pull-off load is integrated from the slope: the difference of the two
 /// loads would have lost too many digits.
 const NEAR_PULL_OFF: f64 = 1e-4;

@@ -1,6 +1,5 @@
 //! The pull-off point: the first minimum of the load over separation, coming from heavy load.
 
-use super::FARTHEST_STEP;
 use crate::elementary::log;
 use crate::error::Error;
 use crate::numerics::root;
@@ -14,6 +13,8 @@ const FIRST_STEP: f64 = 1.0;
 const WIDEST_STEP: f64 = 0.25;
 /// A minimum narrower than this is not looked for.
 const NARROWEST_STEP: f64 = 0.02;
+/// From where the load rises, the branch is looked for in steps back of no more than this, relative to 1 or the separation.
+const FARTHEST_STEP: f64 = 100.0;
 /// A bracket is looked at in so many parts for an earlier and shallower minimum.
 const PARTS: u32 = 16;
 /// Where heights end, the load is looked at up to this far from where nothing is left, relative to it.
@@ -77,7 +78,7 @@ impl End {
             }
         }
         let mut step = 0.05 * NARROWEST_STEP;
-        while step < FARTHEST_STEP {
+        while step < FARTHEST_STEP * (1.0 + off_branch.abs()) {
             if falls(population, rising - step)? {
                 return Self::within(population, (rising - step, rising));
             }
