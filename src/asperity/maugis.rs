@@ -163,7 +163,9 @@ impl ContactLaw for Maugis {
             }
             let newton = s + missing / contact.by_s.overlap;
             let step = (newton - s).abs();
-            if step * last_step <= LAST_STEPS * s * s || step <= LAST_STEP * s {
+            // Next to the fold a step may be large after a small one.
+            let converges = step <= last_step && step * last_step <= LAST_STEPS * s * s;
+            if converges || step <= LAST_STEP * s {
                 return Contact { overlap, ..contact.moved(newton - s, 0.0).with_rates_beyond(&contact, &before) };
             }
             let next = if newton > lower && newton < upper && contact.by_s.overlap > 0.0 {

@@ -7,7 +7,7 @@ use crate::common::second_evaluation::Surface;
 pub fn surfaces() -> Vec<Surface> {
     let table = |height: &[f64], density: &[f64]| Heights::Table(Table::new(height.to_vec(), density.to_vec()));
     // alpha, beta, gamma, b/h; heights; epsilon, rho; attraction.
-    let found: [([f64; 4], Heights, [f64; 2], bool); 13] = [
+    let found: [([f64; 4], Heights, [f64; 2], bool); 14] = [
         // An end of a panel that was not found met a search for a kink: the library panicked.
         ([5.304071568985277e-2, 5.862277965328117e4, 2.2150197609801716e-3, 14.62455047397752],
          Heights::weibull(2.9071728339722447), [-0.9667968745343387, 48.42376957693709], false),
@@ -37,6 +37,9 @@ pub fn surfaces() -> Vec<Surface> {
         // The foot of the heights breaks away to the last bit: refused.
         ([7.490515710136327e-4, 1.702468567705375e2, 2.9049239456449966e-7, 7.26576119649655e-2],
          Heights::weibull(1.2900835648769988), [0.0, 1.0], true),
+        // The foot breaks away to the last bit, where a step of Newton's method next to the fold led off the branch: refused.
+        ([2.567709565053962e-1, 3.0913118812920464e4, 3.1169292405082965e-3, 4.824691559451277],
+         Heights::weibull(1.0298933394383276), [-6.823730422183871e-2, 1.249073904852301e-3], true),
         // Of two minima of the load, the first was not found from where the load had risen far behind it: refused.
         ([1.0084679716739637e-4, 3.540064959222074, 7.056104378931292e-1, 7.41188656693803e-1],
          Heights::weibull(89.1208460545219), [0.9645996098406613, 9.99859472574255], true),
