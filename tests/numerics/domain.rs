@@ -1,7 +1,7 @@
 //! The whole admitted box of parameters: every surface is answered to 1e-8, against a second evaluation that shares no
 //! code with the library (`common/second_evaluation/`), or refused with a reason; no call takes longer than a second.
 //!
-//! `cargo test` takes 200 surfaces of a Sobol sequence, `make domain` 20,000 and writes the map of `docs/reliability.md`:
+//! `cargo test` takes 500 surfaces of a Sobol sequence, `make domain` 20,000 and writes the map of `docs/reliability.md`:
 //! ASPERITY_DOMAIN_SETS says how many, ASPERITY_DOMAIN_MAP where the tables and the picture go. A quarter as many have
 //! heights of Johnson's system or of a table.
 
@@ -27,7 +27,7 @@ const NOTHING: f64 = 1e-60;
 /// Radii are refused where contact ends at heights that change faster than this with separation: a few in a hundred more
 /// than the library's bound, which is looked for in longer steps.
 const LEAST_RATE: f64 = 0.05;
-const SETS: usize = 200;
+const SETS: usize = 500;
 /// Surfaces after which a long run says how far it is.
 const PROGRESS: usize = 250;
 /// Surfaces of the box for one of other heights.
