@@ -130,9 +130,9 @@ fn bracket_first_minimum(population: &Population) -> Result<Option<(f64, f64)>, 
         }
         let sums = sums_at(population, next)?;
         if sums.load_slope >= 0.0 {
-            // The slope vanishes also where nothing is left; past a minimum the load is negative.
+            // The slope vanishes also where nothing is left.
             let past =
-                if sums.load() < 0.0 { Some(next) } else { before_nothing_is_left(population, &mut here, next)? };
+                if is_past_minimum(&sums) { Some(next) } else { before_nothing_is_left(population, &mut here, next)? };
             let first = |past| if single { Ok((here, past)) } else { first_bracket(population, here, past) };
             return past.map(first).transpose();
         }
@@ -165,13 +165,19 @@ fn before_nothing_is_left(population: &Population, here: &mut f64, nothing: f64)
         let sums = sums_at(population, middle)?;
         if sums.load_slope < 0.0 {
             *here = middle;
-        } else if sums.load() < 0.0 {
+        } else if is_past_minimum(&sums) {
             return Ok(Some(middle));
         } else {
             nothing = middle;
         }
     }
     Ok(None)
+}
+
+/// Whether a load that does not fall is past a minimum: it pulls, or it presses and rises.
+fn is_past_minimum(sums: &Sums) -> bool {
+    let load = sums.load();
+    load < 0.0 || (load > 0.0 && sums.load_slope > 0.0 && log(load) >= SMALLEST_LOG_LOAD)
 }
 
 /// The first part of a bracket across which the slope changes sign.

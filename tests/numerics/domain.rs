@@ -256,7 +256,7 @@ fn pulling(model: &Model, sigma: f64) -> Option<f64> {
     (-40..200)
         .map(|i| 0.25 * f64::from(i) * sigma)
         .filter_map(|separation| Some(model.state_at_separation(separation).ok()?.load))
-        .find(|load| *load < -1e-270)
+        .find(|load| *load < -NOTHING)
 }
 
 /// Down from heavy load the load must fall until pull-off: how far it rises from one separation to the next, relative to

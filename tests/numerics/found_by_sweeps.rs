@@ -7,7 +7,7 @@ use crate::common::second_evaluation::Surface;
 pub fn surfaces() -> Vec<Surface> {
     let table = |height: &[f64], density: &[f64]| Heights::Table(Table::new(height.to_vec(), density.to_vec()));
     // alpha, beta, gamma, b/h; heights; epsilon, rho; attraction.
-    let found: [([f64; 4], Heights, [f64; 2], bool); 14] = [
+    let found: [([f64; 4], Heights, [f64; 2], bool); 15] = [
         // An end of a panel that was not found met a search for a kink: the library panicked.
         ([5.304071568985277e-2, 5.862277965328117e4, 2.2150197609801716e-3, 14.62455047397752],
          Heights::weibull(2.9071728339722447), [-0.9667968745343387, 48.42376957693709], false),
@@ -40,6 +40,15 @@ pub fn surfaces() -> Vec<Surface> {
         // The foot breaks away to the last bit, where a step of Newton's method next to the fold led off the branch: refused.
         ([2.567709565053962e-1, 3.0913118812920464e4, 3.1169292405082965e-3, 4.824691559451277],
          Heights::weibull(1.0298933394383276), [-6.823730422183871e-2, 1.249073904852301e-3], true),
+        // The load has a minimum at which it presses, and one at which it pulls: was taken to have none.
+        ([4.193325684499558e-2, 3.4144848973655758e3, 5.569232601957277e-2, 1.1532904191377271],
+         table(&[-0.166708053547314, 0.552970065361509, 0.8240031276156913, 1.1237451975969817, 2.933312818067102,
+                 3.6136077899822325, 5.311410639016109, 7.232365264644907, 8.417710834199282, 8.625688666748493,
+                 9.421936868382145, 9.742722272883592],
+               &[0.06525716555223966, 2.1053818621825955, 1.553537826572537, 0.05118697573111425, 1.5371047214289963,
+                 0.8378025026639547, 0.15177882111758959, 0.1862516195287734, 1.010526309500009, 0.08542493112228053,
+                 0.08161537975115357, 0.07265892888134222]),
+         [0.0, 1.0], false),
         // Of two minima of the load, the first was not found from where the load had risen far behind it: refused.
         ([1.0084679716739637e-4, 3.540064959222074, 7.056104378931292e-1, 7.41188656693803e-1],
          Heights::weibull(89.1208460545219), [0.9645996098406613, 9.99859472574255], true),
