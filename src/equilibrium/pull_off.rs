@@ -68,6 +68,9 @@ impl End {
     }
 
     /// The end before a separation at which the load was found to rise already.
+    ///
+    /// # Errors
+    /// As [`End::of`].
     pub fn before(population: &Population, off_branch: f64) -> Result<Self, Error> {
         let failure = Error::NotConverged { what: "separation at pull-off", value: off_branch };
         let mut rising = off_branch;
