@@ -82,10 +82,9 @@ impl Population {
             if overlap >= end {
                 return Ok(());
             }
-            let smooth = panel::panel_length(&*self.heights, z).min(self.radius.smooth_length(z)).min(end - overlap);
-            let g = self.radius.factor(z);
-            let here = law.at_overlap(overlap, g);
-            let (length, span) = self.attraction_panel(&here, smooth, shortest);
+            let here = law.at_overlap(overlap, self.radius.factor(z));
+            let length = self.attraction_panel(&here, z, shortest).min(end - overlap);
+            let span = here.span(length);
             let nodes = quadrature::panel(0.0, span).map(|(wider, weight)| {
                 let (rise, rate) = here.rise(wider);
                 (rise, weight * rate)
@@ -119,15 +118,19 @@ impl Population {
         (z + panel.length, overlap + panel.length)
     }
 
-    /// The length of a panel, and how much the circle grows over it by the radius at its beginning.
-    fn attraction_panel(&self, here: &Attracted, smooth: f64, shortest: f64) -> (f64, f64) {
-        let length = if self.radius.is_constant() {
-            smooth
-        } else {
-            let (rise, _) = here.rise((CIRCLE_RATIO - 1.0) * here.overlap_rate / here.overlap_bend);
-            rise.max(shortest).min(smooth)
-        };
-        (length, here.span(length))
+    /// How far a panel may reach from a summit of height z.
+    fn attraction_panel(&self, here: &Attracted, z: f64, shortest: f64) -> f64 {
+        let mut smooth = panel::panel_length(&*self.heights, z);
+        if !self.heights.is_piecewise_polynomial() {
+            // As a function of the circle the density is steepest at the far end, by du/dc there over the mean.
+            let span = here.span(smooth);
+            smooth *= smooth / (span * here.rise(span).1);
+        }
+        if self.radius.is_constant() {
+            return smooth;
+        }
+        let (rise, _) = here.rise((CIRCLE_RATIO - 1.0) * here.overlap_rate / here.overlap_bend);
+        rise.max(shortest).min(smooth).min(self.radius.smooth_length(z))
     }
 
     /// The part of a range of heights in which summits out of contact attract: lambda_g^3 < 9/32.

@@ -364,6 +364,35 @@ fn friction_is_summed_from_kink_to_kink_where_contact_radii_rise_and_fall() {
     }
 }
 
+/// Where adhesion is weak and the lower tail is exponential, the density is steeper as a function of the circle of
+/// interaction than of the height, of which panels had the length: attraction was off by 1e-8.
+#[test]
+fn attraction_is_summed_where_the_circle_is_smallest() {
+    for (shape, separations) in [(101.44666481939431, 2.0..3.5), (20.0, 5.0..6.5)] {
+        let surface = Surface {
+            alpha: 0.04796994696123086,
+            beta: 1.3656210428339097,
+            gamma: 2.4e-6,
+            b_over_h: 1.1715684852837,
+            heights: Heights::weibull(shape),
+            epsilon: 0.0,
+            rho: 1.0,
+            attraction: true,
+            slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+        };
+        let params = params_of(&surface);
+        let model = Model::new(&params).expect("a model");
+        for step in 0..30 {
+            let separation = separations.start + (separations.end - separations.start) * f64::from(step) / 30.0;
+            let state = model.state_at_separation(separation * params.height_std).expect("a state");
+            let exact = surface.at_separation(separation);
+            let attraction = exact.log_scale.exp() * exact.load_attracted;
+            let error = (state.attraction_load / attraction - 1.0).abs();
+            assert!(error < 1e-13, "attraction off by {error:.1e} at {separation}, shape {shape}");
+        }
+    }
+}
+
 /// The second evaluation against the 80-bit rows of `reference/`.
 #[test]
 fn the_second_evaluation_agrees_with_the_80_bit_rows() {
