@@ -49,6 +49,7 @@ module asperity
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_STEEP = 4    ! contacts too large for their summits
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ATOMIC = 8   ! contacts too small for continuum mechanics
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW = 16     ! too few contacts for a mean over surfaces
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ADHESIVE = 32 ! adhesion presses with more than the load
 
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1     ! compare with asperity_table%layout_version
 

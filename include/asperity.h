@@ -157,6 +157,12 @@
 #define ASPERITY_WARNING_FEW 16
 
 /**
+ * Bit of `warnings`: adhesion presses the surfaces together with more than the load. Set if the load is below the magnitude
+ * of the pull-off load; never if `asperity_count` is 1, as for single summits.
+ */
+#define ASPERITY_WARNING_ADHESIVE 32
+
+/**
  * Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
  */
 #define ASPERITY_TABLE_LAYOUT 1

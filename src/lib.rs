@@ -41,4 +41,4 @@ pub use error::{Error, Value};
 pub use model::{Model, State, Summary, SummitState};
 pub use params::{ContactLawKind, HeightFamily, Params};
 pub use sensitivity::Sensitivities;
-pub use validity::{WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP};
+pub use validity::{WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP};

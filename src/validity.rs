@@ -16,6 +16,8 @@ pub const WARNING_STEEP: u64 = 4;
 pub const WARNING_ATOMIC: u64 = 8;
 /// Set where so few summits touch that one surface differs from another.
 pub const WARNING_FEW: u64 = 16;
+/// Set where adhesion presses the surfaces together with more than the load.
+pub const WARNING_ADHESIVE: u64 = 32;
 
 /// The mean pressure of an elastic contact, over the hardness, at which yield sets in below its surface: 1.1 of the
 /// yield stress, of which the hardness is 2.8 (Johnson, Contact Mechanics, 1985, sections 6.1 and 6.2).
@@ -34,11 +36,11 @@ const LOADS_PER_SUMMIT: f64 = 1.0;
 
 /// For each warning, in the order of their bits, a quantity over its bound.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Measures([f64; 5]);
+pub struct Measures([f64; 6]);
 
 impl Measures {
-    /// Of a state of the surfaces with these parameters.
-    pub fn new(params: &Params, state: &State) -> Self {
+    /// Of a state of the surfaces with these parameters and this pull-off load, at most 0.
+    pub fn new(params: &Params, pull_off_load: f64, state: &State) -> Self {
         let touching = state.contacting > 0.0;
         let is_elastic = params.contact_law == ContactLawKind::Maugis;
         let plastic = match is_elastic && params.hardness > 0.0 {
@@ -49,12 +51,11 @@ impl Measures {
         let area = if params.nominal_area > 0.0 { state.real_area / params.nominal_area } else { 0.0 };
         let crowded = state.fraction_in_contact.max(area) / CROWDED_FRACTION;
         let atomic = if touching { params.burgers_vector / state.mean_contact_radius } else { 0.0 };
-        let few = match params.asperity_count == LOADS_PER_SUMMIT {
-            true => 0.0,
-            false if touching => FEWEST_CONTACTS / state.contacting,
-            false => f64::MAX,
-        };
-        Self([plastic, crowded, state.mean_steepness / STEEP_RATIO, atomic, few])
+        let over = |large: f64, small: f64| if small > 0.0 { large / small } else { f64::MAX };
+        let of_many = params.asperity_count != LOADS_PER_SUMMIT;
+        let few = if of_many { over(FEWEST_CONTACTS, state.contacting) } else { 0.0 };
+        let adhesive = if of_many && pull_off_load < 0.0 { over(-pull_off_load, state.load) } else { 0.0 };
+        Self([plastic, crowded, state.mean_steepness / STEEP_RATIO, atomic, few, adhesive])
     }
 
     /// The bits of the assumptions that fail.
@@ -144,9 +145,9 @@ mod tests {
     fn summits_whose_law_yields_are_not_warned_of() {
         let elastic = Params { hardness: 1e-3, ..Params::default() };
         let state = Model::new(&elastic).expect("a model").state_at_load(10.0).expect("a state");
-        assert_eq!(Measures::new(&elastic, &state).warnings(), WARNING_PLASTIC);
+        assert_eq!(Measures::new(&elastic, 0.0, &state).warnings(), WARNING_PLASTIC);
         let plastic = Params { contact_law: ContactLawKind::ElasticPlastic, ..elastic };
-        assert_eq!(Measures::new(&plastic, &state).warnings(), 0);
+        assert_eq!(Measures::new(&plastic, 0.0, &state).warnings(), 0);
     }
 
     /// A peak between states, of a measure that is below 1 at each of them.
@@ -157,7 +158,7 @@ mod tests {
                 let scale = 1.0 + f64::abs(peak);
                 let at = |d: f64| {
                     let steep = height - ((d - peak) / scale).powi(2);
-                    Ok(Measures([0.0, 0.0, steep, 0.0, 0.0]))
+                    Ok(Measures([0.0, 0.0, steep, 0.0, 0.0, 0.0]))
                 };
                 assert_eq!(warnings_between(-1e6, 7.8, at), Ok(found), "{peak}");
             }

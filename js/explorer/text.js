@@ -36,6 +36,7 @@ export const SHORT = {
   PLASTIC: "summits yield",
   STEEP: "steep",
   ATOMIC: "atomic",
+  ADHESIVE: "held by adhesion",
 };
 
 export const short = ({ name }) => SHORT[name] ?? name.toLowerCase();

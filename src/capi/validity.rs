@@ -22,6 +22,9 @@ pub const ASPERITY_WARNING_ATOMIC: u64 = 8;
 /// Bit of `warnings`: the sums are no means over surfaces at this load. Set if fewer than 20 summits touch; never if
 /// `asperity_count` is 1, whose loads are those of a mean summit.
 pub const ASPERITY_WARNING_FEW: u64 = 16;
+/// Bit of `warnings`: adhesion presses the surfaces together with more than the load. Set if the load is below the magnitude
+/// of the pull-off load; never if `asperity_count` is 1, as for single summits.
+pub const ASPERITY_WARNING_ADHESIVE: u64 = 32;
 
 const _: () = {
     assert!(ASPERITY_WARNING_PLASTIC == validity::WARNING_PLASTIC);
@@ -29,6 +32,7 @@ const _: () = {
     assert!(ASPERITY_WARNING_STEEP == validity::WARNING_STEEP);
     assert!(ASPERITY_WARNING_ATOMIC == validity::WARNING_ATOMIC);
     assert!(ASPERITY_WARNING_FEW == validity::WARNING_FEW);
+    assert!(ASPERITY_WARNING_ADHESIVE == validity::WARNING_ADHESIVE);
 };
 
 /// The warnings of all states from one load to another: whether the law holds for a contact that meets these loads.
@@ -91,6 +95,11 @@ pub extern "C" fn asperity_warning_string(warning: u64) -> *const c_char {
         ASPERITY_WARNING_FEW => {
             c"fewer than 20 summits touch: friction differs from one pair of surfaces to another, and its mean at this load \
               is higher than the law; use heavier loads or a larger area (asperity_count)"
+        }
+        ASPERITY_WARNING_ADHESIVE => {
+            c"adhesion presses the surfaces together with more than the load, which is below the pull-off force: models of \
+              single summits are quantitatively wrong there; use heavier loads, or check work_of_adhesion, height_std and \
+              summit_radius: surfaces that are taken too smooth or too clean are the usual cause"
         }
         _ => c"unknown warning",
     }

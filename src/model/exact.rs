@@ -199,7 +199,7 @@ impl Model {
         let measures = |separation: f64, sums: &Sums| -> Result<Measures, Error> {
             // None looks at the largest contact.
             let contacts = self.contacts(separation, sums, (sums.contacting * self.units.count).min(1.0))?;
-            Ok(Measures::new(&self.params, &self.state_of(sums.load() * self.units.load, separation, sums, &contacts)))
+            Ok(self.measures(&self.state_of(sums.load() * self.units.load, separation, sums, &contacts)))
         };
         let ends = measures(farthest, &light)?.warnings() | measures(nearest, &heavy)?.warnings();
         let population = self.branch.population();
@@ -323,8 +323,13 @@ impl Model {
             fraction_elastic: contacts.elastic,
             fraction_flowing: contacts.flowing,
         };
-        state.warnings = Measures::new(&self.params, &state).warnings();
+        state.warnings = self.measures(&state).warnings();
         state
+    }
+
+    /// How far what the model assumes fails in a state.
+    fn measures(&self, state: &State) -> Measures {
+        Measures::new(&self.params, self.pull_off_load(), state)
     }
 
     /// E* (sigma/R)^(1/2)/H; 0 where the hardness is not known.

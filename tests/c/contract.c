@@ -130,7 +130,7 @@ static void every_status_has_its_own_words(void)
 static void every_warning_says_what_fails_and_what_to_do(void)
 {
     const uint64_t all = ASPERITY_WARNING_PLASTIC | ASPERITY_WARNING_CROWDED | ASPERITY_WARNING_STEEP |
-                         ASPERITY_WARNING_ATOMIC | ASPERITY_WARNING_FEW;
+                         ASPERITY_WARNING_ATOMIC | ASPERITY_WARNING_FEW | ASPERITY_WARNING_ADHESIVE;
     for (int bit = 0; bit < 64; bit++) {
         const uint64_t warning = UINT64_C(1) << bit;
         const char *text = asperity_warning_string(warning);

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 const SEED: u64 = 0x5eed_c0de;
 /// Every bit that a state may warn with.
-const ALL_WARNINGS: u64 = 2 * ASPERITY_WARNING_FEW - 1;
+const ALL_WARNINGS: u64 = 2 * ASPERITY_WARNING_ADHESIVE - 1;
 /// No call may take longer.
 const LONGEST_CALL: Duration = Duration::from_secs(1);
 /// A surface whose calls together take longer hangs, or nearly so.

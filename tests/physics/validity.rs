@@ -2,8 +2,8 @@
 
 use crate::common::surfaces::{johnson, model, table};
 use asperity::{
-    Error, HeightFamily, Model, Params, State, WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC,
-    WARNING_STEEP,
+    Error, HeightFamily, Model, Params, State, WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW,
+    WARNING_PLASTIC, WARNING_STEEP,
 };
 
 /// Summits of 10 to a radius of 1000, without adhesion, and all in order where 0.6 % of them touch.
@@ -63,6 +63,28 @@ fn each_assumption_has_its_warning() {
     // The plasticity index; contacts.rs has the pressure.
     let of_hardness = |factor: f64| Params { hardness: (1.0_f64 / 1000.0).sqrt() * factor, ..in_order() };
     sets_in(WARNING_PLASTIC, "psi", &at(&of_hardness(1.000_001), 2.5), &at(&of_hardness(0.999_999), 2.5));
+}
+
+/// The pull-off load of as many summits as there are, and none of one.
+#[test]
+fn adhesion_that_exceeds_the_load_is_warned_of() {
+    let sticky = Params { work_of_adhesion: 0.02, adhesion_range: 0.1, hardness: 0.0, ..in_order() };
+    let model = model(&sticky);
+    let pull_off = model.summary().pull_off_load;
+    let warnings = |load: f64| model.state_at_load(load).expect("a state").warnings & WARNING_ADHESIVE;
+    assert!(pull_off < 0.0);
+    for part in [1.0, 0.5, 0.0, -0.5, -0.999_999] {
+        assert_eq!(warnings(part * pull_off), WARNING_ADHESIVE, "{part} of {pull_off}");
+    }
+    for part in [-1.0, -1.000_001, -1e3] {
+        assert_eq!(warnings(part * pull_off), 0, "{part} of {pull_off}");
+    }
+    assert_eq!(
+        model.check_loads(-0.9 * pull_off, -2.0 * pull_off).expect("warnings") & WARNING_ADHESIVE,
+        WARNING_ADHESIVE
+    );
+    let tip = Model::new(&Params { asperity_count: 1.0, ..sticky }).expect("a model");
+    assert_eq!(tip.state_at_load(0.0).expect("a state").warnings & WARNING_ADHESIVE, 0);
 }
 
 /// Where radii change with height, a/R is that of each summit.
@@ -180,7 +202,7 @@ fn the_whole_range_of_loads_can_be_checked() {
     let adhesive = Params { work_of_adhesion: 1e-5, adhesion_range: 0.1, ..in_order() };
     let model = model(&adhesive);
     let all = model.check_loads(model.summary().pull_off_load, 1e84);
-    assert_eq!(all, Ok(WARNING_PLASTIC | WARNING_CROWDED | WARNING_STEEP | WARNING_FEW));
+    assert_eq!(all, Ok(WARNING_PLASTIC | WARNING_CROWDED | WARNING_STEEP | WARNING_FEW | WARNING_ADHESIVE));
 }
 
 #[test]

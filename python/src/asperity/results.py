@@ -26,6 +26,8 @@ class Warnings(IntFlag):
     `STEEP`: contacts are too large for their summits, above a tenth of their radius on average.
     `ATOMIC`: contacts are too small for continuum mechanics, below the Burgers vector on average.
     `FEW`: fewer than 20 summits touch, too few for a mean over surfaces. Never where `asperity_count` is 1.
+    `ADHESIVE`: adhesion presses the surfaces together with more than the load, which is below the magnitude of the pull-off
+    load. Never where `asperity_count` is 1.
     """
 
     PLASTIC = _header.ASPERITY_WARNING_PLASTIC
@@ -33,6 +35,7 @@ class Warnings(IntFlag):
     STEEP = _header.ASPERITY_WARNING_STEEP
     ATOMIC = _header.ASPERITY_WARNING_ATOMIC
     FEW = _header.ASPERITY_WARNING_FEW
+    ADHESIVE = _header.ASPERITY_WARNING_ADHESIVE
 
     @property
     def kinds(self) -> list[Warnings]:

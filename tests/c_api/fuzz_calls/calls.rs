@@ -463,7 +463,7 @@ impl<'a> Calls<'a> {
         }
         let ends = states[0].1 | states[1].1;
         assert!(one <= other && warnings & ends == ends, "{}: {warnings:b}, {states:?}", what());
-        assert!(warnings < 2 * ASPERITY_WARNING_FEW, "{}: {warnings:b}", what());
+        assert!(warnings < 2 * ASPERITY_WARNING_ADHESIVE, "{}: {warnings:b}", what());
     }
 
     pub fn separation(&mut self, model: &Model, separation: f64) {
