@@ -70,7 +70,7 @@ export function derived() {
   const psi = found.curve.states[0].plasticity_index;
   $("derived").textContent =
     `In the model: σ ${withUnit(params.height_std, "m")}, R ${withUnit(params.summit_radius, "m")}, ${count(params.asperity_count)} summits; ` +
-    `pull-off ${constants.pull_off_load < -1e-15 ? `at ${withUnit(constants.pull_off_load, "N")}` : "below 1 fN"}, Maugis' λ ${constants.lambda.toPrecision(3)}` +
+    `pull-off of the mean surface ${constants.pull_off_load < -1e-15 ? `at ${withUnit(constants.pull_off_load, "N")}` : "below 1 fN"}, Maugis' λ ${constants.lambda.toPrecision(3)}` +
     (psi ? `, plasticity index ${psi.toPrecision(3)}.` : ".");
 }
 
