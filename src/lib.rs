@@ -34,7 +34,6 @@ pub mod population;
 pub mod regularised;
 mod sensitivity;
 pub mod spectrum;
-mod unit_slips;
 mod validity;
 
 pub use error::{Error, Value};
