@@ -1,6 +1,6 @@
 //! Parameters, as C sees them: a struct that grew, of which callers may have an earlier, shorter version.
 
-use super::boundary::{wrong_struct_size, Failure};
+use super::boundary::{not_null, reference, wrong_struct_size, Failure};
 use crate::asperity::slip::SlipConstants;
 use crate::distribution::tabulated;
 use crate::error::Error;
@@ -145,11 +145,8 @@ impl asperity_params {
     /// `params` is NULL or points to a struct that has the bytes its first field says, and the fields that its
     /// `height_distribution` reads.
     pub(super) unsafe fn read(params: *const Self) -> Result<Self, Failure> {
-        if params.is_null() {
-            return Err(Failure::Null("params"));
-        }
+        let size = checked_size(*reference(params.cast::<u64>(), "params")?)?;
         let mut whole = Self::from_params(&Params::default());
-        let size = checked_size(params.cast::<u64>().read())?;
         whole.copy_from(params, size);
         whole.copy_from(params, size.max(whole.end_of_heights()));
         if size < HARDNESS_END {
@@ -227,7 +224,7 @@ impl asperity_params {
     /// # Safety
     /// The table, where the heights are one, has the length it says.
     pub(super) unsafe fn to_params(self) -> Result<Params, Failure> {
-        let invalid = |name, value: i32, allowed| Err(Failure::Error(Error::invalid(name, value, allowed)));
+        let invalid = |name, value: i32, allowed| Err(Failure::from(Error::invalid(name, value, allowed)));
         let heights = match self.height_distribution {
             ASPERITY_HEIGHTS_GAUSSIAN => HeightFamily::Gaussian,
             ASPERITY_HEIGHTS_WEIBULL => HeightFamily::Weibull { shape: self.weibull_shape },
@@ -267,17 +264,11 @@ impl asperity_params {
     unsafe fn table(&self) -> Result<HeightFamily, Failure> {
         let length = usize::try_from(self.table_length).unwrap_or(usize::MAX);
         tabulated::check_length(length)?;
-        let column = |name: &'static str, first: *const f64| {
-            if first.is_null() {
-                return Err(Failure::Null(name));
-            }
-            // SAFETY: the caller says that there are so many.
-            Ok(Arc::from(unsafe { std::slice::from_raw_parts(first, length) }))
-        };
-        Ok(HeightFamily::Tabulated {
-            height: column("table_height", self.table_height)?,
-            density: column("table_density", self.table_density)?,
-        })
+        not_null(self.table_height, "table_height")?;
+        not_null(self.table_density, "table_density")?;
+        // SAFETY: the caller says that there are so many.
+        let copy = |first| Arc::from(unsafe { std::slice::from_raw_parts(first, length) });
+        Ok(HeightFamily::Tabulated { height: copy(self.table_height), density: copy(self.table_density) })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Functions that set parameters, as C calls them.
 
-use super::boundary::{self, wrong_struct_size, Failure};
+use super::boundary::{self, not_null, wrong_struct_size, Failure};
 use super::params::{asperity_params, checked_size, FIRST_SIZE, JOHNSON_END};
 use super::status::asperity_status;
 use crate::error::Error;
@@ -124,9 +124,7 @@ pub unsafe extern "C" fn asperity_params_init_unset_sized(
 }
 
 unsafe fn initialise(params: *mut asperity_params, size: u64, with: &Params) -> Result<(), Failure> {
-    if params.is_null() {
-        return Err(Failure::Null("params"));
-    }
+    not_null(params, "params")?;
     asperity_params { struct_size: size, ..asperity_params::from_params(with) }.write(params, size);
     Ok(())
 }

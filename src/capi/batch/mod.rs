@@ -79,13 +79,10 @@ pub unsafe fn evaluate(model: &Model, quantity: Quantity, arrays: Arrays) -> Res
     for i in done..arrays.n {
         one(model, quantity, arrays, i, arrays.load.add(i).read_unaligned(), &mut offence);
     }
-    match offence {
-        None => Ok(()),
-        Some((index, load)) => {
-            let error = model.offence(load).unwrap_or_else(|| Model::not_evaluated(load));
-            Err(Failure::Element(index, error))
-        }
-    }
+    offence.map_or(Ok(()), |(index, load)| {
+        let error = model.offence(load).unwrap_or_else(|| Model::not_evaluated(load));
+        Err(Failure::of_element(index, &error))
+    })
 }
 
 /// One element, by the scalar call; `load` is what the input held before any output was written.
@@ -273,9 +270,8 @@ mod tests {
             let arrays = Arrays { n: 64, load: loads.as_ptr(), value: value.as_mut_ptr(), slope: std::ptr::null_mut() };
             for quantity in [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness] {
                 // SAFETY: the arrays have so many elements.
-                let error = unsafe { evaluate(&model, quantity, arrays) }.expect_err("an offence");
-                let of_first = model.offence(first).expect("an offence");
-                assert!(matches!(error, Failure::Element(21, error) if error.to_string() == of_first.to_string()));
+                let failure = unsafe { evaluate(&model, quantity, arrays) }.expect_err("an offence");
+                assert_eq!(failure, Failure::of_element(21, &model.offence(first).expect("an offence")));
             }
         }
     }
