@@ -5,7 +5,7 @@ use super::status::{
     ASPERITY_OUT_OF_MEMORY,
 };
 use super::{fp_environment, last_error};
-use crate::error::{Error, Value};
+use crate::error::Error;
 use std::fmt::{Arguments, Display};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 
@@ -107,9 +107,8 @@ pub unsafe fn write(out: *mut f64, index: usize, value: f64) {
 }
 
 /// The error of a struct whose `struct_size` is not one this library knows.
-pub fn wrong_struct_size(size: u64, allowed: &'static str) -> Failure {
-    let value = Value::Integer(i64::try_from(size).unwrap_or(i64::MAX));
-    Error::invalid("struct_size", value, allowed).into()
+pub fn wrong_struct_size(size: u64, allowed: impl Display) -> Failure {
+    Failure::invalid(format_args!("struct_size = {size}: {allowed}"))
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use crate::asperity::slip::SlipConstants;
 use crate::distribution::tabulated;
 use crate::error::Error;
 use crate::params::{ContactLawKind, HeightFamily, Params};
+use std::fmt::Arguments;
 use std::mem::{offset_of, size_of};
 use std::sync::Arc;
 
@@ -274,31 +275,18 @@ impl asperity_params {
 
 /// The size of a caller's struct, if it is one of a version up to today's.
 pub(super) fn checked_size(size: u64) -> Result<u64, Failure> {
+    let refused = |allowed: Arguments| Err(wrong_struct_size(size, allowed));
     if size > SIZE {
-        return Err(wrong_struct_size(size, TOO_LARGE));
+        return refused(format_args!("must be at most {SIZE}: the header is newer than the library"));
     }
     if size < FIRST_SIZE || size % 8 != 0 {
-        return Err(wrong_struct_size(size, TOO_SMALL));
+        let hint = "in steps of 8; call asperity_params_init first";
+        return refused(format_args!("must be sizeof(asperity_params), {FIRST_SIZE} to {SIZE} {hint}"));
     }
     Ok(size)
 }
 
-/// What a caller is told of the struct's size. The pointers in it are shorter on some machines.
-macro_rules! sizes {
-    ($size:literal) => {
-        const TOO_LARGE: &str = concat!("must be at most ", $size, ": the header is newer than the library");
-        const TOO_SMALL: &str = concat!(
-            "must be sizeof(asperity_params), 144 to ",
-            $size,
-            " in steps of 8; call asperity_params_init first"
-        );
-        const _: () = assert!(FIRST_SIZE == 144 && TABLE_END + 24 == SIZE && SIZE == $size);
-    };
-}
-#[cfg(target_pointer_width = "64")]
-sizes!(216);
-#[cfg(target_pointer_width = "32")]
-sizes!(208);
+const _: () = assert!(FIRST_SIZE == 144 && TABLE_END + 24 == SIZE);
 
 /// The shape of Weibull heights without skew (Table 1 of the paper).
 const DEFAULT_SHAPE: f64 = 3.602;

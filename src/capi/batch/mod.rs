@@ -256,23 +256,4 @@ mod tests {
             }
         }
     }
-
-    /// An offence in a vector that is answered as a whole is reported too, the first of several.
-    #[test]
-    fn the_first_offence_is_reported_wherever_it_is() {
-        let model = Model::new(&Params::default()).expect("a model");
-        let apart = 2.0 * model.summary().pull_off_load;
-        let expected: [(f64, f64); 4] = [(apart, f64::NAN), (f64::NAN, apart), (1e300, apart), (apart, 1e300)];
-        for (first, second) in expected {
-            let mut loads = [1.0; 64];
-            (loads[21], loads[22], loads[50]) = (first, second, apart);
-            let mut value = [0.0; 64];
-            let arrays = Arrays { n: 64, load: loads.as_ptr(), value: value.as_mut_ptr(), slope: std::ptr::null_mut() };
-            for quantity in [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness] {
-                // SAFETY: the arrays have so many elements.
-                let failure = unsafe { evaluate(&model, quantity, arrays) }.expect_err("an offence");
-                assert_eq!(failure, Failure::of_element(21, &model.offence(first).expect("an offence")));
-            }
-        }
-    }
 }
