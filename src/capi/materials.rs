@@ -7,7 +7,6 @@ use super::params::asperity_params;
 use super::setters::change;
 use super::status::asperity_status;
 use crate::materials::{halves, Bodies, Material, Pair, MATERIALS, PAIRS};
-use crate::params::UNSET;
 use std::ffi::c_char;
 use std::mem::size_of;
 
@@ -195,22 +194,7 @@ pub unsafe extern "C" fn asperity_params_set_pair(
     boundary::status(|| {
         change(params, |params| {
             let name = given::read(name)?;
-            let bodies = Bodies::find(name).ok_or_else(|| no_pair(name))?;
-            set_pair(params, &bodies, Pair::find(name))
+            params.set_bodies(&Bodies::find(name).ok_or_else(|| no_pair(name))?)
         })
     })
-}
-
-fn set_pair(params: &mut asperity_params, bodies: &Bodies, pair: Option<&Pair>) -> Result<(), Failure> {
-    let Bodies { first, second } = bodies;
-    params.set_materials([first.young, first.poisson, second.young, second.poisson])?;
-    let length = bodies.burgers_vector().unwrap_or(UNSET);
-    params.adhesion_range = length;
-    params.burgers_vector = length;
-    params.hardness = bodies.hardness();
-    params.work_of_adhesion = pair.map_or(UNSET, |pair| pair.work_of_adhesion);
-    if let Some(measured) = pair.map(|pair| pair.slip_stress_1).filter(|&stress| stress > 0.0) {
-        params.slip_stress_1 = measured;
-    }
-    Ok(())
 }

@@ -15,6 +15,7 @@ pub use crate::distribution::HeightFamily;
 use crate::error::Error;
 use crate::float_bits::infinite;
 use crate::joint_distribution::SummitShape;
+use crate::materials::Bodies;
 use crate::spectrum::SpectralMoments;
 use numbers::{magnitude, not_negative, poisson_ratio, positive};
 
@@ -190,6 +191,25 @@ impl Params {
         let tangential = |poisson: f64| 2.0 * (1.0 + poisson) * (2.0 - poisson);
         self.tangential_modulus =
             1.0 / (compliance(young_1, tangential(poisson_1)) + compliance(young_2, tangential(poisson_2)));
+        Ok(())
+    }
+
+    /// All that is known of two bodies in contact, in SI units: the moduli, the work of adhesion, the longer Burgers vector, the
+    /// range of adhesion, equal to it as in the paper, the hardness of the softer body, and the slip stress where it is measured.
+    /// What is not known is left to set, as by [`Params::unset`], and so is the roughness.
+    ///
+    /// # Errors
+    /// As [`Params::set_materials`]; none for materials of the library.
+    pub fn set_bodies(&mut self, bodies: &Bodies) -> Result<(), Error> {
+        let Bodies { first, second } = bodies;
+        self.set_materials(first.young, first.poisson, second.young, second.poisson)?;
+        self.burgers_vector = bodies.burgers_vector().unwrap_or(UNSET);
+        self.adhesion_range = self.burgers_vector;
+        self.hardness = bodies.hardness();
+        self.work_of_adhesion = bodies.pair().map_or(UNSET, |pair| pair.work_of_adhesion);
+        if let Some(measured) = bodies.pair().map(|pair| pair.slip_stress_1).filter(|&stress| stress > 0.0) {
+            self.slip.stress_1 = measured;
+        }
         Ok(())
     }
 
