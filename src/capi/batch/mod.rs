@@ -166,23 +166,12 @@ mod tests {
             loads.extend(table.rows[row].0[2..].iter().map(|t| pull_off + begin + t * (end - begin) * 4.0));
         }
         let others = [
-            f64::NAN,
-            f64::INFINITY,
-            f64::from_bits(0x7ff << 52 | 1),
-            0.0,
-            -0.0,
-            2.0 * heaviest,
-            1e300,
-            f64::MAX,
-            -f64::MAX,
-            5e-324,
-            -5e-324,
-            1e-120,
-            pull_off,
-            1.5 * pull_off,
-            0.5 * pull_off,
-            pull_off * (1.0 - 1e-12),
-        ];
+            [f64::NAN, f64::INFINITY, f64::from_bits(0x7ff << 52 | 1), 0.0],
+            [-0.0, 2.0 * heaviest, 1e300, f64::MAX],
+            [-f64::MAX, 5e-324, -5e-324, 1e-120],
+            [pull_off, 1.5 * pull_off, 0.5 * pull_off, pull_off * (1.0 - 1e-12)],
+        ]
+        .concat();
         // Each of these next to others, and many of one kind.
         for (i, &other) in others.iter().cycle().take(80).enumerate() {
             loads[11 * i + 3] = other;
