@@ -5,40 +5,64 @@
 //! over the distribution of heights, friction depends on load and scale (Adams and Müftü, Nanotechnology 16 (2005)).
 //!
 //! ```
+//! use asperity::materials::Bodies;
 //! use asperity::{Model, Params};
 //!
-//! let model = Model::new(&Params::default())?;
-//! let mu = model.friction_at_load(1.0);
-//! assert!(mu > model.friction_at_load(100.0));
-//! # Ok::<(), asperity::Error>(())
+//! // SI units throughout; any other consistent system does as well, with moduli and lengths of one's own.
+//! let mut params = Params::unset();
+//! params.set_bodies(&Bodies::find("steel/steel").ok_or("two names of asperity::materials")?)?;
+//! params.height_std = 0.3e-6;
+//! params.summit_radius = 10e-6;
+//! params.asperity_count = 1.7e10 * 1e-4; // summits per area, times the area
+//! let model = Model::new(&params)?;
+//!
+//! // The compiled law, in nanoseconds, for the inner loop of a solver ...
+//! let (mu, slope) = model.friction_and_slope(10.0);
+//! assert!(mu > 0.0 && slope < 0.0);
+//! // ... and the exact state, for the engineer.
+//! let state = model.state_at_load(10.0)?;
+//! assert!((state.friction_coefficient / mu - 1.0).abs() < 1e-9);
+//! println!("{} of the summits touch, warnings {:#b}", state.contacting, model.check_loads(1.0, 100.0)?);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! The default feature `memory-reserve` sets the program's global allocator, the system's with a reserve behind it, by which a
+//! caller in C gets a status where memory runs out. A Rust program gains nothing by it, and one that sets an allocator of its own does
+//! not compile with it: depend on the crate with `default-features = false`.
 
-pub mod asperity;
 mod c_string;
 #[doc(hidden)]
 pub mod capi;
-pub mod distribution;
 mod elementary;
 mod equilibrium;
 mod error;
 mod float_bits;
-pub mod groups;
 mod joint_distribution;
 mod law;
 pub mod materials;
 mod model;
 mod neighbours;
-pub mod numerics;
+mod numerics;
 mod params;
-pub mod population;
-pub mod regularised;
+mod regularised;
 mod sensitivity;
-pub mod spectrum;
-mod unit_slips;
+mod spectrum;
 mod validity;
 
+// Parts of the physics, which tests of this crate ask one by one; no part of the interface.
+#[doc(hidden)]
+pub mod asperity;
+#[doc(hidden)]
+pub mod distribution;
+#[doc(hidden)]
+pub mod groups;
+#[doc(hidden)]
+pub mod population;
+
+pub use crate::asperity::slip::SlipConstants;
 pub use error::{Error, Value};
 pub use model::{Model, State, Summary, SummitState};
 pub use params::{ContactLawKind, HeightFamily, Params};
 pub use sensitivity::Sensitivities;
+pub use spectrum::SpectralMoments;
 pub use validity::{WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP};

@@ -1,72 +1,43 @@
 //! What every entry point passes through: no panic crosses it, and every failure leaves a message.
 
-use super::given::Given;
 use super::status::{
     asperity_status, ASPERITY_INTERNAL, ASPERITY_INVALID_PARAMETER, ASPERITY_NULL_POINTER, ASPERITY_OK,
     ASPERITY_OUT_OF_MEMORY,
 };
 use super::{fp_environment, last_error};
-use crate::error::{Error, Value};
+use crate::error::Error;
+use std::fmt::{Arguments, Display};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 
-/// Why an entry point fails.
-pub enum Failure {
-    /// An argument that must not be NULL is.
-    Null(&'static str),
-    /// The library refuses.
-    Error(Error),
-    /// It refuses one element of an array.
-    Element(usize, Error),
+/// Why an entry point fails: its status. The caller's message is set where the failure is found, from what is known there.
+#[derive(Debug, PartialEq)]
+pub struct Failure(asperity_status);
+
+impl Failure {
+    fn new(status: asperity_status, message: &dyn Display) -> Self {
+        last_error::set(message);
+        Self(status)
+    }
+
     /// The system refuses memory.
-    OutOfMemory,
-    /// What is wrong about a parameter that is named.
-    Name { name: &'static str, says: &'static str },
-    /// A name that no such thing has, and the nearest that one has.
-    UnknownName { of: &'static str, name: Given, nearest: &'static str },
-    /// The name of a pair whose halves are not both materials, and the materials nearest to them.
-    UnknownBodies { name: Given, nearest: [&'static str; 2] },
-    /// The name of two materials that are no pair.
-    UnlistedPair(Given),
+    pub fn out_of_memory() -> Self {
+        Self::new(ASPERITY_OUT_OF_MEMORY, &"out of memory: nothing was made or changed; free some and call again")
+    }
+
+    /// One element of an array is refused.
+    pub fn of_element(index: usize, error: &Error) -> Self {
+        Self::new(error.status(), &format_args!("element {index}: {error}"))
+    }
+
+    /// A parameter is invalid, in words of its own.
+    pub fn invalid(message: Arguments) -> Self {
+        Self::new(ASPERITY_INVALID_PARAMETER, &message)
+    }
 }
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        Failure::Error(error)
-    }
-}
-
-impl std::fmt::Display for Failure {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Failure::Null(name) => write!(f, "{name} is NULL: pass a valid pointer"),
-            Failure::Error(error) => write!(f, "{error}"),
-            Failure::Element(index, error) => write!(f, "element {index}: {error}"),
-            Failure::OutOfMemory => write!(f, "out of memory: nothing was made or changed; free some and call again"),
-            Failure::Name { name, says } => write!(f, "{name}: {says}"),
-            Failure::UnknownName { of, name, nearest } => {
-                write!(f, "{name}: no {of} has this name; the nearest is {nearest}")
-            }
-            Failure::UnknownBodies { name, nearest: [first, second] } => {
-                write!(f, "{name}: no pair has this name; the nearest is {first}/{second}")
-            }
-            Failure::UnlistedPair(name) => {
-                write!(f, "work_of_adhesion: none is known for {name}: give that of your surfaces, 0 for none")
-            }
-        }
-    }
-}
-
-impl Failure {
-    fn status(&self) -> asperity_status {
-        match self {
-            Failure::Null(_) => ASPERITY_NULL_POINTER,
-            Failure::Error(error) | Failure::Element(_, error) => error.status(),
-            Failure::OutOfMemory => ASPERITY_OUT_OF_MEMORY,
-            Failure::Name { .. }
-            | Failure::UnknownName { .. }
-            | Failure::UnknownBodies { .. }
-            | Failure::UnlistedPair(_) => ASPERITY_INVALID_PARAMETER,
-        }
+        Self::new(error.status(), &error)
     }
 }
 
@@ -91,17 +62,9 @@ pub(super) use fast;
 
 /// A status, whatever the body does.
 pub fn contained_status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_status {
-    match catch_unwind(AssertUnwindSafe(body)) {
-        Ok(Ok(())) => ASPERITY_OK,
-        Ok(Err(failure)) => {
-            last_error::set(&failure);
-            failure.status()
-        }
-        Err(_) => {
-            last_error::set(&"internal error: a bug in asperity; please report the call and its arguments");
-            ASPERITY_INTERNAL
-        }
-    }
+    let message = "internal error: a bug in asperity; please report the call and its arguments";
+    let ended = catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|_| Err(Failure::new(ASPERITY_INTERNAL, &message)));
+    ended.map_or_else(|Failure(status)| status, |()| ASPERITY_OK)
 }
 
 /// A number, whatever the body does: NaN if it panics.
@@ -109,12 +72,20 @@ pub fn contained_value(body: impl FnOnce() -> f64) -> f64 {
     catch_unwind(AssertUnwindSafe(body)).unwrap_or(f64::NAN)
 }
 
+/// Refuses a pointer that is NULL.
+pub fn not_null<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
+    if pointer.is_null() {
+        return Err(Failure::new(ASPERITY_NULL_POINTER, &format_args!("{name} is NULL: pass a valid pointer")));
+    }
+    Ok(())
+}
+
 /// Reads through a pointer of the caller.
 ///
 /// # Safety
 /// `pointer` is NULL or points to a `T` that lives as long as the call.
 pub unsafe fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
-    pointer.as_ref().ok_or(Failure::Null(name))
+    not_null(pointer, name).map(|()| &*pointer)
 }
 
 /// Writes through a pointer of the caller.
@@ -122,7 +93,7 @@ pub unsafe fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<
 /// # Safety
 /// `pointer` is NULL or points to a `T` that lives as long as the call and that nobody else uses.
 pub unsafe fn reference_mut<'a, T>(pointer: *mut T, name: &'static str) -> Result<&'a mut T, Failure> {
-    pointer.as_mut().ok_or(Failure::Null(name))
+    not_null(pointer, name).map(|()| &mut *pointer)
 }
 
 /// Writes an element of an output of the caller, which may be NULL and need not be aligned.
@@ -136,9 +107,8 @@ pub unsafe fn write(out: *mut f64, index: usize, value: f64) {
 }
 
 /// The error of a struct whose `struct_size` is not one this library knows.
-pub fn wrong_struct_size(size: u64, allowed: &'static str) -> Failure {
-    let value = Value::Integer(i64::try_from(size).unwrap_or(i64::MAX));
-    Failure::Error(Error::invalid("struct_size", value, allowed))
+pub fn wrong_struct_size(size: u64, allowed: impl Display) -> Failure {
+    Failure::invalid(format_args!("struct_size = {size}: {allowed}"))
 }
 
 #[cfg(test)]
@@ -158,27 +128,5 @@ mod tests {
         assert_eq!(stopped, ASPERITY_INTERNAL);
         assert!(value.is_nan());
         assert!(message.starts_with("internal error: a bug in asperity"), "{message}");
-    }
-
-    #[test]
-    fn every_failure_has_its_status() {
-        let value = Value::Integer(0);
-        let errors = [
-            (Error::InvalidParameter { name: "", value, allowed: "" }, 2),
-            (Error::Unset { name: "" }, 2),
-            (Error::InvalidEntry { name: "", index: 0, value: 0.0, allowed: "" }, 2),
-            (Error::InvalidLoad { value: f64::NAN }, 3),
-            (Error::Separated { load: -2.0, pull_off: -1.0 }, 4),
-            (Error::OutOfRange { name: "", value, allowed: "" }, 5),
-            (Error::NotConverged { what: "", value: 0.0 }, 6),
-        ];
-        for (error, expected) in errors {
-            assert_eq!(contained_status(|| Err(error.clone().into())), expected, "{error:?}");
-            assert_eq!(contained_status(|| Err(Failure::Element(7, error.clone()))), expected, "{error:?}");
-        }
-        assert_eq!(contained_status(|| Err(Failure::Null(""))), 1);
-        assert_eq!(contained_status(|| Err(Failure::OutOfMemory)), 7);
-        assert_eq!(contained_status(|| Err(Failure::Name { name: "", says: "" })), 2);
-        assert_eq!(contained_status(|| Ok(())), 0);
     }
 }

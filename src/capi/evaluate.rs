@@ -1,7 +1,7 @@
 //! The calls of a solver's inner loop.
 
 use super::batch::{self, Arrays, Quantity};
-use super::boundary::{self, Failure};
+use super::boundary::{self, not_null};
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
 
@@ -16,7 +16,7 @@ use super::status::asperity_status;
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model, load: f64) -> f64 {
-    model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls.coefficient)(&handle.model, load))
+    model::value_at(model, Quantity::Coefficient, load)
 }
 
 /// Friction force F at a load.
@@ -29,7 +29,7 @@ pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model,
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_model, load: f64) -> f64 {
-    model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls.force)(&handle.model, load))
+    model::value_at(model, Quantity::Force, load)
 }
 
 /// Friction coefficients at many loads, and their slopes.
@@ -91,8 +91,8 @@ pub(super) unsafe fn evaluate(
 ) -> asperity_status {
     boundary::fast!(contained_status, {
         let model = model::of(model)?;
-        if n > 0 && load.is_null() {
-            return Err(Failure::Null("load"));
+        if n > 0 {
+            not_null(load, "load")?;
         }
         batch::evaluate(model, quantity, Arrays { n, load, value, slope })
     })

@@ -10,22 +10,22 @@
 //! Registers are written directly where Rust has their instructions: the C library's functions take ten times as long,
 //! and those of MinGW and musl leave the traps of MXCSR on.
 
-use registers::Environment;
+use registers::{exchange, Registers, OWN};
 
 /// Puts the caller's environment back, also when the body panics.
-struct Held(Environment);
+struct Held(Registers);
 
 impl Drop for Held {
     #[inline]
     fn drop(&mut self) {
-        self.0.restore();
+        exchange(&self.0);
     }
 }
 
 /// Runs the body in the library's environment.
 #[inline(never)]
 pub fn held<T>(body: impl FnOnce() -> T) -> T {
-    let _held = Held(Environment::replace());
+    let _held = Held(exchange(&OWN));
     apart(body)
 }
 
@@ -75,31 +75,19 @@ mod registers {
     compile_error!("asperity needs SSE2: x87 arithmetic gives other bits; build for i686, not i586");
 
     /// MXCSR. The x87 unit does none of the library's arithmetic.
-    pub struct Environment(u32);
-
+    pub type Registers = u32;
     /// Exceptions masked, rounding to nearest, no flag set.
-    const DEFAULT: u32 = 0x1f80;
-
-    impl Environment {
-        #[inline]
-        pub fn replace() -> Self {
-            let mut callers = 0_u32;
-            // SAFETY: it writes four bytes to where there are four.
-            unsafe { asm!("stmxcsr [{}]", in(reg) &raw mut callers, options(nostack, preserves_flags)) };
-            write(DEFAULT);
-            Self(callers)
-        }
-
-        #[inline]
-        pub fn restore(&self) {
-            write(self.0);
-        }
-    }
+    pub const OWN: Registers = 0x1f80;
 
     #[inline]
-    fn write(value: u32) {
-        // SAFETY: the value is the default one, or what was read from the register.
-        unsafe { asm!("ldmxcsr [{}]", in(reg) &raw const value, options(nostack, preserves_flags)) };
+    pub fn exchange(new: &Registers) -> Registers {
+        let mut old = 0;
+        // SAFETY: it writes four bytes to where there are four; the new value is the library's, or was read there.
+        unsafe {
+            asm!("stmxcsr [{old}]", "ldmxcsr [{new}]", old = in(reg) &raw mut old, new = in(reg) new,
+                 options(nostack, preserves_flags));
+        }
+        old
     }
 }
 
@@ -108,31 +96,19 @@ mod registers {
     use std::arch::asm;
 
     /// FPCR and FPSR.
-    pub struct Environment {
-        control: u64,
-        status: u64,
-    }
+    pub type Registers = [u64; 2];
+    /// With which a program starts.
+    pub const OWN: Registers = [0; 2];
 
-    impl Environment {
-        #[inline]
-        pub fn replace() -> Self {
-            let (control, status);
-            // SAFETY: a program starts with 0.
-            unsafe {
-                asm!("mrs {control}, fpcr", "mrs {status}, fpsr", "msr fpcr, xzr",
-                     control = out(reg) control, status = out(reg) status, options(nostack, preserves_flags));
-            }
-            Self { control, status }
+    #[inline]
+    pub fn exchange(&[control, status]: &Registers) -> Registers {
+        let mut old = OWN;
+        // SAFETY: the new values are the library's, or were read from the registers.
+        unsafe {
+            asm!("mrs {0}, fpcr", "mrs {1}, fpsr", "msr fpcr, {2}", "msr fpsr, {3}", out(reg) old[0], out(reg) old[1],
+                 in(reg) control, in(reg) status, options(nostack, preserves_flags));
         }
-
-        #[inline]
-        pub fn restore(&self) {
-            // SAFETY: the values were read from the registers.
-            unsafe {
-                asm!("msr fpcr, {control}", "msr fpsr, {status}",
-                     control = in(reg) self.control, status = in(reg) self.status, options(nostack, preserves_flags));
-            }
-        }
+        old
     }
 }
 
@@ -141,36 +117,27 @@ mod registers {
     use std::arch::asm;
 
     /// FCSR.
-    pub struct Environment(u64);
+    pub type Registers = u64;
+    /// With which a program starts.
+    pub const OWN: Registers = 0;
 
-    impl Environment {
-        #[inline]
-        pub fn replace() -> Self {
-            let callers;
-            // SAFETY: a program starts with 0.
-            unsafe { asm!("fscsr {}, zero", out(reg) callers, options(nostack)) };
-            Self(callers)
-        }
-
-        #[inline]
-        pub fn restore(&self) {
-            // SAFETY: the value was read from the register.
-            unsafe { asm!("fscsr {}", in(reg) self.0, options(nostack)) };
-        }
+    #[inline]
+    pub fn exchange(new: &Registers) -> Registers {
+        let old;
+        // SAFETY: the new value is the library's, or was read from the register.
+        unsafe { asm!("fscsr {}, {}", out(reg) old, in(reg) *new, options(nostack)) };
+        old
     }
 }
 
 #[cfg(target_family = "wasm")]
 mod registers {
     /// Nothing traps, no flag is set, and there is only rounding to nearest.
-    pub struct Environment;
+    pub struct Registers;
+    pub const OWN: Registers = Registers;
 
-    impl Environment {
-        pub fn replace() -> Self {
-            Self
-        }
-
-        pub fn restore(&self) {}
+    pub fn exchange(_: &Registers) -> Registers {
+        OWN
     }
 }
 
@@ -186,27 +153,26 @@ mod registers {
 
     /// Room for the platform's `fenv_t`, which takes 32 bytes or less on the common ones.
     #[repr(C, align(16))]
-    pub struct Environment([u64; 32]);
+    pub struct Saved([u64; 32]);
+    /// What the C library saved of the caller's environment; none is the library's own.
+    pub type Registers = Option<Saved>;
+    pub const OWN: Registers = None;
 
     extern "C" {
-        fn feholdexcept(environment: *mut Environment) -> c_int;
+        fn feholdexcept(environment: *mut Saved) -> c_int;
         fn fesetround(rounding: c_int) -> c_int;
-        fn fesetenv(environment: *const Environment) -> c_int;
+        fn fesetenv(environment: *const Saved) -> c_int;
     }
 
-    impl Environment {
-        pub fn replace() -> Self {
-            let mut callers = Self([0; 32]);
-            // SAFETY: the environment has room for any fenv_t.
-            unsafe { feholdexcept(&mut callers) };
-            // SAFETY: it takes a number. 0 is FE_TONEAREST on every system that has it.
-            unsafe { fesetround(0) };
-            callers
-        }
-
-        pub fn restore(&self) {
-            // SAFETY: the environment is the one that feholdexcept saved.
-            unsafe { fesetenv(self) };
-        }
+    pub fn exchange(new: &Registers) -> Registers {
+        let Some(callers) = new else {
+            let mut callers = Saved([0; 32]);
+            // SAFETY: there is room for any fenv_t. 0 is FE_TONEAREST on every system that has it.
+            unsafe { (feholdexcept(&mut callers), fesetround(0)) };
+            return Some(callers);
+        };
+        // SAFETY: the environment is the one that feholdexcept saved.
+        unsafe { fesetenv(callers) };
+        None
     }
 }

@@ -1,46 +1,25 @@
 //! Names that callers give: how much of them is read, and which of the names that are is nearest.
 
-use super::boundary::{reference, Failure};
+use super::boundary::{not_null, Failure};
 use std::ffi::{c_char, CStr};
-use std::fmt::{Display, Formatter};
 
 /// Longer than every name: of a caller's name no more is read.
-pub const LONGEST: usize = 64;
+const LONGEST: usize = 64;
 
 /// A caller's name, as far as it is read.
-#[derive(Clone, Copy)]
-pub struct Given {
-    bytes: [u8; LONGEST],
-    length: usize,
+///
+/// # Safety
+/// `name` is NULL or points to a string that ends in NUL or has `LONGEST` bytes, and lives as long as the call.
+pub unsafe fn read<'a>(name: *const c_char) -> Result<&'a [u8], Failure> {
+    not_null(name, "name")?;
+    let length = (0..LONGEST).find(|&i| *name.add(i) == 0).unwrap_or(LONGEST);
+    Ok(std::slice::from_raw_parts(name.cast(), length))
 }
 
-impl Given {
-    /// # Safety
-    /// `name` is NULL or points to a string that ends in NUL or has `LONGEST` bytes.
-    pub unsafe fn read(name: *const c_char) -> Result<Self, Failure> {
-        let first = std::ptr::from_ref(reference(name, "name")?).cast::<u8>();
-        let mut given = Self { bytes: [0; LONGEST], length: 0 };
-        while given.length < LONGEST {
-            // SAFETY: no byte before it is NUL.
-            let byte = first.add(given.length).read();
-            if byte == 0 {
-                break;
-            }
-            given.bytes[given.length] = byte;
-            given.length += 1;
-        }
-        Ok(given)
-    }
-
-    pub fn text(&self) -> &[u8] {
-        &self.bytes[..self.length]
-    }
-}
-
-impl Display for Given {
-    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}", self.text().escape_ascii())
-    }
+/// What is said of a name that no such thing has.
+pub fn unknown(name: &[u8], thing: &str, nearest: &str) -> Failure {
+    let name = name.escape_ascii();
+    Failure::invalid(format_args!("{name}: no {thing} has this name; the nearest is {nearest}"))
 }
 
 /// The name that takes the fewest edits to become of a caller's.

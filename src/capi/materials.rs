@@ -1,13 +1,12 @@
 //! Materials and pairs of them, as C sees them.
 
 use super::boundary::{self, Failure};
-use super::given::{nearest, Given};
+use super::given::{self, nearest, unknown};
 use super::output::fill;
 use super::params::asperity_params;
 use super::setters::change;
 use super::status::asperity_status;
 use crate::materials::{halves, Bodies, Material, Pair, MATERIALS, PAIRS};
-use crate::params::UNSET;
 use std::ffi::c_char;
 use std::mem::size_of;
 
@@ -61,56 +60,25 @@ pub struct asperity_pair_data {
     pub reference: *const c_char,
 }
 
-impl asperity_material_data {
-    fn new(material: &'static Material) -> Self {
-        Self {
-            struct_size: size_of::<Self>() as u64,
-            young: material.young,
-            young_low: material.young_range[0],
-            young_high: material.young_range[1],
-            poisson: material.poisson,
-            hardness: material.hardness,
-            hardness_low: material.hardness_range[0],
-            hardness_high: material.hardness_range[1],
-            burgers_vector: material.burgers_vector,
-            name: material.name.as_ptr(),
-            reference: material.reference.as_ptr(),
-        }
-    }
-}
-
-impl asperity_pair_data {
-    fn new(pair: &'static Pair) -> Self {
-        Self {
-            struct_size: size_of::<Self>() as u64,
-            work_of_adhesion: pair.work_of_adhesion,
-            work_of_adhesion_low: pair.work_of_adhesion_range[0],
-            work_of_adhesion_high: pair.work_of_adhesion_range[1],
-            hamaker: pair.hamaker,
-            slip_stress_1: pair.slip_stress_1,
-            name: pair.name.as_ptr(),
-            reference: pair.reference.as_ptr(),
-        }
-    }
-}
-
 /// What is said of the name of a pair that is none.
-fn no_pair(name: Given) -> Failure {
-    match halves(name.text()) {
-        Some(_) if Bodies::find(name.text()).is_some() => Failure::UnlistedPair(name),
-        Some((first, second)) => Failure::UnknownBodies { name, nearest: [first, second].map(nearest_material) },
-        None => {
-            let nearest = nearest(name.text(), PAIRS.iter().map(|pair| pair.name));
-            Failure::UnknownName { of: "pair", name, nearest }
+fn no_pair(name: &[u8]) -> Failure {
+    let text = name.escape_ascii();
+    match halves(name) {
+        Some(_) if Bodies::find(name).is_some() => {
+            let says = "give that of your surfaces, 0 for none";
+            Failure::invalid(format_args!("work_of_adhesion: none is known for {text}: {says}"))
         }
+        Some((first, second)) => {
+            let [first, second] = [first, second].map(nearest_material);
+            Failure::invalid(format_args!("{text}: no pair has this name; the nearest is {first}/{second}"))
+        }
+        None => unknown(name, "pair", nearest(name, PAIRS.iter().map(|pair| pair.name))),
     }
 }
 
 fn nearest_material(name: &[u8]) -> &'static str {
-    match Material::meant(name) {
-        Some(material) => material.name.to_str().unwrap_or_default(),
-        None => nearest(name, MATERIALS.iter().map(|material| material.name)),
-    }
+    let meant = Material::meant(name).and_then(|material| material.name.to_str().ok());
+    meant.unwrap_or_else(|| nearest(name, MATERIALS.iter().map(|material| material.name)))
 }
 
 /// Looks a material up by its name: "steel", "SiO2". docs/materials.md has all of them, with their sources.
@@ -129,12 +97,24 @@ pub unsafe extern "C" fn asperity_material(
     material: *mut asperity_material_data,
 ) -> asperity_status {
     boundary::status(|| {
-        let name = Given::read(name)?;
-        let found = Material::find(name.text()).ok_or_else(|| {
-            let nearest = nearest_material(name.text());
-            Failure::UnknownName { of: "material", name, nearest }
-        })?;
-        fill(material, "material", || Ok(asperity_material_data::new(found)))
+        let name = given::read(name)?;
+        let found = Material::find(name).ok_or_else(|| unknown(name, "material", nearest_material(name)))?;
+        let ([young_low, young_high], [hardness_low, hardness_high]) = (found.young_range, found.hardness_range);
+        fill(material, "material", || {
+            Ok(asperity_material_data {
+                struct_size: size_of::<asperity_material_data>() as u64,
+                young: found.young,
+                young_low,
+                young_high,
+                poisson: found.poisson,
+                hardness: found.hardness,
+                hardness_low,
+                hardness_high,
+                burgers_vector: found.burgers_vector,
+                name: found.name.as_ptr(),
+                reference: found.reference.as_ptr(),
+            })
+        })
     })
 }
 
@@ -162,9 +142,21 @@ pub extern "C" fn asperity_material_name(index: usize) -> *const c_char {
 #[no_mangle]
 pub unsafe extern "C" fn asperity_pair(name: *const c_char, pair: *mut asperity_pair_data) -> asperity_status {
     boundary::status(|| {
-        let name = Given::read(name)?;
-        let found = Pair::find(name.text()).ok_or_else(|| no_pair(name))?;
-        fill(pair, "pair", || Ok(asperity_pair_data::new(found)))
+        let name = given::read(name)?;
+        let found = Pair::find(name).ok_or_else(|| no_pair(name))?;
+        let [work_of_adhesion_low, work_of_adhesion_high] = found.work_of_adhesion_range;
+        fill(pair, "pair", || {
+            Ok(asperity_pair_data {
+                struct_size: size_of::<asperity_pair_data>() as u64,
+                work_of_adhesion: found.work_of_adhesion,
+                work_of_adhesion_low,
+                work_of_adhesion_high,
+                hamaker: found.hamaker,
+                slip_stress_1: found.slip_stress_1,
+                name: found.name.as_ptr(),
+                reference: found.reference.as_ptr(),
+            })
+        })
     })
 }
 
@@ -201,23 +193,8 @@ pub unsafe extern "C" fn asperity_params_set_pair(
 ) -> asperity_status {
     boundary::status(|| {
         change(params, |params| {
-            let name = Given::read(name)?;
-            let bodies = Bodies::find(name.text()).ok_or_else(|| no_pair(name))?;
-            set_pair(params, &bodies, Pair::find(name.text()))
+            let name = given::read(name)?;
+            params.set_bodies(&Bodies::find(name).ok_or_else(|| no_pair(name))?)
         })
     })
-}
-
-fn set_pair(params: &mut asperity_params, bodies: &Bodies, pair: Option<&Pair>) -> Result<(), Failure> {
-    let Bodies { first, second } = bodies;
-    params.set_materials([first.young, first.poisson, second.young, second.poisson])?;
-    let length = bodies.burgers_vector().unwrap_or(UNSET);
-    params.adhesion_range = length;
-    params.burgers_vector = length;
-    params.hardness = bodies.hardness();
-    params.work_of_adhesion = pair.map_or(UNSET, |pair| pair.work_of_adhesion);
-    if let Some(measured) = pair.map(|pair| pair.slip_stress_1).filter(|&stress| stress > 0.0) {
-        params.slip_stress_1 = measured;
-    }
-    Ok(())
 }

@@ -1,16 +1,17 @@
 //! Making, changing and freeing models.
 
-use super::boundary::{self, reference, reference_mut, wrong_struct_size, Failure};
+use super::batch::Quantity;
+use super::boundary::{self, not_null, reference, reference_mut, wrong_struct_size, Failure};
 use super::params::{asperity_params, checked_size, FIRST_SIZE};
 use super::reserve;
-use super::scalar::ScalarCalls;
+use super::scalar::{self, ScalarCall};
 use super::status::asperity_status;
 use crate::model::Model;
 
 /// A friction law ready for use; opaque.
 pub struct asperity_model {
     pub(super) model: Model,
-    pub(super) scalar_calls: ScalarCalls,
+    scalar_calls: [ScalarCall; 3],
     /// Whether its maker's parameters have fields that their `struct_size` does not cover.
     unannounced_fields: bool,
 }
@@ -23,18 +24,25 @@ pub(super) unsafe fn of<'a>(model: *const asperity_model) -> Result<&'a Model, F
     Ok(&reference(model, "model")?.model)
 }
 
+/// A quantity at a load by a model of a caller; NaN without one.
+///
+/// # Safety
+/// As [`of`].
+#[inline(always)]
+pub(super) unsafe fn value_at(model: *const asperity_model, quantity: Quantity, load: f64) -> f64 {
+    model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls[quantity as usize])(&handle.model, load))
+}
+
 impl asperity_model {
     unsafe fn new(params: *const asperity_params) -> Result<Self, Failure> {
         let params = asperity_params::read(params)?;
         let unannounced_fields = params.end_of_heights() > params.struct_size;
-        Ok(Self { model: Model::new(&params.to_params()?)?, scalar_calls: ScalarCalls::new(), unannounced_fields })
+        Ok(Self { model: Model::new(&params.to_params()?)?, scalar_calls: scalar::calls(), unannounced_fields })
     }
 
     /// Writes its parameters to a caller's struct of a size, with room for perhaps more.
     unsafe fn write_params(&self, params: *mut asperity_params, size: u64, room: u64) -> Result<(), Failure> {
-        if params.is_null() {
-            return Err(Failure::Null("params"));
-        }
+        not_null(params, "params")?;
         let whole = asperity_params { struct_size: size, ..asperity_params::from_params(self.model.params()) };
         if whole.end_of_heights() > room {
             return Err(wrong_struct_size(

@@ -1,35 +1,55 @@
 //! Parameters by their names, for hosts whose input is words and numbers.
 
-use super::boundary::{self, reference, reference_mut, wrong_struct_size, Failure};
-use super::given::{nearest, Given};
+use super::boundary::{self, not_null, reference_mut, wrong_struct_size, Failure};
+use super::given::{self, nearest, unknown};
 use super::params::{asperity_params, ASPERITY_HEIGHTS_JOHNSON, ASPERITY_HEIGHTS_WEIBULL};
 use super::setters::change;
 use super::status::asperity_status;
 use crate::c_string::c_string;
 use crate::error::Error;
-use crate::float_bits::finite;
 use crate::spectrum::SpectralMoments;
 use std::ffi::{c_char, CStr};
-use std::mem::{offset_of, size_of};
+use std::mem::{offset_of, size_of_val};
 
 /// A field of the parameters that is one number.
 struct Field {
     name: &'static CStr,
     offset: usize,
-    number: Number,
+    of: fn(&mut asperity_params) -> &mut dyn Number,
 }
 
-enum Number {
-    Real(fn(&mut asperity_params) -> &mut f64),
-    Whole(fn(&mut asperity_params) -> &mut i32),
+trait Number {
+    fn get(&self) -> f64;
+    /// Whether it can have the value, which it then has.
+    fn set(&mut self, value: f64) -> bool;
+}
+
+impl Number for f64 {
+    fn get(&self) -> f64 {
+        *self
+    }
+    fn set(&mut self, value: f64) -> bool {
+        *self = value;
+        true
+    }
+}
+
+impl Number for i32 {
+    fn get(&self) -> f64 {
+        (*self).into()
+    }
+    fn set(&mut self, value: f64) -> bool {
+        *self = value as i32;
+        self.get() == value
+    }
 }
 
 macro_rules! fields {
-    ($($number:ident $field:ident),*) => {
+    ($($field:ident)*) => {
         [$(Field {
             name: c_string!(stringify!($field)),
             offset: offset_of!(asperity_params, $field),
-            number: Number::$number(|params| &mut params.$field),
+            of: |params| &mut params.$field,
         }),*]
     };
 }
@@ -37,11 +57,10 @@ macro_rules! fields {
 /// All fields that are one number. Kurtosis, skew and shape choose the heights; in this order, with the choice itself last,
 /// setting one after another what another surface has copies that surface.
 static FIELDS: [Field; 24] = fields! {
-    Real composite_modulus, Real effective_shear_modulus, Real work_of_adhesion, Real adhesion_range,
-    Real burgers_vector, Real height_std, Real summit_radius, Real asperity_count, Whole attraction,
-    Real radius_amplitude, Real radius_rate, Real slip_radius_1, Real slip_stress_1, Real slip_radius_2,
-    Real slip_stress_2, Real max_friction_coefficient, Real hardness, Real tangential_modulus, Real nominal_area,
-    Whole contact_law, Real kurtosis, Real skew, Real weibull_shape, Whole height_distribution
+    composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std summit_radius
+    asperity_count attraction radius_amplitude radius_rate slip_radius_1 slip_stress_1 slip_radius_2 slip_stress_2
+    max_friction_coefficient hardness tangential_modulus nominal_area contact_law kurtosis skew weibull_shape
+    height_distribution
 };
 
 /// Names that are no fields: arguments of two setters, which take all of theirs at once.
@@ -55,9 +74,9 @@ fn names() -> impl Iterator<Item = &'static CStr> {
 }
 
 /// Which of the names is given.
-fn position(name: Given) -> Result<usize, Failure> {
-    let found = names().position(|other| other.to_bytes() == name.text());
-    found.ok_or_else(|| Failure::UnknownName { of: "parameter", name, nearest: nearest(name.text(), names()) })
+fn position(name: &[u8]) -> Result<usize, Failure> {
+    let found = names().position(|other| other.to_bytes() == name);
+    found.ok_or_else(|| unknown(name, "parameter", nearest(name, names())))
 }
 
 /// Numbers by name, of which the last counts where one is given twice.
@@ -69,52 +88,50 @@ impl Numbers {
     unsafe fn read(count: usize, names: *const *const c_char, values: *const f64) -> Result<Self, Failure> {
         let mut numbers = Self([None; FIELDS.len() + ARGUMENTS.len()]);
         if count > 0 {
-            reference(names, "names")?;
-            reference(values, "values")?;
+            not_null(names, "names")?;
+            not_null(values, "values")?;
         }
         for i in 0..count {
-            numbers.0[position(Given::read(*names.add(i))?)?] = Some(*values.add(i));
+            numbers.0[position(given::read(*names.add(i))?)?] = Some(*values.add(i));
         }
         Ok(numbers)
     }
 
     fn set(&self, params: &mut asperity_params) -> Result<(), Failure> {
-        let together = "must be given too: E1, nu1, E2 and nu2 go together, in one call of asperity_params_set_values";
-        if let Some(bodies) = self.arguments::<MATERIALS>(0, together)? {
+        if let Some(bodies) = self.arguments::<MATERIALS>(0, "E1, nu1, E2 and nu2")? {
             params.set_materials(bodies)?;
         }
         for (field, value) in FIELDS.iter().zip(self.0) {
             let Some(value) = value else { continue };
             let is_johnsons = params.height_distribution == ASPERITY_HEIGHTS_JOHNSON;
-            match field.name() {
+            match text(field.name) {
                 "skew" if !is_johnsons => params.set_skew(value)?,
                 _ => field.set(params, value)?,
             }
-            match field.name() {
+            match text(field.name) {
                 "kurtosis" => params.height_distribution = ASPERITY_HEIGHTS_JOHNSON,
                 "weibull_shape" => params.height_distribution = ASPERITY_HEIGHTS_WEIBULL,
                 _ => {}
             }
         }
         // After `nominal_area`, which they need.
-        let together = "must be given too: m0, m2 and m4 go together, in one call of asperity_params_set_values";
-        if let Some([m0, m2, m4]) = self.arguments::<MOMENTS>(MATERIALS, together)? {
+        if let Some([m0, m2, m4]) = self.arguments::<MOMENTS>(MATERIALS, "m0, m2 and m4")? {
             params.set_spectral_moments(SpectralMoments { m0, m2, m4 }, params.nominal_area)?;
         }
         Ok(())
     }
 
     /// The arguments of a setter: all or none.
-    fn arguments<const N: usize>(&self, first: usize, together: &'static str) -> Result<Option<[f64; N]>, Failure> {
+    fn arguments<const N: usize>(&self, first: usize, all: &str) -> Result<Option<[f64; N]>, Failure> {
         let given = &self.0[FIELDS.len() + first..][..N];
+        let Some(missing) = given.iter().position(Option::is_none) else {
+            return Ok(Some(std::array::from_fn(|i| given[i].unwrap_or_default())));
+        };
         if given.iter().all(Option::is_none) {
             return Ok(None);
         }
-        let mut values = [0.0; N];
-        for ((value, number), name) in values.iter_mut().zip(given).zip(&ARGUMENTS[first..]) {
-            *value = number.ok_or(Failure::Name { name: text(name), says: together })?;
-        }
-        Ok(Some(values))
+        let (name, call) = (text(ARGUMENTS[first + missing]), "asperity_params_set_values");
+        Err(Failure::invalid(format_args!("{name}: must be given too: {all} go together, in one call of {call}")))
     }
 }
 
@@ -123,38 +140,19 @@ fn text(name: &'static CStr) -> &'static str {
 }
 
 impl Field {
-    fn name(&self) -> &'static str {
-        text(self.name)
-    }
-
     fn set(&self, params: &mut asperity_params, value: f64) -> Result<(), Failure> {
-        let size = match self.number {
-            Number::Real(_) => size_of::<f64>(),
-            Number::Whole(_) => size_of::<i32>(),
-        };
-        if (self.offset + size) as u64 > params.struct_size {
-            let allowed = "the struct ends before the parameter named: compile with today's header";
-            return Err(wrong_struct_size(params.struct_size, allowed));
+        let (size, number) = (params.struct_size, (self.of)(params));
+        if (self.offset + size_of_val(number)) as u64 > size {
+            return Err(wrong_struct_size(
+                size,
+                "the struct ends before the parameter named: compile with today's header",
+            ));
         }
-        match self.number {
-            Number::Real(at) => *at(params) = value,
-            Number::Whole(at) => {
-                let fits = finite(value) && value.abs() <= f64::from(i32::MAX) && f64::from(value as i32) == value;
-                if !fits {
-                    let allowed = "must be a whole number, one of the constants that asperity.h lists for it";
-                    return Err(Error::invalid(self.name(), value, allowed).into());
-                }
-                *at(params) = value as i32;
-            }
+        if !number.set(value) {
+            let allowed = "must be a whole number, one of the constants that asperity.h lists for it";
+            return Err(Error::invalid(text(self.name), value, allowed).into());
         }
         Ok(())
-    }
-
-    fn get(&self, params: &mut asperity_params) -> f64 {
-        match self.number {
-            Number::Real(at) => *at(params),
-            Number::Whole(at) => f64::from(*at(params)),
-        }
     }
 }
 
@@ -223,15 +221,15 @@ pub unsafe extern "C" fn asperity_params_get_value(
 ) -> asperity_status {
     boundary::status(|| {
         let mut whole = asperity_params::read(params)?;
-        let name = Given::read(name)?;
+        let name = given::read(name)?;
         let value = reference_mut(value, "value")?;
         let position = position(name)?;
         let Some(field) = FIELDS.get(position) else {
             let name = text(ARGUMENTS[position - FIELDS.len()]);
             let says = "is not kept: read the fields that were made of it, as composite_modulus or height_std";
-            return Err(Failure::Name { name, says });
+            return Err(Failure::invalid(format_args!("{name}: {says}")));
         };
-        *value = field.get(&mut whole);
+        *value = (field.of)(&mut whole).get();
         Ok(())
     })
 }

@@ -1,13 +1,14 @@
 //! Structs that the library fills, no further than the caller's have room.
 
-use super::boundary::{wrong_struct_size, Failure};
+use super::boundary::{reference, wrong_struct_size, Failure};
 use std::mem::{align_of, size_of};
 
 /// A struct for the caller with what a struct of the library has in the fields of the same names.
 macro_rules! same_fields {
-    ($struct:ident of $from:expr; $($field:ident)*) => {
-        $struct { struct_size: std::mem::size_of::<$struct>() as u64, $($field: $from.$field),* }
-    };
+    ($struct:ident of $from:expr; $($field:ident)*) => {{
+        let from = $from;
+        $struct { struct_size: std::mem::size_of::<$struct>() as u64, $($field: from.$field),* }
+    }};
 }
 pub(super) use same_fields;
 
@@ -20,12 +21,9 @@ pub unsafe fn fill<T>(
     name: &'static str,
     make: impl FnOnce() -> Result<T, Failure>,
 ) -> Result<(), Failure> {
-    if out.is_null() {
-        return Err(Failure::Null(name));
-    }
     const FIRST: usize = size_of::<u64>();
     // SAFETY: struct_size is the first field of every such struct, and the caller has set it.
-    let size = out.cast::<u64>().read();
+    let size = *reference(out.cast::<u64>(), name)?;
     if size < 16 || size % align_of::<T>() as u64 != 0 {
         return Err(wrong_struct_size(size, "must be set to sizeof of the output struct before the call"));
     }

@@ -1,10 +1,11 @@
 //! Parameters, as C sees them: a struct that grew, of which callers may have an earlier, shorter version.
 
-use super::boundary::{wrong_struct_size, Failure};
+use super::boundary::{not_null, reference, wrong_struct_size, Failure};
 use crate::asperity::slip::SlipConstants;
 use crate::distribution::tabulated;
 use crate::error::Error;
 use crate::params::{ContactLawKind, HeightFamily, Params};
+use std::fmt::Arguments;
 use std::mem::{offset_of, size_of};
 use std::sync::Arc;
 
@@ -145,11 +146,8 @@ impl asperity_params {
     /// `params` is NULL or points to a struct that has the bytes its first field says, and the fields that its
     /// `height_distribution` reads.
     pub(super) unsafe fn read(params: *const Self) -> Result<Self, Failure> {
-        if params.is_null() {
-            return Err(Failure::Null("params"));
-        }
+        let size = checked_size(*reference(params.cast::<u64>(), "params")?)?;
         let mut whole = Self::from_params(&Params::default());
-        let size = checked_size(params.cast::<u64>().read())?;
         whole.copy_from(params, size);
         whole.copy_from(params, size.max(whole.end_of_heights()));
         if size < HARDNESS_END {
@@ -227,7 +225,7 @@ impl asperity_params {
     /// # Safety
     /// The table, where the heights are one, has the length it says.
     pub(super) unsafe fn to_params(self) -> Result<Params, Failure> {
-        let invalid = |name, value: i32, allowed| Err(Failure::Error(Error::invalid(name, value, allowed)));
+        let invalid = |name, value: i32, allowed| Err(Failure::from(Error::invalid(name, value, allowed)));
         let heights = match self.height_distribution {
             ASPERITY_HEIGHTS_GAUSSIAN => HeightFamily::Gaussian,
             ASPERITY_HEIGHTS_WEIBULL => HeightFamily::Weibull { shape: self.weibull_shape },
@@ -267,47 +265,28 @@ impl asperity_params {
     unsafe fn table(&self) -> Result<HeightFamily, Failure> {
         let length = usize::try_from(self.table_length).unwrap_or(usize::MAX);
         tabulated::check_length(length)?;
-        let column = |name: &'static str, first: *const f64| {
-            if first.is_null() {
-                return Err(Failure::Null(name));
-            }
-            // SAFETY: the caller says that there are so many.
-            Ok(Arc::from(unsafe { std::slice::from_raw_parts(first, length) }))
-        };
-        Ok(HeightFamily::Tabulated {
-            height: column("table_height", self.table_height)?,
-            density: column("table_density", self.table_density)?,
-        })
+        not_null(self.table_height, "table_height")?;
+        not_null(self.table_density, "table_density")?;
+        // SAFETY: the caller says that there are so many.
+        let copy = |first| Arc::from(unsafe { std::slice::from_raw_parts(first, length) });
+        Ok(HeightFamily::Tabulated { height: copy(self.table_height), density: copy(self.table_density) })
     }
 }
 
 /// The size of a caller's struct, if it is one of a version up to today's.
 pub(super) fn checked_size(size: u64) -> Result<u64, Failure> {
+    let refused = |allowed: Arguments| Err(wrong_struct_size(size, allowed));
     if size > SIZE {
-        return Err(wrong_struct_size(size, TOO_LARGE));
+        return refused(format_args!("must be at most {SIZE}: the header is newer than the library"));
     }
     if size < FIRST_SIZE || size % 8 != 0 {
-        return Err(wrong_struct_size(size, TOO_SMALL));
+        let hint = "in steps of 8; call asperity_params_init first";
+        return refused(format_args!("must be sizeof(asperity_params), {FIRST_SIZE} to {SIZE} {hint}"));
     }
     Ok(size)
 }
 
-/// What a caller is told of the struct's size. The pointers in it are shorter on some machines.
-macro_rules! sizes {
-    ($size:literal) => {
-        const TOO_LARGE: &str = concat!("must be at most ", $size, ": the header is newer than the library");
-        const TOO_SMALL: &str = concat!(
-            "must be sizeof(asperity_params), 144 to ",
-            $size,
-            " in steps of 8; call asperity_params_init first"
-        );
-        const _: () = assert!(FIRST_SIZE == 144 && TABLE_END + 24 == SIZE && SIZE == $size);
-    };
-}
-#[cfg(target_pointer_width = "64")]
-sizes!(216);
-#[cfg(target_pointer_width = "32")]
-sizes!(208);
+const _: () = assert!(FIRST_SIZE == 144 && TABLE_END + 24 == SIZE);
 
 /// The shape of Weibull heights without skew (Table 1 of the paper).
 const DEFAULT_SHAPE: f64 = 3.602;

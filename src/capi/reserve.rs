@@ -40,17 +40,17 @@ thread_local! {
 /// Makes something, with a reserve for the allocations that the system refuses. What `make` keeps, it returns.
 ///
 /// # Errors
-/// [`Failure::OutOfMemory`] where the system refused memory that is to stay; else what `make` fails with.
+/// [`Failure::out_of_memory`] where the system refused memory that is to stay; else what `make` fails with.
 pub fn held<T>(make: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
     // SAFETY: its size is not 0.
     let start = unsafe { System.alloc(WHOLE) };
     if start.is_null() {
-        return Err(Failure::OutOfMemory);
+        return Err(Failure::out_of_memory());
     }
     let outer = RESERVE.replace(Reserve { start, ..NONE });
     let mut made = catch_unwind(AssertUnwindSafe(make));
     if RESERVE.get().live > 0 {
-        made = Ok(Err(Failure::OutOfMemory)); // drops what was made, or the panic's message
+        made = Ok(Err(Failure::out_of_memory())); // drops what was made, or the panic's message
     }
     if RESERVE.replace(outer).live == 0 {
         // SAFETY: it came from there, and nothing of it is in use.

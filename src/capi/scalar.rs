@@ -11,16 +11,8 @@ use crate::float_bits::finite;
 use crate::law::{polynomial, Row};
 use crate::model::Model;
 
-/// The scalar calls, as suits the processor.
-#[derive(Clone, Copy)]
-pub struct ScalarCalls {
-    /// Friction coefficient at a load.
-    pub coefficient: unsafe extern "C" fn(&Model, f64) -> f64,
-    /// Friction force at a load.
-    pub force: unsafe extern "C" fn(&Model, f64) -> f64,
-    /// Tangential stiffness at a load.
-    pub stiffness: unsafe extern "C" fn(&Model, f64) -> f64,
-}
+/// A quantity at a load.
+pub type ScalarCall = unsafe extern "C" fn(&Model, f64) -> f64;
 
 /// The quantities, as constants of functions.
 const COEFFICIENT: u8 = Quantity::Coefficient as u8;
@@ -28,27 +20,19 @@ const FORCE: u8 = Quantity::Force as u8;
 const STIFFNESS: u8 = Quantity::Stiffness as u8;
 
 const fn quantity(of: u8) -> Quantity {
-    match of {
-        COEFFICIENT => Quantity::Coefficient,
-        FORCE => Quantity::Force,
-        _ => Quantity::Stiffness,
-    }
+    [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness][of as usize]
 }
 
-impl ScalarCalls {
-    /// Those of this processor.
-    pub fn new() -> Self {
-        #[cfg(target_arch = "x86_64")]
-        if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("bmi2") {
-            return Self {
-                coefficient: avx2::value_at::<COEFFICIENT>,
-                force: avx2::value_at::<FORCE>,
-                stiffness: avx2::value_at::<STIFFNESS>,
-            };
-        }
-        Self { coefficient: value_at::<COEFFICIENT>, force: value_at::<FORCE>, stiffness: value_at::<STIFFNESS> }
+/// The function of each quantity that suits this processor.
+pub fn calls() -> [ScalarCall; 3] {
+    #[cfg(target_arch = "x86_64")]
+    if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("bmi2") {
+        return [avx2::value_at::<COEFFICIENT>, avx2::value_at::<FORCE>, avx2::value_at::<STIFFNESS>];
     }
+    PORTABLE
 }
+
+const PORTABLE: [ScalarCall; 3] = [value_at::<COEFFICIENT>, value_at::<FORCE>, value_at::<STIFFNESS>];
 
 /// # Safety
 /// None is needed; the functions of other processors ask for their instructions.
@@ -146,29 +130,16 @@ mod tests {
     #[test]
     fn every_processor_gives_the_same_bits() {
         let model = Model::new(&Params::default()).expect("a model");
-        let calls = ScalarCalls::new();
         let summary = model.summary();
         for i in 0..400 {
             let excess = 1e-12 * 1e20_f64.powf(f64::from(i) / 400.0);
             for load in [summary.pull_off_load * (1.0 - excess), excess, -excess, f64::NAN, f64::INFINITY] {
-                // SAFETY: the functions of this processor, or of any.
-                let found = unsafe {
-                    [
-                        value_at::<COEFFICIENT>(&model, load),
-                        value_at::<FORCE>(&model, load),
-                        value_at::<STIFFNESS>(&model, load),
-                    ]
-                };
-                let chosen = unsafe {
-                    [(calls.coefficient)(&model, load), (calls.force)(&model, load), (calls.stiffness)(&model, load)]
-                };
-                let exact = [
-                    model.friction_at_load(load),
-                    model.friction_force_at_load(load),
-                    model.tangential_stiffness_at_load(load),
-                ];
-                assert_eq!(found.map(f64::to_bits), exact.map(f64::to_bits), "{load:e}: {found:?}, not {exact:?}");
-                assert_eq!(chosen.map(f64::to_bits), exact.map(f64::to_bits), "{load:e}: {chosen:?}, not {exact:?}");
+                for (of, call) in PORTABLE.into_iter().chain(calls()).enumerate() {
+                    // SAFETY: a function of any processor, or of this one.
+                    let found = unsafe { call(&model, load) };
+                    let expected = quantity(of as u8 % 3).at(&model, load).0;
+                    assert_eq!(found.to_bits(), expected.to_bits(), "{of} at {load:e}: {found:e}, not {expected:e}");
+                }
             }
         }
     }

@@ -5,7 +5,6 @@ use super::model::{self, asperity_model};
 use super::output::{fill, same_fields};
 use super::reserve;
 use super::status::asperity_status;
-use crate::sensitivity::Sensitivities;
 
 /// What the friction force F at constant load changes by with each parameter p, the others as they are: d(ln F)/d(ln p),
 /// the percentage by which F changes for each percent of p. For `radius_amplitude` and `skew`, which may be 0 or negative, it
@@ -56,16 +55,6 @@ pub struct asperity_sensitivities {
     pub hardness: f64,
 }
 
-impl asperity_sensitivities {
-    fn new(of: &Sensitivities) -> Self {
-        same_fields! { Self of of;
-            composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std summit_radius
-            asperity_count weibull_shape radius_amplitude radius_rate slip_radius_1 slip_stress_1 slip_radius_2
-            slip_stress_2 skew kurtosis hardness
-        }
-    }
-}
-
 /// The sensitivities of the friction force at a load, by integration over the summits, without the table. Takes longer than
 /// an exact state, but far less than a model.
 ///
@@ -89,8 +78,11 @@ pub unsafe extern "C" fn asperity_sensitivities_at_load(
     boundary::status(|| {
         let model = model::of(model)?;
         fill(sensitivities, "sensitivities", || {
-            let found = reserve::held(|| Ok(model.sensitivities_at_load(load)?))?;
-            Ok(asperity_sensitivities::new(&found))
+            Ok(same_fields! { asperity_sensitivities of reserve::held(|| Ok(model.sensitivities_at_load(load)?))?;
+                composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std
+                summit_radius asperity_count weibull_shape radius_amplitude radius_rate slip_radius_1 slip_stress_1
+                slip_radius_2 slip_stress_2 skew kurtosis hardness
+            })
         })
     })
 }

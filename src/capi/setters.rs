@@ -1,9 +1,10 @@
 //! Functions that set parameters, as C calls them.
 
-use super::boundary::{self, wrong_struct_size, Failure};
+use super::boundary::{self, not_null, wrong_struct_size, Failure};
 use super::params::{asperity_params, checked_size, FIRST_SIZE, JOHNSON_END};
 use super::status::asperity_status;
 use crate::error::Error;
+use crate::materials::Bodies;
 use crate::params::Params;
 use crate::spectrum::SpectralMoments;
 
@@ -43,6 +44,17 @@ impl asperity_params {
     pub(super) fn set_materials(&mut self, [young_1, poisson_1, young_2, poisson_2]: [f64; 4]) -> Result<(), Failure> {
         take! { made(|params| params.set_materials(young_1, poisson_1, young_2, poisson_2))? => self;
             composite_modulus effective_shear_modulus tangential_modulus
+        }
+    }
+
+    pub(super) fn set_bodies(&mut self, bodies: &Bodies) -> Result<(), Failure> {
+        let set = |params: &mut Params| {
+            params.slip.stress_1 = self.slip_stress_1;
+            params.set_bodies(bodies)
+        };
+        take! { made(set)? => self;
+            composite_modulus effective_shear_modulus tangential_modulus work_of_adhesion adhesion_range burgers_vector
+            hardness slip_stress_1
         }
     }
 
@@ -124,9 +136,7 @@ pub unsafe extern "C" fn asperity_params_init_unset_sized(
 }
 
 unsafe fn initialise(params: *mut asperity_params, size: u64, with: &Params) -> Result<(), Failure> {
-    if params.is_null() {
-        return Err(Failure::Null("params"));
-    }
+    not_null(params, "params")?;
     asperity_params { struct_size: size, ..asperity_params::from_params(with) }.write(params, size);
     Ok(())
 }

@@ -76,10 +76,7 @@ pub unsafe extern "C" fn asperity_friction_at_pressure(
     dmu_dpressure: *mut f64,
 ) -> f64 {
     boundary::fast!(contained_value, {
-        let (mu, slope) = match load_of(pressure, nominal_area) {
-            Some(load) => at(model, Quantity::Coefficient, load),
-            None => (f64::NAN, f64::NAN),
-        };
+        let (mu, slope) = at(model, Quantity::Coefficient, load_of(pressure, nominal_area));
         // A slope of 1e300 or more is a saturated one already. Tested by bits: comparing a NaN may raise a flag.
         let moderate = slope.to_bits() & !(1 << 63) < 1e200_f64.to_bits();
         write(dmu_dpressure, 0, slope * if moderate { nominal_area } else { 1.0 });
@@ -105,13 +102,9 @@ pub unsafe extern "C" fn asperity_shear_stress_at_pressure(
     dstress_dpressure: *mut f64,
 ) -> f64 {
     boundary::fast!(contained_value, {
-        let Some(load) = load_of(pressure, nominal_area) else {
-            write(dstress_dpressure, 0, f64::NAN);
-            return f64::NAN;
-        };
-        let (force, slope) = at(model, Quantity::Force, load);
+        let (force, slope) = at(model, Quantity::Force, load_of(pressure, nominal_area));
         write(dstress_dpressure, 0, slope);
-        force / nominal_area
+        force / if is_allowed(nominal_area) { nominal_area } else { 1.0 }
     })
 }
 
@@ -159,12 +152,17 @@ unsafe fn at(model: *const asperity_model, quantity: Quantity, load: f64) -> (f6
     model.as_ref().map_or((f64::NAN, f64::NAN), |handle| quantity.at(&handle.model, load))
 }
 
-fn load_of(pressure: f64, nominal_area: f64) -> Option<f64> {
+/// NaN where one of them is not allowed.
+fn load_of(pressure: f64, nominal_area: f64) -> f64 {
     let size = pressure.to_bits() & !(1 << 63);
     let allowed = size <= (LARGEST * LARGEST).to_bits() && is_allowed(nominal_area);
     // The product of what cannot raise a flag, should it be evaluated ahead.
     let (p, a) = if allowed { (pressure, nominal_area) } else { (0.0, 1.0) };
-    allowed.then_some(p * a)
+    if allowed {
+        p * a
+    } else {
+        f64::NAN
+    }
 }
 
 /// Compares bits, which order positive numbers: comparing a signalling NaN would raise a flag.

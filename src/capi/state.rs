@@ -6,7 +6,7 @@ use super::output::{fill, same_fields};
 use super::reserve;
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::model::{Model, State, Summary};
+use crate::model::{Model, State};
 
 /// The exact state of the contact; all quantities in the units of the parameters.
 #[repr(C)]
@@ -99,26 +99,6 @@ pub struct asperity_summary {
     pub table_error: f64,
 }
 
-impl asperity_state {
-    fn new(state: &State) -> Self {
-        same_fields! { Self of state;
-            load separation friction_force friction_coefficient dforce_dload dmu_dload dload_dseparation real_area
-            contacting attracted attraction_load mean_contact_radius max_contact_radius fraction_below_slip_radius_1
-            fraction_between_slip_radii fraction_above_slip_radius_2 fraction_in_contact mean_asperity_pressure
-            plasticity_index warnings tangential_stiffness fraction_elastic fraction_flowing
-        }
-    }
-}
-
-impl asperity_summary {
-    fn new(summary: &Summary) -> Self {
-        same_fields! { Self of summary;
-            alpha beta gamma lambda skew kurtosis pull_off_load pull_off_friction_force zero_load_friction_force
-            min_table_load max_table_load table_error
-        }
-    }
-}
-
 /// An exact state for the caller.
 ///
 /// # Safety
@@ -130,7 +110,15 @@ unsafe fn exact(
 ) -> asperity_status {
     boundary::status(|| {
         let model = model::of(model)?;
-        fill(out, "state", || Ok(asperity_state::new(&reserve::held(|| Ok(state(model)?))?)))
+        fill(out, "state", || {
+            let state = reserve::held(|| Ok(state(model)?))?;
+            Ok(same_fields! { asperity_state of state;
+                load separation friction_force friction_coefficient dforce_dload dmu_dload dload_dseparation real_area
+                contacting attracted attraction_load mean_contact_radius max_contact_radius fraction_below_slip_radius_1
+                fraction_between_slip_radii fraction_above_slip_radius_2 fraction_in_contact mean_asperity_pressure
+                plasticity_index warnings tangential_stiffness fraction_elastic fraction_flowing
+            })
+        })
     })
 }
 
@@ -185,6 +173,11 @@ pub unsafe extern "C" fn asperity_summary_of(
 ) -> asperity_status {
     boundary::status(|| {
         let model = model::of(model)?;
-        fill(summary, "summary", || Ok(asperity_summary::new(&model.summary())))
+        fill(summary, "summary", || {
+            Ok(same_fields! { asperity_summary of model.summary();
+                alpha beta gamma lambda skew kurtosis pull_off_load pull_off_friction_force zero_load_friction_force
+                min_table_load max_table_load table_error
+            })
+        })
     })
 }

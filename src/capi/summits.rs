@@ -1,6 +1,6 @@
 //! The law of single summits, as C sees it.
 
-use super::boundary::{self, write, Failure};
+use super::boundary::{self, not_null, write, Failure};
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
 use crate::error::Error;
@@ -38,8 +38,8 @@ pub unsafe extern "C" fn asperity_summits_at_overlaps(
 ) -> asperity_status {
     boundary::status(|| {
         let model = model::of(model)?;
-        if n > 0 && overlap.is_null() {
-            return Err(Failure::Null("overlap"));
+        if n > 0 {
+            not_null(overlap, "overlap")?;
         }
         let mut offence = None;
         for i in 0..n {
@@ -49,7 +49,7 @@ pub unsafe extern "C" fn asperity_summits_at_overlaps(
             write(force, i, summit.friction_force);
             write(radius, i, summit.contact_radius);
         }
-        offence.map_or(Ok(()), |(index, error)| Err(Failure::Element(index, error)))
+        offence.map_or(Ok(()), |(index, error)| Err(Failure::of_element(index, &error)))
     })
 }
 

@@ -21,7 +21,7 @@ use super::status::asperity_status;
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_tangential_stiffness_at_load(model: *const asperity_model, load: f64) -> f64 {
-    model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls.stiffness)(&handle.model, load))
+    model::value_at(model, Quantity::Stiffness, load)
 }
 
 /// Tangential stiffnesses at many loads, filled and reported as by `asperity_friction_at_loads`.

@@ -12,7 +12,6 @@ pub mod weibull;
 use crate::elementary::exp_each;
 use crate::error::Error;
 use crate::numerics::quadrature::POINTS;
-use crate::params::HeightFamily;
 use gaussian::Gaussian;
 use std::sync::Arc;
 use tabulated::Tabulated;
@@ -94,6 +93,32 @@ pub trait Motion {
 
     /// Of the height that is z, above the origin.
     fn above_origin(&self, z: f64) -> [f64; 2];
+}
+
+/// The family of the distribution of summit heights.
+#[derive(Debug, Clone, PartialEq)]
+pub enum HeightFamily {
+    /// Eq (17).
+    Gaussian,
+    /// Eqs (18)-(21), with its shape omega.
+    Weibull {
+        /// omega from 1 to 200; 3.602 has no skew, more is negative skew.
+        shape: f64,
+    },
+    /// Johnson's system: skew and kurtosis chosen independently.
+    Johnson {
+        /// Third standardised moment, -3 to 3.
+        skew: f64,
+        /// Fourth standardised moment, 1.87 + 1.25 skew^2 to 100; 3 with skew 0 is Gaussian.
+        kurtosis: f64,
+    },
+    /// A measured density of summit heights, in any unit and of any origin; it need not be normalised.
+    Tabulated {
+        /// Heights, 3 to 256, increasing by 1e-12 of their range at least.
+        height: Arc<[f64]>,
+        /// The density at each height, >= 0.
+        density: Arc<[f64]>,
+    },
 }
 
 /// The distribution of a family, of which every number is checked.

@@ -55,10 +55,8 @@ pub struct Pair {
 
 impl Pair {
     /// The pair of this name, or of the same bodies in the other order.
-    pub fn find(name: &[u8]) -> Option<&'static Self> {
-        let both = halves(name)?;
-        let swapped = (both.1, both.0);
-        PAIRS.iter().find(|pair| halves(pair.name.to_bytes()).is_some_and(|found| found == both || found == swapped))
+    pub fn find(name: impl AsRef<[u8]>) -> Option<&'static Self> {
+        Bodies::find(name)?.pair()
     }
 }
 
@@ -72,10 +70,17 @@ pub struct Bodies {
 }
 
 impl Bodies {
-    /// None if one of them is no material.
-    pub fn find(name: &[u8]) -> Option<Self> {
-        let (first, second) = halves(name)?;
+    /// Two materials with a slash between, as "steel/mica"; None if one of them is no material.
+    pub fn find(name: impl AsRef<[u8]>) -> Option<Self> {
+        let (first, second) = halves(name.as_ref())?;
         Some(Self { first: Material::find(first)?, second: Material::find(second)? })
+    }
+
+    /// What holds them together, where it is known.
+    pub fn pair(&self) -> Option<&'static Pair> {
+        let (first, second) = (self.first.name.to_bytes(), self.second.name.to_bytes());
+        let is_of = |both| both == (first, second) || both == (second, first);
+        PAIRS.iter().find(|pair| halves(pair.name.to_bytes()).is_some_and(is_of))
     }
 
     /// The longer Burgers vector; None if one of them has none.
@@ -92,8 +97,8 @@ impl Bodies {
 
 impl Material {
     /// The material of this name.
-    pub fn find(name: &[u8]) -> Option<&'static Self> {
-        MATERIALS.iter().find(|material| material.name.to_bytes() == name)
+    pub fn find(name: impl AsRef<[u8]>) -> Option<&'static Self> {
+        MATERIALS.iter().find(|material| material.name.to_bytes() == name.as_ref())
     }
 
     /// The material of this name, capitals or not, or of this word: "gold".
@@ -127,14 +132,14 @@ mod tests {
             assert!(std::ptr::eq(Pair::find(&swapped).expect("the pair"), pair), "{:?}", pair.name);
         }
         for none in ["", "Si", "Si/", "/Si", "Si/Si/Si", "si/si"] {
-            assert!(Pair::find(none.as_bytes()).is_none() && Bodies::find(none.as_bytes()).is_none(), "{none}");
+            assert!(Pair::find(none).is_none() && Bodies::find(none).is_none(), "{none}");
         }
     }
 
     #[test]
     fn every_word_means_a_material() {
         for (material, word) in MATERIALS.iter().flat_map(|one| one.words.iter().map(move |word| (one, word))) {
-            assert!(Material::find(word.as_bytes()).is_none(), "{word}");
+            assert!(Material::find(word).is_none(), "{word}");
             assert_eq!(Material::meant(word.to_uppercase().as_bytes()).map(|found| found.name), Some(material.name));
         }
         assert!(Material::meant(b"unobtainium").is_none());

@@ -1,19 +1,14 @@
-//! What parameters may be, and the groups, heights and radii that they amount to.
+//! What parameters may be together, and the groups, heights and radii that they amount to.
 
-use super::{ContactLawKind, Params, RADIUS_RATES, UNSET};
+use super::numbers::{magnitude, not_negative, positive, POSITIVE};
+use super::{unit_slips, ContactLawKind, Params, RADIUS_RATES, UNSET};
 use crate::asperity::slip::SlipConstants;
 use crate::distribution::{self, HeightDistribution};
 use crate::error::Error;
 use crate::float_bits::{finite, infinite, nan};
 use crate::groups::Groups;
 use crate::population::radius::RadiusProfile;
-use crate::unit_slips;
 use std::sync::Arc;
-
-/// Raw quantities beyond this, or below its inverse, could overflow when combined.
-const LARGEST: f64 = 1e40;
-
-const POSITIVE: &str = "must be finite and > 0";
 
 impl Params {
     /// The groups of eqs (7) and (8), heights and radii; every number is checked on the way.
@@ -143,41 +138,11 @@ fn check_groups(groups: &Groups) -> Result<(), Error> {
     Ok(())
 }
 
-pub(super) fn positive(name: &'static str, value: f64) -> Result<(), Error> {
-    magnitude(name, value, POSITIVE)
-}
-
-pub(super) fn not_negative(name: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
-    // By bits, as a NaN may be a signalling one.
-    let is_zero = value.to_bits() << 1 == 0;
-    if is_zero {
-        Ok(())
-    } else {
-        magnitude(name, value, allowed)
-    }
-}
-
-pub(super) fn magnitude(name: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
-    if !finite(value) || value <= 0.0 {
-        return Err(Error::invalid(name, value, allowed));
-    }
-    if !(1.0 / LARGEST..=LARGEST).contains(&value) {
-        return Err(Error::out_of_range(name, value, "must be between 1e-40 and 1e40; choose other units"));
-    }
-    Ok(())
-}
-
-pub(super) fn poisson_ratio(name: &'static str, value: f64) -> Result<(), Error> {
-    if nan(value) || !(value > -1.0 && value <= 0.5) {
-        return Err(Error::invalid(name, value, "must be > -1 and <= 0.5"));
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::neighbours::Neighbours;
+    use crate::params::numbers::LARGEST;
 
     /// What a change of the default case is refused for, if it is: whether it has a meaning, and the offence's name.
     fn refused(change: impl FnOnce(&mut Params)) -> Option<(bool, &'static str)> {

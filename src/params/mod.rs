@@ -1,46 +1,23 @@
 //! A surface pair in the user's own consistent units, and the ways to set its parameters.
 //!
-//! `checks` says what they may be, and what they amount to.
+//! `checks` says what they may be together, and what they amount to; `numbers` what one of them may be.
 
 // Brackets hold units here, not links.
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod checks;
+mod numbers;
+mod unit_slips;
 
 use crate::asperity::slip::SlipConstants;
 use crate::distribution::weibull::Weibull;
+pub use crate::distribution::HeightFamily;
 use crate::error::Error;
 use crate::float_bits::infinite;
 use crate::joint_distribution::SummitShape;
+use crate::materials::Bodies;
 use crate::spectrum::SpectralMoments;
-use checks::{magnitude, not_negative, poisson_ratio, positive};
-use std::sync::Arc;
-
-/// The family of the distribution of summit heights.
-#[derive(Debug, Clone, PartialEq)]
-pub enum HeightFamily {
-    /// Eq (17).
-    Gaussian,
-    /// Eqs (18)-(21), with its shape omega.
-    Weibull {
-        /// omega from 1 to 200; 3.602 has no skew, more is negative skew.
-        shape: f64,
-    },
-    /// Johnson's system: skew and kurtosis chosen independently.
-    Johnson {
-        /// Third standardised moment, -3 to 3.
-        skew: f64,
-        /// Fourth standardised moment, 1.87 + 1.25 skew^2 to 100; 3 with skew 0 is Gaussian.
-        kurtosis: f64,
-    },
-    /// A measured density of summit heights, in any unit and of any origin; it need not be normalised.
-    Tabulated {
-        /// Heights, 3 to 256, increasing by 1e-12 of their range at least.
-        height: Arc<[f64]>,
-        /// The density at each height, >= 0.
-        density: Arc<[f64]>,
-    },
-}
+use numbers::{magnitude, not_negative, poisson_ratio, positive};
 
 /// The law of one summit in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -214,6 +191,25 @@ impl Params {
         let tangential = |poisson: f64| 2.0 * (1.0 + poisson) * (2.0 - poisson);
         self.tangential_modulus =
             1.0 / (compliance(young_1, tangential(poisson_1)) + compliance(young_2, tangential(poisson_2)));
+        Ok(())
+    }
+
+    /// All that is known of two bodies in contact, in SI units: the moduli, the work of adhesion, the longer Burgers vector, the
+    /// range of adhesion, equal to it as in the paper, the hardness of the softer body, and the slip stress where it is measured.
+    /// What is not known is left to set, as by [`Params::unset`], and so is the roughness.
+    ///
+    /// # Errors
+    /// As [`Params::set_materials`]; none for materials of the library.
+    pub fn set_bodies(&mut self, bodies: &Bodies) -> Result<(), Error> {
+        let Bodies { first, second } = bodies;
+        self.set_materials(first.young, first.poisson, second.young, second.poisson)?;
+        self.burgers_vector = bodies.burgers_vector().unwrap_or(UNSET);
+        self.adhesion_range = self.burgers_vector;
+        self.hardness = bodies.hardness();
+        self.work_of_adhesion = bodies.pair().map_or(UNSET, |pair| pair.work_of_adhesion);
+        if let Some(measured) = bodies.pair().map(|pair| pair.slip_stress_1).filter(|&stress| stress > 0.0) {
+            self.slip.stress_1 = measured;
+        }
         Ok(())
     }
 

@@ -5,6 +5,14 @@ use crate::law::{Row, Table, COEFFICIENTS, DIVISIONS, OFFSET};
 use crate::model::{Known, Model};
 use std::mem::{size_of, MaybeUninit};
 
+/// Methods that become part of the calling function, which is compiled for their instructions.
+macro_rules! inlined {
+    ($($(#[$doc:meta])* fn $name:ident($($arguments:tt)*) $(-> $returned:ty)? $body:block)*) => {
+        $($(#[$doc])* #[inline(always)] unsafe fn $name($($arguments)*) $(-> $returned)? $body)*
+    };
+}
+pub(super) use inlined;
+
 /// A vector of floats, with its masks and integers; every method is one or two instructions.
 ///
 /// # Safety
@@ -25,11 +33,8 @@ pub unsafe trait Lanes: Copy {
     unsafe fn sub(self, other: Self) -> Self;
     unsafe fn mul(self, other: Self) -> Self;
     unsafe fn div(self, other: Self) -> Self;
-    /// self/other where the mask is set, any number elsewhere, without raising a flag there.
-    unsafe fn div_where(self, mask: Self::Mask, other: Self) -> Self;
     /// self < other, false for NaN, without raising a flag.
     unsafe fn lt(self, other: Self) -> Self::Mask;
-    unsafe fn is_nan(self) -> Self::Mask;
     /// Whether it or the other is NaN.
     unsafe fn unordered(self, other: Self) -> Self::Mask;
     /// NaN, signalling or not, or infinite; without raising a flag.
@@ -38,25 +43,41 @@ pub unsafe trait Lanes: Copy {
     unsafe fn or_where(self, mask: Self::Mask, other: Self) -> Self;
     unsafe fn bits(self) -> Self::Bits;
     unsafe fn from_bits(bits: Self::Bits) -> Self;
-    /// The row of each lane, at an offset in bytes, transposed: coefficient j of all lanes in vector j.
-    unsafe fn rows(rows: *const Row, offset: &Self::Bits) -> [Self; COEFFICIENTS];
+    /// Coefficients `from` to `from` + 3 of the row of each lane, at an offset in bytes, transposed: a vector each.
+    unsafe fn half_rows(rows: *const Row, offset: &Self::Bits, from: usize) -> [Self; 4];
 
-    unsafe fn splat_bits(x: u64) -> Self::Bits;
     unsafe fn and_bits(a: Self::Bits, b: Self::Bits) -> Self::Bits;
-    unsafe fn or_bits(a: Self::Bits, b: Self::Bits) -> Self::Bits;
+    unsafe fn add_bits(a: Self::Bits, b: Self::Bits) -> Self::Bits;
     unsafe fn sub_bits(a: Self::Bits, b: Self::Bits) -> Self::Bits;
     unsafe fn shift_right(a: Self::Bits, count: u32) -> Self::Bits;
-    /// a - b where the mask is set, a elsewhere.
-    unsafe fn sub_bits_where(a: Self::Bits, mask: Self::Mask, b: Self::Bits) -> Self::Bits;
     /// a < bound, as unsigned integers; the bound is below 2^32 and not 0.
     unsafe fn below(a: Self::Bits, bound: u64) -> Self::Mask;
-    unsafe fn or_bits_where(a: Self::Bits, mask: Self::Mask, b: Self::Bits) -> Self::Bits;
 
     unsafe fn or_mask(a: Self::Mask, b: Self::Mask) -> Self::Mask;
     unsafe fn not_mask(a: Self::Mask) -> Self::Mask;
     unsafe fn and_mask(a: Self::Mask, b: Self::Mask) -> Self::Mask;
     /// Bit i for lane i.
     unsafe fn lanes_of(mask: Self::Mask) -> u32;
+
+    inlined! {
+        /// All coefficients of the row of each lane.
+        fn rows(rows: *const Row, offset: &Self::Bits) -> [Self; COEFFICIENTS] {
+            let [c0, c1, c2, c3] = Self::half_rows(rows, offset, 0);
+            let [c4, c5, c6, c7] = Self::half_rows(rows, offset, 4);
+            [c0, c1, c2, c3, c4, c5, c6, c7]
+        }
+        fn is_nan(self) -> Self::Mask { self.unordered(self) }
+        /// self/other where the mask is set, any number elsewhere, without raising a flag there.
+        fn div_where(self, mask: Self::Mask, other: Self) -> Self {
+            // Not 1, by which the compiler would choose after dividing all lanes.
+            self.div(Self::splat(2.0).or_where(mask, other))
+        }
+        fn splat_bits(x: u64) -> Self::Bits { Self::splat(f64::from_bits(x)).bits() }
+        /// `b` where the mask is set.
+        fn or_bits_where(a: Self::Bits, mask: Self::Mask, b: Self::Bits) -> Self::Bits {
+            Self::from_bits(a).or_where(mask, Self::from_bits(b)).bits()
+        }
+    }
 }
 
 const SIGN_AND_EXPONENT: u64 = !Table::MANTISSA;
@@ -266,9 +287,9 @@ unsafe fn find<L: Lanes>(table: &Table, loads: L) -> Found<L> {
     let shifted = L::and_bits(L::shift_right(x, table.shift - ROW_SHIFT), L::splat_bits(u64::MAX << ROW_SHIFT));
     let offset = L::sub_bits(shifted, L::splat_bits(table.base << ROW_SHIFT));
     let inside = L::below(offset, (table.row_count as u64) << ROW_SHIFT);
-    let one = L::splat_bits(Table::ONE);
+    // The bits of 1 and what follows them.
     let within_row = L::and_bits(x, L::splat_bits(table.within_row()));
-    let t = L::from_bits(L::or_bits(within_row, one)).sub(L::splat(1.0));
+    let t = L::from_bits(L::add_bits(within_row, L::splat_bits(Table::ONE))).sub(L::splat(1.0));
     Found {
         load,
         t: L::splat(f64::NAN).or_where(inside, t),
@@ -355,14 +376,15 @@ unsafe fn follow_links<L: Lanes>(table: &Table, found: &mut Found<L>, t: L) -> b
     if L::lanes_of(linked) == 0 {
         return false;
     }
-    // The last part, less one for each that begins after t.
-    let mut part = L::sub_bits(first, L::splat_bits((-((DIVISIONS * size_of::<Row>()) as i64)) as u64));
+    // One part on for each that does not begin after t.
+    let mut part = first;
     let mut begin = L::splat(0.0);
     let divisions = &c[COEFFICIENTS - DIVISIONS..];
     for &division in divisions {
         let before = t.lt(division);
         begin = division.or_where(before, begin);
-        part = L::sub_bits_where(part, before, L::splat_bits(size_of::<Row>() as u64));
+        let next = L::or_bits_where(L::splat_bits(size_of::<Row>() as u64), before, L::splat_bits(0));
+        part = L::add_bits(part, next);
     }
     // The first part begins where what it is a part of does.
     let within = t.sub(begin).or_where(t.lt(divisions[0]), found.t);

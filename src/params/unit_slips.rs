@@ -1,11 +1,11 @@
 //! Slips of units: parameters that no two surfaces have, with a guess at the unit that was meant.
 //!
 //! The library does not know the caller's units, so most of this is done by ratios: see the limits of the groups in
-//! `params`. Where the Burgers vector is some tenths of 1e-9 it is one in metres, as those of all crystals are, and what is
+//! `checks`. Where the Burgers vector is some tenths of 1e-9 it is one in metres, as those of all crystals are, and what is
 //! impossible in SI units is refused. The paper's units, b = 1, and those in mm or um are not judged so.
 
+use super::Params;
 use crate::error::Error;
-use crate::params::Params;
 
 /// Burgers vectors, in metres.
 const CRYSTALS: std::ops::RangeInclusive<f64> = 1e-10..=1e-9;
