@@ -47,7 +47,6 @@ mod params;
 mod regularised;
 mod sensitivity;
 mod spectrum;
-mod validity;
 
 // Parts of the physics, which tests of this crate ask one by one; no part of the interface.
 #[doc(hidden)]
@@ -61,8 +60,10 @@ pub mod population;
 
 pub use crate::asperity::slip::SlipConstants;
 pub use error::{Error, Value};
+pub use model::validity::{
+    WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP,
+};
 pub use model::{Model, State, Summary, SummitState};
 pub use params::{ContactLawKind, HeightFamily, Params};
 pub use sensitivity::Sensitivities;
 pub use spectrum::SpectralMoments;
-pub use validity::{WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP};

@@ -4,7 +4,7 @@ use super::boundary::{self, reference_mut};
 use super::model::{self, asperity_model};
 use super::reserve;
 use super::status::asperity_status;
-use crate::validity;
+use crate::model::validity;
 use std::ffi::c_char;
 
 /// Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the

@@ -1,5 +1,6 @@
 //! What is evaluated exactly, by sums over the summits at a separation: states, sensitivities, microslip, warnings.
 
+use super::validity::{warnings_between, Measures};
 use super::Model;
 use crate::elementary::log;
 use crate::error::Error;
@@ -7,7 +8,6 @@ use crate::float_bits::finite;
 use crate::law::Quantity;
 use crate::population::{OneSummit, Statistics, Sums};
 use crate::sensitivity::Sensitivities;
-use crate::validity::{warnings_between, Measures};
 
 /// Displacements, as force over radius of a contact that sticks, in G* b: from the larger on all contacts slip, below the
 /// smaller none does.

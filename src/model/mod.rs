@@ -6,6 +6,7 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod exact;
+pub mod validity;
 
 use crate::elementary::cbrt;
 use crate::equilibrium::Branch;

@@ -1,8 +1,8 @@
 //! Where the model holds: what it assumes of a state, as numbers that exceed 1 where an assumption fails, and the search for
 //! such states. The sources of the bounds are in docs/theory.md, "Is the model valid here?".
 
+use super::State;
 use crate::error::Error;
-use crate::model::State;
 use crate::neighbours::Neighbours;
 use crate::params::{ContactLawKind, Params};
 
