@@ -128,8 +128,8 @@ fn check_groups(groups: &Groups) -> Result<(), Error> {
         "gamma" where adheres, groups.gamma, 1e-9..=10.0,
             "work_of_adhesion/(composite_modulus burgers_vector) must be 0 or between 1e-9 and 10; ",
             below "are work_of_adhesion and the moduli in one system of units?",
-            above "is work_of_adhesion in mJ/m^2, or are the moduli in GPa? Rubber and gels are outside of the law; to try them, set \
-                work_of_adhesion to 0";
+            above "is work_of_adhesion in mJ/m^2, or beside mm in J/m^2, or are the moduli in GPa? Rubber and gels are outside of the \
+                law; to try them, set work_of_adhesion to 0";
         "h/sigma" where adheres, groups.reach(), 0.0..=1e6, "adhesion_range/height_std must be at most 1e6; ",
             below "", above "is adhesion_range in nm? Else take a rougher surface, or no adhesion";
         "b/h", groups.b_over_h, 1e-3..=100.0, "burgers_vector/adhesion_range must be between 1e-3 and 100; ",

@@ -1,26 +1,71 @@
 //! Slips of units: parameters that no two surfaces have, with a guess at the unit that was meant.
 //!
 //! The library does not know the caller's units, so most of this is done by ratios: see the limits of the groups in
-//! `checks`. Where the Burgers vector is some tenths of 1e-9 it is one in metres, as those of all crystals are, and what is
-//! impossible in SI units is refused. The paper's units, b = 1, and those in mm or um are not judged so.
+//! `checks`. But all crystals have Burgers vectors of some tenths of a nm: one of some 1e-10 is in metres, one of some 1e-7 in
+//! millimetres, and what is impossible in SI units, in N-mm-MPa or in kN-mm-GPa is refused. The paper's units, b = 1, and those in
+//! um are not judged so.
 
 use super::Params;
 use crate::error::Error;
+use std::ops::RangeInclusive;
 
-/// Burgers vectors, in metres.
-const CRYSTALS: std::ops::RangeInclusive<f64> = 1e-10..=1e-9;
 /// Hardness over E*: from soft metals (1e-3) and rubber (1) there is room to either side.
-const HARDNESS: std::ops::RangeInclusive<f64> = 1e-5..=100.0;
-/// A sphere of 10 cm is a body and not a summit.
-const WIDEST_SUMMIT: f64 = 0.1;
-/// Diamond takes some 11 J/m^2 to cleave.
-const STRONGEST_ADHESION: f64 = 20.0;
-/// Gels have some kPa.
-const SOFTEST: f64 = 1e3;
-/// Half a summit is none.
-const FEWEST_SUMMITS: f64 = 0.5;
-/// A square metre of summits that are 6 nm apart.
-const MOST_SUMMITS: f64 = 3e16;
+const HARDNESS: RangeInclusive<f64> = 1e-5..=100.0;
+/// Where lengths are in m or mm there is less: in GPa beside moduli in MPa all hardnesses are below.
+const SOFTEST_METAL: (f64, &str) =
+    (3e-4, "must be at least 3e-4, or hardness 0 for not known; is hardness in GPa, and of the softer body?");
+
+/// What surfaces have in units that their Burgers vector tells, each bound with what it is and the likely slip.
+struct Units {
+    burgers_vector: RangeInclusive<f64>,
+    /// Gels have some kPa.
+    softest: (f64, &'static str),
+    /// Diamond has 6e11 Pa.
+    stiffest: (f64, &'static str),
+    /// Diamond takes some 11 J/m^2 to cleave.
+    strongest_adhesion: (f64, &'static str),
+    /// A sphere of 10 cm is a body and not a summit.
+    widest_summit: (f64, &'static str),
+    /// Half a summit is none.
+    fewest_summits: (f64, &'static str),
+    /// A square metre of summits that are 6 nm apart.
+    most_summits: (f64, &'static str),
+}
+
+const UNITS: [Units; 2] = [
+    Units {
+        burgers_vector: 1e-10..=1e-9,
+        softest: (1e3, "must be at least 1000 Pa where burgers_vector is in m; is it in GPa?"),
+        stiffest: (1e13, "must be at most 1e13 Pa where burgers_vector is in m; has it a factor of 1e9 too many?"),
+        strongest_adhesion: (20.0, "must be at most 20 J/m^2 where burgers_vector is in m; is it in mJ/m^2?"),
+        widest_summit: (0.1, "must be at most 0.1 m where burgers_vector is in m; is it in um?"),
+        fewest_summits: (
+            0.5,
+            "fewer than one summit; is the summit density per um^2 or mm^2, and the area in m^2? For a part of a summit ask \
+             a model of the whole for load/part, and take that part of the force",
+        ),
+        most_summits: (
+            3e16,
+            "must be at most 3e16 where burgers_vector is in m; is the area in um^2, and the summit density per m^2?",
+        ),
+    },
+    Units {
+        burgers_vector: 1e-7..=1e-6,
+        softest: (1e-6, "must be at least 1e-6 GPa, or 1e-3 MPa, where burgers_vector is in mm"),
+        stiffest: (1e7, "must be at most 1e7 MPa where burgers_vector is in mm; is it in Pa?"),
+        strongest_adhesion: (0.02, "must be at most 0.02 N/mm where burgers_vector is in mm; is it in J/m^2?"),
+        widest_summit: (100.0, "must be at most 100 mm where burgers_vector is in mm; is it in um?"),
+        fewest_summits: (
+            0.5,
+            "fewer than one summit; is the summit density per um^2, and the area in mm^2? For a part of a summit ask a \
+             model of the whole for load/part, and take that part of the force",
+        ),
+        most_summits: (
+            3e16,
+            "must be at most 3e16 where burgers_vector is in mm; is the area in mm^2, and the summit density per m^2?",
+        ),
+    },
+];
 
 /// Refuses what no two surfaces have, where parameters are numbers already.
 ///
@@ -33,30 +78,25 @@ pub fn check(params: &Params) -> Result<(), Error> {
             "must be between 1e-5 and 100, or hardness 0 for not known; is hardness in GPa, and of the softer body?";
         return Err(Error::out_of_range("hardness/composite_modulus", hardness, allowed));
     }
-    if !CRYSTALS.contains(&params.burgers_vector) {
-        return Ok(());
-    }
-    let (modulus, work, radius) = (params.composite_modulus, params.work_of_adhesion, params.summit_radius);
-    let count = params.asperity_count;
-    let (name, value, allowed) = if modulus < SOFTEST {
-        ("composite_modulus", modulus, "must be at least 1000 Pa where burgers_vector is in m; is it in GPa?")
-    } else if work > STRONGEST_ADHESION {
-        ("work_of_adhesion", work, "must be at most 20 J/m^2 where burgers_vector is in m; is it in mJ/m^2?")
-    } else if radius > WIDEST_SUMMIT {
-        ("summit_radius", radius, "must be at most 0.1 m where burgers_vector is in m; is it in um?")
-    } else if count < FEWEST_SUMMITS {
-        let allowed =
-            "fewer than one summit; is the summit density per um^2 or mm^2, and the area in m^2? For a part of \
-                       a summit ask a model of the whole for load/part, and take that part of the force";
-        ("asperity_count", count, allowed)
-    } else if count > MOST_SUMMITS {
-        let allowed = "must be at most 3e16 where burgers_vector is in m; is the area in um^2, and the summit density \
-                       per m^2?";
-        ("asperity_count", count, allowed)
-    } else {
+    let Some(units) = UNITS.iter().find(|units| units.burgers_vector.contains(&params.burgers_vector)) else {
         return Ok(());
     };
-    Err(Error::out_of_range(name, value, allowed))
+    type Bound = (f64, &'static str);
+    let refuse = |is_outside: bool, name, value, allowed| match is_outside {
+        true => Err(Error::out_of_range(name, value, allowed)),
+        false => Ok(()),
+    };
+    let at_least = |name, value, (bound, allowed): Bound| refuse(value < bound, name, value, allowed);
+    let at_most = |name, value, (bound, allowed): Bound| refuse(value > bound, name, value, allowed);
+    at_least("composite_modulus", params.composite_modulus, units.softest)?;
+    at_most("composite_modulus", params.composite_modulus, units.stiffest)?;
+    if params.hardness != 0.0 {
+        at_least("hardness/composite_modulus", hardness, SOFTEST_METAL)?;
+    }
+    at_most("work_of_adhesion", params.work_of_adhesion, units.strongest_adhesion)?;
+    at_most("summit_radius", params.summit_radius, units.widest_summit)?;
+    at_least("asperity_count", params.asperity_count, units.fewest_summits)?;
+    at_most("asperity_count", params.asperity_count, units.most_summits)
 }
 
 #[cfg(test)]
@@ -150,7 +190,9 @@ mod tests {
         for surface in &SURFACES {
             let (name, si) = (surface.0, params(surface));
             for (length, stress) in [(1e6, 1e-6), (1e3, 1e-6), (1.0 / si.burgers_vector, 1.0 / si.composite_modulus)] {
-                for count in [1e-3, 1.0, 1e30] {
+                // In mm a count is judged as it is in m.
+                let counts = if length == 1e3 { [0.5, 1.0, 3e16] } else { [1e-3, 1.0, 1e30] };
+                for count in counts {
                     let params = Params { asperity_count: count, ..si.in_units(stress, length) };
                     assert_eq!(params.surface().err(), None, "{name} with lengths times {length}");
                 }
@@ -159,26 +201,53 @@ mod tests {
     }
 
     #[test]
-    fn what_some_surface_has_is_taken_up_to_the_limits_and_no_further() {
-        let refused = |change: &dyn Fn(&mut Params)| {
-            let mut params = params(&SURFACES[0]);
-            change(&mut params);
-            check(&params).err().map(|error| error.to_string())
+    fn a_slip_among_millimetres_is_refused_too() {
+        let passes = |slip: &dyn Fn(&mut Params), hint| {
+            let in_mm = |params: &mut Params| {
+                *params = params.in_units(1e-6, 1e3);
+                slip(params);
+            };
+            passes(in_mm, hint)
         };
+        let all = SURFACES.map(|(name, ..)| name);
+        let none: [&str; 0] = [];
+        assert_eq!(passes(&|_| {}, ""), all);
+        let in_gpa = |params: &mut Params| *params = params.in_units(1e-3, 1.0);
+        assert_eq!(passes(&in_gpa, ""), all, "kN, mm, GPa");
+        let in_pa = |params: &mut Params| *params = params.in_units(1e6, 1.0);
+        assert_eq!(passes(&in_pa, "in Pa?"), none);
+        assert_eq!(passes(&|params| params.work_of_adhesion *= 1e3, "in J/m^2"), none);
+        assert_eq!(passes(&|params| params.burgers_vector *= 1e6, "burgers_vector in nm?"), none);
+        assert_eq!(passes(&|params| params.hardness *= 1e-3, "hardness in GPa"), none);
+    }
+
+    #[test]
+    fn what_some_surface_has_is_taken_up_to_the_limits_and_no_further() {
         type Change = fn(&mut Params, f64);
-        let limits: [(&str, f64, f64, Change); 7] = [
-            ("composite_modulus", SOFTEST, -1.0, |params, x| (params.composite_modulus, params.hardness) = (x, 0.0)),
-            ("work_of_adhesion", STRONGEST_ADHESION, 1.0, |params, x| params.work_of_adhesion = x),
-            ("summit_radius", WIDEST_SUMMIT, 1.0, |params, x| params.summit_radius = x),
-            ("asperity_count", FEWEST_SUMMITS, -1.0, |params, x| params.asperity_count = x),
-            ("asperity_count", MOST_SUMMITS, 1.0, |params, x| params.asperity_count = x),
-            ("hardness/composite_modulus", 1e-5, -1.0, |params, x| params.hardness = x * params.composite_modulus),
-            ("hardness/composite_modulus", 100.0, 1.0, |params, x| params.hardness = x * params.composite_modulus),
-        ];
-        for (name, limit, outwards, set) in limits {
-            assert_eq!(refused(&|params| set(params, limit * (1.0 - 1e-12 * outwards))), None, "{name}");
-            let message = refused(&|params| set(params, limit * (1.0 + 1e-12 * outwards))).expect(name);
-            assert!(message.starts_with(name), "{message}");
+        let modulus: Change = |params, x| (params.composite_modulus, params.hardness) = (x, 0.0);
+        let hardness: Change = |params, x| params.hardness = x * params.composite_modulus;
+        let count: Change = |params, x| params.asperity_count = x;
+        for (units, (stress, length)) in UNITS.iter().zip([(1.0, 1.0), (1e-6, 1e3)]) {
+            let refused = |change: &dyn Fn(&mut Params)| {
+                let mut params = params(&SURFACES[0]).in_units(stress, length);
+                change(&mut params);
+                check(&params).err().map(|error| error.to_string())
+            };
+            let limits: [(&str, f64, f64, Change); 8] = [
+                ("composite_modulus", units.softest.0, -1.0, modulus),
+                ("composite_modulus", units.stiffest.0, 1.0, modulus),
+                ("work_of_adhesion", units.strongest_adhesion.0, 1.0, |params, x| params.work_of_adhesion = x),
+                ("summit_radius", units.widest_summit.0, 1.0, |params, x| params.summit_radius = x),
+                ("asperity_count", units.fewest_summits.0, -1.0, count),
+                ("asperity_count", units.most_summits.0, 1.0, count),
+                ("hardness/composite_modulus", SOFTEST_METAL.0, -1.0, hardness),
+                ("hardness/composite_modulus", 100.0, 1.0, hardness),
+            ];
+            for (name, limit, outwards, set) in limits {
+                assert_eq!(refused(&|params| set(params, limit * (1.0 - 1e-12 * outwards))), None, "{name}");
+                let message = refused(&|params| set(params, limit * (1.0 + 1e-12 * outwards))).expect(name);
+                assert!(message.starts_with(name), "{message}");
+            }
         }
     }
 }
