@@ -13,8 +13,8 @@ use crate::numerics::quadrature::integrate_short;
 use crate::population::{Population, Sums};
 use pull_off::End;
 
-/// No separation on the branch is smaller, in sigma: loads there are beyond all that is asked for.
-const CLOSEST: f64 = -1e60;
+/// No separation on the branch is smaller, in sigma: the softest summits that flow carry more than the heaviest load there.
+const CLOSEST: f64 = -1e90;
 /// Below this part of the pull-off load, load minus pull-off load is integrated from the slope: the difference of the two
 /// loads would have lost too many digits.
 const NEAR_PULL_OFF: f64 = 1e-4;

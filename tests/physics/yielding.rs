@@ -145,6 +145,22 @@ fn compiled_laws_are_exact_states_to_1e_10() {
     println!("worst {worst:e}");
 }
 
+/// Flowing summits carry a load that is proportional to the overlap: heavy ones are far deeper than elastic summits.
+#[test]
+fn states_reach_the_heaviest_load_that_there_may_be() {
+    for (alpha, beta, hardness, radius_amplitude) in
+        [(0.02, 2000.0, 0.003, 0.0), (10.0, 0.1, 1e-5, 0.0), (1e-5, 0.1, 1e-5, 0.0), (10.0, 0.1, 1e-5, 0.9)]
+    {
+        let contact_law = ContactLawKind::ElasticPlastic;
+        let model = model(&Params { hardness, contact_law, radius_amplitude, ..in_units_of_one(alpha, beta) });
+        for load in [1e40, 1e60, 9.9e79] {
+            let state = model.state_at_load(load).unwrap_or_else(|error| panic!("{alpha} {beta}: {error}"));
+            let (area, expected) = (state.real_area, load / hardness);
+            assert!((area / expected - 1.0).abs() < 1e-12, "{alpha} {beta}: {area:e}, not {expected:e}");
+        }
+    }
+}
+
 #[test]
 fn without_an_end_of_hardness_summits_are_those_of_hertz() {
     for (epsilon, heights) in [(0.0, HeightFamily::Gaussian), (-0.6, johnson(0.5, 4.0))] {
