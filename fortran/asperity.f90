@@ -430,7 +430,7 @@ module asperity
       real(c_double) :: force
     end function asperity_friction_force_at_load
 
-    ! Friction coefficients at many loads, and their slopes. Every element is filled, then the first offence reported.
+    ! Friction coefficients at many loads, and their slopes. Every element is filled, then the first invalid one reported.
     function asperity_friction_at_loads(model, n, load, mu, dmu_dload) result(status) bind(c)
       import :: c_int32_t, c_ptr, c_size_t
       type(c_ptr), intent(in), value :: model
@@ -441,7 +441,7 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_friction_at_loads
 
-    ! Friction forces at many loads, and their slopes. Every element is filled, then the first offence reported.
+    ! Friction forces at many loads, and their slopes. Every element is filled, then the first invalid one reported.
     function asperity_friction_force_at_loads(model, n, load, force, dforce_dload) result(status) bind(c)
       import :: c_int32_t, c_ptr, c_size_t
       type(c_ptr), intent(in), value :: model
@@ -460,7 +460,7 @@ module asperity
       real(c_double) :: stiffness
     end function asperity_tangential_stiffness_at_load
 
-    ! Tangential stiffnesses at many loads. Every element is filled, then the first offence reported.
+    ! Tangential stiffnesses at many loads. Every element is filled, then the first invalid one reported.
     function asperity_tangential_stiffness_at_loads(model, n, load, stiffness) result(status) bind(c)
       import :: c_int32_t, c_ptr, c_size_t
       type(c_ptr), intent(in), value :: model
@@ -515,7 +515,7 @@ module asperity
       type(c_ptr) :: text
     end function asperity_warning_string
 
-    ! Single summits, each at an overlap. Every element is filled, then the first offence reported.
+    ! Single summits, each at an overlap. Every element is filled, then the first invalid one reported.
     function asperity_summits_at_overlaps(model, n, overlap, height, load, force, radius) result(status) bind(c)
       import :: c_int32_t, c_ptr, c_size_t
       type(c_ptr), intent(in), value :: model
@@ -1387,7 +1387,7 @@ contains
     call report(status, stat, errmsg)
   end subroutine evaluate
 
-  ! Of many loads the library reports the first offence alone: an open contact, which is none here, may hide another.
+  ! Of many loads the library reports the first invalid load alone: an open contact, which is none here, may hide another.
   subroutine report_hidden(self, n, load, value, stat, errmsg)
     class(friction_model), intent(in), target :: self
     integer(c_size_t), intent(in) :: n

@@ -818,7 +818,7 @@ private:
         return status;
     }
 
-    /// An open contact is an answer. The library reports the first offence alone, so that one may hide a load that has none.
+    /// An open contact is an answer. The library reports the first invalid load alone, so that one may hide a load that has none.
     void answered(Batch batch, Span<const double> loads, Span<double> value, Span<double> slope) const {
         const Status status = many(batch, loads, value, slope);
         if (status != ASPERITY_SEPARATED) {

@@ -41,22 +41,22 @@ pub unsafe extern "C" fn asperity_summits_at_overlaps(
         if n > 0 {
             not_null(overlap, "overlap")?;
         }
-        let mut offence = None;
+        let mut first_invalid = None;
         for i in 0..n {
             let z = if height.is_null() { 0.0 } else { height.add(i).read_unaligned() };
-            let summit = one(model, overlap.add(i).read_unaligned(), z, i, &mut offence);
+            let summit = one(model, overlap.add(i).read_unaligned(), z, i, &mut first_invalid);
             write(load, i, summit.load);
             write(force, i, summit.friction_force);
             write(radius, i, summit.contact_radius);
         }
-        offence.map_or(Ok(()), |(index, error)| Err(Failure::of_element(index, &error)))
+        first_invalid.map_or(Ok(()), |(index, error)| Err(Failure::of_element(index, &error)))
     })
 }
 
 /// A summit, or no numbers and what is wrong with the first such one.
-fn one(model: &Model, overlap: f64, height: f64, i: usize, offence: &mut Option<(usize, Error)>) -> SummitState {
+fn one(model: &Model, overlap: f64, height: f64, i: usize, first_invalid: &mut Option<(usize, Error)>) -> SummitState {
     model.summit_at_overlap(overlap, height).unwrap_or_else(|error| {
-        offence.get_or_insert((i, error));
+        first_invalid.get_or_insert((i, error));
         SummitState { load: f64::NAN, friction_force: f64::NAN, contact_radius: f64::NAN }
     })
 }

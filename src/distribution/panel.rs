@@ -29,7 +29,7 @@ const TAIL: f64 = 20.0;
 const TAIL_BEGINS: f64 = 0.5;
 /// The first panel above a lower end where the density is a power, in sigma: a density that is not a power alone is a power
 /// series in the height above the end over so small a part of the distribution.
-const FOOT: f64 = 0.02;
+const LOWER_END: f64 = 0.02;
 /// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
 pub const MOST_PANELS: usize = 6000;
 
@@ -75,11 +75,11 @@ fn lower_cut_at(heights: &dyn HeightDistribution, fall: f64) -> f64 {
         return lowest;
     }
     let mode = heights.last_mode();
-    let excess = excess_over(heights, fall);
-    let from = if lowest.is_finite() { lowest } else { outwards(mode, -1.0, |z| excess(z) < 0.0) };
-    let cut = if excess(from) < 0.0 { root::bracketed(excess, from, mode) } else { from };
+    let margin = log_density_above(heights, fall);
+    let from = if lowest.is_finite() { lowest } else { outwards(mode, -1.0, |z| margin(z) < 0.0) };
+    let cut = if margin(from) < 0.0 { root::bracketed(margin, from, mode) } else { from };
     match heights.power_at_lower_end() {
-        Some(_) if cut < lowest + FOOT => lowest,
+        Some(_) if cut < lowest + LOWER_END => lowest,
         _ => cut,
     }
 }
@@ -102,9 +102,9 @@ pub fn tail_panel_length(heights: &dyn HeightDistribution) -> f64 {
         return highest - lowest;
     }
     let mode = heights.last_mode();
-    let excess = excess_over(heights, TAIL);
-    let to = if highest.is_finite() { highest } else { outwards(mode, 1.0, |z| excess(z) < 0.0) };
-    let top = root::bracketed(excess, mode, to);
+    let margin = log_density_above(heights, TAIL);
+    let to = if highest.is_finite() { highest } else { outwards(mode, 1.0, |z| margin(z) < 0.0) };
+    let top = root::bracketed(margin, mode, to);
     let (mut z, mut shortest) = (top.min(mode + TAIL_BEGINS), smooth_length(heights, top));
     while z < top {
         let length = smooth_length(heights, z);
@@ -115,7 +115,7 @@ pub fn tail_panel_length(heights: &dyn HeightDistribution) -> f64 {
 }
 
 /// ln phi over that so far below its largest value.
-fn excess_over(heights: &dyn HeightDistribution, fall: f64) -> impl Fn(f64) -> f64 + '_ {
+fn log_density_above(heights: &dyn HeightDistribution, fall: f64) -> impl Fn(f64) -> f64 + '_ {
     let least = heights.log_density(heights.last_mode()) - fall;
     // Finite where the density is 0.
     move |z| (heights.log_density(z) - least).max(-1e3)
@@ -125,20 +125,20 @@ fn excess_over(heights: &dyn HeightDistribution, fall: f64) -> impl Fn(f64) -> f
 ///
 /// With it phi dz ~ v^(power (p + 1) - 1) is at least v^8, and what is a power series in z - lower end stays one.
 #[derive(Debug, Clone, Copy)]
-pub struct FootPanel {
+pub struct LowerEndPanel {
     /// Its length in z.
     pub length: f64,
-    foot: f64,
+    lower_end: f64,
     power: f64,
 }
 
-impl FootPanel {
+impl LowerEndPanel {
     /// The panel of these heights where a range begins, no longer than `longest`; `None` unless that is a lower end at which
     /// the density is a power.
     pub fn new(heights: &dyn HeightDistribution, from: f64, longest: f64) -> Option<Self> {
-        let (foot, exponent) = (heights.support().0, heights.power_at_lower_end()?);
-        let panel = Self { length: longest.min(FOOT), foot, power: (9.0 / (exponent + 1.0)).max(1.0) };
-        (from <= foot).then_some(panel)
+        let (lower_end, exponent) = (heights.support().0, heights.power_at_lower_end()?);
+        let panel = Self { length: longest.min(LOWER_END), lower_end, power: (9.0 / (exponent + 1.0)).max(1.0) };
+        (from <= lower_end).then_some(panel)
     }
 
     /// The same panel, ending at another height above the lower end.
@@ -151,7 +151,7 @@ impl FootPanel {
         quadrature::panel(0.0, 1.0).map(|(v, weight)| {
             let rise = self.length * pow(v, self.power);
             let rate = self.power * rise / v;
-            (rise, weight * rate * exp(heights.log_density(self.foot + rise)))
+            (rise, weight * rate * exp(heights.log_density(self.lower_end + rise)))
         })
     }
 }
@@ -220,11 +220,11 @@ mod tests {
         };
         let (_, highest) = heights.support();
         // The fourth moment needs more of a heavy tail than other sums.
-        let is_left = excess_over(heights, 3.0 * NEGLIGIBLE);
+        let is_left = log_density_above(heights, 3.0 * NEGLIGIBLE);
         let mut z = lower_cut_at(heights, 3.0 * NEGLIGIBLE);
-        if let Some(foot) = FootPanel::new(heights, z, f64::MAX) {
-            foot.nodes(heights).into_iter().for_each(|(rise, fraction)| add(z + rise, fraction));
-            z += foot.length;
+        if let Some(lower_end) = LowerEndPanel::new(heights, z, f64::MAX) {
+            lower_end.nodes(heights).into_iter().for_each(|(rise, fraction)| add(z + rise, fraction));
+            z += lower_end.length;
             count += 1;
         }
         let counts = |&(z, _): &(f64, f64)| z < heights.last_mode() || is_left(z) > 0.0;

@@ -62,7 +62,7 @@ impl Tabulated {
     /// The density of a table of heights in any unit and from any origin, which need not be normalised.
     ///
     /// # Errors
-    /// [`Error::InvalidParameter`] or [`Error::InvalidEntry`] naming the first offence; [`Error::OutOfRange`].
+    /// [`Error::InvalidParameter`] or [`Error::InvalidEntry`] naming the first entry that is refused; [`Error::OutOfRange`].
     pub fn new(height: &[f64], density: &[f64]) -> Result<Self, Error> {
         let (height, density) = checked(height, density)?;
         // Heights as parts of the range of the support, densities as parts of the largest.

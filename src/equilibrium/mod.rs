@@ -93,7 +93,7 @@ impl Branch {
         if excess < NEAR_PULL_OFF * -pull_off.load {
             let slope = |d: f64| -self.population.at_separation(d).load_slope;
             let integral = integrate_short(separation, pull_off.separation, slope);
-            // The two differ by rounding, unless the slope has a kink between: the foot of the heights passes an edge of
+            // The two differ by rounding, unless the slope has a kink between: the lower end of the heights passes an edge of
             // contact. The difference is then the better one.
             if (integral - excess).abs() <= LOAD_ROUNDING * -pull_off.load {
                 excess = integral;

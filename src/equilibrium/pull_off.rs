@@ -55,7 +55,7 @@ impl End {
             return Ok(none);
         }
         // Signs of slopes need few digits, but at the bracket that is found.
-        let bracket = match bracket_first_minimum(&population.roughly())? {
+        let bracket = match bracket_first_minimum(&population.coarse())? {
             Some((lower, upper)) if !falls(population, lower)? || falls(population, upper)? => {
                 bracket_first_minimum(population)?
             }

@@ -39,7 +39,7 @@ struct Attempt {
     between: [Sample; 2],
     end: Sample,
     /// The largest error over its tolerance of any quantity.
-    excess: f64,
+    error: f64,
 }
 
 /// The curve, from heavy to light load.
@@ -92,7 +92,7 @@ impl Curve {
             if attempt.end.separation <= from.separation || attempt.panel.position.iter().any(|p| p.is_nan()) {
                 break;
             }
-            if !steps.keeps(&stretch, attempt.excess) {
+            if !steps.keeps(&stretch, attempt.error) {
                 continue;
             }
             curve.panels.push(attempt.panel);
@@ -131,16 +131,19 @@ impl Curve {
             NonIntegerPower::AtEnd => self.sample(branch, at(NEXT_TO_NON_INTEGER_POWER))?,
         };
         self.samples += NODES + 3;
-        let excess = panel.keep_good(|panel, quantity| {
+        let error = panel.keep_good(|panel, quantity| {
             // Where a panel ends there may be a kink; between the nodes it is slopes that tell how far values are off, but not
             // in a narrow one.
             let slack = quantity.slope_slack();
             let within = if panel.is_narrow() { slack } else { 1.0 };
             let next_to_it = (&next_to_it, slack * SLACK_AT_NON_INTEGER_POWER);
             let compared = [(&from, slack), (&between, within), (&sparse, within), next_to_it, (&end, slack)];
-            compared.map(|(sample, slack)| panel.excess(quantity, sample, slack)).into_iter().fold(0.0, larger)
+            compared
+                .map(|(sample, slack)| panel.error_over_tolerance(quantity, sample, slack))
+                .into_iter()
+                .fold(0.0, larger)
         });
-        Ok(Attempt { panel, between: [between, sparse], end, excess })
+        Ok(Attempt { panel, between: [between, sparse], end, error })
     }
 
     /// A cubic between two kinks that are near to each other.
@@ -149,8 +152,8 @@ impl Curve {
         let between = self.sample(branch, 0.5 * (from.separation + end.separation))?;
         let mut panel = Panel::bridge(&from, &end);
         self.samples += 2;
-        panel.keep_good(|panel, quantity| panel.excess(quantity, &between, quantity.slope_slack()));
-        Ok(Attempt { panel, between: [between, between], end, excess: 0.0 })
+        panel.keep_good(|panel, quantity| panel.error_over_tolerance(quantity, &between, quantity.slope_slack()));
+        Ok(Attempt { panel, between: [between, between], end, error: 0.0 })
     }
 
     /// The state where a panel ends, which may be pull-off itself.

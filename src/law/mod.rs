@@ -302,7 +302,7 @@ mod tests {
         }
     }
 
-    /// Where the foot of Weibull's density passes an edge of contact, friction is a non-integer power of the distance in load.
+    /// Where the lower end of Weibull's density passes an edge of contact, friction is a non-integer power of the distance in load.
     #[test]
     fn rows_with_a_non_integer_power_are_answered_up_to_it() {
         for (shape, adhesion) in [(1.8, 1.0), (2.0, 1.0), (1.8, 0.0), (3.6, 1.0)] {
@@ -334,7 +334,7 @@ mod tests {
                     assert!((value / exact - 1.0).abs() < 1e-10, "{shape}, {quantity:?}, {separation}: {value:e}");
                     let miss = (slope / exact_slope - 1.0).abs();
                     // Next to one the load has lost digits of the distance.
-                    let distance = feet.iter().map(|foot| (separation - foot).abs()).fold(f64::MAX, f64::min);
+                    let distance = feet.iter().map(|lower_end| (separation - lower_end).abs()).fold(f64::MAX, f64::min);
                     let tolerance = quantity.slope_slack() * 5e-8 * (1e-4 / distance).max(1.0);
                     assert!(miss < tolerance, "{shape}, {quantity:?}, {separation}, {distance:e}: {miss:e}");
                 }

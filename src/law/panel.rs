@@ -97,12 +97,12 @@ impl Panel {
     }
 
     /// Makes quantities no numbers that miss exact states by more than the tolerance; the largest error over it.
-    pub fn keep_good(&mut self, excess: impl Fn(&Self, Quantity) -> f64) -> f64 {
-        let excess = Quantity::ALL.map(|quantity| excess(self, quantity));
-        for (reference, _) in self.reference.iter_mut().zip(excess).filter(|(_, excess)| *excess > 1.0) {
+    pub fn keep_good(&mut self, error: impl Fn(&Self, Quantity) -> f64) -> f64 {
+        let errors = Quantity::ALL.map(|quantity| error(self, quantity));
+        for (reference, _) in self.reference.iter_mut().zip(errors).filter(|(_, error)| *error > 1.0) {
             *reference = f64::NAN;
         }
-        excess.into_iter().fold(0.0, f64::max)
+        errors.into_iter().fold(0.0, f64::max)
     }
 
     pub fn holds(&self, s: f64) -> bool {
@@ -154,16 +154,16 @@ impl Panel {
 
     /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number. The
     /// slope may miss by so many times its tolerance.
-    pub fn excess(&self, quantity: Quantity, sample: &Sample, slope_slack: f64) -> f64 {
+    pub fn error_over_tolerance(&self, quantity: Quantity, sample: &Sample, slope_slack: f64) -> f64 {
         let [(value, slope)] = self.log_value_at(quantity, [sample.s]);
         let exact = sample.slope[quantity as usize];
-        let value_excess = (value - sample.log_value[quantity as usize]).abs() / VALUE_TOLERANCE;
+        let value_error = (value - sample.log_value[quantity as usize]).abs() / VALUE_TOLERANCE;
         // Slopes are known neither at pull-off itself nor at a non-integer power.
         if exact.is_nan() || self.non_integer_power.is_at((self.lowest, self.highest), sample.s) {
-            return value_excess;
+            return value_error;
         }
         let tolerance = if sample.s < NEAR_PULL_OFF { NOISE * SLOPE_TOLERANCE } else { SLOPE_TOLERANCE };
-        larger(value_excess, (slope / exact - 1.0).abs() / (slope_slack * tolerance))
+        larger(value_error, (slope / exact - 1.0).abs() / (slope_slack * tolerance))
     }
 }
 
@@ -290,17 +290,17 @@ mod tests {
                 let mut off = exact;
                 off.log_value[quantity as usize] += value * VALUE_TOLERANCE;
                 off.slope[quantity as usize] *= 1.0 + 5.0 * slope * SLOPE_TOLERANCE;
-                panel.excess(quantity, &off, 5.0)
+                panel.error_over_tolerance(quantity, &off, 5.0)
             };
-            for excess in [[20.0, 0.0], [-20.0, 0.0], [0.0, 20.0], [0.0, -20.0]].map(|[value, slope]| off(value, slope))
+            for error in [[20.0, 0.0], [-20.0, 0.0], [0.0, 20.0], [0.0, -20.0]].map(|[value, slope]| off(value, slope))
             {
-                assert!(near(excess, 20.0, 0.1), "{excess}");
+                assert!(near(error, 20.0, 0.1), "{error}");
             }
             assert!(off(0.0, 0.0) < 0.1 && off(f64::NAN, 0.0) == f64::INFINITY);
             // At pull-off itself there is no slope.
             let log_value = exact.log_value.map(|value| value + 5.0 * VALUE_TOLERANCE);
             let at_pull_off = Sample { slope: [f64::NAN; 2], log_value, ..exact };
-            assert!(near(panel.excess(quantity, &at_pull_off, 1.0), 5.0, 0.1));
+            assert!(near(panel.error_over_tolerance(quantity, &at_pull_off, 1.0), 5.0, 0.1));
         }
         assert_eq!(
             [larger(1.0, f64::NAN), larger(f64::NAN, 1.0), larger(1.0, 2.0)],

@@ -28,7 +28,7 @@ const PART_OF_THE_WAY: f64 = 0.65;
 const MOST_OF_THE_REST: f64 = 0.7;
 /// A panel that takes more than this part of what is left takes all.
 const WHOLE: f64 = 0.99;
-/// A kink nearer to the end than this part of what is left is at the end: contact with the foot that breaks at once.
+/// A kink nearer to the end than this part of what is left is at the end: contact with the lower end that breaks at once.
 const AT_END: f64 = 1e-9;
 /// How much longer the next panel is tried after an error of less than this part of the tolerance.
 const GROWTH: [(f64, f64); 3] = [(0.01, 3.0), (0.03, 2.0), (0.5, 1.5)];
@@ -40,13 +40,13 @@ const BELOW_FAILED: f64 = 0.9;
 /// serve to find separations, and loads are evaluated exactly.
 const MOST_KINKS: usize = 240;
 /// Kinks nearer to each other than this, in sigma, or than this part of what is left of the branch, are bridged by a
-/// parabola, where there are more than a few: they are then those of a table of heights, and not the foot of a density.
+/// parabola, where there are more than a few: they are then those of a table of heights, and not the lower end of a density.
 const NEAREST_KINKS: f64 = 0.01;
 const FEW_KINKS: usize = 12;
 const NEAREST_PART: f64 = 0.02;
-/// Far below the heights: the part of the separation in which panels between the passings of a kink have no digits left in
+/// Far below the heights: the part of the separation in which panels between two kinks have no digits left in
 /// the load to say how far it is: those loads are evaluated exactly.
-const SHORTEST_PASSING: f64 = 1e-6;
+const NEAREST_DEEP_KINKS: f64 = 1e-6;
 /// No panel takes more than this part of the way to where the curve is not smooth: there its error is below the tolerance.
 const PART_TO_OBSTACLE: f64 = 0.5;
 /// The shortest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved is
@@ -120,7 +120,7 @@ impl Steps {
             shortest_at_end,
             kinks,
             resolved,
-            non_integer_powers: population.passings_of_foot().into_iter().filter(|&at| at >= deep).collect(),
+            non_integer_powers: population.kinks_of_lower_end().into_iter().filter(|&at| at >= deep).collect(),
             length: f64::MAX,
             limit: f64::INFINITY,
             obstacle: f64::INFINITY,
@@ -134,7 +134,7 @@ impl Steps {
         let kink = self.kink_after(from).filter(|&kink| self.end - kink > AT_END * rest);
         let start = self.positions.position(from);
         let nearest = if self.is_table() { NEAREST_KINKS } else { SHORTEST }.min(NEAREST_PART * rest);
-        let nearest = nearest.max(SHORTEST_PASSING * (self.deep - from));
+        let nearest = nearest.max(NEAREST_DEEP_KINKS * (self.deep - from));
         let (begins, ends) =
             (self.is_non_integer_power(from), kink.is_some_and(|kink| self.is_non_integer_power(kink)));
         if let Some(to) = kink.filter(|&kink| kink - from < nearest && !(begins || ends)) {
@@ -209,16 +209,16 @@ impl Steps {
 
     /// Whether a panel that misses the curve by so many times the tolerance is kept, since it is good or cannot be
     /// shorter; if not, the next is shorter.
-    pub fn keeps(&mut self, stretch: &Stretch, excess: f64) -> bool {
+    pub fn keeps(&mut self, stretch: &Stretch, error: f64) -> bool {
         let Stretch { to, length, shortest, .. } = *stretch;
         let to = self.positions.position(to);
-        if excess <= 1.0 {
-            let growth = GROWTH.iter().find(|&&(part, _)| excess < part).map_or(1.0, |&(_, growth)| growth);
+        if error <= 1.0 {
+            let growth = GROWTH.iter().find(|&&(part, _)| error < part).map_or(1.0, |&(_, growth)| growth);
             // Also where it was short for another reason.
             self.length = (growth * length).max(self.length).min(self.limit);
         } else if length > shortest && self.resolved {
             // As the error of so many conditions grows with length.
-            let shorter = 0.9 * pow(excess, -1.0 / CONDITIONS as f64);
+            let shorter = 0.9 * pow(error, -1.0 / CONDITIONS as f64);
             let shorter = shorter.clamp(0.25, 0.8);
             // What is smooth needs no second try: the panel begins or ends where the curve is not.
             let is_deep = stretch.to <= self.deep;
@@ -345,19 +345,19 @@ mod tests {
     #[test]
     fn panels_begin_and_end_at_non_integer_powers() {
         let mut steps = Steps { non_integer_powers: vec![0.9, 1.0], ..steps(&[0.9, 1.0, 5.0]) };
-        let to_foot = steps.next(0.0, 10.0);
-        assert_eq!((to_foot.to, to_foot.non_integer_power), (0.9, NonIntegerPower::AtEnd));
+        let to_lower_end = steps.next(0.0, 10.0);
+        assert_eq!((to_lower_end.to, to_lower_end.non_integer_power), (0.9, NonIntegerPower::AtEnd));
         // One that is not good is tried again from halfway.
-        assert!(!steps.keeps(&to_foot, 1.5));
+        assert!(!steps.keeps(&to_lower_end, 1.5));
         let halfway = steps.next(0.0, 10.0);
         assert!(
-            near(halfway.length, PART_TO_OBSTACLE * to_foot.length)
+            near(halfway.length, PART_TO_OBSTACLE * to_lower_end.length)
                 && halfway.non_integer_power == NonIntegerPower::Nowhere
         );
         assert!(steps.keeps(&halfway, 0.9));
-        let to_foot = steps.next(halfway.to, 10.0);
-        assert_eq!((to_foot.to, to_foot.non_integer_power), (0.9, NonIntegerPower::AtEnd));
-        assert!(steps.keeps(&to_foot, 0.9));
+        let to_lower_end = steps.next(halfway.to, 10.0);
+        assert_eq!((to_lower_end.to, to_lower_end.non_integer_power), (0.9, NonIntegerPower::AtEnd));
+        assert!(steps.keeps(&to_lower_end, 0.9));
         // Between two of them there are two panels, however near they are.
         let first = steps.next(0.9, 10.0);
         assert_eq!((first.to, first.non_integer_power), (0.95, NonIntegerPower::AtBegin));
@@ -376,9 +376,9 @@ mod tests {
         let to_kink = steps.next(-5e8, 30.0);
         assert!(steps.keeps(&to_kink, 0.9) && to_kink.to == -6407.0);
         // While all heights pass it, from one to the next.
-        let passing = steps.next(-6407.0, 20.0);
-        assert!(!passing.is_bridge && passing.to == -6403.0);
-        assert!(!steps.keeps(&passing, 1.1) && steps.next(-6407.0, 20.0).to < passing.to);
+        let to_kink = steps.next(-6407.0, 20.0);
+        assert!(!to_kink.is_bridge && to_kink.to == -6403.0);
+        assert!(!steps.keeps(&to_kink, 1.1) && steps.next(-6407.0, 20.0).to < to_kink.to);
         // Where a panel would be so short that loads do not tell where in it they are.
         assert!(Steps { kinks: vec![-5e6, -5e6 + 4.0], ..steps }.next(-5e6, 30.0).is_bridge);
     }

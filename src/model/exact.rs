@@ -135,9 +135,7 @@ impl Model {
 
     /// The separation at a load, in sigma, and the sums there.
     fn equilibrium_at(&self, load: f64) -> Result<(f64, Sums), Error> {
-        if let Some(offence) = self.offence(load) {
-            return Err(offence);
-        }
+        self.validate_load(load)?;
         let pull_off = self.pull_off_load();
         if let Some(point) = self.branch.pull_off() {
             if load == pull_off {

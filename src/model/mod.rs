@@ -252,17 +252,24 @@ impl Model {
         self.coefficient_and_slope(load, force, slope)
     }
 
-    /// What is wrong with a load, if anything: not finite, below pull-off, or too heavy.
-    pub fn offence(&self, load: f64) -> Option<Error> {
+    /// Whether the surfaces can carry a load.
+    ///
+    /// # Errors
+    /// [`Error::InvalidLoad`] if it is not finite, [`Error::Separated`] below pull-off, [`Error::OutOfRange`] above 1e80 E* b^2
+    /// per summit.
+    pub fn validate_load(&self, load: f64) -> Result<(), Error> {
         if !finite(load) {
-            return Some(Error::InvalidLoad { value: load });
+            return Err(Error::InvalidLoad { value: load });
         }
         let pull_off = self.pull_off_load();
         if load < pull_off {
-            return Some(Error::Separated { load, pull_off });
+            return Err(Error::Separated { load, pull_off });
         }
-        let allowed = "must be below 1e80 composite_modulus burgers_vector^2 asperity_count";
-        (load > self.heaviest).then(|| Error::out_of_range("load", load, allowed))
+        if load > self.heaviest {
+            let allowed = "must be below 1e80 composite_modulus burgers_vector^2 asperity_count";
+            return Err(Error::out_of_range("load", load, allowed));
+        }
+        Ok(())
     }
 
     /// The error of an admissible load whose state could not be found.

@@ -14,7 +14,7 @@ impl Params {
     /// The groups of eqs (7) and (8), heights and radii; every number is checked on the way.
     ///
     /// # Errors
-    /// [`Error::Unset`], [`Error::InvalidParameter`] or [`Error::OutOfRange`], naming the first offence.
+    /// [`Error::Unset`], [`Error::InvalidParameter`] or [`Error::OutOfRange`], naming the first parameter that is refused.
     pub(crate) fn surface(&self) -> Result<(Groups, Arc<dyn HeightDistribution>, RadiusProfile), Error> {
         let is_unset = |(_, value): &(_, &mut f64)| value.to_bits() == UNSET.to_bits();
         if let Some((name, _)) = self.clone().physical().into_iter().find(is_unset) {
@@ -144,14 +144,14 @@ mod tests {
     use crate::neighbours::Neighbours;
     use crate::params::numbers::LARGEST;
 
-    /// What a change of the default case is refused for, if it is: whether it has a meaning, and the offence's name.
+    /// What a change of the default case is refused for, if it is: whether it has a meaning, and the name in the message.
     fn refused(change: impl FnOnce(&mut Params)) -> Option<(bool, &'static str)> {
         let mut params = Params::default();
         change(&mut params);
-        params.surface().err().map(offence)
+        params.surface().err().map(reason)
     }
 
-    fn offence(error: Error) -> (bool, &'static str) {
+    fn reason(error: Error) -> (bool, &'static str) {
         match error {
             Error::InvalidParameter { name, .. } | Error::InvalidEntry { name, .. } => (false, name),
             Error::OutOfRange { name, .. } => (true, name),

@@ -2,11 +2,11 @@
 //!
 //! Panels are laid in the radius of the circle of interaction, of which the overlap is a quadratic polynomial.
 
-use super::panels::PART_AT_FOOT;
+use super::panels::PART_AT_LOWER_END;
 use super::sums::{out_of_panels, Sums};
 use super::{Edge, Population};
 use crate::asperity::attraction::{Attracted, Attraction, ATTRACTION_LAMBDA_CUBED};
-use crate::distribution::panel::{self, FootPanel, MOST_PANELS};
+use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS};
 use crate::elementary::exp;
 use crate::error::Error;
 use crate::numerics::quadrature;
@@ -75,7 +75,7 @@ impl Population {
         mut visit: impl FnMut(f64, f64, f64),
     ) -> Result<(), Error> {
         let &AttractedRange { law, from, to: (upper, end), .. } = range;
-        let (mut z, mut overlap) = self.attractions_at_foot(law, from, upper, &mut visit);
+        let (mut z, mut overlap) = self.attractions_at_lower_end(law, from, upper, &mut visit);
         // The smallest summits are attracted within a layer that is thinner than a rounding.
         let shortest = (SHORTEST_PART * (end - overlap)).max(4.0 * f64::EPSILON * overlap.abs());
         for _ in 0..MOST_PANELS {
@@ -100,9 +100,9 @@ impl Population {
         Err(out_of_panels(separation))
     }
 
-    /// The first panel where the range begins at a foot at which the density is a power; returns where it ends, as height
+    /// The first panel where the range begins at a lower end at which the density is a power; returns where it ends, as height
     /// and overlap.
-    fn attractions_at_foot(
+    fn attractions_at_lower_end(
         &self,
         law: &Attraction,
         (z, overlap): (f64, f64),
@@ -110,8 +110,8 @@ impl Population {
         visit: &mut impl FnMut(f64, f64, f64),
     ) -> (f64, f64) {
         let smooth = (overlap + law.reach).min(self.radius.smooth_length(z));
-        let longest = (PART_AT_FOOT * smooth).min(upper - z);
-        let Some(panel) = FootPanel::new(&*self.heights, z, longest) else { return (z, overlap) };
+        let longest = (PART_AT_LOWER_END * smooth).min(upper - z);
+        let Some(panel) = LowerEndPanel::new(&*self.heights, z, longest) else { return (z, overlap) };
         for (rise, fraction) in panel.nodes(&*self.heights) {
             visit(z + rise, overlap + rise, fraction);
         }

@@ -37,10 +37,10 @@ impl Edge {
         if deepest == 0.0 || radius.is_constant() {
             return Self::at(law, radius, separation + deepest);
         }
-        let excess = |z: f64| (z - separation) - law.break_away(radius.factor(z)).overlap;
+        let residual = |z: f64| (z - separation) - law.break_away(radius.factor(z)).overlap;
         // An edge lies between d + deepest and d, rounding apart.
         let slack = 1e-9 * (1.0 + separation.abs());
-        Self::at(law, radius, root::bracketed(excess, separation + deepest - slack, separation + slack))
+        Self::at(law, radius, root::bracketed(residual, separation + deepest - slack, separation + slack))
     }
 }
 

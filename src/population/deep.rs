@@ -7,7 +7,7 @@
 use super::sums::{Summit, Sums};
 use super::Population;
 use crate::asperity::contact::{Contact, KINKS};
-use crate::distribution::panel::{self, FootPanel};
+use crate::distribution::panel::{self, LowerEndPanel};
 use crate::distribution::HeightDistribution;
 use crate::numerics::quadrature;
 
@@ -193,7 +193,7 @@ fn samples(heights: &dyn HeightDistribution, from: f64, to: f64) -> Samples {
 fn sampled(heights: &dyn HeightDistribution, lowest: f64, highest: f64) -> (Vec<f64>, Vec<Samples>) {
     let (mut ends, mut panels, mut total) = (vec![lowest], Vec::new(), 0.0);
     let mut start = lowest;
-    if let Some(panel) = FootPanel::new(heights, lowest, 1.0) {
+    if let Some(panel) = LowerEndPanel::new(heights, lowest, 1.0) {
         panels.push(panel.nodes(heights).map(|(rise, fraction)| (lowest + rise, fraction)));
         start += panel.length;
         ends.push(start);
@@ -233,9 +233,9 @@ mod tests {
             let range = highest - lowest;
             let at = |distance: f64| lowest - rule.break_away - distance;
             assert!(!rule.covers(at(0.999 * LEAST_CLEARANCE * range)));
-            let passing = lowest - rule.break_away - (0.5 * (lowest + highest) - rule.kinks[1]);
+            let to_kink = lowest - rule.break_away - (0.5 * (lowest + highest) - rule.kinks[1]);
             let clearances = [1.001 * LEAST_CLEARANCE, 3.0, 0.999 * FAR_CLEARANCE, 1.001 * FAR_CLEARANCE];
-            for distance in clearances.map(|part| part * range).into_iter().chain([passing.abs(), 1e5]) {
+            for distance in clearances.map(|part| part * range).into_iter().chain([to_kink.abs(), 1e5]) {
                 let separation = at(distance);
                 assert!(rule.covers(separation));
                 let (a, b) = (population.at_separation(separation), walked.at_separation(separation));

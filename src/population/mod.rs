@@ -44,13 +44,13 @@ use std::sync::Arc;
 use sums::Summit;
 
 /// Hardly any heights are below this, in sigma from their mean: where they begin is then no kink.
-const LOWEST_FOOT: f64 = -8.0;
+const LOWEST_END: f64 = -8.0;
 /// Where the logarithm of the density of heights is below this hardly any are...
 const LOG_NOTHING: f64 = -18.9;
 /// ...and the others pass an overlap as large as this, in sigma, within a small part of it...
 const DEEP: f64 = 40.0;
 /// ...in steps of no more than this, in sigma, over which a panel of the law follows the density.
-const LONGEST_PASSING: f64 = 4.0;
+const LONGEST_DEEP_STEP: f64 = 4.0;
 /// A step of Newton's method for a height, over the length in which radii change, after which derivatives are those of the
 /// solution to rounding.
 const LAST_STEP: f64 = 1e-13;
@@ -60,7 +60,7 @@ const MOST_STEPS: u32 = 20;
 /// The most contact radii at which what is summed has a kink: two of the slip law, and three where summits begin to slip.
 const RADII: usize = 5;
 /// The fineness of sums of which the sign is asked: every panel has as few points as there are.
-const ROUGH: f64 = 0.05;
+const COARSE: f64 = 0.05;
 
 /// A population of summits pressed against a flat.
 #[derive(Debug, Clone)]
@@ -181,8 +181,8 @@ impl Population {
     }
 
     /// The same population, whose loads are good to some digits in a part of the time where radii vary with height.
-    pub fn roughly(&self) -> Self {
-        Self { fineness: ROUGH, ..self.clone() }
+    pub fn coarse(&self) -> Self {
+        Self { fineness: COARSE, ..self.clone() }
     }
 
     /// The height distribution.
@@ -220,8 +220,8 @@ impl Population {
     /// an overlap where the law of one summit is not. And those between which all heights but a few pass such an overlap
     /// within a small part of it: there the sums are smooth on the scale of the heights alone.
     pub fn kinks(&self) -> Vec<f64> {
-        let passed = self.heights.breakpoints().iter().flat_map(|&z| self.passings(z));
-        let mut kinks: Vec<f64> = passed.chain(self.passings_of_foot()).chain(self.deep_passings()).collect();
+        let passed = self.heights.breakpoints().iter().flat_map(|&z| self.kinks_of_height(z));
+        let mut kinks: Vec<f64> = passed.chain(self.kinks_of_lower_end()).chain(self.deep_kinks()).collect();
         kinks.sort_by(f64::total_cmp);
         kinks.dedup();
         kinks
@@ -229,15 +229,15 @@ impl Population {
 
     /// Those of them about which the sums are a non-integer power of the distance: the lower end of heights whose density
     /// there is a power passes.
-    pub fn passings_of_foot(&self) -> Vec<f64> {
-        let foot = self.heights.power_at_lower_end().map(|_| self.heights.support().0);
-        let foot = foot.filter(|foot| foot + self.heights.origin() > LOWEST_FOOT);
-        foot.map_or(Vec::new(), |foot| self.passings(foot))
+    pub fn kinks_of_lower_end(&self) -> Vec<f64> {
+        let lower_end = self.heights.power_at_lower_end().map(|_| self.heights.support().0);
+        let lower_end = lower_end.filter(|lower_end| lower_end + self.heights.origin() > LOWEST_END);
+        lower_end.map_or(Vec::new(), |lower_end| self.kinks_of_height(lower_end))
     }
 
     /// The separations at which smooth heights, from one end to the other in steps, pass overlaps far larger than heights
     /// differ by: over each step the sums are smooth.
-    fn deep_passings(&self) -> Vec<f64> {
+    fn deep_kinks(&self) -> Vec<f64> {
         if !self.heights.breakpoints().is_empty() {
             return Vec::new();
         }
@@ -246,31 +246,31 @@ impl Population {
         let end = |step: f64| (4..40).map(|k| middle + step * f64::from(k)).find(|&z| is_empty(z));
         let (Some(lower), Some(upper)) = (end(-1.0), end(1.0)) else { return Vec::new() };
         let lower = lower.max(self.heights.support().0);
-        let steps = ((upper - lower) / LONGEST_PASSING).ceil();
+        let steps = ((upper - lower) / LONGEST_DEEP_STEP).ceil();
         let heights = (0..=steps as u32).map(|step| lower + (upper - lower) * (f64::from(step) / steps));
-        heights.flat_map(|z| self.passings(z)).filter(|&passing| passing < middle - DEEP).collect()
+        heights.flat_map(|z| self.kinks_of_height(z)).filter(|&kink| kink < middle - DEEP).collect()
     }
 
     /// The separations at which a height passes the overlaps where the law of one summit is not smooth.
-    fn passings(&self, z: f64) -> Vec<f64> {
+    fn kinks_of_height(&self, z: f64) -> Vec<f64> {
         let g = self.radius.factor(z);
         let edge = self.law.break_away(g);
-        let mut passings = vec![z - edge.overlap];
-        passings.extend(self.attraction.as_ref().map(|law| z + law.reach));
-        passings.extend(self.slip.kinks().iter().filter_map(|&radius| Some(z - self.overlap_at_radius(radius, g)?)));
-        passings.extend(self.kinks_of_contact.iter().map(|kink| z - kink * g).filter(|passing| passing.is_finite()));
-        passings
+        let mut kinks = vec![z - edge.overlap];
+        kinks.extend(self.attraction.as_ref().map(|law| z + law.reach));
+        kinks.extend(self.slip.kinks().iter().filter_map(|&radius| Some(z - self.overlap_at_radius(radius, g)?)));
+        kinks.extend(self.kinks_of_contact.iter().map(|overlap| z - overlap * g).filter(|kink| kink.is_finite()));
+        kinks
     }
 
     /// The overlap at which a contact has a radius; `None` if it breaks before it is as small.
     fn overlap_at_radius(&self, radius: f64, g: f64) -> Option<f64> {
         let edge = self.law.break_away(g);
-        let excess = |s: f64| self.law.at(s, g).radius - radius;
+        let residual = |s: f64| self.law.at(s, g).radius - radius;
         let mut upper = edge.parameter + 1.0;
-        while excess(upper) < 0.0 {
+        while residual(upper) < 0.0 {
             upper *= 2.0;
         }
-        (radius > edge.radius).then(|| self.law.at(root::bracketed(excess, edge.parameter, upper), g).overlap)
+        (radius > edge.radius).then(|| self.law.at(root::bracketed(residual, edge.parameter, upper), g).overlap)
     }
 
     /// The sums at a separation; NaN where they take more panels than there may be.
@@ -343,11 +343,11 @@ impl Population {
         if !self.has_summits_at(edge) {
             return;
         }
-        let passing = crate::elementary::exp(self.heights.log_density(z)) / edge.rate;
+        let density = crate::elementary::exp(self.heights.log_density(z)) / edge.rate;
         let below = self.attraction_at(z - separation, z).map_or(0.0, |attracted| attracted.load);
-        sums.load_slope -= passing * (edge.point.contact.load - below);
-        sums.friction_slope -= passing * self.slip.force(edge.point.contact.radius).0;
-        sums.radius_slope -= passing * edge.point.contact.radius;
+        sums.load_slope -= density * (edge.point.contact.load - below);
+        sums.friction_slope -= density * self.slip.force(edge.point.contact.radius).0;
+        sums.radius_slope -= density * edge.point.contact.radius;
     }
 
     /// The summit of a height, from a guess of its parameter.

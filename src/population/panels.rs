@@ -8,7 +8,7 @@
 use super::sums::{out_of_panels, Summit};
 use super::{Point, Population, RADII};
 use crate::asperity::slip::Slip;
-use crate::distribution::panel::{self, FootPanel, MOST_PANELS, SHORTEST};
+use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS, SHORTEST};
 use crate::elementary::exp;
 use crate::error::Error;
 use crate::numerics::hermite::Cubic;
@@ -38,9 +38,9 @@ const LONGER_PER_FOLD: f64 = 0.02;
 const LENGTH_SLACK: f64 = 1.05;
 /// Less than this part of a panel is not left for another.
 const REMNANT: f64 = 1e-3;
-/// The panel at a foot of the heights takes this part of where the law of contact is smooth: there a power of its variable
+/// The panel at a lower end of the heights takes this part of where the law of contact is smooth: there a power of its variable
 /// is the height.
-pub(super) const PART_AT_FOOT: f64 = 0.02;
+pub(super) const PART_AT_LOWER_END: f64 = 0.02;
 /// What is less than this part of all above the last mode of the heights ends the sum.
 const NEGLIGIBLE: f64 = 1e-18;
 /// A slope of ln phi, per sigma, over which rounding errors of heights change the density by no small part.
@@ -140,7 +140,7 @@ impl Population {
         visitor: &mut impl ContactVisitor,
     ) -> Result<(), Error> {
         let &Walk { separation, start, edge_height, end } = walk;
-        let mut here = self.above_foot(walk, progress, visitor);
+        let mut here = self.above_lower_end(walk, progress, visitor);
         let mut kink = None;
         let end = end.min(self.highest);
         let largest = self.heights.log_density(start.z.max(self.heights.last_mode()));
@@ -237,25 +237,25 @@ impl Population {
         }
     }
 
-    /// The first panel where the range begins at a foot of the distribution at which the density is a power; returns where
+    /// The first panel where the range begins at a lower end of the distribution at which the density is a power; returns where
     /// it ends.
-    fn above_foot(&self, walk: &Walk, progress: &mut Progress, visitor: &mut impl ContactVisitor) -> Point {
+    fn above_lower_end(&self, walk: &Walk, progress: &mut Progress, visitor: &mut impl ContactVisitor) -> Point {
         let &Walk { separation, start, edge_height, end } = walk;
-        let (foot, _) = self.heights.support();
-        let smooth = (start.z - edge_height).min(self.radius.smooth_length(foot));
-        let longest = (PART_AT_FOOT * smooth).min(end - foot);
-        let Some(panel) = FootPanel::new(&*self.heights, start.z, longest) else { return start };
+        let (lower_end, _) = self.heights.support();
+        let smooth = (start.z - edge_height).min(self.radius.smooth_length(lower_end));
+        let longest = (PART_AT_LOWER_END * smooth).min(end - lower_end);
+        let Some(panel) = LowerEndPanel::new(&*self.heights, start.z, longest) else { return start };
         // A kink of the slip law within so short a panel ends it.
-        let to = self.at_height(separation, foot + panel.length, start.contact.parameter);
+        let to = self.at_height(separation, lower_end + panel.length, start.contact.parameter);
         let whole = Panel { axis: Axis::Height, from: start, to, kink: None, part: 1.0 };
-        let panel = panel.shortened(self.cut_at_kink(separation, whole, None).to.z - foot);
+        let panel = panel.shortened(self.cut_at_kink(separation, whole, None).to.z - lower_end);
         let mut here = start;
         for (rise, fraction) in panel.nodes(&*self.heights) {
-            here = self.at_height(separation, foot + rise, here.contact.parameter);
+            here = self.at_height(separation, lower_end + rise, here.contact.parameter);
             progress.add(fraction, here.contact.overlap);
             visitor.contacts(fraction, &here, &self.slip);
         }
-        self.at_height(separation, foot + panel.length, here.contact.parameter)
+        self.at_height(separation, lower_end + panel.length, here.contact.parameter)
     }
 
     /// The panel from a summit, `clearance` above break-away, no longer than `reach` and not beyond the height `stop`.
@@ -387,8 +387,8 @@ impl Population {
                 self.cut_where(separation, &mut panel, |point| 1.0 - kink * point.g_rate, None);
             }
             if start_kink != Some(RADII + index) {
-                let excess = |point: &Point| point.contact.overlap - kink * self.radius.factor(point.z);
-                self.cut_where(separation, &mut panel, excess, Some(RADII + index));
+                let residual = |point: &Point| point.contact.overlap - kink * self.radius.factor(point.z);
+                self.cut_where(separation, &mut panel, residual, Some(RADII + index));
             }
         }
         panel

@@ -106,8 +106,8 @@ impl Population {
             upper += upper - lowest;
         }
         let upper = upper.min(self.highest);
-        let excess = |z: f64| log((self.exceedance(z) / fraction).max(1e-100));
-        root::bracketed(excess, lowest, upper)
+        let residual = |z: f64| log((self.exceedance(z) / fraction).max(1e-100));
+        root::bracketed(residual, lowest, upper)
     }
 
     /// The fraction of all summits that are higher.

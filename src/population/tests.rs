@@ -38,7 +38,7 @@ fn surfaces() -> Vec<Params> {
     surfaces
 }
 
-/// Where a foot of the heights, or another breakpoint, passes an overlap at which the law is not smooth, to the last bit.
+/// Where a lower end of the heights, or another breakpoint, passes an overlap at which the law is not smooth, to the last bit.
 #[test]
 fn sums_are_numbers_at_every_kink_and_next_to_it() {
     let mut surfaces = surfaces();
@@ -66,9 +66,9 @@ fn contact_begins_where_a_summit_has_just_the_overlap_of_break_away() {
             if point.z > population.highest || point.z < population.lower_cut {
                 continue; // no summit
             }
-            let excess = |z: f64| z - separation - population.law.break_away(population.radius.factor(z)).overlap;
-            assert!(excess(point.z).abs() < 1e-13 * (1.0 + separation.abs()), "{params:?}: {:e}", excess(point.z));
-            let secant = (excess(point.z + 1e-6) - excess(point.z - 1e-6)) / 2e-6;
+            let residual = |z: f64| z - separation - population.law.break_away(population.radius.factor(z)).overlap;
+            assert!(residual(point.z).abs() < 1e-13 * (1.0 + separation.abs()), "{params:?}: {:e}", residual(point.z));
+            let secant = (residual(point.z + 1e-6) - residual(point.z - 1e-6)) / 2e-6;
             assert!((secant - rate).abs() < 1e-6 && rate > 0.0, "{params:?}: {rate}, not {secant}");
         }
     }

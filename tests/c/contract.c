@@ -1189,9 +1189,9 @@ static void batch(batch_call *call, double scalar(const asperity_model *, double
     CHECK(call(model, 0, good, value, slope) == ASPERITY_OK, "n = 0");
     CHECK(call(model, 0, NULL, NULL, NULL) == ASPERITY_OK, "n = 0 with NULL");
 
-    /* All elements are filled, then the first offence is reported with its index. */
+    /* All elements are filled, then the first invalid one is reported with its index. */
     memset(value, GUARD, sizeof value);
-    CHECK(call(model, BATCH, bad, value, slope) == ASPERITY_SEPARATED, "the first offence is element 2");
+    CHECK(call(model, BATCH, bad, value, slope) == ASPERITY_SEPARATED, "the first invalid load is element 2");
     CHECK(says("element 2: load = "), "'%s'", last_message());
     CHECK(value[2] == 0 && slope[2] == 0, "a separated contact has friction");
     CHECK(isnan(value[3]) && isnan(value[5]), "NaN and infinite load");
@@ -1199,7 +1199,7 @@ static void batch(batch_call *call, double scalar(const asperity_model *, double
           "the good elements are not filled");
     CHECK(call(model, BATCH - 3, bad + 3, value, slope) == ASPERITY_INVALID_LOAD && says("element 0: load = NaN"),
           "'%s'", last_message());
-    CHECK(call(model, BATCH, bad, NULL, NULL) == ASPERITY_SEPARATED, "offence without outputs");
+    CHECK(call(model, BATCH, bad, NULL, NULL) == ASPERITY_SEPARATED, "invalid without outputs");
     asperity_free(model);
 }
 

@@ -98,8 +98,8 @@ fn alone(handle: &Handle, batch: BatchCall, scalar: ScalarCall, loads: &[f64]) -
 /// Loads of these tests that no surface of theirs can be evaluated for.
 const TOO_HEAVY: f64 = 1e299;
 
-/// Status and index of the first offence, by the rule of the header.
-fn first_offence(loads: &[f64], pull_off: f64) -> Option<(i32, usize)> {
+/// Status and index of the first invalid load, by the rule of the header.
+fn first_invalid(loads: &[f64], pull_off: f64) -> Option<(i32, usize)> {
     loads.iter().enumerate().find_map(|(i, &load)| {
         let finite = load.to_bits() >> 52 & 0x7ff != 0x7ff;
         if !finite {
@@ -115,13 +115,13 @@ fn first_offence(loads: &[f64], pull_off: f64) -> Option<(i32, usize)> {
 }
 
 fn check_status(status: i32, loads: &[f64], pull_off: f64, context: &str) {
-    match first_offence(loads, pull_off) {
+    match first_invalid(loads, pull_off) {
         None => assert_eq!(status, OK, "{context}: {}", message()),
         Some((expected, index)) => {
             assert_eq!(status, expected, "{context}");
             let message = message();
             let names_it = message.starts_with(&format!("element {index}:"));
-            assert!(names_it, "{context}: the first offence is element {index}, the message: {message}");
+            assert!(names_it, "{context}: the first invalid load is element {index}, the message: {message}");
         }
     }
 }

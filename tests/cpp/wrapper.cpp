@@ -564,7 +564,7 @@ void a_surface_of_ones_own_is_refused_until_all_is_set() {
     EXPECT(first_version(&c) == ASPERITY_OK && c.struct_size == offsetof(asperity_params, skew) && std::isnan(c.height_std));
 }
 
-void a_solver_gets_every_element_and_the_first_offence() {
+void a_solver_gets_every_element_and_the_first_invalid() {
     const Model model;
     const double pull_off = model.summary().pull_off_load;
     const std::vector<double> loads{1.0, 2.0 * pull_off, NOT_A_NUMBER, 100.0};
@@ -666,7 +666,7 @@ int main() {
     the_table_answers_as_the_model();
     every_contiguous_range_will_do();
     a_surface_of_ones_own_is_refused_until_all_is_set();
-    a_solver_gets_every_element_and_the_first_offence();
+    a_solver_gets_every_element_and_the_first_invalid();
     arrays_of_other_sizes_are_refused_before_anything_is_written();
     threads_share_a_model();
     return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

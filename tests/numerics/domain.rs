@@ -396,7 +396,7 @@ fn attraction_is_summed_where_the_circle_is_smallest() {
 /// The second evaluation against the 80-bit rows of `reference/`.
 #[test]
 fn the_second_evaluation_agrees_with_the_80_bit_rows() {
-    let (mut rows, mut worst, mut offences) = (0, 0.0_f64, Vec::new());
+    let (mut rows, mut worst, mut failures) = (0, 0.0_f64, Vec::new());
     for case in ["cases.json", "wide.json", "heights.json"].into_iter().flat_map(read) {
         let p = &case.params;
         let heights = match (p.weibull_shape, &p.table_height, &p.table_density) {
@@ -432,13 +432,13 @@ fn the_second_evaluation_agrees_with_the_80_bit_rows() {
             rows += 1;
             worst = worst.max(error);
             if error > 1e-9 || !found.converged || errors.iter().any(|error| error.is_nan()) {
-                offences.push(format!("{}, d = {}: {errors:?} {}", case.name, row.separation, found.converged));
+                failures.push(format!("{}, d = {}: {errors:?} {}", case.name, row.separation, found.converged));
             }
         }
     }
     println!("{rows} rows, worst {worst:.1e}");
     assert_eq!(rows, 631);
-    assert!(offences.is_empty(), "{} offences:\n{}", offences.len(), offences.join("\n"));
+    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }
 
 #[test]

@@ -54,7 +54,7 @@ struct Comparison {
     rows: usize,
     worst_value: f64,
     worst_slope: f64,
-    offences: Vec<String>,
+    failures: Vec<String>,
 }
 
 impl Comparison {
@@ -100,7 +100,7 @@ impl Comparison {
     ) -> f64 {
         let error = (found - expected).abs() / scale;
         if error.is_nan() || error > tolerance {
-            self.offences.push(format!(
+            self.failures.push(format!(
                 "{}, d = {}: {name} {found:e}, not {expected:e}: error {error:.1e}",
                 case.name, row.separation
             ));
@@ -111,7 +111,7 @@ impl Comparison {
     fn finish(&self, expected_rows: usize) {
         println!("{} rows: worst value {:.1e}, worst slope {:.1e}", self.rows, self.worst_value, self.worst_slope);
         assert_eq!(self.rows, expected_rows);
-        assert!(self.offences.is_empty(), "{} offences:\n{}", self.offences.len(), self.offences.join("\n"));
+        assert!(self.failures.is_empty(), "{} failures:\n{}", self.failures.len(), self.failures.join("\n"));
     }
 }
 

@@ -9,8 +9,13 @@ use std::ptr;
 
 /// Evaluates all full vectors; returns how many elements they are.
 #[target_feature(enable = "avx512f,avx512dq")]
-pub unsafe fn evaluate(model: &Model, quantity: Quantity, arrays: Arrays, offence: &mut Option<(usize, f64)>) -> usize {
-    lanes::evaluate::<__m512d>(model, quantity, arrays, offence)
+pub unsafe fn evaluate(
+    model: &Model,
+    quantity: Quantity,
+    arrays: Arrays,
+    first_invalid: &mut Option<(usize, f64)>,
+) -> usize {
+    lanes::evaluate::<__m512d>(model, quantity, arrays, first_invalid)
 }
 
 unsafe impl Lanes for __m512d {

@@ -138,13 +138,13 @@ pub unsafe fn evaluate<L: Lanes>(
     model: &Model,
     quantity: Quantity,
     arrays: Arrays,
-    offence: &mut Option<(usize, f64)>,
+    first_invalid: &mut Option<(usize, f64)>,
 ) -> usize {
     match (quantity == Quantity::Coefficient, !arrays.slope.is_null()) {
-        (false, false) => evaluate_as::<L, false, false>(model, quantity, arrays, offence),
-        (false, true) => evaluate_as::<L, false, true>(model, quantity, arrays, offence),
-        (true, false) => evaluate_as::<L, true, false>(model, quantity, arrays, offence),
-        (true, true) => evaluate_as::<L, true, true>(model, quantity, arrays, offence),
+        (false, false) => evaluate_as::<L, false, false>(model, quantity, arrays, first_invalid),
+        (false, true) => evaluate_as::<L, false, true>(model, quantity, arrays, first_invalid),
+        (true, false) => evaluate_as::<L, true, false>(model, quantity, arrays, first_invalid),
+        (true, true) => evaluate_as::<L, true, true>(model, quantity, arrays, first_invalid),
     }
 }
 
@@ -154,7 +154,7 @@ unsafe fn evaluate_as<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
     model: &Model,
     quantity: Quantity,
     arrays: Arrays,
-    offence: &mut Option<(usize, f64)>,
+    first_invalid: &mut Option<(usize, f64)>,
 ) -> usize {
     let table = model.table(quantity.tabulated());
     let cap = model.params().max_friction_coefficient;
@@ -204,7 +204,7 @@ unsafe fn evaluate_as<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
             };
             let loads = L::read(arrays.load.add(i));
             let answers = beside_rows::<L, COEFFICIENT, SLOPE>(&limits, loads, value, rate);
-            write_and_ask::<L, SLOPE>(&answers, model, quantity, arrays, i, offence);
+            write_and_ask::<L, SLOPE>(&answers, model, quantity, arrays, i, first_invalid);
         }
         begin += in_block;
     }
@@ -251,7 +251,7 @@ unsafe fn write<L: Lanes, const SLOPE: bool>(value: L, slope: L, arrays: Arrays,
     }
 }
 
-/// The same, but asks the scalar call for those that are left to it, and keeps the first offence.
+/// The same, but asks the scalar call for those that are left to it, and keeps the first that is invalid.
 #[inline(always)]
 unsafe fn write_and_ask<L: Lanes, const SLOPE: bool>(
     answers: &Answers<L>,
@@ -259,10 +259,10 @@ unsafe fn write_and_ask<L: Lanes, const SLOPE: bool>(
     quantity: Quantity,
     arrays: Arrays,
     i: usize,
-    offence: &mut Option<(usize, f64)>,
+    first_invalid: &mut Option<(usize, f64)>,
 ) {
     let (slow, apart) = (L::lanes_of(answers.slow), L::lanes_of(answers.apart));
-    if slow == 0 && (apart == 0 || offence.is_some()) {
+    if slow == 0 && (apart == 0 || first_invalid.is_some()) {
         return write::<L, SLOPE>(answers.value, answers.slope, arrays, i);
     }
     // The input, before an output that may be the same array is written.
@@ -271,9 +271,9 @@ unsafe fn write_and_ask<L: Lanes, const SLOPE: bool>(
     write::<L, SLOPE>(answers.value, answers.slope, arrays, i);
     for (lane, &load) in kept.iter().enumerate().take(L::COUNT) {
         if slow >> lane & 1 != 0 {
-            one(model, quantity, arrays, i + lane, load, offence);
+            one(model, quantity, arrays, i + lane, load, first_invalid);
         } else if apart >> lane & 1 != 0 {
-            offence.get_or_insert((i + lane, load));
+            first_invalid.get_or_insert((i + lane, load));
         }
     }
 }

@@ -69,18 +69,18 @@ pub struct Arrays {
     pub slope: *mut f64,
 }
 
-/// Fills all elements, then reports the first offence.
+/// Fills all elements, then reports the first invalid load.
 ///
 /// # Safety
 /// The arrays have n elements; `load` is not NULL unless n = 0.
 pub unsafe fn evaluate(model: &Model, quantity: Quantity, arrays: Arrays) -> Result<(), Failure> {
-    let mut offence = None;
-    let done = vectors(model, quantity, arrays, &mut offence);
+    let mut first_invalid = None;
+    let done = vectors(model, quantity, arrays, &mut first_invalid);
     for i in done..arrays.n {
-        one(model, quantity, arrays, i, arrays.load.add(i).read_unaligned(), &mut offence);
+        one(model, quantity, arrays, i, arrays.load.add(i).read_unaligned(), &mut first_invalid);
     }
-    offence.map_or(Ok(()), |(index, load)| {
-        let error = model.offence(load).unwrap_or_else(|| Model::not_evaluated(load));
+    first_invalid.map_or(Ok(()), |(index, load)| {
+        let error = model.validate_load(load).err().unwrap_or_else(|| Model::not_evaluated(load));
         Err(Failure::of_element(index, &error))
     })
 }
@@ -93,13 +93,13 @@ unsafe fn one(
     arrays: Arrays,
     index: usize,
     load: f64,
-    offence: &mut Option<(usize, f64)>,
+    first_invalid: &mut Option<(usize, f64)>,
 ) {
     #[cfg(test)]
     tests::ASKED.set(tests::ASKED.get() + 1);
     let (value, slope) = quantity.at(model, load);
-    if offence.is_none() && (nan(value) || model.offence(load).is_some()) {
-        *offence = Some((index, load));
+    if first_invalid.is_none() && (nan(value) || model.validate_load(load).is_err()) {
+        *first_invalid = Some((index, load));
     }
     write(arrays.value, index, value);
     write(arrays.slope, index, slope);
@@ -107,13 +107,18 @@ unsafe fn one(
 
 /// As many elements as fill vectors; how many those are.
 #[cfg(target_arch = "x86_64")]
-unsafe fn vectors(model: &Model, quantity: Quantity, arrays: Arrays, offence: &mut Option<(usize, f64)>) -> usize {
+unsafe fn vectors(
+    model: &Model,
+    quantity: Quantity,
+    arrays: Arrays,
+    first_invalid: &mut Option<(usize, f64)>,
+) -> usize {
     #[cfg(has_avx512)]
     if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
-        return avx512::evaluate(model, quantity, arrays, offence);
+        return avx512::evaluate(model, quantity, arrays, first_invalid);
     }
     if is_x86_feature_detected!("avx2") {
-        return avx2::evaluate(model, quantity, arrays, offence);
+        return avx2::evaluate(model, quantity, arrays, first_invalid);
     }
     0
 }
@@ -195,11 +200,11 @@ mod tests {
             for (name, path) in paths() {
                 for quantity in [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness] {
                     for arrays in [arrays, Arrays { slope: std::ptr::null_mut(), ..arrays }] {
-                        let mut offence = None;
+                        let mut first_invalid = None;
                         // SAFETY: the arrays have so many elements.
-                        let done = unsafe { path(&model, quantity, arrays, &mut offence) };
+                        let done = unsafe { path(&model, quantity, arrays, &mut first_invalid) };
                         assert!(done + 8 > loads.len(), "{name}, {quantity:?}");
-                        assert_eq!(offence.map(|(index, _)| index), Some(3), "{name}, {quantity:?}");
+                        assert_eq!(first_invalid.map(|(index, _)| index), Some(3), "{name}, {quantity:?}");
                         for (i, &load) in loads[..done].iter().enumerate() {
                             let expected = quantity.at(&model, load);
                             let found = (value[i].to_bits(), slope[i].to_bits());

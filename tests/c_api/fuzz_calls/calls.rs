@@ -325,10 +325,10 @@ impl<'a> Calls<'a> {
             unsafe { batch(at, n, from, value_at, slope_at) }
         });
         let pull_off = model.summary.pull_off_load;
-        // A finite load without an answer is an offence as well, wherever it is heavy enough to have none.
+        // A finite load without an answer is invalid as well, wherever it is heavy enough to have none.
         let alone = |load: f64| unsafe { one(at, load, null_mut()) };
-        let offence = loads.iter().position(|&load| !is_finite(load) || load < pull_off || alone(load).is_nan());
-        let expected = match offence {
+        let first_invalid = loads.iter().position(|&load| !is_finite(load) || load < pull_off || alone(load).is_nan());
+        let expected = match first_invalid {
             None => OK,
             Some(i) if !is_finite(loads[i]) => INVALID_LOAD,
             Some(i) if loads[i] < pull_off => SEPARATED,
@@ -338,7 +338,7 @@ impl<'a> Calls<'a> {
             }
         };
         assert_eq!(status, expected, "{}: {}", what(), message());
-        if let Some(i) = offence {
+        if let Some(i) = first_invalid {
             assert!(message().starts_with(&format!("element {i}: load = ")), "{}: {}", what(), message());
         }
         for (i, &load) in loads.iter().enumerate() {
