@@ -78,7 +78,7 @@ impl Curve {
         let most_samples = MOST_SAMPLES + 2 * NODES * steps.kinks.len();
         while from.separation < steps.end && from.log_excess > lightest && curve.samples < most_samples {
             let is_spent = steps.is_deep(from.separation) && curve.samples > most_samples / 2;
-            let stretch = if is_spent && steps.failed {
+            let stretch = if is_spent && steps.has_failed() {
                 steps.skip(from.separation)
             } else {
                 steps.next(from.separation, from.s)

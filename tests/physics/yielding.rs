@@ -129,7 +129,7 @@ fn compiled_laws_are_exact_states_to_1e_10() {
     for params in &all {
         let model = model(params);
         let summary = model.summary();
-        assert!(summary.table_error < 5e-11, "{params:?}: {:e}", summary.table_error);
+        assert!(summary.table_error < 6e-11, "{params:?}: {:e}", summary.table_error);
         let (lightest, heaviest) = (summary.min_table_load, summary.max_table_load);
         assert!(heaviest > 1e30 * lightest, "{params:?}: {lightest:e} to {heaviest:e}");
         for i in 0..60 {
