@@ -5,11 +5,12 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { test } from "node:test";
 import * as asperity from "asperity";
+import { CONSTANTS } from "../dist/header.js";
 import { banded } from "../explorer/curves.js";
 import { fieldOf, fieldsOfPair, paramsOf, shifted, start } from "../explorer/fields.js";
 import { read } from "../explorer/maps.js";
 import { LANGUAGES, snippet } from "../explorer/snippets.js";
-import { decade, missing, withUnit } from "../explorer/text.js";
+import { decade, missing, SHORT, withUnit } from "../explorer/text.js";
 import { LINK, root, scratch } from "./native.mjs";
 import { expected, npy, roughMap, run } from "./python.mjs";
 
@@ -168,6 +169,11 @@ test("numbers are shown with the prefix and the digits of an engineer", () => {
   assert.deepEqual([1e-7, 1e-3, 10, 1e4].map(decade), ["100 nN", "1 mN", "10 N", "10 kN"]);
   assert.equal(shifted(0.384, -9), 0.384e-9);
   assert.equal(shifted(63, -3), 0.063);
+});
+
+test("every warning has a short name", () => {
+  const warnings = Object.keys(CONSTANTS).filter((name) => name.startsWith("WARNING_"));
+  assert.deepEqual(Object.keys(SHORT).map((name) => `WARNING_${name}`).sort(), warnings.sort());
 });
 
 test("a message of the library points to its field", () => {

@@ -16,6 +16,7 @@ import pytest
 
 from asperity import Error, Model, Params, State, Status, Summary, ValidityWarning, Warnings
 from asperity._library import LIBRARY
+from asperity.materials import PAIRS
 
 METHODS = ["friction_at_load", "friction_force_at_load"]
 
@@ -194,6 +195,20 @@ def test_warnings_say_what_fails_and_what_to_do(params: Params) -> None:
     assert several.kinds == [Warnings.CROWDED, Warnings.FEW, Warnings(0x100)]
     lines = str(several).split("\n")
     assert [line.split(":")[0] for line in lines] == ["CROWDED", "FEW", "bit 0x100"]
+    assert all("; use " in kind.description for kind in Warnings)
+
+
+def test_loads_that_adhesion_exceeds_are_warned_of() -> None:
+    smooth = Params.si(
+        **PAIRS["SiO2/SiO2"].contact, height_std=1e-9, summit_radius=5e-6, summit_density=1e13, nominal_area=1e-8
+    )
+    with Model(smooth) as model, Model(smooth.replace(height_std=5e-9)) as rough:
+        pull_off = -model.summary().pull_off_load
+        assert 1e5 < pull_off / smooth.nominal_area < 1e7  # as much as a solver may press with
+        for part, held in ((-0.9, True), (0.99, True), (1.01, False)):
+            assert bool(model.state_at_load(part * pull_off).warnings & Warnings.ADHESIVE) == held
+        assert "ADHESIVE: adhesion presses the surfaces together with" in str(model.check(0.5 * pull_off, pull_off))
+        assert not rough.check(0.5 * pull_off, pull_off) & Warnings.ADHESIVE
 
 
 def test_a_range_of_loads_is_checked_as_a_whole(params: Params) -> None:

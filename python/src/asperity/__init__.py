@@ -10,12 +10,14 @@ The Rust library `libasperity` does the work; it is inside the package, unless A
 
 from . import materials, surface
 from ._header import ASPERITY_VERSION as __version__
+from ._pad_results import Pads
 from .curve import Curve
 from .errors import Error, Status
-from .fit import Fit, Prediction, fit
+from .fit import fit
+from .fit_result import Fit, Prediction
 from .model import Model
 from .one_line import friction
-from .pads import Pads, pads
+from .pads import pads
 from .params import Params
 from .results import Hysteresis, State, States, Summary, SummitStates, ValidityWarning, Warnings
 from .sensitivity import Sensitivities

@@ -16,14 +16,14 @@ from ._map_input import checked, length
 from ._progress import LARGE, Progress, teller
 from ._style import saved, style
 from ._summit_search import without_polynomial
+from ._summit_statistics import summits
+from ._summits import Summits
 from .model import Model
 from .params import Params
 from .results import ValidityWarning
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-    from .surface import Summits
 
 Array = npt.NDArray[np.float64]
 
@@ -146,14 +146,14 @@ def cutoffs(
     found: list[tuple[Summits, Params, Any]] = []
     for i, one in enumerate(chosen):
         tell(i / chosen.size, f"filtering with the cutoff {one:.3g}")
-        summits = _summits(lambda: filter(given, float(one)), fewer_may_end=bool(found) and cutoff is None)
-        if summits is None or (found and summits.count < least):
+        left = _summits(lambda: filter(given, float(one)), fewer_may_end=bool(found) and cutoff is None)
+        if left is None or (found and left.count < least):
             break
         with warnings.catch_warnings():  # of surfaces that are only tried
             warnings.simplefilter("ignore", ValidityWarning)
-            params = Params.from_topography(summits, **contact)
+            params = Params.from_topography(left, **contact)
         with Model(params) as model:
-            found.append((summits, params, model.state_at_load(load)))
+            found.append((left, params, model.state_at_load(load)))
     states = [state for _, _, state in found]
     radius = np.array([state.mean_contact_radius for state in states])
     taken = chosen[: len(found)]
@@ -179,8 +179,6 @@ def cutoffs(
 
 def _summits(filtered: Callable[[], Any], fewer_may_end: bool) -> Summits | None:
     """The summits of a filtered map, without its warnings; None where too few are left and that may be the end."""
-    from .surface import summits  # which offers this module's functions
-
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", _map_warnings.MapWarning)

@@ -1,17 +1,19 @@
-"""Surfaces as TOML files: fields of `Params` in SI units, or the materials and the roughness that they are made from."""
+"""Surfaces as TOML files: fields of `Params` in SI units, or the materials and the roughness that they are made from.
+
+`Params` hands itself to these functions, which therefore need not import it.
+"""
 
 from __future__ import annotations
 
 import os
 import sys
-from dataclasses import MISSING, fields
+from dataclasses import MISSING, fields, replace
 from pathlib import Path
-from typing import Any, Iterable, Union
+from typing import Any, Iterable, TypeVar, Union
 
-from .errors import Error, Status
+from .errors import Error, Status, nearest
 from .materials import MATERIALS, Material
 from .materials import contact as contact_of
-from .params import Params, nearest
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -19,22 +21,23 @@ else:
     import tomli as tomllib
 
 FileName = Union[str, "os.PathLike[str]"]
+Params = TypeVar("Params")
 
-_FIELDS = {field.name: field for field in fields(Params)}
-_REQUIRED = [name for name, field in _FIELDS.items() if field.default is MISSING]
-_WORDS = ("height_distribution", "contact_law")
 _ARRAYS = ("table_height", "table_density")
+_MODULI = ("composite_modulus", "effective_shear_modulus")
+_ROUGHNESS = ("height_std", "summit_radius", "asperity_count")
 _MATERIALS = ("first", "second", "E1", "nu1", "E2", "nu2")
 _MOMENTS = ("m0", "m2", "m4")
 _ISO = ("Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku")
 
 
-def read(file: FileName) -> Params:
+def read(file: FileName, params: type[Params]) -> Params:
     """The surface that a file describes; `Error` names the file, the key and what is allowed."""
     try:
         with open(file, "rb") as stream:
             found = tomllib.load(stream)
-        return _params(found)
+        made: Params = _params(params, found)
+        return made
     except tomllib.TOMLDecodeError as error:
         raise Error(f"{file}: no TOML: {error}", Status.INVALID_PARAMETER) from None
     except UnicodeDecodeError as error:
@@ -45,21 +48,21 @@ def read(file: FileName) -> Params:
         raise Error(f"{file}: {error.args[0]}", Status.INVALID_PARAMETER) from None
 
 
-def write(params: Params, file: FileName) -> None:
+def write(params: Any, file: FileName) -> None:
     """Writes the fields that are not defaults; `read` makes equal parameters of them."""
     lines = ["# Two rough surfaces in contact, for asperity: SI units, names as in asperity_params."]
     chosen = {"height_distribution"} if params.height_distribution != "gaussian" or _chooses(params) else set()
-    for name, field in _FIELDS.items():
-        value = getattr(params, name)
-        if value != field.default or name in chosen:
-            lines.append(f"{name} = {_literal(value)}")
+    for field in fields(params):
+        value = getattr(params, field.name)
+        if value != field.default or field.name in chosen:
+            lines.append(f"{field.name} = {_literal(value)}")
     Path(file).write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
-def _chooses(params: Params) -> bool:
+def _chooses(params: Any) -> bool:
     """Whether a field of heights is set that would choose a family of them."""
     names = ("weibull_shape", "skew", "kurtosis", "table_height")
-    return any(getattr(params, name) != _FIELDS[name].default for name in names)
+    return any(getattr(params, field.name) != field.default for field in fields(params) if field.name in names)
 
 
 def _literal(value: Any) -> str:
@@ -72,48 +75,32 @@ def _literal(value: Any) -> str:
     return repr(value)  # of a float: TOML reads all that Python writes, inf and nan too
 
 
-def _params(found: dict[str, Any]) -> Params:
+def _params(params: Any, found: dict[str, Any]) -> Any:
     materials = _table(found, "materials", _MATERIALS)
     roughness = _table(found, "roughness", (*_MOMENTS, *_ISO, "summits"))
-    _check(found, (*_FIELDS, "materials", "roughness"), "")
+    _check(found, (*(field.name for field in fields(params)), "materials", "roughness"), "")
     given = {name: value for name, value in found.items() if name not in ("materials", "roughness")}
     if materials:
-        _exclude(given, ("composite_modulus", "effective_shear_modulus", "tangential_modulus"), "materials")
+        _exclude(given, (*_MODULI, "tangential_modulus"), "materials")
         given = _contact(materials, given) | given
     if roughness:
-        _exclude(given, ("height_std", "summit_radius", "asperity_count"), "roughness")
+        _exclude(given, _ROUGHNESS, "roughness")
         if "nominal_area" not in given:
             raise Error("nominal_area: must be set, [roughness] tells the summits per area", Status.INVALID_PARAMETER)
         _one_kind(roughness)
-        make: Any = Params.from_iso25178 if roughness.keys() & set(_ISO) else Params.from_spectral_moments
-        return _made(make, given, roughness)
-    return _made(_of_fields, given, {})
-
-
-def _made(make: Any, given: dict[str, Any], roughness: dict[str, Any]) -> Params:
-    contact = ("work_of_adhesion", "adhesion_range", "burgers_vector")
-    if make is not _of_fields:
-        _demand(given, contact)
-        if "E1" not in given:
-            _demand(given, ("composite_modulus", "effective_shear_modulus"))
+        make = params.from_iso25178 if roughness.keys() & set(_ISO) else params.from_spectral_moments
+    else:
+        make = params.si
+    told = (_ROUGHNESS if roughness else ()) + (_MODULI if "E1" in given else ())
+    _demand(given, [field.name for field in fields(params) if field.default is MISSING and field.name not in told])
     # Heights that the file names are taken with all their fields; else those fields choose them, as in Params.si.
     named = {name: given.pop(name) for name in _heights() if name in given and "height_distribution" in given}
     tangential = {name: given.pop(name) for name in ("tangential_modulus",) if name in given}
-    params: Params = make(**given, **roughness)
-    changed = {field: getattr(params, field) for field in _FIELDS} | named | tangential
-    return Params(**changed)
+    return replace(make(**given, **roughness), **named, **tangential)
 
 
 def _heights() -> tuple[str, ...]:
     return ("weibull_shape", "skew", "kurtosis", *_ARRAYS, "height_distribution")
-
-
-def _of_fields(**given: Any) -> Params:
-    if "E1" not in given:
-        _demand(given, _REQUIRED)
-        return Params.si(**given)
-    _demand(given, _REQUIRED[2:])
-    return Params.si(**given)
 
 
 def _contact(materials: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:

@@ -1,8 +1,10 @@
-"""What the library refuses, as an exception."""
+"""What the library refuses, as an exception; and for its message, which name was meant."""
 
 from __future__ import annotations
 
+import difflib
 from enum import IntEnum
+from typing import Iterable
 
 from . import _header
 from ._library import LIBRARY, last_error
@@ -49,3 +51,9 @@ def check(status: int) -> None:
     """Raises the library's message unless it reports success."""
     if status != _header.ASPERITY_OK:
         raise Error(last_error(), Status(status))
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """The known name that looks most like a name."""
+    spelled = {one.lower(): one for one in known}
+    return spelled[difflib.get_close_matches(name.lower(), spelled, n=1, cutoff=0.0)[0]]

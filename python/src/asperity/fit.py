@@ -8,32 +8,24 @@ from __future__ import annotations
 
 import math
 import operator
-import os
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from itertools import combinations
-from typing import TYPE_CHECKING, Any, Iterable, Literal, Mapping, NamedTuple, Sequence
+from typing import Any, Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
 from . import fit_robust
+from ._friction_law import FrictionLaw
 from .fit_names import free_names
+from .fit_result import End, Estimate, Fit
 from .fit_search import STEP, Data, Search
-from .model import Model
 from .params import Params
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
 Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
 
-# A direction that changes no friction by more than this part of it per unit of the search has no effect to be measured.
-_NO_EFFECT = 1e-6
 # Correlations above this are named: the data fix a combination of the two far better than either.
 _CORRELATED = 0.99
-# A partner of a parameter that the data do not fix: correlation with it, or share of the direction without effect.
-_PARTNER, _SHARE = 0.9, 0.02
 # A fit with sigma this improbable is called a bad one.
 _IMPROBABLE = 1e-3
 # Trial steps of the search at most; a narrow, curved valley of chi-square takes some fifty.
@@ -44,124 +36,6 @@ _STEPS = 200
 _SAME = 1e-3
 # Scales of residuals that a robust fit goes through at most, and the least: those of a perfect fit have none.
 _SCALES, _LEAST_SCALE = 30, 1e-300
-
-
-class Prediction(NamedTuple):
-    """Friction of a fit at loads, and how well the data fix it.
-
-    Attributes:
-        friction: coefficient or force, as was fitted.
-        error: its standard error, from those of the parameters and their correlations; infinite where it depends on what
-            the data do not determine.
-    """
-
-    friction: Array
-    error: Array
-
-
-@dataclass(frozen=True, eq=False)
-class Fit:
-    """What `fit` found. Arrays follow the order of `free`; `str` of it is a table.
-
-    Attributes:
-        params: the surfaces with the fitted values.
-        free: names of the fitted parameters.
-        values: their values, in the units of `params`.
-        errors: their standard errors, in the same units; infinite where the data do not fix a parameter at all.
-        covariance: of the values, (free, free); rows and columns of an infinite error are NaN off the diagonal.
-        chi_square: sum of squared residuals over sigma; without sigma, of the plain residuals.
-        degrees_of_freedom: measured points less fitted parameters.
-        unidentifiable: names that the data do not determine, see `fit`.
-        at_bound: names whose value is a bound: the data would have it beyond, and its error means little.
-        success: whether the search converged.
-        message: in words: how the search ended and all that there is to be said against the result.
-        load: normal loads of the data [force].
-        measured: friction coefficient or friction force [force] at them.
-        fitted: the same of the model with `params`.
-        sigma: standard errors of the data; None if they were not given.
-        quantity: "mu" or "force": what was fitted.
-        loss: of the residuals, see `fit`.
-        dimensions: of the values: "length", "stress", "force/length", or "" for numbers.
-    """
-
-    params: Params
-    free: tuple[str, ...]
-    values: dict[str, float]
-    errors: dict[str, float]
-    covariance: Array
-    chi_square: float
-    degrees_of_freedom: int
-    unidentifiable: tuple[str, ...]
-    at_bound: tuple[str, ...]
-    success: bool
-    message: str
-    load: Array
-    measured: Array
-    fitted: Array
-    sigma: Array | None
-    quantity: str
-    loss: str
-    dimensions: dict[str, str]
-    _end: _End = field(repr=False)
-
-    @property
-    def reduced_chi_square(self) -> float | None:
-        """chi_square/degrees_of_freedom: about 1 for a good fit. None without sigma: nothing says then how good it can be."""
-        return None if self.sigma is None else self.chi_square / self.degrees_of_freedom
-
-    @property
-    def scatter(self) -> float:
-        """Standard deviation of the measured friction from the fitted, in its unit."""
-        difference = self.measured - self.fitted
-        return math.sqrt(float(difference @ difference) / self.degrees_of_freedom)
-
-    def predict(self, load: npt.ArrayLike) -> Prediction:
-        """The fitted friction at loads, with its standard error: a band around the curve.
-
-        The errors of the parameters are carried on linearly. They are those of the curve, not of a new measurement, whose own
-        error comes on top; and they hold if the model does, the more so outside the loads that were measured.
-
-        Args:
-            load: normal loads [force], one-dimensional; > 0 for friction coefficients.
-
-        Raises:
-            ValueError: loads that cannot be used.
-        """
-        some = np.ones(np.shape(load))
-        data = Data.of(load, some, None, None) if self.quantity == "mu" else Data.of(load, None, some, None)
-        search = self._end.search.at_loads(data.load)
-        friction = search.friction(self._end.x)
-        return Prediction(friction, self._end.estimate.error_of(search.jacobian(self._end.x), friction))
-
-    @property
-    def correlation(self) -> Array:
-        """Of the values, (free, free), -1 to 1; NaN with a parameter whose error is infinite."""
-        return _correlation(self.covariance)
-
-    @property
-    def residuals(self) -> Array:
-        """Measured less fitted, over sigma where that is given."""
-        difference = self.measured - self.fitted
-        return difference if self.sigma is None else difference / self.sigma
-
-    def plot(self, file: str | os.PathLike[str] | None = None, *, units: Literal["SI"] | None = None) -> Figure:
-        """Draws data and fit over the load with its band of two standard errors, the residuals below.
-
-        Args:
-            file: to write the figure to; its ending is its format, for example "fit.svg".
-            units: "SI" if loads and parameters are in SI units, which are named then; without, legend and axes say of
-                which dimension each number is.
-
-        Raises:
-            ImportError: matplotlib is missing.
-        """
-        from .fit_plot import draw
-
-        return draw(self, file, units)
-
-    def __str__(self) -> str:
-        lines = [f"{name} = {_with_error(self.values[name], self.errors[name])}" for name in self.free]
-        return "\n".join([*lines, self.message])
 
 
 def fit(
@@ -279,7 +153,7 @@ def _judge(search: Search, x: Array, success: bool, loss: str, scale: float, end
         scatter = 1.0 if data.sigma is not None else chi_square / freedom
     else:
         scatter = fit_robust.variance(loss, residuals, scale, x.size)
-    estimate = _Estimate.of(search.exact_jacobian(x), float(np.linalg.norm(fitted * data.weight)), scatter)
+    estimate = Estimate.of(search.exact_jacobian(x), float(np.linalg.norm(fitted * data.weight)), scatter)
 
     values = search.values(x)
     unit = np.array([name.per_coordinate(value) for name, value in zip(names, values)])
@@ -308,57 +182,10 @@ def _judge(search: Search, x: Array, success: bool, loss: str, scale: float, end
         quantity=data.quantity,
         loss=loss,
         dimensions={name.given: name.dimension for name in names},
-        _end=_End(search, x, estimate),
+        _end=End(search, x, estimate),
     )
     far = int(np.count_nonzero(np.abs(residuals) > fit_robust.FAR * scale)) if loss != "linear" else 0
     return replace(fit, message="\n".join([*_remarks(fit, estimate), *_remarks_on_search(loss, far, ends)]))
-
-
-@dataclass(frozen=True, eq=False)
-class _Estimate:
-    """What the Jacobian at the minimum tells, in the coordinates of the search."""
-
-    effective: Array  # the covariance without the directions that have no effect
-    covariance: Array  # infinite for a name that has a part in a direction without effect
-    ineffective: Array  # (directions, names): unit vectors along which the friction does not change
-
-    @classmethod
-    def of(cls, jacobian: Array, friction: float, scatter: float) -> _Estimate:
-        """From the Jacobian of residuals whose variance is `scatter`, of a friction of this norm."""
-        _, sizes, directions = np.linalg.svd(jacobian, full_matrices=False)
-        effective = sizes > _NO_EFFECT * friction
-        scaled = directions[effective] / sizes[effective, None]
-        covariance = scatter * (scaled.T @ scaled)
-        ineffective = directions[~effective]
-        lost = (np.abs(ineffective) > _SHARE).any(axis=0)
-        covariance[lost, :] = covariance[:, lost] = np.nan
-        covariance[lost, lost] = np.inf
-        return cls(scatter * (scaled.T @ scaled), covariance, ineffective)
-
-    def error_of(self, jacobian: Array, friction: Array) -> Array:
-        """The standard error of friction with this Jacobian."""
-        error: Array = np.sqrt(np.einsum("ki,ij,kj->k", jacobian, self.effective, jacobian))
-        unknown = (np.abs(jacobian @ self.ineffective.T) > 10 * _NO_EFFECT * friction[:, None]).any(axis=1)
-        return np.where(unknown, np.inf, error)
-
-    def partners(self, names: tuple[str, ...], name: str) -> str:
-        """The others that make up for a change of a name, in words."""
-        i = names.index(name)
-        if math.isinf(self.covariance[i, i]):
-            part = np.abs(self.ineffective) > _SHARE
-            one: Mask = part[part[:, i]].max(axis=0)
-        else:
-            one = np.abs(_correlation(self.covariance)[i]) > _PARTNER
-        return _and(other for other, is_one in zip(names, one) if is_one and other != name)
-
-
-@dataclass(frozen=True, eq=False)
-class _End:
-    """Where a search ended."""
-
-    search: Search
-    x: Array
-    estimate: _Estimate
 
 
 def _remarks_on_search(loss: str, far: int, ends: list[float]) -> list[str]:
@@ -377,7 +204,7 @@ def _remarks_on_search(loss: str, far: int, ends: list[float]) -> list[str]:
     return remarks
 
 
-def _remarks(fit: Fit, estimate: _Estimate) -> list[str]:
+def _remarks(fit: Fit, estimate: Estimate) -> list[str]:
     """How the search ended, and then what is to be said against the result."""
     reduced = fit.reduced_chi_square
     spread = f"residuals scatter by {fit.scatter:.3g}" if reduced is None else f"reduced chi-square {reduced:.3g}"
@@ -400,35 +227,15 @@ def _remarks(fit: Fit, estimate: _Estimate) -> list[str]:
         remarks.append(f"at a bound: {name} = {fit.values[name]:.6g}; the data would have it beyond")
     if fit.sigma is not None and fit.loss == "linear" and _improbable(fit):
         remarks.append("the residuals are larger than sigma explains: the model, or sigma, is wrong")
-    with Model(fit.params) as model:
-        pull_off = model.summary().pull_off_load
+    with FrictionLaw(fit.params) as law:
+        pull_off = law.summary().pull_off_load
     apart = int(np.count_nonzero(fit.load < pull_off))
     if apart:
         remarks.append(f"{apart} loads are below the fitted pull-off load, {pull_off:.4g}: no friction there")
     return remarks
 
 
-def _with_error(value: float, error: float) -> str:
-    """A value to the digits that its error leaves it."""
-    digits = 1 if math.isinf(error) else 6
-    if value != 0 and 0 < error < math.inf:
-        digits = max(math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 2, 1)
-    return f"{value:.{digits}g} +- {error:.2g}"
-
-
-def _correlation(covariance: Array) -> Array:
-    deviation = np.sqrt(np.diag(covariance))
-    deviation[~np.isfinite(deviation) | (deviation == 0)] = np.nan
-    correlation: Array = covariance / np.outer(deviation, deviation)
-    return correlation
-
-
 def _improbable(fit: Fit) -> bool:
     from scipy.stats import chi2
 
     return bool(chi2.sf(fit.chi_square, fit.degrees_of_freedom) < _IMPROBABLE)
-
-
-def _and(names: Iterable[str]) -> str:
-    *most, last = list(names) or [""]
-    return f"{', '.join(most)} and {last}" if most else last

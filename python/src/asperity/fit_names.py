@@ -31,7 +31,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, Callable, Sequence
 
-from .model import Model
+from ._friction_law import FrictionLaw
 from .params import Params
 
 _FACTOR = 1000.0  # between the start of a positive name and its bounds, by default
@@ -155,8 +155,8 @@ def _get_field(name: str) -> Get:
 
 
 def _get_skew(params: Params) -> float:
-    with Model(params) as model:
-        return model.summary().skew
+    with FrictionLaw(params) as law:
+        return law.summary().skew
 
 
 def _alpha(params: Params) -> float:

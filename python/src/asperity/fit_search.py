@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import numbers
 from dataclasses import dataclass, replace
-from typing import Any, Mapping
+from typing import Any, Callable, Mapping
 
 import numpy as np
 import numpy.typing as npt
 
+from ._friction_law import FrictionLaw
 from .errors import Error, Status
 from .fit_names import FreeName, put_all
-from .model import Model
 from .params import Params
-from .sensitivity import log_slopes
+from .sensitivity import LINEAR, NAMES
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -21,6 +21,9 @@ Mask = npt.NDArray[np.bool_]
 # Of central differences: the compiled law is smooth to 1e-10, so that (1e-10)^(1/3) about balances its error against
 # that of the difference; the derivative is then right to some 1e-7 of the friction.
 STEP = 1e-3
+# Of the differences of the parameters along a coordinate. All but the shape of Weibull heights of a skew, which is smooth,
+# are powers or the coordinate itself, so that any step serves.
+_SHORT = 1e-4
 # Further starts of a search lie within this factor of the first.
 _SPREAD = 10.0
 
@@ -121,8 +124,8 @@ class Search:
 
     def friction(self, x: Array) -> Array:
         """What the model has for the data; raises what the library refuses."""
-        with Model(self.surfaces(x)) as model:
-            force = model.friction_force_at_load(self.data.load)
+        with FrictionLaw(self.surfaces(x)) as law:
+            force = law.friction_force_at_load(self.data.load)
         return force / self.data.load if self.data.quantity == "mu" else force
 
     def at_loads(self, load: Array) -> Search:
@@ -151,9 +154,9 @@ class Search:
         """The same by the library's sensitivities. Up to the pull-off load, where they are infinite, data do not count."""
         load = self.data.load
         slopes = np.zeros((load.size, x.size))
-        with Model(self.surfaces(x)) as model:
-            counts = load > model.summary().pull_off_load
-            slopes[counts] = log_slopes(self.surfaces, x, self.low, self.high, model, load[counts])
+        with FrictionLaw(self.surfaces(x)) as law:
+            counts = load > law.summary().pull_off_load
+            slopes[counts] = log_slopes(self.surfaces, x, self.low, self.high, law, load[counts])
         return slopes * (self.friction(x) * self.data.weight)[:, None]
 
     def _derivative(self, x: Array, i: int) -> Array:
@@ -175,3 +178,33 @@ class Search:
             return None
         residuals = self.residuals(at)
         return residuals if np.isfinite(residuals).all() else None
+
+
+def log_slopes(
+    surfaces: Callable[[Array], Params], x: Array, low: Array, high: Array, law: FrictionLaw, loads: Array
+) -> Array:
+    """d(ln F)/dx, (loads, coordinates), of `law`, which is that of `surfaces(x)`; `low` and `high` are its bounds."""
+    changes = np.stack([_changes(surfaces, x, i, low, high) for i in range(x.size)], axis=1)
+    found = [law.sensitivities(load) for load in loads.tolist()]
+    by_parameters = np.array([[getattr(one, name) for name in NAMES] for one in found]).reshape(-1, len(NAMES))
+    slopes: Array = by_parameters @ changes
+    return slopes
+
+
+def _changes(surfaces: Callable[[Array], Params], x: Array, i: int, low: Array, high: Array) -> Array:
+    """How fast the parameters, those of `LINEAR` apart in their logarithms, change along a coordinate."""
+    ends = []
+    for end in (max(x[i] - _SHORT, low[i]), min(x[i] + _SHORT, high[i])):
+        at = x.copy()
+        at[i] = end
+        ends.append((end, surfaces(at)))
+    (start, below), (stop, above) = ends
+    changes: Array = np.array([_change(name, below, above) for name in NAMES]) / (stop - start)
+    return changes
+
+
+def _change(name: str, below: Params, above: Params) -> float:
+    before, after = getattr(below, name), getattr(above, name)
+    if before is None or before == after:
+        return 0.0
+    return float(after - before if name in LINEAR else np.log(after / before))

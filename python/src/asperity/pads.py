@@ -7,28 +7,25 @@
 
 The sums of the model are means over summits at a given separation. At a given load a pad stands on the summits that it
 happens to have: where few touch, its friction differs from that of the model, and from that of the next pad.
-Heights at random are in `_pad_heights`, the equilibrium of a pad in `_pad_equilibrium`.
+Heights at random are in `_pad_heights`, the equilibrium of a pad in `_pad_equilibrium`, what is found of them in
+`_pad_results`.
 """
 
 from __future__ import annotations
 
 import math
 import operator
-import os
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from ._pad_equilibrium import OneSummitLaw, descend
 from ._pad_heights import TailHeights
+from ._pad_results import Pads
 from ._progress import Progress, teller
 from .model import Model
 from .params import Params
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 Array = npt.NDArray[np.float64]
 
@@ -37,84 +34,6 @@ Array = npt.NDArray[np.float64]
 _FIRST_CONTACTS, _DEVIATIONS = 40, 8.0
 # States of pads; more take more than some seconds.
 _MANY = 5000
-
-
-@dataclass(frozen=True, eq=False)
-class Pads:
-    """Pads of one surface, under load control on the branch of unloading. Arrays of pads have the shape (pads, loads).
-
-    Attributes:
-        params: the surface; `asperity_count` is the number of summits of each pad.
-        load: the loads [force], as they were given.
-        friction_force: of each pad at each load [force]; 0 where it is apart.
-        contacting: summits in contact.
-        apart: whether the load is below the pull-off load of the pad.
-        model_force: the friction force of the model at the loads [force].
-        seed: of the random numbers.
-    """
-
-    params: Params
-    load: Array
-    friction_force: Array
-    contacting: npt.NDArray[np.intp]
-    apart: npt.NDArray[np.bool_]
-    model_force: Array
-    seed: int
-
-    @property
-    def count(self) -> int:
-        """How many pads there are."""
-        return len(self.friction_force)
-
-    @property
-    def mean_force(self) -> Array:
-        """Mean friction force over the pads [force], shape (loads,)."""
-        return np.asarray(self.friction_force.mean(axis=0))
-
-    @property
-    def scatter(self) -> Array:
-        """Standard deviation of the friction force from pad to pad over its mean, shape (loads,); NaN where that is 0."""
-        with np.errstate(invalid="ignore", divide="ignore"):
-            return np.asarray(self.friction_force.std(axis=0, ddof=1) / self.mean_force)
-
-    @property
-    def bias(self) -> Array:
-        """Mean friction force over that of the model, shape (loads,); NaN or infinite where that is 0."""
-        with np.errstate(invalid="ignore", divide="ignore"):
-            return np.asarray(self.mean_force / self.model_force)
-
-    @property
-    def bias_error(self) -> Array:
-        """Standard error of `bias` for this number of pads, shape (loads,)."""
-        return np.asarray(self.bias * self.scatter / math.sqrt(self.count))
-
-    def plot(self, file: str | os.PathLike[str] | None = None) -> Figure:
-        """Draws the mean of the pads with their scatter as a band, and the curve of the model.
-
-        The friction coefficient where all loads press, else the friction force.
-
-        Args:
-            file: its ending is its format, for example "pads.svg".
-
-        Raises:
-            ImportError: matplotlib is missing.
-        """
-        from ._pad_plot import draw
-
-        return draw(self, file)
-
-    def __str__(self) -> str:
-        lines = [
-            f"{self.count} pads of {round(self.params.asperity_count)} summits",
-            "load  contacts  mean force  mean/model  scatter",
-        ]
-        contacts = self.contacting.mean(axis=0)
-        for load, touching, force, bias, error, scatter in zip(
-            self.load, contacts, self.mean_force, self.bias, self.bias_error, self.scatter
-        ):
-            against = f"{bias:.3g} +- {error:.1g}" if math.isfinite(bias) else "-"
-            lines.append(f"{load:.3g}  {touching:.3g}  {force:.3g}  {against}  {scatter:.0%}")
-        return "\n".join(lines)
 
 
 def pads(

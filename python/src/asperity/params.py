@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 import ctypes
-import difflib
 import math
 import numbers
 import os
 from dataclasses import MISSING, dataclass, fields
-from typing import TYPE_CHECKING, Any, Iterable, Literal, Sequence
+from typing import TYPE_CHECKING, Any, Literal, Sequence
 
-from . import _bandwidth_bias, _header, _units
+from . import _bandwidth_bias, _header, _surface_file, _units
 from ._library import LIBRARY
-from .errors import Error, Status, check
+from .errors import Error, Status, check, nearest
 
 if TYPE_CHECKING:
     from typing_extensions import TypedDict, Unpack
 
-    from .surface import Summits
+    from ._summits import Summits
 
     class Options(TypedDict, total=False):
         """What every way to make parameters takes beside its own: the fields with a default."""
@@ -420,15 +419,11 @@ class Params:
             Error: a key or a value that has no meaning; the message names the file, the key and what is allowed.
             OSError: a file that cannot be read.
         """
-        from ._surface_file import read
-
-        return read(path)
+        return _surface_file.read(path, cls)
 
     def to_toml(self, path: str | os.PathLike[str]) -> None:
         """Writes a file of which `from_toml` makes equal parameters; fields that have their defaults are left out."""
-        from ._surface_file import write
-
-        write(self, path)
+        _surface_file.write(self, path)
 
     def by_name(self) -> dict[str, float]:
         """All parameters as single numbers, by the names and in the order in which `asperity_params_set_value` takes them in C.
@@ -516,12 +511,6 @@ def _options(given: Any) -> dict[str, Any]:
     for distribution in meant:
         changes.setdefault("height_distribution", distribution)
     return changes
-
-
-def nearest(name: str, known: Iterable[str]) -> str:
-    """The known name that looks most like a name."""
-    spelled = {one.lower(): one for one in known}
-    return spelled[difflib.get_close_matches(name.lower(), spelled, n=1, cutoff=0.0)[0]]
 
 
 def _moduli(bodies: dict[str, Any]) -> dict[str, float | None]:

@@ -1,4 +1,4 @@
-"""What the friction force at constant load changes by with each parameter, and with the coordinates of a search.
+"""What the friction force at constant load changes by with each parameter.
 
 The library's sensitivities are sums over the summits, no differences: right to 1e-7, in a tenth of a millisecond or two.
 """
@@ -7,26 +7,15 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Callable
-
-import numpy as np
-import numpy.typing as npt
+from typing import TYPE_CHECKING
 
 from ._style import BLUE, ORANGE, saved, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from .model import Model
-    from .params import Params
-
-Array = npt.NDArray[np.float64]
-
 # Of these the sensitivity is d(ln F)/dp: they may be 0 or negative.
 LINEAR = ("radius_amplitude", "skew")
-# Of the differences of the parameters along a coordinate. All but the shape of Weibull heights of a skew, which is smooth,
-# are powers or the coordinate itself, so that any step serves.
-_STEP = 1e-4
 # Sensitivities smaller than this part of the largest are left out of the figure.
 _INVISIBLE = 1e-3
 
@@ -115,33 +104,3 @@ class Sensitivities:
 
 
 NAMES = tuple(field.name for field in fields(Sensitivities) if field.name != "load")
-
-
-def log_slopes(
-    surfaces: Callable[[Array], Params], x: Array, low: Array, high: Array, model: Model, loads: Array
-) -> Array:
-    """d(ln F)/dx, (loads, coordinates), of `model`, which is that of `surfaces(x)`; `low` and `high` are its bounds."""
-    changes = np.stack([_changes(surfaces, x, i, low, high) for i in range(x.size)], axis=1)
-    found = [model.sensitivities(load) for load in loads.tolist()]
-    by_parameters = np.array([[getattr(one, name) for name in NAMES] for one in found]).reshape(-1, len(NAMES))
-    slopes: Array = by_parameters @ changes
-    return slopes
-
-
-def _changes(surfaces: Callable[[Array], Params], x: Array, i: int, low: Array, high: Array) -> Array:
-    """How fast the parameters, those of `LINEAR` apart in their logarithms, change along a coordinate."""
-    ends = []
-    for end in (max(x[i] - _STEP, low[i]), min(x[i] + _STEP, high[i])):
-        at = x.copy()
-        at[i] = end
-        ends.append((end, surfaces(at)))
-    (start, below), (stop, above) = ends
-    changes: Array = np.array([_change(name, below, above) for name in NAMES]) / (stop - start)
-    return changes
-
-
-def _change(name: str, below: Params, above: Params) -> float:
-    before, after = getattr(below, name), getattr(above, name)
-    if before is None or before == after:
-        return 0.0
-    return float(after - before if name in LINEAR else np.log(after / before))

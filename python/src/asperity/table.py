@@ -20,17 +20,15 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _header
+from ._handle import Handle
 from ._library import LIBRARY
 from .errors import check
-
-if TYPE_CHECKING:
-    from .model import _Handle
 
 Array = npt.NDArray[Any]
 
@@ -97,7 +95,7 @@ _SCALARS = (
 )  # fmt: skip
 
 
-def of_doubles(handle: _Handle) -> Table:
+def of_doubles(handle: Handle) -> Table:
     """A view of the library's table, which keeps the model alive."""
     struct = _header.asperity_table(struct_size=ctypes.sizeof(_header.asperity_table))
     check(LIBRARY.asperity_table_of(handle.pointer, ctypes.byref(struct)))

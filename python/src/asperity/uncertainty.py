@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 import numpy.typing as npt
 
+from ._friction_law import FrictionLaw
 from ._progress import Progress, teller
 from ._style import BLACK, saved, style
 from .errors import Error, Status
-from .fit import Fit
 from .fit_names import FreeName, free_names, put_all
-from .model import Model
+from .fit_result import Fit
+from .fit_search import log_slopes
 from .params import Params
-from .sensitivity import log_slopes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -146,9 +146,9 @@ def uncertainty(
     def surfaces(at: Array) -> Params:
         return put_all(names, params, [name.value(float(a), float(v)) for name, a, v in zip(names, at, values)])
 
-    with Model(surfaces(x)) as model:
-        force = model.friction_force_at_load(load)
-        slopes = log_slopes(surfaces, x, low, high, model, load)
+    with FrictionLaw(surfaces(x)) as law:
+        force = law.friction_force_at_load(load)
+        slopes = log_slopes(surfaces, x, low, high, law, load)
     unit = load if quantity == "mu" else np.ones(load.shape)
     parts = {name.given: np.abs(slopes[:, i]) * math.sqrt(covariance[i, i]) for i, name in enumerate(names)}
     drawn, refused = None, 0
@@ -244,8 +244,8 @@ def _draw(
 def _forces(surfaces: Callable[[Array], Params], at: Array, load: Array) -> Array | None:
     """Of a surface that was drawn; None if the library refuses it."""
     try:
-        with Model(surfaces(at)) as model:
-            return model.friction_force_at_load(load)
+        with FrictionLaw(surfaces(at)) as law:
+            return law.friction_force_at_load(load)
     except Error as error:
         if error.status == Status.INTERNAL:
             raise

@@ -1,0 +1,548 @@
+"""What the library answers for two surfaces, one load or many: the calls of `Model`."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import numbers
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Literal, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _caller, _header
+from . import table as _table
+from ._handle import Handle
+from ._labelled import HasLabels, Labelled, like
+from ._library import LIBRARY
+from ._progress import Progress, teller
+from .errors import Error, Status, check
+from .params import Params
+from .results import Hysteresis, State, States, Summary, SummitStates, ValidityWarning, Warnings
+from .sensitivity import Sensitivities
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+Loads = Union["npt.NDArray[Any]", "list[Any]", "tuple[Any, ...]"]
+Array = npt.NDArray[np.float64]
+
+_DOUBLES = ctypes.POINTER(ctypes.c_double)
+# More exact states than these take more than some seconds.
+_MANY = 20_000
+_SLIP_NAMES = ("slip_force", "dforce_dload", "dforce_dslip_rate")
+
+
+class FrictionLaw:
+    """A `Model` without its curve, whose band is made of laws with other parameters. Fits and bands are made with this."""
+
+    _handle: Handle | None = None
+
+    def __init__(self, params: Params) -> None:
+        self.set_params(params)
+
+    @property
+    def params(self) -> Params:
+        """The parameters of the model."""
+        return self._open().params
+
+    def set_params(self, params: Params) -> None:
+        """Gives the model other parameters; if that raises, the model is as before."""
+        if not isinstance(params, Params):
+            raise TypeError(f"params = {params!r}: must be a Params")
+        self._handle = Handle(params)
+
+    @overload
+    def friction_at_load(self, load: float, *, slope: Literal[False] = ...) -> float: ...
+    @overload
+    def friction_at_load(self, load: float, *, slope: Literal[True]) -> tuple[float, float]: ...
+    @overload
+    def friction_at_load(self, load: Loads, *, slope: Literal[False] = ...) -> Array: ...
+    @overload
+    def friction_at_load(self, load: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
+    @overload
+    def friction_at_load(self, load: Labelled, *, slope: Literal[False] = ...) -> Labelled: ...
+    @overload
+    def friction_at_load(self, load: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
+
+    def friction_at_load(self, load: Any, *, slope: bool = False) -> Any:
+        """Friction coefficient F/P at a load, or at many.
+
+        Args:
+            load: normal load [force]: a number, or an array (or nested sequence) of any shape. Contiguous arrays of
+                float64 are read where they are.
+            slope: whether to return d(mu)/d(load) [1/force] too, 0 where mu is capped.
+
+        Returns:
+            mu, or (mu, slope): a float for a number, an array of the same shape for an array.
+
+        Raises:
+            Error: a load that is NaN, infinite, or too heavy; the class tells more.
+        """
+        one, one_with_slope = LIBRARY.asperity_friction_at_load, LIBRARY.asperity_friction_and_slope_at_load
+        return self._evaluate("friction_coefficient", one, one_with_slope, LIBRARY.asperity_friction_at_loads, load, slope)
+
+    @overload
+    def friction_force_at_load(self, load: float, *, slope: Literal[False] = ...) -> float: ...
+    @overload
+    def friction_force_at_load(self, load: float, *, slope: Literal[True]) -> tuple[float, float]: ...
+    @overload
+    def friction_force_at_load(self, load: Loads, *, slope: Literal[False] = ...) -> Array: ...
+    @overload
+    def friction_force_at_load(self, load: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
+    @overload
+    def friction_force_at_load(self, load: Labelled, *, slope: Literal[False] = ...) -> Labelled: ...
+    @overload
+    def friction_force_at_load(self, load: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
+
+    def friction_force_at_load(self, load: Any, *, slope: bool = False) -> Any:
+        """Friction force F at a load, or at many.
+
+        Args:
+            load: normal load [force], as for `friction_at_load`.
+            slope: whether to return dF/d(load) too, infinite at the pull-off load itself.
+
+        Returns:
+            F [force], or (F, slope): a float for a number, an array of the same shape for an array.
+
+        Raises:
+            Error: a load that is NaN, infinite, or too heavy; the class tells more.
+        """
+        one, one_with_slope = LIBRARY.asperity_friction_force_at_load, LIBRARY.asperity_friction_force_and_slope_at_load
+        return self._evaluate("friction_force", one, one_with_slope, LIBRARY.asperity_friction_force_at_loads, load, slope)
+
+    def friction_at_pressure(self, pressure: Any, nominal_area: float | None = None, *, slope: bool = False) -> Any:
+        """Friction coefficient at a nominal contact pressure, or at many: `friction_at_load` at pressure times area.
+
+        Args:
+            pressure: nominal contact pressure [stress], positive in compression; a number or an array.
+            nominal_area: the area that carries `asperity_count` summits [length^2]; by default that of the parameters.
+            slope: whether to return d(mu)/d(pressure) [1/stress] too.
+
+        Returns:
+            mu, or (mu, slope): a float for a number, an array of the same shape and labels for an array.
+
+        Raises:
+            Error: a pressure that is NaN, infinite, or too heavy; an area that is not given or not > 0.
+        """
+        return self._at_pressure(self.friction_at_load, pressure, nominal_area, slope, lambda values, area: values)
+
+    def shear_stress_at_pressure(self, pressure: Any, nominal_area: float | None = None, *, slope: bool = False) -> Any:
+        """Frictional shear stress at a nominal contact pressure, or at many: friction force per nominal area.
+
+        Args:
+            pressure: as for `friction_at_pressure`.
+            nominal_area: as for `friction_at_pressure`.
+            slope: whether to return d(stress)/d(pressure) too.
+
+        Returns:
+            The stress, or (stress, slope), as for `friction_at_pressure`.
+
+        Raises:
+            Error: as for `friction_at_pressure`.
+        """
+        return self._at_pressure(
+            self.friction_force_at_load, pressure, nominal_area, slope, lambda values, area: values / area
+        )
+
+    def slip_force(self, load: Any, slip_rate: Any, transition_rate: float, *, slope: bool = False) -> Any:
+        """Friction force of a sliding contact with a smooth sign of the slip rate: F(load) tanh(slip_rate/transition_rate).
+
+        For solvers that integrate through zero slip rate; a contact that should stick creeps instead. Friction opposes slip:
+        apply the force with the sign opposite to the slip rate of the body on which it acts.
+
+        Args:
+            load: normal load [force]; a number or an array.
+            slip_rate: tangential velocity [length/time], signed; a number or an array. The two are broadcast.
+            transition_rate: slip rate at which the force reaches 76 % of the law's, 1e-60 to 1e60.
+            slope: whether to return the derivatives by load and by slip rate too.
+
+        Returns:
+            The force [force], or (force, d/d(load), d/d(slip_rate)): floats for two numbers, else arrays.
+
+        Raises:
+            Error: a load as for `friction_at_load`, a slip rate that is not finite, a transition rate out of its range.
+        """
+        handle = self._open()
+        rate = _number("transition_rate", transition_rate, "slip_force")
+        if not 1e-60 <= rate <= 1e60:
+            raise Error(f"transition_rate = {rate:g}: must be from 1e-60 to 1e60", Status.INVALID_PARAMETER)
+        pairs = np.broadcast(as_array("load", load), as_array("slip_rate", slip_rate))
+        found = np.empty((3, pairs.size))
+        by_load, by_rate = ctypes.c_double(), ctypes.c_double()
+        for i, (at, slip) in enumerate(pairs):
+            if not math.isfinite(slip):
+                raise Error(f"element {i}: slip_rate = {slip}: must be finite", Status.INVALID_PARAMETER)
+            force = LIBRARY.asperity_slip_force(
+                handle.pointer, at, slip, rate, ctypes.byref(by_load), ctypes.byref(by_rate)
+            )
+            if math.isnan(force):
+                _refuse(handle, float(at), () if pairs.ndim == 0 else (i,))
+            found[:, i] = force, by_load.value, by_rate.value
+        given = load if np.ndim(load) >= np.ndim(slip_rate) else slip_rate
+        values = tuple(_shaped(given, row, pairs.shape, name) for row, name in zip(found, _SLIP_NAMES))
+        return values if slope else values[0]
+
+    @overload
+    def tangential_stiffness_at_load(self, load: float) -> float: ...
+    @overload
+    def tangential_stiffness_at_load(self, load: Loads) -> Array: ...
+    @overload
+    def tangential_stiffness_at_load(self, load: Labelled) -> Labelled: ...
+
+    def tangential_stiffness_at_load(self, load: Any) -> Any:
+        """Tangential stiffness K_t at a load, or at many: tangential force by displacement while all contacts stick.
+
+        F/K_t is the length before gross slip, which solvers ask for as bristle deflection or elastic slip.
+
+        Args:
+            load: normal load [force], as for `friction_at_load`.
+
+        Returns:
+            K_t [force/length], 0 below the pull-off load: a float for a number, an array of the same shape for an array.
+
+        Raises:
+            Error: a load that is NaN, infinite, or too heavy; the class tells more.
+        """
+
+        def many(model: Any, n: int, loads: Any, values: Any, _slopes: None) -> int:
+            return int(LIBRARY.asperity_tangential_stiffness_at_loads(model, n, loads, values))
+
+        return self._evaluate("tangential_stiffness", LIBRARY.asperity_tangential_stiffness_at_load, None, many, load, False)
+
+    def tangential(self, load: npt.ArrayLike, displacement: npt.ArrayLike) -> tuple[Any, Any]:
+        """The tangential force T at a load and a displacement, and dT/d(displacement), integrated without the compiled law.
+
+        Each contact sticks with its stiffness until its force is its strength, then slips: T rises from K_t times the
+        displacement to the friction force. It is odd in the displacement.
+
+        Args:
+            load: normal load [force]; a number or an array.
+            displacement: of the surfaces along each other [length]; a number or an array. The two are broadcast.
+
+        Returns:
+            (T [force], slope [force/length]): floats for two numbers, else arrays.
+
+        Raises:
+            Error: a load as for `state_at_load`, or a displacement that is not finite.
+        """
+        pointer = self._open().pointer
+        pairs = np.broadcast(as_array("load", load), as_array("displacement", displacement))
+        found = np.empty((2, pairs.size))
+        force, slope = ctypes.c_double(), ctypes.c_double()
+        for i, (at, by) in enumerate(pairs):
+            check(LIBRARY.asperity_tangential_at_load(pointer, at, by, ctypes.byref(force), ctypes.byref(slope)))
+            found[:, i] = force.value, slope.value
+        given = load if np.ndim(load) >= np.ndim(displacement) else displacement
+        names = ("tangential_force", "tangential_stiffness")
+        force_there, slope_there = (_shaped(given, row, pairs.shape, name) for row, name in zip(found, names))
+        return force_there, slope_there
+
+    def hysteresis(self, load: float, amplitude: float, *, points: int = 201) -> Hysteresis:
+        """The loop of tangential force against displacement between -amplitude and amplitude, at a constant load.
+
+        After the first loading, T, Masing's rule gives both branches: from a reversal at displacement r, where the force is
+        T_r, the force is T_r - 2 T((r - displacement)/2).
+
+        Args:
+            load: normal load [force].
+            amplitude: of the displacement [length], > 0.
+            points: of each branch; the work is that of the polygon through them.
+
+        Raises:
+            Error: a load as for `state_at_load`.
+            ValueError: an amplitude that is not finite and > 0, or fewer than two points.
+        """
+        if not (math.isfinite(amplitude) and amplitude > 0):
+            raise ValueError(f"amplitude = {amplitude}: must be finite and > 0")
+        if points < 2:
+            raise ValueError(f"points = {points}: must be at least 2")
+        first = np.linspace(0.0, amplitude, points)
+        loading = self.tangential(load, first)[0]
+        back = amplitude - 2.0 * first
+        returning = loading[-1] - 2.0 * loading
+        work = float(np.sum((loading[1:] + loading[:-1]) * np.diff(first)) * 4.0 - 4.0 * amplitude * loading[-1])
+        return Hysteresis(np.concatenate([back, -back]), np.concatenate([returning, -returning]), max(work, 0.0))
+
+    @overload
+    def state_at_load(self, load: float) -> State: ...
+    @overload
+    def state_at_load(self, load: Loads | HasLabels, *, progress: Progress = ...) -> States: ...
+
+    def state_at_load(self, load: Any, *, progress: Progress = None) -> Any:
+        """The exact state at a load [force], or at many, integrated without the compiled law.
+
+        Args:
+            load: a number, or an array (or nested sequence, Series, DataArray) of any shape.
+            progress: whether to tell how far it is, on the error stream, or a function of the part done, 0 to 1, and of
+                what is being done; by default for more than some ten thousand loads.
+
+        Returns:
+            `State` for a number, `States` for an array.
+
+        Raises:
+            Error: a load below the pull-off load (status SEPARATED), not finite, or out of range; for arrays with its index.
+            TypeError: no numbers.
+        """
+        return self._states(LIBRARY.asperity_state_at_load, "load", load, progress)
+
+    @overload
+    def state_at_separation(self, separation: float) -> State: ...
+    @overload
+    def state_at_separation(self, separation: Loads | HasLabels, *, progress: Progress = ...) -> States: ...
+
+    def state_at_separation(self, separation: Any, *, progress: Progress = None) -> Any:
+        """The exact state at a separation [length], or at many, also beyond the pull-off point, where no load could hold it.
+
+        Args:
+            separation: of the flat from the mean of the summit heights; may be negative. As the loads of `state_at_load`.
+            progress: as for `state_at_load`.
+
+        Raises:
+            Error: a separation that is not finite, or out of range; for arrays with its index.
+        """
+        return self._states(LIBRARY.asperity_state_at_separation, "separation", separation, progress)
+
+    def sensitivities(self, load: float) -> Sensitivities:
+        """What the friction force at a load [force] changes by with each parameter: d(ln F)/d(ln p) at constant load.
+
+        `print(model.sensitivities(load).by_size())` lists them, `.plot()` draws them. They grow without limit next to the
+        pull-off load.
+
+        Raises:
+            Error: a load below the pull-off load (status SEPARATED), not finite, or out of range: the pull-off load itself,
+                zero without adhesion, or too heavy.
+            TypeError: not a number; an array takes a loop.
+        """
+        at = _number("load", load, "sensitivities")
+        handle = self._open()
+        struct = _header.asperity_sensitivities(struct_size=ctypes.sizeof(_header.asperity_sensitivities))
+        check(LIBRARY.asperity_sensitivities_at_load(handle.pointer, at, ctypes.byref(struct)))
+        return Sensitivities(at, *_values(struct))
+
+    def check(self, lightest: float, heaviest: float) -> Warnings:
+        """Whether the model holds for a contact that meets these loads: what fails in any state between.
+
+        It evaluates some hundred exact states: once for a run, not for each load.
+
+        Args:
+            lightest: normal load [force], from the pull-off load upwards; without adhesion above 0.
+            heaviest: normal load [force], not below `lightest`.
+
+        Returns:
+            `Warnings`, false where nothing is known to fail; printed, it says what fails and what to do about it.
+
+        Raises:
+            Error: `lightest` is above `heaviest`, or one of them has no state, as in `state_at_load`.
+        """
+        bits = ctypes.c_uint64()
+        handle = self._open()
+        check(LIBRARY.asperity_check_loads(handle.pointer, float(lightest), float(heaviest), ctypes.byref(bits)))
+        return Warnings(bits.value)
+
+    def table(self, dtype: npt.DTypeLike = np.float64) -> _table.Table:
+        """The compiled law as arrays, for code that cannot call the library; `asperity.table` has the indexing rule.
+
+        Args:
+            dtype: float64 for a view of the library's table, or float32 for one made of it, for processors that are slow
+                at doubles.
+
+        Raises:
+            ValueError: another type.
+        """
+        found = _table.of_doubles(self._open())
+        if np.dtype(dtype) == np.float64:
+            return found
+        if np.dtype(dtype) == np.float32:
+            return _table.of_floats(found)
+        raise ValueError(f"dtype = {np.dtype(dtype)}: must be float64 or float32")
+
+    def warn(self, lightest: float, heaviest: float) -> None:
+        """Issues a `ValidityWarning` for each assumption that fails between two loads, once per model and assumption.
+
+        For code that draws or tabulates the law; arguments and errors are those of `check`.
+        """
+        handle = self._open()
+        for kind in self.check(lightest, heaviest).kinds:
+            if not kind & handle.warned:
+                handle.warned |= kind
+                where = f"between the loads {lightest:g} and {heaviest:g}" if lightest < heaviest else f"at the load {lightest:g}"
+                _caller.warn(f"{where}: {kind}", ValidityWarning)
+
+    def summits_at_overlaps(self, overlap: npt.ArrayLike, height: npt.ArrayLike | None = None) -> SummitStates:
+        """Load, friction force and contact radius of single summits, by the law that all sums are made of.
+
+        A summit stays in contact down to the overlap at which it breaks away, below 0 with adhesion; out of contact it may
+        still attract. `asperity.pads` makes pads of few contacts of them.
+
+        Args:
+            overlap: height of a summit less the separation [length]; an array of any shape.
+            height: of each from the mean of the summit heights [length], on which radii depend where `radius_amplitude` is
+                not 0; without, the mean height.
+
+        Raises:
+            Error: an overlap or height that is not finite, or out of range; the message names its index.
+        """
+        overlaps = as_array("overlap", overlap)
+        heights = None if height is None else np.ascontiguousarray(np.broadcast_to(as_array("height", height), overlaps.shape))
+        found = SummitStates(*(np.empty(overlaps.shape) for _ in range(3)))
+        outputs = [_data(one) for one in found]
+        pointer = self._open().pointer
+        data = None if heights is None else _data(heights)
+        check(LIBRARY.asperity_summits_at_overlaps(pointer, overlaps.size, _data(overlaps), data, *outputs))
+        return found
+
+    def summary(self) -> Summary:
+        """The constants of the model: dimensionless groups, pull-off load, range and error of the compiled law."""
+        handle = self._open()
+        struct = _header.asperity_summary(struct_size=ctypes.sizeof(_header.asperity_summary))
+        check(LIBRARY.asperity_summary_of(handle.pointer, ctypes.byref(struct)))
+        return Summary(*_values(struct))
+
+    def close(self) -> None:
+        """Frees the model, once no call uses it; afterwards every call raises. Closing twice is fine."""
+        self._handle = None
+
+    def __enter__(self) -> Self:
+        self._open()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def __reduce__(self) -> tuple[type[Self], tuple[Params]]:
+        return type(self), (self.params,)
+
+    def __repr__(self) -> str:
+        name = type(self).__name__
+        return f"<closed {name}>" if self._handle is None else f"{name}({self._handle.params!r})"
+
+    def _open(self) -> Handle:
+        handle = self._handle
+        if handle is None:
+            raise Error("the model is closed", Status.NULL_POINTER)
+        return handle
+
+    def _states(self, call: Any, name: str, at: Any, progress: Progress) -> State | States:
+        handle = self._open()
+        if isinstance(at, numbers.Real):
+            return _state(handle, call, float(at))
+        places = as_array(name, at)
+        tell = teller(progress, places.size > _MANY, "asperity")
+        found = []
+        for i, one in enumerate(places.ravel().tolist()):
+            if i % 1000 == 0:
+                tell(i / places.size, "exact states")
+            try:
+                found.append(_state(handle, call, one))
+            except Error as error:
+                index = tuple(int(k) for k in np.unravel_index(i, places.shape))
+                raise Error(f"element {_place(index)}: {error}", error.status) from None
+        tell(1.0, "exact states")
+        return States.of(found, at, places.shape)
+
+    def _at_pressure(self, call: Any, pressure: Any, nominal_area: float | None, slope: bool, scaled: Any) -> Any:
+        given = self.params.nominal_area if nominal_area is None else nominal_area
+        area = _number("nominal_area", given, "friction_at_pressure")
+        if not 1e-60 <= area <= 1e60:
+            missing = nominal_area is None and area == 0
+            says = "must be given, here or in the parameters" if missing else "must be from 1e-60 to 1e60"
+            raise Error(f"nominal_area = {area:g}: {says}", Status.INVALID_PARAMETER)
+        load = float(pressure) * area if isinstance(pressure, numbers.Real) else as_array("pressure", pressure) * area
+        if not slope:
+            return _relabelled(pressure, scaled(call(load), area))
+        values, slopes = call(load, slope=True)
+        return _relabelled(pressure, scaled(values, area)), _relabelled(pressure, scaled(slopes, area) * area)
+
+    def _evaluate(self, name: str, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool) -> Any:
+        handle = self._open()
+        if not isinstance(load, numbers.Real):
+            arrays = _evaluate_array(handle, many, as_array("load", load), slope)
+            found_there = tuple(like(load, array, name) for array in arrays)
+            return found_there if slope else found_there[0]
+        found = ctypes.c_double()
+        value: float
+        if slope:
+            value = one_with_slope(handle.pointer, float(load), ctypes.byref(found))
+        else:
+            value = one(handle.pointer, float(load))
+        if math.isnan(value):  # quiet, where a comparison of Python's may raise a floating-point exception
+            _refuse(handle, float(load))
+        return (value, found.value) if slope else value
+
+
+def _number(name: str, at: Any, method: str) -> float:
+    if not isinstance(at, numbers.Real):
+        raise TypeError(f"{name} = {at!r}: must be one number; for many, [model.{method}(x) for x in ...]")
+    return float(at)
+
+
+def as_array(name: str, values: Any) -> Array:
+    array = np.asarray(values)
+    if array.dtype.kind not in "iuf" and array.size > 0:
+        raise TypeError(f"{name}: must be real numbers, not an array of {array.dtype}")
+    return np.asarray(array, dtype=np.float64, order="C")
+
+
+def _evaluate_array(handle: Handle, many: Any, load: Array, slope: bool) -> tuple[Array, ...]:
+    values = np.empty(load.shape)
+    slopes = np.empty(load.shape) if slope else None
+    status = many(handle.pointer, load.size, _data(load), _data(values), None if slopes is None else _data(slopes))
+    # The library reports the first offence of any kind; loads below pull-off are none here, NaN answers always are.
+    if status not in (
+        _header.ASPERITY_OK,
+        _header.ASPERITY_SEPARATED,
+        _header.ASPERITY_INVALID_LOAD,
+        _header.ASPERITY_OUT_OF_RANGE,
+    ):
+        check(status)
+    refused = np.isnan(values)
+    if refused.any():
+        index = np.unravel_index(int(np.argmax(refused)), load.shape)
+        _refuse(handle, float(load[index]), index)
+    return (values,) if slopes is None else (values, slopes)
+
+
+def _refuse(handle: Handle, load: float, index: tuple[Any, ...] = ()) -> None:
+    """Raises the library's own message about a load that it answered with NaN."""
+    try:
+        _state(handle, LIBRARY.asperity_state_at_load, load)
+    except Error as error:
+        if not index:
+            raise
+        raise Error(f"element {_place(index)}: {error}", error.status) from None
+    raise Error(f"load = {load}: no friction was found; a bug in asperity, please report it", Status.INTERNAL)
+
+
+def _place(index: tuple[Any, ...]) -> Any:
+    return int(index[0]) if len(index) == 1 else tuple(map(int, index))
+
+
+def _shaped(given: Any, values: Array, shape: tuple[int, ...], name: str) -> Any:
+    """A float where the shape is that of one number, else an array with the labels of what was given."""
+    if shape == ():
+        return float(values[0])
+    return like(given, values.reshape(shape), name) if np.shape(given) == shape else values.reshape(shape)
+
+
+def _relabelled(given: Any, values: Any) -> Any:
+    return values if isinstance(given, numbers.Real) else like(given, values, "friction")
+
+
+def _state(handle: Handle, call: Any, at: float) -> State:
+    struct = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
+    check(call(handle.pointer, at, ctypes.byref(struct)))
+    values = {field[0]: getattr(struct, field[0]) for field in struct._fields_[1:]}
+    return State(**{**values, "warnings": Warnings(values["warnings"])})
+
+
+def _values(struct: ctypes.Structure) -> list[Any]:
+    """The fields of a struct after its size."""
+    return [getattr(struct, field[0]) for field in struct._fields_[1:]]
+
+
+def _data(array: Array) -> Any:
+    return array.ctypes.data_as(_DOUBLES)
