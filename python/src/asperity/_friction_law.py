@@ -491,7 +491,7 @@ def _evaluate_array(handle: Handle, many: Any, load: Array, slope: bool) -> tupl
     values = np.empty(load.shape)
     slopes = np.empty(load.shape) if slope else None
     status = many(handle.pointer, load.size, _data(load), _data(values), None if slopes is None else _data(slopes))
-    # The library reports the first offence of any kind; loads below pull-off are none here, NaN answers always are.
+    # The library reports the first invalid load of any kind; loads below pull-off are none here, NaN answers always are.
     if status not in (
         _header.ASPERITY_OK,
         _header.ASPERITY_SEPARATED,
