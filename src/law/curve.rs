@@ -49,8 +49,6 @@ pub struct Curve {
     positions: Positions,
     /// What logarithms are taken relative to: the quantities at pull-off, where small changes must be resolved.
     reference: PerQuantity,
-    /// Whether panels end at all kinks; if not, there are too many.
-    pub is_resolved: bool,
     panels: Vec<Panel>,
     /// Exact states spent.
     samples: usize,
@@ -65,8 +63,7 @@ impl Curve {
         let mut steps = Steps::new(branch);
         let positions = steps.positions;
         let coordinate = Coordinate { log_pull_off };
-        let mut curve =
-            Self { coordinate, positions, reference, is_resolved: steps.resolved, panels: Vec::new(), samples: 0 };
+        let mut curve = Self { coordinate, positions, reference, panels: Vec::new(), samples: 0 };
         let closest = CLOSEST + positions.middle;
         let mut from = curve.sample(branch, closest.min(steps.end - 10.0))?;
         // Adhesion that is strong beside the roughness: on to loads well above pull-off.
@@ -248,14 +245,12 @@ impl Curve {
     }
 }
 
-impl Source for &Curve {
-    const IN_ANY_ORDER: bool = true;
-
-    fn at<const N: usize>(&mut self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
+impl Source for Curve {
+    fn at<const N: usize>(&self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
         self.at_each(quantity, log_excess)
     }
 
-    fn joints(&mut self, lower: f64, upper: f64) -> Vec<f64> {
+    fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
         let joints = self.panels.iter().rev().map(|panel| self.coordinate.log_excess(panel.lowest));
         joints.filter(|&joint| joint > lower && joint < upper).collect()
     }
@@ -276,7 +271,7 @@ mod tests {
             let curve = Curve::new(&branch, |_| range, &mut states).expect("a curve");
             let (lower, upper) = curve.log_range();
             assert!(near(upper, states[0].log_excess, 1e-13), "{upper}");
-            assert!(upper - lower >= range && curve.is_resolved, "{lower} to {upper}");
+            assert!(upper - lower >= range, "{lower} to {upper}");
             assert!(if range < 100.0 { upper - lower < 3.0 * range } else { lower == f64::NEG_INFINITY }, "{lower}");
             for state in &states {
                 let found = curve.separation(state.log_excess).expect("a separation");
@@ -354,7 +349,7 @@ mod tests {
         let density: Vec<f64> = height.iter().map(|h| h * (54.0 - h)).collect();
         let branch = of(&Params { heights: table(&height, &density), ..Params::default() });
         let curve = Curve::new(&branch, |_| 200.0, &mut Vec::new()).expect("a curve");
-        assert!(curve.is_resolved && curve.samples > MOST_SAMPLES, "{} states", curve.samples);
+        assert!(curve.samples > MOST_SAMPLES, "{} states", curve.samples);
         assert_eq!(curve.log_range().0, f64::NEG_INFINITY);
     }
 }

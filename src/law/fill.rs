@@ -28,17 +28,14 @@ const SHORTEST_PIECE: f64 = 1e-9;
 /// The law, as rows are filled from it: quantities and the slope of its logarithm by ln x, NaN where they are not known. The
 /// loads of a call are near to each other.
 pub trait Source {
-    /// Whether loads cost the same in any order.
-    const IN_ANY_ORDER: bool;
-
-    fn at<const N: usize>(&mut self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N];
+    fn at<const N: usize>(&self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N];
     /// ln x between two of them where the law is not smooth, rising.
-    fn joints(&mut self, lower: f64, upper: f64) -> Vec<f64>;
+    fn joints(&self, lower: f64, upper: f64) -> Vec<f64>;
 }
 
 /// What rows are filled from.
 pub struct Filling<'a, S> {
-    source: &'a mut S,
+    source: &'a S,
     quantity: Quantity,
     scale: Scale,
     log_load: f64,
@@ -48,18 +45,18 @@ pub struct Filling<'a, S> {
 type Piece = (f64, Row);
 
 impl<'a, S: Source> Filling<'a, S> {
-    pub fn new(source: &'a mut S, quantity: Quantity, scale: Scale) -> Self {
+    pub fn new(source: &'a S, quantity: Quantity, scale: Scale) -> Self {
         Self { source, quantity, scale, log_load: log(scale.load) }
     }
 
     /// Fills as many rows of a table; those that miss the law are left out. The largest error of the others.
-    pub fn rows(&mut self, table: &mut Table, count: usize) -> f64 {
+    pub fn rows(&self, table: &mut Table, count: usize) -> f64 {
         let basis = RowBasis::new();
         // ln(mantissa), the same in every binade.
         let mantissas: Vec<[f64; PARTS.len()]> =
             (0..PER_BINADE).map(|row| PARTS.map(|part| log1p((row as f64 + part) * WIDTH))).collect();
         let (log_load, scale) = (self.log_load, self.scale);
-        let mut points_of = |row: u64| {
+        let points_of = |row: u64| {
             let within = row % PER_BINADE;
             let log_binade = log_binade(row / PER_BINADE) - log_load;
             let mut points = self.source.at(self.quantity, mantissas[within as usize].map(|log| log + log_binade));
@@ -93,8 +90,20 @@ impl<'a, S: Source> Filling<'a, S> {
         worst
     }
 
+    /// Divides the rows that are left out into pieces, as far as a table of so many rows and pieces has room; the largest error
+    /// of these.
+    pub fn divide_left_out(&self, table: &mut Table, most: usize) -> f64 {
+        let mut worst = 0.0_f64;
+        for row in (0..table.row_count).rev() {
+            if table.rows[row].is_left_out() {
+                worst = worst.max(self.divide(table, row, most - table.rows.len()));
+            }
+        }
+        worst
+    }
+
     /// Replaces a row that is left out by a link to pieces, if so many more rows are enough; the largest error of these.
-    pub fn divide(&mut self, table: &mut Table, row: usize, room: usize) -> f64 {
+    fn divide(&self, table: &mut Table, row: usize, room: usize) -> f64 {
         let Some((pieces, error)) = self.pieces(table.base + row as u64, room) else { return 0.0 };
         let (begins, rows): (Vec<f64>, Vec<Row>) = pieces.into_iter().unzip();
         if let [whole] = rows[..] {
@@ -119,7 +128,7 @@ impl<'a, S: Source> Filling<'a, S> {
     }
 
     /// Polynomials for the parts of a row, as few as are good; `None` if they are more than there is room for.
-    fn pieces(&mut self, row: u64, room: usize) -> Option<(Vec<Piece>, f64)> {
+    fn pieces(&self, row: u64, room: usize) -> Option<(Vec<Piece>, f64)> {
         let basis = PieceBasis::new();
         let start = (row % PER_BINADE) as f64 * WIDTH;
         let log_binade = log_binade(row / PER_BINADE) - self.log_load;
@@ -127,7 +136,7 @@ impl<'a, S: Source> Filling<'a, S> {
         let joints = self.source.joints(log_of(0.0), log_of(WIDTH));
         let joints: Vec<f64> = joints.into_iter().map(|joint| exp(joint - log_binade) - 1.0 - start).collect();
         let most = MOST_PIECES.min(room);
-        let mut fill = |begin: f64, end: f64| {
+        let fill = |begin: f64, end: f64| {
             let length = end - begin;
             let within = joints.iter().filter(|&&joint| joint > begin && joint < end).count();
             let is_tried = length == WIDTH || within <= FEW_JOINTS;
@@ -135,12 +144,8 @@ impl<'a, S: Source> Filling<'a, S> {
             Part { begin, end, filled }
         };
         let mut parts = vec![fill(0.0, WIDTH)];
-        // Hardly any part of it would be good.
-        if parts[0].filled.is_none() && joints.len() >= most {
-            return None;
-        }
-        // If there is not room for all pieces, those that are left out are short where the order costs nothing.
-        let mut shortest = if S::IN_ANY_ORDER { 1.0 } else { SHORTEST_PIECE };
+        // The longest first: if there is not room for all pieces, those that are left out are short.
+        let mut shortest = 1.0;
         while shortest >= SHORTEST_PIECE {
             let mut i = 0;
             while i < parts.len() {
@@ -166,7 +171,7 @@ impl<'a, S: Source> Filling<'a, S> {
     }
 
     /// The polynomial of a part of a row that begins at a mantissa, less one, and its error, if it is good.
-    fn piece(&mut self, basis: &PieceBasis, begin: f64, length: f64, log_binade: f64) -> Option<(Row, f64)> {
+    fn piece(&self, basis: &PieceBasis, begin: f64, length: f64, log_binade: f64) -> Option<(Row, f64)> {
         const ALL: usize = OF_PIECE.len() + BETWEEN_OF_PIECE.len();
         let parts: [f64; ALL] =
             std::array::from_fn(
@@ -268,29 +273,24 @@ mod tests {
     struct Law<F>(F, Option<f64>);
 
     impl<F: Fn(f64) -> (f64, f64)> Source for Law<F> {
-        const IN_ANY_ORDER: bool = false;
-
-        fn at<const N: usize>(&mut self, _: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
+        fn at<const N: usize>(&self, _: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
             log_excess.map(&self.0)
         }
 
-        fn joints(&mut self, lower: f64, upper: f64) -> Vec<f64> {
+        fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
             self.1.into_iter().filter(|&at| at > lower && at < upper).collect()
         }
     }
 
     /// The rows of a law from x = 1 on, divided where there is room for so many pieces, and the largest error of whole ones.
     fn filled(law: impl Fn(f64) -> (f64, f64), joint: Option<f64>, scale: Scale, count: usize, room: usize) -> Table {
-        let mut source = Law(law, joint);
+        let source = Law(law, joint);
         let mut table = Table::new(FRACTION, 1_f64.to_bits() >> Table::shift_of(FRACTION), 0.0);
-        let mut filling = Filling::new(&mut source, Quantity::Friction, scale);
+        let filling = Filling::new(&source, Quantity::Friction, scale);
         let error = filling.rows(&mut table, count);
         assert!(error < 5e-11 && (error > 1e-17 || count == 1), "{error:e}");
-        for row in 0..count {
-            if table.rows[row].is_left_out() {
-                filling.divide(&mut table, row, room);
-            }
-        }
+        let most = table.rows.len() + room;
+        filling.divide_left_out(&mut table, most);
         table
     }
 
@@ -364,7 +364,12 @@ mod tests {
         let cramped = filled(wiggly(4.0), None, scale, 1, 5);
         assert!(cramped.rows.len() <= 6, "{}", cramped.rows.len());
         // What is left out side by side is one part.
-        let begun = filled(wiggly(60.0), None, scale, 1, 100);
+        let half = (1.0 + 0.5 * WIDTH).ln();
+        let begun = move |log_excess: f64| match log_excess < half {
+            true => (exp(log_excess), 1.0),
+            false => wiggly(1000.0)(log_excess),
+        };
+        let begun = filled(begun, Some(half), scale, 1, 100);
         assert_eq!(begun.rows.iter().filter(|row| row.is_left_out()).count(), 1, "{:?}", begun.rows);
         assert!(begun.at_load(1.001).is_some() && begun.at_load(1.249).is_none());
     }

@@ -8,7 +8,6 @@
 
 mod coordinate;
 mod curve;
-mod exact;
 mod fill;
 mod non_integer_power;
 mod panel;
@@ -21,7 +20,6 @@ use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
 use crate::population::Sums;
 use curve::Curve;
-use exact::ExactStates;
 use fill::Filling;
 use panel::Sample;
 
@@ -120,11 +118,9 @@ impl Law {
         let curve = Curve::new(branch, log_range, &mut samples)?;
         let (lower, upper) = curve.log_range();
         let lower = nearest.max(lower).max(upper - log_range(upper).min(LOG_RANGE));
-        let mut exact = (!curve.is_resolved).then(|| ExactStates::new(branch, &curve));
         let compiled = Quantity::ALL.map(|quantity| {
             let scale = Scale { load, value: units[quantity as usize] };
-            let mut compiled =
-                Compiled::new(branch.pull_off_load(), &curve, exact.as_mut(), quantity, scale, (lower, upper));
+            let mut compiled = Compiled::new(branch.pull_off_load(), &curve, quantity, scale, (lower, upper));
             compiled.certify(&curve, quantity, &samples);
             compiled
         });
@@ -159,16 +155,8 @@ impl Law {
 }
 
 impl Compiled {
-    /// Fills the table from the curve, within a range of ln(load - pull-off) in the model's units; rows with kinks from exact
-    /// states if the curve has too many to be resolved.
-    fn new(
-        pull_off_load: f64,
-        curve: &Curve,
-        exact: Option<&mut ExactStates>,
-        quantity: Quantity,
-        scale: Scale,
-        (lower, upper): (f64, f64),
-    ) -> Self {
+    /// Fills the table from the curve, within a range of ln(load - pull-off) in the model's units.
+    fn new(pull_off_load: f64, curve: &Curve, quantity: Quantity, scale: Scale, (lower, upper): (f64, f64)) -> Self {
         let (lower, upper) = (lower + log(scale.load), upper + log(scale.load));
         let shift = Table::shift_of(FRACTION);
         // The last whole row before the end, and the first.
@@ -177,12 +165,8 @@ impl Compiled {
         let mut table = Table::new(FRACTION, base, pull_off_load * scale.load);
         let count = ((end - base) as usize).min(MOST_ROWS);
         table.rows.reserve(count);
-        let mut source = curve;
-        let mut filling = Filling::new(&mut source, quantity, scale);
-        let error = filling.rows(&mut table, count).max(match exact {
-            None => divide(filling, &mut table),
-            Some(exact) => divide(Filling::new(exact, quantity, scale), &mut table),
-        });
+        let filling = Filling::new(curve, quantity, scale);
+        let error = filling.rows(&mut table, count).max(filling.divide_left_out(&mut table, MOST_ROWS_AND_PARTS));
         table.rows.shrink_to_fit();
         Self { table, scale, error }
     }
@@ -203,18 +187,6 @@ impl Compiled {
             }
         }
     }
-}
-
-/// Divides the rows that are left out into pieces, as far as there is room; the largest error of these.
-fn divide(mut filling: Filling<impl fill::Source>, table: &mut Table) -> f64 {
-    let mut worst = 0.0_f64;
-    for row in (0..table.row_count).rev() {
-        if table.rows[row].is_left_out() {
-            let room = MOST_ROWS_AND_PARTS - table.rows.len();
-            worst = worst.max(filling.divide(table, row, room));
-        }
-    }
-    worst
 }
 
 #[cfg(test)]

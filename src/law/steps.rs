@@ -22,9 +22,6 @@ const MOST_OF_THE_REST: f64 = 0.7;
 const WHOLE: f64 = 0.99;
 /// A kink nearer to the end than this part of what is left is at the end: contact with the lower end that breaks at once.
 const AT_END: f64 = 1e-9;
-/// Between more kinks than these hardly a row of the law would be smooth: panels that miss the curve are then kept,
-/// serve to find separations, and loads are evaluated exactly.
-const MOST_KINKS: usize = 240;
 /// Kinks nearer to each other than this, in sigma, or than this part of what is left of the branch, are bridged by a
 /// parabola, where there are more than a few: they are then those of a table of heights, and not the lower end of a density.
 const NEAREST_KINKS: f64 = 0.01;
@@ -35,7 +32,7 @@ const NEAREST_PART: f64 = 0.02;
 const NEAREST_DEEP_KINKS: f64 = 1e-6;
 /// The shortest panels, in sigma, and those near pull-off, where load may change steeply: what is then not resolved is
 /// evaluated exactly.
-const SHORTEST: f64 = 0.05;
+const SHORTEST: f64 = 0.02;
 const SHORTEST_AT_END: f64 = 5e-4;
 
 /// From one separation to another.
@@ -66,10 +63,8 @@ pub struct Steps {
     pub end: f64,
     at_pull_off: bool,
     shortest_at_end: f64,
-    /// The separations of the kinks at which panels end; none where there are too many.
+    /// The separations of the kinks at which panels end.
     pub kinks: Vec<f64>,
-    /// Whether panels end at all kinks.
-    pub resolved: bool,
     /// Those of them, among the heights, about which it is a non-integer power of the distance. Far below them loads do not
     /// tell the distance well enough.
     non_integer_powers: Vec<f64>,
@@ -80,11 +75,6 @@ pub struct Steps {
 impl Steps {
     pub fn new(branch: &Branch) -> Self {
         let population = branch.population();
-        let mut kinks = population.kinks();
-        let resolved = kinks.len() <= MOST_KINKS;
-        if !resolved {
-            kinks.clear();
-        }
         let end = match branch.pull_off() {
             Some(point) => point.separation,
             None => branch.farthest() - LEAST_OVERLAP,
@@ -102,8 +92,7 @@ impl Steps {
             end,
             at_pull_off: branch.pull_off().is_some(),
             shortest_at_end,
-            kinks,
-            resolved,
+            kinks: population.kinks(),
             non_integer_powers: population.kinks_of_lower_end().into_iter().filter(|&at| at >= deep).collect(),
             ends: Vec::new(),
         }
@@ -136,7 +125,7 @@ impl Steps {
             () if self.is_non_integer_power(to) => NonIntegerPower::AtEnd,
             () => NonIntegerPower::Nowhere,
         };
-        let is_shortest = self.positions.distance(from, to) < 1.5 * self.shortest(from, s);
+        let is_shortest = self.positions.distance(from, to) < self.shortest(from, s);
         Stretch { from, to, non_integer_power, is_bridge: false, is_shortest }
     }
 
@@ -194,7 +183,7 @@ impl Steps {
     /// Whether a panel that misses the curve by so many times the tolerance is kept, since it is good or cannot be
     /// shorter; if not, the next is its first half.
     pub fn keeps(&mut self, stretch: &Stretch, error: f64) -> bool {
-        let is_kept = error <= 1.0 || stretch.is_shortest || !self.resolved;
+        let is_kept = error <= 1.0 || stretch.is_shortest;
         if !is_kept {
             self.ends.push(self.positions.between(stretch.from, stretch.to, 0.0));
         } else if !stretch.is_bridge {
@@ -227,7 +216,6 @@ mod tests {
             at_pull_off: true,
             shortest_at_end: SHORTEST_AT_END,
             kinks: kinks.to_vec(),
-            resolved: true,
             non_integer_powers: Vec::new(),
             ends: Vec::new(),
         }
@@ -239,7 +227,7 @@ mod tests {
 
     /// Of a table of so many heights within a few sigma, with adhesion that reaches a small part of it.
     #[test]
-    fn kinks_are_kept_unless_they_are_too_many_and_panels_at_the_end_are_as_short_as_adhesion_reaches() {
+    fn panels_at_the_end_of_heights_are_as_short_as_adhesion_reaches() {
         for count in [5, 256] {
             let height: Vec<f64> = (0..count).map(f64::from).collect();
             let density: Vec<f64> = height.iter().map(|h| h * (f64::from(count - 1) - h)).collect();
@@ -251,9 +239,6 @@ mod tests {
             };
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
             let steps = Steps::new(&branch);
-            let kinks = branch.population().kinks();
-            assert_eq!(steps.resolved, count == 5, "{} kinks", kinks.len());
-            assert_eq!(steps.kinks, if count == 5 { &kinks[..] } else { &[] });
             let shortest = 0.01 * branch.population().range_of_adhesion();
             assert!(steps.shortest_at_end == shortest && shortest < SHORTEST_AT_END, "{shortest}");
         }
@@ -280,10 +265,10 @@ mod tests {
             halved += 1;
         }
         let length = panel.to - whole.to;
-        assert!(halved > 3 && length > 0.7 * SHORTEST && length < 1.5 * SHORTEST, "{halved} times to {length}");
+        assert!(halved > 3 && length > 0.5 * SHORTEST && length < SHORTEST, "{halved} times to {length}");
     }
 
-    /// At kinks and at the end, but over kinks next to each other; where they are too many, what misses the curve is kept.
+    /// At kinks and at the end, but over kinks next to each other.
     #[test]
     fn panels_end_where_the_curve_is_not_smooth() {
         let kinked = || steps(&[1.0, 1.005, 9.0, 10.0 - 1e-10]);
@@ -291,9 +276,6 @@ mod tests {
         assert_eq!(ends, [1.0, 9.0, 10.0]);
         let bridge = kinked().next(1.0, 10.0);
         assert!(bridge.is_bridge && bridge.to == 1.005);
-        let mut unresolved = Steps { resolved: false, ..steps(&[]) };
-        let stretch = unresolved.next(0.0, 10.0);
-        assert!(unresolved.keeps(&stretch, 1e9) && !unresolved.resolved);
     }
 
     #[test]

@@ -34,10 +34,10 @@ pub fn surfaces() -> Vec<Surface> {
         // Radii that grow steeply with height: as the end of a panel was hardly found, there were thousands.
         ([2.0908000435205257e-4, 1.4265824462018043e5, 1.6597859509616816e-3, 18.427013627578155],
          Heights::Gaussian, [0.8203125004656613, 78.08688986353269], false),
-        // The foot of the heights breaks away to the last bit: refused.
+        // The lower end of the heights breaks away to the last bit: refused.
         ([7.490515710136327e-4, 1.702468567705375e2, 2.9049239456449966e-7, 7.26576119649655e-2],
          Heights::weibull(1.2900835648769988), [0.0, 1.0], true),
-        // The foot breaks away to the last bit, where a step of Newton's method next to the fold led off the branch: refused.
+        // The lower end breaks away to the last bit, where a step of Newton's method next to the fold led off the branch: refused.
         ([2.567709565053962e-1, 3.0913118812920464e4, 3.1169292405082965e-3, 4.824691559451277],
          Heights::weibull(1.0298933394383276), [-6.823730422183871e-2, 1.249073904852301e-3], true),
         // The load has a minimum at which it presses, and one at which it pulls: was taken to have none.

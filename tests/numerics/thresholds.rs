@@ -62,7 +62,7 @@ fn attraction_ends_where_summits_are_too_round_for_it() {
     }
 }
 
-/// Where the foot of a power law attracts: a panel of its own.
+/// Where the lower end of a power law attracts: a panel of its own.
 #[test]
 fn the_foot_of_weibull_heights_attracts() {
     for (shape, epsilon) in [(1.3, 0.0), (1.3, 0.6), (2.2, -0.6)] {
@@ -177,7 +177,7 @@ fn separation_nears_that_of_pull_off_as_the_root_of_the_load() {
 
 /// The separations at which summits of a height lose contact or attraction, and where they pass a regime of slip, by
 /// bisection; in ascending order.
-fn passings(groups: &Groups, radius: &RadiusProfile, attract: bool, heights: &[f64]) -> Vec<f64> {
+fn kinks_of_heights(groups: &Groups, radius: &RadiusProfile, attract: bool, heights: &[f64]) -> Vec<f64> {
     let (slip, maugis) = (Params::default().slip, Maugis::new(groups));
     let mut passings = Vec::new();
     for &z in heights {
@@ -208,7 +208,7 @@ fn assert_has(found: &[f64], expected: &[f64]) {
     }
 }
 
-/// Where a knot of the density, or the foot of a power law, passes the end of attraction, of contact, or of a regime of slip.
+/// Where a knot of the density, or the lower end of a power law, passes the end of attraction, of contact, or of a regime of slip.
 #[test]
 fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
     let radius = RadiusProfile { amplitude: 0.4, rate: 0.7, origin: 0.0 };
@@ -222,9 +222,9 @@ fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
             let kinks = |heights: Arc<dyn HeightDistribution>| {
                 Population::new(&groups, slip, heights, radius, attract).expect("a population").kinks()
             };
-            assert_has(&kinks(table.clone()), &passings(&groups, &radius, attract, table.breakpoints()));
-            let foot = weibull.support().0;
-            assert_has(&kinks(weibull.clone()), &passings(&groups, &radius, attract, &[foot]));
+            assert_has(&kinks(table.clone()), &kinks_of_heights(&groups, &radius, attract, table.breakpoints()));
+            let lower_end = weibull.support().0;
+            assert_has(&kinks(weibull.clone()), &kinks_of_heights(&groups, &radius, attract, &[lower_end]));
         }
     }
 }

@@ -302,11 +302,11 @@ fn histogram(bins: usize, count: f64) -> HeightFamily {
 fn measured_histograms_of_many_bins_are_compiled() {
     let mut random = SplitMix(0xb15);
     for (bins, count, gamma, least) in [
-        (100, 2e4, 0.0, 0.8),
-        (100, 2e4, 0.003, 0.55),
-        (200, 1e5, 0.0, 0.5),
-        (250, 1e5, 0.0, 0.3),
-        (250, 1e6, 0.0, 0.3),
+        (100, 2e4, 0.0, 0.95),
+        (100, 2e4, 0.003, 0.68),
+        (200, 1e5, 0.0, 0.95),
+        (250, 1e5, 0.0, 0.95),
+        (250, 1e6, 0.0, 0.95),
     ] {
         let model = model(gamma, histogram(bins, count));
         let summary = model.summary();
