@@ -24,7 +24,7 @@ const WHOLE: f64 = 0.99;
 const AT_END: f64 = 1e-9;
 /// Kinks nearer to each other than this, in sigma, or than this part of what is left of the branch, are bridged by a
 /// parabola, where there are more than a few: they are then those of a table of heights, and not the lower end of a density.
-const NEAREST_KINKS: f64 = 0.01;
+const NEAREST_KINKS: f64 = 0.004;
 const FEW_KINKS: usize = 12;
 const NEAREST_PART: f64 = 0.02;
 /// Far below the heights: the part of the separation in which panels between two kinks have no digits left in
@@ -68,6 +68,8 @@ pub struct Steps {
     /// Those of them, among the heights, about which it is a non-integer power of the distance. Far below them loads do not
     /// tell the distance well enough.
     non_integer_powers: Vec<f64>,
+    /// Those before which alone it is.
+    powers_before: Vec<f64>,
     /// Where the next panels end, the nearest last: beyond the first are the other halves of those that missed the curve.
     ends: Vec<f64>,
 }
@@ -94,6 +96,8 @@ impl Steps {
             shortest_at_end,
             kinks: population.kinks(),
             non_integer_powers: population.kinks_of_lower_end().into_iter().filter(|&at| at >= deep).collect(),
+            // Next to pull-off itself no state is so near to it.
+            powers_before: population.kinks_of_break_away().into_iter().filter(|&at| at < end).collect(),
             ends: Vec::new(),
         }
     }
@@ -122,7 +126,7 @@ impl Steps {
         };
         let non_integer_power = match () {
             () if begins => NonIntegerPower::AtBegin,
-            () if self.is_non_integer_power(to) => NonIntegerPower::AtEnd,
+            () if self.is_non_integer_power(to) || self.powers_before.contains(&to) => NonIntegerPower::AtEnd,
             () => NonIntegerPower::Nowhere,
         };
         let is_shortest = self.positions.distance(from, to) < self.shortest(from, s);
@@ -217,6 +221,7 @@ mod tests {
             shortest_at_end: SHORTEST_AT_END,
             kinks: kinks.to_vec(),
             non_integer_powers: Vec::new(),
+            powers_before: Vec::new(),
             ends: Vec::new(),
         }
     }
@@ -301,6 +306,17 @@ mod tests {
         assert!(steps.keeps(&second, 0.9));
         let beyond = steps.next(1.0, 10.0);
         assert!(beyond.to < 5.0 && beyond.non_integer_power == NonIntegerPower::AtBegin);
+    }
+
+    /// Where a height of a table breaks away.
+    #[test]
+    fn panels_end_but_do_not_begin_at_a_non_integer_power_before_a_kink() {
+        let mut steps = Steps { powers_before: vec![1.0], ..steps(&[1.0, 1.5]) };
+        for (from, expected) in [(0.0, NonIntegerPower::AtEnd), (1.0, NonIntegerPower::Nowhere)] {
+            let panel = steps.next(from, 10.0);
+            assert_eq!(panel.non_integer_power, expected);
+            assert!(steps.keeps(&panel, 0.9));
+        }
     }
 
     #[test]

@@ -235,6 +235,13 @@ impl Population {
         lower_end.map_or(Vec::new(), |lower_end| self.kinks_of_height(lower_end))
     }
 
+    /// Those before which the sums are a non-integer power of the distance: summits break away where their load and radius
+    /// are a root of the overlap, or its power of 3/2, and breakpoints of the density pass that.
+    pub fn kinks_of_break_away(&self) -> Vec<f64> {
+        let edge = |&z: &f64| z - self.law.break_away(self.radius.factor(z)).overlap;
+        self.heights.breakpoints().iter().map(edge).collect()
+    }
+
     /// The separations at which smooth heights, from one end to the other in steps, pass overlaps far larger than heights
     /// differ by: over each step the sums are smooth.
     fn deep_kinks(&self) -> Vec<f64> {
