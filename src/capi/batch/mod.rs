@@ -95,8 +95,6 @@ unsafe fn one(
     load: f64,
     first_invalid: &mut Option<(usize, f64)>,
 ) {
-    #[cfg(test)]
-    tests::ASKED.set(tests::ASKED.get() + 1);
     let (value, slope) = quantity.at(model, load);
     if first_invalid.is_none() && (nan(value) || model.validate_load(load).is_err()) {
         *first_invalid = Some((index, load));
@@ -132,12 +130,6 @@ unsafe fn vectors(_: &Model, _: Quantity, _: Arrays, _: &mut Option<(usize, f64)
 mod tests {
     use super::*;
     use crate::params::Params;
-    use std::cell::Cell;
-
-    std::thread_local! {
-        /// How often the scalar call was asked for an element.
-        pub static ASKED: Cell<usize> = const { Cell::new(0) };
-    }
 
     type Path = unsafe fn(&Model, Quantity, Arrays, &mut Option<(usize, f64)>) -> usize;
 
@@ -213,39 +205,6 @@ mod tests {
                             assert!(is_same, "{name}, {quantity:?} at {load:e}: {both:?}, not {expected:?}");
                         }
                     }
-                }
-            }
-        }
-    }
-
-    /// The scalar call is asked for none of what a table and the loads beside it are known to answer.
-    #[test]
-    fn vectors_leave_no_load_to_the_scalar_call_that_a_divided_row_or_a_cap_answers() {
-        let model = Model::new(&Params::default()).expect("a model");
-        let pull_off = model.summary().pull_off_load;
-        let table = model.table(Tabulated::Friction);
-        let divided = (0..table.row_count).find(|&row| table.rows[row].is_link()).expect("a row with a kink");
-        let (begin, end) = (table.begin_of(divided), table.begin_of(divided + 1));
-        let mut loads: Vec<f64> = (0..1024).map(|i| pull_off + begin + (end - begin) * f64::from(i) / 1024.0).collect();
-        // Where the kink is parts are parts of parts.
-        let kink = begin * (1.0 + table.rows[divided].0[2]);
-        loads.extend((0..1024).map(|i| kink * (1.0 + 3e-6 * f64::from(i))));
-        // Beside others, and in vectors of their own.
-        for i in (0..1024).step_by(3) {
-            loads[i] = [0.0, -0.0, 0.5 * pull_off, 2.0 * pull_off, 1.0, 1e-30][i % 6];
-        }
-        loads.extend([0.0; 40].iter().chain(&[2.0 * pull_off; 40]));
-        let mut value = vec![0.0; loads.len()];
-        let mut slope = value.clone();
-        let arrays =
-            Arrays { n: loads.len(), load: loads.as_ptr(), value: value.as_mut_ptr(), slope: slope.as_mut_ptr() };
-        for (name, path) in paths() {
-            for quantity in [Quantity::Coefficient, Quantity::Force] {
-                for slope in [arrays.slope, std::ptr::null_mut()] {
-                    ASKED.set(0);
-                    // SAFETY: the arrays have so many elements.
-                    unsafe { path(&model, quantity, Arrays { slope, ..arrays }, &mut None) };
-                    assert_eq!(ASKED.get(), 0, "{name}, {quantity:?}");
                 }
             }
         }
