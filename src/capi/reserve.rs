@@ -12,8 +12,9 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::panic::{catch_unwind, resume_unwind, AssertUnwindSafe};
 
-/// Bytes set aside: more than any call takes. `tests/harden/out_of_memory.c` has models made of nothing else.
-const SIZE: usize = 1 << 21;
+/// Bytes set aside: more than any call takes. A table of 256 heights takes half of it; `tests/harden/out_of_memory.c` has models
+/// made of nothing else.
+const SIZE: usize = 1 << 23;
 const WHOLE: Layout = match Layout::from_size_align(SIZE, 64) {
     Ok(layout) => layout,
     Err(_) => panic!("a layout"),
