@@ -20,7 +20,7 @@ struct Units {
     burgers_vector: RangeInclusive<f64>,
     /// Gels have some kPa.
     softest: (f64, &'static str),
-    /// Diamond has 6e11 Pa.
+    /// Diamond has 6e11 Pa; rigid bodies may be given a thousand times that.
     stiffest: (f64, &'static str),
     /// Diamond takes some 11 J/m^2 to cleave.
     strongest_adhesion: (f64, &'static str),
@@ -36,7 +36,7 @@ const UNITS: [Units; 2] = [
     Units {
         burgers_vector: 1e-10..=1e-9,
         softest: (1e3, "must be at least 1000 Pa where burgers_vector is in m; is it in GPa?"),
-        stiffest: (1e13, "must be at most 1e13 Pa where burgers_vector is in m; has it a factor of 1e9 too many?"),
+        stiffest: (1e16, "must be at most 1e16 Pa where burgers_vector is in m; has it a factor of 1e9 too many?"),
         strongest_adhesion: (20.0, "must be at most 20 J/m^2 where burgers_vector is in m; is it in mJ/m^2?"),
         widest_summit: (0.1, "must be at most 0.1 m where burgers_vector is in m; is it in um?"),
         fewest_summits: (

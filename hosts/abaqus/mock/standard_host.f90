@@ -12,8 +12,9 @@ program standard_host
 
   integer, parameter :: STICKING_OR_SLIPPING = 0, OPEN = 2
   real(c_double), parameter :: STIFFNESS = 2e5_c_double   ! of sticking [MPa/mm]
-  ! The law holds for the surfaces up to here, for the first from the lightest pressure on [MPa].
-  real(c_double), parameter :: LIGHTEST = 0.01_c_double, HEAVIEST(2) = [50.0_c_double, 0.8_c_double]
+  ! Between these pressures the law holds for the surfaces [MPa]: below, few summits of the first touch, and adhesion presses
+  ! those of the second together.
+  real(c_double), parameter :: LIGHTEST(2) = [0.01_c_double, 2e-4_c_double], HEAVIEST(2) = [50.0_c_double, 0.8_c_double]
   real(c_double), parameter :: ANY_PRESSURE(1) = 1
   external :: uexternaldb, ask_fric_coef
   real(c_double) :: time(2), mu(1), slope(1)
@@ -31,8 +32,8 @@ program standard_host
   case ('stiffness')
     call slide_once(-1d0)
   case default
-    call check_pressures(1, LIGHTEST, HEAVIEST(1))
-    call check_pressures(2, 0d0, HEAVIEST(2))
+    call check_pressures(1, LIGHTEST(1), HEAVIEST(1))
+    call check_pressures(2, LIGHTEST(2), HEAVIEST(2))
     call coefficients
     call tractions
     call tangents
