@@ -67,7 +67,7 @@ pub fn rounds_to_nearest() -> bool {
     true
 }
 
-#[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
+#[cfg(all(any(target_arch = "x86_64", target_arch = "x86"), not(miri)))]
 mod registers {
     use std::arch::asm;
 
@@ -91,7 +91,7 @@ mod registers {
     }
 }
 
-#[cfg(target_arch = "aarch64")]
+#[cfg(all(target_arch = "aarch64", not(miri)))]
 mod registers {
     use std::arch::asm;
 
@@ -112,7 +112,7 @@ mod registers {
     }
 }
 
-#[cfg(target_arch = "riscv64")]
+#[cfg(all(target_arch = "riscv64", not(miri)))]
 mod registers {
     use std::arch::asm;
 
@@ -130,9 +130,9 @@ mod registers {
     }
 }
 
-#[cfg(target_family = "wasm")]
+#[cfg(any(target_family = "wasm", miri))]
 mod registers {
-    /// Nothing traps, no flag is set, and there is only rounding to nearest.
+    /// Nothing traps, no flag is set, and there is only rounding to nearest. So it is in Miri, which runs no assembly.
     pub struct Registers;
     pub const OWN: Registers = Registers;
 
@@ -146,7 +146,8 @@ mod registers {
     target_arch = "x86",
     target_arch = "aarch64",
     target_arch = "riscv64",
-    target_family = "wasm"
+    target_family = "wasm",
+    miri
 )))]
 mod registers {
     use std::ffi::c_int;

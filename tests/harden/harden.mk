@@ -66,7 +66,7 @@ memory:
 
 races:
 	CARGO_TARGET_DIR=$(TARGET)/races RUSTFLAGS=-Zsanitizer=thread $(LOW) $(NIGHTLY) test -Zbuild-std --target $(HOST) \
-	    --profile mutants --locked --test c_api threads_that_share
+	    --profile mutants --locked --test c_api threads_that_share -- --skip programs::
 
 miri:
 	for aliasing in "" -Zmiri-tree-borrows; do \
