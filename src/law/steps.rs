@@ -104,22 +104,19 @@ impl Steps {
 
     /// What comes next after a separation, at which the coordinate of the curve is `s`.
     pub fn next(&mut self, from: f64, s: f64) -> Stretch {
-        let rest = self.end - from;
         let begins = self.is_non_integer_power(from);
         let to = match self.ends.last() {
             Some(&half) => half,
             None => {
-                let kink = self.kink_after(from).filter(|&kink| self.end - kink > AT_END * rest);
+                let kink = self.kink_after(from).filter(|&kink| self.end - kink > AT_END * (self.end - from));
                 let ends = kink.is_some_and(|kink| self.is_non_integer_power(kink));
                 let is_near = |kink: f64| kink - from < self.nearest_kink(from);
                 if let Some(to) = kink.filter(|&kink| is_near(kink) && !(begins || ends)) {
                     return Stretch::bridge(from, to);
                 }
-                let border = (self.is_deep(from) && self.deep < self.end).then_some(self.deep);
                 // A panel has room for one non-integer power.
                 let halfway = kink.filter(|_| begins && ends).map(|kink| 0.5 * (from + kink));
-                let stop = [kink, border, halfway].into_iter().flatten().fold(self.end, f64::min);
-                let to = self.longest(from, s, stop);
+                let to = self.longest(from, s, halfway.or(kink));
                 self.ends.push(to);
                 to
             }
@@ -158,8 +155,10 @@ impl Steps {
         nearest.max(NEAREST_DEEP_KINKS * (self.deep - from))
     }
 
-    /// Where the longest panel from a separation ends, at a stop at the latest.
-    fn longest(&self, from: f64, s: f64, stop: f64) -> f64 {
+    /// Where the longest panel from a separation ends, at a kink at the latest.
+    fn longest(&self, from: f64, s: f64, kink: Option<f64>) -> f64 {
+        let border = (self.is_deep(from) && self.deep < self.end).then_some(self.deep);
+        let stop = [kink, border].into_iter().flatten().fold(self.end, f64::min);
         let part = match self.at_pull_off {
             false => MOST_OF_THE_REST,
             true if s <= LONGEST_LAST => 1.0,

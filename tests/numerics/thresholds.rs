@@ -64,7 +64,7 @@ fn attraction_ends_where_summits_are_too_round_for_it() {
 
 /// Where the lower end of a power law attracts: a panel of its own.
 #[test]
-fn the_foot_of_weibull_heights_attracts() {
+fn the_lower_end_of_weibull_heights_attracts() {
     for (shape, epsilon) in [(1.3, 0.0), (1.3, 0.6), (2.2, -0.6)] {
         let surface = Surface {
             alpha: 0.01,
@@ -179,12 +179,12 @@ fn separation_nears_that_of_pull_off_as_the_root_of_the_load() {
 /// bisection; in ascending order.
 fn kinks_of_heights(groups: &Groups, radius: &RadiusProfile, attract: bool, heights: &[f64]) -> Vec<f64> {
     let (slip, maugis) = (Params::default().slip, Maugis::new(groups));
-    let mut passings = Vec::new();
+    let mut kinks = Vec::new();
     for &z in heights {
         let g = radius.factor(z);
         let edge = maugis.break_away(g);
-        passings.push(z - edge.overlap);
-        passings.extend(attract.then(|| z + groups.reach()));
+        kinks.push(z - edge.overlap);
+        kinks.extend(attract.then(|| z + groups.reach()));
         for kink in [slip.radius_1, slip.radius_2].into_iter().filter(|&kink| kink > edge.radius) {
             let (mut lower, mut upper) = (edge.overlap, 1e6);
             for _ in 0..200 {
@@ -192,11 +192,11 @@ fn kinks_of_heights(groups: &Groups, radius: &RadiusProfile, attract: bool, heig
                 let contact = maugis.at_overlap(middle, g, maugis.guess(middle, g));
                 *(if contact.radius < kink { &mut lower } else { &mut upper }) = middle;
             }
-            passings.push(z - lower);
+            kinks.push(z - lower);
         }
     }
-    passings.sort_by(f64::total_cmp);
-    passings
+    kinks.sort_by(f64::total_cmp);
+    kinks
 }
 
 /// Also where the law is summed far below the heights, where kinks are more.

@@ -1,7 +1,7 @@
 //! Four lanes: AVX2.
 
 use super::lanes::{self, inlined, Lanes};
-use super::{Arrays, Quantity};
+use super::{Arrays, FirstInvalid, Quantity};
 use crate::law::Row;
 use crate::model::Model;
 use std::arch::x86_64::*;
@@ -9,12 +9,7 @@ use std::ptr;
 
 /// Evaluates all full vectors; returns how many elements they are.
 #[target_feature(enable = "avx2")]
-pub unsafe fn evaluate(
-    model: &Model,
-    quantity: Quantity,
-    arrays: Arrays,
-    first_invalid: &mut Option<(usize, f64)>,
-) -> usize {
+pub unsafe fn evaluate(model: &Model, quantity: Quantity, arrays: Arrays, first_invalid: &mut FirstInvalid) -> usize {
     lanes::evaluate::<__m256d>(model, quantity, arrays, first_invalid)
 }
 

@@ -1,6 +1,6 @@
 //! The vector form of the law, written once for any number of lanes.
 
-use super::{one, Arrays, Quantity};
+use super::{one, Arrays, FirstInvalid, Quantity};
 use crate::law::{Row, Table, COEFFICIENTS, DIVISIONS, OFFSET};
 use crate::model::{Known, Model};
 use std::mem::{size_of, MaybeUninit};
@@ -138,7 +138,7 @@ pub unsafe fn evaluate<L: Lanes>(
     model: &Model,
     quantity: Quantity,
     arrays: Arrays,
-    first_invalid: &mut Option<(usize, f64)>,
+    first_invalid: &mut FirstInvalid,
 ) -> usize {
     match (quantity == Quantity::Coefficient, !arrays.slope.is_null()) {
         (false, false) => evaluate_as::<L, false, false>(model, quantity, arrays, first_invalid),
@@ -154,7 +154,7 @@ unsafe fn evaluate_as<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
     model: &Model,
     quantity: Quantity,
     arrays: Arrays,
-    first_invalid: &mut Option<(usize, f64)>,
+    first_invalid: &mut FirstInvalid,
 ) -> usize {
     let table = model.table(quantity.tabulated());
     let cap = model.params().max_friction_coefficient;
@@ -259,7 +259,7 @@ unsafe fn write_and_ask<L: Lanes, const SLOPE: bool>(
     quantity: Quantity,
     arrays: Arrays,
     i: usize,
-    first_invalid: &mut Option<(usize, f64)>,
+    first_invalid: &mut FirstInvalid,
 ) {
     let (slow, apart) = (L::lanes_of(answers.slow), L::lanes_of(answers.apart));
     if slow == 0 && (apart == 0 || first_invalid.is_some()) {

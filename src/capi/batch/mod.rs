@@ -69,6 +69,9 @@ pub struct Arrays {
     pub slope: *mut f64,
 }
 
+/// The first load of a batch that has no answer, and its index.
+pub type FirstInvalid = Option<(usize, f64)>;
+
 /// Fills all elements, then reports the first invalid load.
 ///
 /// # Safety
@@ -93,7 +96,7 @@ unsafe fn one(
     arrays: Arrays,
     index: usize,
     load: f64,
-    first_invalid: &mut Option<(usize, f64)>,
+    first_invalid: &mut FirstInvalid,
 ) {
     let (value, slope) = quantity.at(model, load);
     if first_invalid.is_none() && (nan(value) || model.validate_load(load).is_err()) {
@@ -105,12 +108,7 @@ unsafe fn one(
 
 /// As many elements as fill vectors; how many those are.
 #[cfg(target_arch = "x86_64")]
-unsafe fn vectors(
-    model: &Model,
-    quantity: Quantity,
-    arrays: Arrays,
-    first_invalid: &mut Option<(usize, f64)>,
-) -> usize {
+unsafe fn vectors(model: &Model, quantity: Quantity, arrays: Arrays, first_invalid: &mut FirstInvalid) -> usize {
     #[cfg(has_avx512)]
     if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
         return avx512::evaluate(model, quantity, arrays, first_invalid);
@@ -122,7 +120,7 @@ unsafe fn vectors(
 }
 
 #[cfg(not(target_arch = "x86_64"))]
-unsafe fn vectors(_: &Model, _: Quantity, _: Arrays, _: &mut Option<(usize, f64)>) -> usize {
+unsafe fn vectors(_: &Model, _: Quantity, _: Arrays, _: &mut FirstInvalid) -> usize {
     0
 }
 
@@ -131,7 +129,7 @@ mod tests {
     use super::*;
     use crate::params::Params;
 
-    type Path = unsafe fn(&Model, Quantity, Arrays, &mut Option<(usize, f64)>) -> usize;
+    type Path = unsafe fn(&Model, Quantity, Arrays, &mut FirstInvalid) -> usize;
 
     /// The paths of this processor that take whole vectors.
     fn paths() -> Vec<(&'static str, Path)> {
