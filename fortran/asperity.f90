@@ -50,6 +50,9 @@ module asperity
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ATOMIC = 8   ! contacts too small for continuum mechanics
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW = 16     ! too few contacts for a mean over surfaces
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ADHESIVE = 32 ! adhesion presses with more than the load
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_UNCALIBRATED = 64 ! the strength is a default that nobody measured
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_BROAD = 128 ! a bandwidth above 6
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_STRONG = 256 ! stronger than the softer body
 
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1     ! compare with asperity_table%layout_version
 
@@ -73,9 +76,9 @@ module asperity
     real(c_double) :: radius_amplitude            ! epsilon [-], -1 to 1: how much the radius grows with height
     real(c_double) :: radius_rate                 ! rho [-], > 0: how fast it does
     real(c_double) :: slip_radius_1               ! a_1/b [-], > 0: shear strength is slip_stress_1 up to this radius
-    real(c_double) :: slip_stress_1               ! tau_1/G* [-], > 0
+    real(c_double) :: slip_stress_1               ! tau_1/G* [-], > 0 and at most 1; 0 where kappa > 0
     real(c_double) :: slip_radius_2               ! a_2/b [-], > slip_radius_1: it is slip_stress_2 from this one on
-    real(c_double) :: slip_stress_2               ! tau_2/G* [-], > 0
+    real(c_double) :: slip_stress_2               ! tau_2/G* [-], > 0 and at most 1; 0 where kappa > 0
     real(c_double) :: max_friction_coefficient    ! cap on every coefficient returned [-], > 0; infinity allowed
     real(c_double) :: skew                        ! of the heights [-]; read only for ASPERITY_HEIGHTS_JOHNSON
     real(c_double) :: kurtosis                    ! of the heights [-], > skew**2 + 1; read only for those
@@ -89,11 +92,14 @@ module asperity
     real(c_double) :: nominal_area                ! [length^2], >= 0: what warnings compare the real area with; 0: not known
     integer(c_int32_t) :: contact_law             ! one of ASPERITY_CONTACT_
     integer(c_int32_t) :: reserved                ! 0
+    real(c_double) :: pressure_coefficient        ! kappa [-], >= 0: a contact's friction is pi a**2 tau(a) + kappa P_H, P_H
+                                                  ! the load of Hertz' contact of its radius; 0: strength does not grow
+    real(c_double) :: bandwidth                   ! Nayak's m0 m4/m2**2 of the surface [-], >= 1.5; 0: not known
   end type asperity_params
 
   ! The exact state of the contact, in the units of the parameters.
   type, bind(c), public :: asperity_state
-    integer(c_int64_t) :: struct_size = 192       ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 224       ! bytes of this type; leave it
     real(c_double) :: load                        ! P [force]; negative pulls
     real(c_double) :: separation                  ! d [length], flat to mean of the summit heights
     real(c_double) :: friction_force              ! F [force]
@@ -117,6 +123,11 @@ module asperity
     real(c_double) :: tangential_stiffness        ! K_t [force/length], while all contacts stick
     real(c_double) :: fraction_elastic            ! fraction of the contacts below first yield [-]
     real(c_double) :: fraction_flowing            ! fraction of the contacts that are fully plastic [-]
+    real(c_double) :: contact_radius_sum          ! sum of the radii of all contacts [length]
+    real(c_double) :: hertz_load                  ! sum of the loads of Hertz' contacts of the same radii [force]
+    real(c_double) :: friction_scatter            ! standard deviation over mean of F among nominally equal contacts [-];
+                                                  ! 0 if asperity_count is 1
+    real(c_double) :: friction_bias               ! mean F of those over friction_force, less 1 [-]; 0 if asperity_count is 1
   end type asperity_state
 
   ! Constants of a model, in the units of the parameters.
@@ -161,9 +172,9 @@ module asperity
   end type asperity_table
 
   ! What the friction force F at constant load changes by with each parameter p: d(ln F)/d(ln p), but d(ln F)/dp for
-  ! radius_amplitude and skew [-]. 0 for a parameter that the model does not read.
+  ! radius_amplitude, skew and pressure_coefficient [-]. 0 for a parameter that the model does not read.
   type, bind(c), public :: asperity_sensitivities
-    integer(c_int64_t) :: struct_size = 152       ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 160       ! bytes of this type; leave it
     real(c_double) :: composite_modulus           ! to E*
     real(c_double) :: effective_shear_modulus     ! to G*: 1
     real(c_double) :: work_of_adhesion            ! to w; 0 where w is 0
@@ -182,6 +193,7 @@ module asperity
     real(c_double) :: skew                        ! d(ln F)/d(skew) at this kurtosis; 0 unless heights are Johnson's
     real(c_double) :: kurtosis                    ! at this skew; 0 unless heights are Johnson's
     real(c_double) :: hardness                    ! to H; 0 where contacts are elastic
+    real(c_double) :: pressure_coefficient        ! d(ln F)/d(kappa), also where kappa is 0
   end type asperity_sensitivities
 
   ! What is known of a material, in SI units; 0 is what no source is known for.
@@ -383,6 +395,16 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_params_set_pair
 
+    ! Scales slip_stress_1 and slip_stress_2 by one factor, so that the friction force at this load is the one that was
+    ! measured. Call it last, with the surfaces of the measurement; pressure_coefficient stays as it is.
+    function asperity_params_calibrate(params, load, friction_force) result(status) bind(c)
+      import :: asperity_params, c_double, c_int32_t
+      type(asperity_params), intent(inout) :: params      ! all set; untouched on failure
+      real(c_double), intent(in), value :: load           ! of the measurement [force], a total over asperity_count
+      real(c_double), intent(in), value :: friction_force ! measured at that load [force], > 0: coefficient times load
+      integer(c_int32_t) :: status
+    end function asperity_params_calibrate
+
     ! Makes a model; free it with asperity_free.
     function asperity_create(params, model) result(status) bind(c)
       import :: asperity_params, c_int32_t, c_ptr
@@ -515,6 +537,24 @@ module asperity
       type(c_ptr) :: text
     end function asperity_warning_string
 
+    ! What warnings say, a line for each; asperity_warning_text is easier.
+    function asperity_warnings_text(warnings, buffer, length) result(whole) bind(c)
+      import :: c_int64_t, c_ptr, c_size_t
+      integer(c_int64_t), intent(in), value :: warnings
+      type(c_ptr), intent(in), value :: buffer            ! length characters, or c_null_ptr
+      integer(c_size_t), intent(in), value :: length
+      integer(c_size_t) :: whole                          ! without the c_null_char
+    end function asperity_warnings_text
+
+    ! Between which loads of the table [force] a warning holds; NaN if it holds at none.
+    function asperity_warning_loads(model, warning, lightest, heaviest) result(status) bind(c)
+      import :: c_double, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      integer(c_int64_t), intent(in), value :: warning    ! one bit ASPERITY_WARNING_
+      type(c_ptr), intent(in), value :: lightest, heaviest ! c_loc of a real(c_double) each; untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_warning_loads
+
     ! Single summits, each at an overlap. Every element is filled, then the first invalid one reported.
     function asperity_summits_at_overlaps(model, n, overlap, height, load, force, radius) result(status) bind(c)
       import :: c_int32_t, c_ptr, c_size_t
@@ -609,14 +649,14 @@ module asperity
   public :: asperity_params_init, asperity_params_init_sized, asperity_params_init_unset
   public :: asperity_params_init_unset_sized, asperity_params_set_dimensionless
   public :: asperity_params_set_materials, asperity_params_set_spectral_moments, asperity_params_set_nayak_summits
-  public :: asperity_params_set_skew
+  public :: asperity_params_set_skew, asperity_params_calibrate
   public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
   public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
   public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
   public :: asperity_sensitivities_at_load
-  public :: asperity_check_loads, asperity_warning_string
+  public :: asperity_check_loads, asperity_warning_string, asperity_warnings_text, asperity_warning_loads
   public :: asperity_summits_at_overlaps
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
   public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
@@ -718,6 +758,12 @@ module asperity
     ! call law%sensitivities_at_load(load, sensitivities [, stat] [, errmsg])    what F at a load [force] changes by
     !   sensitivities  type(asperity_sensitivities), intent(inout); as it was on failure
     procedure, public :: sensitivities_at_load => model_sensitivities_at_load
+
+    ! call law%warning_loads(warning, lightest, heaviest [, stat] [, errmsg])
+    !   warning             integer(c_int64_t), intent(in): one bit ASPERITY_WARNING_
+    !   lightest, heaviest  real(c_double), intent(inout) [force]: between which loads of the table it holds; NaN if it holds at
+    !                       none; as they were on failure
+    procedure, public :: warning_loads => model_warning_loads
 
     ! call law%check_loads(lightest, heaviest, warnings [, stat] [, errmsg])
     !   lightest, heaviest  real(c_double), intent(in) [force]
@@ -991,11 +1037,19 @@ contains
     text = fortran_text(asperity_status_string(status))
   end function asperity_status_text
 
-  ! What one bit of warnings says: what fails and what to do about it.
+  ! What warnings say, a line for each: what fails and what to do about it.
   function asperity_warning_text(warning) result(text)
     integer(c_int64_t), intent(in) :: warning
     character(:), allocatable :: text
-    text = fortran_text(asperity_warning_string(warning))
+    character(kind=c_char), allocatable, target :: buffer(:)
+    integer :: i, length
+    length = int(asperity_warnings_text(warning, c_null_ptr, 0_c_size_t))
+    allocate(buffer(length + 1))
+    length = int(asperity_warnings_text(warning, c_loc(buffer), size(buffer, kind=c_size_t)))
+    allocate(character(length) :: text)
+    do i = 1, length
+      text(i:i) = buffer(i)
+    end do
   end function asperity_warning_text
 
   ! The version of the library loaded, 'major.minor.patch'.
@@ -1115,6 +1169,16 @@ contains
     if (.not. is_created(self, stat, errmsg)) return
     call report(asperity_sensitivities_at_load(self%handle, load, sensitivities), stat, errmsg)
   end subroutine model_sensitivities_at_load
+
+  subroutine model_warning_loads(self, warning, lightest, heaviest, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    integer(c_int64_t), intent(in) :: warning
+    real(c_double), intent(inout), target :: lightest, heaviest
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. is_created(self, stat, errmsg)) return
+    call report(asperity_warning_loads(self%handle, warning, c_loc(lightest), c_loc(heaviest)), stat, errmsg)
+  end subroutine model_warning_loads
 
   subroutine model_check_loads(self, lightest, heaviest, warnings, stat, errmsg)
     class(friction_model), intent(in), target :: self

@@ -135,7 +135,7 @@
 
 /**
  * Bit of `warnings`: summits do not act alone. Set if more than 10 % of them touch, or if the real area is more than 10 %
- * of `nominal_area`, where that is given.
+ * of `nominal_area`, where that is given; never if `asperity_count` is 1.
  */
 #define ASPERITY_WARNING_CROWDED 2
 
@@ -157,10 +157,29 @@
 #define ASPERITY_WARNING_FEW 16
 
 /**
- * Bit of `warnings`: adhesion presses the surfaces together with more than the load. Set if the load is below the magnitude
- * of the pull-off load; never if `asperity_count` is 1, as for single summits.
+ * Bit of `warnings`: adhesion presses the surfaces together with more than the load. Set if `hertz_load` is more than twice
+ * the load; never if `asperity_count` is 1, as for single summits.
  */
 #define ASPERITY_WARNING_ADHESIVE 32
+
+/**
+ * Bit of `warnings`: the strength of the interface is the default, which nobody measured for these surfaces. Set while slip
+ * radii and stresses are the defaults and `pressure_coefficient` is 0; never if `asperity_count` is 1. Against measurements the
+ * default errs from 1/200 to 36 times: call `asperity_params_calibrate`.
+ */
+#define ASPERITY_WARNING_UNCALIBRATED 64
+
+/**
+ * Bit of `warnings`: the surface is rough on so many scales that summits stand on summits. Set if Nayak's bandwidth is above 6:
+ * that given as `bandwidth`, or that of so many summits on `nominal_area`.
+ */
+#define ASPERITY_WARNING_BROAD 128
+
+/**
+ * Bit of `warnings`: the interface would be stronger than the softer body, which shears at H/(3 sqrt 3). Set if the slip stress
+ * at the mean contact radius is larger; never without a hardness.
+ */
+#define ASPERITY_WARNING_STRONG 256
 
 /**
  * Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
@@ -252,7 +271,8 @@ typedef struct asperity_params {
    */
   double slip_radius_1;
   /**
-   * tau_1/G* > 0; 1/43 by default.
+   * tau_1/G*, > 0 and at most 1; 1/43 by default, which nobody measured for your interface: see
+   * `asperity_params_calibrate`.
    */
   double slip_stress_1;
   /**
@@ -260,7 +280,7 @@ typedef struct asperity_params {
    */
   double slip_radius_2;
   /**
-   * tau_2/G* > 0; 1/1290 by default. tau_2 a_2^2 must not be below tau_1 a_1^2.
+   * tau_2/G*, > 0 and at most 1; 1/1290 by default. tau_2 a_2^2 must not be below tau_1 a_1^2.
    */
   double slip_stress_2;
   /**
@@ -315,6 +335,17 @@ typedef struct asperity_params {
    * Must be 0, the default.
    */
   int32_t reserved;
+  /**
+   * kappa >= 0, the pressure coefficient of the interface: a contact's friction force is pi a^2 tau(a) + kappa P_H, where P_H is
+   * the load of Hertz' contact of its radius, the load and what adhesion adds to it. Boundary films have 0.02 to 0.2. 0, the
+   * default, is a strength that does not grow with pressure. Where it is > 0, both slip stresses may be 0: Amontons' law.
+   */
+  double pressure_coefficient;
+  /**
+   * Nayak's bandwidth m0 m4/m2^2 of the surface, at least 1.5, with which warnings judge whether summits act alone.
+   * `asperity_params_set_spectral_moments` sets it. 0, the default, means not known: `nominal_area` then tells it.
+   */
+  double bandwidth;
 } asperity_params;
 
 /**
@@ -508,6 +539,25 @@ typedef struct asperity_state {
    * Fraction of the contacts that are fully plastic.
    */
   double fraction_flowing;
+  /**
+   * Sum of the radii of all contacts [length]: their constriction conductance, thermal or electrical, is 2 k times it,
+   * 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies, where contacts are independent.
+   */
+  double contact_radius_sum;
+  /**
+   * Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
+   */
+  double hertz_load;
+  /**
+   * Standard deviation of the friction force over its mean, among nominally equal contacts under this load, from the number of
+   * contacts; 0 if `asperity_count` is 1.
+   */
+  double friction_scatter;
+  /**
+   * Mean friction force of nominally equal contacts under this load, over `friction_force`, less 1; 0 if `asperity_count`
+   * is 1.
+   */
+  double friction_bias;
 } asperity_state;
 
 /**
@@ -650,8 +700,8 @@ typedef struct asperity_table {
 
 /**
  * What the friction force F at constant load changes by with each parameter p, the others as they are: d(ln F)/d(ln p),
- * the percentage by which F changes for each percent of p. For `radius_amplitude` and `skew`, which may be 0 or negative, it
- * is d(ln F)/dp. 0 for a parameter that the model does not read.
+ * the percentage by which F changes for each percent of p. For `radius_amplitude`, `skew` and `pressure_coefficient`,
+ * which may be 0, it is d(ln F)/dp. 0 for a parameter that the model does not read.
  *
  * A friction coefficient changes as F does, since the load is constant.
  */
@@ -733,6 +783,10 @@ typedef struct asperity_sensitivities {
    * To H; 0 where contacts are elastic.
    */
   double hardness;
+  /**
+   * To kappa: d(ln F)/d(kappa), also where kappa is 0.
+   */
+  double pressure_coefficient;
 } asperity_sensitivities;
 
 #ifdef __cplusplus
@@ -969,9 +1023,11 @@ asperity_status asperity_params_set_value(struct asperity_params *params,
 /**
  * Sets parameters by their names, in any order, all or none.
  *
- * The names are those of the fields of `asperity_params` that are one number, and of two setters: `E1`, `nu1`, `E2` and
+ * The names are those of the fields of `asperity_params` that are one number, and of setters: `E1`, `nu1`, `E2` and
  * `nu2` together are `asperity_params_set_materials`; `m0`, `m2` and `m4` together, with a `nominal_area` that is given
- * here or earlier, are `asperity_params_set_spectral_moments`. A field is set after them and as it is: what it may be is
+ * here or earlier, are `asperity_params_set_spectral_moments`; `Ra` may stand for `m0`, which is pi/2 Ra^2 for Gaussian heights.
+ * `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force` is `asperity_params_calibrate`, and
+ * comes last. A field is set after them and as it is: what it may be is
  * for `asperity_create` to say.
  *
  * Three names choose the heights: `weibull_shape` Weibull's, `kurtosis` Johnson's. `skew` is that of Johnson's heights if
@@ -1087,6 +1143,29 @@ const char *asperity_pair_name(size_t index);
  */
 asperity_status asperity_params_set_pair(struct asperity_params *params,
                                          const char *name);
+
+/**
+ * Sets the strength of the interface from one measured point: scales `slip_stress_1` and `slip_stress_2` by one factor, so that
+ * the friction force at this load is the one measured.
+ *
+ * The strength decides the friction, and no model predicts it: it is that of films, oxides and whatever else covers the
+ * surfaces. Measure the friction of your pair once, on surfaces and at a load that you know, give these surfaces in `params`, and
+ * call this last. What changes with load, area, roughness and adhesion is then the model's. `pressure_coefficient` stays as it is.
+ *
+ * It makes one model and asks one exact state of it: milliseconds.
+ *
+ * @param params          all parameters of the surfaces that were measured; must not be NULL; untouched on failure
+ * @param load            normal load of the measurement [force], a total over `asperity_count`
+ * @param friction_force  friction force measured at that load [force], > 0: the coefficient of friction times the load
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a force that no strength gives: the message has
+ *         the numbers; a parameter that `asperity_create` refuses), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+ *         `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+ *
+ * Threads: any, on different structs.
+ */
+asperity_status asperity_params_calibrate(struct asperity_params *params,
+                                          double load,
+                                          double friction_force);
 
 /**
  * Makes a model: checks the parameters, finds the pull-off load, compiles the law.
@@ -1302,6 +1381,10 @@ double asperity_shear_stress_at_pressure(const struct asperity_model *model,
  * stick creeps instead, more slowly for a smaller `transition_rate`. Friction opposes slip: apply the force with the
  * sign opposite to the slip rate of the body on which it acts.
  *
+ * Which `transition_rate`: below a third of the slowest sliding speed that counts, where friction is 0.5 % low. A contact
+ * held against a tangential force T creeps with transition_rate artanh(T/F): keep that below the creep that you allow. Explicit
+ * steps h of a mass m stop without a change of sign where transition_rate >= F h/m, and oscillate below half of that.
+ *
  * @param model              a model
  * @param load               normal load [force]
  * @param slip_rate          tangential velocity [length/time], signed
@@ -1451,6 +1534,41 @@ asperity_status asperity_check_loads(const struct asperity_model *model,
  * Threads: any.
  */
 const char *asperity_warning_string(uint64_t warning);
+
+/**
+ * Between which loads of the compiled table a warning holds.
+ *
+ * It looks at some hundred exact states, in milliseconds: for the start of a run, not for its inner loop.
+ *
+ * @param model     must not be NULL
+ * @param warning   one bit `ASPERITY_WARNING_...`
+ * @param lightest  receives the lightest load of the table at which it holds [force], NaN if it holds at none; must not be NULL;
+ *                  untouched on failure
+ * @param heaviest  receives the heaviest [force], likewise
+ * @return `ASPERITY_OK`, also if it holds nowhere; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`warning` is not one
+ *         known bit), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+ *
+ * Threads: may share the model.
+ */
+asperity_status asperity_warning_loads(const struct asperity_model *model,
+                                       uint64_t warning,
+                                       double *lightest,
+                                       double *heaviest);
+
+/**
+ * Says of warnings what fails and what to do about it, a line for each.
+ *
+ * @param warnings  bits `ASPERITY_WARNING_...`, as a state has them; a line "unknown warning" stands for all others
+ * @param buffer    receives the lines, each ended by a line feed but the last, NUL-terminated, cut to fit; "no warning" for 0;
+ *                  NULL to ask for the length only
+ * @param length    size of `buffer` in bytes
+ * @return the length of the whole text in bytes, without the NUL: it is cut unless `length` is greater
+ *
+ * Threads: any.
+ */
+size_t asperity_warnings_text(uint64_t warnings,
+                              char *buffer,
+                              size_t length);
 
 /**
  * Load, friction force and contact radius of single summits, by the law that all sums of the model are made of.

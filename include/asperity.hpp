@@ -66,6 +66,13 @@ inline const char *status_string(Status status) noexcept { return asperity_statu
 /// What a single bit ASPERITY_WARNING_ says: what fails and what to do about it; a constant string.
 inline const char *warning_string(std::uint64_t warning) noexcept { return asperity_warning_string(warning); }
 
+/// What the bits ASPERITY_WARNING_ of a state say, a line for each.
+inline std::string warnings_text(std::uint64_t warnings) {
+    std::string text(asperity_warnings_text(warnings, nullptr, 0), '\0');
+    asperity_warnings_text(warnings, &text[0], text.size() + 1);
+    return text;
+}
+
 /// Why a call failed: the status, and in what() a message that names parameter, value and what is allowed.
 class Error : public std::runtime_error {
 public:
@@ -298,6 +305,15 @@ public:
         return *this;
     }
 
+    /// Sets the strength of the interface from one measured point: scales both slip stresses so that the friction force at this
+    /// load [force] is the one measured [force]. Give the surfaces that were measured first, and call this last.
+    ///
+    /// Takes milliseconds. Throws Error (ASPERITY_INVALID_PARAMETER with the numbers, where no strength gives that force).
+    Params &calibrate(double load, double friction_force) {
+        check(asperity_params_calibrate(&c_, load, friction_force));
+        return *this;
+    }
+
     /// Sets a parameter by its name, one of names(), as asperity_params_set_value does.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
@@ -438,6 +454,16 @@ public:
     double kurtosis() const noexcept { return c_.kurtosis; }
     /// Sets the kurtosis of Johnson's heights.
     Params &kurtosis(double value) noexcept { return assign(c_.kurtosis, value); }
+
+    /// kappa >= 0, the pressure coefficient: the part of the strength that grows with pressure; 0 by default.
+    double pressure_coefficient() const noexcept { return c_.pressure_coefficient; }
+    /// Sets kappa.
+    Params &pressure_coefficient(double value) noexcept { return assign(c_.pressure_coefficient, value); }
+
+    /// Nayak's bandwidth, to judge whether summits act alone; 0 is not known.
+    double bandwidth() const noexcept { return c_.bandwidth; }
+    /// Sets the bandwidth.
+    Params &bandwidth(double value) noexcept { return assign(c_.bandwidth, value); }
 
     /// H [stress]: hardness of the softer body, to judge whether contacts are elastic; 0 is not known.
     double hardness() const noexcept { return c_.hardness; }
@@ -754,6 +780,16 @@ public:
         std::uint64_t warnings = 0;
         check(asperity_check_loads(handle_.get(), lightest, heaviest, &warnings));
         return warnings;
+    }
+
+    /// Between which loads of the table [force] a warning, one bit ASPERITY_WARNING_, holds: the lightest and the heaviest at
+    /// which it does; both NaN if it holds at none.
+    ///
+    /// Takes milliseconds. Throws Error (ASPERITY_INVALID_PARAMETER for what is not one known bit).
+    std::pair<double, double> warning_loads(std::uint64_t warning) const {
+        std::pair<double, double> loads;
+        check(asperity_warning_loads(handle_.get(), warning, &loads.first, &loads.second));
+        return loads;
     }
 
     /// Single summits at overlaps [length], by the law that all sums of the model are made of.

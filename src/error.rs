@@ -35,18 +35,22 @@ pub enum Error {
         allowed: &'static str,
     },
     /// A load is NaN or infinite.
-    #[error("load = {}: must be finite", Real(*value))]
+    #[error("{name} = {}: must be finite", Real(*value))]
     InvalidLoad {
+        /// Which load.
+        name: &'static str,
         /// The load.
         value: f64,
     },
     /// Nothing holds the surfaces together at this load.
     #[error(
-        "load = {}: below the pull-off load {}, the surfaces are apart and there is no friction",
+        "{name} = {}: below the pull-off load {}, the surfaces are apart and there is no friction",
         Real(*load),
         Real(*pull_off)
     )]
     Separated {
+        /// Which load.
+        name: &'static str,
         /// The load.
         load: f64,
         /// The pull-off load.
@@ -61,6 +65,25 @@ pub enum Error {
         value: Value,
         /// What it may be.
         allowed: &'static str,
+    },
+    /// No strength of the interface gives a measured friction force.
+    #[error(
+        "friction_force = {} at load = {}: {}{}{}",
+        Real(*friction_force),
+        Real(*load),
+        reason.texts().0,
+        Real(*number),
+        reason.texts().1
+    )]
+    Uncalibrated {
+        /// The load of the measurement.
+        load: f64,
+        /// The measured force.
+        friction_force: f64,
+        /// What is wrong.
+        reason: CalibrationFailure,
+        /// The number that the reason is about: a force, or a slip stress.
+        number: f64,
     },
     /// An iteration failed to converge.
     #[error("{what} = {value}: no solution was found to full accuracy; please report the parameters")]
@@ -78,11 +101,68 @@ impl Error {
         Self::InvalidParameter { name, value: value.into(), allowed }
     }
 
+    /// The same of a load that the caller knows by another name.
+    pub(crate) fn of_load(mut self, called: &'static str) -> Self {
+        if let Self::InvalidLoad { name, .. } | Self::Separated { name, .. } | Self::OutOfRange { name, .. } = &mut self
+        {
+            if *name == LOAD {
+                *name = called;
+            }
+        }
+        self
+    }
+
     /// A quantity that the model cannot be evaluated for.
     pub(crate) fn out_of_range(name: &'static str, value: impl Into<Value>, allowed: &'static str) -> Self {
         Self::OutOfRange { name, value: value.into(), allowed }
     }
 }
+
+/// Why a measured friction force cannot be met.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CalibrationFailure {
+    /// It is not a positive number.
+    NotPositive,
+    /// Both slip stresses are 0.
+    NoStress,
+    /// The pressure coefficient alone gives as much.
+    Pressure,
+    /// There is no friction at this load that could be scaled.
+    NoFriction,
+    /// The slip stresses would exceed G*.
+    Strength,
+    /// The slip stresses would be no numbers.
+    Weakness,
+}
+
+impl CalibrationFailure {
+    /// What is allowed, before the number, and behind it what to do.
+    fn texts(self) -> (&'static str, &'static str) {
+        match self {
+            Self::NotPositive => ("must be finite and above ", ""),
+            Self::NoStress => (
+                "there is no strength to scale: slip_stress_1 and slip_stress_2 are ",
+                "; with pressure_coefficient alone, set that to friction_force/load",
+            ),
+            Self::Pressure => (
+                "must be above ",
+                ", which pressure_coefficient alone gives at this load; use a smaller pressure_coefficient, or check load and \
+                 friction_force",
+            ),
+            Self::NoFriction => ("cannot be met: at this load the friction force is ", "; measure at a heavier load"),
+            Self::Strength => (
+                "must be at most ",
+                ", where a slip stress is the shear modulus of the bodies; are load and friction_force totals over \
+                 asperity_count, and roughness and moduli those of the surfaces that were measured?",
+            ),
+            Self::Weakness => ("must be at least ", "; are load and friction_force in the units of the parameters?"),
+        }
+    }
+}
+
+/// The name of a load in messages.
+pub(crate) const LOAD: &str = "load";
 
 /// A value in a message.
 #[derive(Debug, Clone, Copy, PartialEq)]

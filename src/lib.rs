@@ -59,9 +59,10 @@ pub mod groups;
 pub mod population;
 
 pub use crate::asperity::slip::SlipConstants;
-pub use error::{Error, Value};
+pub use error::{CalibrationFailure, Error, Value};
 pub use model::validity::{
-    WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP,
+    WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP,
+    WARNING_STRONG, WARNING_UNCALIBRATED,
 };
 pub use model::{Model, State, Summary, SummitState};
 pub use params::{ContactLawKind, HeightFamily, Params};

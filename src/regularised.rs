@@ -35,4 +35,25 @@ mod tests {
         }
         assert_eq!(smooth_sign(-f64::MAX, 1e-60), (-1.0, 0.0));
     }
+
+    /// The advice of `asperity_slip_force`: explicit steps of F h/m = 1 stop a mass from any rate without a change of sign where the
+    /// transition rate is 1, and go on for ever where it is below 1/2.
+    #[test]
+    fn explicit_steps_stop_where_the_transition_rate_is_that_of_a_step() {
+        let last = |transition: f64, start: f64, steps: u32| {
+            (0..steps).fold(start, |rate, _| rate - smooth_sign(rate, transition).0)
+        };
+        for start in [0.01, 0.3, 1.0, 2.5, 40.0] {
+            for steps in 1..200 {
+                assert!(last(1.0, start, steps) >= 0.0, "{start} after {steps}");
+            }
+            assert!(last(1.0, start, 10_000) < 0.02, "{start}");
+            assert!(last(0.45, start, 10_000).abs() > 0.1, "{start}");
+        }
+    }
+
+    #[test]
+    fn at_three_transition_rates_the_force_is_half_a_per_cent_low() {
+        assert!((0.004..0.006).contains(&(1.0 - smooth_sign(3.0, 1.0).0)));
+    }
 }

@@ -9,7 +9,7 @@ use crate::params::{HeightFamily, Params, RADIUS_RATES};
 use crate::population::{Change, Changes, Population, Sums};
 
 /// The sensitivities of the friction force F at constant load to the parameters of the same names: d ln F/d ln p, but dF/dp/F
-/// for `radius_amplitude` and `skew`, which may be 0 or negative. 0 for what the model does not read. The slip radii, which
+/// for `radius_amplitude`, `skew` and `pressure_coefficient`, which may be 0. 0 for what the model does not read. The slip radii, which
 /// are ratios, stay as they are while `burgers_vector` changes, as the kurtosis does while the skew changes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[allow(missing_docs)] // said above, of all
@@ -32,6 +32,7 @@ pub struct Sensitivities {
     pub skew: f64,
     pub kurtosis: f64,
     pub hardness: f64,
+    pub pressure_coefficient: f64,
 }
 
 impl Sensitivities {
@@ -59,9 +60,13 @@ impl Sensitivities {
         let [first, second] = by_heights.map(at_load);
         let [slip_radius_1, slip_stress_1, slip_radius_2, slip_stress_2] =
             friction_by_slip.map(|change| change / sums.friction);
+        // By kappa E*/G*, and the part of the friction that is proportional to it: to E*, and not to G*.
+        let by_pressure = sums.hertz_load / sums.friction;
+        let modulus_ratio = params.composite_modulus / params.effective_shear_modulus;
+        let of_pressure = params.pressure_coefficient * modulus_ratio * by_pressure;
         Ok(Self {
-            composite_modulus: -by_load - gamma - hardness,
-            effective_shear_modulus: 1.0,
+            composite_modulus: of_pressure - by_load - gamma - hardness,
+            effective_shear_modulus: 1.0 - of_pressure,
             work_of_adhesion: gamma,
             adhesion_range: -b_over_h,
             burgers_vector: 2.0 * (1.0 - by_load) - beta - gamma + b_over_h,
@@ -78,6 +83,7 @@ impl Sensitivities {
             skew: johnson.map_or(0.0, |_| first),
             kurtosis: johnson.map_or(0.0, |kurtosis| kurtosis * second),
             hardness,
+            pressure_coefficient: modulus_ratio * by_pressure,
         })
     }
 
@@ -86,6 +92,8 @@ impl Sensitivities {
         let of_groups = [self.composite_modulus, self.work_of_adhesion, self.adhesion_range, self.burgers_vector];
         let of_surface = [self.height_std, self.summit_radius, self.asperity_count, self.radius_amplitude];
         let of_shape = [self.weibull_shape, self.radius_rate, self.skew, self.kurtosis];
-        [of_groups, of_surface, of_shape, [self.hardness; 4]].iter().flatten().all(|&value| finite(value))
+        let of_strength =
+            [self.effective_shear_modulus, self.slip_stress_1, self.slip_stress_2, self.pressure_coefficient];
+        [of_groups, of_surface, of_shape, of_strength, [self.hardness; 4]].iter().flatten().all(|&value| finite(value))
     }
 }

@@ -16,6 +16,8 @@ program c_interface
   call material_parameters
   call spectral_moments
   call skewed_heights
+  call one_measured_point
+  call pressure_coefficients
   call names
   call materials
   call johnson_heights
@@ -72,6 +74,8 @@ contains
     call check('coefficients are capped at 1000', identical(p%max_friction_coefficient, 1000.0_c_double))
     call check('skew 0, kurtosis 3', identical(p%skew, 0.0_c_double) .and. identical(p%kurtosis, 3.0_c_double))
     call check('no hardness', identical(p%hardness, 0.0_c_double))
+    call check('no pressure coefficient, no bandwidth', identical(p%pressure_coefficient, 0.0_c_double) .and. &
+               identical(p%bandwidth, 0.0_c_double))
     call check('no table', .not. c_associated(p%table_height) .and. .not. c_associated(p%table_density) &
                .and. p%table_length == 0)
   end subroutine default_parameters
@@ -97,7 +101,7 @@ contains
     call check('a size beyond the type is refused', &
                asperity_params_init_sized(p, int(c_sizeof(p), c_int64_t) + 8) == ASPERITY_INVALID_PARAMETER)
     call check_text('... with a message', asperity_error_message(), &
-                    'struct_size = 224: must be at most 216: the header is newer than the library')
+                    'struct_size = 240: must be at most 232: the header is newer than the library')
   end subroutine sizes_of_parameters
 
   subroutine dimensionless_parameters
@@ -255,9 +259,9 @@ contains
       call asperity_params_set(copied, asperity_params_name_text(i), asperity_params_get(p, asperity_params_name_text(i)))
       i = i + 1
     end do
-    call check('the C function lists them', c_associated(asperity_params_name(23_c_size_t)) .and. &
-               .not. c_associated(asperity_params_name(24_c_size_t)))
-    call check('every number has a name', i == 25 .and. asperity_params_name_text(0) == '')
+    call check('the C function lists them', c_associated(asperity_params_name(25_c_size_t)) .and. &
+               .not. c_associated(asperity_params_name(26_c_size_t)))
+    call check('every number has a name', i == 27 .and. asperity_params_name_text(0) == '')
     call check('names copy the heights', copied%height_distribution == p%height_distribution)
     call check_close('... their shape', copied%weibull_shape, p%weibull_shape, 0.0_c_double)
     call check_close('... the hardness', copied%hardness, p%hardness, 0.0_c_double)
@@ -272,6 +276,97 @@ contains
     call check('as many numbers as names', message == 'values: must be as many as names')
     call check_close('what is refused changes nothing', p%hardness, 5.0_c_double, 0.0_c_double)
   end subroutine names
+
+  ! mu = 0.31 at a load of 4: the law passes through the point, and its strength alone has changed.
+  subroutine one_measured_point
+    real(c_double), parameter :: LOAD = 4, FORCE = 0.31_c_double * LOAD, KAPPA = 0.05_c_double
+    type(asperity_params) :: p, before
+    type(asperity_state) :: state
+    type(c_ptr) :: model
+    character(200) :: message
+    real(c_double) :: none
+    call asperity_check(asperity_params_init(p))
+    before = p
+    call asperity_check(asperity_params_calibrate(p, LOAD, FORCE))
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    call asperity_check(asperity_state_at_load(model, LOAD, state))
+    call check_close('the law passes through the measured point', state%friction_force, FORCE, 1e-9_c_double)
+    call check_close('... compiled too', asperity_friction_force_at_load(model, LOAD), FORCE, 2e-9_c_double)
+    call asperity_free(model)
+    call check_close('both slip stresses have one factor', p%slip_stress_1 / before%slip_stress_1, &
+                     p%slip_stress_2 / before%slip_stress_2, 1e-14_c_double)
+    call check('... and nothing else changes', identical(p%height_std, before%height_std) .and. &
+               identical(p%pressure_coefficient, 0.0_c_double) .and. p%struct_size == before%struct_size)
+
+    p = before
+    p%pressure_coefficient = KAPPA
+    call asperity_check(asperity_params_calibrate(p, LOAD, FORCE))
+    call check('the pressure coefficient stays', identical(p%pressure_coefficient, KAPPA))
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    call check_close('... and the point is met', asperity_friction_force_at_load(model, LOAD), FORCE, 2e-9_c_double)
+    call asperity_free(model)
+
+    p = before
+    p%pressure_coefficient = 0.5_c_double
+    call check('a point below what the pressure coefficient gives is refused', &
+               asperity_params_calibrate(p, LOAD, FORCE) == ASPERITY_INVALID_PARAMETER)
+    message = asperity_error_message()
+    call check('... with the numbers', index(message, 'friction_force = 1.24 at load = 4: must be above 3.82567') == 1)
+    call check('... and untouched', identical(p%slip_stress_1, before%slip_stress_1) .and. &
+               identical(p%slip_stress_2, before%slip_stress_2))
+    none = nan()
+    call check('a load that is NaN is refused', asperity_params_calibrate(p, none, FORCE) == ASPERITY_INVALID_LOAD)
+    call check('a force of zero is refused', asperity_params_calibrate(p, LOAD, 0.0_c_double) == ASPERITY_INVALID_PARAMETER)
+  end subroutine one_measured_point
+
+  ! Of Hertz' contacts without a strength F is kappa P, at every load.
+  subroutine pressure_coefficients
+    real(c_double), parameter :: KAPPA = 0.2_c_double, LOAD(3) = [0.1_c_double, 4.0_c_double, 1e3_c_double]
+    type(asperity_params) :: p
+    type(asperity_state) :: state
+    type(asperity_sensitivities) :: by
+    type(c_ptr) :: model
+    real(c_double) :: plain(3)
+    character(120) :: message
+    integer :: i
+    call asperity_check(asperity_params_init(p))
+    p%work_of_adhesion = 0
+    p%attraction = 0
+    model = c_null_ptr
+    call asperity_check(asperity_create(p, model))
+    do i = 1, 3
+      plain(i) = asperity_friction_force_at_load(model, LOAD(i))
+    end do
+    p%pressure_coefficient = KAPPA
+    call asperity_check(asperity_set_params(model, p))
+    do i = 1, 3
+      call check_close('without adhesion kappa adds kappa P', asperity_friction_force_at_load(model, LOAD(i)), &
+                       plain(i) + KAPPA * LOAD(i), 1e-10_c_double)
+      call asperity_check(asperity_state_at_load(model, LOAD(i), state))
+      call check_close('Hertz'' contacts carry the load', state%hertz_load, LOAD(i), 1e-9_c_double)
+      call check_close('the sum of the radii is the stiffness over 8 G^', state%contact_radius_sum, &
+                       state%tangential_stiffness * 2 * (p%composite_modulus + p%effective_shear_modulus) / &
+                       (8 * p%composite_modulus * p%effective_shear_modulus), 1e-9_c_double)
+      call check('one summit: no scatter, no bias', identical(state%friction_scatter, 0.0_c_double) .and. &
+                 identical(state%friction_bias, 0.0_c_double))
+      call asperity_check(asperity_sensitivities_at_load(model, LOAD(i), by))
+      call check_close('d(ln F)/d(kappa) = P/F', by%pressure_coefficient, LOAD(i) / state%friction_force, 1e-8_c_double)
+    end do
+    p%slip_stress_1 = 0
+    p%slip_stress_2 = 0
+    call asperity_check(asperity_set_params(model, p))
+    do i = 1, 3
+      call check_close('a strength of zero leaves Amontons'' law', asperity_friction_at_load(model, LOAD(i)), KAPPA, &
+                       1e-9_c_double)
+    end do
+    p%pressure_coefficient = -KAPPA
+    call check('a negative pressure coefficient is refused', asperity_set_params(model, p) == ASPERITY_INVALID_PARAMETER)
+    message = asperity_error_message()
+    call check('... by name', index(message, 'pressure_coefficient = -0.2: must be finite and >= 0') == 1)
+    call asperity_free(model)
+  end subroutine pressure_coefficients
 
   function weibull_skew(omega) result(skew)
     real(c_double), intent(in) :: omega
@@ -587,6 +682,7 @@ contains
     type(asperity_sensitivities) :: sensitivities
     type(c_ptr) :: model
     integer(c_int64_t) :: warnings
+    real(c_double), target :: warned(2)
     integer :: i
     warnings = 0
     call asperity_check(asperity_params_init(p))
@@ -619,6 +715,11 @@ contains
       call check('... above 1 warns', iand(state%warnings, ASPERITY_WARNING_PLASTIC) /= 0)
       call asperity_check(asperity_check_loads(model, state%load, state%load, warnings))
       call check('the warnings of one load are those of its state', warnings == state%warnings)
+      call check('... and texts have a length', asperity_warnings_text(ASPERITY_WARNING_FEW, c_null_ptr, 0_c_size_t) > 20)
+      call asperity_check(asperity_warning_loads(model, ASPERITY_WARNING_PLASTIC, c_loc(warned(1)), c_loc(warned(2))))
+      call check('... with the loads at which they hold', warned(1) <= state%load .and. warned(2) >= state%load)
+      call check('no force is no measurement', asperity_params_calibrate(p, 1.0_c_double, 0.0_c_double) &
+                 == ASPERITY_INVALID_PARAMETER)
       call check('... and have texts', c_associated(asperity_warning_string(ASPERITY_WARNING_PLASTIC)))
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
       call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)

@@ -299,18 +299,35 @@ contains
     type(friction_model) :: law
     type(asperity_params) :: p
     integer(c_int64_t) :: warnings
+    integer(c_int64_t), parameter :: few_or_crowded = ior(ASPERITY_WARNING_CROWDED, ASPERITY_WARNING_FEW)
+    real(c_double) :: lightest, heaviest
     character(80) :: message
     integer :: stat
     p = default_parameters()
     p%asperity_count = 1e4_c_double
     call law%create(p)
     call law%check_loads(1e6_c_double, 2e6_c_double, warnings)
+    call check('the default strength is warned of', warnings == ASPERITY_WARNING_UNCALIBRATED)
+    call law%warning_loads(ASPERITY_WARNING_UNCALIBRATED, lightest, heaviest)
+    call check('... at every load', lightest < 1.0_c_double .and. heaviest > 1e9_c_double)
+    call asperity_check(asperity_params_calibrate(p, 1e6_c_double, 3e5_c_double))
+    call law%create(p)
+    call check_close('a calibrated law meets the measured point', law%friction_force_at_load(1e6_c_double), 3e5_c_double, &
+                     1e-9_c_double)
+    call check('a force that is none is refused', &
+               asperity_params_calibrate(p, 1e6_c_double, -1.0_c_double) == ASPERITY_INVALID_PARAMETER)
+    call law%warning_loads(ASPERITY_WARNING_CROWDED, lightest, heaviest)
+    call check('crowded from a load on', lightest > 2e6_c_double .and. lightest < 1e9_c_double .and. heaviest > lightest)
+    call law%warning_loads(3_c_int64_t, lightest, heaviest, stat, message)
+    call check('two bits are no warning', stat == ASPERITY_INVALID_PARAMETER .and. index(message, 'warning = 3') > 0)
+    call law%check_loads(1e6_c_double, 2e6_c_double, warnings)
     call check('the model holds where 1 % of many summits touch', warnings == 0)
     call law%check_loads(1.0_c_double, 1e9_c_double, warnings)
     call check('few contacts and crowded ones are warned of', &
-               warnings == ior(ASPERITY_WARNING_CROWDED, ASPERITY_WARNING_FEW))
+               iand(warnings, few_or_crowded) == few_or_crowded)
     call check('a warning says what to do', index(asperity_warning_text(ASPERITY_WARNING_FEW), '; use heavier loads') > 0)
-    call check('several at once have no text', asperity_warning_text(warnings) == 'unknown warning')
+    call check('several at once have a line each', asperity_warning_text(few_or_crowded) == &
+               asperity_warning_text(ASPERITY_WARNING_CROWDED) // new_line('a') // asperity_warning_text(ASPERITY_WARNING_FEW))
     warnings = 77
     message = ''
     call law%check_loads(2.0_c_double, 1.0_c_double, warnings, stat, message)

@@ -1,6 +1,6 @@
 /* Contact friction in Adams: the friction function of a CONTACT statement is F(N) tanh(v/v0), against the slip velocity.
  *
- *     FRICTION_FUNCTION = USER(v0, height_std, ..., hardness)    in the order of NAMES, in the units of the model
+ *     FRICTION_FUNCTION = USER(v0, height_std, ..., pressure_coefficient)    in the order of NAMES, in the units of the model
  *
  * Contacts with the same numbers share one model. There is a set of models for each thread, so that nothing is locked. */
 
@@ -15,7 +15,8 @@ adams_c_Cffsub Cffsub;
 
 static const char *const NAMES[] = {
     "height_std",      "summit_radius",  "asperity_count",  "composite_modulus", "effective_shear_modulus",
-    "work_of_adhesion", "adhesion_range", "burgers_vector", "hardness",
+    "work_of_adhesion", "adhesion_range", "burgers_vector", "hardness",          "slip_stress_1",
+    "slip_stress_2",    "pressure_coefficient",
 };
 enum { COUNT = sizeof NAMES / sizeof *NAMES, MOST = 64 };
 

@@ -153,12 +153,14 @@ void Law::find_where_it_holds(double composite_modulus) {
         const double low = pressure_of(k), high = pressure_of(k + 1);
         asperity_state state;
         state.struct_size = sizeof state;
-        Interval interval{0, 0};
+        Interval interval{0, 0, 0};
         if (asperity_state_at_load(model_.get(), low, &state) == ASPERITY_OK) interval.touching = state.contacting;
         // A pressure that cannot be evaluated is one at which all summits are flat.
         if (asperity_check_loads(model_.get(), low, high, &interval.warnings) != ASPERITY_OK)
             interval.warnings = ASPERITY_WARNING_CROWDED;
-        interval.warnings &= ~std::uint64_t{ASPERITY_WARNING_FEW};    // of a unit of area; contacts are smaller
+        // Of the interface and the surface, at whatever load: said once, by finish().
+        interval.told = interval.warnings & (ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD);
+        interval.warnings &= ~(interval.told | ASPERITY_WARNING_FEW);    // few of a unit of area; contacts are smaller
         intervals_.push_back(interval);
     }
 }

@@ -69,6 +69,7 @@ struct Sums {
     double friction_work = 0, damping_work = 0;          // since the run began
     double contacts = 0, slipping = 0, load = 0, held = 0;    // now; held: load where the model holds
     std::uint64_t warnings = 0;                          // of the contacts where it does not
+    std::uint64_t told = 0;                              // of the interface and the surface, at whatever load
 
     void begin_step() { elastic_energy = stick_energy = contacts = slipping = load = held = 0; }
 };
@@ -92,6 +93,7 @@ private:
     struct Interval {
         double touching;          // summits per unit area at its lower end
         std::uint64_t warnings;   // between its ends
+        std::uint64_t told;       // of the interface and the surface
     };
 
     void make_model(const std::vector<std::string> &names, const std::vector<double> &values);
@@ -128,6 +130,7 @@ inline void Law::add(const Contact &c, const Forces &r, double dt, double share,
     if (interval.touching * r.load < fewest_summits * r.pressure || place < 0) warnings |= ASPERITY_WARNING_FEW;
     if (warnings == 0) sums.held += share * r.load;
     sums.warnings |= warnings;
+    sums.told |= interval.told;
 }
 
 }    // namespace asperity_lammps

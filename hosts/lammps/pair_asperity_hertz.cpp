@@ -287,9 +287,12 @@ double PairAsperityHertz::single(int i, int j, int itype, int jtype, double, dou
 void PairAsperityHertz::finish() {
     const double mine[2] = {run_load_, run_held_};
     double all[2];
-    std::uint64_t warnings = 0;
+    std::uint64_t warnings = 0, told = 0;
     MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
     MPI_Allreduce(&sums_.warnings, &warnings, 1, MPI_UINT64_T, MPI_BOR, world);
+    MPI_Allreduce(&sums_.told, &told, 1, MPI_UINT64_T, MPI_BOR, world);
+    for (std::uint64_t bit = 1; comm->me == 0 && bit <= told; bit *= 2)
+        if (told & bit) error->warning(FLERR, "pair_style asperity/hertz: {}", asperity_warning_string(bit));
     if (comm->me != 0 || !(all[1] < least_held * all[0])) return;
     for (std::uint64_t bit = 1; bit <= warnings; bit *= 2)
         if (warnings & bit)

@@ -1,6 +1,7 @@
 // The chart: friction coefficient against load, with bands, and grounds that tell where the model does not hold.
 import uPlot from "uplot";
-import { SHORT, coefficient, decade, title } from "./text.js";
+import { measuredOf } from "./fields.js";
+import { SHORT, coefficient, decade, strength, title } from "./text.js";
 
 /** Okabe and Ito's colours, which the colour-blind can tell, and dashes for who prints in black. */
 export const STYLES = [
@@ -11,7 +12,8 @@ export const STYLES = [
 ];
 
 /** Grounds of what does not hold; the first that applies is drawn, all are named. */
-const GROUNDS = { FEW: "#dedede", CROWDED: "#fdf3c9", PLASTIC: "#f2f0f9", STEEP: "#eaf4f0", ATOMIC: "#f7eef3", ADHESIVE: "#f8eedf" };
+const GROUNDS = { FEW: "#dedede", CROWDED: "#fdf3c9", PLASTIC: "#f2f0f9", STEEP: "#eaf4f0", ATOMIC: "#f7eef3", ADHESIVE: "#f8eedf",
+  BROAD: "#eef1e6", STRONG: "#f6ebe6" };
 const OTHER_GROUND = "#eeeeee";
 /** How opaque a band is, in hexadecimal: of the active surface, of the others. */
 const OPAQUE = ["33", "14"];
@@ -76,7 +78,7 @@ export class Chart {
         bands,
         hooks: {
           drawClear: [(plot) => this.#grounds(plot)],
-          draw: [(plot) => this.#labels(plot, narrow), (plot) => this.#mark(plot)],
+          draw: [(plot) => this.#labels(plot, narrow), (plot) => this.#measured(plot), (plot) => this.#mark(plot)],
           setCursor: [(plot) => this.#pointed(plot)],
         },
       },
@@ -120,7 +122,9 @@ export class Chart {
     ctx.rect(left, top, width, height);
     ctx.clip();
     const order = Object.keys(GROUNDS);
-    const sorted = [...curve.warnings].sort((one, other) => order.indexOf(other.name) - order.indexOf(one.name));
+    // A strength that nobody measured is no matter of the load.
+    const warnings = curve.warnings.filter(({ name }) => name !== "UNCALIBRATED");
+    const sorted = warnings.sort((one, other) => order.indexOf(other.name) - order.indexOf(one.name));
     const edges = sorted.flatMap((warning) => warning.spans.map((span) => ({ warning, x: this.#pixels(plot, span) })));
     for (const { warning, x } of edges) {
       ctx.fillStyle = GROUNDS[warning.name] ?? OTHER_GROUND;
@@ -167,6 +171,31 @@ export class Chart {
     for (const { text, color, y } of ends) {
       ctx.fillStyle = color;
       ctx.fillText(text, left + width + 6 * ratio, y);
+    }
+    ctx.restore();
+  }
+
+  /** The measured points, as diamonds in the colours of their curves. */
+  #measured(plot) {
+    const { ctx } = plot;
+    const { left, top, width, height } = plot.bbox;
+    const size = 7 * devicePixelRatio;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(left, top, width, height);
+    ctx.clip();
+    for (const { surface, style } of this.shown.curves) {
+      const measured = measuredOf(surface);
+      if (!measured) continue;
+      const [x, y] = [plot.valToPos(measured.load, "x", true), plot.valToPos(measured.mu, "y", true)];
+      ctx.beginPath();
+      for (const [across, up] of [[0, 1], [1, 0], [0, -1], [-1, 0]]) ctx.lineTo(x + across * size, y + up * size);
+      ctx.closePath();
+      ctx.fillStyle = style.color;
+      ctx.strokeStyle = "#fff";
+      ctx.lineWidth = 1.5 * devicePixelRatio;
+      ctx.fill();
+      ctx.stroke();
     }
     ctx.restore();
   }
@@ -245,5 +274,5 @@ function logSplits(plot) {
 /** What a screen reader is told of the picture. */
 export const description = (curves) =>
   curves
-    .map(({ letter, surface, curve }) => `${title(letter, surface)} from ${coefficient(curve.mu[0])} to ${coefficient(curve.mu.at(-1))}`)
+    .map(({ letter, surface, curve }) => `${title(letter, surface)} from ${coefficient(curve.mu[0])} to ${coefficient(curve.mu.at(-1))}, strength ${strength(surface)}`)
     .join("; ");

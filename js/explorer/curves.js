@@ -21,30 +21,45 @@ export function loadsOf(lightest, heaviest) {
 export const deviation = (sensitivities, spread) =>
   Math.sqrt(Object.entries(spread).reduce((sum, [name, part]) => sum + (sensitivities[name] * part) ** 2, 0));
 
+/**
+ * Sensitivities at a load, of a calibrated law those that are left: a parameter that changes the friction force at the measured
+ * point changes the strength too, so that the point is met, and `measured_friction` is what the measured coefficient does.
+ * @param {Record<string, number>} sensitivities
+ * @param {Record<string, number> | undefined} anchor the sensitivities at the measured load
+ */
+export function anchored(sensitivities, anchor) {
+  if (!anchor) return { ...sensitivities, measured_friction: 0 };
+  const strength = (of) => of.slip_stress_1 + of.slip_stress_2;
+  const ratio = strength(sensitivities) / strength(anchor);
+  const left = Object.entries(sensitivities).map(([name, part]) => [name, part - ratio * anchor[name]]);
+  return { ...Object.fromEntries(left), measured_friction: ratio };
+}
+
 /** A coefficient with its band, which ends at the cap on coefficients as the coefficient does. */
-export function banded(model, load, spread) {
+export function banded(model, load, spread, anchor) {
   const mu = model.frictionAtLoad(load);
   const ratio = model.frictionForceAtLoad(load) / load;
   const cap = mu < ratio * (1 - 1e-12) ? mu : Infinity;
-  const reach = Math.exp(COVERAGE * deviation(model.sensitivitiesAtLoad(load), spread));
+  const reach = Math.exp(COVERAGE * deviation(anchored(model.sensitivitiesAtLoad(load), anchor), spread));
   return { mu, low: Math.min(ratio / reach, cap), high: Math.min(ratio * reach, cap) };
 }
 
 /**
- * The curve of a surface.
- * @returns {{ model, loads, mu, low, high, states, warnings }} the warnings with the loads between which each holds
+ * The curve of a surface; of a calibrated one the band is that of a law that meets the measured point.
+ * @returns {{ model, anchor, loads, mu, low, high, states, warnings }} the warnings with the loads between which each holds
  */
 export function curveOf(library, params, [lightest, heaviest], spread) {
   const model = new library.Model(params);
   try {
     const loads = loadsOf(lightest, heaviest);
-    const points = Array.from(loads, (load) => banded(model, load, spread));
+    const anchor = params.calibration_load && model.sensitivitiesAtLoad(params.calibration_load);
+    const points = Array.from(loads, (load) => banded(model, load, spread, anchor));
     const states = Array.from(loads, (load) => model.stateAtLoad(load));
     const warnings = model.checkLoads(lightest, heaviest).map((warning) => ({
       ...warning,
       spans: spansOf(model, loads, states, warning.bit),
     }));
-    return { model, loads, states, warnings, ...columns(points) };
+    return { model, anchor, loads, states, warnings, ...columns(points) };
   } catch (error) {
     model.free();
     throw error;

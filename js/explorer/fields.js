@@ -14,6 +14,9 @@ export const FIELDS = {
   adhesion_range: { label: "Range of adhesion h", unit: "nm", power: -9 },
   burgers_vector: { label: "Burgers vector b", unit: "nm", power: -9 },
   hardness: { label: "Hardness H (empty: not known)", unit: "GPa", power: 9 },
+  pressure_coefficient: { label: "Pressure coefficient κ (empty: 0)", unit: "", power: 0 },
+  calibration_friction_coefficient: { label: "Measured: μ", unit: "", power: 0, names: ["friction_force"] },
+  calibration_load: { label: "… at a load of", unit: "N", power: 0, names: ["load"] },
   slip_stress_1: { label: "Strength of small contacts τ₁/G* (empty: 1/43)", unit: "", power: 0 },
   Sq: { label: "Sq, rms height", unit: "nm", power: -9, slider: [0.1, 1000], names: ["Sq", "m0"] },
   Sdq: { label: "Sdq, rms slope", unit: "", power: 0, slider: [0.001, 1], names: ["Sdq", "m2"] },
@@ -68,11 +71,28 @@ export function fieldsOfPair(library, first, second) {
   );
 }
 
+/** Without a measured point. */
+export const UNMEASURED = { calibration_friction_coefficient: "", calibration_load: "" };
+
+/** The measured point of a surface, undefined if there is none. */
+export function measuredOf(surface) {
+  const { calibration_load: load, calibration_friction_coefficient: mu } = numbers(surface);
+  return load > 0 && mu > 0 ? { load, mu } : undefined;
+}
+
+/** Whether nothing of the surface tells how strong its interface is. */
+export function uncalibrated(surface) {
+  const { slip_stress_1, pressure_coefficient } = numbers(surface);
+  return !measuredOf(surface) && slip_stress_1 === undefined && !pressure_coefficient;
+}
+
 /** A surface to start from. */
 export const start = (library) => ({
   first: "Si",
   second: "Si",
   ...fieldsOfPair(library, "Si", "Si"),
+  pressure_coefficient: "",
+  ...UNMEASURED,
   contact_law: "maugis",
   roughness: "areal",
   Sq: "5", Sdq: "0.08", Sds: "20",
@@ -86,7 +106,8 @@ export const start = (library) => ({
 export function paramsOf(surface) {
   const all = numbers(surface);
   const params = {};
-  for (const key of ["E1", "nu1", "E2", "nu2", "adhesion_range", "burgers_vector", "hardness", "slip_stress_1", "nominal_area"])
+  for (const key of ["E1", "nu1", "E2", "nu2", "adhesion_range", "burgers_vector", "hardness", "slip_stress_1", "nominal_area",
+    "pressure_coefficient", "calibration_load", "calibration_friction_coefficient"])
     params[key] = all[key];
   params.work_of_adhesion = surface.contact_law === "elastic-plastic" ? 0 : all.work_of_adhesion;
   if (surface.contact_law === "elastic-plastic") params.contact_law = surface.contact_law;

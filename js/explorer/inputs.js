@@ -1,6 +1,6 @@
 // The fields of a surface: they show the active one, and write to it.
 import { $, element, labelled } from "./dom.js";
-import { FIELDS, ROUGHNESS, fieldsOfPair, parsed, shifted } from "./fields.js";
+import { FIELDS, ROUGHNESS, UNMEASURED, fieldsOfPair, parsed, shifted } from "./fields.js";
 import { LETTERS, active, page } from "./state.js";
 import { tabs } from "./tabs.js";
 import { missing } from "./text.js";
@@ -97,6 +97,7 @@ export function buildInputs() {
     });
   $("fields-adhesion").append(field("work_of_adhesion"));
   $("fields-materials").append(...["E1", "nu1", "E2", "nu2", "hardness", "adhesion_range", "burgers_vector", "slip_stress_1"].map(field));
+  $("fields-strength").append(...["calibration_friction_coefficient", "calibration_load", "pressure_coefficient"].map(field));
   $("fields-shape").append(...["skew", "kurtosis"].map(field));
   $("fields-area").append(field("nominal_area"));
   $("add").addEventListener("click", add);
@@ -109,7 +110,8 @@ function usePair(id) {
   const told = fieldsOfPair(page.library, surface.first, surface.second);
   // A pair without a work of adhesion keeps the one that is set.
   if (!told.work_of_adhesion) delete told.work_of_adhesion;
-  Object.assign(surface, told);
+  // What was measured was another pair.
+  Object.assign(surface, told, UNMEASURED, { pressure_coefficient: "" });
   fill();
 }
 

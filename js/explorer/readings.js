@@ -3,7 +3,7 @@ import { banded } from "./curves.js";
 import { $, element, head } from "./dom.js";
 import { FIELDS, parsed, shifted } from "./fields.js";
 import { page, readLoad } from "./state.js";
-import { coefficient, count, percent, short, spansText, title, withUnit } from "./text.js";
+import { coefficient, count, percent, short, spansText, strength, title, withUnit } from "./text.js";
 
 /** Shows the values at the load that is read. */
 export function readValues() {
@@ -33,8 +33,8 @@ const names = () =>
   });
 
 /** The values of one surface, by quantity. */
-function columnOf({ surface, curve: { model } }, load) {
-  const { mu, low, high } = banded(model, load, page.deviations);
+function columnOf({ surface, curve: { model, anchor } }, load) {
+  const { mu, low, high } = banded(model, load, page.deviations, anchor);
   const exact = model.stateAtLoad(load);
   return {
     "Friction coefficient μ": coefficient(mu),
@@ -46,6 +46,7 @@ function columnOf({ surface, curve: { model } }, load) {
     "Mean pressure on summits": withUnit(exact.mean_asperity_pressure, "Pa"),
     "Stiffness before slip": withUnit(exact.tangential_stiffness, "N/m"),
     "Contacts mostly": regime(exact),
+    "Strength of the interface": strength(surface),
     "Does not hold": page.library.warningsOf(exact.warnings).map(short).join(", ") || "nothing known",
   };
 }

@@ -22,13 +22,17 @@ const UNITS = {
   nominal_area: "m^2",
 };
 const BODIES = ["E1", "nu1", "E2", "nu2"];
+const MEASURED = ["calibration_load", "calibration_friction_coefficient"];
 const MOMENTS = ["m0", "m2", "m4", "nominal_area"];
 
-/** The parameters that are set one by one: not by the setters of two bodies and of moments. */
+/** The parameters that are set one by one: not by the setters of two bodies, of moments and of a measured point. */
 function single(params) {
-  const set = [...BODIES, ...("m0" in params ? MOMENTS : []), "contact_law"];
+  const set = [...BODIES, ...("m0" in params ? MOMENTS : []), ...MEASURED, "contact_law"];
   return Object.entries(params).filter(([name]) => !set.includes(name));
 }
+
+/** The measured load and friction force, undefined if there is none. */
+const measured = ({ calibration_load: load, calibration_friction_coefficient: mu }) => load !== undefined && mu !== undefined && [load, mu * load];
 
 const list = (params, names, form) => names.map((name) => form(params[name])).join(", ");
 
@@ -49,6 +53,8 @@ function c(params, surface, load) {
     );
   if (params.contact_law) lines.push("params.contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC;");
   if ("kurtosis" in params) lines.push("params.height_distribution = ASPERITY_HEIGHTS_JOHNSON;");
+  const point = measured(params);
+  const calibrate = point ? `asperity_params_calibrate(&params, ${point.map(real).join(", ")}) != ASPERITY_OK || /* measured: load, friction force [N] */\n        ` : "";
   return `/* ${surface.first} on ${surface.second}. cc friction.c $(pkg-config --cflags --libs asperity) */
 #include <asperity.h>
 #include <stdio.h>
@@ -58,7 +64,7 @@ int main(void) {
     asperity_model *model;
     asperity_params_init_unset(&params);
     ${lines.join("\n    ")}
-    if (asperity_create(&params, &model) != ASPERITY_OK) {
+    if (${calibrate}asperity_create(&params, &model) != ASPERITY_OK) {
         char message[512];
         asperity_last_error(message, sizeof message);
         fprintf(stderr, "%s\\n", message);
@@ -105,6 +111,9 @@ function fortran(params, surface, load) {
     );
   if (params.contact_law) lines.push("params%contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC");
   if ("kurtosis" in params) lines.push("params%height_distribution = ASPERITY_HEIGHTS_JOHNSON");
+  const point = measured(params);
+  if (point)
+    lines.push("! Measured: load, friction force [N]", `call asperity_check(asperity_params_calibrate(params, ${point.map(kind).join(", ")}))`);
   return `! ${surface.first} on ${surface.second}. To be compiled with asperity.f90 and linked with -lasperity
 program friction
   use, intrinsic :: iso_c_binding, only: c_double
@@ -137,7 +146,9 @@ function python(params, surface, load) {
   const rough = roughness(params, surface);
   const shape = surface.roughness === "areal" && "kurtosis" in params ? { Ssk: params.skew, Sku: params.kurtosis } : {};
   const ways = { areal: "Params.from_iso25178", moments: "Params.from_spectral_moments", summits: "Params.si" };
-  const rest = others(params, "Ssk" in shape ? ["skew", "kurtosis"] : []);
+  const rest = others(params, [...MEASURED, ...("Ssk" in shape ? ["skew", "kurtosis"] : [])]);
+  const { calibration_load: at, calibration_friction_coefficient: mu } = params;
+  const calibrate = measured(params) ? `params = params.calibrated(load=${real(at)}, mu=${real(mu)})  # measured: load in N\n` : "";
   const lines = [...Object.entries({ ...rough, ...shape }), ...rest].map(([name, value]) => {
     const text = typeof value === "string" ? `"${value}"` : real(value);
     return `    ${name}=${text},${UNITS[name] ? `  # ${UNITS[name]}` : ""}`;
@@ -148,7 +159,7 @@ from asperity import Model, Params
 params = ${ways[surface.roughness]}(
 ${lines.join("\n")}
 )
-model = Model(params)
+${calibrate}model = Model(params)
 print(f"{model.friction_at_load(${real(load)}):.10g}")  # load in N
 `;
 }

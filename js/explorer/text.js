@@ -1,4 +1,5 @@
 // Numbers and sentences as the page shows them.
+import { measuredOf, uncalibrated } from "./fields.js";
 
 const PREFIXES = { "-15": "f", "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T" };
 
@@ -37,6 +38,9 @@ export const SHORT = {
   STEEP: "steep",
   ATOMIC: "atomic",
   ADHESIVE: "held by adhesion",
+  UNCALIBRATED: "not calibrated",
+  BROAD: "broad spectrum",
+  STRONG: "stronger than its bodies",
 };
 
 export const short = ({ name }) => SHORT[name] ?? name.toLowerCase();
@@ -44,13 +48,30 @@ export const short = ({ name }) => SHORT[name] ?? name.toLowerCase();
 /** The name of a surface, from its letter and its bodies. */
 export const title = (letter, surface) => `${letter} ${surface.first}/${surface.second}`;
 
-/** One sentence or two on a curve. */
+/** Where the strength of the interface is from. */
+export function strength(surface) {
+  const measured = measuredOf(surface);
+  if (measured) return `from μ = ${measured.mu} measured at ${withUnit(measured.load, "N")}`;
+  return uncalibrated(surface) ? "not measured" : "as given";
+}
+
+/** What to know of a surface without a measured strength; empty of the others. */
+export const unmeasured = (surface) =>
+  uncalibrated(surface)
+    ? " Not calibrated: nobody measured how strong this interface is, and friction may be many times higher or lower." +
+      " Give one measured friction coefficient and its load."
+    : "";
+
+/** Some sentences on a curve. */
 export function summary(letter, surface, curve) {
   const last = curve.loads.length - 1;
   const range = `${title(letter, surface)}: friction coefficient ${coefficient(curve.mu[0])} at ${withUnit(curve.loads[0], "N")}, ` +
     `${coefficient(curve.mu[last])} at ${withUnit(curve.loads[last], "N")}.`;
-  if (!curve.warnings.length) return `${range} Nothing is known to fail of the model at these loads.`;
-  return `${range} The model does not hold everywhere: ${curve.warnings.map(short).join(", ")}.`;
+  const failing = curve.warnings.filter(({ name }) => name !== "UNCALIBRATED");
+  const said = failing.length
+    ? `The model does not hold everywhere: ${failing.map(short).join(", ")}.`
+    : "Nothing is known to fail of the model at these loads.";
+  return `${range}${unmeasured(surface)} ${said}`;
 }
 
 /** Where a warning holds, in words. */

@@ -11,6 +11,7 @@ const SPREAD = {
   asperity_count: ["N, number of summits", 20],
   burgers_vector: ["b, Burgers vector", 0],
   slip_stress_1: ["τ₁, strength of small contacts", 30],
+  measured_friction: ["μ, where it was measured", 5],
 };
 
 const idOf = (name) => `spread-${name}`;

@@ -3,6 +3,7 @@ import { CONSTANTS } from "./header.js";
 import { AsperityError, Library } from "./library.js";
 import { materialsOf } from "./materials.js";
 import { Model, warningsOf } from "./model.js";
+import { calibrate } from "./params.js";
 import { nayakSummits } from "./roughness.js";
 
 /** @typedef {import("./params.js").Params} Params */
@@ -21,6 +22,8 @@ import { nayakSummits } from "./roughness.js";
  * @property {(bits: number) => Warning[]} warningsOf the `warnings` of a state, in words
  * @property {(moments: import("./roughness.js").Moments, nominal_area: number) => Params} nayakSummits roughness from
  *   spectral moments, with the heights and radii that summits of a Gaussian surface have
+ * @property {(params: Params, load: number, frictionForce: number) => Params} calibrate the same surfaces with the strength of
+ *   the interface from one measured point
  * @property {() => number} memorySize how much memory the instance has taken [bytes]
  */
 
@@ -59,6 +62,7 @@ export async function instantiate(source) {
     warningsOf: (bits) => warningsOf(library, BigInt(bits)),
     ...materialsOf(library),
     nayakSummits: (moments, nominal_area) => nayakSummits(library, moments, nominal_area),
+    calibrate: (params, load, frictionForce) => calibrate(library, params, load, frictionForce),
     memorySize: () => library.memory.buffer.byteLength,
   };
 }

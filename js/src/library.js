@@ -126,18 +126,21 @@ export class Library {
   setValues(names, values) {
     const encoded = names.map((name) => new TextEncoder().encode(name.slice(0, 64)));
     const length = encoded.reduce((sum, name) => sum + name.length + 1, 0);
-    if (TEXT + length > TEXT_END || names.length > CHUNK) throw new RangeError(`${names.length} parameters: too many`);
+    if (TEXT + length > TEXT_END || names.length > CHUNK / 2) throw new RangeError(`${names.length} parameters: too many`);
     let at = this.block + TEXT;
+    // In the last array: the first two may hold a table of heights.
+    const listed = this.array(2);
+    const numbers = listed + 4 * CHUNK;
     const data = this.data();
     const bytes = new Uint8Array(data.buffer);
     encoded.forEach((name, i) => {
-      data.setUint32(this.array(0) + 4 * i, at, true);
-      data.setFloat64(this.array(1) + 8 * i, values[i], true);
+      data.setUint32(listed + 4 * i, at, true);
+      data.setFloat64(numbers + 8 * i, values[i], true);
       bytes.set(name, at);
       bytes[at + name.length] = 0;
       at += name.length + 1;
     });
-    this.run("params_set_values", this.struct, names.length, this.array(0), this.array(1));
+    this.run("params_set_values", this.struct, names.length, listed, numbers);
   }
 
   /**

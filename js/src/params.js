@@ -17,11 +17,13 @@ const CONTACT_LAWS = {
 /**
  * Two rough surfaces. The numbers are in one consistent system of units; their names are those of `asperity_params`, and
  * those of its setters: `E1`, `nu1`, `E2`, `nu2` together stand for the moduli, `m0`, `m2`, `m4` with `nominal_area` for
- * `height_std`, `summit_radius` and `asperity_count`. What is left out has its default, or is asked for.
+ * `height_std`, `summit_radius` and `asperity_count`; `Ra` for `m0` of Gaussian heights; `calibration_load` with
+ * `calibration_friction_coefficient` or `calibration_friction_force` is `calibrate`. What is left out has its default, or is asked for.
  *
  * @typedef {import("./header.js").Numbers & {
  *   E1?: number, nu1?: number, E2?: number, nu2?: number,
- *   m0?: number, m2?: number, m4?: number,
+ *   m0?: number, m2?: number, m4?: number, Ra?: number,
+ *   calibration_load?: number, calibration_friction_coefficient?: number, calibration_friction_force?: number,
  *   attraction?: boolean,
  *   height_distribution?: keyof typeof HEIGHTS,
  *   contact_law?: keyof typeof CONTACT_LAWS,
@@ -29,6 +31,9 @@ const CONTACT_LAWS = {
  *   table_density?: ArrayLike<number>,
  * }} Params
  */
+
+/** Names that are set last, when the surfaces are whole. */
+const MEASURED = ["calibration_load", "calibration_friction_coefficient", "calibration_friction_force"];
 
 /**
  * Writes the struct at `library.struct`, tables of heights into the first two arrays of the block.
@@ -40,8 +45,31 @@ export function writeParams(library, params) {
   const { table_height, table_density, ...numbers } = params;
   library.run("params_init_unset_sized", library.struct, BigInt(LAYOUTS.asperity_params.size));
   const given = Object.entries(numbers).filter(([, value]) => value !== undefined);
-  library.setValues(given.map(([name]) => name), given.map(([name, value]) => number(name, value)));
+  const set = (/** @type {[string, unknown][]} */ some) =>
+    library.setValues(some.map(([name]) => name), some.map(([name, value]) => number(name, value)));
+  set(given.filter(([name]) => !MEASURED.includes(name)));
   if (table_height || table_density) writeTable(library, table_height ?? [], table_density ?? [], params.height_distribution);
+  const measured = given.filter(([name]) => MEASURED.includes(name));
+  if (measured.length) set(measured);
+}
+
+/**
+ * The same surfaces with slip stresses that make the friction force at this load the measured one: both have one factor. The
+ * pressure coefficient stays as it is.
+ * @param {import("./library.js").Library} library
+ * @param {Params} params the surfaces of the measurement
+ * @param {number} load normal load of the measurement [force]
+ * @param {number} frictionForce measured at it [force]: friction coefficient times load
+ * @returns {Params}
+ * @throws {AsperityError} a force that no strength gives, with the numbers
+ */
+export function calibrate(library, params, load, frictionForce) {
+  const given = Object.entries(params).filter(([name]) => !MEASURED.includes(name));
+  const surfaces = /** @type {Params} */ (Object.fromEntries(given));
+  writeParams(library, surfaces);
+  library.run("params_calibrate", library.struct, number("load", load), number("friction_force", frictionForce));
+  const { slip_stress_1, slip_stress_2 } = readStruct(library);
+  return { ...surfaces, slip_stress_1, slip_stress_2 };
 }
 
 /** A parameter as a number, words by theirs. @param {string} name @param {unknown} value */

@@ -23,7 +23,7 @@ export function momentsOfAreal({ Sq, Sdq, Sds, Ssc }) {
 }
 
 /** What `asperity_params_set_nayak_summits` sets. */
-const NAYAK = ["height_std", "summit_radius", "asperity_count", "nominal_area", "height_distribution", "skew", "kurtosis",
+const NAYAK = ["height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth", "height_distribution", "skew", "kurtosis",
   "radius_amplitude", "radius_rate"];
 
 /**

@@ -242,7 +242,7 @@ test("up to four surfaces are compared, with their warnings in the library's wor
   const { names, rows } = await curves(page);
   assert.equal(names.length, 1 + 4 * 5);
   ["Si", "Au", "SiO2", "steel"].forEach((name, i) => assertNative(rows, areal(contact(name, name), start, 1e-8), 1 + 5 * i));
-  assert.match(await page.locator("#warnings").textContent(), /B Au\/Au at all these loads.*summits yield: the mean asperity pressure/s);
+  assert.match(await page.locator("#warnings").textContent(), /B Au\/Au at all these loads[^:]*: summits yield: the mean asperity pressure/);
   await page.waitForTimeout(600);
   assert.match(await page.locator("#summary").textContent(), /D steel\/steel: friction coefficient 0\.\d+ at 10\.0 µN/);
   // Gold that is let yield has no such warning.
@@ -250,7 +250,7 @@ test("up to four surfaces are compared, with their warnings in the library's wor
   await page.locator("#contact_law").selectOption("elastic-plastic");
   const plastic = (await curves(page)).rows;
   assertNative(plastic, { ...areal(contact("Au", "Au"), start, 1e-8), work_of_adhesion: 0, contact_law: 1 }, 6);
-  assert.doesNotMatch(await page.locator("#warnings").textContent(), /B Au\/Au at all these loads.*summits yield/s);
+  assert.doesNotMatch(await page.locator("#warnings").textContent(), /B Au\/Au at all these loads[^:]*: summits yield/);
   await page.locator("#remove").click();
   assert.equal((await curves(page)).names.length, 1 + 3 * 5);
   assert.deepEqual(wrong, []);
@@ -311,6 +311,57 @@ test("an address brings its surfaces back, and one that is none does no harm", a
   for (const one of [page, again.page, broken.page]) await one.close();
 });
 
+test("a measured point is met, drawn on the curve, kept in the address, and asked for where there is none", async () => {
+  const { page, wrong } = await open();
+  const summary = () => page.locator("#summary").textContent();
+  const row = () => page.locator("#values tr", { hasText: "Strength of the interface" }).textContent();
+  await page.waitForFunction(() => /Not calibrated: nobody measured/.test(document.getElementById("summary").textContent));
+  assert.match(await row(), /not measured/);
+  await page.locator("#calibration_friction_coefficient").fill("0.2");
+  await drawn(page);
+  assert.match(await page.locator("#error").textContent(), /^calibration_load: must be given together with/);
+  assert.equal(await page.locator("#calibration_load").getAttribute("aria-invalid"), "true");
+  await page.locator("#calibration_load").fill("1e-3");
+  await page.locator("#pressure_coefficient").fill("0.05");
+  const { rows } = await curves(page);
+  assertNative(rows, { ...areal(contact("Si", "Si"), start, 1e-8), pressure_coefficient: 0.05, calibration_load: 1e-3,
+    calibration_friction_coefficient: 0.2 });
+  assert.ok(Math.abs(rows[60][1] / 0.2 - 1) < 1e-8, `${rows[60]}`);
+  assert.match(await row(), /from μ = 0.2 measured at 1.00 mN/);
+  await page.waitForFunction(() => !/Not calibrated/.test(document.getElementById("summary").textContent));
+  assert.doesNotMatch(await summary(), /calibrated/);
+
+  // The diamond is higher than the line is thick, in the middle of the axis.
+  await page.locator("#band").uncheck();
+  await page.locator("#read").fill("0");
+  const thick = (part) => page.evaluate((part) => {
+    const canvas = document.querySelector("#chart canvas");
+    const area = document.querySelector("#chart .u-over").getBoundingClientRect();
+    const all = canvas.getBoundingClientRect();
+    const x = Math.round(((area.left - all.left + part * area.width) * canvas.width) / all.width);
+    const { data } = canvas.getContext("2d").getImageData(x, 0, 1, canvas.height);
+    let found = 0;
+    for (let at = 0; at < data.length; at += 4) found += Math.abs(data[at]) + Math.abs(data[at + 1] - 0x72) + Math.abs(data[at + 2] - 0xb2) < 60;
+    return (found * all.height) / canvas.height;
+  }, part);
+  await drawn(page);
+  assert.ok((await thick(0.5)) > 9, `${await thick(0.5)} pixels at the point`);
+  assert.ok((await thick(0.3)) < 6, `${await thick(0.3)} pixels beside it`);
+
+  const again = await open({}, await page.evaluate(() => location.hash));
+  assert.deepEqual((await curves(again.page)).rows, rows);
+  assert.equal(await again.page.locator("#calibration_load").inputValue(), "1e-3");
+  await page.locator("#calibration_friction_coefficient").fill("0.01");
+  await drawn(page);
+  assert.match(await page.locator("#error").textContent(), /must be above/);
+  assert.equal(await page.locator("#calibration_friction_coefficient").getAttribute("aria-invalid"), "true");
+  // Another pair was not measured.
+  await page.locator("#first").selectOption("steel");
+  assert.equal(await page.locator("#calibration_friction_coefficient").inputValue(), "");
+  assert.deepEqual([...wrong, ...again.wrong], []);
+  for (const one of [page, again.page]) await one.close();
+});
+
 test("all can be done by keyboard, and every control has a name", async () => {
   const { page } = await open();
   const seen = new Set();
@@ -350,7 +401,7 @@ test("all can be done by keyboard, and every control has a name", async () => {
   for (const [id, name] of names) assert.ok(name.length > 2, `${id} has no name`);
   assert.equal(await page.locator("#summary").getAttribute("aria-live"), "polite");
   assert.equal(await page.locator("#error").getAttribute("role"), "alert");
-  assert.match(await page.locator("#chart").getAttribute("aria-label"), /A Si\/Si from 0\.\d+ to 0\.\d+; B steel\/steel/);
+  assert.match(await page.locator("#chart").getAttribute("aria-label"), /A Si\/Si from 0\.\d+ to 0\.\d+, strength not measured; B steel\/steel/);
   await page.close();
 });
 

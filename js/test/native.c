@@ -105,7 +105,7 @@ static void print_params(const asperity_params *params) {
     const double values[] = {params->composite_modulus, params->effective_shear_modulus, params->tangential_modulus,
         params->work_of_adhesion, params->adhesion_range, params->burgers_vector, params->hardness,
         params->slip_stress_1, params->height_std, params->summit_radius, params->asperity_count,
-        params->nominal_area, params->skew, params->kurtosis, params->radius_amplitude, params->radius_rate};
+        params->nominal_area, params->bandwidth, params->skew, params->kurtosis, params->radius_amplitude, params->radius_rate};
     print_bits(values, sizeof values / sizeof *values);
     putchar('\n');
 }

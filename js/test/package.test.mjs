@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { AsperityError, MATERIALS, Model, PAIRS, Status, contact, material, memorySize, nayakSummits, pair, version, warningsOf } from "asperity";
+import { AsperityError, MATERIALS, Model, PAIRS, Status, calibrate, contact, material, memorySize, nayakSummits, pair, version, warningsOf } from "asperity";
 import { CONSTANTS } from "../dist/header.js";
 import { answers, bits, contactOf, entries, entryOf, nayakOf } from "./native.mjs";
 
@@ -18,6 +18,8 @@ const surfaces = {
   "strong adhesion": { ...silicon, work_of_adhesion: 2, adhesion_range: 2e-10 },
   "summits that yield": { ...contact("steel", "steel"), contact_law: 1, work_of_adhesion: 0, height_std: 2e-7,
     summit_radius: 2e-5, asperity_count: 1e4, nominal_area: 1e-6 },
+  "a strength that grows with pressure": { ...silicon, pressure_coefficient: 0.1 },
+  "one measured point": { ...silicon, pressure_coefficient: 0.02, calibration_load: 1e-3, calibration_friction_coefficient: 0.2 },
 };
 const loads = Array.from({ length: 25 }, (_, i) => 1e-7 * 10 ** (i / 3));
 
@@ -86,7 +88,7 @@ test("warnings come with what to do about them", () => {
   const [few, ...others] = new Model(silicon).checkLoads(1e-5, 0.1);
   assert.equal(few.name, "FEW");
   assert.match(few.text, /^fewer than 20 summits touch: .* use heavier loads or a larger area/);
-  assert.deepEqual(others, []);
+  assert.deepEqual(others.map(({ name }) => name), ["UNCALIBRATED", "BROAD"]);
   assert.deepEqual(warningsOf(CONSTANTS.WARNING_STEEP | CONSTANTS.WARNING_FEW).map(({ name }) => name), ["STEEP", "FEW"]);
 });
 
@@ -116,6 +118,53 @@ test("a table of heights is read, and handed back", () => {
   assert.throws(() => new Model({ ...silicon, table_height: [1, 2], table_density: [1] }), /table_density: 1 numbers for 2/);
   const long = Array.from({ length: 3000 }, (_, i) => i);
   assert.throws(() => new Model({ ...silicon, table_height: long, table_density: long }), /table_length/);
+});
+
+test("a measured point is met, and changes the slip stresses alone", () => {
+  const [load, force] = [2e-3, 3e-4];
+  for (const params of [silicon, { ...silicon, pressure_coefficient: 0.1 }, surfaces["summits that yield"]]) {
+    const made = calibrate(params, load, force);
+    const model = new Model(made);
+    assert.ok(Math.abs(model.stateAtLoad(load).friction_force / force - 1) < 1e-9);
+    const { slip_stress_1, slip_stress_2, ...others } = made;
+    assert.deepEqual(others, (({ slip_stress_1: one, ...rest }) => rest)(params));
+    const before = new Model(params).params;
+    assert.ok(Math.abs(slip_stress_1 / before.slip_stress_1 / (slip_stress_2 / before.slip_stress_2) - 1) < 1e-12);
+    const named = new Model({ ...params, calibration_load: load, calibration_friction_force: force });
+    assert.equal(named.frictionAtLoad(5e-3), model.frictionAtLoad(5e-3));
+    // Another point in its place, not on top of it.
+    assert.deepEqual(calibrate({ ...params, calibration_load: 1, calibration_friction_coefficient: 1 }, load, force), made);
+  }
+});
+
+test("a measured point is that of the table of heights that is given with it", () => {
+  const height = [-2, -1, 0, 1, 2];
+  const params = { ...silicon, table_height: height, table_density: [0, 1, 2, 1, 0] };
+  const named = new Model({ ...params, calibration_load: 1e-3, calibration_friction_coefficient: 0.2 });
+  assert.ok(Math.abs(named.frictionAtLoad(1e-3) / 0.2 - 1) < 2e-9);
+  assert.equal(new Model(calibrate(params, 1e-3, 2e-4)).frictionAtLoad(1e-2), named.frictionAtLoad(1e-2));
+});
+
+test("measured points that no strength gives are refused with the numbers", () => {
+  const slippery = { ...silicon, pressure_coefficient: 0.5 };
+  assert.throws(() => calibrate(slippery, 1e-3, 1e-4), { status: Status.INVALID_PARAMETER, message: /0\.0001|1e-4/ });
+  assert.throws(() => calibrate(silicon, NaN, 1e-4), { status: Status.INVALID_LOAD });
+  assert.throws(() => calibrate(silicon, 1e-3, 0), { status: Status.INVALID_PARAMETER, message: /^friction_force = 0/ });
+  assert.throws(() => calibrate(silicon, 1e-3, /** @type {any} */ (undefined)), TypeError);
+  assert.throws(() => new Model({ ...silicon, calibration_load: 1e-3 }), /^AsperityError: calibration_load: must be given together/);
+});
+
+test("without adhesion a pressure coefficient adds itself to friction", () => {
+  const params = { ...silicon, work_of_adhesion: 0, attraction: false };
+  const [plain, pressed] = [new Model(params), new Model({ ...params, pressure_coefficient: 0.1 })];
+  for (const load of [1e-5, 1e-3, 1e-1]) {
+    assert.ok(Math.abs(pressed.frictionAtLoad(load) / (plain.frictionAtLoad(load) + 0.1) - 1) < 1e-9);
+    assert.ok(Math.abs(pressed.stateAtLoad(load).hertz_load / load - 1) < 1e-9);
+    const { pressure_coefficient } = plain.sensitivitiesAtLoad(load);
+    assert.ok(Math.abs(pressure_coefficient * plain.frictionAtLoad(load) - 1) < 1e-8);
+  }
+  const amontons = new Model({ ...params, pressure_coefficient: 0.1, slip_stress_1: 0, slip_stress_2: 0 });
+  assert.ok(Math.abs(amontons.frictionAtLoad(1e-3) / 0.1 - 1) < 1e-9);
 });
 
 test("the tangential force starts with the stiffness and ends at the friction force", () => {
@@ -223,7 +272,7 @@ test("summits of Nayak's distribution are those of the native library", () => {
   const moments = { m0: 25e-18, m2: 0.0032, m4: 0.72e12 };
   const made = nayakSummits(moments, 1e-8);
   const native = nayakOf(...Object.values(moments), 1e-8);
-  for (const key of ["height_std", "summit_radius", "asperity_count", "nominal_area", "skew", "kurtosis", "radius_amplitude", "radius_rate"])
+  for (const key of ["height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth", "skew", "kurtosis", "radius_amplitude", "radius_rate"])
     assert.equal(bits(made[key]), native[key], key);
   assert.equal(made.height_distribution, "johnson");
   assert.ok(made.skew > 0 && made.radius_amplitude !== 0);

@@ -132,6 +132,9 @@ def test_every_function_of_the_header_works() -> None:
     bits = ctypes.c_uint64()
     assert lib.check_loads(model, 1.0, 50.0, ctypes.byref(bits)) == Status.OK
     assert lib.warning_string(0) == b"no warning"
+    assert lib.warnings_text(0, None, 0) == len(b"no warning")
+    assert lib.warning_loads(model, _header.ASPERITY_WARNING_FEW, light := doubles(1.0), heavy := doubles(1.0)) == Status.OK
+    assert light[0] <= heavy[0]
 
     # Two summits at overlaps, pressed and far apart.
     assert lib.summits_at_overlaps(model, 2, doubles(5.0, -1e6), None, load := doubles(0.0, 1.0), None, None) == Status.OK
@@ -146,6 +149,7 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.material(lib.material_name(3), material) == Status.OK and material.name == b"steel" and material.young == 205e9
     pair = _header.asperity_pair_data(struct_size=ctypes.sizeof(_header.asperity_pair_data))
     assert lib.pair(b"Au/mica", pair) == Status.OK and pair.name == b"mica/Au" and lib.pair_name(10**6) is None
+    assert lib.params_calibrate(params, 50.0, -1.0) == Status.INVALID_PARAMETER
     assert lib.params_set_pair(params, b"mica/Au") == Status.OK and params.slip_stress_1 == pair.slip_stress_1
 
     table = _header.asperity_table(struct_size=ctypes.sizeof(_header.asperity_table))
@@ -186,4 +190,4 @@ def parameters_of(model: Model) -> Any:
 
 def test_the_message_reads_whole() -> None:
     _library.LIBRARY.asperity_params_set_skew(Params.dimensionless(alpha=1, beta=1, gamma=0)._as_struct(), np.nan)
-    assert _library.last_error() == "skew = NaN: must be finite and > -1.13955, the limit of the Weibull family"
+    assert _library.last_error() == "skew = NaN: must be finite and > -1.13955, the limit of the Weibull family; Johnson heights have any skew from -3 to 3"

@@ -107,9 +107,9 @@ def test_the_figure_is_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, en
 
 
 def test_loads_at_which_the_model_does_not_hold_are_warned_of() -> None:
-    done = asperity("curve --figure - --highest 1e4 --count 3")
+    done = asperity("curve --figure - --highest 1e9 --count 3")
     assert done.returncode == 0 and len(table(done.stdout)) == 3
-    assert done.stderr.startswith("asperity: warning: between the loads 0.000285714 and 10000: CROWDED: summits do not")
+    assert done.stderr.startswith("asperity: warning: between the loads 0.000285714 and 1e+09: STEEP: contacts are too large")
 
 
 def test_the_figure_has_a_name_unless_one_is_given(tmp_path: Path) -> None:
@@ -162,3 +162,20 @@ def test_a_reader_may_leave_early() -> None:
     command = f"'{sys.executable}' -m asperity curve --figure - --count 5000 | head -n 1"
     done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=60, check=True)
     assert done.stderr == "" and done.stdout.startswith("# load")
+
+
+def test_a_measured_point_is_met() -> None:
+    curve = f"curve --figure - --lowest 1e-3 --highest 1e-2 --count 2 {POLYSILICON}"
+    for measured in ("--calibration-friction-coefficient 0.4", "--calibration-friction-force 4e-4"):
+        done = asperity(f"{curve} --calibration-load 1e-3 {measured}")
+        assert table(done.stdout)[0][1] == pytest.approx(0.4, rel=1e-9)
+        assert "UNCALIBRATED" not in done.stderr
+    assert "UNCALIBRATED" in asperity(curve).stderr
+    alone = asperity(f"{curve} --calibration-load 1e-3")
+    assert alone.returncode == 1 and "calibration_load goes with one of" in alone.stderr
+
+
+def test_a_bandwidth_is_judged() -> None:
+    curve = f"curve --figure - --lowest 1e-3 --highest 1e-2 --count 2 {POLYSILICON}"
+    assert "BROAD" in asperity(f"{curve} --bandwidth 30").stderr
+    assert "BROAD" not in asperity(f"{curve} --bandwidth 3").stderr

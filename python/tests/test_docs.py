@@ -57,7 +57,7 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
 
 def check_page(page: Path, checkout: Path, environment: dict[str, str]) -> None:
     found = blocks(page)
-    assert {kind for kind, _ in found} <= {"sh", "python", "text"}
+    assert {kind for kind, _ in found} <= {"sh", "python", "text", "c"}  # C programs: tests/install/readme.rs
     for kind, command, echo in (("sh", ["bash", "-eu"], "echo '{}'\n"), ("python", ["python", "-"], "print('{}')\n")):
         chosen = [i for i, (name, _) in enumerate(found) if name == kind]
         source = "".join(found[i][1] + echo.format(MARK.format(n)) for n, i in enumerate(chosen))

@@ -40,7 +40,7 @@ def test_both_examples_print_the_same_table(example: list[object], twin: Path, a
     assert (ours.returncode, theirs.returncode) == (0, 0)
     assert ours.stdout == theirs.stdout
     assert ours.stderr == theirs.stderr
-    assert ours.stderr.count("friction_curve: warning: ") == len(ours.stderr.splitlines()) == (4 if arguments[2:] else 0)
+    assert ours.stderr.count("friction_curve: warning: ") == len(ours.stderr.splitlines()) == (6 if arguments[2:] else 2)
     assert len(ours.stdout.splitlines()) == 1 + int((*arguments, "-", "33")[1])
 
 

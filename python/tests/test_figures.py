@@ -14,10 +14,11 @@ import numpy as np
 import pytest
 
 from asperity import Model, Params
-from asperity.figures import curves, drawing, front, measured, page
+from asperity.figures import calibrated, curves, drawing, page
 
-# Of other pages than the gallery: the contacts of the map, the rows of the measurements, what these lie on.
-ELSEWHERE = {"contacts.svg": [7], "measurements.svg": [6], "measured-points.svg": [3, 1]}
+# Of other pages than the gallery: the contacts of the map, the rows of the measurements, a film measured and predicted with a
+# bar for each comparison.
+ELSEWHERE = {"contacts.svg": [7], "measurements.svg": [6], "measured-points.svg": [2, 6]}
 
 SVG = "{http://www.w3.org/2000/svg}"
 # Each picture with the number of curves in each of its panels.
@@ -84,7 +85,8 @@ def test_the_pictures_show_the_same_curves(root: Path, written: Path, name: str)
     assert len(committed) == sum((PICTURES | ELSEWHERE)[name]) and committed.keys() == now.keys()
     for curve, drawn in committed.items():
         (_, old), (_, new) = drawn[0], now[curve][0]
-        assert len(old) == len(new) >= (2 if name == "measurements.svg" else 20)
+        is_bar = name == "measurements.svg" or (name == "measured-points.svg" and curve not in ("curve-0", "curve-1"))
+        assert len(old) == len(new) >= (2 if is_bar else 20)
         assert np.array(old) == pytest.approx(np.array(new), abs=0.02), curve
 
 
@@ -112,15 +114,16 @@ def test_a_curve_is_drawn_where_its_numbers_are(written: Path) -> None:
     assert ends == pytest.approx((0.12 * 6.4 * 72, 0.82 * 6.4 * 72), abs=0.01)
 
 
-def test_points_are_as_far_from_the_law_as_the_table_says() -> None:
-    rows = {row.name.partition(",")[0]: row for row in measured.MEASUREMENTS}
-    points = front.strength_points()
-    assert len(points) == 3 and len(front.rough_points()) == 2
-    for point in points:
-        law = front.strength(np.array(point.at))
-        ratio = (law.min() / point.value[1], law.max() / point.value[0])
-        (row,) = [row for name, row in rows.items() if " ".join(point.label.split()).startswith(name)]
-        assert ratio == pytest.approx(row.ratio(), rel=1e-3), row.name
+def test_bars_are_where_the_residuals_are(written: Path) -> None:
+    """The axis of ratios is logarithmic from 0.4 to 2.5; a single value is drawn as a short bar around it."""
+    drawn = lines(written / "figures" / "measured-points.svg")
+    left, right = (place * 6.4 * 72 for place in (0.06, 0.97))
+    for number, one in enumerate(calibrated.COMPARISONS):
+        ends = [point[0] for point in drawn[f"curve-{number + 2}"][0][1]]
+        _, (low, high) = one.worst()
+        at = [math.log(ratio / 0.4) / math.log(2.5 / 0.4) * (right - left) + left for ratio in (1 + low, 1 + high)]
+        assert sum(ends) == pytest.approx(sum(at), abs=0.1), one.name
+        assert ends == pytest.approx(at, abs=5.0), one.name
 
 
 def test_drawing_twice_gives_the_same_bytes(written: Path, tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ import pytest
 from processes import run_main
 from scipy.stats import chi2
 
-from asperity import Error, Fit, Model, Params, ValidityWarning, fit, fit_names
+from asperity import Error, Fit, Model, Params, fit, fit_names
 
 LOADS = np.geomspace(0.1, 1e4, 25)
 SEEDS = range(6)
@@ -369,8 +369,7 @@ def found(params: Params) -> Fit:
 
 
 def test_the_figure_shows_data_fit_and_residuals(found: Fit, tmp_path: Path) -> None:
-    with pytest.warns(ValidityWarning, match="CROWDED"):
-        figure = found.plot(tmp_path / "fit.svg")
+    figure = found.plot(tmp_path / "fit.svg")
     assert (tmp_path / "fit.svg").read_text(encoding="utf-8").startswith("<?xml")
     above, below = figure.axes
     points, curve = above.lines[0], above.lines[-1]
@@ -382,8 +381,7 @@ def test_the_figure_shows_data_fit_and_residuals(found: Fit, tmp_path: Path) -> 
     texts = "\n".join(text.get_text() for text in legend.get_texts()) if legend is not None else ""
     assert "gamma = " in texts and "two standard errors" in texts and f"sigma = {found.values['sigma']:.4g}" in texts
     assert texts.count("[length]") == 1 and below.get_xlabel() == "normal load $P$ [force]"
-    with pytest.warns(ValidityWarning, match="CROWDED"):
-        above, below = found.plot(units="SI").axes
+    above, below = found.plot(units="SI").axes
     legend = above.get_legend()
     assert legend is not None and any("[m]" in text.get_text() for text in legend.get_texts()) and below.get_xlabel().endswith("[N]")
     with pytest.raises(ValueError, match="units = 'cgs': must be 'SI'"):
@@ -394,8 +392,7 @@ def test_the_figure_of_forces_reaches_negative_loads(sticky: Params) -> None:
     with Model(sticky) as model:
         load = np.linspace(model.summary().pull_off_load, 1e4, 12)
         force = model.friction_force_at_load(load)
-    with pytest.warns(ValidityWarning, match="CROWDED"):
-        figure = fit(load, force=force, free=("N",), params=sticky).plot()
+    figure = fit(load, force=force, free=("N",), params=sticky).plot()
     above = figure.axes[0]
     assert above.get_ylabel() == "friction force $F$ [force]"
     assert above.get_xscale() == "symlog" and np.min(np.asarray(above.lines[-1].get_xdata())) == load[0]
@@ -426,7 +423,7 @@ def test_the_command_finds_what_the_function_finds(params: Params, found: Fit, t
     command = [sys.executable, "-m", "asperity", "fit", str(file), "--free", "gamma,sigma", "--figure", str(figure)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
     assert done.returncode == 0 and figure.read_bytes().startswith(b"\x89PNG")
-    assert done.stderr.startswith("asperity: warning: between the loads 0.1 and 10000: CROWDED: "), done.stderr
+    assert done.stderr == ""
     head, gamma, sigma, *remarks = done.stdout.splitlines()
     assert head == "# name, value, standard error"
     for line, name in ((gamma, "gamma"), (sigma, "sigma")):
@@ -458,3 +455,20 @@ def test_the_command_reads_commas_forces_bounds_and_a_start(params: Params) -> N
 def test_the_command_refuses_bad_input(arguments: list[str], text: str, status: int, message: str) -> None:
     done = run_main("fit", *arguments, text=text)
     assert (done.returncode, done.stdout) == (status, "") and message in done.stderr and "Traceback" not in done.stderr
+
+
+def test_it_says_what_it_calibrated(params: Params) -> None:
+    many = params.replace(asperity_count=1e6)
+    truth = many.replace(slip_stress_1=3 * many.slip_stress_1, slip_stress_2=3 * many.slip_stress_2)
+    load = 1e6 * LOADS
+    with Model(truth) as model:
+        mu = model.friction_at_load(load)
+    found = fit(load, mu, free=("slip_stress",), params=many)
+    assert found.calibrated == ("slip_stress",)
+    assert found.values["slip_stress"] == pytest.approx(truth.slip_stress_1, rel=1e-6)
+    assert found.params.slip_stress_2 == pytest.approx(truth.slip_stress_2, rel=1e-6)
+    assert f"calibrated by the data: slip_stress; slip_stress_1 = {truth.slip_stress_1:.6g}" in found.message
+    other = fit(load, mu, free=("gamma",), params=many)
+    assert other.calibrated == () and "not calibrated: the strength of the interface is a default" in other.message
+    with pytest.raises(ValueError, match="slip_stress and slip_stress_2 both vary slip_stress_2"):
+        fit(load, mu, free=("slip_stress", "slip_stress_2"), params=many)

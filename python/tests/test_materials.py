@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import math
 import subprocess
 import sys
@@ -11,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from asperity import Error, Model, Params
+from asperity import Error, Model, Params, Status, _header, _library
 from asperity.materials import MATERIALS, PAIRS, Material, Pair, Range, contact
 
 
@@ -199,3 +200,13 @@ def test_the_page_has_the_numbers_of_the_data(root: Path) -> None:
     assert bodies == [material_row(material) for material in MATERIALS.values()] + [
         pair_row(pair) for pair in PAIRS.values()
     ]
+
+
+@pytest.mark.parametrize("name, unknown", [("steel/wood", "wood"), ("wood/steel", "wood"), ("wood/chalk", "wood or chalk")])
+def test_a_body_that_is_not_known_is_named(name: str, unknown: str) -> None:
+    struct = Params.dimensionless(alpha=0.01, beta=1000, gamma=0)._as_struct()
+    status = _library.LIBRARY.asperity_params_set_pair(ctypes.byref(struct), name.encode())
+    message = _library.last_error()
+    assert status == Status.INVALID_PARAMETER
+    assert message.startswith(f"{name}: no pair has this name; the nearest is ")
+    assert message.endswith(f"; no material is called {unknown}")

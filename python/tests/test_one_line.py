@@ -12,6 +12,8 @@ import pytest
 from asperity import Error, Model, Params, ValidityWarning, friction
 from asperity.materials import MATERIALS, PAIRS, contact
 
+# Nobody measured the strength of these interfaces, and they say so.
+pytestmark = pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
 ROUGH: dict[str, Any] = {"Sq": 5e-9, "Sdq": 0.05, "Sds": 1e13}
 LOADS = np.geomspace(1e-2, 1.0, 5)
 
@@ -97,3 +99,11 @@ def test_a_roughness_is_asked_for() -> None:
         friction("Si/Si", load=1e5)
     with pytest.raises(TypeError, match="Sdq"):
         friction("Si/Si", load=1e5, Sq=5e-9, Sds=1e13)
+
+
+def test_the_mean_deviation_stands_for_the_standard_one() -> None:
+    expected = friction("Si/Si", **ROUGH, load=1e5)
+    given = {"Ra": ROUGH["Sq"] * math.sqrt(2 / math.pi), "Sdq": ROUGH["Sdq"], "Sds": ROUGH["Sds"]}
+    assert friction("Si/Si", **given, load=1e5) == pytest.approx(expected, rel=1e-12)
+    with pytest.raises(Error, match="Ra: must not be given beside Sq, which it stands for"):
+        friction("Si/Si", **given, Sq=5e-9, load=1e5)

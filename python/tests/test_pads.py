@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import math
+import subprocess
+import sys
+from ast import literal_eval
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -124,6 +128,37 @@ def test_the_mean_of_pads_departs_from_the_model_by_one_over_the_number_of_conta
     # 150 pads of that program, with adhesion, have 1.44 and 3.8, with scatters of 31 and 39 %: known to 0.04 and 0.12.
     assert many.bias[1] == pytest.approx(1.44, abs=0.15) and many.scatter[1] == pytest.approx(0.31, abs=0.05)
     assert many.bias[2] == pytest.approx(3.8, abs=0.5) and many.scatter[2] == pytest.approx(0.39, abs=0.06)
+
+
+OF_FEW_SUMMITS = """
+import math, sys
+from asperity import Params, pads
+
+params = Params(**eval(sys.argv[1], {"inf": math.inf, "nan": math.nan}))
+print(pads(params, [1e-4, 1e-7, 0.0], 5, seed=3).friction_force.tolist())
+"""
+
+
+@pytest.mark.parametrize("count", [2, 10, 64, 65])
+@pytest.mark.parametrize("which", range(4))
+def test_pads_of_few_summits_end_and_are_found_from_any_separation(silicon: Params, which: int, count: int) -> None:
+    """In a process of its own, with a minute for what takes a second; against the same pads unloaded from far nearer.
+
+    With a fold a pad's load may fall below the one wanted over a hundredth of the range of adhesion: `descend` may step over
+    that.
+    """
+    params = variants(silicon)[which].replace(asperity_count=float(count))
+    command = [sys.executable, "-c", OF_FEW_SUMMITS, repr(asdict(params))]
+    found = subprocess.run(command, check=True, capture_output=True, text=True, timeout=60).stdout
+    random, tail, expected = np.random.default_rng(3), TailHeights(params), []
+    with Model(params) as model:
+        law = OneSummitLaw(model, tail.highest)
+        for _ in range(5):
+            heights = tail.sample(random, -math.inf)
+            assert heights.size == count
+            expected.append(descend(law, heights, heights[-1] - 3e-6, np.array([1e-4, 1e-7, 0.0]))[0])
+    assert np.array(literal_eval(found)) == pytest.approx(np.array(expected), rel=0.05 if which == 1 else 1e-6)
+    assert (np.array(expected)[:, :2] > 0).all()
 
 
 def test_at_zero_load_a_pad_hangs_on_its_tallest_summits(silicon: Params) -> None:

@@ -91,6 +91,20 @@ def test_values_outside_a_set_are_refused_at_once(params: Params, change: dict[s
     assert caught.value.status is Status.INVALID_PARAMETER
 
 
+def test_one_measured_point_gives_the_strength(params: Params) -> None:
+    for measured in (params.calibrated(load=5.0, mu=0.4), params.calibrated(load=5.0, friction_force=2.0)):
+        with Model(measured) as model:
+            assert model.state_at_load(5.0).friction_force == pytest.approx(2.0, rel=1e-12)
+        assert measured.slip_stress_1 / params.slip_stress_1 == pytest.approx(measured.slip_stress_2 / params.slip_stress_2)
+    for bad in ({}, {"mu": 0.4, "friction_force": 2.0}):
+        with pytest.raises(TypeError, match="give either mu or friction_force"):
+            params.calibrated(load=5.0, **bad)
+    with pytest.raises(Error, match="^friction_force = -1 at load = 5: must be finite and above 0"):
+        params.calibrated(load=5.0, friction_force=-1.0)
+    with pytest.raises(Error, match="^mu = 0.0: must be finite and > 0"):
+        params.calibrated(load=5.0, mu=0.0)
+
+
 def test_skew_chooses_weibull_heights_of_that_skew(params: Params) -> None:
     # Table 1 of the paper: skew, shape.
     for skew, shape in [(-1, 40.74), (-0.5, 7.493), (0, 3.602), (0.5, 2.216), (1, 1.564)]:

@@ -10,7 +10,7 @@ from typing import Any, Callable
 
 import pytest
 
-from asperity import Error, Model, Params, _library
+from asperity import Error, Model, Params, Warnings, _library
 from asperity.materials import MATERIALS, PAIRS
 
 SurfaceFile = Callable[[str], Path]
@@ -153,7 +153,8 @@ def test_the_example_is_in_the_domain_of_the_model(surface_file: SurfaceFile) ->
     with Model(Params.from_toml(surface_file(WHOLE))) as model:
         for pressure in (1e3, 70e6):
             state = model.state_at_load(pressure * 1e-6)
-            assert state.contacting >= 20 and state.fraction_in_contact < 0.1 and not state.warnings
+            assert state.contacting >= 20 and state.fraction_in_contact < 0.1
+            assert not state.warnings & ~(Warnings.UNCALIBRATED | Warnings.BROAD)
 
 
 @pytest.fixture
@@ -208,3 +209,46 @@ def test_a_program_in_c_says_what_is_wrong_with_the_lines(
         (tmp_path / "surface.txt").write_text(lines, encoding="utf-8")
     done = reader()
     assert done.returncode == 1 and message in done.stderr
+
+
+def test_one_measured_point_sets_the_strength(surface_file: SurfaceFile) -> None:
+    head, tables = WHOLE.split("[", 1)
+    for measured in ("calibration_friction_coefficient = 0.4", "calibration_friction_force = 4e-4"):
+        params = Params.from_toml(surface_file(f"{head}calibration_load = 1e-3\n{measured}\n[{tables}"))
+        with Model(params) as model:
+            assert model.state_at_load(1e-3).friction_force == pytest.approx(4e-4, rel=1e-12)
+            assert not model.state_at_load(1e-3).warnings & Warnings.UNCALIBRATED
+    for alone in ("calibration_load = 1.0", "calibration_friction_force = 1.0"):
+        with pytest.raises(Error, match="calibration_load goes with one of"):
+            Params.from_toml(surface_file(f"{head}{alone}\n[{tables}"))
+    weak = "pressure_coefficient = 0.5\ncalibration_load = 1e-3\ncalibration_friction_coefficient = 0.4"
+    with pytest.raises(Error, match="must be above 0.0005.*, which pressure_coefficient alone gives"):
+        Params.from_toml(surface_file(f"{head}{weak}\n[{tables}"))
+
+
+def test_the_mean_deviation_stands_for_the_standard_one(surface_file: SurfaceFile) -> None:
+    ra = 0.8e-9
+    m0 = math.pi / 2 * ra**2
+    head = f"nominal_area = 1e-6\n{toml(CONTACT)}[materials]\n{toml(BODIES)}[roughness]\nRa = {ra}\n"
+    rest: dict[str, Any] = {"m2": 1e-4, "m4": 5e10}
+    expected = Params.from_spectral_moments(m0=m0, **rest, **BODIES, **CONTACT, nominal_area=1e-6)
+    found = Params.from_toml(surface_file(head + toml(rest)))
+    assert found.height_std == pytest.approx(expected.height_std, rel=1e-14)
+    assert found.bandwidth == pytest.approx(expected.bandwidth, rel=1e-14)
+    iso: dict[str, Any] = {"Sdq": 0.01, "Sds": 5e12}
+    expected = Params.from_iso25178(Sq=math.sqrt(m0), **iso, **BODIES, **CONTACT, nominal_area=1e-6)
+    assert Params.from_toml(surface_file(head + toml(iso))).height_std == pytest.approx(expected.height_std, rel=1e-14)
+    for name, value in {"Sq": 1e-9, "m0": 1e-18, "Ssk": 0.1}.items():
+        with pytest.raises(Error, match=f"Ra: must not be given beside {name}, "):
+            Params.from_toml(surface_file(head + toml(iso | {name: value})))
+    with pytest.raises(Error, match="Ra = -1: must be finite and > 0"):
+        Params.from_toml(surface_file(head.replace(f"Ra = {ra}", "Ra = -1") + toml(iso)))
+
+
+def test_a_file_without_end_is_refused(surface_file: SurfaceFile) -> None:
+    with pytest.raises(Error, match="/dev/zero: longer than 1 MiB: must be a surface file"):
+        Params.from_toml("/dev/zero")
+    longest = WHOLE.replace("[materials]", f"#{(2**20 - len(WHOLE.encode()) - 2) * 'x'}\n[materials]")
+    assert Params.from_toml(surface_file(longest)) == FIELDS
+    with pytest.raises(Error, match="longer than 1 MiB"):
+        Params.from_toml(surface_file(longest + "\n"))

@@ -13,10 +13,12 @@ pub struct Rates {
     pub radius: f64,
     /// Of the load P.
     pub load: f64,
+    /// Of the load P_H of Hertz' contact of the same radius.
+    pub hertz_load: f64,
 }
 
 /// One asperity in contact, and its derivatives along the branch of states. `g` is the summit's radius over the mean one.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Contact {
     /// Where on the branch it is, s; see [`ContactLaw`].
     pub parameter: f64,
@@ -26,6 +28,9 @@ pub struct Contact {
     pub radius: f64,
     /// Load P, in E* b^2.
     pub load: f64,
+    /// Load of Hertz' contact of this radius, P_H = 4 E* a^3/(3 g R): the load and what adhesion adds to it. Of summits that
+    /// yield the load.
+    pub hertz_load: f64,
     /// Derivatives by s at fixed g; that of the overlap is positive, but 0 at break-away.
     pub by_s: Rates,
     /// Derivatives by g at fixed s.
@@ -51,6 +56,7 @@ impl Contact {
             overlap: self.overlap + s * self.by_s.overlap + g * self.by_g.overlap,
             radius: self.radius + s * self.by_s.radius + g * self.by_g.radius,
             load: self.load + s * self.by_s.load + g * self.by_g.load,
+            hertz_load: self.hertz_load + s * self.by_s.hertz_load + g * self.by_g.hertz_load,
             ..self
         }
     }
@@ -68,6 +74,7 @@ impl Contact {
             overlap: onwards(here.overlap, before.overlap),
             radius: onwards(here.radius, before.radius),
             load: onwards(here.load, before.load),
+            hertz_load: onwards(here.hertz_load, before.hertz_load),
         };
         Self { by_s: all_onwards(here.by_s, before.by_s), by_g: all_onwards(here.by_g, before.by_g), ..self }
     }
@@ -140,9 +147,11 @@ pub(crate) mod tests {
             ("du", before.overlap, after.overlap, rates.overlap),
             ("da", before.radius, after.radius, rates.radius),
             ("dP", before.load, after.load, rates.load),
+            ("dP_H", before.hertz_load, after.hertz_load, rates.hertz_load),
         ] {
             let secant = (after - before) / (2.0 * step);
-            let known = 1e-7 * rate.abs() + 1e-15 * after.abs() / step;
+            // The Hertz load grows as the cube of s where s is 0.
+            let known = 1e-7 * rate.abs() + 1e-15 * after.abs() / step + 1e5 * step * step;
             assert!((secant - rate).abs() <= known, "{name}/{by}: {rate}, not {secant}");
         }
     }

@@ -87,17 +87,21 @@ impl ContactLaw for ElasticPlastic {
         let (square, pressure) = self.yielding(overlap, g);
         let load_by = |i: usize| PI * (square[i] * pressure[0] + square[0] * pressure[i]);
         let (radius, overlap_rate) = (square[0].sqrt(), 2.0 * parameter);
+        let load = PI * square[0] * pressure[0];
+        let (load_by_s, load_by_g) = (load_by(1) * overlap_rate, load_by(2));
         Contact {
             parameter,
             overlap,
             radius,
-            load: PI * square[0] * pressure[0],
+            load,
+            hertz_load: load,
             by_s: Rates {
                 overlap: overlap_rate,
                 radius: square[1] * parameter / radius,
-                load: load_by(1) * overlap_rate,
+                load: load_by_s,
+                hertz_load: load_by_s,
             },
-            by_g: Rates { overlap: 0.0, radius: 0.5 * square[2] / radius, load: load_by(2) },
+            by_g: Rates { overlap: 0.0, radius: 0.5 * square[2] / radius, load: load_by_g, hertz_load: load_by_g },
         }
     }
 
@@ -121,10 +125,9 @@ impl ContactLaw for ElasticPlastic {
             return self.elastic.by_groups(parameter, g);
         }
         let (square, pressure) = self.yielding(overlap, g);
-        let change = |square_change: f64, pressure_change: f64| Rates {
-            overlap: 0.0,
-            radius: 0.5 * square_change / square[0].sqrt(),
-            load: PI * (square_change * pressure[0] + square[0] * pressure_change),
+        let change = |square_change: f64, pressure_change: f64| {
+            let load = PI * (square_change * pressure[0] + square[0] * pressure_change);
+            Rates { overlap: 0.0, radius: 0.5 * square_change / square[0].sqrt(), load, hertz_load: load }
         };
         // By ln u1.
         let (square_change, pressure_change) = (g * square[2] - square[0], g * pressure[2]);

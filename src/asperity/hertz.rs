@@ -25,13 +25,16 @@ impl ContactLaw for Hertz {
         let radius_rate = self.beta * g.sqrt();
         let radius = radius_rate * parameter;
         let load_over_radius = self.load * radius * radius / g;
+        let load = load_over_radius * radius;
+        let (load_by_s, load_by_g) = (3.0 * load_over_radius * radius_rate, 0.5 * load_over_radius * radius / g);
         Contact {
             parameter,
             overlap: parameter * parameter,
             radius,
-            load: load_over_radius * radius,
-            by_s: Rates { overlap: 2.0 * parameter, radius: radius_rate, load: 3.0 * load_over_radius * radius_rate },
-            by_g: Rates { overlap: 0.0, radius: 0.5 * radius / g, load: 0.5 * load_over_radius * radius / g },
+            load,
+            hertz_load: load,
+            by_s: Rates { overlap: 2.0 * parameter, radius: radius_rate, load: load_by_s, hertz_load: load_by_s },
+            by_g: Rates { overlap: 0.0, radius: 0.5 * radius / g, load: load_by_g, hertz_load: load_by_g },
         }
     }
 
@@ -50,8 +53,8 @@ impl ContactLaw for Hertz {
     /// The overlap is that of the parameter; a is as beta, P as alpha beta^2.
     fn by_groups(&self, parameter: f64, g: f64) -> [Rates; GROUPS] {
         let Contact { radius, load, .. } = self.at(parameter, g);
-        let by_alpha = Rates { load, ..Rates::default() };
-        let by_beta = Rates { radius, load: 2.0 * load, ..Rates::default() };
+        let by_alpha = Rates { load, hertz_load: load, ..Rates::default() };
+        let by_beta = Rates { radius, load: 2.0 * load, hertz_load: 2.0 * load, ..Rates::default() };
         [by_alpha, by_beta, Rates::default(), Rates::default(), Rates::default()]
     }
 

@@ -118,17 +118,20 @@ impl ContactLaw for Maugis {
             overlap: hertz * a * a - self.of.overlap_adhesion * sin * c,
             radius: a,
             load: load_hertz * a * a * a - self.of.load_adhesion * annulus * c * c,
+            hertz_load: load_hertz * a * a * a,
             by_s: Rates {
                 overlap: 2.0 * hertz * a * a_rate - self.of.overlap_adhesion * (cos * theta_rate * c + sin * c_rate),
                 radius: a_rate,
                 load: 3.0 * load_hertz * a * a * a_rate
                     - 2.0 * self.of.load_adhesion * c * (cos * cos * theta_rate * c + annulus * c_rate),
+                hertz_load: 3.0 * load_hertz * a * a * a_rate,
             },
             by_g: Rates {
                 overlap: hertz * a * (2.0 * a_by_g - a * inv_g) - self.of.overlap_adhesion * sin * c_by_g,
                 radius: a_by_g,
                 load: load_hertz * a * a * (3.0 * a_by_g - a * inv_g)
                     - 2.0 * self.of.load_adhesion * annulus * c * c_by_g,
+                hertz_load: load_hertz * a * a * (3.0 * a_by_g - a * inv_g),
             },
         }
     }
@@ -214,6 +217,7 @@ impl ContactLaw for Maugis {
                 radius: a * log_c,
                 load: load_hertz * (3.0 * log_c + powers.load_hertz)
                     - load_adhesion * (2.0 * log_c + powers.load_adhesion),
+                hertz_load: load_hertz * (3.0 * log_c + powers.load_hertz),
             }
         })
     }

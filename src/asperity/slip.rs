@@ -1,8 +1,11 @@
-//! Shear strength of one contact against its radius, eqs (13)-(15): Hurtado and Kim's three regimes.
+//! Friction force of one contact, F = pi a^2 tau(a) + kappa P_H.
 //!
-//! Below the first radius an asperity slips as a whole at a constant stress, above the second by
-//! gliding dislocations at a lower one; between them the stress is a power of the radius.
+//! The stress tau is eqs (13)-(15), Hurtado and Kim's three regimes: below the first radius an asperity slips as a whole at a
+//! constant stress, above the second by gliding dislocations at a lower one; between them the stress is a power of the radius.
+//! To it comes the part of the strength that grows with pressure (Briscoe and Evans, Proc. R. Soc. A 380 (1982) 389): kappa
+//! times the load of Hertz' contact of the same radius, which is the load and what adhesion adds to it.
 
+use super::contact::{Contact, Rates};
 use crate::elementary::{exp, log};
 use std::f64::consts::PI;
 
@@ -26,19 +29,42 @@ impl Default for SlipConstants {
     }
 }
 
-/// Friction force of one asperity as a function of its contact radius, F = pi a^2 tau (eq 15), in G* b^2.
+/// Friction force of one asperity, in G* b^2.
 #[derive(Debug, Clone)]
 pub struct Slip {
     constants: SlipConstants,
     /// M of eq (14).
     exponent: f64,
+    /// kappa E*/G*: friction in G* b^2 of a Hertz load in E* b^2.
+    by_hertz_load: f64,
+}
+
+/// The friction force of a contact, in G* b^2, with its partial derivatives.
+#[derive(Debug, Clone, Copy)]
+pub struct Friction {
+    /// The force.
+    pub force: f64,
+    /// Its derivative by the contact radius.
+    pub by_radius: f64,
+    /// Its derivative by the load of Hertz' contact of that radius.
+    pub by_hertz_load: f64,
+}
+
+impl Friction {
+    /// The rate of the force where contacts change at these rates.
+    #[inline]
+    pub fn rate(&self, rates: &Rates) -> f64 {
+        self.by_radius * rates.radius + self.by_hertz_load * rates.hertz_load
+    }
 }
 
 impl Slip {
-    /// The law with these constants.
-    pub fn new(constants: SlipConstants) -> Self {
+    /// The law with these constants, and kappa E*/G*.
+    pub fn new(constants: SlipConstants, by_hertz_load: f64) -> Self {
         let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = constants;
-        Self { constants, exponent: -log(stress_1 / stress_2) / log(radius_2 / radius_1) }
+        // Stresses of 0 go together: without a stress there is no power of the radius either.
+        let exponent = if stress_1 > 0.0 { -log(stress_1 / stress_2) / log(radius_2 / radius_1) } else { 0.0 };
+        Self { constants, exponent, by_hertz_load }
     }
 
     /// The two radii at which the stress has a kink.
@@ -46,7 +72,12 @@ impl Slip {
         [self.constants.radius_1, self.constants.radius_2]
     }
 
-    /// d ln F at contact radius `a` by the logarithms of the constants, in their order.
+    /// Whether the strength depends on the contact radius alone.
+    pub fn is_of_radius(&self) -> bool {
+        self.by_hertz_load == 0.0
+    }
+
+    /// d ln(pi a^2 tau) at contact radius `a` by the logarithms of the constants, in their order.
     pub fn log_changes(&self, a: f64) -> [f64; 4] {
         let SlipConstants { radius_1, radius_2, .. } = self.constants;
         // How far ln a is from ln a_1 towards ln a_2.
@@ -58,8 +89,7 @@ impl Slip {
         [-self.exponent * (1.0 - part), 1.0 - part, -self.exponent * part, part]
     }
 
-    /// The contact radii at which the friction force is this times the radius, one in each regime, infinite where there is
-    /// none.
+    /// The contact radii at which pi a^2 tau is this times the radius, one in each regime, infinite where there is none.
     pub fn radii_at_force_over_radius(&self, ratio: f64) -> [f64; 3] {
         let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.constants;
         let (below, above) = (ratio / (PI * stress_1), ratio / (PI * stress_2));
@@ -70,17 +100,32 @@ impl Slip {
         [within(below, 0.0, radius_1), within(between, radius_1, radius_2), within(above, radius_2, f64::INFINITY)]
     }
 
-    /// Friction force at contact radius `a`, and dF/da.
+    /// The friction force of a contact.
     #[inline]
-    pub fn force(&self, a: f64) -> (f64, f64) {
+    pub fn friction(&self, contact: &Contact) -> Friction {
         let [first, second] = self.kinks();
-        self.force_in_regime(usize::from(a > first) + usize::from(a >= second), a)
+        let a = contact.radius;
+        self.friction_in_regime(usize::from(a > first) + usize::from(a >= second), contact)
     }
 
     /// The same by the law of one regime, which need not be that of the radius: 0 below the first kink, 1 between the two, 2
     /// above the second.
     #[inline]
-    pub fn force_in_regime(&self, regime: usize, a: f64) -> (f64, f64) {
+    pub fn friction_in_regime(&self, regime: usize, contact: &Contact) -> Friction {
+        let (force, by_radius) = self.stress_force(regime, contact.radius);
+        let by_hertz_load = self.by_hertz_load;
+        Friction { force: force + by_hertz_load * contact.hertz_load, by_radius, by_hertz_load }
+    }
+
+    /// The shear stress tau over G* at contact radius `a` > 0.
+    pub fn stress(&self, a: f64) -> f64 {
+        let [first, second] = self.kinks();
+        self.stress_force(usize::from(a > first) + usize::from(a >= second), a).0 / (PI * a * a)
+    }
+
+    /// pi a^2 tau at contact radius `a`, and its derivative.
+    #[inline]
+    fn stress_force(&self, regime: usize, a: f64) -> (f64, f64) {
         let SlipConstants { radius_1, stress_1, stress_2, .. } = self.constants;
         let (stress, power) = match regime {
             0 => (stress_1, 2.0),
@@ -108,15 +153,13 @@ mod tests {
             (falling, 1.0, 3),
             (falling, 5.0, 1),
         ] {
-            let slip = Slip::new(constants);
+            let slip = Slip::new(constants, 0.0);
             let radii = slip.radii_at_force_over_radius(ratio);
             let found = radii.into_iter().filter(|radius| radius.is_finite());
             assert_eq!(found.clone().count(), number, "{constants:?}, {ratio}: {radii:?}");
             for radius in found {
-                assert!(
-                    (slip.force(radius).0 / radius / ratio - 1.0).abs() < 1e-13,
-                    "{constants:?}, {ratio}: {radii:?}"
-                );
+                let force = slip.friction(&Contact { radius, ..Contact::default() }).force;
+                assert!((force / radius / ratio - 1.0).abs() < 1e-13, "{constants:?}, {ratio}: {radii:?}");
             }
         }
     }

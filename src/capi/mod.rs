@@ -8,6 +8,7 @@
 
 mod batch;
 mod boundary;
+mod calibration;
 mod evaluate;
 mod fp_environment;
 mod given;
@@ -32,6 +33,7 @@ mod validity;
 mod version;
 
 // For C through the header, for the tests of this crate as items; no part of the Rust interface.
+pub use calibration::*;
 pub use evaluate::*;
 pub use last_error::asperity_last_error;
 pub use materials::*;

@@ -7,7 +7,9 @@ use super::setters::change;
 use super::status::asperity_status;
 use crate::c_string::c_string;
 use crate::error::Error;
+use crate::params::positive;
 use crate::spectrum::SpectralMoments;
+use std::f64::consts::FRAC_PI_2;
 use std::ffi::{c_char, CStr};
 use std::mem::{offset_of, size_of_val};
 
@@ -56,17 +58,32 @@ macro_rules! fields {
 
 /// All fields that are one number. Kurtosis, skew and shape choose the heights; in this order, with the choice itself last,
 /// setting one after another what another surface has copies that surface.
-static FIELDS: [Field; 24] = fields! {
+static FIELDS: [Field; 26] = fields! {
     composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std summit_radius
     asperity_count attraction radius_amplitude radius_rate slip_radius_1 slip_stress_1 slip_radius_2 slip_stress_2
-    max_friction_coefficient hardness tangential_modulus nominal_area contact_law kurtosis skew weibull_shape
+    max_friction_coefficient hardness tangential_modulus nominal_area pressure_coefficient bandwidth contact_law kurtosis skew weibull_shape
     height_distribution
 };
 
-/// Names that are no fields: arguments of two setters, which take all of theirs at once.
-static ARGUMENTS: [&CStr; MATERIALS + MOMENTS] = [c"E1", c"nu1", c"E2", c"nu2", c"m0", c"m2", c"m4"];
+/// Names that are no fields: arguments of setters, which take all of theirs at once.
+static ARGUMENTS: [&CStr; MATERIALS + MOMENTS + 4] = [
+    c"E1",
+    c"nu1",
+    c"E2",
+    c"nu2",
+    c"m0",
+    c"m2",
+    c"m4",
+    c"Ra",
+    c"calibration_load",
+    c"calibration_friction_coefficient",
+    c"calibration_friction_force",
+];
 const MATERIALS: usize = 4;
 const MOMENTS: usize = 3;
+/// Where in them are the roughness that may stand for m0, and the measured point.
+const ROUGHNESS: usize = MATERIALS + MOMENTS;
+const CALIBRATION: usize = ROUGHNESS + 1;
 
 /// The names of fields, then those of arguments.
 fn names() -> impl Iterator<Item = &'static CStr> {
@@ -97,7 +114,9 @@ impl Numbers {
         Ok(numbers)
     }
 
-    fn set(&self, params: &mut asperity_params) -> Result<(), Failure> {
+    /// # Safety
+    /// As that of `asperity_params::to_params`, where a measured point is given.
+    unsafe fn set(&self, params: &mut asperity_params) -> Result<(), Failure> {
         if let Some(bodies) = self.arguments::<MATERIALS>(0, "E1, nu1, E2 and nu2")? {
             params.set_materials(bodies)?;
         }
@@ -115,10 +134,45 @@ impl Numbers {
             }
         }
         // After `nominal_area`, which they need.
-        if let Some([m0, m2, m4]) = self.arguments::<MOMENTS>(MATERIALS, "m0, m2 and m4")? {
+        if let Some([m0, m2, m4]) = self.with_roughness()?.arguments::<MOMENTS>(MATERIALS, "m0, m2 and m4")? {
             params.set_spectral_moments(SpectralMoments { m0, m2, m4 }, params.nominal_area)?;
         }
-        Ok(())
+        self.calibrate(params)
+    }
+
+    /// With m0 from Ra, where that is given: of Gaussian heights the mean deviation is (2/pi)^(1/2) times the standard one.
+    fn with_roughness(&self) -> Result<Self, Failure> {
+        let mut numbers = Self(self.0);
+        let [ra, m0] = [ROUGHNESS, MATERIALS].map(|argument| FIELDS.len() + argument);
+        if let Some(roughness) = self.0[ra] {
+            if self.0[m0].is_some() {
+                return Err(Failure::invalid(format_args!("Ra: must not be given beside m0, which it stands for")));
+            }
+            positive("Ra", roughness)?;
+            numbers.0[m0] = Some(FRAC_PI_2 * roughness * roughness);
+        }
+        Ok(numbers)
+    }
+
+    /// Scales the slip stresses to the measured point, where one is given.
+    unsafe fn calibrate(&self, params: &mut asperity_params) -> Result<(), Failure> {
+        let [load, coefficient, force] = std::array::from_fn(|i| self.0[FIELDS.len() + CALIBRATION + i]);
+        let (load, force) = match (load, coefficient, force) {
+            (None, None, None) => return Ok(()),
+            (Some(load), Some(coefficient), None) => {
+                positive("calibration_load", load)?;
+                positive("calibration_friction_coefficient", coefficient)?;
+                (load, coefficient * load)
+            }
+            (Some(load), None, Some(force)) => (load, force),
+            _ => {
+                return Err(Failure::invalid(format_args!(
+                    "calibration_load: must be given together with calibration_friction_coefficient or \
+                     calibration_friction_force, and with one of the two alone, in one call of asperity_params_set_values"
+                )))
+            }
+        };
+        params.calibrate(load, force)
     }
 
     /// The arguments of a setter: all or none.
@@ -178,9 +232,11 @@ pub unsafe extern "C" fn asperity_params_set_value(
 
 /// Sets parameters by their names, in any order, all or none.
 ///
-/// The names are those of the fields of `asperity_params` that are one number, and of two setters: `E1`, `nu1`, `E2` and
+/// The names are those of the fields of `asperity_params` that are one number, and of setters: `E1`, `nu1`, `E2` and
 /// `nu2` together are `asperity_params_set_materials`; `m0`, `m2` and `m4` together, with a `nominal_area` that is given
-/// here or earlier, are `asperity_params_set_spectral_moments`. A field is set after them and as it is: what it may be is
+/// here or earlier, are `asperity_params_set_spectral_moments`; `Ra` may stand for `m0`, which is pi/2 Ra^2 for Gaussian heights.
+/// `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force` is `asperity_params_calibrate`, and
+/// comes last. A field is set after them and as it is: what it may be is
 /// for `asperity_create` to say.
 ///
 /// Three names choose the heights: `weibull_shape` Weibull's, `kurtosis` Johnson's. `skew` is that of Johnson's heights if

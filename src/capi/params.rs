@@ -67,11 +67,12 @@ pub struct asperity_params {
     pub radius_rate: f64,
     /// a_1/b > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
     pub slip_radius_1: f64,
-    /// tau_1/G* > 0; 1/43 by default.
+    /// tau_1/G*, > 0 and at most 1; 1/43 by default, which nobody measured for your interface: see
+    /// `asperity_params_calibrate`.
     pub slip_stress_1: f64,
     /// a_2/b > a_1/b: contact radius from which the shear strength is `slip_stress_2`; 8e4 by default.
     pub slip_radius_2: f64,
-    /// tau_2/G* > 0; 1/1290 by default. tau_2 a_2^2 must not be below tau_1 a_1^2.
+    /// tau_2/G*, > 0 and at most 1; 1/1290 by default. tau_2 a_2^2 must not be below tau_1 a_1^2.
     pub slip_stress_2: f64,
     /// Cap on every friction coefficient returned, > 0: at and near zero load F/P grows without bound. 1000 by
     /// default, INFINITY allowed.
@@ -103,6 +104,13 @@ pub struct asperity_params {
     pub contact_law: i32,
     /// Must be 0, the default.
     pub reserved: i32,
+    /// kappa >= 0, the pressure coefficient of the interface: a contact's friction force is pi a^2 tau(a) + kappa P_H, where P_H is
+    /// the load of Hertz' contact of its radius, the load and what adhesion adds to it. Boundary films have 0.02 to 0.2. 0, the
+    /// default, is a strength that does not grow with pressure. Where it is > 0, both slip stresses may be 0: Amontons' law.
+    pub pressure_coefficient: f64,
+    /// Nayak's bandwidth m0 m4/m2^2 of the surface, at least 1.5, with which warnings judge whether summits act alone.
+    /// `asperity_params_set_spectral_moments` sets it. 0, the default, means not known: `nominal_area` then tells it.
+    pub bandwidth: f64,
 }
 
 /// Size of the first version.
@@ -134,6 +142,8 @@ macro_rules! with_same_numbers {
             hardness: $from.hardness,
             tangential_modulus: $from.tangential_modulus,
             nominal_area: $from.nominal_area,
+            pressure_coefficient: $from.pressure_coefficient,
+            bandwidth: $from.bandwidth,
             $($others)*
         }
     };
@@ -286,7 +296,7 @@ pub(super) fn checked_size(size: u64) -> Result<u64, Failure> {
     Ok(size)
 }
 
-const _: () = assert!(FIRST_SIZE == 144 && TABLE_END + 24 == SIZE);
+const _: () = assert!(FIRST_SIZE == 144 && TABLE_END + 40 == SIZE);
 
 /// The shape of Weibull heights without skew (Table 1 of the paper).
 const DEFAULT_SHAPE: f64 = 3.602;

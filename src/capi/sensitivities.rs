@@ -7,8 +7,8 @@ use super::reserve;
 use super::status::asperity_status;
 
 /// What the friction force F at constant load changes by with each parameter p, the others as they are: d(ln F)/d(ln p),
-/// the percentage by which F changes for each percent of p. For `radius_amplitude` and `skew`, which may be 0 or negative, it
-/// is d(ln F)/dp. 0 for a parameter that the model does not read.
+/// the percentage by which F changes for each percent of p. For `radius_amplitude`, `skew` and `pressure_coefficient`,
+/// which may be 0, it is d(ln F)/dp. 0 for a parameter that the model does not read.
 ///
 /// A friction coefficient changes as F does, since the load is constant.
 #[repr(C)]
@@ -53,6 +53,8 @@ pub struct asperity_sensitivities {
     pub kurtosis: f64,
     /// To H; 0 where contacts are elastic.
     pub hardness: f64,
+    /// To kappa: d(ln F)/d(kappa), also where kappa is 0.
+    pub pressure_coefficient: f64,
 }
 
 /// The sensitivities of the friction force at a load, by integration over the summits, without the table. Takes longer than
@@ -81,7 +83,7 @@ pub unsafe extern "C" fn asperity_sensitivities_at_load(
             Ok(same_fields! { asperity_sensitivities of reserve::held(|| Ok(model.sensitivities_at_load(load)?))?;
                 composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std
                 summit_radius asperity_count weibull_shape radius_amplitude radius_rate slip_radius_1 slip_stress_1
-                slip_radius_2 slip_stress_2 skew kurtosis hardness
+                slip_radius_2 slip_stress_2 skew kurtosis hardness pressure_coefficient
             })
         })
     })

@@ -60,7 +60,7 @@ impl asperity_params {
 
     pub(super) fn set_spectral_moments(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Failure> {
         take! { made(|params| params.set_spectral_moments(moments, nominal_area))? => self;
-            height_std summit_radius asperity_count nominal_area
+            height_std summit_radius asperity_count nominal_area bandwidth
         }
     }
 
@@ -263,7 +263,7 @@ pub unsafe extern "C" fn asperity_params_set_nayak_summits(
                 return Err(wrong_struct_size(params.struct_size, allowed));
             }
             take! { made(|changed| changed.set_nayak_summits(SpectralMoments { m0, m2, m4 }, nominal_area))? => params;
-                height_std summit_radius asperity_count nominal_area height_distribution skew kurtosis radius_amplitude
+                height_std summit_radius asperity_count nominal_area bandwidth height_distribution skew kurtosis radius_amplitude
                 radius_rate
             }
         })

@@ -114,6 +114,10 @@ pub unsafe extern "C" fn asperity_shear_stress_at_pressure(
 /// stick creeps instead, more slowly for a smaller `transition_rate`. Friction opposes slip: apply the force with the
 /// sign opposite to the slip rate of the body on which it acts.
 ///
+/// Which `transition_rate`: below a third of the slowest sliding speed that counts, where friction is 0.5 % low. A contact
+/// held against a tangential force T creeps with transition_rate artanh(T/F): keep that below the creep that you allow. Explicit
+/// steps h of a mass m stop without a change of sign where transition_rate >= F h/m, and oscillate below half of that.
+///
 /// @param model              a model
 /// @param load               normal load [force]
 /// @param slip_rate          tangential velocity [length/time], signed

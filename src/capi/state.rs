@@ -63,6 +63,17 @@ pub struct asperity_state {
     pub fraction_elastic: f64,
     /// Fraction of the contacts that are fully plastic.
     pub fraction_flowing: f64,
+    /// Sum of the radii of all contacts [length]: their constriction conductance, thermal or electrical, is 2 k times it,
+    /// 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies, where contacts are independent.
+    pub contact_radius_sum: f64,
+    /// Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
+    pub hertz_load: f64,
+    /// Standard deviation of the friction force over its mean, among nominally equal contacts under this load, from the number of
+    /// contacts; 0 if `asperity_count` is 1.
+    pub friction_scatter: f64,
+    /// Mean friction force of nominally equal contacts under this load, over `friction_force`, less 1; 0 if `asperity_count`
+    /// is 1.
+    pub friction_bias: f64,
 }
 
 /// Constants of a model, in the units of the parameters.
@@ -116,7 +127,8 @@ unsafe fn exact(
                 load separation friction_force friction_coefficient dforce_dload dmu_dload dload_dseparation real_area
                 contacting attracted attraction_load mean_contact_radius max_contact_radius fraction_below_slip_radius_1
                 fraction_between_slip_radii fraction_above_slip_radius_2 fraction_in_contact mean_asperity_pressure
-                plasticity_index warnings tangential_stiffness fraction_elastic fraction_flowing
+                plasticity_index warnings tangential_stiffness fraction_elastic fraction_flowing contact_radius_sum
+                hertz_load friction_scatter friction_bias
             })
         })
     })

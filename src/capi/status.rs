@@ -29,9 +29,10 @@ impl Error {
     /// The status of an error.
     pub(super) fn status(&self) -> asperity_status {
         match self {
-            Error::InvalidParameter { .. } | Error::Unset { .. } | Error::InvalidEntry { .. } => {
-                ASPERITY_INVALID_PARAMETER
-            }
+            Error::InvalidParameter { .. }
+            | Error::Unset { .. }
+            | Error::InvalidEntry { .. }
+            | Error::Uncalibrated { .. } => ASPERITY_INVALID_PARAMETER,
             Error::InvalidLoad { .. } => ASPERITY_INVALID_LOAD,
             Error::Separated { .. } => ASPERITY_SEPARATED,
             Error::OutOfRange { .. } => ASPERITY_OUT_OF_RANGE,

@@ -1,18 +1,18 @@
 //! Where the model holds, as C asks: warnings of a range of loads, and what they mean.
 
-use super::boundary::{self, reference_mut};
+use super::boundary::{self, not_null, reference_mut, write, Failure};
 use super::model::{self, asperity_model};
 use super::reserve;
 use super::status::asperity_status;
 use crate::model::validity;
-use std::ffi::c_char;
+use std::ffi::{c_char, CStr};
 
 /// Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
 /// hardness (yield sets in below the contact) or the plasticity index above 1 (contacts flow at any load). Never set if no
 /// hardness is given, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding.
 pub const ASPERITY_WARNING_PLASTIC: u64 = 1;
 /// Bit of `warnings`: summits do not act alone. Set if more than 10 % of them touch, or if the real area is more than 10 %
-/// of `nominal_area`, where that is given.
+/// of `nominal_area`, where that is given; never if `asperity_count` is 1.
 pub const ASPERITY_WARNING_CROWDED: u64 = 2;
 /// Bit of `warnings`: contacts are not small. Set if their radii are more than a tenth of those of their summits, on
 /// average.
@@ -22,9 +22,19 @@ pub const ASPERITY_WARNING_ATOMIC: u64 = 8;
 /// Bit of `warnings`: the sums are no means over surfaces at this load. Set if fewer than 20 summits touch; never if
 /// `asperity_count` is 1, whose loads are those of a mean summit.
 pub const ASPERITY_WARNING_FEW: u64 = 16;
-/// Bit of `warnings`: adhesion presses the surfaces together with more than the load. Set if the load is below the magnitude
-/// of the pull-off load; never if `asperity_count` is 1, as for single summits.
+/// Bit of `warnings`: adhesion presses the surfaces together with more than the load. Set if `hertz_load` is more than twice
+/// the load; never if `asperity_count` is 1, as for single summits.
 pub const ASPERITY_WARNING_ADHESIVE: u64 = 32;
+/// Bit of `warnings`: the strength of the interface is the default, which nobody measured for these surfaces. Set while slip
+/// radii and stresses are the defaults and `pressure_coefficient` is 0; never if `asperity_count` is 1. Against measurements the
+/// default errs from 1/200 to 36 times: call `asperity_params_calibrate`.
+pub const ASPERITY_WARNING_UNCALIBRATED: u64 = 64;
+/// Bit of `warnings`: the surface is rough on so many scales that summits stand on summits. Set if Nayak's bandwidth is above 6:
+/// that given as `bandwidth`, or that of so many summits on `nominal_area`.
+pub const ASPERITY_WARNING_BROAD: u64 = 128;
+/// Bit of `warnings`: the interface would be stronger than the softer body, which shears at H/(3 sqrt 3). Set if the slip stress
+/// at the mean contact radius is larger; never without a hardness.
+pub const ASPERITY_WARNING_STRONG: u64 = 256;
 
 const _: () = {
     assert!(ASPERITY_WARNING_PLASTIC == validity::WARNING_PLASTIC);
@@ -33,6 +43,9 @@ const _: () = {
     assert!(ASPERITY_WARNING_ATOMIC == validity::WARNING_ATOMIC);
     assert!(ASPERITY_WARNING_FEW == validity::WARNING_FEW);
     assert!(ASPERITY_WARNING_ADHESIVE == validity::WARNING_ADHESIVE);
+    assert!(ASPERITY_WARNING_UNCALIBRATED == validity::WARNING_UNCALIBRATED);
+    assert!(ASPERITY_WARNING_BROAD == validity::WARNING_BROAD);
+    assert!(ASPERITY_WARNING_STRONG == validity::WARNING_STRONG);
 };
 
 /// The warnings of all states from one load to another: whether the law holds for a contact that meets these loads.
@@ -72,6 +85,87 @@ pub unsafe extern "C" fn asperity_check_loads(
 /// Threads: any.
 #[no_mangle]
 pub extern "C" fn asperity_warning_string(warning: u64) -> *const c_char {
+    string(warning).as_ptr()
+}
+
+/// Between which loads of the compiled table a warning holds.
+///
+/// It looks at some hundred exact states, in milliseconds: for the start of a run, not for its inner loop.
+///
+/// @param model     must not be NULL
+/// @param warning   one bit `ASPERITY_WARNING_...`
+/// @param lightest  receives the lightest load of the table at which it holds [force], NaN if it holds at none; must not be NULL;
+///                  untouched on failure
+/// @param heaviest  receives the heaviest [force], likewise
+/// @return `ASPERITY_OK`, also if it holds nowhere; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`warning` is not one
+///         known bit), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+///
+/// Threads: may share the model.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_warning_loads(
+    model: *const asperity_model,
+    warning: u64,
+    lightest: *mut f64,
+    heaviest: *mut f64,
+) -> asperity_status {
+    boundary::status(|| {
+        let model = model::of(model)?;
+        not_null(lightest, "lightest")?;
+        not_null(heaviest, "heaviest")?;
+        if warning.count_ones() != 1 || warning > ALL {
+            let says = "must be one of the bits ASPERITY_WARNING_, 1 to 256";
+            return Err(Failure::invalid(format_args!("warning = {warning}: {says}")));
+        }
+        let found = reserve::held(|| Ok(model.warning_loads(warning)?))?;
+        let (light, heavy) = found.unwrap_or((f64::NAN, f64::NAN));
+        write(lightest, 0, light);
+        write(heaviest, 0, heavy);
+        Ok(())
+    })
+}
+
+/// Says of warnings what fails and what to do about it, a line for each.
+///
+/// @param warnings  bits `ASPERITY_WARNING_...`, as a state has them; a line "unknown warning" stands for all others
+/// @param buffer    receives the lines, each ended by a line feed but the last, NUL-terminated, cut to fit; "no warning" for 0;
+///                  NULL to ask for the length only
+/// @param length    size of `buffer` in bytes
+/// @return the length of the whole text in bytes, without the NUL: it is cut unless `length` is greater
+///
+/// Threads: any.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_warnings_text(warnings: u64, buffer: *mut c_char, length: usize) -> usize {
+    let known = (0..WARNINGS).map(|bit| warnings & 1 << bit).filter(|&bit| bit != 0);
+    let lines = known.chain(Some(warnings & !ALL).filter(|&rest| rest != 0 || warnings == 0));
+    let mut whole = 0;
+    let mut put = |byte: u8| {
+        // The last byte is for the NUL.
+        if !buffer.is_null() && whole + 1 < length {
+            // SAFETY: the caller gives `length` bytes.
+            unsafe { buffer.add(whole).write(byte as c_char) };
+        }
+        whole += 1;
+    };
+    for (i, line) in lines.enumerate() {
+        if i > 0 {
+            put(b'\n');
+        }
+        string(line).to_bytes().iter().for_each(|&byte| put(byte));
+    }
+    if !buffer.is_null() && length > 0 {
+        // SAFETY: as above.
+        buffer.add(whole.min(length - 1)).write(0);
+    }
+    whole
+}
+
+/// The number of warnings, and all of them.
+const WARNINGS: u32 = 9;
+const ALL: u64 = (1 << WARNINGS) - 1;
+const _: () = assert!(ASPERITY_WARNING_STRONG == 1 << (WARNINGS - 1));
+
+/// What one warning means.
+fn string(warning: u64) -> &'static CStr {
     match warning {
         0 => c"no warning",
         ASPERITY_WARNING_PLASTIC => {
@@ -93,15 +187,27 @@ pub extern "C" fn asperity_warning_string(warning: u64) -> *const c_char {
               or summits of a map that is filtered at the size of the contacts"
         }
         ASPERITY_WARNING_FEW => {
-            c"fewer than 20 summits touch: friction differs from one pair of surfaces to another, and its mean at this load \
-              is higher than the law; use heavier loads or a larger area (asperity_count)"
+            c"fewer than 20 summits touch: friction differs from one pair of surfaces to another by friction_scatter, and its mean \
+              at this load is higher than the law by friction_bias; use heavier loads or a larger area (asperity_count)"
         }
         ASPERITY_WARNING_ADHESIVE => {
-            c"adhesion presses the surfaces together with more than the load, which is below the pull-off force: models of \
-              single summits are quantitatively wrong there; use heavier loads, or check work_of_adhesion, height_std and \
+            c"adhesion presses the surfaces together with more than the load: models of single summits are quantitatively wrong there; use heavier loads, or check work_of_adhesion, height_std and \
               summit_radius: surfaces that are taken too smooth or too clean are the usual cause"
+        }
+        ASPERITY_WARNING_UNCALIBRATED => {
+            c"the strength of the interface is a default that nobody measured for these surfaces, and friction is in proportion \
+              to it: against measurements it errs from 1/200 to 36 times; measure the friction force once and call \
+              asperity_params_calibrate, or set slip stresses and pressure_coefficient to measured ones"
+        }
+        ASPERITY_WARNING_BROAD => {
+            c"the surface is rough on many scales, with a bandwidth above 6, so that summits stand on summits: against boundary \
+              elements friction is 7 to 24 % too low at a bandwidth of 27 and the real area 30 to 43 %; filter the map at the size of \
+              the contacts, or calibrate at the load of use"
+        }
+        ASPERITY_WARNING_STRONG => {
+            c"the slip stress at the mean contact radius exceeds what the softer body bears in shear, hardness/(3 sqrt 3): it \
+              would shear before the interface slips; calibrate with a measured friction force, or set weaker slip stresses"
         }
         _ => c"unknown warning",
     }
-    .as_ptr()
 }

@@ -67,7 +67,10 @@ impl Weibull {
     /// [`Error::InvalidParameter`] at or below [`SKEW_LIMIT`], [`Error::OutOfRange`] outside what [`SHAPE_RANGE`] covers.
     pub fn shape_of_skew(skew: f64) -> Result<f64, Error> {
         if !finite(skew) || skew <= SKEW_LIMIT {
-            return Err(Error::invalid("skew", skew, "must be finite and > -1.13955, the limit of the Weibull family"));
+            let allowed =
+                "must be finite and > -1.13955, the limit of the Weibull family; Johnson heights have any skew \
+                           from -3 to 3";
+            return Err(Error::invalid("skew", skew, allowed));
         }
         let (smallest, largest) = SHAPE_RANGE;
         let residual = |ln_shape: f64| Moments::of(exp(ln_shape)).skew - skew;

@@ -1,6 +1,6 @@
 //! What is evaluated exactly, by sums over the summits at a separation: states, sensitivities, microslip, warnings.
 
-use super::validity::{warnings_between, Measures};
+use super::validity::{extent_of, is_one, warnings_between, Measures};
 use super::Model;
 use crate::elementary::log;
 use crate::error::Error;
@@ -75,6 +75,32 @@ pub struct State {
     pub fraction_elastic: f64,
     /// Fraction of the contacts that are fully plastic.
     pub fraction_flowing: f64,
+    /// Sum of the radii of all contacts [length]: the constriction conductance of independent contacts is 2 k times it.
+    pub contact_radius_sum: f64,
+    /// Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
+    pub hertz_load: f64,
+    /// Standard deviation of the friction force over its mean, among nominally equal contacts under this load; 0 if
+    /// `asperity_count` is 1.
+    pub friction_scatter: f64,
+    /// Mean friction force of nominally equal contacts under this load, over the friction force, less 1; 0 likewise.
+    pub friction_bias: f64,
+}
+
+/// Of n contacts under a constant load, whose friction has this variance for one, n large: the standard deviation of the
+/// friction force over its mean, and by what part its mean exceeds the sum over the mean surface.
+///
+/// For many contacts the scatter is the first order, (v/n)^(1/2). Of fewer, and the bias, this is what Monte Carlo gives, within
+/// a third (tests/physics/few_contacts.rs): the load is then carried by whatever summits there are.
+fn scatter_and_bias(variance: f64, n: f64, count: f64) -> (f64, f64) {
+    // The scatter of twice the first contacts is half of the first order, and the bias levels out below a quarter.
+    const FEW: f64 = 2.0;
+    const FEWEST: f64 = 0.25;
+    // The bias over v^(1/2)/n: 0.95 to 1.13 where friction goes as the contact radius to the power 1.57 or 2, elastic or flowing.
+    const BIAS: f64 = 1.05;
+    if count == 1.0 {
+        return (0.0, 0.0);
+    }
+    ((variance * n).sqrt() / (n + FEW), BIAS * variance.sqrt() / (n + FEWEST))
 }
 
 /// One summit at an overlap.
@@ -189,19 +215,49 @@ impl Model {
     /// # Errors
     /// Those of [`Model::state_at_load`], and [`Error::InvalidParameter`] if `lightest` is above `heaviest`.
     pub fn check_loads(&self, lightest: f64, heaviest: f64) -> Result<u64, Error> {
-        let (farthest, light) = self.equilibrium_at(lightest)?;
-        let (nearest, heavy) = self.equilibrium_at(heaviest)?;
+        let (farthest, light) = self.equilibrium_at(lightest).map_err(|error| error.of_load("lightest"))?;
+        let (nearest, heavy) = self.equilibrium_at(heaviest).map_err(|error| error.of_load("heaviest"))?;
         if lightest > heaviest {
             return Err(Error::invalid("lightest", lightest, "must not be above heaviest"));
         }
-        let measures = |separation: f64, sums: &Sums| -> Result<Measures, Error> {
-            // None looks at the largest contact.
-            let contacts = self.contacts(separation, sums, (sums.contacting * self.units.count).min(1.0))?;
-            Ok(self.measures(&self.state_of(sums.load() * self.units.load, separation, sums, &contacts)))
+        let ends = self.measures_of(farthest, &light)?.warnings() | self.measures_of(nearest, &heavy)?.warnings();
+        Ok(ends | warnings_between(nearest, farthest, |d| self.measures_at(d))?)
+    }
+
+    /// Between which loads of the compiled law a warning holds: the lightest and the heaviest at which it does; `None` if it
+    /// holds at none.
+    ///
+    /// # Errors
+    /// Those of [`Model::state_at_load`], and [`Error::InvalidParameter`] if `warning` is not one of the `WARNING_` bits.
+    pub fn warning_loads(&self, warning: u64) -> Result<Option<(f64, f64)>, Error> {
+        if !is_one(warning) {
+            // No bit pattern is too large to be told.
+            return Err(Error::invalid("warning", warning as f64, "must be one of the bits WARNING_, 1 to 256"));
+        }
+        let (lightest, heaviest) = self.law.table(Quantity::Friction).range();
+        let (farthest, _) = self.equilibrium_at(lightest)?;
+        let (nearest, _) = self.equilibrium_at(heaviest)?;
+        let found = extent_of(warning, nearest, farthest, |d| self.measures_at(d))?;
+        let load = |separation: f64| {
+            // At the ends it is the law's own.
+            match separation {
+                _ if separation == nearest => heaviest,
+                _ if separation == farthest => lightest,
+                _ => self.branch.population().at_separation(separation).load() * self.units.load,
+            }
         };
-        let ends = measures(farthest, &light)?.warnings() | measures(nearest, &heavy)?.warnings();
-        let population = self.branch.population();
-        Ok(ends | warnings_between(nearest, farthest, |d| measures(d, &population.at_separation(d)))?)
+        Ok(found.map(|(near, far)| (load(far), load(near))))
+    }
+
+    /// How far what the model assumes fails at a separation, in sigma, with these sums.
+    fn measures_of(&self, separation: f64, sums: &Sums) -> Result<Measures, Error> {
+        // None looks at the largest contact.
+        let contacts = self.contacts(separation, sums, (sums.contacting * self.units.count).min(1.0))?;
+        Ok(self.measures(&self.state_of(sums.load() * self.units.load, separation, sums, &contacts)))
+    }
+
+    fn measures_at(&self, separation: f64) -> Result<Measures, Error> {
+        self.measures_of(separation, &self.branch.population().at_separation(separation))
     }
 
     /// The exact state at a separation, in contact or not, on the branch of load control or beyond it.
@@ -275,7 +331,10 @@ impl Model {
     fn contacts(&self, separation: f64, sums: &Sums, number: f64) -> Result<Statistics, Error> {
         sums.known(separation)?;
         match number > 0.0 {
-            true => self.branch.population().statistics(separation, number),
+            true => {
+                let slope = if sums.load_slope < 0.0 { sums.friction_slope / sums.load_slope } else { 0.0 };
+                self.branch.population().statistics(separation, number, slope)
+            }
             false => Ok(Statistics::default()),
         }
     }
@@ -293,6 +352,8 @@ impl Model {
             (0.0, 0.0)
         };
         let [below, between, above] = contacts.by_regime;
+        let (friction_scatter, friction_bias) =
+            scatter_and_bias(contacts.friction_variance, sums.contacting * units.count, units.count);
         let mean_asperity_pressure =
             if sums.area > 0.0 { sums.load_contacting / sums.area * self.params.composite_modulus } else { 0.0 };
         let mut state = State {
@@ -320,6 +381,10 @@ impl Model {
             tangential_stiffness: sums.radius * units.stiffness,
             fraction_elastic: contacts.elastic,
             fraction_flowing: contacts.flowing,
+            contact_radius_sum: sums.radius * self.params.burgers_vector * units.count,
+            hertz_load: sums.hertz_load * units.load,
+            friction_scatter,
+            friction_bias,
         };
         state.warnings = self.measures(&state).warnings();
         state
@@ -327,7 +392,7 @@ impl Model {
 
     /// How far what the model assumes fails in a state.
     fn measures(&self, state: &State) -> Measures {
-        Measures::new(&self.params, self.pull_off_load(), state)
+        Measures::new(&self.params, state)
     }
 
     /// E* (sigma/R)^(1/2)/H; 0 where the hardness is not known.

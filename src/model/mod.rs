@@ -5,12 +5,13 @@
 // Brackets hold units here, not links.
 #![allow(rustdoc::broken_intra_doc_links)]
 
+mod calibration;
 mod exact;
 pub mod validity;
 
 use crate::elementary::cbrt;
 use crate::equilibrium::Branch;
-use crate::error::Error;
+use crate::error::{Error, LOAD};
 use crate::float_bits::finite;
 use crate::groups::Groups;
 use crate::law::{Law, Quantity, Table, Unfollowed};
@@ -112,7 +113,7 @@ impl Model {
     pub fn new(params: &Params) -> Result<Self, Error> {
         let (groups, heights, radius) = params.surface()?;
         let units = Units::new(params);
-        let population = Population::new(&groups, params.slip, heights, radius, params.attraction)?;
+        let population = Population::new(&groups, params.slip_law(), heights, radius, params.attraction)?;
         let compile = |branch: &Branch| Law::new(branch, units.load, Quantity::ALL.map(|quantity| units.of(quantity)));
         let mut branch = Branch::new(population)?;
         let mut law = compile(&branch);
@@ -259,11 +260,11 @@ impl Model {
     /// per summit.
     pub fn validate_load(&self, load: f64) -> Result<(), Error> {
         if !finite(load) {
-            return Err(Error::InvalidLoad { value: load });
+            return Err(Error::InvalidLoad { name: LOAD, value: load });
         }
         let pull_off = self.pull_off_load();
         if load < pull_off {
-            return Err(Error::Separated { load, pull_off });
+            return Err(Error::Separated { name: LOAD, load, pull_off });
         }
         if load > self.heaviest {
             let allowed = "must be below 1e80 composite_modulus burgers_vector^2 asperity_count";

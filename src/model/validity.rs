@@ -18,6 +18,12 @@ pub const WARNING_ATOMIC: u64 = 8;
 pub const WARNING_FEW: u64 = 16;
 /// Set where adhesion presses the surfaces together with more than the load.
 pub const WARNING_ADHESIVE: u64 = 32;
+/// Set where the strength of the interface is the default, which nobody measured.
+pub const WARNING_UNCALIBRATED: u64 = 64;
+/// Set where the surface is rough on so many scales that summits stand on summits.
+pub const WARNING_BROAD: u64 = 128;
+/// Set where the interface would be stronger than the softer body.
+pub const WARNING_STRONG: u64 = 256;
 
 /// The mean pressure of an elastic contact, over the hardness, at which yield sets in below its surface: 1.1 of the
 /// yield stress, of which the hardness is 2.8 (Johnson, Contact Mechanics, 1985, sections 6.1 and 6.2).
@@ -34,13 +40,29 @@ const FEWEST_CONTACTS: f64 = 20.0;
 /// The `asperity_count` of the paper's loads, which are loads of a mean summit.
 const LOADS_PER_SUMMIT: f64 = 1.0;
 
+/// The loads of Hertz' contacts over the load, from which on adhesion presses with more than the load.
+const ADHESIVE_SHARE: f64 = 2.0;
+/// Nayak's bandwidth up to which friction is that of boundary elements to 10 % or so (docs/validation.md).
+const BROAD_BANDWIDTH: f64 = 6.0;
+/// What exceeds its bound whatever the state.
+const ALWAYS: f64 = f64::MAX;
+
 /// For each warning, in the order of their bits, a quantity over its bound.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Measures([f64; 6]);
+pub struct Measures([f64; WARNINGS]);
+
+/// The number of warnings.
+const WARNINGS: usize = 9;
+
+/// Whether this is the bit of one warning.
+pub fn is_one(warning: u64) -> bool {
+    warning.is_power_of_two() && warning <= WARNING_STRONG
+}
 
 impl Measures {
-    /// Of a state of the surfaces with these parameters and this pull-off load, at most 0.
-    pub fn new(params: &Params, pull_off_load: f64, state: &State) -> Self {
+    /// Of a state of the surfaces with these parameters.
+    pub fn new(params: &Params, state: &State) -> Self {
+        let of_many = params.asperity_count != LOADS_PER_SUMMIT;
         let touching = state.contacting > 0.0;
         let is_elastic = params.contact_law == ContactLawKind::Maugis;
         let plastic = match is_elastic && params.hardness > 0.0 {
@@ -49,19 +71,39 @@ impl Measures {
             false => 0.0,
         };
         let area = if params.nominal_area > 0.0 { state.real_area / params.nominal_area } else { 0.0 };
-        let crowded = state.fraction_in_contact.max(area) / CROWDED_FRACTION;
+        let crowded = if of_many { state.fraction_in_contact.max(area) / CROWDED_FRACTION } else { 0.0 };
         let atomic = if touching { params.burgers_vector / state.mean_contact_radius } else { 0.0 };
         let over = |large: f64, small: f64| if small > 0.0 { large / small } else { f64::MAX };
-        let of_many = params.asperity_count != LOADS_PER_SUMMIT;
         let few = if of_many { over(FEWEST_CONTACTS, state.contacting) } else { 0.0 };
-        let adhesive = if of_many && pull_off_load < 0.0 { over(-pull_off_load, state.load) } else { 0.0 };
-        Self([plastic, crowded, state.mean_steepness / STEEP_RATIO, atomic, few, adhesive])
+        let adheres = of_many && params.work_of_adhesion > 0.0;
+        let adhesive = if adheres { over(state.hertz_load / ADHESIVE_SHARE, state.load) } else { 0.0 };
+        let uncalibrated = if of_many && params.has_default_strength() { ALWAYS } else { 0.0 };
+        let strong = match touching && params.hardness > 0.0 {
+            true => {
+                let stress = params.slip_law().stress(state.mean_contact_radius / params.burgers_vector);
+                stress * params.effective_shear_modulus / shear_strength(params.hardness)
+            }
+            false => 0.0,
+        };
+        let broad = params.known_bandwidth() / BROAD_BANDWIDTH;
+        let steep = state.mean_steepness / STEEP_RATIO;
+        Self([plastic, crowded, steep, atomic, few, adhesive, uncalibrated, broad, strong])
+    }
+
+    /// Whether one of the assumptions fails.
+    fn has(&self, warning: u64) -> bool {
+        self.warnings() & warning != 0
     }
 
     /// The bits of the assumptions that fail.
     pub fn warnings(&self) -> u64 {
         self.0.iter().enumerate().filter(|(_, measure)| **measure > 1.0).map(|(bit, _)| 1 << bit).sum()
     }
+}
+
+/// The shear strength of a body of this hardness, three times the yield stress, after von Mises.
+fn shear_strength(hardness: f64) -> f64 {
+    hardness / (3.0 * 3.0_f64.sqrt())
 }
 
 /// How far apart the states are that are looked at [sigma], next to the middle of the heights and to the lightest load ...
@@ -75,6 +117,8 @@ const NEXT_TO_END: f64 = 0.01;
 /// A golden section takes this part of the interval off, and after so many of them 1e-7 of it is left.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 const SECTIONS: u32 = 34;
+/// The load at which a warning begins or ends is found to 1e-9 of a step of the separation.
+const EDGE_HALVINGS: u32 = 30;
 
 /// The warnings of all states between two separations, in sigma, from what is measured at each.
 ///
@@ -92,12 +136,61 @@ pub fn warnings_between(near: f64, far: f64, at: impl Fn(f64) -> Result<Measures
         let [before, here, after] = [0, 1, 2].map(|i| around[i].1 .0);
         // Where a measure is constant there is nothing to refine.
         for bit in (0..here.len()).filter(|&bit| here[bit] > before[bit] && here[bit] >= after[bit]) {
-            if warnings & (1 << bit) == 0 && exceeds(around[0].0, around[2].0, |d| Ok(at(d)?.0[bit]))? {
+            if warnings & (1 << bit) == 0 && exceeds(around[0].0, around[2].0, |d| Ok(at(d)?.0[bit]))?.is_some() {
                 warnings |= 1 << bit;
             }
         }
     }
     Ok(warnings)
+}
+
+/// The nearest and the farthest separation, in sigma, at which a warning holds, from what is measured at each between two;
+/// `None` if it holds at none.
+///
+/// # Errors
+/// Those of the states.
+pub fn extent_of(
+    warning: u64,
+    near: f64,
+    far: f64,
+    at: impl Fn(f64) -> Result<Measures, Error>,
+) -> Result<Option<(f64, f64)>, Error> {
+    let states: Result<Vec<_>, Error> = separations(near, far).into_iter().map(|d| Ok((d, at(d)?))).collect();
+    let mut states = states?;
+    if !states.iter().any(|(_, measures)| measures.has(warning)) {
+        // It may hold between two states alone.
+        let bit = warning.trailing_zeros() as usize;
+        let is_peak = |around: &&[(f64, Measures)]| {
+            let [before, here, after] = [0, 1, 2].map(|i| around[i].1 .0[bit]);
+            here > before && here >= after
+        };
+        let peaks: Vec<_> = states.windows(3).filter(is_peak).map(|around| (around[0].0, around[2].0)).collect();
+        for (from, to) in peaks {
+            if let Some(peak) = exceeds(from, to, |d| Ok(at(d)?.0[bit]))? {
+                states.push((peak, at(peak)?));
+            }
+        }
+        states.sort_by(|a, b| a.0.total_cmp(&b.0));
+    }
+    let holds = |(_, measures): &(f64, Measures)| measures.has(warning);
+    let (Some(first), Some(last)) = (states.iter().position(holds), states.iter().rposition(holds)) else {
+        return Ok(None);
+    };
+    // Between a state without it and one with it.
+    let edge = |mut without: f64, mut with: f64| -> Result<f64, Error> {
+        for _ in 0..EDGE_HALVINGS {
+            let middle = 0.5 * (without + with);
+            if at(middle)?.has(warning) {
+                with = middle;
+            } else {
+                without = middle;
+            }
+        }
+        Ok(with)
+    };
+    let nearest = if first > 0 { edge(states[first - 1].0, states[first].0)? } else { states[first].0 };
+    let farthest = if last + 1 < states.len() { edge(states[last + 1].0, states[last].0)? } else { states[last].0 };
+    Ok(Some((nearest, farthest)))
 }
 
 /// Separations from `near` to `far`, both included.
@@ -116,14 +209,14 @@ fn separations(near: f64, far: f64) -> Vec<f64> {
     all
 }
 
-/// Whether a measure with one maximum between two separations exceeds 1 there.
-fn exceeds(mut from: f64, mut to: f64, measure: impl Fn(f64) -> Result<f64, Error>) -> Result<bool, Error> {
+/// Where a measure with one maximum between two separations exceeds 1, if it does.
+fn exceeds(mut from: f64, mut to: f64, measure: impl Fn(f64) -> Result<f64, Error>) -> Result<Option<f64>, Error> {
     let inner = |from: f64, to: f64| from + GOLDEN * (to - from);
     let mut left = (inner(from, to), measure(inner(from, to))?);
     let mut right = (inner(to, from), measure(inner(to, from))?);
     for _ in 0..SECTIONS {
-        if left.1.max(right.1) > 1.0 {
-            return Ok(true);
+        if let Some((d, _)) = [left, right].into_iter().find(|(_, measure)| *measure > 1.0) {
+            return Ok(Some(d));
         }
         if left.1 >= right.1 {
             (to, right) = (right.0, left);
@@ -133,21 +226,24 @@ fn exceeds(mut from: f64, mut to: f64, measure: impl Fn(f64) -> Result<f64, Erro
             right = (inner(to, from), measure(inner(to, from))?);
         }
     }
-    Ok(false)
+    Ok(None)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::asperity::slip::SlipConstants;
     use crate::Model;
 
     #[test]
     fn summits_whose_law_yields_are_not_warned_of() {
-        let elastic = Params { hardness: 1e-3, ..Params::default() };
+        // Weaker than the softer body.
+        let slip = SlipConstants { stress_1: 1e-5, stress_2: 1e-5, ..SlipConstants::default() };
+        let elastic = Params { hardness: 1e-3, slip, ..Params::default() };
         let state = Model::new(&elastic).expect("a model").state_at_load(10.0).expect("a state");
-        assert_eq!(Measures::new(&elastic, 0.0, &state).warnings(), WARNING_PLASTIC);
+        assert_eq!(Measures::new(&elastic, &state).warnings(), WARNING_PLASTIC);
         let plastic = Params { contact_law: ContactLawKind::ElasticPlastic, ..elastic };
-        assert_eq!(Measures::new(&plastic, 0.0, &state).warnings(), 0);
+        assert_eq!(Measures::new(&plastic, &state).warnings(), 0);
     }
 
     /// A peak between states, of a measure that is below 1 at each of them.
@@ -158,9 +254,15 @@ mod tests {
                 let scale = 1.0 + f64::abs(peak);
                 let at = |d: f64| {
                     let steep = height - ((d - peak) / scale).powi(2);
-                    Ok(Measures([0.0, 0.0, steep, 0.0, 0.0, 0.0]))
+                    let mut measures = Measures([0.0; WARNINGS]);
+                    measures.0[2] = steep;
+                    Ok(measures)
                 };
                 assert_eq!(warnings_between(-1e6, 7.8, at), Ok(found), "{peak}");
+                let extent = extent_of(1 << 2, -1e6, 7.8, at).expect("an extent");
+                assert_eq!(extent.is_some(), found != 0, "{peak}");
+                let (near, far) = extent.unwrap_or((peak, peak));
+                assert!((near - peak).abs().max((far - peak).abs()) < 1e-3 * scale, "{near} to {far}, not {peak}");
             }
         }
     }

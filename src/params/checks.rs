@@ -1,7 +1,7 @@
 //! What parameters may be together, and the groups, heights and radii that they amount to.
 
 use super::numbers::{magnitude, not_negative, positive, POSITIVE};
-use super::{unit_slips, ContactLawKind, Params, RADIUS_RATES, UNSET};
+use super::{unit_slips, ContactLawKind, Params, LEAST_BANDWIDTH, RADIUS_RATES, UNSET};
 use crate::asperity::slip::SlipConstants;
 use crate::distribution::{self, HeightDistribution};
 use crate::error::Error;
@@ -9,6 +9,9 @@ use crate::float_bits::{finite, infinite, nan};
 use crate::groups::Groups;
 use crate::population::radius::RadiusProfile;
 use std::sync::Arc;
+
+/// Larger ones are another quantity; friction forces stay in range.
+const LARGEST_PRESSURE_COEFFICIENT: f64 = 1e3;
 
 impl Params {
     /// The groups of eqs (7) and (8), heights and radii; every number is checked on the way.
@@ -38,6 +41,11 @@ impl Params {
         let default_modulus = "must be finite and >= 0; 0 is E* G* / (2 (E* + G*))";
         not_negative("tangential_modulus", self.tangential_modulus, default_modulus)?;
         not_negative("nominal_area", self.nominal_area, "must be finite and >= 0; 0 is not known")?;
+        let no_bandwidth = "must be at least 1.5, as that of every isotropic surface is; 0 is not known";
+        not_negative("bandwidth", self.bandwidth, no_bandwidth)?;
+        if self.bandwidth != 0.0 && self.bandwidth < LEAST_BANDWIDTH {
+            return Err(Error::invalid("bandwidth", self.bandwidth, no_bandwidth));
+        }
         self.check_contact_law()?;
         let groups = self.groups();
         check_groups(&groups)?;
@@ -89,10 +97,30 @@ impl Params {
 
     fn check_slip(&self) -> Result<(), Error> {
         let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.slip;
+        let kappa = self.pressure_coefficient;
+        not_negative(
+            "pressure_coefficient",
+            kappa,
+            "must be finite and >= 0; 0 is a strength that does not grow with pressure",
+        )?;
+        if kappa > LARGEST_PRESSURE_COEFFICIENT {
+            let allowed = "must be at most 1000: it is a number without unit, about 0.01 to 1";
+            return Err(Error::out_of_range("pressure_coefficient", kappa, allowed));
+        }
         positive("slip_radius_1", radius_1)?;
-        positive("slip_stress_1", stress_1)?;
         positive("slip_radius_2", radius_2)?;
-        positive("slip_stress_2", stress_2)?;
+        let has_stress = !(stress_1 == 0.0 && stress_2 == 0.0 && kappa > 0.0);
+        for (name, stress) in
+            [("slip_stress_1", stress_1), ("slip_stress_2", stress_2)].into_iter().filter(|_| has_stress)
+        {
+            const ZERO: &str =
+                "must be finite and > 0; both slip stresses may be 0 where pressure_coefficient is > 0 (Amontons' law)";
+            magnitude(name, stress, ZERO)?;
+            if stress > 1.0 {
+                let allowed = "must be at most 1: it is a share of effective_shear_modulus; is it in Pa?";
+                return Err(Error::out_of_range(name, stress, allowed));
+            }
+        }
         // A relative distance, so that the exponent of the power law between the radii stays finite.
         if radius_2 <= radius_1 * (1.0 + 1e-9) {
             return Err(Error::invalid("slip_radius_2", radius_2, "must be greater than slip_radius_1"));
@@ -128,8 +156,9 @@ fn check_groups(groups: &Groups) -> Result<(), Error> {
         "gamma" where adheres, groups.gamma, 1e-9..=10.0,
             "work_of_adhesion/(composite_modulus burgers_vector) must be 0 or between 1e-9 and 10; ",
             below "are work_of_adhesion and the moduli in one system of units?",
-            above "is work_of_adhesion in mJ/m^2, or beside mm in J/m^2, or are the moduli in GPa? Rubber and gels are outside of the \
-                law; to try them, set work_of_adhesion to 0";
+            above "is work_of_adhesion in mJ/m^2, or beside mm in J/m^2, or are the moduli in GPa? An elastomer has no Burgers \
+                vector: set slip_stress_1 = slip_stress_2, and burgers_vector to a length above \
+                work_of_adhesion/(10 composite_modulus), on which the answers then do not depend";
         "h/sigma" where adheres, groups.reach(), 0.0..=1e6, "adhesion_range/height_std must be at most 1e6; ",
             below "", above "is adhesion_range in nm? Else take a rougher surface, or no adhesion";
         "b/h", groups.b_over_h, 1e-3..=100.0, "burgers_vector/adhesion_range must be between 1e-3 and 100; ",
@@ -171,12 +200,20 @@ mod tests {
     #[test]
     fn quantities_are_taken_up_to_the_limits_and_no_further() {
         let magnitudes = [1.0 / LARGEST, LARGEST];
+        let shares = [1.0 / LARGEST, 1.0];
         assert_interval("max_friction_coefficient", true, magnitudes, |params, x| params.max_friction_coefficient = x);
         assert_interval("asperity_count", true, magnitudes, |params, x| params.asperity_count = x);
         assert_interval("effective_shear_modulus", true, magnitudes, |params, x| params.effective_shear_modulus = x);
-        assert_interval("slip_stress_1", true, magnitudes, |params, x| {
-            params.slip = SlipConstants { stress_1: x, stress_2: x.clamp(magnitudes[0], magnitudes[1]), ..params.slip }
+        assert_interval("slip_stress_1", true, shares, |params, x| {
+            params.slip = SlipConstants { stress_1: x, stress_2: x.clamp(shares[0], shares[1]), ..params.slip }
         });
+        assert_eq!(refused(|params| params.slip.stress_2 = 1.0), None);
+        assert_eq!(refused(|params| params.slip.stress_2 = 1.0_f64.above()), Some((true, "slip_stress_2")));
+        assert_interval("pressure_coefficient", true, [1.0 / LARGEST, 1e3], |params, x| {
+            params.pressure_coefficient = x
+        });
+        assert_eq!(refused(|params| params.bandwidth = 1.5), None);
+        assert_eq!(refused(|params| params.bandwidth = 1.5_f64.below()), Some((false, "bandwidth")));
         assert_eq!(refused(|params| params.hardness = 0.0), None);
         assert_eq!(refused(|params| params.hardness = -0.0), None);
         assert_eq!(refused(|params| params.max_friction_coefficient = f64::INFINITY), None);
@@ -245,6 +282,23 @@ mod tests {
         assert_eq!(refused(|params| far(params, 1e-3)), Some((true, "h/sigma")));
     }
 
+    /// Both together, and only where something else resists: Amontons' law.
+    #[test]
+    fn slip_stresses_may_be_0_where_there_is_a_pressure_coefficient() {
+        let with = |stress_1: f64, stress_2: f64, pressure_coefficient: f64| {
+            refused(|params| {
+                params.slip = SlipConstants { stress_1, stress_2, ..params.slip };
+                params.pressure_coefficient = pressure_coefficient;
+            })
+        };
+        assert_eq!(with(0.0, 0.0, 0.1), None);
+        assert_eq!(with(-0.0, 0.0, 0.1), None);
+        assert_eq!(with(0.0, 0.0, 0.0), Some((false, "slip_stress_1")));
+        assert_eq!(with(0.0, 0.1, 0.1), Some((false, "slip_stress_1")));
+        assert_eq!(with(1e-4, 0.0, 0.1), Some((false, "slip_stress_2")));
+        assert_eq!(with(6.5e7, 6.5e7, 0.1), Some((true, "slip_stress_1")));
+    }
+
     #[test]
     fn slip_constants_are_taken_where_force_grows_with_radius() {
         let with = |radius_2: f64, stress_2: f64| {
@@ -255,7 +309,7 @@ mod tests {
         let least = |radius_2: f64| 0.02 * 3.0 * 3.0 / (radius_2 * radius_2);
         for radius in [3.0 * (1.0 + 2e-9), 5.0, 1e3] {
             assert_eq!(with(radius, least(radius)), None, "{radius}");
-            assert_eq!(with(radius, 1e3), None, "{radius}");
+            assert_eq!(with(radius, 1.0), None, "{radius}");
             assert_eq!(with(radius, least(radius) * (1.0 - 1e-10)), Some((false, "slip_stress_2")), "{radius}");
         }
         for radius in [3.0 * (1.0 + 1e-10), 3.0, 2.0] {

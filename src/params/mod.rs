@@ -9,7 +9,7 @@ mod checks;
 mod numbers;
 mod unit_slips;
 
-use crate::asperity::slip::SlipConstants;
+use crate::asperity::slip::{Slip, SlipConstants};
 use crate::distribution::weibull::Weibull;
 pub use crate::distribution::HeightFamily;
 use crate::error::Error;
@@ -17,7 +17,9 @@ use crate::float_bits::infinite;
 use crate::joint_distribution::SummitShape;
 use crate::materials::Bodies;
 use crate::spectrum::SpectralMoments;
-use numbers::{magnitude, not_negative, poisson_ratio, positive};
+pub(crate) use numbers::positive;
+pub(crate) use numbers::LARGEST;
+use numbers::{magnitude, not_negative, poisson_ratio};
 
 /// The law of one summit in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -71,6 +73,11 @@ pub struct Params {
     pub nominal_area: f64,
     /// The law of one summit in contact.
     pub contact_law: ContactLawKind,
+    /// kappa >= 0: a contact's friction force is pi a^2 tau(a) + kappa P_H, P_H the load of Hertz' contact of its radius. 0, the
+    /// default, is a strength that does not depend on pressure.
+    pub pressure_coefficient: f64,
+    /// Nayak's bandwidth m0 m4/m2^2 of the surface, at least 1.5, to judge whether summits act alone; 0 if not known.
+    pub bandwidth: f64,
 }
 
 impl Default for Params {
@@ -95,6 +102,8 @@ impl Default for Params {
             tangential_modulus: 0.0,
             nominal_area: 0.0,
             contact_law: ContactLawKind::Maugis,
+            pressure_coefficient: 0.0,
+            bandwidth: 0.0,
         };
         params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
         params
@@ -103,6 +112,13 @@ impl Default for Params {
 
 /// What the physical inputs are until they are set: a quiet NaN that no arithmetic makes.
 pub(crate) const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
+
+/// The bandwidth of the narrowest spectrum of an isotropic surface (P. R. Nayak, J. Lubr. Technol. 93 (1971) 398).
+pub(crate) const LEAST_BANDWIDTH: f64 = 1.5;
+
+/// Of summits of a Gaussian surface the bandwidth is 0.897 + (eta sigma R/0.02036)^2.
+const NARROWEST: f64 = 0.8968;
+const SUMMIT_PRODUCT: f64 = 0.02036;
 
 /// The radius_rate of radii that vary with height.
 pub(crate) const RADIUS_RATES: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
@@ -213,8 +229,8 @@ impl Params {
         Ok(())
     }
 
-    /// Summits of an isotropic Gaussian surface: `height_std`, `summit_radius`, `asperity_count` and `nominal_area` from
-    /// the spectral moments of its profiles and its area.
+    /// Summits of an isotropic Gaussian surface: `height_std`, `summit_radius`, `asperity_count`, `nominal_area` and
+    /// `bandwidth` from the spectral moments of its profiles and its area.
     ///
     /// # Errors
     /// [`Error::InvalidParameter`], also for moments that no such surface has, or [`Error::OutOfRange`]; the parameters
@@ -232,6 +248,8 @@ impl Params {
         self.summit_radius = moments.summit_radius();
         self.asperity_count = moments.summit_density() * nominal_area;
         self.nominal_area = nominal_area;
+        // That of a narrow spectrum is 1.5 but for rounding.
+        self.bandwidth = moments.bandwidth().max(LEAST_BANDWIDTH);
         Ok(())
     }
 
@@ -258,6 +276,28 @@ impl Params {
     pub fn set_skew(&mut self, skew: f64) -> Result<(), Error> {
         self.heights = HeightFamily::Weibull { shape: Weibull::shape_of_skew(skew)? };
         Ok(())
+    }
+
+    /// Whether the strength of the interface is the default, which nobody measured for these surfaces.
+    pub(crate) fn has_default_strength(&self) -> bool {
+        self.slip == SlipConstants::default() && self.pressure_coefficient == 0.0
+    }
+
+    /// Nayak's bandwidth: that given, or that of a Gaussian surface with so many summits on the nominal area (P. R. Nayak,
+    /// J. Lubr. Technol. 93 (1971) 398; eta sigma R as J. I. McCool, J. Tribol. 109 (1987) 264, has it); 0 if neither is known.
+    pub(crate) fn known_bandwidth(&self) -> f64 {
+        if self.bandwidth > 0.0 || self.nominal_area <= 0.0 {
+            return self.bandwidth;
+        }
+        let product = self.asperity_count / self.nominal_area * self.height_std * self.summit_radius;
+        // Beyond, no number is needed.
+        let product = (product / SUMMIT_PRODUCT).min(LARGEST);
+        NARROWEST + product * product
+    }
+
+    /// The law of friction of one contact, in dimensionless units.
+    pub(crate) fn slip_law(&self) -> Slip {
+        Slip::new(self.slip, self.pressure_coefficient * self.composite_modulus / self.effective_shear_modulus)
     }
 
     /// G^: that given, or its default E* G*/(2 (E* + G*)).

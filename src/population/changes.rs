@@ -73,13 +73,13 @@ impl ContactVisitor for Adding<'_> {
         let Point { z, g_rate, contact } = *point;
         let Population { law, radius, .. } = self.population;
         let changes = &mut self.changes;
-        let (friction, friction_by_radius) = slip.force(contact.radius);
+        let friction = slip.friction(&contact);
         let s_by_overlap = contact.s_by_overlap();
         let load_by_overlap = contact.by_s.load * s_by_overlap;
-        let friction_by_overlap = friction_by_radius * contact.by_s.radius * s_by_overlap;
+        let friction_by_overlap = friction.rate(&contact.by_s) * s_by_overlap;
         let at_fixed_overlap = |rates: Rates| Change {
             load: rates.load - load_by_overlap * rates.overlap,
-            friction: friction_by_radius * rates.radius - friction_by_overlap * rates.overlap,
+            friction: friction.rate(&rates) - friction_by_overlap * rates.overlap,
         };
         let by_g = at_fixed_overlap(contact.by_g);
         for (change, rates) in changes.by_groups.iter_mut().zip(law.by_groups(contact.parameter, radius.factor(z))) {
@@ -93,8 +93,9 @@ impl ContactVisitor for Adding<'_> {
             let load = load_by_overlap * rise + by_g.load * g_change;
             change.add(fraction, Change { load, friction: friction_by_overlap * rise + by_g.friction * g_change });
         }
+        let of_stress = friction.force - friction.by_hertz_load * contact.hertz_load;
         for (change, log_change) in changes.friction_by_slip.iter_mut().zip(slip.log_changes(contact.radius)) {
-            *change += fraction * friction * log_change;
+            *change += fraction * of_stress * log_change;
         }
     }
 }
@@ -136,7 +137,7 @@ impl Population {
     fn add_edge_changes(&self, changes: &mut Changes, separation: f64, edge: &Edge, heights: &Heights) {
         let Point { z, g_rate, contact } = edge.point;
         let below = self.attraction_at(z - separation, z).map_or(0.0, |attracted| attracted.load);
-        let lost = Change { load: contact.load - below, friction: self.slip.force(contact.radius).0 };
+        let lost = Change { load: contact.load - below, friction: self.slip.friction(&contact).force };
         let density = exp(self.heights.log_density(z));
         let add = |change: &mut Change, edge_rise: f64| change.add(-density * edge_rise, lost);
         // At break-away du/ds = 0, so that changes at fixed s are those of the overlap there.

@@ -87,7 +87,7 @@ impl DeepRule {
         let contacts = points.contacts(population, separation);
         let kinks = self.kinks.map(|overlap| separation + overlap);
         let summits = |regime: usize| {
-            contacts.map(|contact| Summit::new(&contact, population.slip.force_in_regime(regime, contact.radius)))
+            contacts.map(|contact| Summit::new(&contact, population.slip.friction_in_regime(regime, &contact)))
         };
         let lowest_regime = kinks.iter().filter(|&&kink| kink <= lowest).count();
         let mut sums = Sums::default();

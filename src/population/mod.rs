@@ -26,11 +26,11 @@ pub use statistics::Statistics;
 pub use sums::Sums;
 
 use crate::asperity::attraction::Attraction;
-use crate::asperity::contact::{Contact, ContactLaw, KINKS};
+use crate::asperity::contact::{Contact, ContactLaw, Rates, KINKS};
 use crate::asperity::elastic_plastic::{first_yield, ElasticPlastic};
 use crate::asperity::hertz::Hertz;
 use crate::asperity::maugis::Maugis;
-use crate::asperity::slip::{Slip, SlipConstants};
+use crate::asperity::slip::Slip;
 use crate::distribution::{panel, HeightDistribution};
 use crate::error::Error;
 use crate::groups::Groups;
@@ -75,6 +75,8 @@ pub struct Population {
     radius_kinks: [f64; RADII],
     /// The overlaps over g at which the law of contact has.
     kinks_of_contact: [f64; KINKS],
+    /// The friction force over the contact radius at which it has one too, where no radius tells that.
+    friction_kink: Option<f64>,
     /// The overlaps over g at which summits begin to yield, and to flow, infinite where they do not.
     yields: [f64; KINKS],
     /// No summit in contact has a smaller overlap.
@@ -113,8 +115,13 @@ impl Point {
 
     /// How the contact radius changes with height at one separation: da/dz du/ds, which is finite also where s turns back.
     fn radius_change(&self) -> f64 {
-        self.contact.by_s.radius * self.height_share()
-            + self.contact.by_g.radius * self.g_rate * self.contact.by_s.overlap
+        self.change(|rates| rates.radius)
+    }
+
+    /// How a quantity with these rates changes with height, likewise.
+    fn change(&self, rate: impl Fn(&Rates) -> f64) -> f64 {
+        rate(&self.contact.by_s) * self.height_share()
+            + rate(&self.contact.by_g) * self.g_rate * self.contact.by_s.overlap
     }
 
     /// The same contact of a higher summit at a larger separation, where radii are equal.
@@ -138,7 +145,7 @@ impl Population {
     /// [`Error::OutOfRange`] if radii vary so steeply that taller summits part before lower ones.
     pub fn new(
         groups: &Groups,
-        slip: SlipConstants,
+        slip: Slip,
         heights: Arc<dyn HeightDistribution>,
         radius: RadiusProfile,
         attract: bool,
@@ -151,7 +158,6 @@ impl Population {
         let lower_cut = panel::lower_cut(&*heights);
         let highest = panel::upper_cut(&*heights);
         let deepest = break_away::deepest(&*law, &radius, lower_cut, highest)?;
-        let slip = Slip::new(slip);
         let [first, second] = slip.kinks();
         let kinks_of_contact = law.kinks();
         // Elastic summits are told where they would yield, but not from where they would flow.
@@ -165,6 +171,7 @@ impl Population {
             lambda_cubed: groups.lambda_cubed(),
             radius_kinks: [first, second, f64::INFINITY, f64::INFINITY, f64::INFINITY],
             kinks_of_contact,
+            friction_kink: None,
             yields,
             deepest,
             lower_cut,
@@ -353,7 +360,7 @@ impl Population {
         let density = crate::elementary::exp(self.heights.log_density(z)) / edge.rate;
         let below = self.attraction_at(z - separation, z).map_or(0.0, |attracted| attracted.load);
         sums.load_slope -= density * (edge.point.contact.load - below);
-        sums.friction_slope -= density * self.slip.force(edge.point.contact.radius).0;
+        sums.friction_slope -= density * self.slip.friction(&edge.point.contact).force;
         sums.radius_slope -= density * edge.point.contact.radius;
     }
 

@@ -41,7 +41,7 @@ impl NodeTable {
             let clearance = table.end.z - edge.z;
             let panel = population.panel(0.0, table.end, kink, clearance, reach, f64::INFINITY);
             let nodes = population.nodes(0.0, &panel);
-            let summit = |point: Point| Summit::new(&point.contact, population.slip.force(point.contact.radius));
+            let summit = |point: Point| Summit::new(&point.contact, population.slip.friction(&point.contact));
             table.panels.push(TablePanel {
                 from: panel.from,
                 to: panel.to,

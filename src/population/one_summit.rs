@@ -1,7 +1,6 @@
 //! One summit alone: the law that the sums are made of, eqs (4)-(6), (9)-(11) and (13)-(15).
 
 use super::Population;
-use crate::asperity::contact::Contact;
 
 /// A summit at an overlap. Load in E* b^2, friction in G* b^2, radius in b.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,7 +23,7 @@ impl Population {
             let load = self.attraction_at(overlap, z).map_or(0.0, |attracted| attracted.load);
             return OneSummit { load, friction: 0.0, radius: 0.0 };
         }
-        let Contact { load, radius, .. } = self.law.at_overlap(overlap, g, self.law.guess(overlap, g));
-        OneSummit { load, friction: self.slip.force(radius).0, radius }
+        let contact = self.law.at_overlap(overlap, g, self.law.guess(overlap, g));
+        OneSummit { load: contact.load, friction: self.slip.friction(&contact).force, radius: contact.radius }
     }
 }

@@ -7,6 +7,7 @@
 
 use super::sums::{out_of_panels, Summit};
 use super::{Point, Population, RADII};
+use crate::asperity::contact::KINKS;
 use crate::asperity::slip::Slip;
 use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS, SHORTEST};
 use crate::elementary::exp;
@@ -70,7 +71,7 @@ pub trait ContactVisitor {
 impl<V: Visitor> ContactVisitor for V {
     #[inline]
     fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip) {
-        self.summits(point.z, fraction, &Summit::new(&point.contact, slip.force(point.contact.radius)));
+        self.summits(point.z, fraction, &Summit::new(&point.contact, slip.friction(&point.contact)));
     }
 
     #[inline]
@@ -92,7 +93,7 @@ pub struct Panel {
     pub axis: Axis,
     pub from: Point,
     pub to: Point,
-    /// Which kink it ends at: the radii first, then those of the law of contact.
+    /// Which kink it ends at: the radii first, then those of the law of contact, then that of friction over radius.
     pub kink: Option<usize>,
     /// What part it is of one that all points are needed for.
     part: f64,
@@ -376,7 +377,25 @@ impl Population {
         for (index, kink) in self.radius_kinks.into_iter().enumerate().filter(|&(index, _)| start_kink != Some(index)) {
             self.cut_where(separation, &mut panel, |point| point.contact.radius - kink, Some(index));
         }
+        if let Some(ratio) = self.friction_kink {
+            self.cut_at_friction_over_radius(separation, &mut panel, ratio, start_kink);
+        }
         panel
+    }
+
+    /// Ends a panel where the friction force of its summits is this times the contact radius, and where their ratio turns
+    /// back, so that each ratio within shows at the ends.
+    fn cut_at_friction_over_radius(&self, separation: f64, panel: &mut Panel, ratio: f64, start_kink: Option<usize>) {
+        const KINK: Option<usize> = Some(RADII + KINKS);
+        let turn = |point: &Point| {
+            let friction = self.slip.friction(&point.contact);
+            point.change(|rates| friction.rate(rates)) * point.contact.radius - friction.force * point.radius_change()
+        };
+        self.cut_where(separation, panel, turn, None);
+        if start_kink != KINK {
+            let excess = |point: &Point| self.slip.friction(&point.contact).force - ratio * point.contact.radius;
+            self.cut_where(separation, panel, excess, KINK);
+        }
     }
 
     /// The same for the kinks of the law of contact, which move with the radius: where a summit is nearest to or farthest

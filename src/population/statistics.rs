@@ -15,6 +15,9 @@ use crate::numerics::root;
 /// What is less than this part of the number of contacts does not move their largest radius.
 const NEGLIGIBLE: f64 = 1e-19;
 
+/// A slope of friction by load, as large as next to pull-off, of which squares are still numbers.
+const STEEPEST: f64 = 1e40;
+
 /// Contact radii, in b, and their share of the regimes of slip.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Statistics {
@@ -30,6 +33,9 @@ pub struct Statistics {
     pub elastic: f64,
     /// Fraction of the contacts that are fully plastic.
     pub flowing: f64,
+    /// Mean of (f - F' p)^2 over the contacts, of their friction f and load p, over the square of their mean friction: the
+    /// variance of the friction force under a constant load, times the number of contacts, to first order.
+    pub friction_variance: f64,
 }
 
 /// Counts contacts, and keeps every contact radius that it sees with its height.
@@ -38,6 +44,9 @@ struct Counting<'a> {
     count: f64,
     /// Sums in place of means and fractions.
     sums: Statistics,
+    /// F', the slope of friction by load.
+    slope: f64,
+    friction: f64,
     seen: Vec<(f64, f64)>,
 }
 
@@ -54,6 +63,9 @@ impl Visitor for Counting<'_> {
         sums.by_regime[regime] += fraction;
         sums.elastic += if summit.overlap <= yields { fraction } else { 0.0 };
         sums.flowing += if summit.overlap >= flows { fraction } else { 0.0 };
+        let excess = summit.friction - self.slope * summit.load;
+        sums.friction_variance += fraction * excess * excess;
+        self.friction += fraction * summit.friction;
         self.seen.push((z, summit.radius));
     }
 
@@ -67,15 +79,22 @@ impl Population {
     ///
     /// # Errors
     /// [`Error::NotConverged`] if they cannot be counted in as many panels as there may be.
-    pub fn statistics(&self, separation: f64, number: f64) -> Result<Statistics, Error> {
+    pub fn statistics(&self, separation: f64, number: f64, slope: f64) -> Result<Statistics, Error> {
         let edge = self.edge(separation);
-        let mut counting = Counting { population: self, count: 0.0, sums: Statistics::default(), seen: Vec::new() };
+        let mut counting = Counting {
+            population: self,
+            count: 0.0,
+            sums: Statistics::default(),
+            slope: slope.clamp(-STEEPEST, STEEPEST),
+            friction: 0.0,
+            seen: Vec::new(),
+        };
         if self.yields == self.kinks_of_contact {
             self.visit(separation, &edge, &mut counting)?;
         } else {
             self.with_kinks(self.radius_kinks, self.yields).visit(separation, &edge, &mut counting)?;
         }
-        let Counting { count, sums, seen, .. } = counting;
+        let Counting { count, sums, friction, seen, .. } = counting;
         if count == 0.0 {
             return Ok(Statistics::default());
         }
@@ -96,6 +115,11 @@ impl Population {
             by_regime: sums.by_regime.map(|fraction| fraction / count),
             elastic: sums.elastic / count,
             flowing: sums.flowing / count,
+            // Of the lightest contacts squares are no numbers.
+            friction_variance: match friction * friction > f64::MIN_POSITIVE {
+                true => sums.friction_variance / friction * (count / friction),
+                false => 0.0,
+            },
         })
     }
 

@@ -1,6 +1,7 @@
 //! The sums at one separation, and what one summit adds to them.
 
 use crate::asperity::contact::Contact;
+use crate::asperity::slip::Friction;
 use crate::error::Error;
 use std::f64::consts::PI;
 
@@ -13,6 +14,8 @@ pub struct Sums {
     pub load_attracted: f64,
     /// Friction force, in G* b^2.
     pub friction: f64,
+    /// Load of Hertz' contacts of the same radii, in E* b^2: the load and what adhesion adds to it.
+    pub hertz_load: f64,
     /// Real area of contact, in b^2.
     pub area: f64,
     /// Contact radius, in b.
@@ -53,6 +56,7 @@ impl Sums {
             load_contacting: factor * self.load_contacting,
             load_attracted: factor * self.load_attracted,
             friction: factor * self.friction,
+            hertz_load: factor * self.hertz_load,
             area: factor * self.area,
             radius: factor * self.radius,
             contacting: factor * self.contacting,
@@ -74,6 +78,7 @@ impl Sums {
         self.contacting += weight;
         self.load_contacting += weight * summit.load;
         self.friction += weight * summit.friction;
+        self.hertz_load += weight * summit.hertz_load;
         self.radius += weight * summit.radius;
         self.area += weight * summit.area;
         self.load_slope -= weight * summit.load_by_overlap;
@@ -102,6 +107,7 @@ pub struct Summit {
     pub radius: f64,
     pub load: f64,
     pub friction: f64,
+    pub hertz_load: f64,
     pub area: f64,
     pub load_by_overlap: f64,
     pub friction_by_overlap: f64,
@@ -109,18 +115,19 @@ pub struct Summit {
 }
 
 impl Summit {
-    /// Of a contact, its friction force and the slope of that by radius.
+    /// Of a contact and its friction force.
     #[inline]
-    pub fn new(contact: &Contact, (friction, friction_by_radius): (f64, f64)) -> Self {
+    pub fn new(contact: &Contact, friction: Friction) -> Self {
         let by_overlap = contact.s_by_overlap();
         Self {
             overlap: contact.overlap,
             radius: contact.radius,
             load: contact.load,
-            friction,
+            friction: friction.force,
+            hertz_load: contact.hertz_load,
             area: PI * contact.radius * contact.radius,
             load_by_overlap: contact.by_s.load * by_overlap,
-            friction_by_overlap: friction_by_radius * contact.by_s.radius * by_overlap,
+            friction_by_overlap: friction.rate(&contact.by_s) * by_overlap,
             radius_by_overlap: contact.by_s.radius * by_overlap,
         }
     }

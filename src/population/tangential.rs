@@ -1,7 +1,7 @@
 //! Friction before gross slip: the tangential force of the contacts at a displacement.
 //!
-//! A contact sticks with the stiffness 8 G^ a (Mindlin) until its force reaches its strength, F = pi a^2 tau (eq 15), then
-//! it slips at that. Small contacts slip first.
+//! A contact sticks with the stiffness 8 G^ a (Mindlin) until its force reaches its strength, the friction force of a contact that
+//! slips, then it slips at that. Small contacts slip first.
 
 use super::panels::Visitor;
 use super::sums::Summit;
@@ -46,8 +46,12 @@ impl Population {
     /// [`Error::NotConverged`] if that takes more panels than there may be.
     pub fn microslip(&self, separation: f64, force_over_radius: f64) -> Result<Microslip, Error> {
         let [first, second] = self.slip.kinks();
-        let [a, b, c] = self.slip.radii_at_force_over_radius(force_over_radius);
-        let population = self.with_kinks([first, second, a, b, c], self.kinks_of_contact);
+        let population = if self.slip.is_of_radius() {
+            let [a, b, c] = self.slip.radii_at_force_over_radius(force_over_radius);
+            self.with_kinks([first, second, a, b, c], self.kinks_of_contact)
+        } else {
+            Self { friction_kink: Some(force_over_radius), ..self.without_tables() }
+        };
         let mut displaced = Displaced { force_over_radius, sums: Microslip::default() };
         population.visit(separation, &population.edge(separation), &mut displaced)?;
         Ok(displaced.sums)

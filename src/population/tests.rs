@@ -7,7 +7,7 @@ use crate::params::{HeightFamily, Params};
 /// The population of a surface that is valid.
 pub fn of(params: &Params) -> Population {
     let (groups, heights, radius) = params.surface().expect("a surface");
-    Population::new(&groups, params.slip, heights, radius, params.attraction).expect("a population")
+    Population::new(&groups, params.slip_law(), heights, radius, params.attraction).expect("a population")
 }
 
 pub fn surface([alpha, beta, gamma, b_over_h]: [f64; 4], heights: HeightFamily, [amplitude, rate]: [f64; 2]) -> Params {

@@ -130,17 +130,49 @@ static void every_status_has_its_own_words(void)
 static void every_warning_says_what_fails_and_what_to_do(void)
 {
     const uint64_t all = ASPERITY_WARNING_PLASTIC | ASPERITY_WARNING_CROWDED | ASPERITY_WARNING_STEEP |
-                         ASPERITY_WARNING_ATOMIC | ASPERITY_WARNING_FEW | ASPERITY_WARNING_ADHESIVE;
+                         ASPERITY_WARNING_ATOMIC | ASPERITY_WARNING_FEW | ASPERITY_WARNING_ADHESIVE |
+                         ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD | ASPERITY_WARNING_STRONG;
+    const char *advice[] = { "; use ", "; measure the friction force once and call asperity_params_calibrate",
+                             "; filter the map", "; calibrate with a measured friction force" };
     for (int bit = 0; bit < 64; bit++) {
         const uint64_t warning = UINT64_C(1) << bit;
         const char *text = asperity_warning_string(warning);
         CHECK((strcmp(text, "unknown warning") != 0) == ((all & warning) != 0), "bit %d: '%s'", bit, text);
-        CHECK((strstr(text, "; use ") != NULL) == ((all & warning) != 0), "bit %d: '%s'", bit, text);
+        int advised = 0;
+        for (int k = 0; k < 4; k++)
+            advised += strstr(text, advice[k]) != NULL;
+        CHECK((advised > 0) == ((all & warning) != 0), "bit %d: '%s'", bit, text);
         for (int k = 0; (all & warning) != 0 && k < bit; k++)
             CHECK(strcmp(text, asperity_warning_string(UINT64_C(1) << k)) != 0, "bits %d and %d agree", bit, k);
     }
     CHECK(strcmp(asperity_warning_string(0), "no warning") == 0, "%s", asperity_warning_string(0));
     CHECK(strcmp(asperity_warning_string(3), "unknown warning") == 0, "%s", asperity_warning_string(3));
+}
+
+/* A line for each, in the order of the bits; cut to fit, with its whole length told. */
+static void the_text_of_warnings_has_a_line_for_each(void)
+{
+    const uint64_t unknown = UINT64_C(1) << 40;
+    char text[4096], expected[4096] = "", cut[20];
+
+    CHECK(asperity_warnings_text(0, text, sizeof text) == 10 && strcmp(text, "no warning") == 0, "'%s'", text);
+    for (uint64_t bit = 1; bit <= ASPERITY_WARNING_STRONG; bit *= 2) {
+        const size_t length = strlen(expected);
+        snprintf(expected + length, sizeof expected - length, "%s%s", length ? "\n" : "", asperity_warning_string(bit));
+        CHECK(asperity_warnings_text(bit, text, sizeof text) == strlen(asperity_warning_string(bit)), "%d", (int)bit);
+        CHECK(strcmp(text, asperity_warning_string(bit)) == 0, "'%s'", text);
+        CHECK(asperity_warnings_text(2 * bit - 1, text, sizeof text) == strlen(expected), "up to %d", (int)bit);
+        CHECK(strcmp(text, expected) == 0, "'%s', not '%s'", text, expected);
+    }
+    CHECK(asperity_warnings_text(unknown | 1, text, sizeof text) == strlen(asperity_warning_string(1)) + 16, "unknown");
+    CHECK(strcmp(text + strlen(text) - 16, "\nunknown warning") == 0, "'%s'", text);
+    CHECK(asperity_warnings_text(511, NULL, 0) == strlen(expected), "the length alone");
+    CHECK(asperity_warnings_text(511, NULL, 100) == strlen(expected), "no buffer, whatever its length");
+    memset(cut, 'x', sizeof cut);
+    CHECK(asperity_warnings_text(511, cut, 10) == strlen(expected) && strlen(cut) == 9 && cut[10] == 'x', "'%.20s'", cut);
+    CHECK(strncmp(cut, expected, 9) == 0, "'%s'", cut);
+    memset(cut, 'x', sizeof cut);
+    CHECK(asperity_warnings_text(511, cut, 0) == strlen(expected) && cut[0] == 'x', "a buffer of no length");
 }
 
 /* ---- Parameters ---- */
@@ -331,6 +363,8 @@ static void setters_set_what_they_say_and_nothing_else(void)
     expected.asperity_count = p.asperity_count;
     CHECK(p.nominal_area == 11, "the area");
     expected.nominal_area = 11;
+    CHECK(close_to(p.bandwidth, 3 * 0.7 / 0.25, 1e-14), "bandwidth = %.9g", p.bandwidth);
+    expected.bandwidth = p.bandwidth;
     CHECK(SAME(p, expected), "set_spectral_moments changed another field");
 
     /* One wavelength: the density of curvatures, t^2 - 1 + exp(-t^2) times exp(-t^2/2), integrated by hand. */
@@ -410,7 +444,7 @@ static void names_are_those_of_the_fields(void)
 
     while (asperity_params_name(count) != NULL)
         count++;
-    CHECK(count == 24, "%d names", (int)count);
+    CHECK(count == 26, "%d names", (int)count);
     CHECK(asperity_params_name(count + 1) == NULL && asperity_params_name(SIZE_MAX) == NULL, "names after the last");
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < i; k++)
@@ -437,6 +471,8 @@ static void names_are_those_of_the_fields(void)
     NAMES(hardness);
     NAMES(tangential_modulus);
     NAMES(nominal_area);
+    NAMES(pressure_coefficient);
+    NAMES(bandwidth);
     NAMES(contact_law);
     NAMES(weibull_shape);
     NAMES(height_distribution);
@@ -452,15 +488,15 @@ static void setting_all_names_in_their_order_copies_a_surface(void)
         for (int to = 0; to < SURFACES; to++) {
             const asperity_params source = surface(from);
             asperity_params one_by_one = surface(to), at_once = one_by_one;
-            const char *names[24];
-            double values[24];
-            for (int i = 0; i < 24; i++) {
-                names[23 - i] = asperity_params_name((size_t)i);
-                values[23 - i] = value_of(&source, names[23 - i]);
-                CHECK(asperity_params_set_value(&one_by_one, names[23 - i], values[23 - i]) == ASPERITY_OK, "%s",
+            const char *names[26];
+            double values[26];
+            for (int i = 0; i < 26; i++) {
+                names[25 - i] = asperity_params_name((size_t)i);
+                values[25 - i] = value_of(&source, names[25 - i]);
+                CHECK(asperity_params_set_value(&one_by_one, names[25 - i], values[25 - i]) == ASPERITY_OK, "%s",
                       last_message());
             }
-            CHECK(asperity_params_set_values(&at_once, 24, names, values) == ASPERITY_OK, "%s", last_message());
+            CHECK(asperity_params_set_values(&at_once, 26, names, values) == ASPERITY_OK, "%s", last_message());
             CHECK(SAME(one_by_one, source) && SAME(at_once, source), "%d is not copied to %d", from, to);
         }
     }
@@ -480,6 +516,81 @@ static void names_that_go_together_are_as_the_setters(void)
     CHECK(asperity_params_set_values(&p, 3, names + 2, values + 2) == ASPERITY_OK, "the area is known: %s",
           last_message());
     CHECK(asperity_params_set_values(&p, 0, NULL, NULL) == ASPERITY_OK && SAME(p, expected), "no names, yet a change");
+}
+
+/* Ra stands for m0, pi/2 Ra^2 of Gaussian heights. */
+static void a_mean_roughness_stands_for_the_variance(void)
+{
+    const double pi = 3.14159265358979323846;
+    const char *names[] = { "Ra", "m2", "m4", "m0" };
+    const double values[] = { 2, 0.5, 0.7, 3 };
+    asperity_params p = surface(0), expected = p;
+
+    CHECK(asperity_params_set_spectral_moments(&expected, pi / 2 * 4, 0.5, 0.7, 11) == ASPERITY_OK, "%s", last_message());
+    p.nominal_area = 11;
+    CHECK(asperity_params_set_values(&p, 3, names, values) == ASPERITY_OK, "%s", last_message());
+    CHECK(SAME(p, expected), "another surface than m0 makes");
+    CHECK(asperity_params_set_values(&p, 4, names, values) == ASPERITY_INVALID_PARAMETER && says("Ra: must not be given"),
+          "%s", last_message());
+    CHECK(asperity_params_set_value(&p, "Ra", -1) == ASPERITY_INVALID_PARAMETER && says("Ra = -1: must be"), "%s",
+          last_message());
+    CHECK(asperity_params_set_value(&p, "Ra", 1) == ASPERITY_INVALID_PARAMETER && says("m2: must be given too"), "%s",
+          last_message());
+}
+
+static double force_at(const asperity_params *params, double load)
+{
+    asperity_model *model = NULL;
+    asperity_state state = { .struct_size = sizeof state };
+    CHECK(asperity_create(params, &model) == ASPERITY_OK, "%s", last_message());
+    CHECK(asperity_state_at_load(model, load, &state) == ASPERITY_OK, "%s", last_message());
+    asperity_free(model);
+    return state.friction_force;
+}
+
+/* One measured point, by the call and by name, on every kind of surface. */
+static void a_calibrated_surface_meets_the_measured_point(void)
+{
+    const char *by_coefficient[] = { "calibration_friction_coefficient", "calibration_load" };
+    const char *by_force[] = { "calibration_friction_force", "calibration_load" };
+    const double load = 5, force = 2, coefficients[] = { force / load, load }, forces[] = { force, load };
+
+    for (int which = 0; which < SURFACES; which++) {
+        const asperity_params before = surface(which);
+        asperity_params p = before, named = before, forced = before;
+        const asperity_status status = asperity_params_calibrate(&p, load, force);
+        CHECK(asperity_params_set_values(&named, 2, by_coefficient, coefficients) == status, "%s", last_message());
+        CHECK(asperity_params_set_values(&forced, 2, by_force, forces) == status, "%s", last_message());
+        CHECK(SAME(named, p) && SAME(forced, p), "surface %d: another strength by name", which);
+        if (status != ASPERITY_OK) {
+            CHECK(SAME(p, before), "surface %d: changed in spite of the error", which);
+            CHECK(says("friction_force = 2 at load = 5: must be"), "surface %d: %s", which, last_message());
+            continue;
+        }
+        CHECK(fabs(force_at(&p, load) / force - 1) < 1e-12, "surface %d: %.17g", which, force_at(&p, load));
+    }
+}
+
+static void a_point_that_no_strength_gives_is_refused(void)
+{
+    const asperity_params before = surface(0);
+    asperity_params p = before;
+    const char *alone[] = { "calibration_load", "calibration_friction_force", "calibration_friction_coefficient" };
+    const double values[] = { 5, 2, 0.4 };
+
+#define FAILS(call, status, text)                                                                                      \
+    CHECK((call) == (status), "another status than " #status ": %s", last_message());                                  \
+    CHECK(says(text), "'%s' does not say '%s'", last_message(), text);                                                 \
+    CHECK(SAME(p, before), "the parameters changed")
+    FAILS(asperity_params_calibrate(&p, 5, -1), ASPERITY_INVALID_PARAMETER, "must be finite and above 0");
+    FAILS(asperity_params_calibrate(&p, 5, NAN), ASPERITY_INVALID_PARAMETER, "friction_force = NaN at load = 5");
+    FAILS(asperity_params_calibrate(&p, 5, 1e30), ASPERITY_INVALID_PARAMETER, "must be at most ");
+    FAILS(asperity_params_calibrate(&p, NAN, 1), ASPERITY_INVALID_LOAD, "load = NaN");
+    FAILS(asperity_params_set_values(&p, 1, alone, values), ASPERITY_INVALID_PARAMETER, "must be given together with");
+    FAILS(asperity_params_set_values(&p, 3, alone, values), ASPERITY_INVALID_PARAMETER, "with one of the two alone");
+    FAILS(asperity_params_set_value(&p, "calibration_friction_force", 1), ASPERITY_INVALID_PARAMETER, "calibration_load: ");
+#undef FAILS
+    CHECK(asperity_params_calibrate(NULL, 1, 1) == ASPERITY_NULL_POINTER, "a status for NULL");
 }
 
 static void names_of_heights_choose_them(void)
@@ -972,8 +1083,10 @@ static void warnings_of_a_range_are_those_of_its_states(void)
     uint64_t seen = 0;
 
     p.asperity_count = 1e4;
+    p.slip_stress_1 = 1e-3;
     p.hardness = 0.05 * p.composite_modulus;
     p.nominal_area = 1e10;
+    p.bandwidth = 3;
     model = model_of(p);
     state.struct_size = sizeof state;
     for (double load = 1; load <= 1e7; load *= 1.5) {
@@ -982,7 +1095,7 @@ static void warnings_of_a_range_are_those_of_its_states(void)
         seen |= state.warnings;
         CHECK(warnings_between(model, 1, load) == seen, "up to %g: not %llu", load, (unsigned long long)seen);
     }
-    CHECK(seen == (ASPERITY_WARNING_CROWDED | ASPERITY_WARNING_FEW), "%llu", (unsigned long long)seen);
+    CHECK(seen == (ASPERITY_WARNING_CROWDED | ASPERITY_WARNING_FEW | ASPERITY_WARNING_ADHESIVE), "%llu", (unsigned long long)seen);
     asperity_free(model);
 
     p.asperity_count = 1;
@@ -1002,6 +1115,36 @@ static void warnings_of_a_range_are_those_of_its_states(void)
     asperity_free(model);
 }
 
+static void a_warning_is_told_with_its_loads(void)
+{
+    asperity_params p = surface(0);
+    asperity_model *model;
+    asperity_summary summary = { .struct_size = sizeof summary };
+    double lightest = 5, heaviest = 6;
+
+    p.asperity_count = 1e4;
+    p.slip_stress_1 = 0.02;
+    model = model_of(p);
+    CHECK(asperity_summary_of(model, &summary) == ASPERITY_OK, "%s", last_message());
+#define FAILS(call, status, text)                                                                                      \
+    CHECK((call) == (status) && says(text), "another status than " #status ", or '%s'", last_message());               \
+    CHECK(lightest == 5 && heaviest == 6, "touched by a failing call")
+    FAILS(asperity_warning_loads(NULL, 16, &lightest, &heaviest), ASPERITY_NULL_POINTER, "model is NULL");
+    FAILS(asperity_warning_loads(model, 16, NULL, &heaviest), ASPERITY_NULL_POINTER, "lightest is NULL");
+    FAILS(asperity_warning_loads(model, 16, &lightest, NULL), ASPERITY_NULL_POINTER, "heaviest is NULL");
+    FAILS(asperity_warning_loads(model, 0, &lightest, &heaviest), ASPERITY_INVALID_PARAMETER, "warning = 0: must be one");
+    FAILS(asperity_warning_loads(model, 3, &lightest, &heaviest), ASPERITY_INVALID_PARAMETER, "warning = 3: must be one");
+    FAILS(asperity_warning_loads(model, 512, &lightest, &heaviest), ASPERITY_INVALID_PARAMETER, "warning = 512: ");
+#undef FAILS
+    CHECK(asperity_warning_loads(model, ASPERITY_WARNING_UNCALIBRATED, &lightest, &heaviest) == ASPERITY_OK && isnan(lightest) &&
+          isnan(heaviest), "a strength of its own: %g to %g", lightest, heaviest);
+    CHECK(asperity_warning_loads(model, ASPERITY_WARNING_FEW, &lightest, &heaviest) == ASPERITY_OK, "%s", last_message());
+    CHECK(lightest == summary.min_table_load && heaviest > 0 && heaviest < summary.max_table_load, "%g to %g", lightest, heaviest);
+    CHECK((warnings_between(model, 0.999 * heaviest, 0.999 * heaviest) & ASPERITY_WARNING_FEW) != 0, "few up to %g", heaviest);
+    CHECK((warnings_between(model, 1.001 * heaviest, 1.001 * heaviest) & ASPERITY_WARNING_FEW) == 0, "few up to %g", heaviest);
+    asperity_free(model);
+}
+
 static void loads_without_a_state_have_no_warnings(void)
 {
     asperity_model *model = model_of(surface(0)), *hertz = model_of(surface(1));
@@ -1012,13 +1155,13 @@ static void loads_without_a_state_have_no_warnings(void)
     CHECK(asperity_check_loads(model, 1, 2, NULL) == ASPERITY_NULL_POINTER && says("warnings is NULL"), "no output");
     CHECK(asperity_check_loads(model, 2, 1, &warnings) == ASPERITY_INVALID_PARAMETER &&
           says("lightest = 2: must not be above heaviest"), "'%s'", last_message());
-    CHECK(asperity_check_loads(model, NAN, 1, &warnings) == ASPERITY_INVALID_LOAD && says("load = NaN: "), "NaN");
+    CHECK(asperity_check_loads(model, NAN, 1, &warnings) == ASPERITY_INVALID_LOAD && says("lightest = NaN: "), "NaN");
     CHECK(asperity_check_loads(model, 1, NAN, &warnings) == ASPERITY_INVALID_LOAD, "NaN as the heaviest");
     CHECK(asperity_check_loads(model, 1, INFINITY, &warnings) == ASPERITY_INVALID_LOAD, "infinity");
-    CHECK(asperity_check_loads(model, -1e9, 1, &warnings) == ASPERITY_SEPARATED && says("load = -1000000000: "),
+    CHECK(asperity_check_loads(model, -1e9, 1, &warnings) == ASPERITY_SEPARATED && says("lightest = -1000000000: "),
           "'%s'", last_message());
-    CHECK(asperity_check_loads(model, 1, 1e200, &warnings) == ASPERITY_OUT_OF_RANGE && says("load = 1e200: "), "1e200");
-    CHECK(asperity_check_loads(hertz, 0, 1, &warnings) == ASPERITY_OUT_OF_RANGE && says("load = 0: "), "Hertz at 0");
+    CHECK(asperity_check_loads(model, 1, 1e200, &warnings) == ASPERITY_OUT_OF_RANGE && says("heaviest = 1e200: "), "1e200");
+    CHECK(asperity_check_loads(hertz, 0, 1, &warnings) == ASPERITY_OUT_OF_RANGE && says("lightest = 0: "), "Hertz at 0");
     CHECK(warnings == before, "warnings were touched by a failing call");
     asperity_free(model);
     asperity_free(hertz);
@@ -1256,6 +1399,7 @@ int main(void)
     versions_agree_with_the_header();
     every_status_has_its_own_words();
     every_warning_says_what_fails_and_what_to_do();
+    the_text_of_warnings_has_a_line_for_each();
     init_sets_the_default_case_of_the_paper();
     what_was_never_set_is_named();
     a_slip_of_units_is_told();
@@ -1266,6 +1410,9 @@ int main(void)
     names_are_those_of_the_fields();
     setting_all_names_in_their_order_copies_a_surface();
     names_that_go_together_are_as_the_setters();
+    a_mean_roughness_stands_for_the_variance();
+    a_calibrated_surface_meets_the_measured_point();
+    a_point_that_no_strength_gives_is_refused();
     names_of_heights_choose_them();
     names_are_refused_with_the_nearest_and_nothing_changes();
     materials_are_found_by_their_names();
@@ -1281,6 +1428,7 @@ int main(void)
     failing_states_say_what_is_wrong();
     failing_sensitivities_say_what_is_wrong();
     warnings_of_a_range_are_those_of_its_states();
+    a_warning_is_told_with_its_loads();
     loads_without_a_state_have_no_warnings();
     for (int i = 0; i < SURFACES; i++) {
         friction_at_zero_negative_and_separated_loads(i);

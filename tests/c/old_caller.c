@@ -1,7 +1,8 @@
-/* A program compiled against the first version of the header: its structs have no more than the fields of then, and
- * lie at the end of heap blocks, so that valgrind sees every byte that the library reads or writes past them. It
- * declares what it calls itself, as the header of then did. */
+/* A program compiled against the first version of the header, and one against the second: the structs have no more than
+ * the fields of then, and lie at the end of heap blocks, so that valgrind sees every byte that the library reads or
+ * writes past them. It declares what it calls itself, as the headers of then did. */
 
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
@@ -24,7 +25,28 @@ typedef struct state {
         real_area, contacting, attracted, attraction_load;
 } state;
 
+typedef struct second_params {
+    params first;
+    double skew, kurtosis, hardness;
+    const double *table_height, *table_density;
+    uint64_t table_length;
+    double tangential_modulus, nominal_area;
+    int32_t contact_law, reserved;
+} second_params;
+
+typedef struct second_state {
+    state first;
+    double mean_contact_radius, max_contact_radius, fraction_below_slip_radius_1, fraction_between_slip_radii,
+        fraction_above_slip_radius_2, fraction_in_contact, mean_asperity_pressure, plasticity_index;
+    uint64_t warnings;
+    double tangential_stiffness, fraction_elastic, fraction_flowing;
+} second_state;
+
 int32_t asperity_params_init(params *);
+int32_t asperity_params_init_sized(void *, uint64_t);
+int32_t asperity_get_params_sized(const asperity_model *, void *, uint64_t);
+int32_t asperity_params_set_value(void *, const char *, double);
+int32_t asperity_params_calibrate(void *, double, double);
 int32_t asperity_params_set_dimensionless(params *, double, double, double, double, double);
 int32_t asperity_params_set_materials(params *, double, double, double, double);
 int32_t asperity_params_set_skew(params *, double);
@@ -35,6 +57,39 @@ void asperity_free(asperity_model *);
 double asperity_friction_at_load(const asperity_model *, double);
 int32_t asperity_state_at_load(const asperity_model *, double, state *);
 int32_t asperity_state_at_separation(const asperity_model *, double, state *);
+
+/* The second version has no pressure coefficient: it is 0, and where one is asked for there is no place for it. */
+static void second_version(void)
+{
+    second_params *p = malloc(sizeof *p), *kept = malloc(sizeof *kept);
+    second_state *s = malloc(sizeof *s);
+    asperity_model *model = NULL;
+    double plain;
+
+    if (p == NULL || kept == NULL || s == NULL)
+        exit(1);
+    CHECK(asperity_params_init_sized(p, sizeof *p) == 0 && p->first.struct_size == sizeof *p, "struct_size %d",
+          (int)p->first.struct_size);
+    CHECK(asperity_create(&p->first, &model) == 0, "create");
+    CHECK(asperity_get_params_sized(model, kept, sizeof *kept) == 0 && memcmp(p, kept, sizeof *p) == 0,
+          "other parameters come back");
+    plain = asperity_friction_at_load(model, 10);
+    s->first.struct_size = sizeof *s;
+    CHECK(asperity_state_at_load(model, 10, &s->first) == 0 && s->first.struct_size == sizeof *s &&
+          s->tangential_stiffness > 0 && s->fraction_elastic == 1, "a state");
+    /* kappa = 0: F is the strength times the area, and twice the strength gives twice the friction. */
+    p->first.slip_stress_1 *= 2;
+    p->first.slip_stress_2 *= 2;
+    CHECK(asperity_set_params(model, &p->first) == 0, "set_params");
+    CHECK(fabs(asperity_friction_at_load(model, 10) / (2 * plain) - 1) < 1e-12, "mu = %g", plain);
+    CHECK(asperity_params_calibrate(p, 10, 3) == 0 && asperity_set_params(model, &p->first) == 0, "calibrate");
+    CHECK(fabs(asperity_friction_at_load(model, 10) / 0.3 - 1) < 2e-9, "a measured point");
+    CHECK(asperity_params_set_value(p, "pressure_coefficient", 0.1) != 0, "a parameter without a place is refused");
+    asperity_free(model);
+    free(p);
+    free(kept);
+    free(s);
+}
 
 int main(void)
 {
@@ -62,5 +117,6 @@ int main(void)
     free(p);
     free(kept);
     free(s);
+    second_version();
     return checks_report("old_caller");
 }

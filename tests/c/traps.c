@@ -108,6 +108,10 @@ static void evaluate(const asperity_model *model)
         doing = "asperity_check_loads";
         asperity_check_loads(model, pull_off < 0 ? pull_off : summary.min_table_load, summary.max_table_load, &warnings);
         asperity_check_loads(model, 2, 1, &warnings);
+        doing = "asperity_warning_loads";
+        double ends[2];
+        for (int bit = 0; bit < 9; bit++)
+            asperity_warning_loads(model, UINT64_C(1) << bit, &ends[0], &ends[1]);
         feclearexcept(FE_ALL_EXCEPT);
         for (size_t i = 0; i < sizeof edges / sizeof *edges; i++)
             evaluate_at(model, edges[i]);
@@ -305,6 +309,9 @@ static void null_pointers(void)
     REFUSES(asperity_state_at_separation(model, 1, NULL));
     REFUSES(asperity_check_loads(NULL, 1, 2, &warnings));
     REFUSES(asperity_check_loads(model, 1, 2, NULL));
+    REFUSES(asperity_warning_loads(NULL, 64, &x, &y));
+    REFUSES(asperity_warning_loads(model, 64, NULL, &y));
+    REFUSES(asperity_warning_loads(model, 64, &x, NULL));
     REFUSES(asperity_summary_of(NULL, &summary));
     REFUSES(asperity_summary_of(model, NULL));
     REFUSES(asperity_sensitivities_at_load(NULL, 1, &sensitivities));

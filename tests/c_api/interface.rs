@@ -31,7 +31,7 @@ pub trait TestParams: Sized {
     /// Those with a unit, and the number of summits.
     fn quantities(&mut self) -> [&mut f64; 8];
     /// All numbers: the quantities, those of the first version that have no unit, those that were appended.
-    fn numbers(&mut self) -> [&mut f64; 21];
+    fn numbers(&mut self) -> [&mut f64; 23];
 }
 
 impl TestParams for asperity_params {
@@ -98,7 +98,7 @@ impl TestParams for asperity_params {
         ]
     }
 
-    fn numbers(&mut self) -> [&mut f64; 21] {
+    fn numbers(&mut self) -> [&mut f64; 23] {
         [
             &mut self.composite_modulus,
             &mut self.effective_shear_modulus,
@@ -121,6 +121,8 @@ impl TestParams for asperity_params {
             &mut self.hardness,
             &mut self.tangential_modulus,
             &mut self.nominal_area,
+            &mut self.pressure_coefficient,
+            &mut self.bandwidth,
         ]
     }
 }
@@ -145,11 +147,11 @@ output!(asperity_state asperity_summary asperity_table asperity_sensitivities);
 
 /// All numbers of an output.
 pub trait Values {
-    fn values(&self) -> [f64; 18];
+    fn values(&self) -> [f64; 19];
 }
 
 impl Values for asperity_sensitivities {
-    fn values(&self) -> [f64; 18] {
+    fn values(&self) -> [f64; 19] {
         [
             self.composite_modulus,
             self.effective_shear_modulus,
@@ -169,6 +171,7 @@ impl Values for asperity_sensitivities {
             self.skew,
             self.kurtosis,
             self.hardness,
+            self.pressure_coefficient,
         ]
     }
 }

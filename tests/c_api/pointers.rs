@@ -135,9 +135,12 @@ fn constants_are_strings_that_end() {
         for status in [OK, NULL_POINTER, NOT_CONVERGED, 255, -1, i32::MIN, i32::MAX] {
             assert!(!CStr::from_ptr(asperity_status_string(status)).to_bytes().is_empty());
         }
-        for warning in [0, 1, 2, 4, 8, 16, 32, 3, u64::MAX] {
+        for warning in [0, 1, 2, 4, 8, 16, 32, 64, 128, 256, 3, u64::MAX] {
             assert!(!CStr::from_ptr(asperity_warning_string(warning)).to_bytes().is_empty());
         }
+        let text = Place::aligned(16);
+        assert!(asperity_warnings_text(u64::MAX, text.pointer(), 16) > 1000);
+        assert!(asperity_warnings_text(u64::MAX, null_mut(), 16) > 1000);
         assert_eq!(CStr::from_ptr(asperity_material_name(0)), c"Si");
         assert_eq!(CStr::from_ptr(asperity_pair_name(0)), c"Si/Si");
         assert!(asperity_material_name(usize::MAX).is_null() && asperity_pair_name(usize::MAX).is_null());
@@ -204,6 +207,7 @@ fn parameters_of_every_size_are_set() {
             assert_eq!(asperity_params_set_nayak_summits(params, 1e-16, 1e-4, 1e10, 1e-6), room);
             assert_eq!(asperity_params_set_skew(params, 0.5), OK);
             assert_eq!(asperity_params_set_pair(params, c"steel/steel".as_ptr()), OK);
+            assert_eq!(asperity_params_calibrate(params, 1.0, 0.3), OK);
             // Names that may lie anywhere, and a number that may.
             let (name, mut value) = (asperity_params_name(0), 0.0);
             assert_eq!(asperity_params_set_value(params, name, 3e11), OK);
@@ -216,6 +220,7 @@ fn parameters_of_every_size_are_set() {
             assert_eq!(asperity_params_set_spectral_moments(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
             assert_eq!(asperity_params_set_nayak_summits(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
             assert_eq!(asperity_params_set_skew(params, -9.0), INVALID_PARAMETER);
+            assert_eq!(asperity_params_calibrate(params, 1.0, -0.3), INVALID_PARAMETER);
             assert_eq!(place.words(size / 8), before);
         }
     }
@@ -256,6 +261,7 @@ fn null_is_refused_or_skipped() {
             asperity_params_set_spectral_moments(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
             asperity_params_set_nayak_summits(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
             asperity_params_set_skew(null_mut(), 0.0),
+            asperity_params_calibrate(null_mut(), 1.0, 1.0),
             asperity_params_set_value(null_mut(), c"skew".as_ptr(), 0.0),
             asperity_params_set_value(&mut params, null(), 0.0),
             asperity_params_set_values(&mut params, 1, null(), &slope),
@@ -277,6 +283,7 @@ fn null_is_refused_or_skipped() {
             asperity_state_at_load(null(), 1.0, &mut state),
             asperity_state_at_separation(null(), 1.0, &mut state),
             asperity_check_loads(null(), 1.0, 2.0, &mut 0),
+            asperity_warning_loads(null(), 16, &mut 0.0, &mut 0.0),
             asperity_summits_at_overlaps(null(), 1, &1.0, null(), &mut slope, null_mut(), null_mut()),
             asperity_summary_of(null(), &mut summary),
             asperity_table_of(null(), null_mut()),
@@ -534,6 +541,9 @@ fn structs(handle: &Handle) {
         assert_eq!(asperity_check_loads(handle.0, 1.0, 2.0, null_mut()), NULL_POINTER);
         let warnings = Place::aligned(size_of::<u64>());
         assert_eq!(asperity_check_loads(handle.0, 1.0, 2.0, warnings.pointer()), OK);
+        assert_eq!(asperity_warning_loads(handle.0, 16, null_mut(), &mut 0.0), NULL_POINTER);
+        let loads = [8, 8].map(Place::aligned);
+        assert_eq!(asperity_warning_loads(handle.0, 16, loads[0].pointer(), loads[1].pointer()), OK);
         assert_eq!(asperity_summary_of(handle.0, null_mut()), NULL_POINTER);
         assert_eq!(asperity_table_of(handle.0, null_mut()), NULL_POINTER);
         assert_eq!(asperity_sensitivities_at_load(handle.0, 1.0, null_mut()), NULL_POINTER);

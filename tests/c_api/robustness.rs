@@ -11,7 +11,7 @@ use std::time::Duration;
 
 const SEED: u64 = 0x5eed_c0de;
 /// Every bit that a state may warn with.
-const ALL_WARNINGS: u64 = 2 * ASPERITY_WARNING_ADHESIVE - 1;
+const ALL_WARNINGS: u64 = 2 * ASPERITY_WARNING_STRONG - 1;
 /// No call may take longer.
 const LONGEST_CALL: Duration = Duration::from_secs(1);
 /// A surface whose calls together take longer hangs, or nearly so.
@@ -644,6 +644,7 @@ fn a_null_output_is_refused_everywhere() {
         refused(asperity_state_at_load(handle.0, 1.0, null_mut()), "state");
         refused(asperity_state_at_separation(handle.0, 1.0, null_mut()), "state");
         refused(asperity_check_loads(handle.0, 1.0, 2.0, null_mut()), "warnings");
+        refused(asperity_warning_loads(handle.0, 16, null_mut(), &mut 0.0), "lightest");
         refused(asperity_summary_of(handle.0, null_mut()), "summary");
         refused(asperity_sensitivities_at_load(handle.0, 1.0, null_mut()), "sensitivities");
     }

@@ -47,6 +47,7 @@ pub fn params_of(surface: &Surface) -> Params {
         attraction: surface.attraction,
         radius_amplitude: surface.epsilon,
         radius_rate: surface.rho,
+        pressure_coefficient: surface.pressure,
         ..Params::default()
     }
 }

@@ -1,4 +1,4 @@
-//! The programs in README.md and on the front page of the site print what stands there.
+//! The programs in README.md, in docs/fit.md and on the front page of the site print what stands there.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
 
@@ -37,4 +37,10 @@ fn the_lines_of_the_front_page_print_what_stands_below_them() {
                  int main(void) { asperity_params params; asperity_model *model;\n";
     let program = format!("{start}{lines}asperity_free(model); }}\n");
     prints("front.c", &program, between(&front, "```text\n", "```"));
+}
+
+#[test]
+fn the_calibrated_program_prints_what_stands_below_it() {
+    let guide = page("docs/fit.md");
+    prints("calibrate.c", between(&guide, "```c\n", "```"), between(&guide, "```text\n", "```"));
 }

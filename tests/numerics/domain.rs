@@ -59,6 +59,8 @@ fn surface(x: &[f64], heights: Heights) -> Surface {
         rho: log_part(x[6], 1e-3, 100.0),
         attraction: x[7] >= 0.1,
         slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+        // Of digits of the rate that it does not depend on otherwise.
+        pressure: choose((1e3 * x[6]).fract(), 0.7).map_or(0.0, |x| log_part(x, 1e-3, 1.0)),
     }
 }
 
@@ -379,6 +381,7 @@ fn attraction_is_summed_where_the_circle_is_smallest() {
             rho: 1.0,
             attraction: true,
             slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+            pressure: 0.0,
         };
         let params = params_of(&surface);
         let model = Model::new(&params).expect("a model");
@@ -416,6 +419,7 @@ fn the_second_evaluation_agrees_with_the_80_bit_rows() {
             rho: p.rho,
             attraction: p.noncontacting,
             slip: [p.a1, p.tau1, p.a2, p.tau2],
+            pressure: 0.0,
         };
         for row in &case.rows {
             let found = surface.at_separation(row.separation);

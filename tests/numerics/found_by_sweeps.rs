@@ -64,7 +64,7 @@ pub fn surfaces() -> Vec<Surface> {
     ];
     let slip = [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0];
     let surfaces = found.map(|([alpha, beta, gamma, b_over_h], heights, [epsilon, rho], attraction)| {
-        Surface { alpha, beta, gamma, b_over_h, heights, epsilon, rho, attraction, slip }
+        Surface { alpha, beta, gamma, b_over_h, heights, epsilon, rho, attraction, slip, pressure: 0.0 }
     });
     surfaces.into()
 }

@@ -6,6 +6,7 @@ use crate::common::second_evaluation::Surface;
 use crate::common::surfaces::params_of;
 use asperity::asperity::contact::ContactLaw;
 use asperity::asperity::maugis::Maugis;
+use asperity::asperity::slip::Slip;
 use asperity::distribution::tabulated::Tabulated;
 use asperity::distribution::weibull::Weibull;
 use asperity::distribution::HeightDistribution;
@@ -56,6 +57,7 @@ fn attraction_ends_where_summits_are_too_round_for_it() {
             rho: 1.0,
             attraction: true,
             slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+            pressure: 0.0,
         };
         let shares = agree(&surface, &separations);
         assert!(shares[0] < -1e-6 && shares[2] < 0.0 && shares[5] == 0.0, "{shares:?}");
@@ -76,6 +78,7 @@ fn the_lower_end_of_weibull_heights_attracts() {
             rho: 0.7,
             attraction: true,
             slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+            pressure: 0.0,
         };
         let shares = agree(&surface, &[-1.2, 0.0, 1.0, 2.0, 2.3]);
         assert!(shares.iter().all(|&share| share < -1e-9), "{shares:?}");
@@ -95,6 +98,7 @@ fn contacts_of_small_summits_next_to_break_away_are_summed_well() {
         rho: 1.537979986789622,
         attraction: true,
         slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+        pressure: 0.0,
     };
     agree(&surface, &[100.0, 122.0, 209.0, 230.0, 253.9]);
 }
@@ -112,6 +116,7 @@ fn friction_of_contacts_whose_radius_turns_twice_is_summed_well() {
         rho: 20.844920576974864,
         attraction: true,
         slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+        pressure: 0.0,
     };
     let separations: Vec<f64> = (-20..=20).map(|i| -0.0391 + 0.004 * f64::from(i)).collect();
     agree(&surface, &separations);
@@ -130,6 +135,7 @@ fn radii_so_steep_that_taller_summits_part_first_are_refused() {
         rho,
         attraction: true,
         slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+        pressure: 0.0,
     };
     let (mut gentle, mut steep) = (0.1, 5.0);
     for _ in 0..40 {
@@ -220,7 +226,7 @@ fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
         let groups = Groups { alpha: 0.02, beta, gamma, b_over_h: 0.5, hardness: f64::INFINITY, yields: false };
         for attract in [true, false] {
             let kinks = |heights: Arc<dyn HeightDistribution>| {
-                Population::new(&groups, slip, heights, radius, attract).expect("a population").kinks()
+                Population::new(&groups, Slip::new(slip, 0.0), heights, radius, attract).expect("a population").kinks()
             };
             assert_has(&kinks(table.clone()), &kinks_of_heights(&groups, &radius, attract, table.breakpoints()));
             let lower_end = weibull.support().0;

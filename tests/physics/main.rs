@@ -4,7 +4,9 @@
 mod common;
 
 mod contacts;
+mod few_contacts;
 mod figures;
+mod film;
 mod heights;
 mod published;
 mod reference;

@@ -77,3 +77,40 @@ fn what_is_no_overlap_or_height_is_refused() {
         assert_eq!(error.to_string(), message);
     }
 }
+
+/// PDMS on glass. With one slip stress the Burgers vector is a unit of length and nothing else, and a summit is JKR's.
+#[test]
+fn an_elastomer_needs_no_burgers_vector() {
+    let (radius, work) = (1e-3, 0.045);
+    let with = |burgers_vector: f64, height_std: f64, asperity_count: f64| {
+        let mut params = Params {
+            work_of_adhesion: work,
+            adhesion_range: 0.5e-9,
+            burgers_vector,
+            height_std,
+            summit_radius: radius,
+            asperity_count,
+            ..Params::default()
+        };
+        params.set_materials(2e6, 0.5, 72e9, 0.17).expect("materials");
+        (params.slip.stress_1, params.slip.stress_2) = (1e-3, 1e-3);
+        params
+    };
+    let loads = [0.0, 1e-6, 1e-4, 1e-2];
+    for (height_std, asperity_count) in [(1e-10, 1.0), (1e-6, 100.0)] {
+        let [short, long] = [1.8e-9, 49e-9].map(|length| model(&with(length, height_std, asperity_count)));
+        for load in loads {
+            let [one, other] = [&short, &long].map(|model| model.state_at_load(load).expect("a state"));
+            assert_near(one.friction_force, other.friction_force, 1e-10, "friction force");
+            assert_near(one.real_area, other.real_area, 1e-10, "real area");
+        }
+    }
+    let params = with(3e-9, 1e-10, 1.0);
+    let summit = model(&params);
+    let pull = 3.0 * PI * work * radius;
+    for load in loads {
+        let hertzian = load + pull + (2.0 * pull * load + pull * pull).sqrt();
+        let expected = (0.75 * radius / params.composite_modulus * hertzian).cbrt();
+        assert_near(summit.state_at_load(load).expect("a state").mean_contact_radius, expected, 1e-6, "JKR's radius");
+    }
+}

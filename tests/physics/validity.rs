@@ -2,8 +2,8 @@
 
 use crate::common::surfaces::{johnson, model, table};
 use asperity::{
-    Error, HeightFamily, Model, Params, State, WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_CROWDED, WARNING_FEW,
-    WARNING_PLASTIC, WARNING_STEEP,
+    Error, HeightFamily, Model, Params, SlipConstants, State, WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD,
+    WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP, WARNING_STRONG, WARNING_UNCALIBRATED,
 };
 
 /// Summits of 10 to a radius of 1000, without adhesion, and all in order where 0.6 % of them touch.
@@ -17,6 +17,8 @@ fn in_order() -> Params {
         summit_radius: 1000.0,
         asperity_count: 1e6,
         hardness: 1.0,
+        // A weak interface, which somebody measured.
+        slip: SlipConstants { stress_1: 1e-4, stress_2: 1e-5, ..SlipConstants::default() },
         ..Params::default()
     }
 }
@@ -39,7 +41,7 @@ fn each_assumption_has_its_warning() {
     // A tenth of Gaussian heights lies above 1.2815516 sigma (Abramowitz and Stegun, table 26.5).
     sets_in(WARNING_CROWDED, "summits", &at(&params, 1.2816), &at(&params, 1.2815));
 
-    let of_area = |part: f64| Params { nominal_area: state.real_area / part, ..in_order() };
+    let of_area = |part: f64| Params { nominal_area: state.real_area / part, bandwidth: 2.0, ..in_order() };
     sets_in(WARNING_CROWDED, "area", &at(&of_area(0.099_999), 2.5), &at(&of_area(0.100_001), 2.5));
 
     let of_radius = |factor: f64, radius: f64| Params { burgers_vector: radius * factor, ..in_order() };
@@ -65,7 +67,86 @@ fn each_assumption_has_its_warning() {
     sets_in(WARNING_PLASTIC, "psi", &at(&of_hardness(1.000_001), 2.5), &at(&of_hardness(0.999_999), 2.5));
 }
 
-/// The pull-off load of as many summits as there are, and none of one.
+#[test]
+fn the_strength_of_the_interface_has_its_warnings() {
+    let params = in_order();
+    let default = Params { slip: SlipConstants::default(), ..in_order() };
+    sets_in(WARNING_UNCALIBRATED, "default stresses", &at(&params, 2.5), &at(&default, 2.5));
+    for measured in [
+        Params { pressure_coefficient: 1e-3, ..default.clone() },
+        Params { slip: SlipConstants { stress_2: 1e-3, ..default.slip }, ..default.clone() },
+        Params { slip: SlipConstants { radius_1: 30.0, ..default.slip }, ..default.clone() },
+        Params { asperity_count: 1.0, ..default.clone() },
+    ] {
+        assert_eq!(at(&measured, 2.5).warnings, 0, "{measured:?}");
+    }
+    let mut calibrated = default.clone();
+    calibrated.calibrate(1.0, 0.02).expect("a strength");
+    assert_eq!(model(&calibrated).state_at_load(1.0).expect("a state").warnings & WARNING_UNCALIBRATED, 0);
+
+    // The softer body yields in shear at H/(3 sqrt 3), after von Mises with H three times the yield stress; below a_1 the stress
+    // is tau_1.
+    let strength = 1.0 / 27.0_f64.sqrt();
+    let of_stress = |part: f64| {
+        let stress = strength / params.effective_shear_modulus * part;
+        Params {
+            slip: SlipConstants { radius_1: 1e6, stress_1: stress, radius_2: 1e7, stress_2: stress },
+            ..in_order()
+        }
+    };
+    sets_in(WARNING_STRONG, "shear", &at(&of_stress(0.999_999), 2.5), &at(&of_stress(1.000_001), 2.5));
+    assert_eq!(at(&Params { hardness: 0.0, ..of_stress(1.1) }, 2.5).warnings, 0, "a hardness that is not known");
+}
+
+#[test]
+fn broad_surfaces_are_warned_of_by_bandwidth_or_by_their_summits() {
+    let of_bandwidth = |bandwidth: f64| Params { bandwidth, ..in_order() };
+    sets_in(WARNING_BROAD, "bandwidth", &at(&of_bandwidth(6.0), 2.5), &at(&of_bandwidth(6.000_001), 2.5));
+    // 0.8968 + (eta sigma R/0.02036)^2 = 6; the area is large enough not to crowd.
+    let density = 0.02036 * (6.0_f64 - 0.8968).sqrt() / 1000.0;
+    let of_density = |factor: f64| Params { nominal_area: 1e6 / (density * factor), ..in_order() };
+    let bits = |params: &Params| at(params, 3.5).warnings & WARNING_BROAD;
+    assert_eq!((bits(&of_density(0.999_999)), bits(&of_density(1.000_001))), (0, WARNING_BROAD));
+    // A bandwidth that is given counts.
+    assert_eq!(bits(&Params { bandwidth: 2.0, ..of_density(2.0) }), 0);
+}
+
+/// One summit on its own does not crowd.
+#[test]
+fn a_single_tip_is_not_crowded() {
+    let tip = Params { asperity_count: 1.0, ..in_order() };
+    assert_eq!(at(&tip, -2.0).warnings & (WARNING_CROWDED | WARNING_FEW | WARNING_ADHESIVE | WARNING_UNCALIBRATED), 0);
+}
+
+/// At the ends a state has the warning, next to them beyond it has not, and no load of the table outside has.
+#[test]
+fn a_warning_is_told_with_the_loads_between_which_it_holds() {
+    for (name, params) in surfaces() {
+        let model = model(&params);
+        let warned = |load: f64| model.state_at_load(load).expect("a state").warnings;
+        let summary = model.summary();
+        for bit in 0..9 {
+            let warning = 1 << bit;
+            let Some((lightest, heaviest)) = model.warning_loads(warning).expect("loads") else {
+                for state in states(&model).iter().step_by(50) {
+                    assert_eq!(state.warnings & warning, 0, "{name}: {warning} at {}", state.load);
+                }
+                continue;
+            };
+            assert!(lightest <= heaviest && lightest >= summary.min_table_load && heaviest <= summary.max_table_load);
+            for (end, outside) in [(lightest, lightest - 1e-3 * lightest.abs()), (heaviest, heaviest * 1.001)] {
+                if (summary.min_table_load..summary.max_table_load).contains(&outside) && outside > 0.0 {
+                    assert_eq!(warned(outside) & warning, 0, "{name}: {warning} at {outside}, beyond {end}");
+                    let inside = end + 1e-3 * (end - outside).signum() * end.abs();
+                    assert_eq!(warned(inside) & warning, warning, "{name}: {warning} at {inside}, within {end}");
+                }
+            }
+        }
+        assert_eq!(model.warning_loads(WARNING_UNCALIBRATED), Ok(None), "{name}");
+    }
+}
+
+/// More than one load, and one load alone: Derjaguin's part is as large as the load.
 #[test]
 fn adhesion_that_exceeds_the_load_is_warned_of() {
     let sticky = Params { work_of_adhesion: 0.02, adhesion_range: 0.1, hardness: 0.0, ..in_order() };
@@ -76,13 +157,14 @@ fn adhesion_that_exceeds_the_load_is_warned_of() {
     for part in [1.0, 0.5, 0.0, -0.5, -0.999_999] {
         assert_eq!(warnings(part * pull_off), WARNING_ADHESIVE, "{part} of {pull_off}");
     }
-    for part in [-1.0, -1.000_001, -1e3] {
-        assert_eq!(warnings(part * pull_off), 0, "{part} of {pull_off}");
-    }
-    assert_eq!(
-        model.check_loads(-0.9 * pull_off, -2.0 * pull_off).expect("warnings") & WARNING_ADHESIVE,
-        WARNING_ADHESIVE
-    );
+    let (_, heaviest) = model.warning_loads(WARNING_ADHESIVE).expect("loads").expect("an extent");
+    let state = model.state_at_load(heaviest).expect("a state");
+    assert!((state.hertz_load / (2.0 * heaviest) - 1.0).abs() < 1e-6, "{state:?}");
+    // Well above the pull-off load.
+    assert!(heaviest > -1.5 * pull_off, "{heaviest} and {pull_off}");
+    assert_eq!((warnings(0.999 * heaviest), warnings(1.001 * heaviest)), (WARNING_ADHESIVE, 0));
+    let found = model.check_loads(0.9 * heaviest, 2.0 * heaviest).expect("warnings");
+    assert_eq!(found & WARNING_ADHESIVE, WARNING_ADHESIVE);
     let tip = Model::new(&Params { asperity_count: 1.0, ..sticky }).expect("a model");
     assert_eq!(tip.state_at_load(0.0).expect("a state").warnings & WARNING_ADHESIVE, 0);
 }
@@ -213,7 +295,20 @@ fn loads_that_have_no_state_cannot_be_checked() {
     assert!(matches!(adhesive.check_loads(f64::NAN, 1.0), Err(Error::InvalidLoad { .. })));
     assert!(matches!(adhesive.check_loads(1.0, f64::INFINITY), Err(Error::InvalidLoad { .. })));
     assert!(matches!(adhesive.check_loads(1.0, 1e300), Err(Error::OutOfRange { .. })));
+    let told =
+        |lightest: f64, heaviest: f64| model(&in_order()).check_loads(lightest, heaviest).unwrap_err().to_string();
+    assert!(told(-1.0, 1.0).starts_with("lightest = -1: below the pull-off load"), "{}", told(-1.0, 1.0));
+    assert!(told(1.0, f64::NAN).starts_with("heaviest = NaN: must be finite"), "{}", told(1.0, f64::NAN));
     let falling = adhesive.check_loads(2.0, 1.0).expect_err("loads that fall");
     assert_eq!(falling.to_string(), "lightest = 2: must not be above heaviest");
     assert!(matches!(model(&in_order()).check_loads(0.0, 1.0), Err(Error::OutOfRange { .. })), "nothing touches");
+}
+
+#[test]
+fn loads_are_told_of_one_known_warning_alone() {
+    let model = model(&in_order());
+    for warning in [0, 3, 512, 1 << 63, u64::MAX] {
+        let told = model.warning_loads(warning).expect_err("no warning").to_string();
+        assert!(told.starts_with("warning = ") && told.contains("must be one of the bits WARNING_"), "{told}");
+    }
 }

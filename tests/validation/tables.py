@@ -13,7 +13,7 @@ import numpy as np
 
 import boundary_elements
 import yielding
-from asperity.figures import contacts, measured
+from asperity.figures import calibrated, contacts, defaults, measured
 from boundary_elements import PRESSURES, AnyRow
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
@@ -84,8 +84,10 @@ def _spread(values: list[float]) -> str:
 TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("domain.md", "contacts"): contacts.table,
     ("domain.md", "roughness"): contacts.roughness,
+    ("domain.md", "defaults"): defaults.table,
     ("validation.md", "population"): population,
     ("validation.md", "yielding"): yields,
+    ("validation.md", "calibrated"): calibrated.table,
     ("validation.md", "measurements"): measured.table,
 }
 

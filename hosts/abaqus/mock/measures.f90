@@ -64,12 +64,16 @@ contains
     integer, intent(in) :: surface
     real(c_double), intent(in) :: lightest, heaviest
     type(c_ptr) :: patch
-    integer(c_int64_t) :: warnings
+    integer(c_int64_t) :: warnings, told
     integer :: bit
     warnings = 0
     patch = patch_law(surface)
     call asperity_check(asperity_check_loads(patch, lightest * patch_area, heaviest * patch_area, warnings))
     call asperity_free(patch)
+    ! The strength of this interface was not measured, and its bandwidth is assumed: said, and no reason to stop.
+    told = iand(warnings, ior(ASPERITY_WARNING_UNCALIBRATED, ASPERITY_WARNING_BROAD))
+    if (told /= 0) print '(a)', asperity_warning_text(told)
+    warnings = iand(warnings, not(told))
     do bit = 0, 62
       if (btest(warnings, bit)) call check(asperity_warning_text(shiftl(1_c_int64_t, bit)), .false.)
     end do

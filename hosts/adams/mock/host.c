@@ -16,7 +16,8 @@ adams_c_Cffsub Cffsub;
 
 static const char *const names[] = {
     "height_std",      "summit_radius",  "asperity_count",  "composite_modulus", "effective_shear_modulus",
-    "work_of_adhesion", "adhesion_range", "burgers_vector", "hardness",
+    "work_of_adhesion", "adhesion_range", "burgers_vector", "hardness",          "slip_stress_1",
+    "slip_stress_2",    "pressure_coefficient",
 };
 enum { COUNT = sizeof names / sizeof *names };
 static const double nominal_area = 1e-4, creep_speed = 1e-4, lightest = 1, heaviest = 5000;
@@ -147,6 +148,8 @@ int main(void) {
     contact carbon, rougher;
     set_contact(&carbon, 1, &params);
     params.height_std *= 2;
+    params.pressure_coefficient = 0.05;
+    if (asperity_params_calibrate(&params, 100, 20) != ASPERITY_OK) fail("no calibrated surface");
     if (asperity_create(&params, &other_model) != ASPERITY_OK) fail("no second surface");
     set_contact(&rougher, 2, &params);
 

@@ -38,6 +38,9 @@ ASPERITY_WARNING_STEEP = 4
 ASPERITY_WARNING_ATOMIC = 8
 ASPERITY_WARNING_FEW = 16
 ASPERITY_WARNING_ADHESIVE = 32
+ASPERITY_WARNING_UNCALIBRATED = 64
+ASPERITY_WARNING_BROAD = 128
+ASPERITY_WARNING_STRONG = 256
 
 ASPERITY_TABLE_LAYOUT = 1
 
@@ -80,6 +83,8 @@ class asperity_params(Structure):
         ("nominal_area", c_double),
         ("contact_law", c_int32),
         ("reserved", c_int32),
+        ("pressure_coefficient", c_double),
+        ("bandwidth", c_double),
     ]
 
 
@@ -109,6 +114,10 @@ class asperity_state(Structure):
         ("tangential_stiffness", c_double),
         ("fraction_elastic", c_double),
         ("fraction_flowing", c_double),
+        ("contact_radius_sum", c_double),
+        ("hertz_load", c_double),
+        ("friction_scatter", c_double),
+        ("friction_bias", c_double),
     ]
 
 
@@ -172,6 +181,7 @@ class asperity_sensitivities(Structure):
         ("skew", c_double),
         ("kurtosis", c_double),
         ("hardness", c_double),
+        ("pressure_coefficient", c_double),
     ]
 
 
@@ -238,6 +248,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_pair": (asperity_status, [c_char_p, _pair]),
     "asperity_pair_name": (c_char_p, [c_size_t]),
     "asperity_params_set_pair": (asperity_status, [_params, c_char_p]),
+    "asperity_params_calibrate": (asperity_status, [_params, c_double, c_double]),
     "asperity_create": (asperity_status, [_params, POINTER(_model)]),
     "asperity_set_params": (asperity_status, [_model, _params]),
     "asperity_get_params": (asperity_status, [_model, _params]),
@@ -260,6 +271,8 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_summary_of": (asperity_status, [_model, _summary]),
     "asperity_check_loads": (asperity_status, [_model, c_double, c_double, POINTER(c_uint64)]),
     "asperity_warning_string": (c_char_p, [c_uint64]),
+    "asperity_warning_loads": (asperity_status, [_model, c_uint64, _doubles, _doubles]),
+    "asperity_warnings_text": (c_size_t, [c_uint64, POINTER(c_char), c_size_t]),
     "asperity_summits_at_overlaps": (asperity_status, [_model, c_size_t, *5 * [_doubles]]),
     "asperity_table_of": (asperity_status, [_model, _table]),
     "asperity_sensitivities_at_load": (asperity_status, [_model, c_double, _sensitivities]),

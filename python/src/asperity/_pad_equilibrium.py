@@ -71,6 +71,13 @@ class OneSummitLaw:
         loads = self.loads(np.where(near > least_at, near - step, near), height)
         return float(np.where((near > least_at) & (near - step < least_at), least, loads).sum())
 
+    def least_nearer(self, height: Array, separation: float) -> float:
+        """A load that summits do not fall below at a separation and at all nearer ones."""
+        overlap = height - separation
+        falls = overlap > np.interp(height, self._heights, self._least_at)
+        least = np.interp(height, self._heights, self._least)
+        return float(np.where(falls, self.loads(overlap, height), least).sum())
+
     def _apart(self, reach: float) -> Array:
         """Overlaps at which the summits just do not pull any more."""
         lower = np.full_like(self._heights, -reach)

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import sys
 from dataclasses import MISSING, fields, replace
@@ -26,17 +27,23 @@ Params = TypeVar("Params")
 _ARRAYS = ("table_height", "table_density")
 _MODULI = ("composite_modulus", "effective_shear_modulus")
 _ROUGHNESS = ("height_std", "summit_radius", "asperity_count")
+# One measured point: the load, and either of the others.
+CALIBRATION = ("calibration_load", "calibration_friction_coefficient", "calibration_friction_force")
 _MATERIALS = ("first", "second", "E1", "nu1", "E2", "nu2")
 _MOMENTS = ("m0", "m2", "m4")
 _ISO = ("Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku")
+# No surface needs more, not even one with tables of heights; a device such as /dev/zero has no end.
+_LONGEST = 1 << 20
 
 
 def read(file: FileName, params: type[Params]) -> Params:
     """The surface that a file describes; `Error` names the file, the key and what is allowed."""
     try:
         with open(file, "rb") as stream:
-            found = tomllib.load(stream)
-        made: Params = _params(params, found)
+            text = stream.read(_LONGEST + 1)
+        if len(text) > _LONGEST:
+            raise Error("longer than 1 MiB: must be a surface file, whose keys docs/surface-file.md has", Status.INVALID_PARAMETER)
+        made: Params = _params(params, tomllib.loads(text.decode().replace("\r\n", "\n")))
         return made
     except tomllib.TOMLDecodeError as error:
         raise Error(f"{file}: no TOML: {error}", Status.INVALID_PARAMETER) from None
@@ -77,9 +84,10 @@ def _literal(value: Any) -> str:
 
 def _params(params: Any, found: dict[str, Any]) -> Any:
     materials = _table(found, "materials", _MATERIALS)
-    roughness = _table(found, "roughness", (*_MOMENTS, *_ISO, "summits"))
-    _check(found, (*(field.name for field in fields(params)), "materials", "roughness"), "")
-    given = {name: value for name, value in found.items() if name not in ("materials", "roughness")}
+    roughness = _table(found, "roughness", (*_MOMENTS, *_ISO, "Ra", "summits"))
+    _check(found, (*(field.name for field in fields(params)), "materials", "roughness", *CALIBRATION), "")
+    measured = {name: found[name] for name in CALIBRATION if name in found}
+    given = {name: value for name, value in found.items() if name not in ("materials", "roughness", *CALIBRATION)}
     if materials:
         _exclude(given, (*_MODULI, "tangential_modulus"), "materials")
         given = _contact(materials, given) | given
@@ -87,6 +95,7 @@ def _params(params: Any, found: dict[str, Any]) -> Any:
         _exclude(given, _ROUGHNESS, "roughness")
         if "nominal_area" not in given:
             raise Error("nominal_area: must be set, [roughness] tells the summits per area", Status.INVALID_PARAMETER)
+        roughness = from_mean_deviation(roughness)
         _one_kind(roughness)
         make = params.from_iso25178 if roughness.keys() & set(_ISO) else params.from_spectral_moments
     else:
@@ -96,7 +105,38 @@ def _params(params: Any, found: dict[str, Any]) -> Any:
     # Heights that the file names are taken with all their fields; else those fields choose them, as in Params.si.
     named = {name: given.pop(name) for name in _heights() if name in given and "height_distribution" in given}
     tangential = {name: given.pop(name) for name in ("tangential_modulus",) if name in given}
-    return replace(make(**given, **roughness), **named, **tangential)
+    return calibrated(replace(make(**given, **roughness), **named, **tangential), measured)
+
+
+def calibrated(params: Any, measured: dict[str, Any]) -> Any:
+    """With the strength of one measured point, by the names of `CALIBRATION`, where there is one."""
+    if not measured:
+        return params
+    load, coefficient, force = (measured.get(name) for name in CALIBRATION)
+    if load is None or (coefficient is None) == (force is None):
+        says = f"calibration_load goes with one of {CALIBRATION[1]} and {CALIBRATION[2]}"
+        raise Error(f"{next(iter(measured))}: {says}", Status.INVALID_PARAMETER)
+    return params.calibrated(load=load, mu=coefficient, friction_force=force)
+
+
+def from_mean_deviation(roughness: dict[str, Any]) -> dict[str, Any]:
+    """The same roughness with the standard deviation of the heights for their mean one, as Gaussian heights have it.
+
+    Rq = Ra (pi/2)^(1/2): `Ra` stands for `m0` beside `m2` and `m4`, else for `Sq`.
+    """
+    if "Ra" not in roughness:
+        return roughness
+    for name in ("m0", "Sq", "Ssk", "Sku"):
+        if name in roughness:
+            says = "which it stands for" if name in ("m0", "Sq") else "it is understood as that of Gaussian heights: give Sq"
+            raise Error(f"Ra: must not be given beside {name}, {says}", Status.INVALID_PARAMETER)
+    given = roughness["Ra"]
+    if not isinstance(given, (int, float)) or not (math.isfinite(given) and given > 0):
+        raise Error(f"Ra = {given!r}: must be finite and > 0", Status.INVALID_PARAMETER)
+    rest = {name: value for name, value in roughness.items() if name != "Ra"}
+    if rest.keys() & set(_MOMENTS):
+        return {"m0": math.pi / 2 * given**2} | rest
+    return {"Sq": math.sqrt(math.pi / 2) * given} | rest
 
 
 def _heights() -> tuple[str, ...]:

@@ -6,6 +6,7 @@ import argparse
 from dataclasses import MISSING, fields
 from typing import Any
 
+from ._surface_file import CALIBRATION, calibrated
 from .params import Params
 
 _GROUPS = {
@@ -42,8 +43,15 @@ _OPTIONS = {
     "slip_stress_1": "tau_1/G*",
     "slip_radius_2": "a_2/b: shear strength is slip_stress_2 from it on",
     "slip_stress_2": "tau_2/G*",
+    "pressure_coefficient": "kappa: the part of the strength that grows with pressure",
+    "bandwidth": "Nayak's m0 m4/m2^2, by which warnings judge; 0 where it is not known",
     "max_friction_coefficient": "cap on the friction coefficient",
 }
+_MEASURED = (
+    "normal load of a measurement, at which the strength of the interface is set so that friction is the one measured",
+    "friction coefficient measured at it",
+    "friction force measured at it, instead of the coefficient",
+)
 # Options that choose the heights: their defaults are those of heights not chosen.
 _CHOOSING = ("skew", "kurtosis")
 
@@ -64,6 +72,8 @@ def add(command: argparse.ArgumentParser) -> None:
     for name, text in _OPTIONS.items():
         shown = f" ({defaults[name]:g})" if name in defaults and name not in _CHOOSING else ""
         optional.add_argument(_flag(name), type=float, metavar="X", help=text + shown)
+    for name, text in zip(CALIBRATION, _MEASURED):
+        optional.add_argument(_flag(name), type=float, metavar="X", help=text)
     optional.add_argument("--no-attraction", action="store_true", help="summits out of contact do not attract")
 
 
@@ -78,9 +88,9 @@ def _given(options: argparse.Namespace, names: Any) -> dict[str, Any]:
 def params(parser: argparse.ArgumentParser, options: argparse.Namespace) -> Params:
     """The surfaces that the options name; ends the program if they exclude each other."""
     groups, physical = _given(options, _GROUPS), _given(options, _PHYSICAL)
-    others = _given(options, _OPTIONS)
+    others, measured = _given(options, _OPTIONS), _given(options, CALIBRATION)
     if options.surface is not None:
-        if beside := [*groups, *physical, *others, *(["no_attraction"] if options.no_attraction else [])]:
+        if beside := [*groups, *physical, *others, *measured, *(["no_attraction"] if options.no_attraction else [])]:
             parser.error(f"--surface is the whole surface: leave out {_flag(beside[0])}, and change the file")
         return Params.from_toml(options.surface)
     others["attraction"] = not options.no_attraction
@@ -93,7 +103,8 @@ def params(parser: argparse.ArgumentParser, options: argparse.Namespace) -> Para
             parser.error(f"physical parameters need {', '.join(missing)} too")
     try:
         if physical:
-            return Params.si(**physical, **others)
-        return Params.dimensionless(**({name: default for name, (default, _) in _GROUPS.items()} | groups | others))
+            return calibrated(Params.si(**physical, **others), measured)  # type: ignore[no-any-return]
+        values = {name: default for name, (default, _) in _GROUPS.items()} | groups | others
+        return calibrated(Params.dimensionless(**values), measured)  # type: ignore[no-any-return]
     except TypeError as error:
         parser.error(str(error))

@@ -21,6 +21,7 @@ from .fit_names import free_names
 from .fit_result import End, Estimate, Fit
 from .fit_search import STEP, Data, Search
 from .params import Params
+from .results import Warnings
 
 Array = npt.NDArray[np.float64]
 
@@ -227,12 +228,25 @@ def _remarks(fit: Fit, estimate: Estimate) -> list[str]:
         remarks.append(f"at a bound: {name} = {fit.values[name]:.6g}; the data would have it beyond")
     if fit.sigma is not None and fit.loss == "linear" and _improbable(fit):
         remarks.append("the residuals are larger than sigma explains: the model, or sigma, is wrong")
+    remarks += _remark_on_strength(fit)
     with FrictionLaw(fit.params) as law:
         pull_off = law.summary().pull_off_load
     apart = int(np.count_nonzero(fit.load < pull_off))
     if apart:
         remarks.append(f"{apart} loads are below the fitted pull-off load, {pull_off:.4g}: no friction there")
     return remarks
+
+
+def _remark_on_strength(fit: Fit) -> list[str]:
+    """What the data tell of the strength of the interface, or that nobody measured it."""
+    if fit.calibrated:
+        now = [f"{name} = {getattr(fit.params, name):.6g}" for name in ("slip_stress_1", "slip_stress_2")]
+        return [f"calibrated by the data: {', '.join(fit.calibrated)}; {', '.join(now)} of G*"]
+    heaviest = max(float(fit.load.max()), 0.0)
+    with FrictionLaw(fit.params) as law:
+        told = law.check(heaviest, heaviest) & Warnings.UNCALIBRATED
+    says = "not calibrated: the strength of the interface is a default that nobody measured; free slip_stress to fit it"
+    return [says] if told else []
 
 
 def _improbable(fit: Fit) -> bool:

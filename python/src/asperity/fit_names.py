@@ -16,6 +16,7 @@
 | radius_amplitude | epsilon | -1 to 1 |
 | radius_rate | rho | > 0 |
 | slip_radius_1, slip_stress_1, slip_radius_2, slip_stress_2 | | > 0 |
+| slip_stress | | slip_stress_1 > 0, and slip_stress_2 in proportion: the strength of the interface |
 | alpha | | (sigma/R)^(1/2) > 0: height_std and summit_radius, their product fixed |
 | beta | | (R sigma)^(1/2)/b > 0: height_std and summit_radius, their ratio fixed |
 | gamma | | w/(E* b) > 0: work_of_adhesion |
@@ -178,6 +179,11 @@ def _put_beta(params: Params, beta: float) -> Params:
     return params.replace(height_std=alpha * radius, summit_radius=radius / alpha)
 
 
+def _put_slip_stress(params: Params, stress: float) -> Params:
+    scale = stress / params.slip_stress_1
+    return params.replace(slip_stress_1=stress, slip_stress_2=scale * params.slip_stress_2)
+
+
 def _stress(params: Params) -> float:
     """E* b, the unit of w."""
     return params.composite_modulus * params.burgers_vector
@@ -212,6 +218,7 @@ _KINDS: dict[str, tuple[tuple[str, ...], Get, Put, tuple[float, float]]] = {
     _EPSILON: ((_EPSILON,), _get_field(_EPSILON), _put_field(_EPSILON), (-1.0, 1.0)),
     "kurtosis": (("kurtosis",), _get_field("kurtosis"), _put_field("kurtosis"), _POSITIVE),
     "skew": (("weibull_shape",), _get_skew, _put_field("skew"), (-1.11, 2.0)),
+    "slip_stress": (("slip_stress_1", "slip_stress_2"), _get_field("slip_stress_1"), _put_slip_stress, _POSITIVE),
     "alpha": (_ROUGHNESS, _alpha, _put_alpha, _POSITIVE),
     "beta": (_ROUGHNESS, lambda params: _contact_radius(params) / params.burgers_vector, _put_beta, _POSITIVE),
     "gamma": (
@@ -227,4 +234,6 @@ _KINDS: dict[str, tuple[tuple[str, ...], Get, Put, tuple[float, float]]] = {
         _POSITIVE,
     ),
 }
-_GROUPS = ("alpha", "beta", "gamma", "b_over_h")
+# What sets the strength of the interface.
+STRENGTHS = ("slip_stress", "slip_stress_1", "slip_stress_2")
+_GROUPS = ("slip_stress", "alpha", "beta", "gamma", "b_over_h")

@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from ._friction_law import FrictionLaw
 from ._style import saved, style
+from .fit_names import STRENGTHS
 from .fit_search import Data, Search
 from .params import Params
 
@@ -132,6 +133,11 @@ class Fit:
     loss: str
     dimensions: dict[str, str]
     _end: End = field(repr=False)
+
+    @property
+    def calibrated(self) -> tuple[str, ...]:
+        """The free names that the strength of the interface was fitted by, without those that the data do not determine."""
+        return tuple(name for name in self.free if name in STRENGTHS and name not in self.unidentifiable)
 
     @property
     def reduced_chi_square(self) -> float | None:

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ._surface_file import from_mean_deviation
 from .materials import MATERIALS, PAIRS, Pair, contact
 from .model import Model
 from .params import Params
@@ -32,7 +33,7 @@ def friction(pair: str | Pair, *, load: Any, nominal_area: float = 1.0, **surfac
         load: normal load [N] on `nominal_area`; a number, an array, a pandas Series or an xarray DataArray.
         nominal_area: [m^2]; without it loads are those of a square metre: nominal pressures [Pa].
         **surface: the roughness, as `Params.from_iso25178` (`Sq`, `Sdq` and `Sds` or `Ssc`), `Params.from_spectral_moments`
-            (`m0`, `m2`, `m4`) or `Params.si` (`height_std`, `summit_radius`, `summit_density`) take it, and what
+            (`m0`, `m2`, `m4`; `Ra` of Gaussian heights may stand for `Sq` or `m0`) or `Params.si` (`height_std`, `summit_radius`, `summit_density`) take it, and what
             is to replace the numbers of the pair or a default: `work_of_adhesion`, `slip_stress_1`, `kurtosis`, ...
 
     Returns:
@@ -48,6 +49,7 @@ def friction(pair: str | Pair, *, load: Any, nominal_area: float = 1.0, **surfac
     """
     if not isinstance(pair, Pair) and not isinstance(pair, str):
         raise TypeError(f"pair = {pair!r}: must be a name, as 'steel/steel', or one of asperity.materials.PAIRS")
+    surface = from_mean_deviation(surface)
     given = _contact(pair, surface) | surface
     make: Any = Params.si
     if surface.keys() & {"Sq", "Sdq", "Sds", "Ssc"}:

@@ -29,8 +29,11 @@ from .params import Params
 
 Array = npt.NDArray[np.float64]
 
-# The search for the separation of a pad begins where at least so many summits touch on average, and where the load is above
-# the heaviest one by this many of its standard deviations, or by what those would be if all summits pressed alike.
+# Of up to so many summits all are drawn: however near the surfaces, the load of few summits scatters so much that no
+# separation serves for all pads.
+_DRAWN_WHOLE = 1000
+# Of more summits, the search for the separation of a pad begins where at least so many touch on average, and where the load
+# is above the heaviest one by this many of its standard deviations, or by what those would be if all summits pressed alike.
 _FIRST_CONTACTS, _DEVIATIONS = 40, 8.0
 # States of pads; more take more than some seconds.
 _MANY = 5000
@@ -41,9 +44,10 @@ def pads(
 ) -> Pads:
     """Friction of pads whose summits are drawn at random from the heights of the surface.
 
-    Each pad has `asperity_count` summits, of which only the tallest are drawn; each obeys the exact law of one summit, in
-    contact and out of it. A pad is unloaded from heavy load: at each load it stands at the nearest separation at which its
-    load has fallen to that, so that it jumps over states that could not hold. Below the least load of all it is apart.
+    Each pad has `asperity_count` summits, of which only the tallest are drawn where there are many; each obeys the exact
+    law of one summit, in contact and out of it. A pad is unloaded from heavy load: at each load it stands at the nearest
+    separation at which its load has fallen to that, so that it jumps over states that could not hold. Below the least load of
+    all it is apart.
 
     Args:
         params: the surface, with its true number of summits.
@@ -74,12 +78,14 @@ def pads(
     with Model(params) as model:
         model_force = model.friction_force_at_load(load)
         law = OneSummitLaw(model, heights.highest)
-        start = _start(model, law, heights, float(load.max()))
-        lowest = start - law.farthest
+        heaviest, whole = float(load.max()), heights.count <= _DRAWN_WHOLE
+        start = math.nan if whole else _start(model, law, heights, heaviest)
+        lowest = -math.inf if whole else start - law.farthest
         tell = teller(progress, count * load.size > _MANY, "asperity.pads")
         for pad in range(count):
             tell(pad / count, "pads")
-            found = descend(law, heights.sample(random, lowest), start, load[order])
+            drawn = heights.sample(random, lowest)
+            found = descend(law, drawn, _start_of(law, drawn, heaviest, params.height_std) if whole else start, load[order])
             force[pad, order], contacting[pad, order], apart[pad, order] = found
         tell(1.0, "pads")
     for array in (load, force, contacting, apart, model_force):
@@ -89,7 +95,7 @@ def pads(
 
 def _start(model: Model, law: OneSummitLaw, heights: TailHeights, heaviest: float) -> float:
     """A separation at which the load of any pad is above the heaviest one, in all likelihood."""
-    separation, step = heights.exceeded_by(min(_FIRST_CONTACTS, heights.count / 2)), model.params.height_std / 16
+    separation, step = heights.exceeded_by(_FIRST_CONTACTS), model.params.height_std / 16
     while True:
         state = model.state_at_separation(separation)
         summits = state.contacting + state.attracted
@@ -97,6 +103,14 @@ def _start(model: Model, law: OneSummitLaw, heights: TailHeights, heaviest: floa
         if state.load - max(heaviest, 0.0) > _DEVIATIONS * one * math.sqrt(summits):
             return separation
         separation -= step
+
+
+def _start_of(law: OneSummitLaw, heights: Array, heaviest: float, step: float) -> float:
+    """A separation at which, and at all nearer ones, a pad of these summits carries more than the heaviest load."""
+    separation = float(heights[0])
+    while law.least_nearer(heights, separation) <= heaviest:
+        separation, step = separation - step, 2 * step
+    return separation
 
 
 def _checked_loads(loads: npt.ArrayLike) -> Array:

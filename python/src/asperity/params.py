@@ -38,6 +38,8 @@ if TYPE_CHECKING:
         max_friction_coefficient: float
         tangential_modulus: float
         contact_law: Literal["maugis", "elastic-plastic"]
+        pressure_coefficient: float
+        bandwidth: float
 
     class Contact(Options, total=False):
         """What `si` takes beside the roughness."""
@@ -71,7 +73,7 @@ _HEIGHTS = {"height_distribution", "skew", *_CHOOSES}
 _NOT_FIELDS = ("E1", "nu1", "E2", "nu2", "summit_density", "m0", "m2", "m4", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku")
 
 # How the summits of moments are known: what sets them, and the fields that it sets. A kurtosis means Johnson's heights.
-_MOMENTS = ("height_std", "summit_radius", "asperity_count", "nominal_area")
+_MOMENTS = ("height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth")
 _SETTERS: dict[str, tuple[Any, tuple[str, ...]]] = {
     "equal": (LIBRARY.asperity_params_set_spectral_moments, _MOMENTS),
     "nayak": (
@@ -127,6 +129,8 @@ class Params:
             E* G* / (2 (E* + G*)), which is exact for two bodies of one material and for one rigid body.
         nominal_area: [length^2] >= 0, what warnings compare the real area with; 0 where it is not known.
         contact_law: "maugis", elastic with adhesion, or "elastic-plastic", which needs a hardness and no adhesion.
+        pressure_coefficient: kappa >= 0, the part of a contact's strength that grows with pressure, over its Hertz load.
+        bandwidth: Nayak's m0 m4/m2^2 >= 1.5, by which warnings judge whether summits act alone; 0 where it is not known.
     """
 
     composite_modulus: float
@@ -155,6 +159,8 @@ class Params:
     tangential_modulus: float = _DEFAULT.tangential_modulus
     nominal_area: float = _DEFAULT.nominal_area
     contact_law: Literal["maugis", "elastic-plastic"] = "maugis"
+    pressure_coefficient: float = _DEFAULT.pressure_coefficient
+    bandwidth: float = _DEFAULT.bandwidth
 
     def __post_init__(self) -> None:
         for field in fields(self):
@@ -447,6 +453,28 @@ class Params:
         if "skew" in changes and self.height_distribution == "johnson":
             changes.setdefault("height_distribution", "johnson")
         return type(self)(**(kept | _options(changes)))
+
+    def calibrated(self, *, load: float, mu: float | None = None, friction_force: float | None = None) -> Params:
+        """The same surfaces with the strength of the interface that one measurement gives.
+
+        Both slip stresses are scaled by one factor, so that the friction force at this load is the one measured. Give the
+        surfaces that were measured; how friction changes with load, area, roughness and adhesion is then the model's.
+
+        Args:
+            load: normal load of the measurement [force], a total over `asperity_count`.
+            mu: friction coefficient measured at that load; or
+            friction_force: friction force measured at it [force].
+
+        Raises:
+            Error: no strength gives that force; the message has the numbers.
+            TypeError: not one of `mu` and `friction_force`.
+        """
+        if (mu is None) == (friction_force is None):
+            raise TypeError("give either mu or friction_force, as measured at the load")
+        force = _real("friction_force", friction_force) if mu is None else _positive("mu", mu) * _positive("load", load)
+        struct: Any = self._as_struct()
+        check(LIBRARY.asperity_params_calibrate(ctypes.byref(struct), _real("load", load), force))
+        return self.replace(slip_stress_1=struct.slip_stress_1, slip_stress_2=struct.slip_stress_2)
 
     def __repr__(self) -> str:
         shown = [field for field in fields(self) if getattr(self, field.name) != field.default]

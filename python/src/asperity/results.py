@@ -26,8 +26,11 @@ class Warnings(IntFlag):
     `STEEP`: contacts are too large for their summits, above a tenth of their radius on average.
     `ATOMIC`: contacts are too small for continuum mechanics, below the Burgers vector on average.
     `FEW`: fewer than 20 summits touch, too few for a mean over surfaces. Never where `asperity_count` is 1.
-    `ADHESIVE`: adhesion presses the surfaces together with more than the load, which is below the magnitude of the pull-off
-    load. Never where `asperity_count` is 1.
+    `ADHESIVE`: adhesion presses the surfaces together with more than the load. Never where `asperity_count` is 1.
+    `UNCALIBRATED`: the strength of the interface is a default that nobody measured: see `Params.calibrated`. Never where
+    `asperity_count` is 1.
+    `BROAD`: the surface is rough on many scales, with a bandwidth above 6.
+    `STRONG`: the interface would be stronger than the softer body. Never where the hardness is not given.
     """
 
     PLASTIC = _header.ASPERITY_WARNING_PLASTIC
@@ -36,6 +39,9 @@ class Warnings(IntFlag):
     ATOMIC = _header.ASPERITY_WARNING_ATOMIC
     FEW = _header.ASPERITY_WARNING_FEW
     ADHESIVE = _header.ASPERITY_WARNING_ADHESIVE
+    UNCALIBRATED = _header.ASPERITY_WARNING_UNCALIBRATED
+    BROAD = _header.ASPERITY_WARNING_BROAD
+    STRONG = _header.ASPERITY_WARNING_STRONG
 
     @property
     def kinds(self) -> list[Warnings]:
@@ -102,6 +108,10 @@ class State(_WithUnits):
         tangential_stiffness: K_t [force/length], tangential force by displacement while all contacts stick.
         fraction_elastic: fraction of the contacts below first yield; 1 for "maugis" without a hardness.
         fraction_flowing: fraction of the contacts that are fully plastic.
+        contact_radius_sum: sum of the radii of all contacts [length]; their constriction conductance is 2 k times it.
+        hertz_load: sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
+        friction_scatter: standard deviation of the friction force over its mean, of nominally equal contacts under this load.
+        friction_bias: mean friction force of them over `friction_force`, less 1.
     """
 
     load: float
@@ -127,6 +137,10 @@ class State(_WithUnits):
     tangential_stiffness: float
     fraction_elastic: float
     fraction_flowing: float
+    contact_radius_sum: float
+    hertz_load: float
+    friction_scatter: float
+    friction_bias: float
 
 
 class States:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 # Of these the sensitivity is d(ln F)/dp: they may be 0 or negative.
-LINEAR = ("radius_amplitude", "skew")
+LINEAR = ("radius_amplitude", "skew", "pressure_coefficient")
 # Sensitivities smaller than this part of the largest are left out of the figure.
 _INVISIBLE = 1e-3
 
@@ -24,13 +24,13 @@ _INVISIBLE = 1e-3
 class Sensitivities:
     """What the friction force F, and so the friction coefficient, at constant load changes by with each parameter p.
 
-    d(ln F)/d(ln p), the percentage of F for each percent of p; for `radius_amplitude` and `skew`, which may be 0 or
-    negative, d(ln F)/dp. 0 for a parameter that the model does not read.
+    d(ln F)/d(ln p), the percentage of F for each percent of p; for `radius_amplitude`, `skew` and
+    `pressure_coefficient`, which may be 0, d(ln F)/dp. 0 for a parameter that the model does not read.
 
     Attributes:
         load: at which load [force].
         composite_modulus: to E*.
-        effective_shear_modulus: to G*: 1.
+        effective_shear_modulus: to G*: 1 where `pressure_coefficient` is 0.
         work_of_adhesion: to w; 0 where w is 0.
         adhesion_range: to h; 0 where w is 0.
         burgers_vector: to b; the slip radii grow with it.
@@ -47,6 +47,7 @@ class Sensitivities:
         skew: d(ln F)/d(skew) at this kurtosis; 0 unless heights are Johnson's.
         kurtosis: at this skew; 0 unless heights are Johnson's.
         hardness: to H; 0 where contacts are elastic.
+        pressure_coefficient: d(ln F)/d(kappa), also where kappa is 0.
     """
 
     load: float
@@ -68,6 +69,7 @@ class Sensitivities:
     skew: float
     kurtosis: float
     hardness: float
+    pressure_coefficient: float
 
     def by_size(self) -> dict[str, float]:
         """The parameters that are read, the most important first."""

@@ -463,7 +463,29 @@ impl<'a> Calls<'a> {
         }
         let ends = states[0].1 | states[1].1;
         assert!(one <= other && warnings & ends == ends, "{}: {warnings:b}, {states:?}", what());
-        assert!(warnings < 2 * ASPERITY_WARNING_ADHESIVE, "{}: {warnings:b}", what());
+        assert!(warnings < 2 * ASPERITY_WARNING_STRONG, "{}: {warnings:b}", what());
+    }
+
+    /// Within the table, in order, and NaN both or none; what is no warning changes nothing.
+    pub fn warning_loads(&mut self, model: &Model, bits: u64) {
+        let at: Shared = model.handle.0;
+        for warning in [1 << (bits % 9), bits] {
+            let mut loads = [UNSET as f64; 2];
+            let [light, heavy] = &mut loads;
+            let outs: (*mut f64, *mut f64) = (light, heavy);
+            let what = || format!("warning_loads({warning}); {:?}", model.params);
+            let status = self.watch_many("asperity_warning_loads", 10, what, || {
+                // SAFETY: a model, and room for both loads.
+                unsafe { asperity_warning_loads(at, warning, outs.0, outs.1) }
+            });
+            if status == OK {
+                assert_eq!(is_finite(loads[0]), is_finite(loads[1]), "{}: {loads:?}", what());
+                assert!(!is_finite(loads[0]) || loads[0] <= loads[1], "{}: {loads:?}", what());
+            } else {
+                self.documented(status, &[INVALID_PARAMETER, OUT_OF_RANGE, NOT_CONVERGED], &what);
+                assert_eq!(loads, [UNSET as f64; 2], "{}: refused, yet written", what());
+            }
+        }
     }
 
     pub fn separation(&mut self, model: &Model, separation: f64) {
@@ -650,7 +672,7 @@ impl<'a> Calls<'a> {
 
     pub fn setters(&mut self, x: [f64; 5]) {
         let before = asperity_params::initial();
-        for which in 0..5 {
+        for which in 0..6 {
             let mut params = before;
             let at: *mut asperity_params = &mut params;
             reset_message();
@@ -659,14 +681,15 @@ impl<'a> Calls<'a> {
                 1 => call!(self, x, asperity_params_set_materials(at, x[0], x[1], x[2], x[3])),
                 2 => call!(self, x, asperity_params_set_spectral_moments(at, x[0], x[1], x[2], x[3])),
                 3 => call!(self, x, asperity_params_set_nayak_summits(at, x[0], x[1], x[2], x[3])),
-                _ => call!(self, x, asperity_params_set_skew(at, x[0])),
+                4 => call!(self, x, asperity_params_set_skew(at, x[0])),
+                _ => call!(self, x, asperity_params_calibrate(at, x[0], x[1])),
             };
             if status == OK {
                 let finite = params.numbers().into_iter().all(|x| is_finite(*x));
                 assert!(finite, "setter {which} of {x:?}: {params:?}");
             } else {
                 let what = || format!("setter {which} of {x:?}");
-                self.documented(status, &[INVALID_PARAMETER, OUT_OF_RANGE], &what);
+                self.documented(status, &[INVALID_PARAMETER, OUT_OF_RANGE, INVALID_LOAD, SEPARATED], &what);
                 assert_eq!(bytes(&params), bytes(&before), "{}: refused, yet the parameters are changed", what());
             }
         }
@@ -677,7 +700,7 @@ impl<'a> Calls<'a> {
         text[64] = 0;
         let before = asperity_params::initial();
         let (any, values): (*const c_char, *const f64) = (text.as_ptr().cast(), x.as_ptr());
-        for names in [which.map(|which| asperity_params_name(which % 24)), [any; 5]] {
+        for names in [which.map(|which| asperity_params_name(which % 26)), [any; 5]] {
             let (mut params, mut back) = (before, 0.0);
             let (at, names_at): (*mut asperity_params, *const *const c_char) = (&mut params, names.as_ptr());
             let (name, back_at): (*const c_char, *mut f64) = (names[0], &mut back);
@@ -742,7 +765,7 @@ impl<'a> Calls<'a> {
             let text = unsafe { CStr::from_ptr(asperity_status_string(code)) };
             assert!(!text.is_empty(), "status {code}");
         }
-        for warning in [0, 1, 2, 3, 4, 8, 16, 32, length as u64] {
+        for warning in [0, 1, 2, 3, 4, 8, 16, 32, 64, 128, 256, length as u64] {
             // SAFETY: a constant string.
             let text = unsafe { CStr::from_ptr(asperity_warning_string(warning)) };
             assert!(!text.is_empty(), "warning {warning}");

@@ -247,7 +247,10 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
             calls.materials(text, bytes.below(32));
         }
         251..=253 => calls.messages(bytes.below(256)),
-        254 => calls.check_loads(model, bytes.load(summary), bytes.load(summary)),
+        254 => {
+            calls.check_loads(model, bytes.load(summary), bytes.load(summary));
+            calls.warning_loads(model, bytes.load(summary).to_bits());
+        }
         255 => {
             let other = bytes.params();
             calls.set_params(model, &other);

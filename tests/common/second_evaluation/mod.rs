@@ -25,6 +25,8 @@ pub struct Surface {
     pub attraction: bool,
     /// a_1/b, tau_1/G*, a_2/b, tau_2/G*.
     pub slip: [f64; 4],
+    /// The pressure coefficient, times E*/G*.
+    pub pressure: f64,
 }
 
 /// Sums per summit: loads in E* b^2, friction in G* b^2, area in b^2, all to be multiplied by exp(`log_scale`).
@@ -218,7 +220,8 @@ impl Surface {
             let (c, a) = (here.c, length * here.c * q);
             let hertz = 4.0 / 3.0 * (c * q).powi(3);
             let load = length / self.b_over_h * (hertz - 0.5 * kappa * c * c * (s * q + here.theta));
-            [1.0, 0.0, PI * a * a, self.friction(a), load, 0.0, load.abs()]
+            let friction = self.friction(a) + self.pressure * (length / self.b_over_h * hertz);
+            [1.0, 0.0, PI * a * a, friction, load, 0.0, load.abs()]
         } else {
             let root = (kappa / PI).hypot((2.0 * (1.0 + w).max(0.0)).sqrt());
             let c = kappa / PI + root;

@@ -2,7 +2,8 @@
 figures of what the law is good for.
 
 `curves` has the surfaces behind each figure, `drawing` the pictures, `page` the comparison in numbers. `contacts` has
-real contacts and `measured` measured friction, both drawn by `validity`; `front` draws what was measured over the law.
+real contacts and `measured` measured friction, both drawn by `validity`; `calibrated` has the law calibrated at one load
+against measurements at others, drawn by `front`.
 Drawing needs matplotlib (extra `plot`).
 """
 

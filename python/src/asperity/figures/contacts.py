@@ -63,10 +63,10 @@ def _single(bodies: dict[str, Any], radius: float) -> Params:
     return Params.si(**bodies, height_std=1e-3 * bodies["adhesion_range"], summit_radius=radius, asperity_count=1.0)
 
 
-def _rough(bodies: dict[str, Any], sigma: float, radius: float, area: float) -> Params:
-    """Density times radius times sigma is 0.05, as on the surfaces of Greenwood and Williamson (1966)."""
+def _rough(bodies: dict[str, Any], sigma: float, radius: float, area: float, product: float = 0.05) -> Params:
+    """Density times radius times sigma is 0.05, as on the surfaces of Greenwood and Williamson (1966), or another product."""
     return Params.si(
-        **bodies, height_std=sigma, summit_radius=radius, summit_density=0.05 / (radius * sigma), nominal_area=area
+        **bodies, height_std=sigma, summit_radius=radius, summit_density=product / (radius * sigma), nominal_area=area
     )
 
 
@@ -93,8 +93,8 @@ CONTACTS = tuple(
         ("DLC on steel", _rough(_bodies("DLC", "steel", 0.05), 50e-9, 20e-6, 1e-6), (1e-1, 1e2),
          "polished, σ = 50 nm, R = 20 µm, 0.1 to 100 MPa: assumed",
          "near the limit: look at the warnings, and use contact law 1 where they come"),
-        ("ground steel", _rough(PAIRS["steel/steel"].contact, 0.4e-6, 10e-6, 1e-4), (1e1, 1e4),
-         "σ = 0.4 µm, R = 10 µm, 0.1 to 100 MPa: assumed; hardened bearing steel",
+        ("ground steel", _rough(PAIRS["steel/steel"].contact, 0.4e-6, 20e-6, 1e-4, 0.04), (1.0, 2e3),
+         "σ = 0.4 µm, R = 20 µm, 10 kPa to 20 MPa: assumed; hardened bearing steel, the surface of [metals.md](metals.md)",
          "yields at any load: contact law 1, until the surface is worn in"),
         ("rubber", _rough(_RUBBER_ON_GLASS, 1e-6, 20e-6, 1e-4), (1e-2, 1e2),
          "E = 2 MPa, in place of the hardness too, on glass of σ = 1 µm, R = 20 µm, 100 Pa to 1 MPa: assumed",

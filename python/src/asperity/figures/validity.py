@@ -31,7 +31,7 @@ _LABELS = {
     "MEMS polysilicon": (-1, (8, -12), "left"),
     "wafer on chuck": (-1, (8, -4), "left"),
     "DLC on steel": (0, (-8, -4), "right"),
-    "ground steel": (0, (-2, -20), "center"),
+    "ground steel": (-1, (9, -4), "left"),
     "rubber": (0, (-10, 12), "right"),
 }
 

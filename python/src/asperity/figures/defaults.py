@@ -1,0 +1,118 @@
+"""What Hurtado and Kim's default slip stresses predict for interfaces whose friction was measured: the table of
+`docs/domain.md`.
+
+Of the surfaces only the process is told in the sources, so that sigma and R are round numbers.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from ..materials import PAIRS
+from ..model import Model
+from ..params import Params
+from .contacts import CONTACTS
+from .measured import MEASUREMENTS, Band
+
+
+@dataclass(frozen=True)
+class Rough:
+    """A friction coefficient that was measured on rough surfaces that yield.
+
+    Attributes:
+        name: what slid on what.
+        measured: friction coefficient, from lowest to highest.
+        surfaces: that it is predicted for.
+        loads: lightest and heaviest [N].
+        inputs: what is assumed.
+        source: with what of it was read.
+    """
+
+    name: str
+    measured: Band
+    surfaces: tuple[Params, ...]
+    loads: Band
+    inputs: str
+    source: str
+
+    def predicted(self) -> Band:
+        """Friction coefficients with the default slip stresses."""
+        found = [Model(params).friction_at_load(load) for params in self.surfaces for load in self.loads]
+        return min(found), max(found)
+
+    def ratio(self) -> Band:
+        """Predicted over measured."""
+        (low, high), (least, most) = self.predicted(), self.measured
+        return low / most, high / least
+
+
+def _steels() -> tuple[Params, ...]:
+    """Ground steel of the map, annealed and hardened, yielding."""
+    (ground,) = [contact.params for contact in CONTACTS if contact.name == "ground steel"]
+    yielding = ground.replace(work_of_adhesion=0.0, contact_law="elastic-plastic")
+    return yielding.replace(hardness=2e9), yielding
+
+
+def _quartz(sigma: float, radius: float) -> tuple[Params, ...]:
+    """Silica in place of quartz, on 1 cm^2, with density times radius times sigma as of the ground steel."""
+    bodies: dict[str, Any] = {**PAIRS["SiO2/SiO2"].contact, "work_of_adhesion": 0.0}
+    yielding = Params.si(
+        **bodies, height_std=sigma, summit_radius=radius, summit_density=0.04 / (radius * sigma), nominal_area=1e-4,
+        contact_law="elastic-plastic",
+    )  # fmt: skip
+    return (yielding,)
+
+
+_BYERLEE = "J. D. Byerlee, The frictional characteristics of Westerly granite, thesis, MIT 1966, abstract"
+
+ROUGH = (
+    Rough(
+        "steel on steel in air, dry", (0.56, 0.58), _steels(), (12.0, 50.0),
+        "ground steel of the map, H = 2 and 7.5 GPa, contact law 1, 12 and 50 N",
+        "Measurement and analysis of the kinetic friction coefficient of AISI 52100 and ceramic balls on cold rolled high-strength "
+        "steel, abstract: 12 to 50 N, after some wear",
+    ),
+    Rough(
+        "granite and quartz, finely ground", (0.2, 0.2), _quartz(0.4e-6, 20e-6), (10.0, 1000.0),
+        "SiO₂, σ = 0.4 µm, R = 20 µm, contact law 1, 0.1 to 10 MPa", _BYERLEE,
+    ),
+    Rough(
+        "granite and quartz, rough", (0.6, 0.6), _quartz(5e-6, 50e-6), (10.0, 1000.0),
+        "SiO₂, σ = 5 µm, R = 50 µm, contact law 1, 0.1 to 10 MPa", _BYERLEE,
+    ),
+)  # fmt: skip
+
+# Of docs/validation.md, rows whose strength is that of one contact or of a tip.
+_SINGLE = ("gold pillar on mica, AFM", "rough gold tip on mica, AFM", "mica on mica in air, SFA", "Si₃N₄ tip on silicon, AFM")
+
+
+def table() -> str:
+    """Predicted with the defaults over measured, as a table of Markdown."""
+    rows = [
+        "| Interface | Measured | With the defaults | Default over measured | Assumed | Source |",
+        "|---|---|---|---|---|---|",
+    ]
+    for single in (row for row in MEASUREMENTS if row.name in _SINGLE):
+        unit = " MPa" if "MPa" in single.quantity else ""
+        measured = "" if single.measured is None else _band(single.measured) + unit
+        rows.append(_row(single.name, measured, _band(single.predicted()) + unit, single.ratio(), single.open_inputs, single.source))
+    for rough in ROUGH:
+        measured, predicted = f"μ = {_band(rough.measured)}", f"μ = {_band(rough.predicted())}"
+        rows.append(_row(rough.name, measured, predicted, rough.ratio(), rough.inputs, rough.source))
+    return "\n".join(rows)
+
+
+def _row(name: str, measured: str, predicted: str, ratio: Band, inputs: str, source: str) -> str:
+    return f"| {name} | {measured} | {predicted} | {_times(ratio)} | {inputs} | {source} |"
+
+
+def _band(band: Band) -> str:
+    low, high = (f"{value:.2g}" if value < 1 else f"{value:.3g}" for value in band)
+    return low if low == high else f"{low} to {high}"
+
+
+def _times(ratio: Band) -> str:
+    """A factor as engineers say it: 1/12 or 5."""
+    low, high = (f"1/{1 / value:.2g}" if value < 0.95 else f"{value:.2g}" for value in ratio)
+    return low if low == high else f"{low} to {high}"
