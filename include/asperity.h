@@ -289,12 +289,13 @@ typedef struct asperity_params {
    */
   double max_friction_coefficient;
   /**
-   * Skew of the summit heights, -3 to 3; read only for `ASPERITY_HEIGHTS_JOHNSON`. 0 by default.
+   * Skew of Johnson's summit heights, -3 to 3. 0 by default, and refused if it is not for other
+   * `height_distribution`s: those of Weibull heights are chosen with `asperity_params_set_skew`.
    */
   double skew;
   /**
-   * Kurtosis of the summit heights, 1.87 + 1.25 skew^2 to 100; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by
-   * default, which with skew 0 is Gaussian.
+   * Kurtosis of Johnson's summit heights, 1.87 + 1.25 skew^2 to 100. 3 by default, which with skew 0 is Gaussian,
+   * and refused if it is not for other `height_distribution`s.
    */
   double kurtosis;
   /**
@@ -1030,9 +1031,9 @@ asperity_status asperity_params_set_value(struct asperity_params *params,
  * comes last. A field is set after them and as it is: what it may be is
  * for `asperity_create` to say.
  *
- * Three names choose the heights: `weibull_shape` Weibull's, `kurtosis` Johnson's. `skew` is that of Johnson's heights if
+ * Three names choose the heights: `kurtosis` Johnson's, `weibull_shape` without it Weibull's. `skew` is that of Johnson's heights if
  * they are chosen or `kurtosis` is given too, else it is `asperity_params_set_skew`. `height_distribution`, if given,
- * has the last word.
+ * has the last word; a skew or a kurtosis that these heights do not read is refused with the parameters.
  *
  * @param params  initialised parameters; must not be NULL; untouched on failure
  * @param count   how many names; may be 0
@@ -1129,7 +1130,8 @@ const char *asperity_pair_name(size_t index);
  *
  * Sets E*, G* and `tangential_modulus` as `asperity_params_set_materials`, `work_of_adhesion`, `burgers_vector`, the longer
  * of both bodies', `adhesion_range`, equal to it as in the paper, `hardness`, that of the softer body or 0 if one is not
- * known, and `slip_stress_1` where it is measured. The other parameters stay as they are.
+ * known, and `slip_stress_1` where it is measured. The other parameters stay as they are, and must be in SI units too: lengths
+ * in m, areas in m^2, loads in N.
  *
  * Any two materials may be named. What is not known of them is left to set, as by `asperity_params_init_unset`: the work of
  * adhesion of a pair that is not one of `asperity_pair_name`, both lengths where a body has no Burgers vector.

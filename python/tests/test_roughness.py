@@ -34,7 +34,7 @@ def test_spectral_moments_give_the_summits_of_nayak_and_mccool() -> None:
     assert params.asperity_count == pytest.approx(M4 / M2 / (6 * math.pi * math.sqrt(3)) * AREA, rel=1e-14)
     same = Params.si(
         height_std=params.height_std, summit_radius=params.summit_radius, asperity_count=params.asperity_count,
-        nominal_area=AREA, hardness=9e9, **CONTACT,
+        nominal_area=AREA, hardness=9e9, bandwidth=M0 * M4 / M2**2, **CONTACT,
     )  # fmt: skip
     assert params == same
 

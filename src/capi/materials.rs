@@ -182,7 +182,8 @@ pub extern "C" fn asperity_pair_name(index: usize) -> *const c_char {
 ///
 /// Sets E*, G* and `tangential_modulus` as `asperity_params_set_materials`, `work_of_adhesion`, `burgers_vector`, the longer
 /// of both bodies', `adhesion_range`, equal to it as in the paper, `hardness`, that of the softer body or 0 if one is not
-/// known, and `slip_stress_1` where it is measured. The other parameters stay as they are.
+/// known, and `slip_stress_1` where it is measured. The other parameters stay as they are, and must be in SI units too: lengths
+/// in m, areas in m^2, loads in N.
 ///
 /// Any two materials may be named. What is not known of them is left to set, as by `asperity_params_init_unset`: the work of
 /// adhesion of a pair that is not one of `asperity_pair_name`, both lengths where a body has no Burgers vector.

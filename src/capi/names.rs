@@ -2,7 +2,7 @@
 
 use super::boundary::{self, not_null, reference_mut, wrong_struct_size, Failure};
 use super::given::{self, nearest, unknown};
-use super::params::{asperity_params, ASPERITY_HEIGHTS_JOHNSON, ASPERITY_HEIGHTS_WEIBULL};
+use super::params::{asperity_params, ASPERITY_HEIGHTS_GAUSSIAN, ASPERITY_HEIGHTS_JOHNSON, ASPERITY_HEIGHTS_WEIBULL};
 use super::setters::change;
 use super::status::asperity_status;
 use crate::c_string::c_string;
@@ -56,13 +56,13 @@ macro_rules! fields {
     };
 }
 
-/// All fields that are one number. Kurtosis, skew and shape choose the heights; in this order, with the choice itself last,
+/// All fields that are one number. Shape, kurtosis and skew choose the heights; in this order, with the choice itself last,
 /// setting one after another what another surface has copies that surface.
 static FIELDS: [Field; 26] = fields! {
     composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std summit_radius
     asperity_count attraction radius_amplitude radius_rate slip_radius_1 slip_stress_1 slip_radius_2 slip_stress_2
-    max_friction_coefficient hardness tangential_modulus nominal_area pressure_coefficient bandwidth contact_law kurtosis skew weibull_shape
-    height_distribution
+    max_friction_coefficient hardness tangential_modulus nominal_area pressure_coefficient bandwidth contact_law weibull_shape
+    kurtosis skew height_distribution
 };
 
 /// Names that are no fields: arguments of setters, which take all of theirs at once.
@@ -120,16 +120,21 @@ impl Numbers {
         if let Some(bodies) = self.arguments::<MATERIALS>(0, "E1, nu1, E2 and nu2")? {
             params.set_materials(bodies)?;
         }
+        let gaussian = self.0[FIELDS.len() - 1] == Some(ASPERITY_HEIGHTS_GAUSSIAN.into());
         for (field, value) in FIELDS.iter().zip(self.0) {
             let Some(value) = value else { continue };
             let is_johnsons = params.height_distribution == ASPERITY_HEIGHTS_JOHNSON;
             match text(field.name) {
-                "skew" if !is_johnsons => params.set_skew(value)?,
+                // Beside Gaussian heights a skew is refused with the parameters.
+                "skew" if !is_johnsons && !gaussian => params.set_skew(value)?,
                 _ => field.set(params, value)?,
             }
             match text(field.name) {
                 "kurtosis" => params.height_distribution = ASPERITY_HEIGHTS_JOHNSON,
-                "weibull_shape" => params.height_distribution = ASPERITY_HEIGHTS_WEIBULL,
+                "weibull_shape" => {
+                    params.height_distribution = ASPERITY_HEIGHTS_WEIBULL;
+                    (params.skew, params.kurtosis) = (0.0, 3.0);
+                }
                 _ => {}
             }
         }
@@ -239,9 +244,9 @@ pub unsafe extern "C" fn asperity_params_set_value(
 /// comes last. A field is set after them and as it is: what it may be is
 /// for `asperity_create` to say.
 ///
-/// Three names choose the heights: `weibull_shape` Weibull's, `kurtosis` Johnson's. `skew` is that of Johnson's heights if
+/// Three names choose the heights: `kurtosis` Johnson's, `weibull_shape` without it Weibull's. `skew` is that of Johnson's heights if
 /// they are chosen or `kurtosis` is given too, else it is `asperity_params_set_skew`. `height_distribution`, if given,
-/// has the last word.
+/// has the last word; a skew or a kurtosis that these heights do not read is refused with the parameters.
 ///
 /// @param params  initialised parameters; must not be NULL; untouched on failure
 /// @param count   how many names; may be 0

@@ -77,10 +77,11 @@ pub struct asperity_params {
     /// Cap on every friction coefficient returned, > 0: at and near zero load F/P grows without bound. 1000 by
     /// default, INFINITY allowed.
     pub max_friction_coefficient: f64,
-    /// Skew of the summit heights, -3 to 3; read only for `ASPERITY_HEIGHTS_JOHNSON`. 0 by default.
+    /// Skew of Johnson's summit heights, -3 to 3. 0 by default, and refused if it is not for other
+    /// `height_distribution`s: those of Weibull heights are chosen with `asperity_params_set_skew`.
     pub skew: f64,
-    /// Kurtosis of the summit heights, 1.87 + 1.25 skew^2 to 100; read only for `ASPERITY_HEIGHTS_JOHNSON`. 3 by
-    /// default, which with skew 0 is Gaussian.
+    /// Kurtosis of Johnson's summit heights, 1.87 + 1.25 skew^2 to 100. 3 by default, which with skew 0 is Gaussian,
+    /// and refused if it is not for other `height_distribution`s.
     pub kurtosis: f64,
     /// H [stress], 1e-5 to 100 E*: indentation hardness of the softer body. The pressures in `asperity_state` are
     /// compared with it; friction does not depend on it. 0, the default, means not known.
@@ -246,6 +247,7 @@ impl asperity_params {
                 return invalid("height_distribution", other, allowed);
             }
         };
+        self.check_shape()?;
         let attraction = match self.attraction {
             0 => false,
             1 => true,
@@ -269,6 +271,26 @@ impl asperity_params {
             stress_2: self.slip_stress_2,
         };
         Ok(with_same_numbers!(self => Params { heights, attraction, contact_law, slip, }))
+    }
+
+    /// Refuses a skew or a kurtosis that the heights do not read.
+    fn check_shape(&self) -> Result<(), Failure> {
+        let invalid = |name, value: f64, allowed| Err(Failure::from(Error::invalid(name, value, allowed)));
+        if self.height_distribution == ASPERITY_HEIGHTS_JOHNSON {
+            return Ok(());
+        }
+        if self.skew != 0.0 {
+            let allowed =
+                "must be 0 unless heights are Johnson's: set height_distribution to ASPERITY_HEIGHTS_JOHNSON, or call \
+                           asperity_params_set_skew for Weibull heights of this skew";
+            return invalid("skew", self.skew, allowed);
+        }
+        if self.kurtosis != 3.0 {
+            let allowed = "must be 3 unless heights are Johnson's: other heights have a kurtosis of their own; set \
+                           height_distribution to ASPERITY_HEIGHTS_JOHNSON, with skew and kurtosis";
+            return invalid("kurtosis", self.kurtosis, allowed);
+        }
+        Ok(())
     }
 
     /// A copy of the caller's table.

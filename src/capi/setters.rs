@@ -65,7 +65,9 @@ impl asperity_params {
     }
 
     pub(super) fn set_skew(&mut self, skew: f64) -> Result<(), Failure> {
-        take! { made(|params| params.set_skew(skew))? => self; height_distribution weibull_shape }
+        take! { made(|params| params.set_skew(skew))? => self;
+            height_distribution weibull_shape skew kurtosis
+        }
     }
 }
 

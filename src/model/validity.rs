@@ -37,8 +37,6 @@ const CROWDED_FRACTION: f64 = 0.1;
 const STEEP_RATIO: f64 = 0.1;
 /// The number of contacts from which the mean over surfaces at one load is that at one separation, to 1/20.
 const FEWEST_CONTACTS: f64 = 20.0;
-/// The `asperity_count` of the paper's loads, which are loads of a mean summit.
-const LOADS_PER_SUMMIT: f64 = 1.0;
 
 /// The loads of Hertz' contacts over the load, from which on adhesion presses with more than the load.
 const ADHESIVE_SHARE: f64 = 2.0;
@@ -62,7 +60,7 @@ pub fn is_one(warning: u64) -> bool {
 impl Measures {
     /// Of a state of the surfaces with these parameters.
     pub fn new(params: &Params, state: &State) -> Self {
-        let of_many = params.asperity_count != LOADS_PER_SUMMIT;
+        let of_many = params.is_of_many();
         let touching = state.contacting > 0.0;
         let is_elastic = params.contact_law == ContactLawKind::Maugis;
         let plastic = match is_elastic && params.hardness > 0.0 {

@@ -278,6 +278,11 @@ impl Params {
         Ok(())
     }
 
+    /// Whether loads are those of a surface: with a count of 1, as in the paper, they are those of a mean summit.
+    pub(crate) fn is_of_many(&self) -> bool {
+        self.asperity_count != 1.0
+    }
+
     /// Whether the strength of the interface is the default, which nobody measured for these surfaces.
     pub(crate) fn has_default_strength(&self) -> bool {
         self.slip == SlipConstants::default() && self.pressure_coefficient == 0.0

@@ -11,6 +11,12 @@ use std::ops::RangeInclusive;
 
 /// Hardness over E*: from soft metals (1e-3) and rubber (1) there is room to either side.
 const HARDNESS: RangeInclusive<f64> = 1e-5..=100.0;
+/// Nayak's bandwidth: of a fractal dimension of 2.2, 4e3 goes with three decades of wavelengths, 2e5 with four.
+const BROADEST: (f64, &str) = (
+    1e6,
+    "must be at most 1e6: no surface was measured over so many scales; is m0 the square of Rq, is asperity_count a number \
+     of summits and not a density, and are all lengths in one unit?",
+);
 /// Where lengths are in m or mm there is less: in GPa beside moduli in MPa all hardnesses are below.
 const SOFTEST_METAL: (f64, &str) =
     (3e-4, "must be at least 3e-4, or hardness 0 for not known; is hardness in GPa, and of the softer body?");
@@ -24,6 +30,8 @@ struct Units {
     stiffest: (f64, &'static str),
     /// Diamond takes some 11 J/m^2 to cleave.
     strongest_adhesion: (f64, &'static str),
+    /// Summits that differ by tenths of a millimetre make a casting, and not a surface that was finished.
+    roughest: (f64, &'static str),
     /// A sphere of 10 cm is a body and not a summit.
     widest_summit: (f64, &'static str),
     /// Half a summit is none.
@@ -38,6 +46,7 @@ const UNITS: [Units; 2] = [
         softest: (1e3, "must be at least 1000 Pa where burgers_vector is in m; is it in GPa?"),
         stiffest: (1e16, "must be at most 1e16 Pa where burgers_vector is in m; has it a factor of 1e9 too many?"),
         strongest_adhesion: (20.0, "must be at most 20 J/m^2 where burgers_vector is in m; is it in mJ/m^2?"),
+        roughest: (1e-4, "must be at most 1e-4 m where burgers_vector is in m; is it in mm or um?"),
         widest_summit: (0.1, "must be at most 0.1 m where burgers_vector is in m; is it in um?"),
         fewest_summits: (
             0.5,
@@ -54,6 +63,7 @@ const UNITS: [Units; 2] = [
         softest: (1e-6, "must be at least 1e-6 GPa, or 1e-3 MPa, where burgers_vector is in mm"),
         stiffest: (1e7, "must be at most 1e7 MPa where burgers_vector is in mm; is it in Pa?"),
         strongest_adhesion: (0.02, "must be at most 0.02 N/mm where burgers_vector is in mm; is it in J/m^2?"),
+        roughest: (0.1, "must be at most 0.1 mm where burgers_vector is in mm; is it in um?"),
         widest_summit: (100.0, "must be at most 100 mm where burgers_vector is in mm; is it in um?"),
         fewest_summits: (
             0.5,
@@ -94,7 +104,11 @@ pub fn check(params: &Params) -> Result<(), Error> {
         at_least("hardness/composite_modulus", hardness, SOFTEST_METAL)?;
     }
     at_most("work_of_adhesion", params.work_of_adhesion, units.strongest_adhesion)?;
+    if params.is_of_many() {
+        at_most("height_std", params.height_std, units.roughest)?;
+    }
     at_most("summit_radius", params.summit_radius, units.widest_summit)?;
+    at_most("bandwidth", params.known_bandwidth(), BROADEST)?;
     at_least("asperity_count", params.asperity_count, units.fewest_summits)?;
     at_most("asperity_count", params.asperity_count, units.most_summits)
 }
@@ -162,7 +176,7 @@ mod tests {
         let none: [&str; 0] = [];
         assert_eq!(passes(|params| params.work_of_adhesion *= 1e3, "in mJ/m^2"), none);
         assert_eq!(passes(|params| params.summit_radius *= 1e6, "in um?"), ["gold tip on mica"]);
-        assert_eq!(passes(|params| params.height_std *= 1e6, "height_std in um or nm?"), ["wafer"]);
+        assert_eq!(passes(|params| params.height_std *= 1e6, "um"), none);
         assert_eq!(passes(|params| params.height_std *= 1e9, "height_std in um or nm?"), none);
         let both = |params: &mut Params| (params.height_std, params.summit_radius) = (1e-3, 10.0);
         assert_eq!(passes(both, "in um?"), none);
@@ -183,6 +197,30 @@ mod tests {
         assert_eq!(count(1e-6), ["ground steel", "wafer"], "density per mm^2");
         assert_eq!(count(1e12), ["gold tip on mica"], "area in um^2");
         assert_eq!(count(1e6), all, "area in mm^2: as large as other surfaces are");
+    }
+
+    #[test]
+    fn a_count_that_is_a_density_and_lengths_in_millimetres_are_refused() {
+        let on = |area: f64, hint: &str, slip: &dyn Fn(&mut Params)| {
+            let with_area = |params: &mut Params| {
+                params.nominal_area = area;
+                slip(params);
+            };
+            passes(with_area, hint)
+        };
+        let none: [&str; 0] = [];
+        // Of polysilicon, 1e13 per m^2 on 1e-8 m^2.
+        let density = |params: &mut Params| params.asperity_count = 1e13;
+        assert_eq!(on(1e-8, "not a density", &density), none);
+        let unsquared = |params: &mut Params| params.bandwidth = 4.0 / 5e-9;
+        assert_eq!(on(1e-8, "the square of Rq", &unsquared), none);
+        let in_mm = |params: &mut Params| {
+            (params.height_std, params.summit_radius) = (1e3 * params.height_std, 1e3 * params.summit_radius);
+        };
+        assert!(!passes(in_mm, "in mm or um?").contains(&"ground steel"));
+        // One summit may stand for a sphere.
+        let one = |params: &mut Params| (params.asperity_count, params.height_std) = (1.0, 1e-3);
+        assert!(passes(one, "in um or nm?").contains(&"ground steel"));
     }
 
     #[test]
@@ -234,11 +272,13 @@ mod tests {
                 change(&mut params);
                 check(&params).err().map(|error| error.to_string())
             };
-            let limits: [(&str, f64, f64, Change); 8] = [
+            let limits: [(&str, f64, f64, Change); 10] = [
                 ("composite_modulus", units.softest.0, -1.0, modulus),
                 ("composite_modulus", units.stiffest.0, 1.0, modulus),
                 ("work_of_adhesion", units.strongest_adhesion.0, 1.0, |params, x| params.work_of_adhesion = x),
                 ("summit_radius", units.widest_summit.0, 1.0, |params, x| params.summit_radius = x),
+                ("height_std", units.roughest.0, 1.0, |params, x| params.height_std = x),
+                ("bandwidth", BROADEST.0, 1.0, |params, x| params.bandwidth = x),
                 ("asperity_count", units.fewest_summits.0, -1.0, count),
                 ("asperity_count", units.most_summits.0, 1.0, count),
                 ("hardness/composite_modulus", SOFTEST_METAL.0, -1.0, hardness),

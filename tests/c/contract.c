@@ -388,6 +388,8 @@ static void setters_set_what_they_say_and_nothing_else(void)
     CHECK(fabs(p.weibull_shape - 3.602) < 6e-4, "omega = %g without skew", p.weibull_shape);
     expected.height_distribution = p.height_distribution;
     expected.weibull_shape = p.weibull_shape;
+    expected.skew = 0;
+    expected.kurtosis = 3;
     CHECK(SAME(p, expected), "set_skew changed another field");
 }
 
@@ -593,8 +595,17 @@ static void a_point_that_no_strength_gives_is_refused(void)
     CHECK(asperity_params_calibrate(NULL, 1, 1) == ASPERITY_NULL_POINTER, "a status for NULL");
 }
 
+static void refuses_shape(asperity_params p, const char *says)
+{
+    asperity_model *model = NULL;
+
+    CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && strstr(last_message(), says), "%s", last_message());
+}
+
 static void names_of_heights_choose_them(void)
 {
+    const char *gaussian[] = { "height_distribution", "skew" };
+    const double skewed[] = { ASPERITY_HEIGHTS_GAUSSIAN, -1 };
     const char *both[] = { "skew", "kurtosis" }, *all[] = { "height_distribution", "weibull_shape", "kurtosis" };
     const double two[] = { -2, 12 }, three[] = { ASPERITY_HEIGHTS_GAUSSIAN, 2, 5 };
     asperity_params p = surface(0), expected = p;
@@ -606,9 +617,18 @@ static void names_of_heights_choose_them(void)
     CHECK(asperity_params_set_value(&p, "skew", 1) == ASPERITY_OK && p.skew == 1, "the skew of Johnson's heights");
     CHECK(p.height_distribution == ASPERITY_HEIGHTS_JOHNSON, "Johnson's heights are lost");
     CHECK(asperity_params_set_value(&p, "weibull_shape", 3) == ASPERITY_OK && p.weibull_shape == 3, "Weibull's shape");
-    CHECK(p.height_distribution == ASPERITY_HEIGHTS_WEIBULL, "Weibull's heights");
+    CHECK(p.height_distribution == ASPERITY_HEIGHTS_WEIBULL && p.skew == 0 && p.kurtosis == 3, "Weibull's heights");
     CHECK(asperity_params_set_values(&p, 3, all, three) == ASPERITY_OK, "%s", last_message());
     CHECK(p.height_distribution == ASPERITY_HEIGHTS_GAUSSIAN && p.weibull_shape == 2 && p.kurtosis == 5, "last word");
+    refuses_shape(p, "kurtosis = 5: must be 3 unless heights are Johnson's");
+    p.kurtosis = 3;
+    CHECK(asperity_params_set_value(&p, "skew", -1) == ASPERITY_OK, "%s", last_message());
+    asperity_free(model_of(p));
+    p.skew = -1;
+    refuses_shape(p, "skew = -1: must be 0 unless heights are Johnson's");
+    p = surface(0);
+    CHECK(asperity_params_set_values(&p, 2, gaussian, skewed) == ASPERITY_OK, "%s", last_message());
+    refuses_shape(p, "ASPERITY_HEIGHTS_JOHNSON, or call asperity_params_set_skew");
 }
 
 static void names_are_refused_with_the_nearest_and_nothing_changes(void)

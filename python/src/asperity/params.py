@@ -119,8 +119,8 @@ class Params:
         slip_radius_2: a_2/b > a_1/b: from this contact radius on the shear strength is slip_stress_2.
         slip_stress_2: tau_2/G* > 0; tau_2 a_2^2 must not be below tau_1 a_1^2.
         max_friction_coefficient: cap > 0 on every friction coefficient returned; may be infinite.
-        skew: of the summit heights; read only for "johnson".
-        kurtosis: of the summit heights, > skew^2 + 1; read only for "johnson".
+        skew: of "johnson" heights; 0 for others.
+        kurtosis: of "johnson" heights, > skew^2 + 1; 3 for others.
         hardness: H [stress] >= 0, indentation hardness of the softer body, which the contact pressure of a `State`
             is judged by; 0 where it is not known.
         table_height: summit heights, increasing, in any unit and from any origin; read only for "tabulated".
@@ -452,7 +452,10 @@ class Params:
         kept = {field.name: getattr(self, field.name) for field in fields(self)}
         if "skew" in changes and self.height_distribution == "johnson":
             changes.setdefault("height_distribution", "johnson")
-        return type(self)(**(kept | _options(changes)))
+        options = _options(changes)
+        if options.get("height_distribution", "johnson") != "johnson":
+            kept |= {"skew": _DEFAULT.skew, "kurtosis": _DEFAULT.kurtosis}
+        return type(self)(**(kept | options))
 
     def calibrated(self, *, load: float, mu: float | None = None, friction_force: float | None = None) -> Params:
         """The same surfaces with the strength of the interface that one measurement gives.
