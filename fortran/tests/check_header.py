@@ -51,6 +51,7 @@ VALUE_TYPES = {
     "struct asperity_sensitivities *": "type(asperity_sensitivities)",
     "struct asperity_material_data *": "type(asperity_material_data)",
     "struct asperity_pair_data *": "type(asperity_pair_data)",
+    "struct asperity_interface_data *": "type(asperity_interface_data)",
 }
 
 RESULT_TYPES = {
