@@ -8,6 +8,7 @@ import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -159,7 +160,7 @@ STRONG = [one for one in INTERFACES.values() if one.shear_strength is not None]
 def test_an_interface_has_a_strength_or_a_friction_coefficient_and_a_source(interface: Interface) -> None:
     assert INTERFACES[interface.name] is interface and len(interface.name) < 48
     assert (interface.shear_strength is None) != (interface.friction_coefficient is None)
-    assert interface.shear_strength is None or within(interface.shear_strength, (1e4, 1e9))
+    assert within(interface.shear_strength or 1e6, (1e4, 1e9)) and within(interface.friction_coefficient or 0.1, (1e-3, 10.0))
     assert interface.pressure_coefficient is None or interface.shear_strength is not None
     assert interface.load is None or interface.friction_coefficient is not None
     assert interface.source in ("read", "quoted") and interface.conditions and len(interface.reference) > 20
@@ -167,14 +168,16 @@ def test_an_interface_has_a_strength_or_a_friction_coefficient_and_a_source(inte
 
 @pytest.mark.parametrize("interface", STRONG, ids=lambda interface: interface.name)
 def test_an_interface_gives_its_strength_times_the_area(interface: Interface) -> None:
-    rough: dict[str, float] = {"height_std": 0.4e-6, "summit_radius": 20e-6, "asperity_count": 5e5}
+    rough: dict[str, Any] = {"height_std": 0.4e-6, "summit_radius": 20e-6, "asperity_count": 5e5}
     params = Params.si(**contact("steel", "steel", work_of_adhesion=0.0), **rough)
     found = params.with_interface(interface.name)
-    assert found.replace(**{name: getattr(params, name) for name in ("slip_stress_1", "slip_stress_2", "pressure_coefficient")}) == params
+    strength_of = {name: getattr(params, name) for name in ("slip_stress_1", "slip_stress_2", "pressure_coefficient")}
+    assert found.replace(**strength_of) == params
     with Model(found) as model:
         state = model.state_at_load(10.0)
     kappa = interface.pressure_coefficient or 0.0
-    assert state.friction_force == pytest.approx(interface.shear_strength * state.real_area + kappa * 10.0, rel=1e-12)
+    strength = interface.shear_strength or 0.0
+    assert state.friction_force == pytest.approx(strength * state.real_area + kappa * 10.0, rel=1e-12)
     assert not state.warnings & Warnings.UNCALIBRATED
 
 
