@@ -69,7 +69,7 @@ stops load 'element 2: load = inf: must be finite'
 stops heavy 'element 3: load = 1e300: must be below 1e80 composite_modulus burgers_vector^2 asperity_count'
 stops scalar 'element 1: load = -inf: must be finite'
 stops shape 'friction_model: slope must have the shape of load'
-stops status 'skew = -5: must be finite and > -1.13955, the limit of the Weibull family'
+stops status 'skew = -5: must be finite and > -1.13955, the limit of the Weibull family; Johnson heights have any skew from -3 to 3'
 echo "errors without stat= stop the program: 7 ways"
 
 # The page: its program is the example, its commands run as they stand and print what it says.
