@@ -223,6 +223,19 @@ module asperity
     type(c_ptr) :: reference = c_null_ptr         ! a C string: where w and the strength are from
   end type asperity_pair_data
 
+  ! What was measured of the strength of an interface, in SI units; 0 is what no source is known for.
+  type, bind(c), public :: asperity_interface_data
+    integer(c_int64_t) :: struct_size = 72        ! bytes of this type; leave it
+    real(c_double) :: shear_strength              ! tau_0 [Pa] at no pressure; 0: only a friction coefficient is known
+    real(c_double) :: pressure_coefficient        ! kappa [-]; 0 if it is not known
+    real(c_double) :: friction_coefficient        ! of many contacts [-], where the strength of one is not known
+    real(c_double) :: load                        ! the lightest load of that measurement [N]; 0 if it is not known
+    type(c_ptr) :: name = c_null_ptr              ! a C string; asperity_interface_name_text gives it as characters
+    type(c_ptr) :: conditions = c_null_ptr        ! a C string: bodies, film, surroundings, loads
+    type(c_ptr) :: source = c_null_ptr            ! a C string: read in the reference, or quoted
+    type(c_ptr) :: reference = c_null_ptr         ! a C string: where the numbers are from
+  end type asperity_interface_data
+
   ! ---- The C interface: functions ----
   ! A model is a type(c_ptr). All functions of type integer(c_int32_t) return a status.
 
@@ -394,6 +407,30 @@ module asperity
       type(c_ptr), intent(in), value :: name              ! c_loc of its characters
       integer(c_int32_t) :: status
     end function asperity_params_set_pair
+
+    ! An interface by its name, which ends in c_null_char; asperity_interface_of takes names of Fortran.
+    function asperity_interface(name, data) result(status) bind(c)
+      import :: asperity_interface_data, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      type(asperity_interface_data), intent(inout) :: data ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_interface
+
+    ! The names of the interfaces, index from 0, c_null_ptr after the last; asperity_interface_name_text gives it as characters.
+    function asperity_interface_name(index) result(name) bind(c)
+      import :: c_ptr, c_size_t
+      integer(c_size_t), intent(in), value :: index
+      type(c_ptr) :: name
+    end function asperity_interface_name
+
+    ! Sets the measured strength of an interface, in SI units; the name ends in c_null_char. asperity_params_use_interface takes
+    ! names of Fortran.
+    function asperity_params_set_interface(params, name) result(status) bind(c)
+      import :: asperity_params, c_int32_t, c_ptr
+      type(asperity_params), intent(inout) :: params      ! whose bodies are set, in SI units; untouched on failure
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      integer(c_int32_t) :: status
+    end function asperity_params_set_interface
 
     ! Scales slip_stress_1 and slip_stress_2 by one factor, so that the friction force at this load is the one that was
     ! measured. Call it last, with the surfaces of the measurement; pressure_coefficient stays as it is.
@@ -652,6 +689,7 @@ module asperity
   public :: asperity_params_set_skew, asperity_params_calibrate
   public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
   public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
+  public :: asperity_interface, asperity_interface_name, asperity_params_set_interface
   public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
@@ -805,7 +843,8 @@ module asperity
 
   public :: asperity_params_set, asperity_params_get, asperity_params_name_text
   public :: asperity_material_of, asperity_pair_of, asperity_material_name_text, asperity_pair_name_text
-  public :: asperity_params_use_pair
+  public :: asperity_interface_of, asperity_interface_name_text
+  public :: asperity_params_use_pair, asperity_params_use_interface
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
   public :: asperity_warning_text
 
@@ -967,6 +1006,30 @@ contains
     call report(asperity_params_set_pair(params, c_loc(text)), stat, errmsg)
   end subroutine asperity_params_use_pair
 
+  ! An interface by its name, one of asperity_interface_name_text: what was measured of its strength.
+  function asperity_interface_of(name, stat, errmsg) result(found)
+    character(*), intent(in) :: name
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(asperity_interface_data) :: found                ! zeros on failure
+    character(kind=c_char), target :: text(len(name) + 1)
+    text = c_string(name, size(text))
+    found = asperity_interface_data(shear_strength=0, pressure_coefficient=0, friction_coefficient=0, load=0)
+    call report(asperity_interface(c_loc(text), found), stat, errmsg)
+  end function asperity_interface_of
+
+  ! Sets the measured strength of an interface, in SI units, of bodies that are set: call
+  ! asperity_params_use_interface(params, 'MoS2 film in dry air').
+  subroutine asperity_params_use_interface(params, name, stat, errmsg)
+    type(asperity_params), intent(inout) :: params        ! whose bodies are set; untouched on failure
+    character(*), intent(in) :: name
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: text(len(name) + 1)
+    text = c_string(name, size(text))
+    call report(asperity_params_set_interface(params, c_loc(text)), stat, errmsg)
+  end subroutine asperity_params_use_interface
+
   ! The names of the materials; empty after the last.
   function asperity_material_name_text(index) result(text)
     integer, intent(in) :: index                          ! from 1
@@ -988,6 +1051,17 @@ contains
     name = asperity_pair_name(int(index - 1, c_size_t))
     if (c_associated(name)) text = fortran_text(name)
   end function asperity_pair_name_text
+
+  ! The names of the interfaces; empty after the last.
+  function asperity_interface_name_text(index) result(text)
+    integer, intent(in) :: index                          ! from 1
+    character(:), allocatable :: text
+    type(c_ptr) :: name
+    text = ''
+    if (index < 1) return
+    name = asperity_interface_name(int(index - 1, c_size_t))
+    if (c_associated(name)) text = fortran_text(name)
+  end function asperity_interface_name_text
 
   ! So many characters, of which those after the text are c_null_char.
   pure function c_string(text, length) result(characters)

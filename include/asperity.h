@@ -438,6 +438,48 @@ typedef struct asperity_pair_data {
 } asperity_pair_data;
 
 /**
+ * What was measured of the strength of an interface, in SI units. 0 stands for what no source is known for.
+ */
+typedef struct asperity_interface_data {
+  /**
+   * Set by the caller to `sizeof(asperity_interface_data)`; the library writes no more than that.
+   */
+  uint64_t struct_size;
+  /**
+   * tau_0 [Pa], what a contact resists over its area, at no pressure; 0 where only a friction coefficient is known.
+   */
+  double shear_strength;
+  /**
+   * kappa, what the strength grows by with the pressure; 0 if it is not known.
+   */
+  double pressure_coefficient;
+  /**
+   * Measured over many contacts, where the strength of one is not known; else 0.
+   */
+  double friction_coefficient;
+  /**
+   * The lightest load [N] of that measurement; 0 if it is not known.
+   */
+  double load;
+  /**
+   * The name; a constant string, as the next.
+   */
+  const char *name;
+  /**
+   * Bodies, film, humidity, vacuum, temperature and loads of the measurement, as far as they are known.
+   */
+  const char *conditions;
+  /**
+   * "read": the numbers were seen in the text that the reference names; "quoted": they were not.
+   */
+  const char *source;
+  /**
+   * Where the numbers are from.
+   */
+  const char *reference;
+} asperity_interface_data;
+
+/**
  * The exact state of the contact; all quantities in the units of the parameters.
  */
 typedef struct asperity_state {
@@ -1145,6 +1187,52 @@ const char *asperity_pair_name(size_t index);
  */
 asperity_status asperity_params_set_pair(struct asperity_params *params,
                                          const char *name);
+
+/**
+ * Looks an interface up by its name: "MoS2 film in dry air". docs/materials.md has all of them, with their sources.
+ *
+ * The numbers were measured on other specimens: they are a start for an interface like theirs. Films, humidity and wear change
+ * the strength of yours many times over: measure it, and call `asperity_params_calibrate`.
+ *
+ * @param name  one of `asperity_interface_name`; must not be NULL; at most 64 bytes are read
+ * @param data  receives the numbers; must not be NULL; its `struct_size` must be set; untouched on failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
+ *         nearest; `struct_size`)
+ *
+ * Threads: any.
+ */
+asperity_status asperity_interface(const char *name,
+                                   struct asperity_interface_data *data);
+
+/**
+ * Lists the names of the interfaces.
+ *
+ * @param index  from 0
+ * @return a constant string; NULL after the last
+ *
+ * Threads: any.
+ */
+const char *asperity_interface_name(size_t index);
+
+/**
+ * Sets the strength of the interface to one that was measured elsewhere, in SI units.
+ *
+ * Sets `slip_stress_1` and `slip_stress_2` to the shear strength over `effective_shear_modulus`, since it does not depend on the
+ * size of a contact, and `pressure_coefficient`, to 0 if none is known. The other parameters stay as they are. Set the bodies
+ * before, in SI units (`asperity_params_set_pair`, `asperity_params_set_materials`): the modulus must be in Pa.
+ *
+ * Of some interfaces only a friction coefficient is known, which depends on the surfaces: they are refused, and the message
+ * tells it, with what to give to `asperity_params_calibrate`.
+ *
+ * @param params  parameters whose bodies are set; must not be NULL; untouched on failure
+ * @param name    one of `asperity_interface_name`; must not be NULL; at most 64 bytes are read
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the nearest; no
+ *         strength; a shear modulus that is not set, or below the strength; a struct without `pressure_coefficient`)
+ *
+ * Threads: any, on different structs.
+ */
+asperity_status asperity_params_set_interface(struct asperity_params *params,
+                                              const char *name);
 
 /**
  * Sets the strength of the interface from one measured point: scales `slip_stress_1` and `slip_stress_2` by one factor, so that

@@ -48,6 +48,8 @@ using Sensitivities = asperity_sensitivities;
 using Material = asperity_material_data;
 /// What is known of two bodies in contact, in SI units; its fields are described in asperity.h.
 using Pair = asperity_pair_data;
+/// What was measured of the strength of an interface, in SI units; its fields are described in asperity.h.
+using InterfaceData = asperity_interface_data;
 
 // ---- Versions ----
 
@@ -185,6 +187,14 @@ inline Pair pair(const std::string &name) {
     return found;
 }
 
+/// An interface by its name, one of interface_names(). Throws Error (ASPERITY_INVALID_PARAMETER).
+inline InterfaceData interface_of(const std::string &name) {
+    InterfaceData found{};
+    found.struct_size = sizeof found;
+    check(asperity_interface(name.c_str(), &found));
+    return found;
+}
+
 /// The names of all materials.
 inline std::vector<std::string> material_names() {
     std::vector<std::string> all;
@@ -198,6 +208,15 @@ inline std::vector<std::string> material_names() {
 inline std::vector<std::string> pair_names() {
     std::vector<std::string> all;
     while (const char *name = asperity_pair_name(all.size())) {
+        all.emplace_back(name);
+    }
+    return all;
+}
+
+/// The names of all interfaces.
+inline std::vector<std::string> interface_names() {
+    std::vector<std::string> all;
+    while (const char *name = asperity_interface_name(all.size())) {
         all.emplace_back(name);
     }
     return all;
@@ -276,6 +295,15 @@ public:
     /// Throws Error (ASPERITY_INVALID_PARAMETER); the parameters are then as before.
     Params &set_pair(const std::string &name) {
         check(asperity_params_set_pair(&c_, name.c_str()));
+        return *this;
+    }
+
+    /// Sets the strength of the interface to a measured one, by its name, one of interface_names(), in SI units; the bodies first.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, also of an interface of which only a friction coefficient is known: the message has
+    /// it, for calibrate()); the parameters are then as before.
+    Params &set_interface(const std::string &name) {
+        check(asperity_params_set_interface(&c_, name.c_str()));
         return *this;
     }
 

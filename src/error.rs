@@ -1,5 +1,6 @@
 //! What can be wrong, in the user's words: which quantity, its value, and what is allowed.
 
+use crate::materials::Interface;
 use thiserror::Error;
 
 /// Why the library refuses.
@@ -84,6 +85,12 @@ pub enum Error {
         reason: CalibrationFailure,
         /// The number that the reason is about: a force, or a slip stress.
         number: f64,
+    },
+    /// Of an interface only a friction coefficient is known, which no parameter is.
+    #[error("{}", Calibrate(interface))]
+    NoStrength {
+        /// The interface.
+        interface: &'static Interface,
     },
     /// An iteration failed to converge.
     #[error("{what} = {value}: no solution was found to full accuracy; please report the parameters")]
@@ -191,6 +198,25 @@ impl From<f64> for Value {
 impl From<i32> for Value {
     fn from(i: i32) -> Self {
         Value::Integer(i.into())
+    }
+}
+
+/// What to do with the friction coefficient of an interface.
+struct Calibrate<'a>(&'a Interface);
+
+impl std::fmt::Display for Calibrate<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Interface { name, friction_coefficient, load, conditions, .. } = self.0;
+        let text = |text: &'static std::ffi::CStr| text.to_str().unwrap_or_default();
+        let (name, conditions) = (text(name), text(conditions));
+        write!(f, "{name}: its shear strength is not known, only a friction coefficient of {friction_coefficient}")?;
+        if *load > 0.0 {
+            write!(f, " at {load} N")?;
+        }
+        write!(
+            f,
+            " ({conditions}): calibrate at a load, {friction_coefficient} times that load, and surfaces like these"
+        )
     }
 }
 

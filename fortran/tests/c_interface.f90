@@ -20,6 +20,7 @@ program c_interface
   call pressure_coefficients
   call names
   call materials
+  call interfaces
   call johnson_heights
   call tabulated_heights
   call life_of_a_model
@@ -226,6 +227,42 @@ contains
     call asperity_params_use_pair(p, 'PDMS/PDMS', status, message)
     call check('a body without a Burgers vector leaves it to set', status == ASPERITY_OK .and. ieee_is_nan(p%burgers_vector))
   end subroutine materials
+
+  subroutine interfaces
+    character(kind=c_char), target :: layers(16) = ['g', 'r', 'a', 'p', 'h', 'i', 't', 'e', ' ', 'l', 'a', 'y', 'e', 'r', 's', &
+                                                    c_null_char]
+    type(asperity_interface_data) :: found
+    type(asperity_params) :: p
+    character(400) :: message
+    integer :: i, status
+    call asperity_check(asperity_interface(c_loc(layers), found))
+    call check_close('layers of graphite', found%shear_strength, 140e6_c_double, 1e-15_c_double)
+    call check('their texts', c_associated(found%name) .and. c_associated(found%conditions) .and. &
+               c_associated(found%source) .and. c_associated(found%reference))
+    call check('the C function lists them', c_associated(asperity_interface_name(0_c_size_t)))
+    i = 1
+    do while (asperity_interface_name_text(i) /= '')
+      found = asperity_interface_of(asperity_interface_name_text(i))
+      call check('every interface has a number', found%shear_strength > 0 .or. found%friction_coefficient > 0)
+      i = i + 1
+    end do
+    call check('there are twenty and more', i > 20 .and. asperity_interface_name_text(0) == '')
+
+    call asperity_check(asperity_params_init(p))
+    call asperity_params_use_pair(p, 'steel/steel')
+    call asperity_params_use_interface(p, 'MoS2 film in dry air')
+    call check_close('a strength', p%slip_stress_1 * p%effective_shear_modulus, 24.8e6_c_double, 1e-15_c_double)
+    call check('... of all sizes', identical(p%slip_stress_2, p%slip_stress_1))
+    call check_close('... that grows with pressure', p%pressure_coefficient, 0.001_c_double, 1e-15_c_double)
+    call asperity_check(asperity_params_set_interface(p, c_loc(layers)))
+    call check('the C function too, and no kappa is 0', identical(p%pressure_coefficient, 0.0_c_double))
+    call asperity_params_use_interface(p, 'steel/steel dry', status, message)
+    call check('a friction coefficient is no strength', status == ASPERITY_INVALID_PARAMETER .and. &
+               index(message, 'only a friction coefficient of 0.57 at 12 N') > 0)
+    found = asperity_interface_of('graphite', status, message)
+    call check('an unknown interface', status == ASPERITY_INVALID_PARAMETER .and. identical(found%load, 0.0_c_double) &
+               .and. index(message, 'graphite: no interface has this name; the nearest is ') == 1)
+  end subroutine interfaces
 
   subroutine names
     character(11), parameter :: BODIES(4) = [character(11) :: 'nu2', 'E1', 'nu1', 'E2']

@@ -51,6 +51,7 @@ VALUE_TYPES = {
     "struct asperity_sensitivities *": "type(asperity_sensitivities)",
     "struct asperity_material_data *": "type(asperity_material_data)",
     "struct asperity_pair_data *": "type(asperity_pair_data)",
+    "struct asperity_interface_data *": "type(asperity_interface_data)",
 }
 
 RESULT_TYPES = {
@@ -173,7 +174,7 @@ def write_layout(structs, directory):
 def main():
     header = read_header(Path(sys.argv[1]))
     module = read_module(Path(sys.argv[2]))
-    if len(header[0]) < 10 or len(header[1]) != 7 or len(header[2]) < 20:
+    if len(header[0]) < 10 or len(header[1]) != 8 or len(header[2]) < 20:
         sys.exit("check_header.py: the header was not understood")
     problems = list(compare(header, module)) + uncalled(header[2], sys.argv[3])
     write_layout(header[1], Path(sys.argv[4]))

@@ -3,7 +3,7 @@ import { CONSTANTS } from "./header.js";
 import { AsperityError, Library } from "./library.js";
 import { materialsOf } from "./materials.js";
 import { Model, warningsOf } from "./model.js";
-import { calibrate } from "./params.js";
+import { calibrate, withInterface } from "./params.js";
 import { nayakSummits } from "./roughness.js";
 
 /** @typedef {import("./params.js").Params} Params */
@@ -13,6 +13,7 @@ import { nayakSummits } from "./roughness.js";
 /** @typedef {import("./model.js").Warning} Warning */
 /** @typedef {import("./materials.js").Material} Material */
 /** @typedef {import("./materials.js").Pair} Pair */
+/** @typedef {import("./materials.js").Interface} Interface */
 
 /**
  * One instance of the library, with a memory of its own.
@@ -24,6 +25,8 @@ import { nayakSummits } from "./roughness.js";
  *   spectral moments, with the heights and radii that summits of a Gaussian surface have
  * @property {(params: Params, load: number, frictionForce: number) => Params} calibrate the same surfaces with the strength of
  *   the interface from one measured point
+ * @property {(params: Params, name: string) => Params} withInterface the same surfaces with the strength of one of INTERFACES, in SI
+ *   units
  * @property {() => number} memorySize how much memory the instance has taken [bytes]
  */
 
@@ -63,6 +66,7 @@ export async function instantiate(source) {
     ...materialsOf(library),
     nayakSummits: (moments, nominal_area) => nayakSummits(library, moments, nominal_area),
     calibrate: (params, load, frictionForce) => calibrate(library, params, load, frictionForce),
+    withInterface: (params, name) => withInterface(library, params, name),
     memorySize: () => library.memory.buffer.byteLength,
   };
 }

@@ -1,4 +1,4 @@
-// Materials and pairs of them, with sources, in SI units, as the library has them.
+// Materials, pairs of them and interfaces, with sources, in SI units, as the library has them.
 import { CONSTANTS, LAYOUTS } from "./header.js";
 import { AsperityError } from "./library.js";
 import { readStruct, writeParams } from "./params.js";
@@ -30,10 +30,25 @@ import { readStruct, writeParams } from "./params.js";
  */
 
 /**
+ * What was measured of the strength of an interface, a start for one like it; null where no source is known.
+ * @typedef {object} Interface
+ * @property {string} name what touches, and the film or the surroundings
+ * @property {number | null} shear_strength tau_0 [Pa] at no pressure; null where only a friction coefficient is known
+ * @property {number | null} pressure_coefficient kappa, what the strength grows by with the pressure
+ * @property {number | null} friction_coefficient of many contacts, where the strength of one is not known
+ * @property {number | null} load the lightest load of that measurement [N]
+ * @property {string} conditions bodies, film, humidity, vacuum, temperature and loads, as far as they are known
+ * @property {string} source "read" if the numbers were seen in the text that the reference names, else "quoted"
+ * @property {string} reference where the numbers are from
+ */
+
+/**
  * What a library knows of materials.
  * @typedef {object} Materials
  * @property {Readonly<Record<string, Material>>} MATERIALS all, by name
  * @property {Readonly<Record<string, Pair>>} PAIRS all, by name
+ * @property {Readonly<Record<string, Interface>>} INTERFACES all, by name
+ * @property {(name: string) => Interface} interfaceOf one of them; of an unknown name the nearest is told
  * @property {(name: string) => Material} material one of them; of an unknown name the nearest is told
  * @property {(name: string) => Pair} pair one of them, in either order; of an unknown name the nearest is told
  * @property {(first: string, second: string) => import("./params.js").Params} knownOf what is known of two materials in contact:
@@ -65,7 +80,10 @@ export function materialsOf(library) {
     }
     return { adhesion_range: found.burgers_vector, ...found };
   };
-  return { MATERIALS: table(library, "material", material), PAIRS: table(library, "pair", pair), material, pair, knownOf, contact };
+  const interfaceOf = (/** @type {string} */ name) => interfaceNamed(library, name);
+  const [MATERIALS, PAIRS] = [table(library, "material", material), table(library, "pair", pair)];
+  const INTERFACES = table(library, "interface", interfaceOf);
+  return { MATERIALS, PAIRS, INTERFACES, material, pair, interfaceOf, knownOf, contact };
 }
 
 /** What the library sets of two materials beside their moduli. @param {import("./library.js").Library} library @param {string} name */
@@ -122,6 +140,21 @@ function pairOf(library, name) {
     work_of_adhesion_range: range(data.work_of_adhesion_low, data.work_of_adhesion_high),
     hamaker: known(data.hamaker),
     slip_stress_1: known(data.slip_stress_1),
+    reference: data.reference,
+  };
+}
+
+/** @param {import("./library.js").Library} library @param {string} name @returns {Interface} */
+function interfaceNamed(library, name) {
+  const data = named(library, "interface", name);
+  return {
+    name: data.name,
+    shear_strength: known(data.shear_strength),
+    pressure_coefficient: known(data.pressure_coefficient),
+    friction_coefficient: known(data.friction_coefficient),
+    load: known(data.load),
+    conditions: data.conditions,
+    source: data.source,
     reference: data.reference,
   };
 }

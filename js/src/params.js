@@ -64,12 +64,32 @@ export function writeParams(library, params) {
  * @throws {AsperityError} a force that no strength gives, with the numbers
  */
 export function calibrate(library, params, load, frictionForce) {
-  const given = Object.entries(params).filter(([name]) => !MEASURED.includes(name));
-  const surfaces = /** @type {Params} */ (Object.fromEntries(given));
+  const surfaces = withoutPoint(params);
   writeParams(library, surfaces);
   library.run("params_calibrate", library.struct, number("load", load), number("friction_force", frictionForce));
   const { slip_stress_1, slip_stress_2 } = readStruct(library);
   return { ...surfaces, slip_stress_1, slip_stress_2 };
+}
+
+/**
+ * The same surfaces with a strength of the interface that was measured elsewhere, in SI units: a start, until you calibrate.
+ * @param {import("./library.js").Library} library
+ * @param {Params} params whose bodies are given
+ * @param {string} name one of INTERFACES
+ * @returns {Params}
+ * @throws {AsperityError} an unknown name, with the nearest; an interface of which only a friction coefficient is known, with it
+ */
+export function withInterface(library, params, name) {
+  if (typeof name !== "string") throw new TypeError(`interface = ${String(name)}: must be a name`);
+  writeParams(library, withoutPoint(params));
+  library.run("params_set_interface", library.struct, library.text(name));
+  const { slip_stress_1, slip_stress_2, pressure_coefficient } = readStruct(library);
+  return { ...params, slip_stress_1, slip_stress_2, pressure_coefficient };
+}
+
+/** The surfaces without a measured point. @param {Params} params @returns {Params} */
+function withoutPoint(params) {
+  return Object.fromEntries(Object.entries(params).filter(([name]) => !MEASURED.includes(name)));
 }
 
 /** A parameter as a number, words by theirs. @param {string} name @param {unknown} value */

@@ -3,8 +3,10 @@
  *   surface NAME=VALUE ...    a model, the values with 17 digits
  *   load VALUE                friction, slope, force, slope, stiffness; the state; the sensitivities; one line of 64-bit numbers
  *   check LIGHTEST HEAVIEST   the warnings between the two
- *   materials, pairs          a line for each: name, reference and the numbers, with tabs between
- *   material NAME, pair NAME  such a line
+ *   materials, pairs, interfaces
+ *                             a line for each: name, reference and the numbers, with tabs between
+ *   material NAME, pair NAME, interface NAME
+ *                             such a line
  *   contact PAIR VALUE ...    the parameters of asperity_params_set_pair, of the values height_std, summit_radius,
  *                             asperity_count: one line of 64-bit numbers
  *   nayak M0 M2 M4 AREA       the parameters of asperity_params_set_nayak_summits, as the line before
@@ -94,6 +96,17 @@ static void answer_pair(const char *name) {
     putchar('\n');
 }
 
+static void answer_interface(const char *name) {
+    asperity_interface_data data = {.struct_size = sizeof data};
+    if (asperity_interface(name, &data) != ASPERITY_OK) {
+        print_refused();
+        return;
+    }
+    printf("%s\t%s\t", data.name, data.reference);
+    print_bits(&data.shear_strength, (offsetof(asperity_interface_data, name) - offsetof(asperity_interface_data, shear_strength)) / 8);
+    putchar('\n');
+}
+
 static void answer_names(const char *(*name_of)(size_t), void (*answer)(const char *)) {
     const char *name;
     for (size_t i = 0; (name = name_of(i)) != NULL; ++i)
@@ -148,10 +161,14 @@ static int answer_table(char *line) {
         answer_names(asperity_material_name, answer_material);
     else if (!strcmp(line, "pairs"))
         answer_names(asperity_pair_name, answer_pair);
+    else if (!strcmp(line, "interfaces"))
+        answer_names(asperity_interface_name, answer_interface);
     else if (!strncmp(line, "material ", 9))
         answer_material(line + 9);
     else if (!strncmp(line, "pair ", 5))
         answer_pair(line + 5);
+    else if (!strncmp(line, "interface ", 10))
+        answer_interface(line + 10);
     else if (!strncmp(line, "contact ", 8))
         answer_contact(line + 8);
     else if (!strncmp(line, "nayak ", 6))

@@ -52,9 +52,9 @@ function entry(line) {
   return { name, reference, numbers: words(numbers) };
 }
 
-/** The materials or pairs of the native library: names, references, numbers as bits. @param {"materials" | "pairs"} what */
+/** The materials, pairs or interfaces of the native library: names, references, numbers as bits. @param {"materials" | "pairs" | "interfaces"} what */
 export const entries = (what) => native([what]).map(entry);
-/** One of them, or the message. @param {"material" | "pair"} what */
+/** One of them, or the message. @param {"material" | "pair" | "interface"} what */
 export const entryOf = (what, name) => refusedOr(native([`${what} ${name}`])[0], entry);
 
 /** The parameters that native.c prints, in its order. */

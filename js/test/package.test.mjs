@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { AsperityError, MATERIALS, Model, PAIRS, Status, calibrate, contact, material, memorySize, nayakSummits, pair, version, warningsOf } from "asperity";
+import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, contact, interfaceOf, material, memorySize, nayakSummits, pair, version, warningsOf, withInterface } from "asperity";
 import { CONSTANTS } from "../dist/header.js";
 import { answers, bits, contactOf, entries, entryOf, nayakOf } from "./native.mjs";
 
@@ -215,12 +215,12 @@ test("constants of a model are read from its struct", () => {
   assert.ok(summary.pull_off_load < 0 && summary.table_error < 1e-9);
 });
 
-/** The numbers of a material or pair in the order of C's struct; what is not known is 0 there. */
-const inOrder = ({ name, first, second, reference, ...numbers }) =>
+/** The numbers of a material, pair or interface in the order of C's struct; what is not known is 0 there. */
+const inOrder = ({ name, first, second, conditions, source, reference, ...numbers }) =>
   Object.entries(numbers).flatMap(([key, value]) => (key.endsWith("_range") ? value ?? [0, 0] : [value ?? 0])).map(bits);
 
-test("materials and pairs are those of the native library", () => {
-  for (const [what, ours] of Object.entries({ materials: MATERIALS, pairs: PAIRS })) {
+test("materials, pairs and interfaces are those of the native library", () => {
+  for (const [what, ours] of Object.entries({ materials: MATERIALS, pairs: PAIRS, interfaces: INTERFACES })) {
     const native = entries(what);
     assert.ok(native.length > 20, what);
     assert.deepEqual(Object.keys(ours), native.map(({ name }) => name));
@@ -249,6 +249,25 @@ test("unknown names are refused in the library's words, with the nearest", () =>
   assert.throws(() => contact("SiC", "WC"), { message: "work_of_adhesion: none is known for SiC/WC: give that of your surfaces, 0 for none", status });
   assert.equal(contact("SiC", "WC", { work_of_adhesion: 0.05 }).burgers_vector, material("SiC").burgers_vector);
   assert.throws(() => material(/** @type {any} */ (1)), TypeError);
+});
+
+test("an interface by its name sets its strength, or tells the friction coefficient that is known", () => {
+  const summits = { height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
+  const film = interfaceOf("MoS2 film in dry air");
+  assert.equal(film.source, "read");
+  assert.match(film.conditions, /dry air/);
+  const measured = withInterface({ ...contact("steel", "steel"), ...summits, work_of_adhesion: 0 }, film.name);
+  const model = new Model(measured);
+  const state = model.stateAtLoad(1e-3);
+  const expected = film.shear_strength * state.real_area + film.pressure_coefficient * 1e-3;
+  assert.ok(Math.abs(state.friction_force / expected - 1) < 1e-12);
+  assert.ok(!warningsOf(state.warnings).some(({ name }) => name === "UNCALIBRATED"));
+  model.free();
+  const status = Status.INVALID_PARAMETER;
+  assert.throws(() => interfaceOf("MoS2"), { message: entryOf("interface", "MoS2").refused, status });
+  assert.throws(() => withInterface(measured, "steel/steel dry"), /only a friction coefficient of 0.57 at 12 N/);
+  assert.throws(() => withInterface(summits, film.name), /effective_shear_modulus = NaN: must be in Pa/);
+  assert.throws(() => withInterface(measured, /** @type {any} */ (1)), TypeError);
 });
 
 test("a contact has the parameters of the native library's pair, in either order", () => {

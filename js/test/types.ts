@@ -1,5 +1,5 @@
 // The declarations as a user meets them; compiled, not run.
-import { AsperityError, Model, PAIRS, Status, calibrate, contact, material, momentsOfMap, nayakSummits, type Material, type Params, type Warning } from "asperity";
+import { AsperityError, Model, PAIRS, Status, calibrate, contact, material, momentsOfMap, nayakSummits, withInterface, type Material, type Params, type Warning } from "asperity";
 import { instantiate } from "asperity/instantiate";
 
 const params: Params = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
@@ -20,6 +20,7 @@ const summits: Params = nayakSummits({ m0: 1, m2: 1, m4: 2 }, 1);
 const measured: Params = calibrate({ ...params, pressure_coefficient: 0.1, bandwidth: 4 }, 1e-3, 3e-4);
 const named: Params = { ...params, calibration_load: 1e-3, calibration_friction_coefficient: 0.3, Ra: 1e-8 };
 const pressed: number = model.stateAtLoad(1e-3).hertz_load + model.sensitivitiesAtLoad(1e-3).pressure_coefficient;
+const filmed: Params = withInterface(params, "MoS2 film in dry air");
 const moments = momentsOfMap(new Float64Array(9), 3, 1e-8);
 
 // @ts-expect-error: a load is a number or numbers
@@ -37,4 +38,4 @@ model.stateAtLoad(1).friction;
 
 const other = new (await instantiate(new Uint8Array())).Model({ ...params, height_distribution: "johnson" });
 other.setParams(model.params);
-export { AsperityError, both, hardness, law, measured, moments, named, one, part, pressed, radius, reference, status, summits, unknown, warnings, wrong };
+export { AsperityError, both, filmed, hardness, law, measured, moments, named, one, part, pressed, radius, reference, status, summits, unknown, warnings, wrong };

@@ -151,6 +151,9 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.pair(b"Au/mica", pair) == Status.OK and pair.name == b"mica/Au" and lib.pair_name(10**6) is None
     assert lib.params_calibrate(params, 50.0, -1.0) == Status.INVALID_PARAMETER
     assert lib.params_set_pair(params, b"mica/Au") == Status.OK and params.slip_stress_1 == pair.slip_stress_1
+    film = _header.asperity_interface_data(struct_size=ctypes.sizeof(_header.asperity_interface_data))
+    assert lib.interface(lib.interface_name(0), film) == Status.OK and film.shear_strength == 24.8e6 and film.source == b"read"
+    assert lib.params_set_interface(params, film.name) == Status.OK and params.pressure_coefficient == 0.001
 
     table = _header.asperity_table(struct_size=ctypes.sizeof(_header.asperity_table))
     assert lib.table_of(model, table) == Status.OK

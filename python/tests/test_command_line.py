@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -26,7 +27,7 @@ def started(arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
 
 def asperity(arguments: str) -> subprocess.CompletedProcess[str]:
     """The command in this process."""
-    return run_main(*arguments.split())
+    return run_main(*shlex.split(arguments))
 
 
 def table(text: str) -> list[list[float]]:
@@ -171,6 +172,11 @@ def test_a_measured_point_is_met() -> None:
         assert table(done.stdout)[0][1] == pytest.approx(0.4, rel=1e-9)
         assert "UNCALIBRATED" not in done.stderr
     assert "UNCALIBRATED" in asperity(curve).stderr
+    done = asperity(f"{curve} --interface 'Al2O3/Si in air'")
+    assert done.returncode == 0 and "UNCALIBRATED" not in done.stderr
+    assert table(done.stdout)[0][1] < table(asperity(curve).stdout)[0][1] / 100
+    unknown = asperity(f"{curve} --interface 'Al2O3'")
+    assert unknown.returncode == 1 and "Al2O3: no interface has this name; the nearest is " in unknown.stderr
     alone = asperity(f"{curve} --calibration-load 1e-3")
     assert alone.returncode == 1 and "calibration_load goes with one of" in alone.stderr
 

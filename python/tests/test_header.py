@@ -22,6 +22,7 @@ STRUCTS = (
     "asperity_sensitivities",
     "asperity_material_data",
     "asperity_pair_data",
+    "asperity_interface_data",
 )
 TYPES = {
     "double": ctypes.c_double,

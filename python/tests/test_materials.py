@@ -8,12 +8,13 @@ import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
-from asperity import Error, Model, Params, Status, _header, _library
-from asperity.materials import MATERIALS, PAIRS, Material, Pair, Range, contact
+from asperity import Error, Model, Params, Status, Warnings, _header, _library
+from asperity.materials import INTERFACES, MATERIALS, PAIRS, Interface, Material, Pair, Range, contact
 
 
 def within(value: float, bounds: Range) -> bool:
@@ -152,6 +153,47 @@ def test_a_measured_slip_stress_takes_the_place_of_the_default() -> None:
     assert set(measured.values()) == {1 / 43}
 
 
+STRONG = [one for one in INTERFACES.values() if one.shear_strength is not None]
+
+
+@pytest.mark.parametrize("interface", INTERFACES.values(), ids=lambda interface: interface.name)
+def test_an_interface_has_a_strength_or_a_friction_coefficient_and_a_source(interface: Interface) -> None:
+    assert INTERFACES[interface.name] is interface and len(interface.name) < 48
+    assert (interface.shear_strength is None) != (interface.friction_coefficient is None)
+    assert within(interface.shear_strength or 1e6, (1e4, 1e9)) and within(interface.friction_coefficient or 0.1, (1e-3, 10.0))
+    assert interface.pressure_coefficient is None or interface.shear_strength is not None
+    assert interface.load is None or interface.friction_coefficient is not None
+    assert interface.source in ("read", "quoted") and interface.conditions and len(interface.reference) > 20
+
+
+@pytest.mark.parametrize("interface", STRONG, ids=lambda interface: interface.name)
+def test_an_interface_gives_its_strength_times_the_area(interface: Interface) -> None:
+    rough: dict[str, Any] = {"height_std": 0.4e-6, "summit_radius": 20e-6, "asperity_count": 5e5}
+    params = Params.si(**contact("steel", "steel", work_of_adhesion=0.0), **rough)
+    found = params.with_interface(interface.name)
+    strength_of = {name: getattr(params, name) for name in ("slip_stress_1", "slip_stress_2", "pressure_coefficient")}
+    assert found.replace(**strength_of) == params
+    with Model(found) as model:
+        state = model.state_at_load(10.0)
+    kappa = interface.pressure_coefficient or 0.0
+    strength = interface.shear_strength or 0.0
+    assert state.friction_force == pytest.approx(strength * state.real_area + kappa * 10.0, rel=1e-12)
+    assert not state.warnings & Warnings.UNCALIBRATED
+
+
+def test_an_interface_that_cannot_be_taken_says_what_to_do() -> None:
+    params = Params.dimensionless(alpha=0.01, beta=1000, gamma=0)
+    with pytest.raises(Error, match="effective_shear_modulus = 2: must be in Pa and above the strength of the interface"):
+        params.with_interface("graphite layers")
+    steel = Params.si(**PAIRS["steel/steel"].contact, height_std=1e-7, summit_radius=1e-5, asperity_count=1e5)
+    with pytest.raises(Error, match="only a friction coefficient of 0.57 at 12 N .*: calibrate at a load"):
+        steel.with_interface("steel/steel dry")
+    with pytest.raises(Error, match="graphite: no interface has this name; the nearest is graphi"):
+        steel.with_interface("graphite")
+    with pytest.raises(KeyError, match="graphite: no interface has this name; the nearest is .*; all: MoS2 film in dry air, "):
+        INTERFACES["graphite"]
+
+
 def test_data_cannot_be_changed() -> None:
     with pytest.raises(TypeError):
         MATERIALS["wood"] = MATERIALS["Si"]  # type: ignore[index]
@@ -193,13 +235,18 @@ def pair_row(pair: Pair) -> str:
     return f"| {pair.name} | {work} | {hamaker} | {strength} | {pair.reference} |"
 
 
+def interface_row(interface: Interface) -> str:
+    numbers = (interface.shear_strength, interface.pressure_coefficient, interface.friction_coefficient, interface.load)
+    cells = ["" if value is None else f"{value / unit:.4g}" for value, unit in zip(numbers, (1e6, 1.0, 1.0, 1.0))]
+    return f"| {' | '.join([interface.name, *cells, interface.conditions, interface.source, interface.reference])} |"
+
+
 def test_the_page_has_the_numbers_of_the_data(root: Path) -> None:
     lines = (root / "docs" / "materials.md").read_text(encoding="utf-8").splitlines()
     rows = [line for line in lines if line.startswith("| ")]
-    bodies = [row for row in rows if not row.startswith("| Material ") and not row.startswith("| Pair ")]
-    assert bodies == [material_row(material) for material in MATERIALS.values()] + [
-        pair_row(pair) for pair in PAIRS.values()
-    ]
+    found = [row for row in rows if not row.startswith(("| Material ", "| Pair ", "| Interface "))]
+    expected = [*map(material_row, MATERIALS.values()), *map(pair_row, PAIRS.values()), *map(interface_row, INTERFACES.values())]
+    assert found == expected
 
 
 @pytest.mark.parametrize("name, unknown", [("steel/wood", "wood"), ("wood/steel", "wood"), ("wood/chalk", "wood or chalk")])

@@ -46,6 +46,16 @@ def test_numbers_that_are_given_replace_those_of_the_pair() -> None:
         assert friction("Si/Si", **ROUGH, load=1e5, work_of_adhesion=0.1) == model.friction_at_load(1e5)
 
 
+def test_an_interface_brings_its_strength() -> None:
+    params = Params.from_iso25178(**PAIRS["Si/Si"].contact, **ROUGH, nominal_area=1.0).with_interface("Al2O3/Si in air")
+    with Model(params) as model:
+        assert friction("Si/Si", **ROUGH, load=1e5, interface="Al2O3/Si in air") == model.friction_at_load(1e5)
+    with pytest.raises(Error, match="slip_stress_2: is told by interface already, leave one out"):
+        friction("Si/Si", **ROUGH, load=1e5, interface="Al2O3/Si in air", slip_stress_2=0.01)
+    with pytest.raises(Error, match="interface = 5: must be the name of an interface"):
+        friction("Si/Si", **ROUGH, load=1e5, interface=5)  # type: ignore[arg-type]
+
+
 def test_a_burgers_vector_that_is_given_stands_for_one_that_is_not_known() -> None:
     contact_of = contact("PDMS", "PDMS", burgers_vector=50e-9)
     with Model(Params.from_iso25178(**contact_of, **ROUGH, nominal_area=1.0)) as model:

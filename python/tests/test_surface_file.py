@@ -252,3 +252,21 @@ def test_a_file_without_end_is_refused(surface_file: SurfaceFile) -> None:
     assert Params.from_toml(surface_file(longest)) == FIELDS
     with pytest.raises(Error, match="longer than 1 MiB"):
         Params.from_toml(surface_file(longest + "\n"))
+
+
+def test_an_interface_is_taken_by_its_name(surface_file: SurfaceFile) -> None:
+    plain = Params.from_toml(surface_file(WHOLE))
+    named = 'interface = "KCl film on iron in vacuum"\n'
+    found = Params.from_toml(surface_file(named + WHOLE))
+    assert found == plain.with_interface("KCl film on iron in vacuum") and found.pressure_coefficient == 0.14
+    # A measured point scales the strength, and kappa is that of the interface.
+    point = "calibration_load = 1e-3\ncalibration_friction_coefficient = 0.4\n"
+    assert Params.from_toml(surface_file(point + named + WHOLE)) == found.calibrated(load=1e-3, mu=0.4)
+    for text, message in (
+        (named + "slip_stress_1 = 0.01\n", "slip_stress_1: is told by interface already, leave one out"),
+        ('interface = "KCl"\n', "KCl: no interface has this name; the nearest is "),
+        ("interface = 3\n", "interface = 3: must be the name of an interface"),
+        ('interface = "Al/Al clean"\n', "Al/Al clean: its shear strength is not known, only a friction coefficient of 1.05 "),
+    ):
+        with pytest.raises(Error, match=message):
+            Params.from_toml(surface_file(text + WHOLE))

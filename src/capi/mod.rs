@@ -12,6 +12,7 @@ mod calibration;
 mod evaluate;
 mod fp_environment;
 mod given;
+mod interfaces;
 mod last_error;
 mod materials;
 mod model;
@@ -35,6 +36,7 @@ mod version;
 // For C through the header, for the tests of this crate as items; no part of the Rust interface.
 pub use calibration::*;
 pub use evaluate::*;
+pub use interfaces::*;
 pub use last_error::asperity_last_error;
 pub use materials::*;
 pub use model::*;

@@ -124,6 +124,8 @@ pub(super) const JOHNSON_END: u64 = offset_of!(asperity_params, hardness) as u64
 const HARDNESS_END: u64 = offset_of!(asperity_params, table_height) as u64;
 /// Where the fields that tabulated heights read end.
 const TABLE_END: u64 = offset_of!(asperity_params, tangential_modulus) as u64;
+/// Where the pressure coefficient ends.
+pub(super) const PRESSURE_END: u64 = offset_of!(asperity_params, bandwidth) as u64;
 
 /// Parameters in one form, with the numbers that have the same names in the other.
 macro_rules! with_same_numbers {

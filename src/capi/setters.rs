@@ -1,10 +1,10 @@
 //! Functions that set parameters, as C calls them.
 
 use super::boundary::{self, not_null, wrong_struct_size, Failure};
-use super::params::{asperity_params, checked_size, FIRST_SIZE, JOHNSON_END};
+use super::params::{asperity_params, checked_size, FIRST_SIZE, JOHNSON_END, PRESSURE_END};
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::materials::Bodies;
+use crate::materials::{Bodies, Interface};
 use crate::params::Params;
 use crate::spectrum::SpectralMoments;
 
@@ -39,7 +39,7 @@ fn made(set: impl FnOnce(&mut Params) -> Result<(), Error>) -> Result<asperity_p
     Ok(asperity_params::from_params(&params))
 }
 
-/// What the functions below set, which also parameters by name and pairs of materials set.
+/// What the functions below set, which also parameters by name, pairs of materials and interfaces set.
 impl asperity_params {
     pub(super) fn set_materials(&mut self, [young_1, poisson_1, young_2, poisson_2]: [f64; 4]) -> Result<(), Failure> {
         take! { made(|params| params.set_materials(young_1, poisson_1, young_2, poisson_2))? => self;
@@ -56,6 +56,18 @@ impl asperity_params {
             composite_modulus effective_shear_modulus tangential_modulus work_of_adhesion adhesion_range burgers_vector
             hardness slip_stress_1
         }
+    }
+
+    pub(super) fn set_interface(&mut self, interface: &'static Interface) -> Result<(), Failure> {
+        if interface.pressure_coefficient > 0.0 && self.struct_size < PRESSURE_END {
+            let allowed = "the struct ends before the pressure coefficient to be set: compile with today's header";
+            return Err(wrong_struct_size(self.struct_size, allowed));
+        }
+        let set = |params: &mut Params| {
+            params.effective_shear_modulus = self.effective_shear_modulus;
+            params.set_interface(interface)
+        };
+        take! { made(set)? => self; slip_stress_1 slip_stress_2 pressure_coefficient }
     }
 
     pub(super) fn set_spectral_moments(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Failure> {

@@ -32,6 +32,7 @@ impl Error {
             Error::InvalidParameter { .. }
             | Error::Unset { .. }
             | Error::InvalidEntry { .. }
+            | Error::NoStrength { .. }
             | Error::Uncalibrated { .. } => ASPERITY_INVALID_PARAMETER,
             Error::InvalidLoad { .. } => ASPERITY_INVALID_LOAD,
             Error::Separated { .. } => ASPERITY_SEPARATED,

@@ -1,12 +1,14 @@
-//! Materials and pairs of them, with sources, in SI units: what the contact parameters of a surface are made from.
+//! Materials, pairs of them and interfaces, with sources, in SI units: what the contact parameters of a surface are made from.
 //!
-//! `bodies` and `pairs` are the tables, the only place of each number. 0 and `NONE` stand for a number that no source is
+//! `bodies`, `pairs` and `interfaces` are the tables, the only place of each number. 0 and `NONE` stand for a number that no source is
 //! known for: it is left out, and what needs it says so.
 
 mod bodies;
+mod interfaces;
 mod pairs;
 
 pub use bodies::MATERIALS;
+pub use interfaces::INTERFACES;
 pub use pairs::PAIRS;
 use std::ffi::CStr;
 
@@ -51,6 +53,34 @@ pub struct Pair {
     pub slip_stress_1: f64,
     /// Where w and the strength are from.
     pub reference: &'static CStr,
+}
+
+/// What was measured of the strength of an interface, under its own conditions: a start for one like it.
+#[derive(Debug, PartialEq)]
+pub struct Interface {
+    /// By which it is found: what touches, and the film or the surroundings.
+    pub name: &'static CStr,
+    /// tau_0, in Pa: what a contact resists over its area, at no pressure.
+    pub shear_strength: f64,
+    /// kappa: what the strength grows by with the pressure.
+    pub pressure_coefficient: f64,
+    /// Measured over many contacts, where the strength of one is not known.
+    pub friction_coefficient: f64,
+    /// The lightest load [N] of that measurement.
+    pub load: f64,
+    /// Bodies, film, humidity, vacuum, temperature and loads, as far as they are known.
+    pub conditions: &'static CStr,
+    /// "read": the numbers were seen in the text that the reference names; "quoted": they were not.
+    pub source: &'static CStr,
+    /// Where the numbers are from.
+    pub reference: &'static CStr,
+}
+
+impl Interface {
+    /// The interface of this name.
+    pub fn find(name: impl AsRef<[u8]>) -> Option<&'static Self> {
+        INTERFACES.iter().find(|interface| interface.name.to_bytes() == name.as_ref())
+    }
 }
 
 impl Pair {
@@ -160,5 +190,23 @@ mod tests {
                 pair.work_of_adhesion_range == NONE || (low <= pair.work_of_adhesion && pair.work_of_adhesion <= high)
             );
         }
+    }
+
+    #[test]
+    fn every_interface_has_a_short_name_a_number_and_a_source() {
+        assert!(INTERFACES.len() >= 20);
+        for (i, one) in INTERFACES.iter().enumerate() {
+            let name = one.name.to_bytes();
+            assert!(name.len() < 48 && name.iter().all(|byte| matches!(byte, b' '..=b'~')), "{:?}", one.name);
+            assert!(INTERFACES[..i].iter().all(|other| other.name != one.name), "{:?} twice", one.name);
+            assert!(std::ptr::eq(Interface::find(name).expect("an interface"), one), "{:?}", one.name);
+            // The strength, or a friction coefficient, and what belongs to either.
+            assert!((one.shear_strength > 0.0) != (one.friction_coefficient > 0.0), "{:?}", one.name);
+            assert!(one.shear_strength > 0.0 || one.pressure_coefficient == 0.0, "{:?}", one.name);
+            assert!(one.friction_coefficient > 0.0 || one.load == 0.0, "{:?}", one.name);
+            assert!(!one.conditions.is_empty() && !one.reference.is_empty(), "{:?}", one.name);
+            assert!([c"read", c"quoted"].contains(&one.source), "{:?}", one.name);
+        }
+        assert!(Interface::find("mica/mica").is_none());
     }
 }

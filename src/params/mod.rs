@@ -15,7 +15,7 @@ pub use crate::distribution::HeightFamily;
 use crate::error::Error;
 use crate::float_bits::infinite;
 use crate::joint_distribution::SummitShape;
-use crate::materials::Bodies;
+use crate::materials::{Bodies, Interface};
 use crate::spectrum::SpectralMoments;
 pub(crate) use numbers::positive;
 pub(crate) use numbers::LARGEST;
@@ -226,6 +226,31 @@ impl Params {
         if let Some(measured) = bodies.pair().map(|pair| pair.slip_stress_1).filter(|&stress| stress > 0.0) {
             self.slip.stress_1 = measured;
         }
+        Ok(())
+    }
+
+    /// The measured strength of an interface, which does not depend on the size of a contact: both slip stresses, over the
+    /// `effective_shear_modulus` of the bodies, which must be set before and in Pa, and the pressure coefficient, 0 where none is
+    /// known. It is a start: calibrate with a measurement of your own where you can.
+    ///
+    /// # Errors
+    /// [`Error::NoStrength`] of an interface of which only a friction coefficient is known: calibrate with it.
+    /// [`Error::InvalidParameter`] of a shear modulus that is not set or not above the strength.
+    pub fn set_interface(&mut self, interface: &'static Interface) -> Result<(), Error> {
+        const MODULUS: &str = "effective_shear_modulus";
+        const ALLOWED: &str =
+            "must be in Pa and above the strength of the interface: set the bodies first, in SI units";
+        let strength = interface.shear_strength;
+        if strength == 0.0 {
+            return Err(Error::NoStrength { interface });
+        }
+        magnitude(MODULUS, self.effective_shear_modulus, ALLOWED)?;
+        if self.effective_shear_modulus < strength {
+            return Err(Error::invalid(MODULUS, self.effective_shear_modulus, ALLOWED));
+        }
+        self.slip.stress_1 = strength / self.effective_shear_modulus;
+        self.slip.stress_2 = self.slip.stress_1;
+        self.pressure_coefficient = interface.pressure_coefficient;
         Ok(())
     }
 

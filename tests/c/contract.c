@@ -767,6 +767,85 @@ static void a_pair_sets_what_it_tells_and_nothing_else(void)
     CHECK(asperity_params_set_pair(&p, NULL) == ASPERITY_NULL_POINTER && says("name is NULL"), "%s", last_message());
 }
 
+/* ---- Interfaces ---- */
+
+static void interfaces_are_found_by_their_names(void)
+{
+    asperity_interface_data film = { sizeof film }, other = { sizeof other };
+    asperity_interface_data untouched = other;
+    size_t count = 0;
+
+    CHECK(asperity_interface("KCl film on iron in vacuum", &film) == ASPERITY_OK, "%s", last_message());
+    CHECK(film.shear_strength == 65e6 && film.pressure_coefficient == 0.14 && film.friction_coefficient == 0 && film.load == 0,
+          "the film has %g %g %g %g", film.shear_strength, film.pressure_coefficient, film.friction_coefficient, film.load);
+    CHECK(strcmp(film.name, "KCl film on iron in vacuum") == 0 && strcmp(film.source, "read") == 0 &&
+          strstr(film.conditions, "vacuum") != NULL && strstr(film.reference, "Garvey") != NULL, "%s", film.reference);
+    for (; asperity_interface_name(count) != NULL; count++) {
+        CHECK(asperity_interface(asperity_interface_name(count), &other) == ASPERITY_OK, "%s", last_message());
+        CHECK(strcmp(other.name, asperity_interface_name(count)) == 0 && strlen(other.reference) > 20 &&
+              (other.shear_strength > 0) != (other.friction_coefficient > 0), "%s", other.name);
+    }
+    CHECK(count == 37 && asperity_interface_name(SIZE_MAX) == NULL, "%d interfaces", (int)count);
+    other = untouched;
+    CHECK(asperity_interface("MoS2 film", &other) == ASPERITY_INVALID_PARAMETER && SAME(other, untouched) &&
+          says("MoS2 film: no interface has this name; the nearest is MoS2 bilayer"), "%s", last_message());
+    CHECK(asperity_interface(NULL, &other) == ASPERITY_NULL_POINTER && says("name is NULL"), "%s", last_message());
+    CHECK(asperity_interface("MoS2 bilayer", NULL) == ASPERITY_NULL_POINTER && says("data is NULL"), "%s", last_message());
+    other.struct_size = 0;
+    CHECK(asperity_interface("MoS2 bilayer", &other) == ASPERITY_INVALID_PARAMETER && says("struct_size = 0"), "%s",
+          last_message());
+}
+
+/* The strength in Pa of all contacts, whatever their size, and nothing else; the model then says no more that it is a default. */
+static void an_interface_sets_its_strength_and_nothing_else(void)
+{
+    asperity_params p, expected, refused;
+    asperity_model *model;
+    asperity_state state;
+
+    CHECK(asperity_params_init_unset(&p) == ASPERITY_OK && asperity_params_set_pair(&p, "steel/steel") == ASPERITY_OK, "%s",
+          last_message());
+    p.height_std = 0.4e-6;
+    p.summit_radius = 20e-6;
+    p.asperity_count = 5e5;
+    p.work_of_adhesion = 0;
+    expected = p;
+    model = model_of(p);
+    CHECK((state_at(model, 1).warnings & ASPERITY_WARNING_UNCALIBRATED) != 0, "no warning of a default");
+    asperity_free(model);
+    expected.slip_stress_1 = expected.slip_stress_2 = 65e6 / p.effective_shear_modulus;
+    expected.pressure_coefficient = 0.14;
+    CHECK(asperity_params_set_interface(&p, "KCl film on iron in vacuum") == ASPERITY_OK && SAME(p, expected), "%s", last_message());
+    for (double load = 1e-3; load < 1e3; load *= 10) {
+        model = model_of(p);
+        state = state_at(model, load);
+        CHECK(close_to(state.friction_force, 65e6 * state.real_area + 0.14 * load, 1e-12), "F = %.15g at %g N",
+              state.friction_force, load);
+        CHECK((state.warnings & ASPERITY_WARNING_UNCALIBRATED) == 0, "a warning of a default at %g N", load);
+        asperity_free(model);
+    }
+    expected.slip_stress_1 = expected.slip_stress_2 = 140e6 / p.effective_shear_modulus;
+    expected.pressure_coefficient = 0;
+    CHECK(asperity_params_set_interface(&p, "graphite layers") == ASPERITY_OK && SAME(p, expected), "a kappa of before is left");
+
+    refused = p;
+#define REFUSED(name, text) \
+    CHECK(asperity_params_set_interface(&refused, name) == ASPERITY_INVALID_PARAMETER && SAME(refused, p) && says(text), "%s", \
+          last_message())
+    REFUSED("graphite", "graphite: no interface has this name; the nearest is ");
+    REFUSED("steel/steel dry", "steel/steel dry: its shear strength is not known, only a friction coefficient of 0.57 at 12 N (ball");
+    REFUSED("steel/steel dry", "): calibrate at a load, 0.57 times that load, and surfaces like these");
+    REFUSED("Al/Al greased", "only a friction coefficient of 0.3 (greasy");
+    refused.effective_shear_modulus = p.effective_shear_modulus = 79e3 / 2; /* MPa */
+    REFUSED("graphene bilayer", "effective_shear_modulus = 39500: must be in Pa and above the strength of the interface");
+    refused.effective_shear_modulus = p.effective_shear_modulus = NAN;
+    REFUSED("graphene bilayer", "effective_shear_modulus = NaN: must be in Pa");
+#undef REFUSED
+    CHECK(asperity_params_set_interface(NULL, "graphite layers") == ASPERITY_NULL_POINTER && says("params is NULL"), "%s",
+          last_message());
+    CHECK(asperity_params_set_interface(&p, NULL) == ASPERITY_NULL_POINTER && says("name is NULL"), "%s", last_message());
+}
+
 static void names_beyond_a_short_struct_are_refused(void)
 {
     asperity_params p, before;
@@ -1438,6 +1517,8 @@ int main(void)
     materials_are_found_by_their_names();
     pairs_are_found_in_either_order();
     a_pair_sets_what_it_tells_and_nothing_else();
+    interfaces_are_found_by_their_names();
+    an_interface_sets_its_strength_and_nothing_else();
     names_beyond_a_short_struct_are_refused();
     create_refuses_by_name_and_leaves_the_pointer();
     failing_set_params_leaves_the_model_bit_for_bit();

@@ -47,6 +47,7 @@ int32_t asperity_params_init_sized(void *, uint64_t);
 int32_t asperity_get_params_sized(const asperity_model *, void *, uint64_t);
 int32_t asperity_params_set_value(void *, const char *, double);
 int32_t asperity_params_calibrate(void *, double, double);
+int32_t asperity_params_set_interface(void *, const char *);
 int32_t asperity_params_set_dimensionless(params *, double, double, double, double, double);
 int32_t asperity_params_set_materials(params *, double, double, double, double);
 int32_t asperity_params_set_skew(params *, double);
@@ -85,6 +86,9 @@ static void second_version(void)
     CHECK(asperity_params_calibrate(p, 10, 3) == 0 && asperity_set_params(model, &p->first) == 0, "calibrate");
     CHECK(fabs(asperity_friction_at_load(model, 10) / 0.3 - 1) < 2e-9, "a measured point");
     CHECK(asperity_params_set_value(p, "pressure_coefficient", 0.1) != 0, "a parameter without a place is refused");
+    p->first.effective_shear_modulus = 1e10;
+    CHECK(asperity_params_set_interface(p, "KCl film on iron in vacuum") != 0, "an interface whose strength grows with pressure too");
+    CHECK(asperity_params_set_interface(p, "graphite layers") == 0 && p->first.slip_stress_2 == 140e6 / 1e10, "one of which it does not");
     asperity_free(model);
     free(p);
     free(kept);

@@ -243,6 +243,12 @@ static void special_setter_arguments(void)
             doing = "asperity_params_set_pair";
             asperity_params_set_pair(&p, asperity_pair_name(name));
         }
+        for (size_t name = 0; asperity_interface_name(name) != NULL; name++) {
+            asperity_params p = surface(0);
+            p.effective_shear_modulus = specials[i];
+            doing = "asperity_params_set_interface";
+            asperity_params_set_interface(&p, asperity_interface_name(name));
+        }
         for (size_t name = 0; asperity_params_name(name) != NULL; name++) {
             asperity_params p = surface(0);
             doing = "asperity_params_set_value";
@@ -288,8 +294,11 @@ static void null_pointers(void)
     REFUSES(asperity_params_get_value(&p, "skew", NULL));
     REFUSES(asperity_params_set_pair(NULL, "Si/Si"));
     REFUSES(asperity_params_set_pair(&p, NULL));
+    REFUSES(asperity_params_set_interface(NULL, "graphite layers"));
+    REFUSES(asperity_params_set_interface(&p, NULL));
     REFUSES(asperity_material("Si", NULL));
     REFUSES(asperity_pair("Si/Si", NULL));
+    REFUSES(asperity_interface("graphite layers", NULL));
     REFUSES(asperity_create(NULL, &model));
     REFUSES(asperity_create(&p, NULL));
     REFUSES(asperity_create(NULL, NULL));

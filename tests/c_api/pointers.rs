@@ -143,7 +143,9 @@ fn constants_are_strings_that_end() {
         assert!(asperity_warnings_text(u64::MAX, null_mut(), 16) > 1000);
         assert_eq!(CStr::from_ptr(asperity_material_name(0)), c"Si");
         assert_eq!(CStr::from_ptr(asperity_pair_name(0)), c"Si/Si");
+        assert_eq!(CStr::from_ptr(asperity_interface_name(0)), c"MoS2 film in dry air");
         assert!(asperity_material_name(usize::MAX).is_null() && asperity_pair_name(usize::MAX).is_null());
+        assert!(asperity_interface_name(usize::MAX).is_null());
     }
 }
 
@@ -170,13 +172,14 @@ fn a_message_fits_any_buffer() {
 #[test]
 fn materials_are_written_no_further_than_they_may() {
     for words in 2..=13 {
-        let (material, pair) = (Place::sized(8 * words, 13), Place::sized(8 * words, 13));
+        let [material, pair, interface] = [0; 3].map(|_| Place::sized(8 * words, 13));
         // SAFETY: memory of the size that is told, and names that end.
         unsafe {
             assert_eq!(asperity_material(c"steel".as_ptr(), material.pointer()), OK);
             assert_eq!(asperity_pair(c"Si/Si".as_ptr(), pair.pointer()), OK);
+            assert_eq!(asperity_interface(c"graphite layers".as_ptr(), interface.pointer()), OK);
         }
-        for (place, length) in [(&material, 11), (&pair, 8)] {
+        for (place, length) in [(&material, 11), (&pair, 8), (&interface, 9)] {
             let written = (words as usize).min(length);
             assert!((written..13).all(|i| place.word(i) == BEFORE) && place.word(1) != BEFORE, "{words} words");
         }
@@ -207,6 +210,10 @@ fn parameters_of_every_size_are_set() {
             assert_eq!(asperity_params_set_nayak_summits(params, 1e-16, 1e-4, 1e10, 1e-6), room);
             assert_eq!(asperity_params_set_skew(params, 0.5), OK);
             assert_eq!(asperity_params_set_pair(params, c"steel/steel".as_ptr()), OK);
+            assert_eq!(asperity_params_set_interface(params, c"graphite layers".as_ptr()), OK);
+            // Of this one the strength grows with pressure, for which old structs have no room.
+            let room = if size >= offset_of!(asperity_params, bandwidth) { OK } else { INVALID_PARAMETER };
+            assert_eq!(asperity_params_set_interface(params, c"MoS2 film in dry air".as_ptr()), room);
             assert_eq!(asperity_params_calibrate(params, 1.0, 0.3), OK);
             // Names that may lie anywhere, and a number that may.
             let (name, mut value) = (asperity_params_name(0), 0.0);
@@ -221,6 +228,7 @@ fn parameters_of_every_size_are_set() {
             assert_eq!(asperity_params_set_nayak_summits(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
             assert_eq!(asperity_params_set_skew(params, -9.0), INVALID_PARAMETER);
             assert_eq!(asperity_params_calibrate(params, 1.0, -0.3), INVALID_PARAMETER);
+            assert_eq!(asperity_params_set_interface(params, c"steel/steel dry".as_ptr()), INVALID_PARAMETER);
             assert_eq!(place.words(size / 8), before);
         }
     }
@@ -271,10 +279,14 @@ fn null_is_refused_or_skipped() {
             asperity_params_get_value(&params, c"skew".as_ptr(), null_mut()),
             asperity_params_set_pair(null_mut(), c"Si/Si".as_ptr()),
             asperity_params_set_pair(&mut params, null()),
+            asperity_params_set_interface(null_mut(), c"graphite layers".as_ptr()),
+            asperity_params_set_interface(&mut params, null()),
             asperity_material(c"Si".as_ptr(), null_mut()),
             asperity_material(null(), null_mut()),
             asperity_pair(c"Si/Si".as_ptr(), null_mut()),
             asperity_pair(null(), null_mut()),
+            asperity_interface(c"graphite layers".as_ptr(), null_mut()),
+            asperity_interface(null(), null_mut()),
             asperity_create(null(), &mut model),
             asperity_create(&params, null_mut()),
             asperity_set_params(null_mut(), &params),

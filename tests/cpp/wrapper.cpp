@@ -390,6 +390,17 @@ void materials_and_pairs_are_those_of_the_table() {
     EXPECT(std::isnan(Params().set_pair("WC/SiC").work_of_adhesion()));
 }
 
+void interfaces_are_those_of_the_table() {
+    const asperity::InterfaceData film = asperity::interface_of("MoS2 film in dry air");
+    EXPECT(film.shear_strength == 24.8e6 && film.pressure_coefficient == 0.001 && film.struct_size == sizeof film);
+    EXPECT(asperity::interface_names().size() == 37 && asperity::interface_names().front() == film.name);
+    const Params params = Params().set_pair("steel/steel").set_interface(film.name);
+    EXPECT(params.slip_stress_1() == 24.8e6 / params.effective_shear_modulus());
+    EXPECT(params.slip_stress_2() == params.slip_stress_1() && params.pressure_coefficient() == 0.001);
+    EXPECT(thrown_by([&] { (void)asperity::interface_of("MoS2"); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { Params(params).set_interface("steel/steel dry"); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
 void a_range_of_loads_warns_of_what_fails_in_it() {
     const Model model(Params().asperity_count(1e9).slip_stress_1(0.02));
     EXPECT((model.check_loads(1e9, 100e9) & ASPERITY_WARNING_CROWDED) == 0);
@@ -677,6 +688,7 @@ int main() {
     friction_is_that_of_the_reference();
     states_are_those_of_the_reference();
     materials_and_pairs_are_those_of_the_table();
+    interfaces_are_those_of_the_table();
     a_range_of_loads_warns_of_what_fails_in_it();
     single_summits_are_those_of_hertz();
     friction_is_defined_at_every_load();

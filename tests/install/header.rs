@@ -19,6 +19,7 @@ fn committed_header_is_what_the_sources_generate() {
         "setters",
         "names",
         "materials",
+        "interfaces",
         "calibration",
         "model",
         "evaluate",

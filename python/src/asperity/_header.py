@@ -214,6 +214,20 @@ class asperity_pair_data(Structure):
     ]
 
 
+class asperity_interface_data(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("shear_strength", c_double),
+        ("pressure_coefficient", c_double),
+        ("friction_coefficient", c_double),
+        ("load", c_double),
+        ("name", c_char_p),
+        ("conditions", c_char_p),
+        ("source", c_char_p),
+        ("reference", c_char_p),
+    ]
+
+
 _model = POINTER(asperity_model)
 _params = POINTER(asperity_params)
 _state = POINTER(asperity_state)
@@ -222,6 +236,7 @@ _table = POINTER(asperity_table)
 _sensitivities = POINTER(asperity_sensitivities)
 _material = POINTER(asperity_material_data)
 _pair = POINTER(asperity_pair_data)
+_interface = POINTER(asperity_interface_data)
 _doubles = POINTER(c_double)
 
 # name: (what it returns, what it takes)
@@ -248,6 +263,9 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_pair": (asperity_status, [c_char_p, _pair]),
     "asperity_pair_name": (c_char_p, [c_size_t]),
     "asperity_params_set_pair": (asperity_status, [_params, c_char_p]),
+    "asperity_interface": (asperity_status, [c_char_p, _interface]),
+    "asperity_interface_name": (c_char_p, [c_size_t]),
+    "asperity_params_set_interface": (asperity_status, [_params, c_char_p]),
     "asperity_params_calibrate": (asperity_status, [_params, c_double, c_double]),
     "asperity_create": (asperity_status, [_params, POINTER(_model)]),
     "asperity_set_params": (asperity_status, [_model, _params]),

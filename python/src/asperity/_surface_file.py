@@ -29,6 +29,8 @@ _MODULI = ("composite_modulus", "effective_shear_modulus")
 _ROUGHNESS = ("height_std", "summit_radius", "asperity_count")
 # One measured point: the load, and either of the others.
 CALIBRATION = ("calibration_load", "calibration_friction_coefficient", "calibration_friction_force")
+# What an interface by its name sets.
+STRENGTH = ("slip_stress_1", "slip_stress_2", "pressure_coefficient")
 _MATERIALS = ("first", "second", "E1", "nu1", "E2", "nu2")
 _MOMENTS = ("m0", "m2", "m4")
 _ISO = ("Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku")
@@ -85,9 +87,10 @@ def _literal(value: Any) -> str:
 def _params(params: Any, found: dict[str, Any]) -> Any:
     materials = _table(found, "materials", _MATERIALS)
     roughness = _table(found, "roughness", (*_MOMENTS, *_ISO, "Ra", "summits"))
-    _check(found, (*(field.name for field in fields(params)), "materials", "roughness", *CALIBRATION), "")
+    _check(found, (*(field.name for field in fields(params)), "materials", "roughness", "interface", *CALIBRATION), "")
     measured = {name: found[name] for name in CALIBRATION if name in found}
-    given = {name: value for name, value in found.items() if name not in ("materials", "roughness", *CALIBRATION)}
+    others = ("materials", "roughness", "interface", *CALIBRATION)
+    given = {name: value for name, value in found.items() if name not in others}
     if materials:
         _exclude(given, (*_MODULI, "tangential_modulus"), "materials")
         given = _contact(materials, given) | given
@@ -105,7 +108,18 @@ def _params(params: Any, found: dict[str, Any]) -> Any:
     # Heights that the file names are taken with all their fields; else those fields choose them, as in Params.si.
     named = {name: given.pop(name) for name in _heights() if name in given and "height_distribution" in given}
     tangential = {name: given.pop(name) for name in ("tangential_modulus",) if name in given}
-    return calibrated(replace(make(**given, **roughness), **named, **tangential), measured)
+    made = replace(make(**given, **roughness), **named, **tangential)
+    return calibrated(with_interface(made, found.get("interface"), given), measured)
+
+
+def with_interface(params: Any, name: Any, given: dict[str, Any]) -> Any:
+    """With the strength of an interface by its name, where there is one, which excludes what it sets among what is given."""
+    if name is None:
+        return params
+    if not isinstance(name, str):
+        raise Error(f"interface = {name!r}: must be the name of an interface", Status.INVALID_PARAMETER)
+    _exclude(given, STRENGTH, "interface")
+    return params.with_interface(name)
 
 
 def calibrated(params: Any, measured: dict[str, Any]) -> Any:

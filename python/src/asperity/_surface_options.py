@@ -6,7 +6,7 @@ import argparse
 from dataclasses import MISSING, fields
 from typing import Any
 
-from ._surface_file import CALIBRATION, calibrated
+from ._surface_file import CALIBRATION, calibrated, with_interface
 from .params import Params
 
 _GROUPS = {
@@ -72,6 +72,7 @@ def add(command: argparse.ArgumentParser) -> None:
     for name, text in _OPTIONS.items():
         shown = f" ({defaults[name]:g})" if name in defaults and name not in _CHOOSING else ""
         optional.add_argument(_flag(name), type=float, metavar="X", help=text + shown)
+    optional.add_argument("--interface", metavar="NAME", help="strength of an interface of docs/materials.md; SI units")
     for name, text in zip(CALIBRATION, _MEASURED):
         optional.add_argument(_flag(name), type=float, metavar="X", help=text)
     optional.add_argument("--no-attraction", action="store_true", help="summits out of contact do not attract")
@@ -90,7 +91,8 @@ def params(parser: argparse.ArgumentParser, options: argparse.Namespace) -> Para
     groups, physical = _given(options, _GROUPS), _given(options, _PHYSICAL)
     others, measured = _given(options, _OPTIONS), _given(options, CALIBRATION)
     if options.surface is not None:
-        if beside := [*groups, *physical, *others, *measured, *(["no_attraction"] if options.no_attraction else [])]:
+        named = [name for name in ("interface", "no_attraction") if getattr(options, name)]
+        if beside := [*groups, *physical, *others, *measured, *named]:
             parser.error(f"--surface is the whole surface: leave out {_flag(beside[0])}, and change the file")
         return Params.from_toml(options.surface)
     others["attraction"] = not options.no_attraction
@@ -102,9 +104,8 @@ def params(parser: argparse.ArgumentParser, options: argparse.Namespace) -> Para
         if missing:
             parser.error(f"physical parameters need {', '.join(missing)} too")
     try:
-        if physical:
-            return calibrated(Params.si(**physical, **others), measured)  # type: ignore[no-any-return]
         values = {name: default for name, (default, _) in _GROUPS.items()} | groups | others
-        return calibrated(Params.dimensionless(**values), measured)  # type: ignore[no-any-return]
+        made = Params.si(**physical, **others) if physical else Params.dimensionless(**values)
+        return calibrated(with_interface(made, options.interface, others), measured)  # type: ignore[no-any-return]
     except TypeError as error:
         parser.error(str(error))

@@ -1,9 +1,12 @@
-"""Materials and pairs of them, with sources: what the contact parameters of a surface are made from, in SI units.
+"""Materials, pairs of them and interfaces, with sources: what the contact parameters of a surface are made from, in SI units.
 
     from asperity import Params
     from asperity.materials import PAIRS
 
     params = Params.si(**PAIRS["Si/Si"].contact, height_std=5e-9, summit_radius=1e-6, asperity_count=1e5)
+
+`INTERFACES` has shear strengths of interfaces that were measured, and friction coefficients; `Params.with_interface` takes a
+strength by its name.
 
 Values are typical ones, to start from. Films, alloys and treatments differ within the ranges and beyond; the work of
 adhesion depends on what covers the surfaces more than on the bodies. `docs/materials.md` shows all of it as tables.
@@ -146,6 +149,32 @@ class Pair(_Sourced):
         return contact(self.first.name, self.second.name, **(own | given))
 
 
+@dataclass(frozen=True)
+class Interface:
+    """What was measured of the strength of an interface, under its own conditions: a start for one like it.
+
+    Attributes:
+        name: what touches, and the film or the surroundings: the key in `INTERFACES`.
+        shear_strength: tau_0 [Pa], what a contact resists over its area, at no pressure; None where only a friction coefficient
+            is known.
+        pressure_coefficient: kappa, what the strength grows by with the pressure; None where it is not known.
+        friction_coefficient: measured over many contacts, where the strength of one is not known; else None.
+        load: the lightest load [N] of that measurement; None where it is not known.
+        conditions: bodies, film, humidity, vacuum, temperature and loads, as far as they are known.
+        source: "read" if the numbers were seen in the text that the reference names, else "quoted".
+        reference: where the numbers are from.
+    """
+
+    name: str
+    shear_strength: float | None
+    pressure_coefficient: float | None
+    friction_coefficient: float | None
+    load: float | None
+    conditions: str
+    source: str
+    reference: str
+
+
 def contact(first: str, second: str, **given: float) -> dict[str, Any]:
     """What `Params.si` takes beside the roughness, of any two materials by their names; `Pair.contact` tells how it follows.
 
@@ -223,5 +252,20 @@ def _pair(name: str) -> Pair:
     )
 
 
+def _interface(name: str) -> Interface:
+    data = _data("interface", name)
+    return Interface(
+        name=name,
+        shear_strength=_known(data.shear_strength),
+        pressure_coefficient=_known(data.pressure_coefficient),
+        friction_coefficient=_known(data.friction_coefficient),
+        load=_known(data.load),
+        conditions=data.conditions.decode(),
+        source=data.source.decode(),
+        reference=data.reference.decode(),
+    )
+
+
 MATERIALS: Mapping[str, Material] = MappingProxyType(_Named("material", _material))
 PAIRS: Mapping[str, Pair] = MappingProxyType(_Named("pair", _pair))
+INTERFACES: Mapping[str, Interface] = MappingProxyType(_Named("interface", _interface))

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ._surface_file import from_mean_deviation
+from ._surface_file import from_mean_deviation, with_interface
 from .materials import MATERIALS, PAIRS, Pair, contact
 from .model import Model
 from .params import Params
@@ -21,7 +21,7 @@ from .params import Params
 _KEPT = 8
 
 
-def friction(pair: str | Pair, *, load: Any, nominal_area: float = 1.0, **surface: Any) -> Any:
+def friction(pair: str | Pair, *, load: Any, nominal_area: float = 1.0, interface: str | None = None, **surface: Any) -> Any:
     """The friction coefficient of two materials with a roughness, at a load or at many. SI units.
 
     For more than the coefficient make `Params` and a `Model`; this is the same in one call. Models of the last surfaces are
@@ -32,6 +32,7 @@ def friction(pair: str | Pair, *, load: Any, nominal_area: float = 1.0, **surfac
             "SiC/SiC", with a `work_of_adhesion`.
         load: normal load [N] on `nominal_area`; a number, an array, a pandas Series or an xarray DataArray.
         nominal_area: [m^2]; without it loads are those of a square metre: nominal pressures [Pa].
+        interface: a name in `asperity.materials.INTERFACES`, whose shear strength stands for the default: `Params.with_interface`.
         **surface: the roughness, as `Params.from_iso25178` (`Sq`, `Sdq` and `Sds` or `Ssc`), `Params.from_spectral_moments`
             (`m0`, `m2`, `m4`; `Ra` of Gaussian heights may stand for `Sq` or `m0`) or `Params.si` (`height_std`, `summit_radius`, `summit_density`) take it, and what
             is to replace the numbers of the pair or a default: `work_of_adhesion`, `slip_stress_1`, `kurtosis`, ...
@@ -59,7 +60,7 @@ def friction(pair: str | Pair, *, load: Any, nominal_area: float = 1.0, **surfac
     elif "height_std" not in surface:
         raise TypeError("the roughness is missing: give Sq, Sdq and Sds or Ssc; or m0, m2 and m4; or height_std, "
                         "summit_radius and summit_density")  # fmt: skip
-    model = _model(_made(make, given, nominal_area))
+    model = _model(with_interface(_made(make, given, nominal_area), interface, surface))
     found = model.friction_at_load(load)
     pressing = np.asarray(load, dtype=np.float64)
     pressing = pressing[pressing > 0]

@@ -479,6 +479,23 @@ class Params:
         check(LIBRARY.asperity_params_calibrate(ctypes.byref(struct), _real("load", load), force))
         return self.replace(slip_stress_1=struct.slip_stress_1, slip_stress_2=struct.slip_stress_2)
 
+    def with_interface(self, name: str) -> Params:
+        """The same surfaces with a strength of the interface that was measured elsewhere, by its name.
+
+        Both slip stresses become the shear strength over G*, which must be in Pa, and `pressure_coefficient` that of the interface,
+        0 where none is known. It is a start: `calibrated` takes a measurement of your own.
+
+        Args:
+            name: one of `asperity.materials.INTERFACES`.
+
+        Raises:
+            Error: a name that is not known, or an interface of which only a friction coefficient is known; the message has the
+                nearest name, or what to give to `calibrated`.
+        """
+        struct: Any = self._as_struct()
+        check(LIBRARY.asperity_params_set_interface(ctypes.byref(struct), name.encode()))
+        return self.replace(**{field: getattr(struct, field) for field in _surface_file.STRENGTH})
+
     def __repr__(self) -> str:
         shown = [field for field in fields(self) if getattr(self, field.name) != field.default]
         return f"Params({', '.join(f'{field.name}={_literal(getattr(self, field.name))}' for field in shown)})"

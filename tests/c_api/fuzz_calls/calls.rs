@@ -728,27 +728,30 @@ impl<'a> Calls<'a> {
         }
     }
 
-    /// Materials and pairs: one that has a name is found by it, and any bytes are a name that is refused or found.
+    /// Materials, pairs and interfaces: one that has a name is found by it, and any bytes are a name that is refused or found.
     pub fn materials(&mut self, mut text: [u8; 65], which: usize) {
         text[64] = 0;
         let any: *const c_char = text.as_ptr().cast();
-        for name in [asperity_material_name(which), asperity_pair_name(which), any] {
+        for name in [asperity_material_name(which), asperity_pair_name(which), asperity_interface_name(which), any] {
             if name.is_null() {
                 continue;
             }
             let what = || format!("{which} or {text:?}");
-            let (mut material, mut pair) = ([0_u64; 11], [0_u64; 8]);
-            (material[0], pair[0]) = (88, 64);
+            let (mut material, mut pair, mut interface) = ([0_u64; 11], [0_u64; 8], [0_u64; 9]);
+            (material[0], pair[0], interface[0]) = (88, 64, 72);
             let material_at: *mut asperity_material_data = material.as_mut_ptr().cast();
             let pair_at: *mut asperity_pair_data = pair.as_mut_ptr().cast();
-            let mut params = asperity_params::initial();
-            let before = params;
-            let params_at: *mut asperity_params = &mut params;
+            let interface_at: *mut asperity_interface_data = interface.as_mut_ptr().cast();
+            let before = asperity_params { effective_shear_modulus: 1e10, ..asperity_params::initial() };
+            let (mut params, mut film) = (before, before);
+            let (params_at, film_at): (*mut asperity_params, *mut asperity_params) = (&mut params, &mut film);
             reset_message();
             let found = [
                 call!(self, which, asperity_material(name, material_at)),
                 call!(self, which, asperity_pair(name, pair_at)),
                 call!(self, which, asperity_params_set_pair(params_at, name)),
+                call!(self, which, asperity_interface(name, interface_at)),
+                call!(self, which, asperity_params_set_interface(film_at, name)),
             ];
             for status in found.into_iter().filter(|&status| status != OK) {
                 self.documented(status, &[INVALID_PARAMETER], &what);
@@ -756,6 +759,8 @@ impl<'a> Calls<'a> {
             assert!(found[0] != OK || is_finite(f64::from_bits(material[1])), "{}", what());
             assert!(found[1] != OK || is_finite(f64::from_bits(pair[1])), "{}", what());
             assert!(found[2] == OK || bytes(&params) == bytes(&before), "{}: refused, yet changed", what());
+            assert!(found[3] != OK || is_finite(f64::from_bits(interface[1])), "{}", what());
+            assert!(found[4] == OK || bytes(&film) == bytes(&before), "{}: refused, yet changed", what());
         }
     }
 

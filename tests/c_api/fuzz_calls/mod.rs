@@ -244,7 +244,7 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
         })),
         250 => {
             let text = std::array::from_fn(|_| bytes.byte());
-            calls.materials(text, bytes.below(32));
+            calls.materials(text, bytes.below(40));
         }
         251..=253 => calls.messages(bytes.below(256)),
         254 => {
