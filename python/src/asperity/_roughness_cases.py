@@ -6,14 +6,14 @@ import math
 import numbers
 from itertools import product
 from statistics import NormalDist
-from typing import Any, NamedTuple
+from typing import Any, Callable, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _caller
 from ._surface_file import from_mean_deviation
-from ._typical_roughness import BANDWIDTH, PROCESSES, Known, deviation_of, slope_of
+from ._typical_roughness import BANDWIDTH, PROCESSES, SLOPE_FACTOR, Known, deviation_of, machined_slope
 from .errors import Error, Status
 from .params import Params
 from .results import ValidityWarning
@@ -67,41 +67,40 @@ def _of_profile(process: str | None, surface: dict[str, Any]) -> Roughness:
     other = sorted(surface.keys() & ((_AREAL | _MOMENTS | _SUMMITS) - {"Sq"}))
     if other:
         raise TypeError(f"{other[0]}: is not for a profile or a process; give all of the roughness, or Ra or Rq alone with those")
-    if (not heights and process is None) or ("RSm" not in surface and process is None):
+    if process is None and not (heights and "RSm" in surface):
         raise TypeError(_MISSING)
     rests_on, narrow = [], []
     if heights:
-        deviation = Known(_positive(heights[0], surface[heights[0]]))
-        if heights[0] == "Ra":
-            deviation = Known(deviation_of(deviation.middle))
+        given = _positive(heights[0], surface[heights[0]])
+        deviation = Known(deviation_of(given) if heights[0] == "Ra" else given)
     else:
         deviation = Known.between(*map(deviation_of, PROCESSES[str(process)]))
+        narrow.append("the height of its roughness: Ra or Rq")
     if process is not None:
         least, most = PROCESSES[process]
+        left = f"{process} surfaces have an Ra of {least * 1e6:g} to {most * 1e6:g} um"
         if not heights:
-            rests_on.append(f"Ra: {process} surfaces have {least * 1e6:g} to {most * 1e6:g} um")
-            narrow.append("the height of its roughness: Ra or Rq")
+            rests_on.append(left)
         elif not deviation_of(least) <= deviation.middle <= deviation_of(most):
-            says = f"{process} surfaces have an Ra of {least * 1e6:g} to {most * 1e6:g} um: is it of this process, and in m?"
-            _caller.warn(f"{heights[0]} = {surface[heights[0]]:g}: {says}", ValidityWarning)
-    width = Known(_positive("RSm", surface["RSm"])) if "RSm" in surface else None
-    if width is None:
-        slope = slope_of(deviation.middle)
-        rests_on.append(f"slope of its profile: {slope.middle:.2g} to a factor {slope.factor:g}, as assumed of machined surfaces")
+            _caller.warn(f"{heights[0]} = {given:g}: {left}: is it of this process, and in m?", ValidityWarning)
+    if "RSm" in surface:
+        width = _positive("RSm", surface["RSm"])
+        slope: Callable[[float], float] = lambda Rq: 2 * math.pi * Rq / width
+        times = Known(1.0)
+    else:
+        slope, times = machined_slope, Known(1.0, SLOPE_FACTOR)
+        assumed = f"{slope(deviation.middle):.2g} to a factor {SLOPE_FACTOR:g}"
+        rests_on.append(f"slope of its profile: {assumed}, as assumed of machined surfaces")
         narrow.append("the mean width of its profile's elements: RSm")
-    bandwidth = BANDWIDTH
     if "bandwidth" in surface:
         bandwidth = Known(_positive("bandwidth", surface["bandwidth"]))
     else:
-        ends = (bandwidth.middle / bandwidth.factor, bandwidth.middle * bandwidth.factor)
-        rests_on.append(f"bandwidth: not measured, {ends[0]:.0f} to {ends[1]:.0f}")
+        bandwidth = BANDWIDTH
+        rests_on.append(f"bandwidth: not measured, {bandwidth.low:.0f} to {bandwidth.high:.0f}")
         narrow.append("how sharp its summits are: Sq, Sdq and Sds or Ssc, or a height map (asperity.surface)")
     cases, probability = [], []
-    for (Rq, first), (slope_over, second), (alpha, third) in product(
-        _nodes(deviation), _nodes(Known(1.0, 1.0 if width else slope_of(1e-6).factor)), _nodes(bandwidth)
-    ):
-        RSm = width.middle if width else 2 * math.pi * Rq / (slope_over * slope_of(Rq).middle)
-        cases.append({"Rq": Rq, "RSm": RSm, "bandwidth": alpha})
+    for (Rq, first), (steeper, second), (alpha, third) in product(_nodes(deviation), _nodes(times), _nodes(bandwidth)):
+        cases.append({"Rq": Rq, "RSm": 2 * math.pi * Rq / (steeper * slope(Rq)), "bandwidth": alpha})
         probability.append(first * second * third)
     return Roughness(Params.from_profile, cases, np.array(probability), tuple(rests_on), tuple(narrow))
 
@@ -115,6 +114,6 @@ def _nodes(known: Known) -> list[tuple[float, float]]:
 
 
 def _positive(name: str, value: Any) -> float:
-    if not (isinstance(value, numbers.Real) and math.isfinite(value) and value > 0):
+    if not (isinstance(value, numbers.Real) and math.isfinite(value) and float(value) > 0):
         raise Error(f"{name} = {value!r}: must be finite and > 0", Status.INVALID_PARAMETER)
     return float(value)

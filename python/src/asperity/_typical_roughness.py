@@ -21,6 +21,14 @@ class Known(NamedTuple):
         """With 95 % of its probability between two numbers."""
         return cls(math.sqrt(low * high), math.sqrt(high / low))
 
+    @property
+    def low(self) -> float:
+        return self.middle / self.factor
+
+    @property
+    def high(self) -> float:
+        return self.middle * self.factor
+
 
 # Ra [m] of machined metal: CalQlata, Surface Finish (machining); Machinery's Handbook (25th edition, p. 708) has the same as
 # a chart (quoted).
@@ -44,6 +52,10 @@ def deviation_of(mean_deviation: float) -> float:
     return math.sqrt(math.pi / 2) * mean_deviation
 
 
-def slope_of(deviation: float) -> Known:
-    """The root mean square slope along a profile of a machined surface with this Rq [m]: assumed, to a factor of 4."""
-    return Known(0.14 * math.sqrt(deviation / 1e-6), 4.0)
+def machined_slope(deviation: float) -> float:
+    """The root mean square slope along a profile of a machined surface with this Rq [m]: assumed, to `SLOPE_FACTOR`."""
+    return 0.14 * math.sqrt(deviation / 1e-6)
+
+
+# 95 % of the slopes are taken to lie within this factor either way.
+SLOPE_FACTOR = 4.0

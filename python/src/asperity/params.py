@@ -325,7 +325,6 @@ class Params:
         *,
         Rq: float,
         RSm: float,
-        bandwidth: float = BANDWIDTH.middle,
         nominal_area: float,
         summits: Literal["equal", "nayak"] = "equal",
         **contact: Unpack[Contact],
@@ -338,11 +337,11 @@ class Params:
         Args:
             Rq: standard deviation of the profile [m] > 0; of Gaussian heights (pi/2)^(1/2) Ra.
             RSm: mean width of the profile's elements [m] > 0, with every crossing of the mean line counted.
-            bandwidth: Nayak's m0 m4/m2^2 >= 1.5; without, the middle of 3 to 30, between which most surfaces are.
-                `asperity.friction` tells the band of friction that follows from that range.
             nominal_area: [m^2] > 0.
             summits: "equal" or "nayak", as for `from_spectral_moments`.
-            **contact: materials, adhesion and options, as `si` takes them.
+            **contact: materials, adhesion and options, as `si` takes them. Of these `bandwidth` is Nayak's m0 m4/m2^2 >= 1.5;
+                without it the middle of 3 to 30 is taken, between which most surfaces are, and `asperity.friction` tells the
+                band of friction that follows from that range.
 
         Raises:
             Error: a value that the library refuses.
@@ -353,7 +352,7 @@ class Params:
         """
         m0 = _positive("Rq", Rq) ** 2
         m2 = m0 * (2 * math.pi / _positive("RSm", RSm)) ** 2
-        m4 = _positive("bandwidth", bandwidth) * m2 * (m2 / m0)
+        m4 = _positive("bandwidth", contact.pop("bandwidth", BANDWIDTH.middle)) * m2 * (m2 / m0)
         return cls.from_spectral_moments(m0=m0, m2=m2, m4=m4, nominal_area=nominal_area, summits=summits, **contact)
 
     @classmethod

@@ -211,8 +211,8 @@ def _distribution(
         if not np.isfinite(covariance).all():
             lost = ", ".join(name for name in params.free if math.isinf(params.errors[name]))
             raise ValueError(f"the fit does not determine {lost}: friction has no band; fit it without")
-        told = (f"a fit of {', '.join(params.free)} to {params.load.size} points",)
-        return names, params.params, covariance, params.load, told
+        fitted = f"a fit of {', '.join(params.free)} to {params.load.size} points"
+        return names, params.params, covariance, params.load, (fitted,)
     if not isinstance(params, Params):
         raise TypeError(f"params = {params!r}: must be a Params or a Fit")
     given: Any = {} if spread is None else spread
@@ -268,7 +268,7 @@ def measured_at(load: Any, error: Any) -> str:
     """What a band says that rests on one measured point; `ValueError` for numbers that cannot be used."""
     if not (isinstance(load, numbers.Real) and math.isfinite(load)):
         raise ValueError(f"measured_load = {load!r}: must be one finite number")
-    if not (isinstance(error, numbers.Real) and _NARROWEST <= error <= _WIDEST):
+    if not (isinstance(error, numbers.Real) and _NARROWEST <= float(error) <= _WIDEST):
         raise ValueError(
             f"measured_error = {error!r}: must be a relative standard deviation from {_NARROWEST:g} to {_WIDEST:g}; 5 % are 0.05"
         )
