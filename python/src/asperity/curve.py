@@ -80,7 +80,7 @@ class Curve:
             if self.low is not None and self.high is not None:
                 label = "\n".join((self._band(), *self.rests_on))
                 axes.fill_between(self.load, self.low, self.high, color=line.get_color(), alpha=0.2, lw=0, label=label)
-                axes.legend(fontsize="small")
+                axes.legend(fontsize="small", loc="lower left", bbox_to_anchor=(0, 1))
             axes.set(xlabel=f"normal load $P$ [{UNITS[units]['force']}]", ylabel="friction coefficient $F/P$ [–]")
             if is_wide(self.low, self.high):
                 axes.set_yscale("log")

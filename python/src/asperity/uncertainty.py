@@ -19,6 +19,7 @@ import numpy.typing as npt
 
 from ._friction_law import FrictionLaw
 from ._progress import Progress, teller
+from ._sparkline import is_wide
 from ._style import BLACK, saved, style
 from .errors import Error, Status
 from .fit_names import STRENGTHS, FreeName, free_names, put_all
@@ -80,8 +81,10 @@ class Uncertainty:
     rests_on: tuple[str, ...]
 
     def plot(self, file: str | os.PathLike[str] | None = None) -> Figure:
-        """Draws curve and band over the load, below what each parameter contributes, and writes the figure if a file is
-        named.
+        """Draws curve and band over the load, with what the band rests on, below what each parameter contributes, and
+        writes the figure if a file is named.
+
+        The upper axis is logarithmic where the band spans more than a factor of 10.
 
         Args:
             file: its ending is its format, for example "band.svg".
@@ -101,7 +104,9 @@ class Uncertainty:
             )
             above.plot(self.load, self.value, color="C0")
             above.set_ylabel(_LABELS[self.quantity])
-            above.legend(fontsize="small")
+            above.legend(fontsize="small", loc="lower left", bbox_to_anchor=(0, 1))
+            if is_wide(self.low, self.high):
+                above.set_yscale("log")
             for name, part in self.parts.items():
                 below.plot(self.load, 100 * part, label=name)
             below.plot(self.load, 100 * self.deviation, color=BLACK, label="all")
