@@ -42,7 +42,32 @@ def test_a_curve_has_loads_and_warns_by_itself(model: Model) -> None:
     unit = model.params.composite_modulus
     assert curve.load.size == 61 and curve.low is None and not curve.warnings
     assert (curve.load[0], curve.load[-1]) == pytest.approx((1e-4 * unit, 1e2 * unit))
-    assert repr(curve).startswith("<Curve: friction coefficient ")
+    assert repr(curve).startswith("<Curve: friction coefficient ") and repr(curve).endswith("; strength of the interface: as given>")
+
+
+@pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
+def test_a_curve_has_a_band_where_nobody_measured_the_strength(params: Params, tmp_path: Path) -> None:
+    rough, loads = params.replace(asperity_count=1e5), 1e5 * LOADS
+    with Model(rough) as model:
+        curve = model.curve(loads)
+        known = model.curve(loads, spread={"slip_stress": 0.0, "w": 0.1})
+        html = model._repr_html_()
+    assert curve.low is not None and curve.high is not None and known.high is not None
+    assert curve.high == pytest.approx(10 * curve.friction_coefficient, rel=1e-9)
+    assert curve.low == pytest.approx(curve.friction_coefficient / 10, rel=1e-9)
+    assert (known.high < 1.5 * known.friction_coefficient).all()
+    assert repr(curve).endswith("; 95 % band; strength of the interface: not measured, a factor 10 either way>")
+    (axes,) = curve.plot(tmp_path / "curve.svg").axes
+    assert axes.get_yscale() == "log"
+    (polygon,) = ElementTree.fromstring(html[html.index("<svg") :]).iter("{http://www.w3.org/2000/svg}polygon")
+    heights = [float(pair.split(",")[1]) for pair in polygon.get("points", "").split()]
+    assert min(heights) > 0 and max(heights) < 140
+
+    with Model(rough.calibrated(load=1e6, mu=0.3)) as model:
+        assert model.curve(loads).low is None
+        measured = model.curve(loads, measured_load=1e6, measured_error=0.1)
+    assert measured.high is not None and measured.rests_on == ("strength of the interface: measured at 1e+06 [force] to 10 %",)
+    assert measured.high == pytest.approx(math.exp(0.1 * 1.96) * measured.friction_coefficient, rel=0.01)
 
 
 @pytest.mark.parametrize("loads", [[], [0.0, 1.0], [[1.0, 2.0]], [-1.0], [math.nan]])
@@ -57,7 +82,9 @@ def test_a_curve_is_drawn_with_its_band_and_units(model: Model, tmp_path: Path) 
     (axes,) = figure.axes
     assert axes.get_xlabel() == "normal load $P$ [N]" and axes.get_xscale() == "log"
     assert np.array_equal(axes.lines[0].get_xydata(), np.column_stack([LOADS, curve.friction_coefficient]))
-    assert len(axes.collections) == 1 and axes.texts[0].get_text() == "95 % band"
+    legend = axes.get_legend()
+    assert len(axes.collections) == 1 and legend is not None
+    assert [text.get_text() for text in legend.get_texts()] == ["95 % band\nstrength of the interface: as given\nw: 20 %"]
     again = tmp_path / "again.svg"
     curve.plot(again, units="SI")
     assert again.read_bytes() == (tmp_path / "curve.svg").read_bytes()

@@ -34,9 +34,24 @@ def test_spectral_moments_give_the_summits_of_nayak_and_mccool() -> None:
     assert params.asperity_count == pytest.approx(M4 / M2 / (6 * math.pi * math.sqrt(3)) * AREA, rel=1e-14)
     same = Params.si(
         height_std=params.height_std, summit_radius=params.summit_radius, asperity_count=params.asperity_count,
-        nominal_area=AREA, hardness=9e9, bandwidth=M0 * M4 / M2**2, **CONTACT,
+        nominal_area=AREA, hardness=9e9, bandwidth=params.bandwidth, **CONTACT,
     )  # fmt: skip
-    assert params == same
+    assert params == same and params.bandwidth == pytest.approx(5, rel=1e-14)
+
+
+def test_two_numbers_of_a_profile_and_a_bandwidth_are_three_moments() -> None:
+    """M2 is (2 pi Rq/RSm)^2, since a Gaussian profile crosses its mean line upwards once in RSm: counted below."""
+    expected = Params.from_spectral_moments(m0=M0, m2=M2, m4=M4, nominal_area=AREA, **CONTACT)
+    profile: dict[str, Any] = dict(Rq=math.sqrt(M0), RSm=2 * math.pi * math.sqrt(M0 / M2), nominal_area=AREA, **CONTACT)
+    found = Params.from_profile(**profile, bandwidth=5.0)
+    for name in ("height_std", "summit_radius", "asperity_count", "bandwidth"):
+        assert getattr(found, name) == pytest.approx(getattr(expected, name), rel=1e-12)
+    assert Params.from_profile(**profile).bandwidth == pytest.approx(math.sqrt(3 * 30), rel=1e-12)
+    assert Params.from_profile(**profile, summits="nayak").radius_amplitude < 0
+    with pytest.raises(Error, match="RSm = 0.0: must be finite and > 0"):
+        Params.from_profile(**{**profile, "RSm": 0})
+    with pytest.raises(Error, match="bandwidth m0 m4/m2.2 = 1.2.*: must be at least 1.5"):
+        Params.from_profile(**profile, bandwidth=1.2)
 
 
 def test_moments_that_no_surface_has_are_refused() -> None:

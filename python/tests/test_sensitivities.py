@@ -99,6 +99,109 @@ def test_forces_have_a_band_where_coefficients_have_none(sticky: Params) -> None
         uncertainty(sticky, {"gamma": 0.05}, [2.1 * loads[0]], quantity="force")
 
 
+# ---- The strength of the interface ----
+
+
+@pytest.fixture(scope="module")
+def rough(params: Params) -> Params:
+    """As many summits as make a surface, whose strength nobody measured."""
+    return params.replace(asperity_count=1e5)
+
+
+def test_a_strength_that_nobody_measured_is_known_to_a_factor_of_10(rough: Params) -> None:
+    loads = 1e5 * LOADS[2:5]
+    band = uncertainty(rough, loads=loads)
+    assert band.high == pytest.approx(10 * band.value, rel=1e-9) and band.low == pytest.approx(band.value / 10, rel=1e-9)
+    assert list(band.parts) == ["slip_stress"] and band.deviation == pytest.approx(math.log(10) / 1.959964, rel=1e-6)
+    assert band.rests_on == ("strength of the interface: not measured, a factor 10 either way",)
+    assert uncertainty(rough, {}, loads).high.tolist() == band.high.tolist()
+    with_others = uncertainty(rough, {"sigma": 0.1}, loads)
+    assert (with_others.deviation > band.deviation).all() and with_others.rests_on[1] == "sigma: 10 %"
+    drawn = uncertainty(rough, loads=loads, samples=400, seed=3)
+    assert drawn.deviation.shape == loads.shape and drawn.samples is not None
+    assert np.std(np.log(drawn.samples), axis=0) == pytest.approx(band.deviation, rel=0.15)
+
+
+def test_a_strength_that_is_named_or_given_has_no_band_of_its_own(rough: Params) -> None:
+    loads = [1e6]
+    for name in ("slip_stress", "slip_stress_1", "slip_stress_2"):
+        known = uncertainty(rough, {"sigma": 0.1, name: 0.0}, loads)
+        assert known.deviation[0] < 0.2 and known.rests_on[0] == "strength of the interface: as given"
+    for given in (rough.replace(slip_stress_1=0.02), rough.replace(pressure_coefficient=0.1), rough.calibrated(load=1e6, mu=0.2)):
+        assert uncertainty(given, {"sigma": 0.1}, loads).deviation[0] < 0.2
+        with pytest.raises(ValueError, match="since the strength of this interface is given; if it was measured, its load"):
+            uncertainty(given, loads=loads)
+
+
+def test_one_measured_point_narrows_as_weights_of_monte_carlo_do(rough: Params) -> None:
+    """Against surfaces drawn from what was known before, each with the probability that it gives to the measurement."""
+    load, mu, error = 1e6, 0.3, 0.2
+    spread = {"sigma": 0.1, "R": 0.1}
+    known = rough.calibrated(load=load, mu=mu)
+    loads = np.array([1e5, load, 1e8])
+    band = uncertainty(known, spread, loads, measured_load=load, measured_error=error)
+
+    random = np.random.default_rng(4)
+    logs = []
+    for sigma, radius in np.exp(0.1 * random.standard_normal((300, 2))):
+        changed = known.replace(height_std=sigma * known.height_std, summit_radius=radius * known.summit_radius)
+        with Model(changed) as model:
+            logs.append(np.log(model.friction_force_at_load(loads)))
+    # Friction is in proportion to the strength.
+    strength = math.log(10) / 1.959964 * random.standard_normal((300, 200, 1))
+    drawn = np.array(logs)[:, None, :] + strength
+    weight = np.exp(-0.5 * ((drawn[..., 1] - math.log(mu * load)) / error) ** 2).ravel()
+    drawn = drawn.reshape(-1, 3)
+    mean = np.average(drawn, weights=weight, axis=0)
+    deviation = np.sqrt(np.average((drawn - mean) ** 2, weights=weight, axis=0))
+    assert band.deviation == pytest.approx(deviation, rel=0.03)
+    assert np.log(band.value * loads) == pytest.approx(mean, abs=0.02)
+    # At the load of the measurement the band is that of the measurement; farther away it is wider.
+    assert band.deviation[1] == pytest.approx(error, rel=0.02) and (band.deviation[[0, 2]] > band.deviation[1]).all()
+    assert band.rests_on[0] == "strength of the interface: measured at 1e+06 [force] to 20 %"
+    # The parameters are correlated afterwards: all together are known better than each alone.
+    alone = np.sqrt(sum(part**2 for part in band.parts.values()))
+    assert (band.deviation < alone).all()
+    sampled = uncertainty(known, spread, loads, measured_load=load, measured_error=error, samples=300, seed=5)
+    assert sampled.samples is not None
+    assert np.std(np.log(sampled.samples), axis=0) == pytest.approx(deviation, rel=0.15)
+
+
+def test_a_measurement_tells_of_every_parameter_that_it_depends_on(rough: Params) -> None:
+    """Where the strength is known, a measured force narrows what else decides on it."""
+    known = rough.calibrated(load=1e6, mu=0.3)
+    before = uncertainty(known, {"sigma": 0.2, "slip_stress": 0.0}, [1e6])
+    after = uncertainty(known, {"sigma": 0.2, "slip_stress": 0.0}, [1e6], measured_load=1e6, measured_error=0.02)
+    expected = 1 / math.sqrt(1 / before.deviation[0] ** 2 + 1 / 0.02**2)
+    assert after.deviation[0] == pytest.approx(expected, rel=1e-9) == pytest.approx(after.parts["sigma"][0], rel=1e-9)
+
+
+def test_a_measured_point_that_cannot_be_used_is_refused(rough: Params) -> None:
+    with pytest.raises(ValueError, match=r"is a default that no measurement gave; give params.calibrated\(load=measured_load"):
+        uncertainty(rough, loads=[1e6], measured_load=1e6)
+    known = rough.calibrated(load=1e6, mu=0.3)
+    for arguments, message in (
+        ({"measured_load": math.nan}, "measured_load = nan: must be one finite number"),
+        ({"measured_load": [1e6]}, r"measured_load = \[1000000.0\]: must be one finite number"),
+        ({"measured_load": 1e6, "measured_error": 5}, "measured_error = 5: must be a relative standard deviation .*; 5 % are 0.05"),
+        ({"measured_load": 1e6, "measured_error": 0}, "measured_error = 0: must be"),
+        ({"measured_load": -1e30}, "below the pull-off load"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            uncertainty(known, loads=[1e6], **arguments)
+
+
+def test_the_library_says_whether_a_strength_is_measured(rough: Params) -> None:
+    for one, expected in (
+        (rough, True),
+        (rough.replace(asperity_count=1), False),
+        (rough.replace(slip_radius_1=20.0), False),
+        (rough.calibrated(load=1e6, mu=0.2), False),
+    ):
+        with Model(one) as model:
+            assert model.uncalibrated is expected
+
+
 def test_a_fit_brings_its_spread_and_correlations_with_it(params: Params) -> None:
     with Model(params) as model:
         mu = model.friction_at_load(LOADS)
@@ -110,6 +213,9 @@ def test_a_fit_brings_its_spread_and_correlations_with_it(params: Params) -> Non
     assert band.deviation.max() < 0.003
     alone = np.sqrt(sum(part**2 for part in band.parts.values()))
     assert (band.deviation < alone).all()
+    assert band.rests_on == ("a fit of gamma, sigma to 9 points",)
+    with pytest.raises(ValueError, match="measured_load: a fit brings its own"):
+        uncertainty(found, measured_load=1.0)
 
 
 def test_spreads_that_leave_the_domain_are_drawn_anew_or_refused(params: Params) -> None:
@@ -146,6 +252,9 @@ def test_a_band_is_drawn(params: Params, tmp_path: Path) -> None:
     legend = figure.axes[1].get_legend()
     assert legend is not None
     assert [text.get_text() for text in legend.get_texts()] == ["sigma", "w", "all"]
+    legend = figure.axes[0].get_legend()
+    assert legend is not None
+    assert [text.get_text() for text in legend.get_texts()] == ["95 %\nstrength of the interface: as given\nsigma: 10 %\nw: 20 %"]
     assert (tmp_path / "band.svg").stat().st_size > 1000
 
 

@@ -13,6 +13,7 @@ from ._header import ASPERITY_VERSION as __version__
 from ._pad_results import Pads
 from .curve import Curve
 from .errors import Error, Status
+from .estimate import Estimate
 from .fit import fit
 from .fit_result import Fit, Prediction
 from .model import Model
@@ -26,6 +27,7 @@ from .uncertainty import Uncertainty, uncertainty
 __all__ = [
     "Curve",
     "Error",
+    "Estimate",
     "Fit",
     "Hysteresis",
     "Model",

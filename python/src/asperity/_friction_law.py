@@ -341,6 +341,11 @@ class FrictionLaw:
         check(LIBRARY.asperity_check_loads(handle.pointer, float(lightest), float(heaviest), ctypes.byref(bits)))
         return Warnings(bits.value)
 
+    @property
+    def uncalibrated(self) -> bool:
+        """Whether the strength of the interface is a default that nobody measured: `Warnings.UNCALIBRATED` of any state."""
+        return bool(self.state_at_separation(0.0).warnings & Warnings.UNCALIBRATED)
+
     def table(self, dtype: npt.DTypeLike = np.float64) -> _table.Table:
         """The compiled law as arrays, for code that cannot call the library; `asperity.table` has the indexing rule.
 

@@ -1,4 +1,4 @@
-"""Friction over a range of loads, ready to be drawn, with a band where the spread of the parameters is known.
+"""Friction over a range of loads, ready to be drawn, with a band where a parameter is not known exactly.
 
     model.curve([1e-6, 1e-5, 1e-4], spread={"work_of_adhesion": 0.3}).plot("curve.svg")
 """
@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._labelled import frame
-from ._sparkline import sparkline
+from ._sparkline import is_wide, sparkline
 from ._style import saved, style
 from .params import Params
 from .results import Warnings
@@ -36,10 +36,11 @@ class Curve:
         load: normal loads [force].
         friction_coefficient: F/P at each.
         friction_force: F at each [force].
-        low: lower end of the band of the coefficient; None without a spread.
+        low: lower end of the band of the coefficient; None where all parameters count as known.
         high: upper end; None with it.
         coverage: the probability that the coefficient lies within the band; None with it.
         warnings: what of the model fails between the lightest load and the heaviest.
+        rests_on: what the band takes as known, and how well: first the strength of the interface.
     """
 
     params: Params
@@ -50,11 +51,14 @@ class Curve:
     high: Array | None
     coverage: float | None
     warnings: Warnings
+    rests_on: tuple[str, ...]
 
     def plot(
         self, file: str | os.PathLike[str] | None = None, *, units: str | None = None, axes: Axes | None = None
     ) -> Figure:
-        """Draws the coefficient over the load, with the band, and writes the figure if a file is named.
+        """Draws the coefficient over the load, with the band and what it rests on, and writes the figure if a file is named.
+
+        The axis of the coefficient is logarithmic where the band spans more than a factor of 10.
 
         Args:
             file: its ending is its format, for example "curve.svg".
@@ -73,15 +77,15 @@ class Curve:
             if axes is None:
                 axes = Figure(figsize=(6.4, 4.4), layout="constrained").add_subplot()
             (line,) = axes.semilogx(self.load, self.friction_coefficient)
-            if self.low is not None and self.high is not None and self.coverage is not None:
-                axes.fill_between(self.load, self.low, self.high, color=line.get_color(), alpha=0.2, lw=0)
-                at = self.load.size // 2
-                axes.annotate(
-                    f"{100 * self.coverage:g} % band", (float(self.load[at]), float(self.high[at])), (0, 4),
-                    textcoords="offset points", color=line.get_color(), fontsize=9,
-                )  # fmt: skip
+            if self.low is not None and self.high is not None:
+                label = "\n".join((self._band(), *self.rests_on))
+                axes.fill_between(self.load, self.low, self.high, color=line.get_color(), alpha=0.2, lw=0, label=label)
+                axes.legend(fontsize="small", loc="lower left", bbox_to_anchor=(0, 1))
             axes.set(xlabel=f"normal load $P$ [{UNITS[units]['force']}]", ylabel="friction coefficient $F/P$ [–]")
-            axes.set_ylim(bottom=0)
+            if is_wide(self.low, self.high):
+                axes.set_yscale("log")
+            else:
+                axes.set_ylim(bottom=0)
             figure: Any = axes.figure
             return saved(figure, file)
 
@@ -97,7 +101,11 @@ class Curve:
     def __repr__(self) -> str:
         ends = f"{self.load[0]:.4g} to {self.load[-1]:.4g} [force]"
         values = f"{self.friction_coefficient[0]:.4g} to {self.friction_coefficient[-1]:.4g}"
-        return f"<Curve: friction coefficient {values} at {self.load.size} loads from {ends}>"
+        band = f"{self._band()}; " if self.coverage is not None else ""
+        return f"<Curve: friction coefficient {values} at {self.load.size} loads from {ends}; {band}{'; '.join(self.rests_on)}>"
+
+    def _band(self) -> str:
+        return f"{100 * (self.coverage or 0.0):g} % band"
 
     def _repr_html_(self) -> str:
         return sparkline(self.load, self.friction_coefficient, self.low, self.high)

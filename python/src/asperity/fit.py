@@ -21,7 +21,6 @@ from .fit_names import free_names
 from .fit_result import End, Estimate, Fit
 from .fit_search import STEP, Data, Search
 from .params import Params
-from .results import Warnings
 
 Array = npt.NDArray[np.float64]
 
@@ -242,11 +241,9 @@ def _remark_on_strength(fit: Fit) -> list[str]:
     if fit.calibrated:
         now = [f"{name} = {getattr(fit.params, name):.6g}" for name in ("slip_stress_1", "slip_stress_2")]
         return [f"calibrated by the data: {', '.join(fit.calibrated)}; {', '.join(now)} of G*"]
-    heaviest = max(float(fit.load.max()), 0.0)
-    with FrictionLaw(fit.params) as law:
-        told = law.check(heaviest, heaviest) & Warnings.UNCALIBRATED
     says = "not calibrated: the strength of the interface is a default that nobody measured; free slip_stress to fit it"
-    return [says] if told else []
+    with FrictionLaw(fit.params) as law:
+        return [says] if law.uncalibrated else []
 
 
 def _improbable(fit: Fit) -> bool:

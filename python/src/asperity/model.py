@@ -11,7 +11,7 @@ from . import _units
 from ._friction_law import FrictionLaw, as_array
 from .curve import Curve
 from .results import ValidityWarning
-from .uncertainty import uncertainty
+from .uncertainty import AS_GIVEN, uncertainty
 
 
 class Model(FrictionLaw):
@@ -43,6 +43,8 @@ class Model(FrictionLaw):
         coverage: float = 0.95,
         samples: int = 0,
         seed: int = 0,
+        measured_load: float | None = None,
+        measured_error: float = 0.05,
     ) -> Curve:
         """Friction over a range of loads, to look at: `model.curve().plot()`; a notebook shows it by itself.
 
@@ -50,10 +52,14 @@ class Model(FrictionLaw):
             loads: normal loads > 0 [force], one-dimensional, in any order; by default 61 from 1e-4 to 1e2 times
                 `asperity_count` E* b^2.
             spread: name to standard deviation of parameters that are not known well, which gives the curve a band:
-                {"work_of_adhesion": 0.3} is 30 %; see `asperity.uncertainty`.
+                {"work_of_adhesion": 0.3} is 30 %; see `asperity.uncertainty`. A strength of the interface that nobody
+                measured (`uncalibrated`) gives it one by itself.
             coverage: the probability that the band is to have.
             samples: how many surfaces to draw for the band; 0 for the linear one.
             seed: of the random numbers.
+            measured_load: normal load [force] of the one measured friction force that the model was calibrated with, which
+                gives the curve a band too.
+            measured_error: relative standard deviation of that force.
 
         Raises:
             ValueError: loads or a spread that cannot be used.
@@ -68,9 +74,12 @@ class Model(FrictionLaw):
         if load.ndim != 1 or load.size == 0 or not load[0] > 0:
             raise ValueError("loads: must be one-dimensional, not empty and > 0, since their axis is logarithmic")
         force = self.friction_force_at_load(load)
-        band = None if spread is None else uncertainty(
-            params, spread, load, coverage=coverage, samples=samples, seed=seed
-        )  # fmt: skip
+        band = None
+        if spread is not None or measured_load is not None or self.uncalibrated:
+            band = uncertainty(
+                params, spread, load, coverage=coverage, samples=samples, seed=seed,
+                measured_load=measured_load, measured_error=measured_error,
+            )  # fmt: skip
         self.warn(float(load[0]), float(load[-1]))
         return Curve(
             params,
@@ -81,6 +90,7 @@ class Model(FrictionLaw):
             None if band is None else band.high,
             None if band is None else coverage,
             self.check(float(load[0]), float(load[-1])),
+            (AS_GIVEN,) if band is None else band.rests_on,
         )
 
     def _repr_html_(self) -> str:

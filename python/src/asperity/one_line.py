@@ -1,44 +1,88 @@
-"""Friction in one line: a pair of materials, the roughness, the load.
+"""Friction in one line: a pair of materials, the roughness, the load; a number with its band.
 
     import asperity
 
-    mu = asperity.friction("Si/Si", Sq=5e-9, Sdq=0.05, Sds=1e13, load=1e-3, nominal_area=1e-8)
+    mu = asperity.friction("steel/steel", Ra=0.8e-6, process="ground", load=20.0, nominal_area=1e-4)
 """
 
 from __future__ import annotations
 
+import math
+import numbers
+import warnings
 from functools import lru_cache
+from statistics import NormalDist
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
-from ._surface_file import from_mean_deviation, with_interface
+from ._friction_law import FrictionLaw, as_array
+from ._labelled import like
+from ._roughness_cases import HEIGHTS, roughness_cases
+from ._surface_file import with_interface
+from .estimate import Estimate
 from .materials import MATERIALS, PAIRS, Pair, contact
 from .model import Model
 from .params import Params
+from .results import ValidityWarning
+from .uncertainty import AS_GIVEN, NOT_MEASURED, STRENGTH_DEVIATION, measured_at
 
-# Surfaces whose models are kept: enough for a comparison in a loop, a megabyte in all.
+Array = npt.NDArray[np.float64]
+
+# Surfaces whose models are kept: enough for a comparison in a loop, some megabytes in all.
 _KEPT = 8
+# Above this plasticity index summits yield (`Warnings.PLASTIC`).
+_PLASTIC_INDEX = 1.0
 
 
-def friction(pair: str | Pair, *, load: Any, nominal_area: float = 1.0, interface: str | None = None, **surface: Any) -> Any:
-    """The friction coefficient of two materials with a roughness, at a load or at many. SI units.
+def friction(
+    pair: str | Pair,
+    *,
+    load: Any,
+    nominal_area: float = 1.0,
+    process: str | None = None,
+    interface: str | None = None,
+    measured: tuple[float, float] | None = None,
+    measured_error: float = 0.05,
+    coverage: float = 0.95,
+    **surface: Any,
+) -> Estimate:
+    """The friction coefficient of two materials with a roughness, at a load or at many, with its band. SI units.
 
     For more than the coefficient make `Params` and a `Model`; this is the same in one call. Models of the last surfaces are
     kept, so that asking again is quick.
+
+    Three things widen the band. A strength of the interface that nobody measured: a factor of 10 either way, as for
+    `asperity.uncertainty`; give `measured`. A bandwidth that is not given: Nayak's m0 m4/m2^2 is then log-normal with 95 % of
+    its probability from 3 to 30. What is assumed of a machined surface: its slope along a profile is 0.14 (Rq/um)^(1/2) to a
+    factor of 4, and without Ra or Rq the roughness is that which the process leaves. The band is log-normal, with mean and
+    variance of ln(mu) over all of it. Heights are Gaussian.
+
+    Where summits yield (a plasticity index above 1) the law is the elastic-plastic one, which has no adhesion, unless a
+    `contact_law` or a `work_of_adhesion` is given.
 
     Args:
         pair: a name in `asperity.materials.PAIRS`, as "steel/steel", in either order; or two names in `MATERIALS`, as
             "SiC/SiC", with a `work_of_adhesion`.
         load: normal load [N] on `nominal_area`; a number, an array, a pandas Series or an xarray DataArray.
         nominal_area: [m^2]; without it loads are those of a square metre: nominal pressures [Pa].
+        process: how a surface of metal was machined, if its slopes were not measured: "superfinished", "lapped", "honed",
+            "ground", "turned", "bored" or "milled". For one rough surface against a smooth one; of two alike, Ra is 2^(1/2)
+            times that of one.
         interface: a name in `asperity.materials.INTERFACES`, whose shear strength stands for the default: `Params.with_interface`.
+        measured: (load, friction coefficient) measured on these surfaces, which gives the strength of the interface.
+        measured_error: relative standard deviation of that coefficient.
+        coverage: the probability that the band is to have.
         **surface: the roughness, as `Params.from_iso25178` (`Sq`, `Sdq` and `Sds` or `Ssc`), `Params.from_spectral_moments`
-            (`m0`, `m2`, `m4`; `Ra` of Gaussian heights may stand for `Sq` or `m0`) or `Params.si` (`height_std`, `summit_radius`, `summit_density`) take it, and what
-            is to replace the numbers of the pair or a default: `work_of_adhesion`, `slip_stress_1`, `kurtosis`, ...
+            (`m0`, `m2`, `m4`; `Ra` of Gaussian heights may stand for `Sq` or `m0`), `Params.from_profile` (`Ra` or `Rq`, `RSm`,
+            `bandwidth`) or `Params.si` (`height_std`, `summit_radius`, `summit_density`) take it, with a `process` `Ra`, `Rq`
+            or neither; and what is to replace the numbers of the pair or a default: `work_of_adhesion`, `slip_stress_1`,
+            `kurtosis`, ...
 
     Returns:
-        F/P: a float for a number, else what came in, with the same shape and labels.
+        F/P with its band, what it rests on and what would narrow it: `Estimate`. At loads of 0 and below, where F/P is no
+        finite number, the band has no width.
 
     Raises:
         KeyError: materials that are not known; the message has the nearest.
@@ -46,27 +90,112 @@ def friction(pair: str | Pair, *, load: Any, nominal_area: float = 1.0, interfac
         TypeError: a name that is unknown or missing.
 
     Warns:
-        ValidityWarning: an assumption of the model that fails at one of the loads > 0, once for a surface.
+        ValidityWarning: an assumption of the model that fails at one of the loads > 0, once for a surface; an Ra that the
+            process does not leave.
     """
     if not isinstance(pair, Pair) and not isinstance(pair, str):
         raise TypeError(f"pair = {pair!r}: must be a name, as 'steel/steel', or one of asperity.materials.PAIRS")
-    surface = from_mean_deviation(surface)
-    given = _contact(pair, surface) | surface
-    make: Any = Params.si
-    if surface.keys() & {"Sq", "Sdq", "Sds", "Ssc"}:
-        make = Params.from_iso25178
-    elif surface.keys() & {"m0", "m2", "m4"}:
-        make = Params.from_spectral_moments
-    elif "height_std" not in surface:
-        raise TypeError("the roughness is missing: give Sq, Sdq and Sds or Ssc; or m0, m2 and m4; or height_std, "
-                        "summit_radius and summit_density")  # fmt: skip
-    model = _model(with_interface(_made(make, given, nominal_area), interface, surface))
-    found = model.friction_at_load(load)
+    if not 0 < coverage < 1:
+        raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
+    roughness = roughness_cases(process, surface)
+    given = _contact(pair, surface) | {name: value for name, value in surface.items() if name not in roughness.cases[0]}
+    given = {name: value for name, value in given.items() if name not in HEIGHTS}
+    middle = _made(roughness.make, given | roughness.cases[0], nominal_area)
+    told: tuple[str, ...] = ()
+    if _yields(middle) and "contact_law" not in surface and not surface.get("work_of_adhesion"):
+        given |= {"contact_law": "elastic-plastic", "work_of_adhesion": 0.0}
+        told = (f"summits yield, plasticity index {_plasticity_index(middle):.2g}: elastic-plastic, without adhesion",)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ValidityWarning)  # said of the middle case
+        cases = [_made(roughness.make, given | case, nominal_area) for case in roughness.cases]
+    cases = [with_interface(params, interface, surface) for params in cases]
+    if measured is not None:
+        cases = [_calibrated(params, measured) for params in cases]
+    models = _models(tuple(cases))
+    value = models[0].friction_at_load(load)
+    strength, narrow = AS_GIVEN, roughness.narrow
+    if measured is not None:
+        strength = measured_at(measured[0], measured_error)
+    elif models[0].uncalibrated:
+        strength = NOT_MEASURED
+        narrow = ("one measured friction force: measured=(load, coefficient)", *narrow)
+    low = high = None
+    if strength != AS_GIVEN or len(models) > 1:
+        spread = STRENGTH_DEVIATION if strength != AS_GIVEN else 0.0
+        low, high = _band(models, roughness.probability, load, spread, measured, measured_error, coverage)
     pressing = np.asarray(load, dtype=np.float64)
     pressing = pressing[pressing > 0]
     if pressing.size:
-        model.warn(float(pressing.min()), float(pressing.max()))
+        models[0].warn(float(pressing.min()), float(pressing.max()))
+    rests_on = (strength, *roughness.rests_on, *told)
+    return Estimate(value, low, high, None if low is None else coverage, rests_on, narrow)
+
+
+def _band(
+    models: tuple[Model, ...],
+    probability: Array,
+    load: Any,
+    spread: float,
+    measured: tuple[float, float] | None,
+    error: float,
+    coverage: float,
+) -> tuple[Any, Any]:
+    """The ends of the band: log-normal, with mean and variance of ln(mu) over the cases and the strength in each.
+
+    `spread` is the standard deviation of the logarithm of the strength, before the measurement if there is one: the models
+    meet it then, and Bayes' rule gives each case a new probability and its strength a new distribution.
+    """
+    loads = as_array("load", load)
+    there = loads > 0
+    at = loads[there]
+    shift, variance = np.zeros(len(models)), np.full(len(models), spread**2)
+    if measured is not None:
+        by_strength = np.array([_by_strength(model, np.array([float(measured[0])]))[0] for model in models])
+        stresses = [model.params.slip_stress_1 for model in models]
+        off = np.log(np.array(stresses) / stresses[0])  # of the middle of the strengths before
+        total = by_strength**2 * spread**2 + error**2
+        probability = probability * np.exp(-0.5 * (by_strength * off) ** 2 / total) / np.sqrt(total)
+        probability = probability / probability.sum()
+        variance = spread**2 * error**2 / total
+        shift = -off * variance / spread**2
+    slopes = np.array([_by_strength(model, at) for model in models])
+    values = np.array([np.log(model.friction_force_at_load(at) / at) for model in models]) + slopes * shift[:, None]
+    middle = probability @ values
+    deviation = np.sqrt(probability @ ((values - middle) ** 2 + slopes**2 * variance[:, None]))
+    reach = NormalDist().inv_cdf(0.5 + 0.5 * coverage) * deviation
+    ends = []
+    for end, name in ((middle - reach, "low"), (middle + reach, "high")):
+        band = np.array(models[0].friction_at_load(loads), dtype=np.float64)
+        band[there] = np.minimum(np.exp(end), models[0].params.max_friction_coefficient)
+        ends.append(float(band) if isinstance(load, numbers.Real) else like(load, band, name))
+    return ends[0], ends[1]
+
+
+def _by_strength(model: Model, loads: Array) -> Array:
+    """d(ln F)/d(ln c) where both slip stresses are c times theirs: F is a linear function of c, in proportion without kappa."""
+    params = model.params
+    if params.pressure_coefficient == 0.0:
+        return np.ones(loads.shape)
+    half = params.replace(slip_stress_1=params.slip_stress_1 / 2, slip_stress_2=params.slip_stress_2 / 2)
+    with FrictionLaw(half) as law:
+        found: Array = 2.0 * (1.0 - law.friction_force_at_load(loads) / model.friction_force_at_load(loads))
     return found
+
+
+def _plasticity_index(params: Params) -> float:
+    return params.composite_modulus * math.sqrt(params.height_std / params.summit_radius) / params.hardness
+
+
+def _yields(params: Params) -> bool:
+    return params.hardness > 0 and _plasticity_index(params) > _PLASTIC_INDEX
+
+
+def _calibrated(params: Params, measured: Any) -> Params:
+    try:
+        load, mu = measured
+    except (TypeError, ValueError):
+        raise TypeError(f"measured = {measured!r}: must be (load, friction coefficient)") from None
+    return params.calibrated(load=load, mu=mu)
 
 
 def _made(make: Any, given: dict[str, Any], nominal_area: float) -> Params:
@@ -88,5 +217,5 @@ def _contact(pair: str | Pair, surface: dict[str, Any]) -> dict[str, Any]:
 
 
 @lru_cache(maxsize=_KEPT)
-def _model(params: Params) -> Model:
-    return Model(params)
+def _models(cases: tuple[Params, ...]) -> tuple[Model, ...]:
+    return tuple(Model(params) for params in cases)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, Sequence
 
 from . import _bandwidth_bias, _header, _surface_file, _units
 from ._library import LIBRARY
+from ._typical_roughness import BANDWIDTH
 from .errors import Error, Status, check, nearest
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ _CHOOSES = {"weibull_shape": "weibull", "kurtosis": "johnson", "table_height": "
 _HEIGHTS = {"height_distribution", "skew", *_CHOOSES}
 
 # What the ways to make parameters take beside fields.
-_NOT_FIELDS = ("E1", "nu1", "E2", "nu2", "summit_density", "m0", "m2", "m4", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku")
+_NOT_FIELDS = ("E1", "nu1", "E2", "nu2", "summit_density", "m0", "m2", "m4", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "Ra", "Rq", "RSm")
 
 # How the summits of moments are known: what sets them, and the fields that it sets. A kurtosis means Johnson's heights.
 _MOMENTS = ("height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth")
@@ -317,6 +318,42 @@ class Params:
         params = cls.si(**surface, **contact)
         _bandwidth_bias.warn(m0 / m2 * (m4 / m2), summits)
         return params
+
+    @classmethod
+    def from_profile(
+        cls,
+        *,
+        Rq: float,
+        RSm: float,
+        nominal_area: float,
+        summits: Literal["equal", "nayak"] = "equal",
+        **contact: Unpack[Contact],
+    ) -> Params:
+        """Roughness from two numbers of a profile of an isotropic Gaussian surface, all in SI units: lengths in m.
+
+        m0 = Rq^2 and m2 = (2 pi Rq/RSm)^2, since a Gaussian profile crosses its mean line upwards once in RSm. No profile
+        parameter tells how sharp the summits are: m4 = bandwidth m2^2/m0.
+
+        Args:
+            Rq: standard deviation of the profile [m] > 0; of Gaussian heights (pi/2)^(1/2) Ra.
+            RSm: mean width of the profile's elements [m] > 0, with every crossing of the mean line counted.
+            nominal_area: [m^2] > 0.
+            summits: "equal" or "nayak", as for `from_spectral_moments`.
+            **contact: materials, adhesion and options, as `si` takes them. Of these `bandwidth` is Nayak's m0 m4/m2^2 >= 1.5;
+                without it the middle of 3 to 30 is taken, between which most surfaces are, and `asperity.friction` tells the
+                band of friction that follows from that range.
+
+        Raises:
+            Error: a value that the library refuses.
+            TypeError: an unknown name, one missing, or names that exclude each other.
+
+        Warns:
+            ValidityWarning: a bandwidth for which friction is off by more than 10 %: the message has the expected bias.
+        """
+        m0 = _positive("Rq", Rq) ** 2
+        m2 = m0 * (2 * math.pi / _positive("RSm", RSm)) ** 2
+        m4 = _positive("bandwidth", contact.pop("bandwidth", BANDWIDTH.middle)) * m2 * (m2 / m0)
+        return cls.from_spectral_moments(m0=m0, m2=m2, m4=m4, nominal_area=nominal_area, summits=summits, **contact)
 
     @classmethod
     def from_iso25178(

@@ -1,6 +1,7 @@
 """How well friction is known where the parameters are known with an error: a curve with a band.
 
-Linear from the sensitivities, or by as many models as are asked for with parameters drawn at random.
+Linear from the sensitivities, or by as many models as are asked for with parameters drawn at random. A strength of the
+interface that nobody measured is such a parameter, also where nobody names it.
 """
 
 from __future__ import annotations
@@ -18,9 +19,10 @@ import numpy.typing as npt
 
 from ._friction_law import FrictionLaw
 from ._progress import Progress, teller
+from ._sparkline import is_wide
 from ._style import BLACK, saved, style
 from .errors import Error, Status
-from .fit_names import FreeName, free_names, put_all
+from .fit_names import STRENGTHS, FreeName, free_names, put_all
 from .fit_result import Fit
 from .fit_search import log_slopes
 from .params import Params
@@ -39,6 +41,13 @@ _WIDEST = 2.0
 _NARROWEST = 1e-6
 # More surfaces than these take more than some seconds.
 _MANY = 1000
+# A default strength and a true one are within this factor with a probability of 95 %, log-normally (docs/domain.md) ...
+STRENGTH_FACTOR = 10.0
+# ... which is this standard deviation of its logarithm.
+STRENGTH_DEVIATION = math.log(STRENGTH_FACTOR) / NormalDist().inv_cdf(0.975)
+# What bands say that they rest on.
+NOT_MEASURED = f"strength of the interface: not measured, a factor {STRENGTH_FACTOR:g} either way"
+AS_GIVEN = "strength of the interface: as given"
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +65,7 @@ class Uncertainty:
         quantity: "mu" or "force".
         samples: friction of the surfaces drawn, (surfaces, loads); None for the linear band.
         refused: surfaces that were drawn and that the library refused; others were drawn in their place.
+        rests_on: what the band takes as known, and how well: first the strength of the interface, then each name.
     """
 
     load: Array
@@ -68,10 +78,13 @@ class Uncertainty:
     quantity: str
     samples: Array | None
     refused: int
+    rests_on: tuple[str, ...]
 
     def plot(self, file: str | os.PathLike[str] | None = None) -> Figure:
-        """Draws curve and band over the load, below what each parameter contributes, and writes the figure if a file is
-        named.
+        """Draws curve and band over the load, with what the band rests on, below what each parameter contributes, and
+        writes the figure if a file is named.
+
+        The upper axis is logarithmic where the band spans more than a factor of 10.
 
         Args:
             file: its ending is its format, for example "band.svg".
@@ -86,10 +99,14 @@ class Uncertainty:
             above, below = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": (2, 1)})
             if (self.load > 0).all():
                 above.set_xscale("log")
-            above.fill_between(self.load, self.low, self.high, alpha=0.3, label=f"{100 * self.coverage:g} %")
+            above.fill_between(
+                self.load, self.low, self.high, alpha=0.3, label="\n".join((f"{100 * self.coverage:g} %", *self.rests_on))
+            )
             above.plot(self.load, self.value, color="C0")
             above.set_ylabel(_LABELS[self.quantity])
-            above.legend()
+            above.legend(fontsize="small", loc="lower left", bbox_to_anchor=(0, 1))
+            if is_wide(self.low, self.high):
+                above.set_yscale("log")
             for name, part in self.parts.items():
                 below.plot(self.load, 100 * part, label=name)
             below.plot(self.load, 100 * self.deviation, color=BLACK, label="all")
@@ -108,16 +125,26 @@ def uncertainty(
     seed: int = 0,
     coverage: float = 0.95,
     progress: Progress = None,
+    measured_load: float | None = None,
+    measured_error: float = 0.05,
 ) -> Uncertainty:
     """Friction at loads with the band that follows from the spread of the parameters.
 
     Positive parameters are distributed log-normally, the others normally, each by itself. The linear band is that of
     ln F by the sensitivities: right where the spread is small. For a wide one ask for samples; 200 take about a second.
 
+    The strength of an interface that nobody measured, a default (`Model.uncalibrated`), is known to a factor of 10 either
+    way with a probability of 95 %: `slip_stress` then has a spread of 1.17 in its logarithm, unless `spread` names it.
+
+    One measured point narrows the band by Bayes' rule, linearised: calibrate the parameters with it (`Params.calibrated`)
+    and name its load here. The parameters are correlated afterwards, so that all of them together are known better than each.
+
     Args:
         params: the surfaces; or a fit, which brings the spread of its parameters with it, correlations included.
         spread: name to standard deviation, relative to the value for names that are positive (0.1 is 10 %; 1e-6 to 2, or 0),
-            absolute for skew and radius_amplitude. The names are those of `fit`, see `asperity.fit_names`.
+            absolute for skew and radius_amplitude. The names are those of `fit`, see `asperity.fit_names`. With
+            `measured_load`, how well they were known before. May be left out where the strength is not measured or is
+            calibrated at `measured_load`; `{"slip_stress": 0}` takes the strength as known.
         loads: normal loads [force], one-dimensional; > 0 for coefficients. By default those of the fit.
         quantity: "mu", the friction coefficient, or "force".
         samples: how many surfaces to draw; 0 for the linear band.
@@ -125,12 +152,14 @@ def uncertainty(
         coverage: the probability that the band is to have.
         progress: whether to tell how far the samples are, on the error stream, or a function of the part done, 0 to 1, and
             of what is being done; by default for more than a thousand.
+        measured_load: normal load [force] of the one measured friction force that `params` were calibrated with.
+        measured_error: relative standard deviation of that force (0.05 is 5 %; 1e-6 to 2).
 
     Raises:
         ValueError: names, numbers or loads that cannot be used, or a surface that the library refuses (`Error`).
         TypeError: params is neither.
     """
-    names, params, covariance, given = _distribution(params, spread)
+    names, params, covariance, given, rests_on = _distribution(params, spread, measured_load, measured_error)
     loads = given if loads is None else loads
     if loads is None:
         raise ValueError("loads: must be given")
@@ -149,6 +178,9 @@ def uncertainty(
     with FrictionLaw(surfaces(x)) as law:
         force = law.friction_force_at_load(load)
         slopes = log_slopes(surfaces, x, low, high, law, load)
+        if measured_load is not None:
+            at_measured = log_slopes(surfaces, x, low, high, law, np.array([float(measured_load)]))[0]
+            covariance = _narrowed(covariance, at_measured, measured_error)
     unit = load if quantity == "mu" else np.ones(load.shape)
     parts = {name.given: np.abs(slopes[:, i]) * math.sqrt(covariance[i, i]) for i, name in enumerate(names)}
     drawn, refused = None, 0
@@ -167,28 +199,28 @@ def uncertainty(
         deviation = np.sqrt(np.einsum("li,ij,lj->l", slopes, covariance, slopes))
         reach = NormalDist().inv_cdf(0.5 + 0.5 * coverage) * deviation
         band = force / unit * np.exp([-reach, reach])
-    return Uncertainty(load, force / unit, band[0], band[1], deviation, parts, coverage, quantity, drawn, refused)
+    return Uncertainty(load, force / unit, band[0], band[1], deviation, parts, coverage, quantity, drawn, refused, rests_on)
 
 
 def _distribution(
-    params: Params | Fit, spread: Mapping[str, float] | None
-) -> tuple[tuple[FreeName, ...], Params, Array, Array | None]:
-    """Names, parameters and the covariance of their coordinates; the loads of a fit."""
+    params: Params | Fit, spread: Mapping[str, float] | None, measured_load: float | None, measured_error: float
+) -> tuple[tuple[FreeName, ...], Params, Array, Array | None, tuple[str, ...]]:
+    """Names, parameters and the covariance of their coordinates before a measurement; the loads of a fit; in words."""
     if isinstance(params, Fit):
-        if spread is not None:
-            raise ValueError("spread: a fit brings its own; give fit.params for another")
+        if spread is not None or measured_load is not None:
+            name = "measured_load" if spread is None else "spread"
+            raise ValueError(f"{name}: a fit brings its own; give fit.params for another")
         names = free_names(params.free, params.params)
         unit = np.array([name.per_coordinate(params.values[name.given]) for name in names])
         covariance = params.covariance / np.outer(unit, unit)
         if not np.isfinite(covariance).all():
             lost = ", ".join(name for name in params.free if math.isinf(params.errors[name]))
             raise ValueError(f"the fit does not determine {lost}: friction has no band; fit it without")
-        return names, params.params, covariance, params.load
+        fitted = f"a fit of {', '.join(params.free)} to {params.load.size} points"
+        return names, params.params, covariance, params.load, (fitted,)
     if not isinstance(params, Params):
         raise TypeError(f"params = {params!r}: must be a Params or a Fit")
-    if not spread:
-        raise ValueError("spread: must name at least one parameter, {name: standard deviation}")
-    given: Any = spread
+    given: Any = {} if spread is None else spread
     if not isinstance(given, Mapping):
         raise TypeError(f"spread = {given!r}: must be a mapping, {{name: standard deviation}}")
     for name, deviation in given.items():
@@ -196,16 +228,63 @@ def _distribution(
             raise TypeError(f"spread of {name} = {deviation!r}: must be a real number; 10 % are 0.1")
         if not (math.isfinite(deviation) and float(deviation) >= 0):
             raise ValueError(f"spread of {name} = {deviation!r}: must be finite and >= 0")
-    names = free_names(tuple(spread), params)
+    by_default, strength = _strength(params, given, measured_load, measured_error)
+    if not given and not by_default:
+        raise ValueError(
+            "spread: must name at least one parameter, {name: standard deviation}, since the strength of this interface is "
+            "given; if it was measured, its load as measured_load"
+        )
+    known = {**given, **by_default}
+    names = free_names(tuple(known), params)
     for one in names:
-        deviation = spread[one.given]
+        deviation = known[one.given]
         if one.positive and deviation != 0 and not _NARROWEST <= deviation <= _WIDEST:
             meant = f"{deviation:g} % are {deviation / 100:g}" if 1 < deviation <= 100 else "divide an error in units by the value"
             raise ValueError(
                 f"spread of {one.given} = {deviation!r}: is relative to the value and must be at most {_WIDEST:g}, and 0 or at "
                 f"least {_NARROWEST:g}; {meant}"
             )
-    return names, params, np.diag([float(deviation) ** 2 for deviation in spread.values()]), None
+    told = tuple(
+        f"{one.given}: {100 * given[one.given]:.3g} %" if one.positive else f"{one.given}: {given[one.given]:.3g}"
+        for one in names
+        if one.given in given
+    )
+    return names, params, np.diag([float(deviation) ** 2 for deviation in known.values()]), None, (strength, *told)
+
+
+def _strength(
+    params: Params, spread: Mapping[str, float], measured_load: float | None, measured_error: float
+) -> tuple[dict[str, float], str]:
+    """The spread of the strength of the interface where none is given, and what it rests on."""
+    with FrictionLaw(params) as law:
+        uncalibrated = law.uncalibrated
+    prior = {} if spread.keys() & set(STRENGTHS) else {"slip_stress": STRENGTH_DEVIATION}
+    if measured_load is None:
+        return (prior, NOT_MEASURED) if uncalibrated and prior else ({}, AS_GIVEN)
+    if uncalibrated:
+        raise ValueError(
+            f"measured_load = {measured_load!r}: the strength of these params is a default that no measurement gave; give "
+            "params.calibrated(load=measured_load, mu=...)"
+        )
+    return prior, measured_at(measured_load, measured_error)
+
+
+def measured_at(load: Any, error: Any) -> str:
+    """What a band says that rests on one measured point; `ValueError` for numbers that cannot be used."""
+    if not (isinstance(load, numbers.Real) and math.isfinite(load)):
+        raise ValueError(f"measured_load = {load!r}: must be one finite number")
+    if not (isinstance(error, numbers.Real) and _NARROWEST <= float(error) <= _WIDEST):
+        raise ValueError(
+            f"measured_error = {error!r}: must be a relative standard deviation from {_NARROWEST:g} to {_WIDEST:g}; 5 % are 0.05"
+        )
+    return f"strength of the interface: measured at {float(load):g} [force] to {100 * float(error):.3g} %"
+
+
+def _narrowed(covariance: Array, slopes: Array, error: float) -> Array:
+    """The covariance after a force was measured whose logarithm has these slopes and this standard deviation."""
+    together = covariance @ slopes
+    narrowed: Array = covariance - np.outer(together, together) / (slopes @ together + error**2)
+    return narrowed
 
 
 def _check(load: Array, quantity: str, samples: int, coverage: float) -> None:

@@ -1,0 +1,119 @@
+"""The roughness as `asperity.friction` takes it: all of it, or what is known, with cases for what is not."""
+
+from __future__ import annotations
+
+import math
+import numbers
+from itertools import product
+from statistics import NormalDist
+from typing import Any, Callable, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _caller
+from ._surface_file import from_mean_deviation
+from ._typical_roughness import BANDWIDTH, PROCESSES, SLOPE_FACTOR, Known, deviation_of, machined_slope
+from .errors import Error, Status
+from .params import Params
+from .results import ValidityWarning
+
+Array = npt.NDArray[np.float64]
+
+HEIGHTS = ("Ra", "Rq", "Sq")
+_AREAL = {"Sq", "Sdq", "Sds", "Ssc"}
+_MOMENTS = {"m0", "m2", "m4"}
+_SUMMITS = {"height_std", "summit_radius", "summit_density", "asperity_count"}
+_MISSING = (
+    "the roughness is missing: give Sq, Sdq and Sds or Ssc; or m0, m2 and m4; or height_std, summit_radius and summit_density; "
+    f"or Ra or Rq with RSm of a profile; or process, one of {', '.join(PROCESSES)}, with Ra or Rq if that is known"
+)
+
+
+class Roughness(NamedTuple):
+    """What is known of the roughness: how parameters are made of it, and cases with their probabilities, the middle first."""
+
+    make: Any
+    cases: list[dict[str, Any]]
+    probability: Array
+    rests_on: tuple[str, ...] = ()
+    narrow: tuple[str, ...] = ()
+
+
+def roughness_cases(process: str | None, surface: dict[str, Any]) -> Roughness:
+    """Of what was given by name; `TypeError` where that is not enough, with all that would be."""
+    if process is not None or surface.keys() & {"Rq", "RSm"}:
+        return _of_profile(process, surface)
+    surface = from_mean_deviation(surface)
+    for make, names, needed in (
+        (Params.from_iso25178, _AREAL, {"Sq", "Sdq"}),
+        (Params.from_spectral_moments, _MOMENTS, _MOMENTS),
+        (Params.si, _SUMMITS, {"height_std"}),
+    ):
+        if surface.keys() & names:
+            if not needed <= surface.keys():
+                break
+            return Roughness(make, [{name: surface[name] for name in surface if name in names}], np.ones(1))
+    raise TypeError(_MISSING)
+
+
+def _of_profile(process: str | None, surface: dict[str, Any]) -> Roughness:
+    """Cases of a surface of which less than three numbers are known; Gauss's nodes of what is not, log-normally."""
+    if process is not None and process not in PROCESSES:
+        raise Error(f"process = {process!r}: must be one of {', '.join(PROCESSES)}", Status.INVALID_PARAMETER)
+    heights = [name for name in HEIGHTS if name in surface]
+    if len(heights) > 1:
+        raise TypeError(f"{' and '.join(heights)} both tell the height of the roughness: give one of them")
+    other = sorted(surface.keys() & ((_AREAL | _MOMENTS | _SUMMITS) - {"Sq"}))
+    if other:
+        raise TypeError(f"{other[0]}: is not for a profile or a process; give all of the roughness, or Ra or Rq alone with those")
+    if process is None and not (heights and "RSm" in surface):
+        raise TypeError(_MISSING)
+    rests_on, narrow = [], []
+    if heights:
+        given = _positive(heights[0], surface[heights[0]])
+        deviation = Known(deviation_of(given) if heights[0] == "Ra" else given)
+    else:
+        deviation = Known.between(*map(deviation_of, PROCESSES[str(process)]))
+        narrow.append("the height of its roughness: Ra or Rq")
+    if process is not None:
+        least, most = PROCESSES[process]
+        left = f"{process} surfaces have an Ra of {least * 1e6:g} to {most * 1e6:g} um"
+        if not heights:
+            rests_on.append(left)
+        elif not deviation_of(least) <= deviation.middle <= deviation_of(most):
+            _caller.warn(f"{heights[0]} = {given:g}: {left}: is it of this process, and in m?", ValidityWarning)
+    if "RSm" in surface:
+        width = _positive("RSm", surface["RSm"])
+        slope: Callable[[float], float] = lambda Rq: 2 * math.pi * Rq / width
+        times = Known(1.0)
+    else:
+        slope, times = machined_slope, Known(1.0, SLOPE_FACTOR)
+        assumed = f"{slope(deviation.middle):.2g} to a factor {SLOPE_FACTOR:g}"
+        rests_on.append(f"slope of its profile: {assumed}, as assumed of machined surfaces")
+        narrow.append("the mean width of its profile's elements: RSm")
+    if "bandwidth" in surface:
+        bandwidth = Known(_positive("bandwidth", surface["bandwidth"]))
+    else:
+        bandwidth = BANDWIDTH
+        rests_on.append(f"bandwidth: not measured, {bandwidth.low:.0f} to {bandwidth.high:.0f}")
+        narrow.append("how sharp its summits are: Sq, Sdq and Sds or Ssc, or a height map (asperity.surface)")
+    cases, probability = [], []
+    for (Rq, first), (steeper, second), (alpha, third) in product(_nodes(deviation), _nodes(times), _nodes(bandwidth)):
+        cases.append({"Rq": Rq, "RSm": 2 * math.pi * Rq / (steeper * slope(Rq)), "bandwidth": alpha})
+        probability.append(first * second * third)
+    return Roughness(Params.from_profile, cases, np.array(probability), tuple(rests_on), tuple(narrow))
+
+
+def _nodes(known: Known) -> list[tuple[float, float]]:
+    """Values with their probabilities, the middle first: Gauss's three for a log-normal distribution."""
+    if known.factor == 1.0:
+        return [(known.middle, 1.0)]
+    reach = math.sqrt(3.0) * math.log(known.factor) / NormalDist().inv_cdf(0.975)
+    return [(known.middle * math.exp(at * reach), part) for at, part in ((0, 2 / 3), (-1, 1 / 6), (1, 1 / 6))]
+
+
+def _positive(name: str, value: Any) -> float:
+    if not (isinstance(value, numbers.Real) and math.isfinite(value) and float(value) > 0):
+        raise Error(f"{name} = {value!r}: must be finite and > 0", Status.INVALID_PARAMETER)
+    return float(value)
