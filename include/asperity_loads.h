@@ -19,6 +19,13 @@
  * A solver that keeps data of its own with each contact can have an asperity_load there and do without the pairs:
  * asperity_load_take after the step, asperity_load_expected before.
  *
+ * Included after asperity.h, it also says which warnings of the model are new at a load, so that a host tells each once:
+ *
+ *     static asperity_told told;
+ *     uint64_t warnings = asperity_told_anew(&told, model, load), bit;
+ *     for (bit = 1; bit <= warnings; bit *= 2)
+ *         if (warnings & bit) write_to_log(asperity_warning_string(bit));
+ *
  * Self-contained: C99 and C++. Both structs are plain doubles, so that a host may save, copy and restore them with its
  * own state. Loads are those of compression, finite and not negative; `time` is the host's own, at which a load is or
  * will be found. A time that does not grow begins anew.
@@ -159,5 +166,31 @@ static inline void asperity_pairs_end_step(asperity_body_pair *pairs, size_t cap
         else ++i;
     }
 }
+
+#ifdef ASPERITY_H
+/* After asperity.h: which warnings a host has told of a model. All zero: none, and it was looked for none. */
+typedef struct asperity_told {
+    uint64_t warnings;         /* told so far, bits ASPERITY_WARNING_... */
+    double lightest, heaviest; /* the loads between which it was looked for them */
+} asperity_told;
+
+/* The warnings that hold at a load and were not told before: a host writes the asperity_warning_string of each bit to its log.
+ * May be asked with every load. It looks at the exact state, in less than a millisecond, only where the load is above twice the
+ * heaviest or below half the lightest load so far. */
+static inline uint64_t asperity_told_anew(asperity_told *told, const asperity_model *model, double load)
+{
+    asperity_state state;
+    uint64_t found;
+    if (!(load > 0.0)) return 0;
+    if (told->heaviest > 0.0 && load <= 2.0 * told->heaviest && load >= 0.5 * told->lightest) return 0;
+    state.struct_size = sizeof state;
+    if (asperity_state_at_load(model, load, &state) != ASPERITY_OK) return 0;
+    if (!(told->heaviest > load)) told->heaviest = load;
+    if (!(told->lightest > 0.0 && told->lightest < load)) told->lightest = load;
+    found = state.warnings & ~told->warnings;
+    told->warnings |= found;
+    return found;
+}
+#endif
 
 #endif

@@ -127,6 +127,34 @@ def difference_by_unit(folder):
     return np.max(np.abs(tractions[1] / tractions[0] - 1))
 
 
+def check_measured_point_and_warnings(folder):
+    """A point that was measured at the mean pressure, in the surface file, is met at each node; and each run says once, in
+    Kratos' log, what holds of the model and what not: of the file without the point that it is not calibrated."""
+    text = (HERE / "surface.toml").read_text(encoding="utf-8")
+    file = folder / "measured.toml"
+    load, mu = PRESSURE * AREA, 0.15
+    uncalibrated = "the strength of the interface is a default that nobody measured"
+    for key, value in ((None, None), ("calibration_friction_coefficient", mu), ("calibration_friction_force", mu * load)):
+        file.write_text((f"calibration_load = {load!r}\n{key} = {value!r}\n" if key else "") + text, encoding="utf-8")
+        log = folder / f"{key}.log"
+        output = KratosMultiphysics.FileLoggerOutput(str(log))
+        KratosMultiphysics.Logger.AddOutput(output)
+        analysis = analysis_of(Analysis, lambda p: process_of(p, 1)["surface"].SetString(str(file)))
+        analysis.Run()
+        KratosMultiphysics.Logger.Flush()
+        KratosMultiphysics.Logger.RemoveOutput(output)
+        pressure, traction, _ = nodal(analysis.model["Structure"])
+        params = asperity.Params.from_toml("surface.toml")
+        law = asperity.Model(params.calibrated(load=load, mu=mu) if key else params)
+        error = np.max(np.abs(-traction / (law.friction_at_load(pressure * AREA) * pressure) - 1))
+        if not error <= LIMIT:
+            raise RuntimeError(f"{key}: error of a node's traction {error:.1e}")
+        said = log.read_text(encoding="utf-8").count(uncalibrated)
+        if said != (0 if key else 1):
+            raise RuntimeError(f"{key}: the log says {said} times that the surface is not calibrated")
+    print("  a measured point in the surface file is met; without one the log says once that there is none")
+
+
 def check_refusals(folder):
     """What cannot work must be refused, in words that name Kratos' own element."""
     bad = str(folder / "bad.toml")
@@ -163,6 +191,7 @@ def main():
     surface.demand(asperity.Model(described), min(met) * AREA, max(met) * AREA)
     with tempfile.TemporaryDirectory() as folder:
         check_refusals(Path(folder))
+        check_measured_point_and_warnings(Path(folder))
         units = difference_by_unit(Path(folder))
     print(f"  in another unit of stress the tractions are the same within {units:.1e}")
     imbalance = np.max([imbalance, imbalance_current])

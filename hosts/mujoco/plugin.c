@@ -8,6 +8,7 @@
  */
 #include <math.h>
 #include <stdarg.h>
+#include <stdatomic.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,9 +29,11 @@
 /* ---- Configuration ---- */
 
 /* Names beside those of asperity_params_name: what asperity_params_set_values makes parameters of; the plugin's own. */
-static const char *const OTHER_NAMES[] = {"E1", "nu1", "E2", "nu2", "m0", "m2", "m4",
+static const char *const OTHER_NAMES[] = {"E1", "nu1", "E2", "nu2", "m0", "m2", "m4", "Ra",
+                                          "calibration_load", "calibration_friction_coefficient",
+                                          "calibration_friction_force",
                                           "time_constant", "most_pairs", "pairs"};
-enum { OTHERS = sizeof OTHER_NAMES / sizeof OTHER_NAMES[0], MADE = 7, MOST_NAMES = 64 };
+enum { OTHERS = sizeof OTHER_NAMES / sizeof OTHER_NAMES[0], MADE = 11, MOST_NAMES = 64 };
 
 /* Two geometries that an instance names in its configuration. */
 typedef struct named_pair {
@@ -44,6 +47,8 @@ typedef struct surface {
     size_t most_pairs;
     named_pair *named; /* those of all instances */
     size_t named_count;
+    asperity_told told;      /* warnings that were seen */
+    _Atomic uint64_t *said; /* those in MuJoCo's log, of this surface in all mjData; NULL if there is no room for it */
 } surface;
 
 /* What mj_getState and the like carry: the time of the forces at hand, and the pairs. */
@@ -237,6 +242,38 @@ static void add_loads(const mjModel *m, mjData *d, int instance) {
     }
 }
 
+/* The warnings of a surface that stand in MuJoCo's log: one mask for all mjData of a program, of which there may be thousands. */
+static _Atomic uint64_t *said_of(const asperity_params *params) {
+    enum { SURFACES = 256 };
+    static struct {
+        asperity_params params;
+        _Atomic uint64_t said;
+    } surfaces[SURFACES];
+    static size_t count;
+    static atomic_flag busy = ATOMIC_FLAG_INIT;
+    size_t i = 0;
+    while (atomic_flag_test_and_set(&busy)) continue;
+    while (i < count && memcmp(&surfaces[i].params, params, sizeof *params) != 0) i++;
+    if (i == count && count < SURFACES) surfaces[count++].params = *params;
+    atomic_flag_clear(&busy);
+    return i < SURFACES ? &surfaces[i].said : NULL;
+}
+
+/* Tells each warning of a surface once, at the first load of a pair at which it is seen. */
+static void tell_warnings(const mjModel *m, const mjData *d, int instance) {
+    surface *here = surface_of(d, instance);
+    const memory *known = memory_of(m, d, instance);
+    for (size_t i = 0; i < here->most_pairs; i++) {
+        const double load = known->pairs[i].taken ? known->pairs[i].known.load : 0;
+        uint64_t warnings = asperity_told_anew(&here->told, here->model, load);
+        if (warnings && here->said) warnings &= ~atomic_fetch_or(here->said, warnings);
+        for (uint64_t bit = 1; bit <= warnings; bit *= 2)
+            if (warnings & bit)
+                mju_warning(PLUGIN ", instance '%s', at a load of %g: %s", instance_name(m, instance), load,
+                            asperity_warning_string(bit));
+    }
+}
+
 /* ---- The current force ---- */
 
 /* Gives the contacts of an instance the law at the forces just found. Returns by how much a coefficient changed at
@@ -297,7 +334,8 @@ static int make(const mjModel *m, mjData *d, int instance) {
     asperity_params params;
     read_params(m, instance, &params);
     surface *made = mju_malloc(sizeof *made);
-    *made = (surface){.time_constant = time_constant(m, instance), .most_pairs = most_pairs(m, instance)};
+    *made = (surface){.time_constant = time_constant(m, instance), .most_pairs = most_pairs(m, instance),
+                      .said = said_of(&params)};
     read_named_pairs(m, made);
     d->plugin_data[instance] = (uintptr_t)made;
     if (asperity_create(&params, &made->model) != ASPERITY_OK) refuse_as_library(m, instance);
@@ -330,6 +368,7 @@ static void advance(const mjModel *m, mjData *d, int instance) {
     refuse_options(m, instance);
     add_loads(m, d, instance);
     asperity_pairs_end_step(known->pairs, here->most_pairs, known->time, here->time_constant);
+    tell_warnings(m, d, instance);
 }
 
 mjPLUGIN_LIB_INIT(asperity) {

@@ -7,6 +7,7 @@ import math
 import re
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -157,6 +158,40 @@ def check_named_pair(laws):
         raise RuntimeError(f"the pair 'plane box' has mu = {friction / normal}")
 
 
+def check_measured_point_and_warnings(laws):
+    """A point that was measured at half the ball's weight is met there, and what is not calibrated is told once in a program, whatever the
+    number of runs."""
+    program = """if True:
+        import sys, mujoco
+        import asperity.mujoco
+        model = mujoco.MjModel.from_xml_string(sys.stdin.read())
+        data = mujoco.MjData(model)
+        data.ctrl[:] = 0.035, 0.016
+        mujoco.mj_step(model, data, 1000)
+        mujoco.mj_step(model, mujoco.MjData(model), 1000)
+        contacts = [c for c in data.contact if model.geom("ball").id in c.geom]
+        normal = sum(data.efc_force[c.efc_address] for c in contacts)
+        print(normal, contacts[0].friction[0])
+    """
+    load, mu = 0.5 * MASS * GRAVITY, 0.15
+    for key, value in (("", 0), ("calibration_friction_coefficient", mu), ("calibration_friction_force", mu * load)):
+        given = f'<config key="calibration_load" value="{load!r}"/><config key="{key}" value="{value!r}"/>' if key else ""
+        xml = XML.replace("<config", f"{given}<config", 1)
+        with tempfile.TemporaryDirectory() as folder:
+            command = [sys.executable, "-c", program]
+            done = subprocess.run(command, input=xml, check=True, capture_output=True, text=True, cwd=folder)
+            log = Path(folder, "MUJOCO_LOG.TXT").read_text(encoding="utf-8")
+        normal, friction = map(float, done.stdout.split()[-2:])
+        params = laws["ball"].params
+        law = asperity.Model(params.calibrated(load=load, mu=mu) if key else params)
+        if not abs(friction / law.friction_at_load(normal) - 1) < PLAIN_LIMIT:
+            raise RuntimeError(f"{key}: mu = {friction} at {normal} N, not {law.friction_at_load(normal)}")
+        said = [line for line in log.splitlines() if "the strength of the interface is a default" in line]
+        instances = ["4 cm2"] if key else ["1 cm2", "4 cm2"]
+        if sorted(line.split("cm2")[0][-2:] + "cm2" for line in said) != instances:
+            raise RuntimeError(f"{key}: {instances} are not calibrated, and the log must say so once of each: {log}")
+
+
 def check_built(plugin):
     """The plugin that hosts/mujoco/build.sh made for C, with the library inside, gives the same bits."""
     program = """if True:
@@ -246,6 +281,7 @@ def main():
     check_state(mujoco.MjModel.from_xml_string(XML))
     check_named_pair(laws)
     check_refusals()
+    check_measured_point_and_warnings(laws)
     check_built(sys.argv[1])
     constant, ratio = cost()
     print(f"mujoco  cost  constant mu {1e6 * constant:.1f} us a step; the law at the expected force x {ratio:.2f}, "

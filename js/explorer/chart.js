@@ -1,5 +1,6 @@
 // The chart: friction coefficient against load, with bands, and grounds that tell where the model does not hold.
 import uPlot from "uplot";
+import { isPartial } from "./curves.js";
 import { measuredOf } from "./fields.js";
 import { SHORT, coefficient, decade, strength, title } from "./text.js";
 
@@ -122,10 +123,10 @@ export class Chart {
     ctx.rect(left, top, width, height);
     ctx.clip();
     const order = Object.keys(GROUNDS);
-    // A strength that nobody measured is no matter of the load.
-    const warnings = curve.warnings.filter(({ name }) => name !== "UNCALIBRATED");
+    // What holds at every load is said below the chart; a ground would cover all of it.
+    const warnings = curve.warnings.filter((warning) => isPartial(warning, curve.loads));
     const sorted = warnings.sort((one, other) => order.indexOf(other.name) - order.indexOf(one.name));
-    const edges = sorted.flatMap((warning) => warning.spans.map((span) => ({ warning, x: this.#pixels(plot, span) })));
+    const edges = sorted.map((warning) => ({ warning, x: warning.span.map((load) => plot.valToPos(load, "x", true)) }));
     for (const { warning, x } of edges) {
       ctx.fillStyle = GROUNDS[warning.name] ?? OTHER_GROUND;
       ctx.fillRect(x[0], top, x[1] - x[0], height);
@@ -144,8 +145,6 @@ export class Chart {
     });
     ctx.restore();
   }
-
-  #pixels = (plot, span) => span.map((load) => plot.valToPos(load, "x", true));
 
   /** Each curve is named at its end. */
   #labels(plot, narrow) {
@@ -252,10 +251,11 @@ function yScale(curves, { active, logarithmic, band }) {
   );
   const highest = Math.max(...curves.flatMap(({ curve }) => curve.mu));
   const lowest = Math.min(...curves.flatMap(({ curve }) => curve.mu));
-  // A band may be very wide at light loads: the curves decide what is shown.
-  const top = Math.min(Math.max(...all), 2.5 * highest);
+  // A band may be very wide: the curves decide how much of it is shown.
+  const room = logarithmic ? 12 : 2.5;
+  const top = Math.min(Math.max(...all), room * highest);
   if (!logarithmic) return { range: () => uPlot.rangeNum(0, top, { min: { pad: 0, hard: 0 }, max: { pad: 0.06 } }) };
-  const foot = Math.max(Math.min(...all), lowest / 2.5);
+  const foot = Math.max(Math.min(...all), lowest / room);
   return { distr: 3, range: () => [foot / 1.1, top * 1.1] };
 }
 

@@ -4,8 +4,6 @@
 const POINTS = 121;
 /** Of a normal distribution, 95 % lie within so many standard deviations. */
 const COVERAGE = 1.959963984540054;
-/** Halvings of the interval in which a warning begins or ends: to 1/1000 of the distance of two points. */
-const HALVINGS = 10;
 
 /** Loads evenly spaced in the logarithm, the ends exact. */
 export function loadsOf(lightest, heaviest) {
@@ -13,86 +11,82 @@ export function loadsOf(lightest, heaviest) {
   return Float64Array.from({ length: POINTS }, (_, i) => (i === POINTS - 1 ? heaviest : lightest * Math.exp(i * step)));
 }
 
-/**
- * The standard deviation of ln F that follows from those of the parameters, independent of each other.
- * @param {Record<string, number>} sensitivities
- * @param {Record<string, number>} spread by parameter, relative
- */
-export const deviation = (sensitivities, spread) =>
-  Math.sqrt(Object.entries(spread).reduce((sum, [name, part]) => sum + (sensitivities[name] * part) ** 2, 0));
+/** The band's factor either way, of a quantity whose logarithm has this standard deviation. */
+export const reach = (deviation) => Math.exp(COVERAGE * deviation);
+
+/** By how much ln F changes with the logarithm of each parameter; of the strength, one factor on both slip stresses. */
+function slopesAt(model, load) {
+  const slopes = model.sensitivitiesAtLoad(load);
+  return { ...slopes, slip_stress: slopes.slip_stress_1 + slopes.slip_stress_2 };
+}
+
+/** The covariance of ln F at two loads, with these slopes, where the parameters are independent of each other. */
+const covariance = (one, other, spread) =>
+  Object.entries(spread).reduce((sum, [name, part]) => sum + one[name] * other[name] * part ** 2, 0);
 
 /**
- * Sensitivities at a load, of a calibrated law those that are left: a parameter that changes the friction force at the measured
- * point changes the strength too, so that the point is met, and `measured_friction` is what the measured coefficient does.
- * @param {Record<string, number>} sensitivities
- * @param {Record<string, number> | undefined} anchor the sensitivities at the measured load
+ * The standard deviation of ln F that follows from those of the parameters. A measured point narrows it by Bayes' rule: the
+ * covariance S of the logarithms becomes S - S h h' S/(h' S h + r^2), with the slopes h at the point and its relative error r.
+ * @param {Record<string, number>} slopes of ln F
+ * @param {Record<string, number>} spread standard deviations of logarithms, by parameter
+ * @param {{ slopes: Record<string, number>, error: number } | undefined} point
  */
-export function anchored(sensitivities, anchor) {
-  if (!anchor) return { ...sensitivities, measured_friction: 0 };
-  const strength = (of) => of.slip_stress_1 + of.slip_stress_2;
-  const ratio = strength(sensitivities) / strength(anchor);
-  const left = Object.entries(sensitivities).map(([name, part]) => [name, part - ratio * anchor[name]]);
-  return { ...Object.fromEntries(left), measured_friction: ratio };
+export function deviation(slopes, spread, point) {
+  const prior = covariance(slopes, slopes, spread);
+  if (!point) return Math.sqrt(prior);
+  const ofPoint = covariance(point.slopes, point.slopes, spread) + point.error ** 2;
+  const learned = ofPoint && covariance(slopes, point.slopes, spread) ** 2 / ofPoint;
+  return Math.sqrt(Math.max(prior - learned, 0));
 }
 
 /** A coefficient with its band, which ends at the cap on coefficients as the coefficient does. */
-export function banded(model, load, spread, anchor) {
+export function banded(model, load, spread, point) {
   const mu = model.frictionAtLoad(load);
   const ratio = model.frictionForceAtLoad(load) / load;
   const cap = mu < ratio * (1 - 1e-12) ? mu : Infinity;
-  const reach = Math.exp(COVERAGE * deviation(anchored(model.sensitivitiesAtLoad(load), anchor), spread));
-  return { mu, low: Math.min(ratio / reach, cap), high: Math.min(ratio * reach, cap) };
+  const factor = reach(deviation(slopesAt(model, load), spread, point));
+  return { mu, low: Math.min(ratio / factor, cap), high: Math.min(ratio * factor, cap) };
 }
 
 /**
- * The curve of a surface; of a calibrated one the band is that of a law that meets the measured point.
- * @returns {{ model, anchor, loads, mu, low, high, states, warnings }} the warnings with the loads between which each holds
+ * The curve of a surface.
+ * @param {Record<string, number>} spread standard deviations of logarithms, by parameter
+ * @param {number} error the relative error of a measured point
+ * @returns {{ model, band, loads, mu, low, high, states, warnings }} `band` gives the coefficient with its band at any load;
+ *   the warnings are those somewhere between the loads
  */
-export function curveOf(library, params, [lightest, heaviest], spread) {
+export function curveOf(library, params, [lightest, heaviest], spread, error) {
   const model = new library.Model(params);
   try {
+    const at = params.calibration_load;
+    const point = at && { slopes: slopesAt(model, at), error };
+    const band = (load) => banded(model, load, spread, point);
     const loads = loadsOf(lightest, heaviest);
-    const anchor = params.calibration_load && model.sensitivitiesAtLoad(params.calibration_load);
-    const points = Array.from(loads, (load) => banded(model, load, spread, anchor));
     const states = Array.from(loads, (load) => model.stateAtLoad(load));
-    const warnings = model.checkLoads(lightest, heaviest).map((warning) => ({
-      ...warning,
-      spans: spansOf(model, loads, states, warning.bit),
-    }));
-    return { model, anchor, loads, states, warnings, ...columns(points) };
+    return { model, band, loads, states, warnings: model.checkLoads(lightest, heaviest), ...columns(Array.from(loads, band)) };
   } catch (error) {
     model.free();
     throw error;
   }
 }
 
+/**
+ * Finds between which loads of a curve each of its warnings holds, once: `span`, its ends those of the curve if it holds there.
+ * It takes about as long as the curve itself.
+ */
+export function findSpans({ model, loads, warnings }) {
+  for (const warning of warnings) {
+    if (warning.span) continue;
+    const [lightest, heaviest] = model.warningLoads(warning.bit) ?? [NaN, NaN];
+    warning.span = [Math.max(lightest, loads[0]), Math.min(heaviest, loads.at(-1))];
+  }
+}
+
+/** Whether a warning holds in a part of the curve only, from one load to another. */
+export const isPartial = ({ span }, loads) => span && span[0] < span[1] && (span[0] > loads[0] || span[1] < loads.at(-1));
+
 const columns = (points) => ({
   mu: points.map(({ mu }) => mu),
   low: points.map(({ low }) => low),
   high: points.map(({ high }) => high),
 });
-
-/** Where a warning holds: pairs of loads. */
-function spansOf(model, loads, states, bit) {
-  const spans = [];
-  const holds = states.map(({ warnings }) => (warnings & bit) !== 0);
-  for (let i = 0; i < loads.length; i++) {
-    if (!holds[i]) continue;
-    const from = i === 0 ? loads[0] : edge(model, loads[i - 1], loads[i], bit);
-    while (holds[i + 1]) i++;
-    const to = i === loads.length - 1 ? loads[i] : edge(model, loads[i], loads[i + 1], bit);
-    spans.push([from, to]);
-  }
-  return spans;
-}
-
-/** The load between two at which a warning begins or ends. */
-function edge(model, low, high, bit) {
-  const atLow = (model.stateAtLoad(low).warnings & bit) !== 0;
-  for (let i = 0; i < HALVINGS; i++) {
-    const middle = Math.sqrt(low * high);
-    if (((model.stateAtLoad(middle).warnings & bit) !== 0) === atLow) low = middle;
-    else high = middle;
-  }
-  return Math.sqrt(low * high);
-}

@@ -1,9 +1,8 @@
 // Values at the load that is read, what the model makes of a surface, and where it does not hold.
-import { banded } from "./curves.js";
 import { $, element, head } from "./dom.js";
 import { FIELDS, parsed, shifted } from "./fields.js";
 import { page, readLoad } from "./state.js";
-import { coefficient, count, percent, short, spansText, strength, title, withUnit } from "./text.js";
+import { coefficient, count, percent, rests, short, spanText, strength, title, withUnit } from "./text.js";
 
 /** Shows the values at the load that is read. */
 export function readValues() {
@@ -33,8 +32,8 @@ const names = () =>
   });
 
 /** The values of one surface, by quantity. */
-function columnOf({ surface, curve: { model, anchor } }, load) {
-  const { mu, low, high } = banded(model, load, page.deviations, anchor);
+function columnOf({ surface, curve: { model, band } }, load) {
+  const { mu, low, high } = band(load);
   const exact = model.stateAtLoad(load);
   return {
     "Friction coefficient μ": coefficient(mu),
@@ -75,12 +74,18 @@ export function derived() {
     (psi ? `, plasticity index ${psi.toPrecision(3)}.` : ".");
 }
 
+/** What each band rests on. */
+export function bandNote() {
+  const notes = page.shown.map(({ letter, surface, known }) => `${title(letter, surface)}: ${rests(surface, known)}`);
+  $("band-note").textContent = notes.length ? `${notes.join("; ")}.` : "";
+}
+
 /** Each warning once, with the surfaces and loads at which it holds. */
 export function warnings(loads) {
   const places = new Map();
   for (const { letter, surface, curve } of page.shown)
     for (const warning of curve.warnings)
-      places.set(warning.text, [...(places.get(warning.text) ?? []), `${title(letter, surface)} ${spansText(warning, loads)}`]);
+      places.set(warning.text, [...(places.get(warning.text) ?? []), `${title(letter, surface)} ${spanText(warning, loads)}`]);
   const lines = [...places].map(([text, where]) =>
     element("p", { className: "warning" }, element("strong", {}, `${where.join("; ")}: `), `${text}.`),
   );

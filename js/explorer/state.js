@@ -10,10 +10,8 @@ export const page = {
   /** What is set: surfaces by letter, the one that the fields show. */
   surfaces: new Map(),
   active: "A",
-  /** What is shown: letter, surface, style and curve of each surface that the library takes. */
+  /** What is shown of each surface that the library takes: letter, surface, style, how well it is known, curve. */
   shown: [],
-  /** The standard deviations of these curves. */
-  deviations: undefined,
   /** Where the values are read, from 0 at the lightest load to 1 at the heaviest. */
   readAt: 0.5,
 };

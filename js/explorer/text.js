@@ -1,4 +1,5 @@
 // Numbers and sentences as the page shows them.
+import { reach } from "./curves.js";
 import { measuredOf, uncalibrated } from "./fields.js";
 
 const PREFIXES = { "-15": "f", "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T" };
@@ -55,6 +56,14 @@ export function strength(surface) {
   return uncalibrated(surface) ? "not measured" : "as given";
 }
 
+/** What the band of a surface rests on. @param {{ spread, error }} deviations its standard deviations */
+export function rests(surface, { spread, error }) {
+  const measured = measuredOf(surface);
+  if (measured) return `strength measured at ${withUnit(measured.load, "N")} to ${percent(error)}`;
+  const factor = `a factor ${Number(reach(spread.slip_stress).toPrecision(2))} either way`;
+  return `strength ${uncalibrated(surface) ? "not measured" : "as given"}: ${factor}`;
+}
+
 /** What to know of a surface without a measured strength; empty of the others. */
 export const unmeasured = (surface) =>
   uncalibrated(surface)
@@ -75,15 +84,13 @@ export function summary(letter, surface, curve) {
 }
 
 /** Where a warning holds, in words. */
-export const spansText = ({ spans }, [lightest, heaviest]) =>
-  spans
-    .map(([from, to]) => {
-      if (from === lightest && to === heaviest) return "at all these loads";
-      if (from === lightest) return `below ${withUnit(to, "N")}`;
-      if (to === heaviest) return `above ${withUnit(from, "N")}`;
-      return `from ${withUnit(from, "N")} to ${withUnit(to, "N")}`;
-    })
-    .join(", ") || "between two points of the curve";
+export function spanText({ span: [from, to] }, [lightest, heaviest]) {
+  if (!(from <= to)) return "somewhere between these loads";
+  if (from === lightest && to === heaviest) return "at all these loads";
+  if (from === lightest) return `below ${withUnit(to, "N")}`;
+  if (to === heaviest) return `above ${withUnit(from, "N")}`;
+  return `from ${withUnit(from, "N")} to ${withUnit(to, "N")}`;
+}
 
 /** What is not known of a body, and what follows from that. */
 export function missing({ name, burgers_vector, hardness }) {

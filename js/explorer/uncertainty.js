@@ -1,8 +1,11 @@
 // The standard deviations of the parameters, from which the band follows.
 import { $, element, labelled } from "./dom.js";
-import { parsed } from "./fields.js";
+import { measuredOf, parsed, uncalibrated } from "./fields.js";
 
-/** To start from, in per cent; the names are the library's. */
+/**
+ * To start from, in per cent; the names are the library's but for the last three, of the strength of the interface: one factor
+ * on both slip stresses. Of a log-normal factor with a standard deviation of 117.5 %, 95 % lie within 10 either way.
+ */
 const SPREAD = {
   composite_modulus: ["E*, composite modulus", 5],
   work_of_adhesion: ["w, work of adhesion", 30],
@@ -10,8 +13,9 @@ const SPREAD = {
   summit_radius: ["R, summit radius", 20],
   asperity_count: ["N, number of summits", 20],
   burgers_vector: ["b, Burgers vector", 0],
-  slip_stress_1: ["τ₁, strength of small contacts", 30],
-  measured_friction: ["μ, where it was measured", 5],
+  unmeasured: ["τ, strength, not measured", 117.5],
+  given: ["τ, strength, as given", 30],
+  measured: ["μ, where it was measured", 5],
 };
 
 const idOf = (name) => `spread-${name}`;
@@ -28,8 +32,8 @@ export function buildSpread(changed) {
   }
 }
 
-/** What they say, by parameter. */
-export function spread() {
+/** What they say. */
+export function deviations() {
   const found = {};
   for (const [name, [label]] of Object.entries(SPREAD)) {
     const value = parsed($(idOf(name)).value) ?? 0;
@@ -37,4 +41,13 @@ export function spread() {
     found[name] = value / 100;
   }
   return found;
+}
+
+/**
+ * What they say of one surface. Before its strength is measured, it is a default that may be wrong by a factor 10 either way.
+ * @returns {{ spread: Record<string, number>, error: number }} by parameter; the relative error of a measured point
+ */
+export function spreadOf(surface, { unmeasured, given, measured, ...spread }) {
+  const known = !measuredOf(surface) && !uncalibrated(surface);
+  return { spread: { ...spread, slip_stress: known ? given : unmeasured }, error: measured };
 }

@@ -2,25 +2,29 @@
 import { keep } from "./address.js";
 import { description } from "./chart.js";
 import { code } from "./code.js";
-import { curveOf } from "./curves.js";
+import { curveOf, findSpans } from "./curves.js";
 import { $ } from "./dom.js";
 import { fieldOf, paramsOf, parsed } from "./fields.js";
-import { derived, readValues, warnings } from "./readings.js";
+import { bandNote, derived, readValues, warnings } from "./readings.js";
 import { active, page, styleOf } from "./state.js";
 import { table } from "./table.js";
 import { summary } from "./text.js";
-import { spread } from "./uncertainty.js";
+import { deviations, spreadOf } from "./uncertainty.js";
 
 /** So long nothing must change before a screen reader is told the summary. */
 const QUIET_MS = 500;
+/** So long nothing must change before it is found where warnings hold, which would slow a slider that is dragged. */
+const PAUSE_MS = 120;
 
 /** Curves that were computed, by letter: with what they were computed from. */
 const computed = new Map();
 let scheduled = false;
 let told;
+let paused;
 
 /** Has the page updated with the next frame. */
 export function schedule() {
+  clearTimeout(paused);
   if (scheduled) return;
   scheduled = true;
   requestAnimationFrame(() => {
@@ -31,34 +35,45 @@ export function schedule() {
 
 /** Computes and shows all. */
 function update() {
-  let loads;
+  let loads, all;
   try {
-    [loads, page.deviations] = [loadRange(), spread()];
+    [loads, all] = [loadRange(), deviations()];
   } catch (error) {
     tell([{ letter: "", message: error.message }]);
     return;
   }
-  tell(compute(loads));
-  const options = { active: page.active, logarithmic: $("logarithmic").checked, band: $("band").checked };
-  page.chart.show(page.shown, options);
+  tell(compute(loads, all));
+  draw();
   $("chart").setAttribute("aria-label", `Friction coefficient against load: ${description(page.shown)}. The values are in the table below.`);
   readValues();
   derived();
-  warnings(loads);
+  bandNote();
   table();
   code();
+  paused = setTimeout(ground, PAUSE_MS, loads);
   clearTimeout(told);
   told = setTimeout(announce, QUIET_MS);
   keep();
 }
 
+const draw = () =>
+  page.chart.show(page.shown, { active: page.active, logarithmic: $("logarithmic").checked, band: $("band").checked });
+
+/** Tells where warnings hold: on the chart and in words. */
+function ground(loads) {
+  for (const { curve } of page.shown) findSpans(curve);
+  draw();
+  warnings(loads);
+}
+
 /** The curves of all surfaces; what the library refuses comes back. */
-function compute(loads) {
+function compute(loads, all) {
   const errors = [];
   page.shown = [];
   for (const [letter, surface] of page.surfaces) {
     try {
-      page.shown.push({ letter, surface, style: styleOf(letter), curve: curve(letter, surface, loads) });
+      const known = spreadOf(surface, all);
+      page.shown.push({ letter, surface, style: styleOf(letter), known, curve: curve(letter, surface, loads, known) });
     } catch (error) {
       errors.push({ letter, message: error.message });
     }
@@ -77,12 +92,12 @@ function loadRange() {
 }
 
 /** The curve of a surface, computed anew only if something of it has changed. */
-function curve(letter, surface, loads) {
-  const from = JSON.stringify([surface, loads, page.deviations]);
+function curve(letter, surface, loads, { spread, error }) {
+  const from = JSON.stringify([surface, loads, spread, error]);
   const old = computed.get(letter);
   if (old?.from === from) return old.curve;
   forget(letter);
-  const found = curveOf(page.library, paramsOf(surface), loads, page.deviations);
+  const found = curveOf(page.library, paramsOf(surface), loads, spread, error);
   computed.set(letter, { from, curve: found });
   return found;
 }

@@ -2,7 +2,7 @@
 import { CONSTANTS } from "./header.js";
 import { AsperityError, Library } from "./library.js";
 import { materialsOf } from "./materials.js";
-import { Model, warningsOf } from "./model.js";
+import { Model, bitsOf, warningsOf, warningsText } from "./model.js";
 import { calibrate, withInterface } from "./params.js";
 import { nayakSummits } from "./roughness.js";
 
@@ -21,6 +21,7 @@ import { nayakSummits } from "./roughness.js";
  * @property {new (params: Params) => Model} Model a friction law: `new Model(params)`
  * @property {string} version of the library
  * @property {(bits: number) => Warning[]} warningsOf the `warnings` of a state, in words
+ * @property {(bits: number) => string} warningsText the same as one text, a line for each warning; "no warning" for 0
  * @property {(moments: import("./roughness.js").Moments, nominal_area: number) => Params} nayakSummits roughness from
  *   spectral moments, with the heights and radii that summits of a Gaussian surface have
  * @property {(params: Params, load: number, frictionForce: number) => Params} calibrate the same surfaces with the strength of
@@ -62,7 +63,8 @@ export async function instantiate(source) {
       }
     },
     version: library.string(library.call("version")),
-    warningsOf: (bits) => warningsOf(library, BigInt(bits)),
+    warningsOf: (bits) => warningsOf(library, bitsOf("bits", bits)),
+    warningsText: (bits) => warningsText(library, bitsOf("bits", bits)),
     ...materialsOf(library),
     nayakSummits: (moments, nominal_area) => nayakSummits(library, moments, nominal_area),
     calibrate: (params, load, frictionForce) => calibrate(library, params, load, frictionForce),

@@ -94,8 +94,13 @@ export class Library {
   }
 
   lastError() {
+    return this.written((buffer, length) => this.call("last_error", buffer, length));
+  }
+
+  /** A text that a C function writes into a buffer. @param {(buffer: number, length: number) => void} write */
+  written(write) {
     const text = this.block + TEXT;
-    this.call("last_error", text, TEXT_END - TEXT);
+    write(text, TEXT_END - TEXT);
     return this.string(text);
   }
 

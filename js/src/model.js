@@ -174,6 +174,19 @@ export class Model {
   }
 
   /**
+   * Between which loads of the compiled table a warning holds.
+   * @param {number} warning one bit, the `bit` of a `Warning`
+   * @returns {[lightest: number, heaviest: number] | null} normal loads [force]; null if it holds at none
+   * @throws {AsperityError} not one known bit
+   */
+  warningLoads(warning) {
+    const { out } = this.library;
+    this.library.run("warning_loads", this.#open, bitsOf("warning", warning), out, out + 8);
+    const lightest = this.library.data().getFloat64(out, true);
+    return Number.isNaN(lightest) ? null : [lightest, this.library.data().getFloat64(out + 8, true)];
+  }
+
+  /**
    * @param {string} name
    * @param {number | Loads} load
    * @returns {any}
@@ -233,6 +246,22 @@ export class Model {
     throw new AsperityError(`load = ${load}: no friction was found; a bug in asperity, please report it`, CONSTANTS.INTERNAL);
   }
 }
+
+/**
+ * Bits as the C interface takes them. @param {string} name @param {number} bits
+ */
+export function bitsOf(name, bits) {
+  if (!Number.isSafeInteger(bits) || bits < 0) throw new TypeError(`${name} = ${String(bits)}: must be a whole number, bits of warnings`);
+  return BigInt(bits);
+}
+
+/**
+ * What the bits of `warnings` in a state mean, a line for each.
+ * @param {import("./library.js").Library} library
+ * @param {bigint} bits
+ */
+export const warningsText = (library, bits) =>
+  library.written((buffer, length) => library.call("warnings_text", bits, buffer, length));
 
 /**
  * The bits of `warnings` in a state, in words.

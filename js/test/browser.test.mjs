@@ -9,8 +9,9 @@ import { resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { chromium, firefox } from "playwright-core";
-import { contact, momentsOfAreal, momentsOfMap } from "asperity";
+import { Model, contact, momentsOfAreal, momentsOfMap } from "asperity";
 import { shifted } from "../explorer/fields.js";
+import { withUnit } from "../explorer/text.js";
 import { answers, bits, scratch } from "./native.mjs";
 import { npy, roughMap } from "./python.mjs";
 
@@ -19,6 +20,8 @@ const PICTURE = fileURLToPath(new URL("chart.png", import.meta.url));
 const GUIDE_PICTURE = fileURLToPath(new URL("../../docs/figures/explorer.png", import.meta.url));
 const { FIREFOX } = process.env;
 const BROWSER = FIREFOX ?? process.env.CHROMIUM ?? "/usr/bin/chromium";
+/** Longer than the page waits for, in ms, until it finds where warnings hold. */
+const PAUSE = 400;
 let browser;
 
 before(async () => {
@@ -48,6 +51,13 @@ async function open(options = {}, hash = "") {
 
 /** After what is set has been drawn. */
 const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** After it has been found where warnings hold. */
+async function grounded(page) {
+  await drawn(page);
+  await page.waitForTimeout(PAUSE);
+  await drawn(page);
+}
 
 /** The curves as the page copies them: rows of numbers. */
 async function curves(page) {
@@ -242,6 +252,7 @@ test("up to four surfaces are compared, with their warnings in the library's wor
   const { names, rows } = await curves(page);
   assert.equal(names.length, 1 + 4 * 5);
   ["Si", "Au", "SiO2", "steel"].forEach((name, i) => assertNative(rows, areal(contact(name, name), start, 1e-8), 1 + 5 * i));
+  await grounded(page);
   assert.match(await page.locator("#warnings").textContent(), /B Au\/Au at all these loads[^:]*: summits yield: the mean asperity pressure/);
   await page.waitForTimeout(600);
   assert.match(await page.locator("#summary").textContent(), /D steel\/steel: friction coefficient 0\.\d+ at 10\.0 µN/);
@@ -249,6 +260,7 @@ test("up to four surfaces are compared, with their warnings in the library's wor
   await page.locator('[name="surface"][value="B"]').check();
   await page.locator("#contact_law").selectOption("elastic-plastic");
   const plastic = (await curves(page)).rows;
+  await grounded(page);
   assertNative(plastic, { ...areal(contact("Au", "Au"), start, 1e-8), work_of_adhesion: 0, contact_law: 1 }, 6);
   assert.doesNotMatch(await page.locator("#warnings").textContent(), /B Au\/Au at all these loads[^:]*: summits yield/);
   await page.locator("#remove").click();
@@ -309,6 +321,102 @@ test("an address brings its surfaces back, and one that is none does no harm", a
   assert.equal((await curves(broken.page)).rows.length, 121);
   assert.deepEqual([...again.wrong, ...broken.wrong], []);
   for (const one of [page, again.page, broken.page]) await one.close();
+});
+
+test("where a warning holds in part of the loads the chart is shaded and named, and the sentence stands below", async () => {
+  const { page, wrong } = await open();
+  await grounded(page);
+  /** What stands on the chart, and the colours of its ground at parts of the width, near its lower edge. */
+  const chart = async (parts) => {
+    await page.evaluate(() => {
+      globalThis.written = [];
+      globalThis.drawText ??= CanvasRenderingContext2D.prototype.fillText;
+      CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
+        globalThis.written.push(text);
+        return globalThis.drawText.call(this, text, ...place);
+      };
+    });
+    await page.locator("#band").click();
+    await grounded(page);
+    return page.evaluate((parts) => {
+      const canvas = document.querySelector("#chart canvas");
+      const area = document.querySelector("#chart .u-over").getBoundingClientRect();
+      const all = canvas.getBoundingClientRect();
+      const scale = canvas.width / all.width;
+      const colors = parts.map((part) => {
+        const place = [area.left - all.left + part * area.width, area.top - all.top + area.height - 5];
+        return [...canvas.getContext("2d").getImageData(...place.map((x) => Math.round(x * scale)), 1, 1).data].join(" ");
+      });
+      return { written: globalThis.written, colors };
+    }, parts);
+  };
+  const span = new Model(areal(contact("Si", "Si"), start, 1e-8)).warningLoads(16);
+  const end = Math.log(span[1] / 1e-5) / Math.log(1e4);
+  assert.ok(end > 0.05 && end < 0.9, `${end}`);
+  const { written, colors } = await chart([end - 0.03, end + 0.03]);
+  assert.deepEqual(colors, ["222 222 222 255", "0 0 0 0"]);
+  assert.ok(written.includes("fewer than 20 contacts"));
+  // What holds at every load is said, not drawn.
+  assert.ok(!written.includes("not calibrated"));
+  const said = await page.locator("#warnings").textContent();
+  assert.match(said, new RegExp(`A Si/Si below ${withUnit(span[1], "N")}: fewer than 20 summits touch`));
+  assert.match(said, /A Si\/Si at all these loads: the strength of the interface is a default that nobody measured/);
+  // Where fewer loads are shown it holds at all of them.
+  await page.locator("#heaviest").fill(String(span[1] / 2));
+  const narrow = await chart([0.5]);
+  assert.ok(!narrow.written.includes("fewer than 20 contacts"));
+  assert.match(await page.locator("#warnings").textContent(), /A Si\/Si at all these loads: fewer than 20 summits/);
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
+test("the band says what it rests on", async () => {
+  const { page, wrong } = await open();
+  const note = () => page.locator("#band-note").textContent();
+  const width = async () => {
+    const [, mu, low, high] = (await curves(page)).rows[60];
+    return [high / mu, mu / low];
+  };
+  const near = (found, wanted) => found.forEach((ratio) => assert.ok(Math.abs(ratio / wanted - 1) < 0.02, `${found}, not ${wanted}`));
+  for (const id of ["composite_modulus", "work_of_adhesion", "height_std", "summit_radius", "asperity_count"])
+    await page.locator(`#spread-${id}`).fill("0");
+  near(await width(), 10);
+  assert.equal(await note(), "A Si/Si: strength not measured: a factor 10 either way.");
+  await page.locator("#calibration_friction_coefficient").fill("0.2");
+  await page.locator("#calibration_load").fill("1e-3");
+  near(await width(), Math.exp(1.96 * 0.05));
+  assert.equal(await note(), "A Si/Si: strength measured at 1.00 mN to 5 %.");
+  await page.locator("#calibration_friction_coefficient").fill("");
+  await page.locator("#calibration_load").fill("");
+  await page.locator("#materials-section summary").click();
+  await page.locator("#slip_stress_1").fill("0.02");
+  near(await width(), Math.exp(1.96 * 0.3));
+  assert.equal(await note(), "A Si/Si: strength as given: a factor 1.8 either way.");
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
+test("where warnings hold is found when nothing is dragged", async () => {
+  const { page } = await open();
+  await page.locator("#add").click();
+  await page.locator("#first").selectOption("Au");
+  await grounded(page);
+  const before = await page.locator("#warnings").textContent();
+  const during = await page.evaluate(async () => {
+    const slider = document.getElementById("Sq-slider");
+    const found = [];
+    for (let i = 0; i < 12; i++) {
+      slider.value = String(500 + 20 * i);
+      slider.dispatchEvent(new Event("input"));
+      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      found.push(document.getElementById("warnings").textContent);
+    }
+    return found;
+  });
+  assert.deepEqual(new Set(during), new Set([before]));
+  await grounded(page);
+  assert.notEqual(await page.locator("#warnings").textContent(), before);
+  await page.close();
 });
 
 test("a measured point is met, drawn on the curve, kept in the address, and asked for where there is none", async () => {
@@ -390,7 +498,7 @@ test("all can be done by keyboard, and every control has a name", async () => {
   const Sq = shifted(Number(await page.locator("#Sq").inputValue()), -9);
   assert.notEqual(Sq, start.Sq);
   assertNative((await curves(page)).rows, areal(contact("steel", "steel"), { ...start, Sq }, 1e-8), 6);
-  await tab("spread-slip_stress_1");
+  await tab("spread-measured");
 
   const names = await page.evaluate(() =>
     [...document.querySelectorAll("input, select, button, [tabindex]")].map((one) => {
@@ -470,13 +578,18 @@ test("the chart looks as it did", { skip: FIREFOX && "the picture is Chromium's"
   await page.locator("#add").click();
   await page.locator("#first").selectOption("Au");
   await page.locator("#second").selectOption("Au");
-  await drawn(page);
+  await grounded(page);
   const picture = async () => page.locator("#chart canvas").screenshot();
   const now = await picture();
   if (process.env.JS_TEST_WRITE_PICTURE) {
     writeFileSync(PICTURE, now);
+    // A band of two decades needs a logarithmic axis. Not by `check`, which scrolls to it.
+    const turn = () => page.evaluate(() => document.getElementById("logarithmic").click());
+    await turn();
     await page.waitForTimeout(800);
     await page.screenshot({ path: GUIDE_PICTURE });
+    await turn();
+    await grounded(page);
   }
   writeFileSync(resolve(scratch, "chart.png"), now);
   const kept = readFileSync(PICTURE);
@@ -485,7 +598,7 @@ test("the chart looks as it did", { skip: FIREFOX && "the picture is Chromium's"
   assert.ok(different < 0.01, `${different} of the pixels of ${scratch}/chart.png differ from js/test/chart.png`);
   // What a picture is for: another curve is another picture.
   await page.locator("#Sdq-slider").fill("650");
-  await drawn(page);
+  await grounded(page);
   assert.ok((await differing(page, await picture(), kept)) > 0.01);
   await page.close();
 });

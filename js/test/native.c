@@ -195,6 +195,20 @@ int main(void) {
                 print_refused();
             else
                 printf(" %016" PRIx64 "\n", warnings);
+        } else if (!strncmp(line, "warning ", 8)) {
+            double loads[2];
+            if (asperity_warning_loads(model, strtoull(line + 8, NULL, 10), &loads[0], &loads[1]) != ASPERITY_OK) {
+                print_refused();
+            } else {
+                print_bits(loads, 2);
+                putchar('\n');
+            }
+        } else if (!strncmp(line, "text ", 5)) {
+            char text[8192];
+            asperity_warnings_text(strtoull(line + 5, NULL, 10), text, sizeof text);
+            for (char *end = text; (end = strchr(end, '\n')) != NULL;)
+                *end = '\t';
+            puts(text);
         } else if (!answer_table(line)) {
             return 2;
         }

@@ -45,6 +45,15 @@ export function answers(params, loads) {
   return { loads: found.slice(0, -1), warnings: found.at(-1)[0] };
 }
 
+/** Between which loads a warning of a surface holds, by bit: bits of two numbers, NaN where it holds at none, or the message. */
+export function warningLoads(params, bits) {
+  const named = Object.entries(params).map(([name, value]) => `${name}=${digits(value)}`);
+  const [, ...lines] = native([`surface ${named.join(" ")}`, ...bits.map((bit) => `warning ${bit}`)]);
+  return lines.map((line) => refusedOr(line, words));
+}
+/** What bits of warnings mean, a line for each. */
+export const warningsText = (bits) => native([`text ${bits}`])[0].replaceAll("\t", "\n");
+
 const refusedOr = (line, read) => (line.startsWith("refused: ") ? { refused: line.slice(9) } : read(line));
 
 function entry(line) {

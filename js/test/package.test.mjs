@@ -3,9 +3,9 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, contact, interfaceOf, material, memorySize, nayakSummits, pair, version, warningsOf, withInterface } from "asperity";
+import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, contact, interfaceOf, material, memorySize, nayakSummits, pair, version, warningsOf, warningsText, withInterface } from "asperity";
 import { CONSTANTS } from "../dist/header.js";
-import { answers, bits, contactOf, entries, entryOf, nayakOf } from "./native.mjs";
+import { answers, bits, contactOf, entries, entryOf, nayakOf, warningLoads, warningsText as nativeText } from "./native.mjs";
 
 const silicon = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5, nominal_area: 1e-8 };
 const surfaces = {
@@ -21,6 +21,8 @@ const surfaces = {
   "a strength that grows with pressure": { ...silicon, pressure_coefficient: 0.1 },
   "one measured point": { ...silicon, pressure_coefficient: 0.02, calibration_load: 1e-3, calibration_friction_coefficient: 0.2 },
 };
+/** The bits of all warnings. */
+const KNOWN = Object.entries(CONSTANTS).flatMap(([name, bit]) => (name.startsWith("WARNING_") ? [bit] : []));
 const loads = Array.from({ length: 25 }, (_, i) => 1e-7 * 10 ** (i / 3));
 
 for (const [name, params] of Object.entries(surfaces)) {
@@ -40,6 +42,8 @@ for (const [name, params] of Object.entries(surfaces)) {
     });
     const warnings = model.checkLoads(loads[0], loads.at(-1)).reduce((sum, { bit }) => sum + bit, 0);
     assert.equal(BigInt(warnings), native.warnings);
+    const between = KNOWN.map((bit) => (model.warningLoads(bit) ?? [NaN, NaN]).map(bits));
+    assert.deepEqual(between, warningLoads(params, KNOWN));
     model.free();
   });
 }
@@ -90,6 +94,26 @@ test("warnings come with what to do about them", () => {
   assert.match(few.text, /^fewer than 20 summits touch: .* use heavier loads or a larger area/);
   assert.deepEqual(others.map(({ name }) => name), ["UNCALIBRATED", "BROAD"]);
   assert.deepEqual(warningsOf(CONSTANTS.WARNING_STEEP | CONSTANTS.WARNING_FEW).map(({ name }) => name), ["STEEP", "FEW"]);
+});
+
+test("a warning holds between two loads, or at none", () => {
+  const model = new Model(silicon);
+  const [lightest, heaviest] = model.warningLoads(CONSTANTS.WARNING_FEW) ?? [];
+  assert.ok(lightest > 0 && heaviest > lightest);
+  const names = (load) => warningsOf(model.stateAtLoad(load).warnings).map(({ name }) => name);
+  assert.ok(names(0.999 * heaviest).includes("FEW") && !names(1.001 * heaviest).includes("FEW"));
+  assert.equal(new Model({ ...silicon, hardness: 0 }).warningLoads(CONSTANTS.WARNING_PLASTIC), null);
+  const [{ refused }] = warningLoads(silicon, [3]);
+  assert.throws(() => model.warningLoads(3), { name: "AsperityError", message: refused, status: Status.INVALID_PARAMETER });
+  for (const wrong of ["FEW", 1.5, -1]) assert.throws(() => model.warningLoads(/** @type {any} */ (wrong)), TypeError);
+});
+
+test("several warnings are told in the library's words, a line each", () => {
+  for (const bits of [0, CONSTANTS.WARNING_FEW, KNOWN.reduce((sum, bit) => sum + bit), 2 ** 40])
+    assert.equal(warningsText(bits), nativeText(bits));
+  assert.equal(warningsText(0), "no warning");
+  assert.equal(warningsText(CONSTANTS.WARNING_STEEP + CONSTANTS.WARNING_FEW).split("\n").length, 2);
+  assert.throws(() => warningsText(/** @type {any} */ ("FEW")), TypeError);
 });
 
 test("words stand for heights and contact laws, and parameters come back", () => {

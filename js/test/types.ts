@@ -1,5 +1,5 @@
 // The declarations as a user meets them; compiled, not run.
-import { AsperityError, Model, PAIRS, Status, calibrate, contact, material, momentsOfMap, nayakSummits, withInterface, type Material, type Params, type Warning } from "asperity";
+import { AsperityError, Model, PAIRS, Status, calibrate, contact, material, momentsOfMap, nayakSummits, warningsText, withInterface, type Material, type Params, type Warning } from "asperity";
 import { instantiate } from "asperity/instantiate";
 
 const params: Params = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
@@ -9,6 +9,8 @@ const one: number = model.frictionAtLoad(1e-3);
 const many: Float64Array = model.frictionAtLoad([1e-3, 1e-2]);
 const both: { value: Float64Array; slope: Float64Array } = model.frictionForceAndSlopeAtLoad(many);
 const warnings: Warning[] = model.checkLoads(1e-4, 0.1);
+const between: [number, number] | null = model.warningLoads(warnings[0].bit);
+const told: string = warningsText(16);
 const radius: number = model.stateAtLoad(1e-3).mean_contact_radius;
 const part: number = model.sensitivitiesAtLoad(1e-3).height_std;
 const status: number = Status.SEPARATED;
@@ -38,4 +40,4 @@ model.stateAtLoad(1).friction;
 
 const other = new (await instantiate(new Uint8Array())).Model({ ...params, height_distribution: "johnson" });
 other.setParams(model.params);
-export { AsperityError, both, filmed, hardness, law, measured, moments, named, one, part, pressed, radius, reference, status, summits, unknown, warnings, wrong };
+export { AsperityError, between, both, filmed, hardness, law, measured, moments, named, one, part, pressed, radius, reference, status, summits, told, unknown, warnings, wrong };

@@ -51,12 +51,14 @@ def load_from_place(friction_force: Any, place: float, load: float) -> list[floa
 
 
 def main() -> None:
-    friction_force = asperity.jax.friction_force(Model(SURFACE))
+    model = Model(SURFACE)
+    friction_force = asperity.jax.friction_force(model)
     load = 1e-3
     place = float(slide(friction_force, load))
     print(f"with {load * 1e3:.3f} mN the block is {place * 1e6:.3f} um from the middle after {STEP * STEPS * 1e6:.0f} us")
     for found in load_from_place(friction_force, place, 0.6 * load):
         print(f"  load {found * 1e3:.9f} mN")
+    print(model.check(0.6 * load, load))  # the strength of this interface was not measured
 
 
 if __name__ == "__main__":

@@ -176,6 +176,16 @@ def test_without_a_file_the_table_is_printed(surface: Path, capsys: pytest.Captu
     assert "UNCALIBRATED: the strength of the interface is a default" in printed.err
 
 
+def test_a_measured_point_of_the_file_is_met(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    area = Params.from_toml(surface).nominal_area
+    text = surface.read_text(encoding="utf-8")
+    surface.write_text(f"calibration_load = {1e7 * area!r}\ncalibration_friction_force = {1.5e6 * area!r}\n{text}", encoding="utf-8")
+    assert main(["export", str(surface), "--format", "csv", "--range", "1e7:2e7"]) == 0
+    printed = capsys.readouterr()
+    assert read_csv(printed.out)[0] == pytest.approx((1e7, 0.15), rel=1e-8)
+    assert "UNCALIBRATED" not in printed.err and "rows" in printed.err
+
+
 def test_pressures_that_the_surface_does_not_bear_are_told(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
     Params.from_toml(surface).replace(hardness=5e9).to_toml(surface)
     assert main(["export", str(surface), "--format", "csv", "--range", "1e6:1e9"]) == 0

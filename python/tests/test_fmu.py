@@ -150,6 +150,39 @@ def test_a_parameter_that_is_refused_is_an_error_and_mends(instance: Any, refere
     assert instance.log[-1] == "a value reference that no variable has"
 
 
+def test_each_warning_is_logged_once_in_a_run(instance: Any, references: dict[str, int]) -> None:
+    uncalibrated = "at a load of 0.5: the strength of the interface is a default that nobody measured"
+    instance.enterInitializationMode()
+    for load in (0.5, 0.6, 1e-6, 0.5, 1e-6):
+        instance.setReal([LOAD], [load])
+        instance.getReal([FORCE, COEFFICIENT, SLOPE])
+    assert [line.startswith(uncalibrated) for line in instance.log].count(True) == 1
+    assert ["at a load of 1e-06: fewer than 20 summits" in line for line in instance.log].count(True) == 1
+    assert len(set(line.split(": ")[1] for line in instance.log)) == len(instance.log)
+    instance.exitInitializationMode()
+    instance.terminate()
+    instance.reset()
+    instance.log.clear()
+    # The strength is given: nothing of it is told.
+    instance.setReal([references["slip_stress_1"], references["slip_stress_2"]], [0.01, 0.001])
+    instance.getReal([FORCE])
+    assert not any("strength of the interface is a default" in line for line in instance.log)
+
+
+@pytest.mark.parametrize("fmi", ["2.0", "3.0"])
+def test_a_measured_point_of_the_file_is_met(tmp_path: Path, capsys: pytest.CaptureFixture[str], fmi: str) -> None:
+    made(PARAMS, tmp_path, fmi)
+    assert "asperity: at a load of 0.5: UNCALIBRATED: the strength of the interface is a default" in capsys.readouterr().err
+    text = (tmp_path / "surface.toml").read_text(encoding="utf-8")
+    file = tmp_path / "measured.toml"
+    file.write_text(f"calibration_load = 2.0\ncalibration_friction_coefficient = 0.15\n{text}", encoding="utf-8")
+    unit = tmp_path / "measured.fmu"
+    assert main(["fmu", str(file), "-o", str(unit), "--fmi", fmi]) == 0
+    assert "UNCALIBRATED" not in capsys.readouterr().err
+    found = simulate_fmu(str(unit), stop_time=1.0, step_size=0.5, start_values={"load": 2.0}, output=["friction_coefficient"])
+    assert found["friction_coefficient"] == pytest.approx(0.15, rel=1e-9)
+
+
 def test_functions_called_in_the_wrong_mode_are_refused(instance: Any) -> None:
     """And do nothing: the next call in order goes well."""
     exchange = isinstance(instance, (FMU2Model, FMU3Model))

@@ -17,7 +17,7 @@ FOLDER = Path(__file__).resolve().parents[1] / "examples"
 # In each notebook: numbers of pictures, and texts that it prints, in this order.
 EXPECTED = {
     "first_number": (3, [r"^0\.583 \(0\.0583 to 5\.83\); 95 % band$", r"0\.063 J/m\^2: oxide skins", r"160\.0 GPa", r"^UNCALIBRATED: the strength of the interface"]),
-    "map_to_solver": (1, [r"\(512, 512\) 1\.953e-08 m", r"0 missing and 0 spikes", r"recommended: ", r"density 5\.\d+e\+12",
+    "map_to_solver": (1, [r"\(512, 512\) 1\.953e-08 m", r"0 missing and 0 spikes", r"recommended: ", r"density 5\.\d+e\+12", r"^UNCALIBRATED: ",
                           r"^\*FRICTION$", r"\(0\.\d+, -"]),
     "fit_with_uncertainty": (2, [r"work_of_adhesion = 0\.08\d* \+- 0\.01\d", r"height_std = 5\.2\d*e-09 \+- ",
                                  r"20\.0 N: "]),

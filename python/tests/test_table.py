@@ -107,6 +107,7 @@ def test_the_example_prints_what_the_page_says(root: Path) -> None:
     printed = subprocess.run([sys.executable, program], check=True, capture_output=True, text=True).stdout
     shown = re.findall(r"^    (with .*|  load .*)$", (DOCS / "arrays.md").read_text(encoding="utf-8"), re.MULTILINE)
     assert len(shown) == 5 and printed.splitlines()[:5] == shown
+    assert re.search(r"^UNCALIBRATED: ", printed, re.MULTILINE)
 
 
 def test_the_programs_of_the_page_print_what_it_says(tmp_path: Path) -> None:

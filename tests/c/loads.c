@@ -126,6 +126,41 @@ static void none_is_lost_where_places_are_moved(void)
     require(asperity_pairs_add(pairs, 0, 1, 2, 1.0) == 0, "a table without places takes nothing");
 }
 
+static void each_warning_is_told_once(void)
+{
+    const double few = 1e-5, many = 1e-2;
+    asperity_params params;
+    asperity_model *model = NULL;
+    asperity_told told;
+    asperity_state state;
+    uint64_t first, all;
+    double load;
+    memset(&told, 0, sizeof told);
+    asperity_params_init(&params);
+    require(asperity_params_set_pair(&params, "Si/Si") == ASPERITY_OK, "Si/Si is a pair");
+    params.height_std = 5e-9;
+    params.summit_radius = 1e-6;
+    params.asperity_count = 1e5;
+    params.nominal_area = 1e-8;
+    require(asperity_create(&params, &model) == ASPERITY_OK, "the surface is taken");
+    first = asperity_told_anew(&told, model, many);
+    require(first == (ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD), "what holds at the first load is new");
+    require(asperity_told_anew(&told, model, many) == 0, "it is told once");
+    require(asperity_told_anew(&told, model, 0.0) == 0 && asperity_told_anew(&told, model, -1.0) == 0, "an open contact");
+    require(asperity_told_anew(&told, model, few) == ASPERITY_WARNING_FEW, "at another load the others");
+    require(told.lightest == few && told.heaviest == many, "between these loads it was looked");
+    /* In small steps of the load nothing is lost. */
+    memset(&told, 0, sizeof told);
+    for (all = 0, load = few; load < many; load *= 1.1) {
+        first = asperity_told_anew(&told, model, load);
+        require((all & first) == 0, "no warning is told twice");
+        all |= first;
+    }
+    state.struct_size = sizeof state;
+    require(asperity_state_at_load(model, few, &state) == ASPERITY_OK && (state.warnings & ~all) == 0, "all are told");
+    asperity_free(model);
+}
+
 int main(void)
 {
     a_line_is_followed_but_not_far();
@@ -133,5 +168,6 @@ int main(void)
     points_of_a_pair_are_summed();
     a_pair_that_hops_has_load_0_between();
     none_is_lost_where_places_are_moved();
+    each_warning_is_told_once();
     return failures != 0;
 }

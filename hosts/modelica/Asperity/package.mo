@@ -13,8 +13,13 @@ package Asperity "Friction from contact physics"
       input Real sigma(unit = "m") "Standard deviation of summit heights";
       input Real R(unit = "m") "Mean radius of the summits";
       input Real n "Number of summits";
+      input Real pressure_coefficient = 0 "Part of the strength that grows with pressure";
+      input Real calibration_load(unit = "N") = 0 "Load at which friction was measured; 0: nobody measured it";
+      input Real calibration_friction_coefficient = 0 "Measured at this load";
+      input Real calibration_friction_force(unit = "N") = 0 "Measured at this load, instead of the coefficient";
       output Law law;
-      external "C" law = asperity_modelica_create(E1, nu1, E2, nu2, w, h, b, sigma, R, n)
+      external "C" law = asperity_modelica_create(E1, nu1, E2, nu2, w, h, b, sigma, R, n,
+        pressure_coefficient, calibration_load, calibration_friction_coefficient, calibration_friction_force)
         annotation(Include = "#include \"asperity_modelica.h\"", Library = "asperity");
     end constructor;
 

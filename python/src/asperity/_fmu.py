@@ -33,6 +33,7 @@ _PHYSICAL = {
     "slip_stress_1": "tau_1/G*",
     "slip_radius_2": "a_2/b",
     "slip_stress_2": "tau_2/G*",
+    "pressure_coefficient": "kappa, the part of the strength that grows with pressure",
     "max_friction_coefficient": "cap on the friction coefficient",
 }
 _HEIGHTS = {
@@ -61,7 +62,8 @@ def build(
         shutil.copy(Path(__file__).with_name(f"_fmu{fmi[0]}.c"), sources / "asperity_fmu.c")
         shutil.copy(Path(__file__).with_name("_fmu_unit.h"), sources / "asperity_unit.h")
         shutil.copy(Path(__file__).with_name("_fmu_dll.h"), sources / "asperity_dll.h")
-        shutil.copy(_c_header(), sources / "asperity.h")
+        for header in ("asperity.h", "asperity_loads.h"):
+            shutil.copy(_c_header(header), sources / header)
         for platform, library in found.items():
             folder = platform if fmi == "2.0" else PLATFORMS[platform].fmi3
             add_binaries(Path(made, "binaries", folder), platform, library, sources, name)
@@ -109,7 +111,7 @@ def _surface(params: Params, parameters: dict[str, str], start_load: float) -> s
     return "\n".join(lines)
 
 
-def _c_header() -> Path:
-    """`asperity.h`: in the package, or in the checkout whose sources these are."""
-    packed = Path(__file__).with_name("asperity.h")
-    return packed if packed.exists() else Path(__file__).parents[3] / "include" / "asperity.h"
+def _c_header(name: str) -> Path:
+    """In the package, or in the checkout whose sources these are."""
+    packed = Path(__file__).with_name(name)
+    return packed if packed.exists() else Path(__file__).parents[3] / "include" / name

@@ -10,6 +10,7 @@ from typing import Any
 
 from ._fmu import build
 from ._fmu_binaries import PLATFORMS, native
+from .model import Model
 from .params import Params
 
 
@@ -48,6 +49,10 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     params = Params.from_toml(options.surface)
     build(params, options.output, fmi=options.fmi, start_load=options.load, platforms=platforms, libraries=libraries)
     print(f"asperity: wrote {options.output}", file=sys.stderr)
+    if options.load > 0:
+        with Model(params) as model:
+            for kind in model.check(options.load, options.load).kinds:
+                print(f"asperity: at a load of {options.load:g}: {kind}", file=sys.stderr)
 
 
 def _platforms(parser: argparse.ArgumentParser, names: str | None) -> list[str]:

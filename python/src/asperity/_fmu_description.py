@@ -49,7 +49,7 @@ def model_description(
     generationTool="asperity {_header.ASPERITY_VERSION}" variableNamingConvention="flat">
   <ModelExchange {unit}>{files}</ModelExchange>
   <CoSimulation {unit} canHandleVariableCommunicationStepSize="true">{files}</CoSimulation>
-  <LogCategories><Category name="logStatusError"/><Category name="logStatusDiscard"/></LogCategories>
+  <LogCategories><Category name="logStatusWarning"/><Category name="logStatusError"/><Category name="logStatusDiscard"/></LogCategories>
   <DefaultExperiment startTime="0" stopTime="1"/>
   <ModelVariables>
     {listed}

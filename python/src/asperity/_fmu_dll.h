@@ -8,6 +8,8 @@
     F(asperity_params_set_value)                                                                                       \
     F(asperity_create)                                                                                                 \
     F(asperity_set_params)                                                                                             \
+    F(asperity_state_at_load)                                                                                          \
+    F(asperity_warning_string)                                                                                         \
     F(asperity_friction_at_loads)                                                                                      \
     F(asperity_friction_force_at_loads)                                                                                \
     F(asperity_last_error)                                                                                             \
@@ -52,6 +54,8 @@ static int load_asperity(void)
 #define asperity_params_set_value dll_asperity_params_set_value
 #define asperity_create dll_asperity_create
 #define asperity_set_params dll_asperity_set_params
+#define asperity_state_at_load dll_asperity_state_at_load
+#define asperity_warning_string dll_asperity_warning_string
 #define asperity_friction_at_loads dll_asperity_friction_at_loads
 #define asperity_friction_force_at_loads dll_asperity_friction_force_at_loads
 #define asperity_last_error dll_asperity_last_error

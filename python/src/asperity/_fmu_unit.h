@@ -11,6 +11,8 @@
 #ifdef _WIN32
 #include "asperity_dll.h"
 #endif
+#include <asperity_loads.h>
+
 #include "surface.h"
 
 #ifdef _WIN32
@@ -41,6 +43,7 @@ typedef struct {
     int exchange;          /* model exchange, not co-simulation */
     int mode;
     double load;
+    asperity_told told; /* warnings, in the log */
     void (*log)(void *environment, fmiStatus, const char *category, const char *message); /* may be NULL */
     void *environment;
 } unit;
@@ -91,6 +94,7 @@ static fmiStatus set_start(unit *u)
     u->stale = 1;
     u->mode = INSTANTIATED;
     u->load = START_LOAD;
+    memset(&u->told, 0, sizeof u->told);
     return surface(&u->params) == ASPERITY_OK ? fmiOK : refused(u, fmiError);
 }
 
@@ -125,8 +129,25 @@ static fmiStatus make_model(unit *u)
         status = asperity_set_params(u->model, &u->params);
     if (status != ASPERITY_OK)
         return refused(u, fmiError);
+    if (u->stale) /* of this surface nothing was looked at */
+        u->told.lightest = u->told.heaviest = 0;
     u->stale = 0;
     return fmiOK;
+}
+
+/* Logs each warning of the model once, at the first load at which it is seen. */
+static void tell_warnings(unit *u, double load)
+{
+    char message[768];
+    uint64_t warnings, bit;
+    if (u->log == NULL)
+        return;
+    warnings = asperity_told_anew(&u->told, u->model, load);
+    for (bit = 1; bit <= warnings; bit *= 2)
+        if (warnings & bit) {
+            snprintf(message, sizeof message, "at a load of %g: %s", load, asperity_warning_string(bit));
+            u->log(u->environment, fmiWarning, "logStatusWarning", message);
+        }
 }
 
 static fmiStatus enter_initialization(unit *u, const char *function)
@@ -145,7 +166,10 @@ static fmiStatus evaluate(unit *u, int coefficient, double load, double *value, 
         return fmiError;
     status = coefficient ? asperity_friction_at_loads(u->model, 1, &load, value, slope)
                          : asperity_friction_force_at_loads(u->model, 1, &load, value, slope);
-    return status == ASPERITY_OK || status == ASPERITY_SEPARATED ? fmiOK : refused(u, fmiDiscard);
+    if (status != ASPERITY_OK && status != ASPERITY_SEPARATED)
+        return refused(u, fmiDiscard);
+    tell_warnings(u, load);
+    return fmiOK;
 }
 
 static fmiStatus get_one(unit *u, unsigned reference, double *value)

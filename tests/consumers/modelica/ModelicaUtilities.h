@@ -3,5 +3,6 @@
 #define MODELICA_UTILITIES_H
 
 void ModelicaFormatError(const char *format, ...);
+void ModelicaFormatMessage(const char *format, ...);
 
 #endif

@@ -4,7 +4,10 @@
 #ifndef ASPERITY_MODELICA_H
 #define ASPERITY_MODELICA_H
 
+#include <stdlib.h>
+
 #include <asperity.h>
+#include <asperity_loads.h>
 #include <ModelicaUtilities.h>
 
 /* Nothing of the library is on the stack here, so leaving by longjmp is safe. */
@@ -17,12 +20,28 @@ static inline void asperity_modelica_check(asperity_status status)
     }
 }
 
-/* Young's moduli [Pa], Poisson's ratios, w [J/m2], h, b, sigma, R [m], number of summits. */
+/* What the tool keeps: the law, and which warnings were told of it. */
+typedef struct asperity_modelica_law {
+    asperity_model *model;
+    asperity_told told;
+} asperity_modelica_law;
+
+/* Young's moduli [Pa], Poisson's ratios, w [J/m2], h, b, sigma, R [m], number of summits; pressure coefficient; load [N] with
+ * coefficient or force [N] of a measurement, 0 where there is none. */
 static inline void *asperity_modelica_create(double E1, double nu1, double E2, double nu2, double w, double h,
-                                             double b, double sigma, double R, double n)
+                                             double b, double sigma, double R, double n, double pressure_coefficient,
+                                             double calibration_load, double calibration_friction_coefficient,
+                                             double calibration_friction_force)
 {
+    static const char *const names[] = {"calibration_load", "calibration_friction_coefficient",
+                                        "calibration_friction_force"};
+    const double values[] = {calibration_load, calibration_friction_coefficient, calibration_friction_force};
+    const char *given[3];
+    double measured[3];
+    size_t count = 0, i;
     asperity_params params;
     asperity_model *model = NULL;
+    asperity_modelica_law *law;
 
     asperity_modelica_check(asperity_params_init(&params));
     asperity_modelica_check(asperity_params_set_materials(&params, E1, nu1, E2, nu2));
@@ -32,18 +51,42 @@ static inline void *asperity_modelica_create(double E1, double nu1, double E2, d
     params.height_std = sigma;
     params.summit_radius = R;
     params.asperity_count = n;
+    params.pressure_coefficient = pressure_coefficient;
+    for (i = 0; i < 3; i++)
+        if (values[i] != 0) {
+            given[count] = names[i];
+            measured[count++] = values[i];
+        }
+    if (count != 0)
+        asperity_modelica_check(asperity_params_set_values(&params, count, given, measured));
     asperity_modelica_check(asperity_create(&params, &model));
-    return model;
+    law = (asperity_modelica_law *)calloc(1, sizeof *law);
+    if (law == NULL) {
+        asperity_free(model);
+        ModelicaFormatError("asperity: out of memory\n");
+    }
+    law->model = model;
+    return law;
 }
 
 static inline void asperity_modelica_free(void *law)
 {
-    asperity_free((asperity_model *)law);
+    if (law != NULL)
+        asperity_free(((asperity_modelica_law *)law)->model);
+    free(law);
 }
 
-static inline double asperity_modelica_force(void *law, double load)
+/* Each warning is told once, at the first load at which it is seen. */
+static inline double asperity_modelica_force(void *object, double load)
 {
-    return asperity_friction_force_at_load((const asperity_model *)law, load);
+    asperity_modelica_law *law = (asperity_modelica_law *)object;
+    const uint64_t warnings = asperity_told_anew(&law->told, law->model, load);
+    uint64_t bit;
+
+    for (bit = 1; bit <= warnings; bit *= 2)
+        if (warnings & bit)
+            ModelicaFormatMessage("asperity: warning at a load of %g N: %s\n", load, asperity_warning_string(bit));
+    return asperity_friction_force_at_load(law->model, load);
 }
 
 /* dF/d(load). A separated contact has no friction and no slope: that is an answer, not an error. */
@@ -51,7 +94,7 @@ static inline double asperity_modelica_slope(void *law, double load)
 {
     double slope = 0;
     const asperity_status status =
-        asperity_friction_force_at_loads((const asperity_model *)law, 1, &load, NULL, &slope);
+        asperity_friction_force_at_loads(((const asperity_modelica_law *)law)->model, 1, &load, NULL, &slope);
 
     if (status != ASPERITY_SEPARATED)
         asperity_modelica_check(status);
