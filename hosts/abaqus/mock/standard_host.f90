@@ -14,7 +14,7 @@ program standard_host
   real(c_double), parameter :: STIFFNESS = 2e5_c_double   ! of sticking [MPa/mm]
   ! Between these pressures the law holds for the surfaces [MPa]: below, few summits of the first touch, and adhesion presses
   ! those of the second together.
-  real(c_double), parameter :: LIGHTEST(2) = [0.01_c_double, 0.15_c_double], HEAVIEST(2) = [50.0_c_double, 0.8_c_double]
+  real(c_double), parameter :: LIGHTEST(2) = [0.01_c_double, 0.3_c_double], HEAVIEST(2) = [50.0_c_double, 0.8_c_double]
   real(c_double), parameter :: ANY_PRESSURE(1) = 1
   external :: uexternaldb, ask_fric_coef
   real(c_double) :: time(2), mu(1), slope(1)
