@@ -31,6 +31,8 @@ from asperity._fmu_binaries import _soname
 
 PARAMS = Params.from_toml(HARD_CARBON)
 LOAD, FORCE, COEFFICIENT, SLOPE = range(4)
+# FMPy has one logger for all units of FMI 2.0, the last one given: it must live as long as the tests.
+LOGGERS: list[fmi2CallbackFunctions] = []
 
 
 def made(params: Params, directory: Path, fmi: str) -> Path:
@@ -76,6 +78,7 @@ def instance(units: dict[str, Path], tmp_path: Path, request: pytest.FixtureRequ
     if request.param in (FMU2Model, FMU2Slave):
         calls = fmi2CallbackFunctions()
         calls.logger = fmi2CallbackLoggerTYPE(lambda *said: made.log.append(said[4].decode()))
+        LOGGERS.append(calls)
         addLoggerProxy(ctypes.byref(calls))
         made.instantiate(callbacks=calls)
         made.setupExperiment()
