@@ -461,7 +461,7 @@ typedef struct asperity_interface_data {
    */
   double load;
   /**
-   * The name; a constant string, as the next.
+   * The name; a constant string, as the next three.
    */
   const char *name;
   /**
