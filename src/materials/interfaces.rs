@@ -67,21 +67,21 @@ pub static INTERFACES: &[Interface] = interfaces! {
         which humidity",
         read "Scharf et al., J. Appl. Phys. (2007), doi 10.1063/1.2711147, abstract: about 0.2";
     "diamond/WC in vacuum": tau 238e6,
-        conditions "tip of tungsten carbide on hydrogen-terminated diamond (111), ultrahigh vacuum, one contact of some nanometres",
+        conditions "tip of tungsten carbide on hydrogen-terminated diamond (111), ultrahigh vacuum, one contact",
         quoted "Enachescu et al., Phys. Rev. Lett. 81 (1998) 1877: 238 MPa; its abstract, which was read, says that friction is in \
         proportion to the area, and has no number";
     "mica/mica in air": tau 1e6,
         conditions "cleaved muscovite, ambient air, surface forces apparatus",
         read "Friction measured with a surface forces apparatus, Tribol. Trans. 32 (1989) 246, abstract: about 1 MPa";
     "mica/Au pillar": tau 264e6,
-        conditions "gold pillar on mica, air, atomic force microscope, one contact of some nanometres",
+        conditions "gold pillar on mica, atomic force microscope, one contact; its size is not given",
         read "Li and Kim, Proc. R. Soc. A 464 (2008) 1319, abstract";
     "mica/Au rough tip": tau 40.5e6,
-        conditions "gold tip with a roughness of nanometres on mica, air, atomic force microscope; stress on the apparent area",
+        conditions "gold tip with a roughness of nanometres on mica, atomic force microscope; stress on the apparent area",
         read "Li and Kim, Proc. R. Soc. A 464 (2008) 1319, abstract";
     "graphite layers": tau 140e6,
-        conditions "layers of one crystal in registry, air; rotated layers slide at a far lower stress",
-        read "Liu et al., Interlayer shear strength of single crystalline graphite, arXiv 2012, abstract: 0.14 GPa; others found 0.2 \
+        conditions "layers of a single crystal; layers out of registry slide far more easily (Phys. Rev. Lett. 108 (2012) 205503, abstract)",
+        read "Liu et al., Interlayer shear strength of single crystalline graphite, arXiv 1207.1863, abstract: 0.14 GPa; others found 0.2 \
         MPa to 7 GPa";
     "graphene bilayer": tau 40e3,
         conditions "two layers of graphene, blown to a bubble",
@@ -89,6 +89,9 @@ pub static INTERFACES: &[Interface] = interfaces! {
     "graphene/SiO2": tau 1.64e6,
         conditions "one layer of graphene on silicon oxide, blown to a bubble",
         read "Wang et al., Measuring interlayer shear stress in bilayer graphene, Phys. Rev. Lett. (2017), abstract";
+    "nanotubes/Au": tau 87e6,
+        conditions "single-walled carbon nanotubes assembled on gold; annealing made it three times as strong",
+        read "paper on nanotubes and cantilevers, J. Colloid Interface Sci. (2015), daneshyari.com article 606831, abstract";
     "ZnO/SiO2 in air": tau 1.05e6,
         conditions "nanowires on an amorphous film, ambient air, kinetic, no load but adhesion",
         read "The kinetic friction of ZnO nanowires on amorphous SiO2 and SiN substrates, abstract: 1.05 +- 0.28 MPa";
@@ -109,10 +112,10 @@ pub static INTERFACES: &[Interface] = interfaces! {
         conditions "nanowires on a film, ambient air, kinetic, no load but adhesion",
         read "Wang et al., Appl. Phys. Lett. (2015), doi 10.1063/1.4930576, abstract: 1.5 +- 0.2 MPa";
     "polysilicon/polysilicon": mu 4.9,
-        conditions "oxidised microstructures with coarse grains, static, loads of an electrode, not given",
+        conditions "microstructures with coarse grains, static, loads of an electrode, not given",
         read "Lim et al., Polysilicon microstructures to characterize static friction, IEEE MEMS 1990, abstract: 4.9 +- 1.0";
     "Si3N4/polysilicon": mu 2.5,
-        conditions "oxidised microstructures, static, loads of an electrode, not given",
+        conditions "microstructures, static, loads of an electrode, not given",
         read "Lim et al., Polysilicon microstructures to characterize static friction, IEEE MEMS 1990, abstract: 2.5 +- 0.5";
     "polysilicon with FTS monolayer": mu 0.08,
         conditions "microstructures coated with a fluorinated trichlorosilane, dynamic; load not given",
@@ -128,11 +131,14 @@ pub static INTERFACES: &[Interface] = interfaces! {
     "steel/steel oxidised": mu 0.27,
         conditions "thick film of oxide, dry, static; load and roughness not given",
         read "table of friction coefficients kept at Lawrence Berkeley National Laboratory, www-eng.lbl.gov; with a film of sulfide 0.39";
+    "steel/steel with light grease": mu 0.65 at 128.0,
+        conditions "balls of a four-ball test, 200 revolutions a minute, mean of 15 minutes, 128 to 461 N; 0.48 at 461 N",
+        read "Marko, Lubricants 7 (2019) 14, table of results";
     "steel/steel with ZDDP": mu 0.115,
         conditions "boundary lubrication, oil with secondary zinc dialkyldithiophosphate, rolling and sliding; load not given",
         read "Zhang et al., Boundary friction of ZDDP tribofilms, Tribol. Lett. (2021), abstract: about 0.115; primary ones 0.09 to 0.14";
     "steel/steel with stearic acid": mu 0.055,
-        conditions "mixed and boundary lubrication, stearic acid in polyalphaolefin on iron oxide, 50 to 150 C; load not given",
+        conditions "mixed and boundary lubrication, stearic acid in polyalphaolefin on iron oxide, hot (50 to 150 C were tried); load not given",
         read "Loehle et al., Mixed lubrication with C18 fatty acids: effect of unsaturation, Tribol. Lett. (2014), abstract: about 0.055";
     "Al/Al clean": mu 1.05,
         conditions "clean and dry, static; load and roughness not given",

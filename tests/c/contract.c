@@ -785,7 +785,7 @@ static void interfaces_are_found_by_their_names(void)
         CHECK(strcmp(other.name, asperity_interface_name(count)) == 0 && strlen(other.reference) > 20 &&
               (other.shear_strength > 0) != (other.friction_coefficient > 0), "%s", other.name);
     }
-    CHECK(count == 37 && asperity_interface_name(SIZE_MAX) == NULL, "%d interfaces", (int)count);
+    CHECK(count == 39 && asperity_interface_name(SIZE_MAX) == NULL, "%d interfaces", (int)count);
     other = untouched;
     CHECK(asperity_interface("MoS2 film", &other) == ASPERITY_INVALID_PARAMETER && SAME(other, untouched) &&
           says("MoS2 film: no interface has this name; the nearest is MoS2 bilayer"), "%s", last_message());

@@ -393,7 +393,7 @@ void materials_and_pairs_are_those_of_the_table() {
 void interfaces_are_those_of_the_table() {
     const asperity::InterfaceData film = asperity::interface_of("MoS2 film in dry air");
     EXPECT(film.shear_strength == 24.8e6 && film.pressure_coefficient == 0.001 && film.struct_size == sizeof film);
-    EXPECT(asperity::interface_names().size() == 37 && asperity::interface_names().front() == film.name);
+    EXPECT(asperity::interface_names().size() == 39 && asperity::interface_names().front() == film.name);
     const Params params = Params().set_pair("steel/steel").set_interface(film.name);
     EXPECT(params.slip_stress_1() == 24.8e6 / params.effective_shear_modulus());
     EXPECT(params.slip_stress_2() == params.slip_stress_1() && params.pressure_coefficient() == 0.001);
