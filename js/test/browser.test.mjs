@@ -271,7 +271,7 @@ test("up to four surfaces are compared, with their warnings in the library's wor
 
 test("values are read under the pointer", async () => {
   const { page } = await open();
-  const area = await page.locator("#chart .u-over").boundingBox();
+  const area = await page.locator("#chart .u-over").evaluate((over) => over.getBoundingClientRect().toJSON());
   await page.mouse.move(area.x + 0.75 * area.width, area.y + 0.5 * area.height);
   await drawn(page);
   const text = await page.locator("#read-load").textContent();
@@ -518,9 +518,9 @@ test("on a phone nothing is wider than the screen", async () => {
   const phone = FIREFOX ? {} : { deviceScaleFactor: 3, hasTouch: true, isMobile: true };
   const { page, wrong } = await open({ viewport: { width: 360, height: 740 }, ...phone });
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 360);
-  const chart = await page.locator("#chart canvas").boundingBox();
+  const chart = await page.locator("#chart canvas").evaluate((canvas) => canvas.getBoundingClientRect().toJSON());
   assert.ok(chart.width > 300 && chart.width <= 360 && chart.y < 400, JSON.stringify(chart));
-  const area = await page.locator("#chart .u-over").boundingBox();
+  const area = await page.locator("#chart .u-over").evaluate((over) => over.getBoundingClientRect().toJSON());
   const place = [area.x + 0.25 * area.width, area.y + 50];
   await (FIREFOX ? page.mouse.click(...place) : page.touchscreen.tap(...place));
   await page.locator("#Sq-slider").fill("800");

@@ -163,6 +163,9 @@ impl asperity_params {
         let mut whole = Self::from_params(&Params::default());
         whole.copy_from(params, size);
         whole.copy_from(params, size.max(whole.end_of_heights()));
+        if size < JOHNSON_END && whole.height_distribution != ASPERITY_HEIGHTS_JOHNSON {
+            (whole.skew, whole.kurtosis) = (0.0, 3.0);
+        }
         if size < HARDNESS_END {
             whole.hardness = 0.0;
         }
