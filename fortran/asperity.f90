@@ -1034,34 +1034,40 @@ contains
   function asperity_material_name_text(index) result(text)
     integer, intent(in) :: index                          ! from 1
     character(:), allocatable :: text
-    type(c_ptr) :: name
-    text = ''
-    if (index < 1) return
-    name = asperity_material_name(int(index - 1, c_size_t))
-    if (c_associated(name)) text = fortran_text(name)
+    text = listed(asperity_material_name, index)
   end function asperity_material_name_text
 
   ! The names of the pairs; empty after the last.
   function asperity_pair_name_text(index) result(text)
     integer, intent(in) :: index                          ! from 1
     character(:), allocatable :: text
-    type(c_ptr) :: name
-    text = ''
-    if (index < 1) return
-    name = asperity_pair_name(int(index - 1, c_size_t))
-    if (c_associated(name)) text = fortran_text(name)
+    text = listed(asperity_pair_name, index)
   end function asperity_pair_name_text
 
   ! The names of the interfaces; empty after the last.
   function asperity_interface_name_text(index) result(text)
     integer, intent(in) :: index                          ! from 1
     character(:), allocatable :: text
+    text = listed(asperity_interface_name, index)
+  end function asperity_interface_name_text
+
+  ! The name that a list of the library has at an index, from 1; empty beside its ends.
+  function listed(name_of, index) result(text)
+    interface
+      function name_of(index) result(name) bind(c)
+        import :: c_ptr, c_size_t
+        integer(c_size_t), intent(in), value :: index
+        type(c_ptr) :: name
+      end function name_of
+    end interface
+    integer, intent(in) :: index
+    character(:), allocatable :: text
     type(c_ptr) :: name
     text = ''
     if (index < 1) return
-    name = asperity_interface_name(int(index - 1, c_size_t))
+    name = name_of(int(index - 1, c_size_t))
     if (c_associated(name)) text = fortran_text(name)
-  end function asperity_interface_name_text
+  end function listed
 
   ! So many characters, of which those after the text are c_null_char.
   pure function c_string(text, length) result(characters)

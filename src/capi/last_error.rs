@@ -2,6 +2,7 @@
 //!
 //! The thread-local has no destructor, so that a host may unload the library while threads that used it live on.
 
+use super::output::write_text;
 use std::cell::RefCell;
 use std::ffi::c_char;
 use std::fmt::{Display, Write};
@@ -51,12 +52,6 @@ pub fn set(message: &dyn Display) {
 pub unsafe extern "C" fn asperity_last_error(buffer: *mut c_char, length: usize) -> usize {
     MESSAGE.with(|cell| {
         let Ok(message) = cell.try_borrow() else { return 0 };
-        if !buffer.is_null() && length > 0 {
-            let count = message.length.min(length - 1);
-            // SAFETY: the caller gives `length` bytes at `buffer`; count + 1 <= length.
-            std::ptr::copy_nonoverlapping(message.bytes.as_ptr(), buffer.cast::<u8>(), count);
-            *buffer.add(count) = 0;
-        }
-        message.length
+        write_text(buffer, length, [&message.bytes[..message.length]])
     })
 }

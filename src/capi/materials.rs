@@ -70,14 +70,12 @@ fn no_pair(name: &[u8]) -> Failure {
         }
         Some((first, second)) => {
             let [one, other] = [first, second].map(nearest_material);
-            let says = format!("no pair has this name; the nearest is {one}/{other}; no material is called");
-            let [first_is_known, second_is_known] = [first, second].map(|body| Material::find(body).is_some());
-            let [first, second] = [first, second].map(<[u8]>::escape_ascii);
-            match (first_is_known, second_is_known) {
-                (false, false) => Failure::invalid(format_args!("{text}: {says} {first} or {second}")),
-                (false, true) => Failure::invalid(format_args!("{text}: {says} {first}")),
-                _ => Failure::invalid(format_args!("{text}: {says} {second}")),
-            }
+            let unknown = [first, second].map(|body| if Material::find(body).is_some() { b"" } else { body });
+            let or = if unknown.contains(&&b""[..]) { "" } else { " or " };
+            let [first, second] = unknown.map(<[u8]>::escape_ascii);
+            Failure::invalid(format_args!(
+                "{text}: no pair has this name; the nearest is {one}/{other}; no material is called {first}{or}{second}"
+            ))
         }
         None => unknown(name, "pair", nearest(name, PAIRS.iter().map(|pair| pair.name))),
     }

@@ -120,13 +120,13 @@ impl Numbers {
         if let Some(bodies) = self.arguments::<MATERIALS>(0, "E1, nu1, E2 and nu2")? {
             params.set_materials(bodies)?;
         }
-        let gaussian = self.0[FIELDS.len() - 1] == Some(ASPERITY_HEIGHTS_GAUSSIAN.into());
+        let chosen = self.0[position(b"height_distribution")?];
         for (field, value) in FIELDS.iter().zip(self.0) {
             let Some(value) = value else { continue };
             let is_johnsons = params.height_distribution == ASPERITY_HEIGHTS_JOHNSON;
             match text(field.name) {
                 // Beside Gaussian heights a skew is refused with the parameters.
-                "skew" if !is_johnsons && !gaussian => params.set_skew(value)?,
+                "skew" if !is_johnsons && chosen != Some(ASPERITY_HEIGHTS_GAUSSIAN.into()) => params.set_skew(value)?,
                 _ => field.set(params, value)?,
             }
             match text(field.name) {

@@ -2,6 +2,7 @@
 
 use super::boundary::{self, not_null, reference_mut, write, Failure};
 use super::model::{self, asperity_model};
+use super::output::write_text;
 use super::reserve;
 use super::status::asperity_status;
 use crate::model::validity;
@@ -112,7 +113,7 @@ pub unsafe extern "C" fn asperity_warning_loads(
         let model = model::of(model)?;
         not_null(lightest, "lightest")?;
         not_null(heaviest, "heaviest")?;
-        if warning.count_ones() != 1 || warning > ALL {
+        if !validity::is_one(warning) {
             let says = "must be one of the bits ASPERITY_WARNING_, 1 to 256";
             return Err(Failure::invalid(format_args!("warning = {warning}: {says}")));
         }
@@ -135,34 +136,12 @@ pub unsafe extern "C" fn asperity_warning_loads(
 /// Threads: any.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_warnings_text(warnings: u64, buffer: *mut c_char, length: usize) -> usize {
-    let known = (0..WARNINGS).map(|bit| warnings & 1 << bit).filter(|&bit| bit != 0);
-    let lines = known.chain(Some(warnings & !ALL).filter(|&rest| rest != 0 || warnings == 0));
-    let mut whole = 0;
-    let mut put = |byte: u8| {
-        // The last byte is for the NUL.
-        if !buffer.is_null() && whole + 1 < length {
-            // SAFETY: the caller gives `length` bytes.
-            unsafe { buffer.add(whole).write(byte as c_char) };
-        }
-        whole += 1;
-    };
-    for (i, line) in lines.enumerate() {
-        if i > 0 {
-            put(b'\n');
-        }
-        string(line).to_bytes().iter().for_each(|&byte| put(byte));
-    }
-    if !buffer.is_null() && length > 0 {
-        // SAFETY: as above.
-        buffer.add(whole.min(length - 1)).write(0);
-    }
-    whole
+    let known = (0..validity::WARNINGS).map(|bit| warnings & 1 << bit).filter(|&bit| bit != 0);
+    let lines = known.chain(Some(warnings & !validity::ALL).filter(|&rest| rest != 0 || warnings == 0));
+    let pieces =
+        lines.enumerate().flat_map(|(i, line)| [if i > 0 { "\n".as_bytes() } else { b"" }, string(line).to_bytes()]);
+    write_text(buffer, length, pieces)
 }
-
-/// The number of warnings, and all of them.
-const WARNINGS: u32 = 9;
-const ALL: u64 = (1 << WARNINGS) - 1;
-const _: () = assert!(ASPERITY_WARNING_STRONG == 1 << (WARNINGS - 1));
 
 /// What one warning means.
 fn string(warning: u64) -> &'static CStr {
@@ -191,8 +170,8 @@ fn string(warning: u64) -> &'static CStr {
               at this load is higher than the law by friction_bias; use heavier loads or a larger area (asperity_count)"
         }
         ASPERITY_WARNING_ADHESIVE => {
-            c"adhesion presses the surfaces together with more than the load: models of single summits are quantitatively wrong there; use heavier loads, or check work_of_adhesion, height_std and \
-              summit_radius: surfaces that are taken too smooth or too clean are the usual cause"
+            c"adhesion presses the surfaces together with more than the load: models of single summits are quantitatively wrong \
+              there; use heavier loads, or check work_of_adhesion, height_std and summit_radius: surfaces that are taken too smooth or too clean are the usual cause"
         }
         ASPERITY_WARNING_UNCALIBRATED => {
             c"the strength of the interface is a default that nobody measured for these surfaces, and friction is in proportion \

@@ -49,12 +49,13 @@ const ALWAYS: f64 = f64::MAX;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measures([f64; WARNINGS]);
 
-/// The number of warnings.
-const WARNINGS: usize = 9;
+/// All warnings, and how many they are.
+pub const ALL: u64 = 2 * WARNING_STRONG - 1;
+pub const WARNINGS: usize = ALL.count_ones() as usize;
 
 /// Whether this is the bit of one warning.
 pub fn is_one(warning: u64) -> bool {
-    warning.is_power_of_two() && warning <= WARNING_STRONG
+    warning.is_power_of_two() && warning <= ALL
 }
 
 impl Measures {
