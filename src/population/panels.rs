@@ -393,7 +393,11 @@ impl Population {
         };
         self.cut_where(separation, panel, turn, None);
         if start_kink != KINK {
-            let excess = |point: &Point| self.slip.friction(&point.contact).force - ratio * point.contact.radius;
+            let excess = |point: &Point| match point.contact.radius {
+                // Force over radius is 0 at 0.
+                0.0 => -ratio,
+                radius => self.slip.friction(&point.contact).force / radius - ratio,
+            };
             self.cut_where(separation, panel, excess, KINK);
         }
     }

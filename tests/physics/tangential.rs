@@ -3,7 +3,7 @@
 use super::yielding::cases;
 use crate::common::assert_near;
 use crate::common::surfaces::{dimensionless, johnson, model};
-use asperity::{Error, HeightFamily, Params};
+use asperity::{Error, HeightFamily, Params, SlipConstants};
 
 /// With adhesion at zero and pulling load too, and where contacts break at a finite radius.
 fn surfaces() -> Vec<Params> {
@@ -98,6 +98,50 @@ fn equal_summits_stick_and_slip_as_one() {
     }
     // 8 G^ a for each of N summits.
     assert_near(stiffness, 8.0 * 0.7 * state.mean_contact_radius * state.contacting, 1e-12, "stiffness");
+}
+
+/// Without adhesion, with a strength in proportion to pressure, contacts stick from an overlap on: the force is an integral of two
+/// powers of the overlap over Gaussian heights.
+#[test]
+fn a_strength_in_proportion_to_pressure_slips_below_one_overlap() {
+    let (kappa, modulus) = (0.3, 0.7);
+    let none = SlipConstants { stress_1: 0.0, stress_2: 0.0, ..SlipConstants::default() };
+    let params = Params {
+        slip: none,
+        pressure_coefficient: kappa,
+        tangential_modulus: modulus,
+        ..dimensionless(0.01, 1000.0, 0.0, 1.0)
+    };
+    let model = model(&params);
+    let Params { composite_modulus: stiff, summit_radius: radius, height_std: sigma, .. } = params;
+    for separation in [2.5, 1.0, -0.5].map(|d| d * sigma) {
+        let state = model.state_at_separation(separation).expect("a state");
+        for part in [1e-3, 0.03, 0.25, 1.0, 2.0] {
+            let displacement = part * state.friction_force / state.tangential_stiffness;
+            // kappa 4/3 E* R^(1/2) u^(3/2) is 8 G^ (R u)^(1/2) delta.
+            let sticking_from = 6.0 * modulus * displacement / (kappa * stiff);
+            let force = |u: f64| {
+                let strength = kappa * 4.0 / 3.0 * stiff * radius.sqrt() * u.powf(1.5);
+                strength.min(8.0 * modulus * (radius * u).sqrt() * displacement)
+            };
+            // In the root of the overlap both powers are polynomials.
+            let of_root = |x: f64| {
+                let z = (separation + x * x) / sigma;
+                2.0 * x * force(x * x) * (-0.5 * z * z).exp() / (sigma * std::f64::consts::TAU.sqrt())
+            };
+            let ends = [0.0, sticking_from.sqrt(), (12.0 * sigma).sqrt().max(2.0 * sticking_from.sqrt())];
+            let exact: f64 = ends.windows(2).map(|ends| simpson(ends[0], ends[1], of_root)).sum();
+            let (found, _) = model.tangential_at_load(state.load, displacement).expect("a force");
+            assert_near(found, exact, 1e-10, &format!("at {separation}, {part}"));
+        }
+    }
+}
+
+fn simpson(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
+    const STEPS: u32 = 4000;
+    let step = (to - from) / f64::from(STEPS);
+    let weight = |i: u32| if i == 0 || i == STEPS { 1.0 } else { 2.0 + 2.0 * f64::from(i % 2) };
+    (0..=STEPS).map(|i| weight(i) * f(from + step * f64::from(i))).sum::<f64>() * step / 3.0
 }
 
 #[test]
