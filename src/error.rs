@@ -215,7 +215,7 @@ impl std::fmt::Display for Calibrate<'_> {
         }
         write!(
             f,
-            " ({conditions}): calibrate at a load, {friction_coefficient} times that load, and surfaces like these"
+            " ({conditions}): for surfaces like these calibrate with a friction force of {friction_coefficient} times the load"
         )
     }
 }

@@ -53,7 +53,11 @@ def test_numbers_that_are_given_replace_those_of_the_pair() -> None:
 def test_an_interface_brings_its_strength() -> None:
     params = Params.from_iso25178(**PAIRS["Si/Si"].contact, **ROUGH, nominal_area=1.0).with_interface("Al2O3/Si in air")
     with Model(params) as model:
-        assert friction("Si/Si", **ROUGH, load=1e5, interface="Al2O3/Si in air").value == model.friction_at_load(1e5)
+        found = friction("Si/Si", **ROUGH, load=1e5, interface="Al2O3/Si in air")
+        assert found.value == model.friction_at_load(1e5)
+    # The band has no part of it, and the answer says so.
+    told = "strength of the interface: that of Al2O3/Si in air, measured on other specimens and taken as known"
+    assert found.rests_on == (told,) and found.narrow == ("one measured friction force: measured=(load, coefficient)",)
     with pytest.raises(Error, match="slip_stress_2: is told by interface already, leave one out"):
         friction("Si/Si", **ROUGH, load=1e5, interface="Al2O3/Si in air", slip_stress_2=0.01)
     with pytest.raises(Error, match="interface = 5: must be the name of an interface"):

@@ -834,7 +834,7 @@ static void an_interface_sets_its_strength_and_nothing_else(void)
           last_message())
     REFUSED("graphite", "graphite: no interface has this name; the nearest is ");
     REFUSED("steel/steel dry", "steel/steel dry: its shear strength is not known, only a friction coefficient of 0.57 at 12 N (ball");
-    REFUSED("steel/steel dry", "): calibrate at a load, 0.57 times that load, and surfaces like these");
+    REFUSED("steel/steel dry", "): for surfaces like these calibrate with a friction force of 0.57 times the load");
     REFUSED("Al/Al greased", "only a friction coefficient of 0.3 (greasy");
     refused.effective_shear_modulus = p.effective_shear_modulus = 79e3 / 2; /* MPa */
     REFUSED("graphene bilayer", "effective_shear_modulus = 39500: must be in Pa and above the strength of the interface");

@@ -113,15 +113,17 @@ def friction(
         cases = [_calibrated(params, measured) for params in cases]
     models = _models(tuple(cases))
     value = models[0].friction_at_load(load)
-    strength, narrow = AS_GIVEN, roughness.narrow
+    strength, narrow, spread = AS_GIVEN, roughness.narrow, 0.0
     if measured is not None:
-        strength = measured_at(measured[0], measured_error)
+        strength, spread = measured_at(measured[0], measured_error), STRENGTH_DEVIATION
     elif models[0].uncalibrated:
-        strength = NOT_MEASURED
+        strength, spread = NOT_MEASURED, STRENGTH_DEVIATION
+    elif interface is not None:
+        strength = f"strength of the interface: that of {interface}, measured on other specimens and taken as known"
+    if measured is None and strength != AS_GIVEN:
         narrow = ("one measured friction force: measured=(load, coefficient)", *narrow)
     low = high = None
-    if strength != AS_GIVEN or len(models) > 1:
-        spread = STRENGTH_DEVIATION if strength != AS_GIVEN else 0.0
+    if spread > 0 or len(models) > 1:
         low, high = _band(models, roughness.probability, load, spread, measured, measured_error, coverage)
     pressing = np.asarray(load, dtype=np.float64)
     pressing = pressing[pressing > 0]
