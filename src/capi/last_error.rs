@@ -2,7 +2,7 @@
 //!
 //! The thread-local has no destructor, so that a host may unload the library while threads that used it live on.
 
-use super::output::write_text;
+use super::text::write_text;
 use std::cell::RefCell;
 use std::ffi::c_char;
 use std::fmt::{Display, Write};

@@ -30,6 +30,7 @@ mod status;
 mod summits;
 mod table;
 mod tangential;
+mod text;
 mod validity;
 mod version;
 

@@ -1,7 +1,6 @@
 //! Structs that the library fills, no further than the caller's have room.
 
 use super::boundary::{reference, wrong_struct_size, Failure};
-use std::ffi::c_char;
 use std::mem::{align_of, size_of};
 
 /// A struct for the caller with what a struct of the library has in the fields of the same names.
@@ -12,26 +11,6 @@ macro_rules! same_fields {
     }};
 }
 pub(super) use same_fields;
-
-/// Copies a text, given in pieces, into a caller's buffer, NUL-terminated and cut to fit; returns its whole length.
-///
-/// # Safety
-/// `buffer` is NULL or has `length` bytes.
-pub unsafe fn write_text<'a>(buffer: *mut c_char, length: usize, pieces: impl IntoIterator<Item = &'a [u8]>) -> usize {
-    // The last byte is for the NUL.
-    let room = if buffer.is_null() { 0 } else { length.saturating_sub(1) };
-    let mut whole: usize = 0;
-    for piece in pieces {
-        let count = piece.len().min(room.saturating_sub(whole));
-        // SAFETY: no more than the room that is left in the caller's bytes.
-        std::ptr::copy_nonoverlapping(piece.as_ptr(), buffer.cast::<u8>().wrapping_add(whole), count);
-        whole += piece.len();
-    }
-    if !buffer.is_null() && length > 0 {
-        buffer.add(whole.min(room)).write(0);
-    }
-    whole
-}
 
 /// Fills an output struct but for `struct_size`, which stays as the caller has set it, and no further than that says.
 ///

@@ -2,9 +2,9 @@
 
 use super::boundary::{self, not_null, reference_mut, write, Failure};
 use super::model::{self, asperity_model};
-use super::output::write_text;
 use super::reserve;
 use super::status::asperity_status;
+use super::text::write_text;
 use crate::model::validity;
 use std::ffi::{c_char, CStr};
 
