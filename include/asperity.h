@@ -649,11 +649,12 @@ typedef struct asperity_summary {
    */
   double zero_load_friction_force;
   /**
-   * The lightest load of the compiled table [force]; lighter ones are interpolated or evaluated exactly.
+   * The lightest load of the compiled table [force]. For lighter ones the law goes on with its slope, as a power of the distance
+   * from the pull-off load.
    */
   double min_table_load;
   /**
-   * The heaviest load of the compiled table [force]; heavier ones are evaluated exactly.
+   * The heaviest load of the compiled table [force]. For heavier ones the law goes on with its slope, as a power of the load.
    */
   double max_table_load;
   /**

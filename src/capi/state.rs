@@ -101,9 +101,10 @@ pub struct asperity_summary {
     pub pull_off_friction_force: f64,
     /// Friction force at zero load [force].
     pub zero_load_friction_force: f64,
-    /// The lightest load of the compiled table [force]; lighter ones are interpolated or evaluated exactly.
+    /// The lightest load of the compiled table [force]. For lighter ones the law goes on with its slope, as a power of the distance
+    /// from the pull-off load.
     pub min_table_load: f64,
-    /// The heaviest load of the compiled table [force]; heavier ones are evaluated exactly.
+    /// The heaviest load of the compiled table [force]. For heavier ones the law goes on with its slope, as a power of the load.
     pub max_table_load: f64,
     /// Largest relative error of the compiled friction force at the samples that were compared when the model was made;
     /// between samples it may be four times as large.

@@ -80,7 +80,7 @@ impl<'a, S: Source> Filling<'a, S> {
             match error_of(&coefficients, compared) {
                 Some(error) => {
                     worst = worst.max(error);
-                    table.rows.push(scaled(coefficients, WIDTH));
+                    table.rows.push(Row::of_length(coefficients, WIDTH));
                 }
                 None => table.rows.push(Row::LEFT_OUT),
             }
@@ -187,7 +187,7 @@ impl<'a, S: Source> Filling<'a, S> {
         let coefficients = basis.coefficients(points[0].0, slopes);
         let end = (1.0, &points[OF_PIECE.len() - 1]);
         let compared = BETWEEN_OF_PIECE.into_iter().zip(&points[OF_PIECE.len()..]).chain([end]);
-        error_of(&coefficients, compared).map(|error| (scaled(coefficients, length), error))
+        error_of(&coefficients, compared).map(|error| (Row::of_length(coefficients, length), error))
     }
 }
 
@@ -253,16 +253,6 @@ fn error_of<'a>(coefficients: &[f64; 8], compared: impl Iterator<Item = (f64, &'
         worst = worst.max(error_within_tolerance(polynomial(coefficients, part), *exact)?);
     }
     Some(worst)
-}
-
-/// The row of a polynomial in the part of a length.
-fn scaled(coefficients: [f64; 8], length: f64) -> Row {
-    let mut scale = 1.0;
-    Row(coefficients.map(|coefficient| {
-        let scaled = coefficient * scale;
-        scale /= length;
-        scaled
-    }))
 }
 
 #[cfg(test)]

@@ -3,9 +3,11 @@
 //!
 //! In x = load - pull-off each has its only nearby singularity at x = 0. A table has a row for each fraction
 //! of a binade of x, found from the bits of x without log or search; a row is a polynomial in the mantissa. Value and slope
-//! agree where rows meet. A row across which the law has a kink is a link to several polynomials. Loads that are lighter
-//! than the table's are interpolated by the curve that it was filled from; others are evaluated exactly.
+//! agree where rows meet. A row across which the law has a kink is a link to several polynomials. Beyond the table the law goes
+//! on as a power of x. Within it few loads have no row: they are interpolated by the curve that it was filled from, or evaluated
+//! exactly.
 
+mod continuation;
 mod coordinate;
 mod curve;
 mod fill;
@@ -23,6 +25,7 @@ use curve::Curve;
 use fill::Filling;
 use panel::Sample;
 
+pub use continuation::Continuation;
 pub use curve::Unfollowed;
 pub use row::{polynomial, Row};
 #[cfg(target_arch = "x86_64")]
@@ -42,9 +45,6 @@ const NEAREST_TO_PULL_OFF: f64 = 5e-10;
 /// load, or else what anyone may ask for.
 const LOG_RANGE: f64 = (MOST_ROWS - 8) as f64 / (1 << FRACTION) as f64 * std::f64::consts::LN_2;
 const LOG_RANGE_WITHOUT_PULL_OFF: f64 = 87.0;
-/// What is lighter than the rows reach, but not by more than this in ln(load - pull-off), is left to the curve if that
-/// leads it to pull-off.
-const LOG_RANGE_OF_CURVE: f64 = 110.0;
 /// The largest relative error of a quantity, and of its slope, of a row against an exact state.
 const VALUE_TOLERANCE: f64 = 1e-10;
 const SLOPE_TOLERANCE: f64 = 1e-8;
@@ -113,7 +113,7 @@ impl Law {
     pub fn new(branch: &Branch, load: f64, units: [f64; Quantity::COUNT]) -> Result<Self, Unfollowed> {
         let mut samples = Vec::new();
         let nearest = log(-branch.pull_off_load() * NEAREST_TO_PULL_OFF);
-        let reaches_pull_off = |heaviest: f64| heaviest - nearest <= LOG_RANGE + LOG_RANGE_OF_CURVE;
+        let reaches_pull_off = |heaviest: f64| heaviest - nearest <= LOG_RANGE;
         let log_range = |heaviest: f64| if reaches_pull_off(heaviest) { f64::MAX } else { LOG_RANGE_WITHOUT_PULL_OFF };
         let curve = Curve::new(branch, log_range, &mut samples)?;
         let (lower, upper) = curve.log_range();
@@ -133,8 +133,7 @@ impl Law {
         &self.compiled[quantity as usize].table
     }
 
-    /// A quantity and its slope at a load above pull-off that its table does not answer; `None` where the curve does not
-    /// know it either.
+    /// A quantity and its slope at a load within its table that has no row; `None` where the curve does not know it either.
     pub fn interpolated(&self, quantity: Quantity, load: f64) -> Option<(f64, f64)> {
         let Compiled { table, scale, .. } = &self.compiled[quantity as usize];
         let x = load - table.pull_off;
@@ -313,30 +312,6 @@ mod tests {
                 // By the table: but for what is nearer than a millionth of sigma.
                 assert!(unanswered < 150, "{shape}, {quantity:?}: {unanswered} of 600");
             }
-        }
-    }
-
-    /// Between pull-off and the first row the curve answers.
-    #[test]
-    fn loads_next_to_pull_off_are_interpolated() {
-        let branch = branch(0.001);
-        let law = Law::new(&branch, LOAD, UNITS).expect("a law");
-        let point = branch.pull_off().expect("adhesion");
-        for quantity in Quantity::ALL {
-            let at_pull_off = UNITS[quantity as usize] * quantity.of(&point.sums).0;
-            let table = law.table(quantity);
-            for part in [1e-10, 1e-12, 1e-14] {
-                let load = table.pull_off * (1.0 - part);
-                assert!(table.at_load(load).is_none());
-                let (value, slope) = law.interpolated(quantity, load).expect("the curve covers it");
-                // As the root of the distance.
-                let rise = 2.0 * slope * (load - table.pull_off);
-                assert!(
-                    value > at_pull_off && (value - at_pull_off - rise).abs() < 0.01 * rise,
-                    "{quantity:?}, {part}: {value}, {slope}"
-                );
-            }
-            assert_eq!(law.interpolated(quantity, table.range().1 * 1e3), None);
         }
     }
 

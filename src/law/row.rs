@@ -44,6 +44,16 @@ impl Row {
     /// A row that does not answer.
     pub const LEFT_OUT: Self = Self([f64::from_bits(QUIET_NAN), f64::NAN, NONE, NONE, NONE, NONE, NONE, NONE]);
 
+    /// Of a polynomial in the part of a length.
+    pub fn of_length(coefficients: [f64; COEFFICIENTS], length: f64) -> Self {
+        let mut scale = 1.0;
+        Self(coefficients.map(|coefficient| {
+            let scaled = coefficient * scale;
+            scale /= length;
+            scaled
+        }))
+    }
+
     /// A link to parts, of which the first has this index, between these divisions.
     pub fn link(first: usize, divisions: &[f64]) -> Self {
         let mut row = Self::LEFT_OUT;

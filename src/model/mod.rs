@@ -9,12 +9,12 @@ mod calibration;
 mod exact;
 pub mod validity;
 
-use crate::elementary::cbrt;
+use crate::elementary::{cbrt, log};
 use crate::equilibrium::Branch;
 use crate::error::{Error, LOAD};
 use crate::float_bits::finite;
 use crate::groups::Groups;
-use crate::law::{Law, Quantity, Table, Unfollowed};
+use crate::law::{Continuation, Law, Quantity, Table, Unfollowed};
 use crate::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
@@ -38,6 +38,8 @@ pub struct Model {
     /// 1 / max_friction_coefficient, of a finite one.
     inverse_cap: f64,
     known: [Known; Quantity::COUNT],
+    /// Each quantity at loads lighter and heavier than its table's.
+    beyond: [[Continuation; 2]; Quantity::COUNT],
     /// The heaviest load that can be evaluated.
     heaviest: f64,
 }
@@ -131,7 +133,8 @@ impl Model {
         let heaviest = (HEAVIEST_LOAD * units.load).min(f64::MAX);
         let params = params.clone();
         let known = [Known::default(); Quantity::COUNT];
-        let mut model = Self { params, groups, branch, law, units, inverse_cap, known, heaviest };
+        let beyond = Quantity::ALL.map(|quantity| beyond(quantity, &branch, &law, &units));
+        let mut model = Self { params, groups, branch, law, units, inverse_cap, known, beyond, heaviest };
         model.known = Quantity::ALL.map(|quantity| model.find_known(quantity));
         Ok(model)
     }
@@ -241,10 +244,15 @@ impl Model {
         }
     }
 
-    /// Friction force or stiffness and slope at a finite load above pull-off that has no row: from the curve, or else
-    /// exactly.
+    /// Friction force or stiffness and slope at a finite load above pull-off that has no row: beyond the table as a power of
+    /// the load, within it from the curve, or else exactly.
     pub(crate) fn computed(&self, quantity: Quantity, load: f64) -> (f64, f64) {
-        self.law.interpolated(quantity, load).unwrap_or_else(|| self.exact(quantity, load))
+        let (table, [light, heavy]) = (self.law.table(quantity), &self.beyond[quantity as usize]);
+        match load - table.pull_off {
+            x if x < table.begin_of(0) => light.at(x),
+            x if x >= table.begin_of(table.row_count) => heavy.at(x),
+            _ => self.law.interpolated(quantity, load).unwrap_or_else(|| self.exact(quantity, load)),
+        }
     }
 
     /// Friction coefficient and slope at such a load.
@@ -334,6 +342,26 @@ impl Model {
         let mu = self.coefficient(load, force);
         (mu, if load <= force * self.inverse_cap { 0.0 } else { ratio(slope - mu, load) })
     }
+}
+
+/// A quantity at lighter and at heavier loads than its table's.
+fn beyond(quantity: Quantity, branch: &Branch, law: &Law, units: &Units) -> [Continuation; 2] {
+    let (table, unit) = (law.table(quantity), units.of(quantity));
+    let at = |x: f64| {
+        let tabulated = table.at_excess(x).or_else(|| law.interpolated(quantity, table.pull_off + x));
+        tabulated.unwrap_or_else(|| {
+            let state = branch.at_log_excess(log(x) - log(units.load), None);
+            state.map_or((f64::NAN, f64::NAN), |(_, sums)| {
+                let (value, slope) = quantity.of(&sums);
+                (value * unit, slope * unit / (sums.load_slope * units.load))
+            })
+        })
+    };
+    let (first, end) = (table.begin_of(0), table.begin_of(table.row_count));
+    let at_pull_off = branch.pull_off().map_or(0.0, |point| quantity.of(&point.sums).0 * unit);
+    // The next number below: the table's end is not of it.
+    let last = end.below();
+    [Continuation::new(first, at(first), at_pull_off, false), Continuation::new(last, at(last), 0.0, true)]
 }
 
 /// a/b for b > 0, saturating where it would overflow.

@@ -213,7 +213,7 @@ fn friction_force_grows_with_load() {
                 x *= factor;
             }
         };
-        // The table; then across its two ends, beyond which loads are evaluated exactly.
+        // The table; then across its two ends, beyond which the law goes on as a power.
         sweep(1.0 + 1.0 / 512.0, nearest, farthest);
         let smallest = (4.0 * f64::EPSILON * -pull_off).max(1e-3 * nearest);
         sweep(1.5, smallest, 10.0 * nearest);
@@ -272,6 +272,10 @@ fn friction_at_pull_off_is_that_of_the_summary_with_infinite_slope() {
             format!("at pull-off {pull_off:e}: {force:e}, in the summary {at_pull_off:e}; {params:?}")
         });
         failures.claim(slope == f64::INFINITY, || format!("slope {slope:e} at pull-off {pull_off:e}; {params:?}"));
+        // Of a surface that hardly adheres the table ends above zero load, and the law goes on as another power.
+        if summary.min_table_load > 0.0 {
+            continue;
+        }
         // Towards pull-off the force falls to that, as the root of the distance; the slope grows, finite.
         let loads = [
             pull_off.above(),
@@ -294,6 +298,37 @@ fn friction_at_pull_off_is_that_of_the_summary_with_infinite_slope() {
                 format!("x {x:e} above pull-off {pull_off:e}: rise {rise:e}, by the slope {root:e}; {params:?}")
             });
             last = (force, slope);
+        }
+    }
+    failures.report();
+}
+
+/// Beyond the table: value and slope go on where it ends, and a decade farther the local power is still that of its end.
+#[test]
+fn beyond_the_table_the_law_goes_on_with_its_slope_as_a_power_of_the_load() {
+    let mut failures = Failures::default();
+    for model in random_models(SEED ^ 7, 32) {
+        let summary = model.summary();
+        let at_pull_off = summary.pull_off_friction_force;
+        let ends = [(summary.min_table_load, at_pull_off, 0.1), (summary.max_table_load, 0.0, 10.0)];
+        for (end, base, onwards) in ends {
+            let x = end - summary.pull_off_load;
+            let power = |load: f64| {
+                let (force, slope) = model.friction_force_and_slope(load);
+                slope * (load - summary.pull_off_load) / (force - base)
+            };
+            let (below, above) = (end - 1e-9 * x, end + 1e-9 * x);
+            let ((force, slope), (next, next_slope)) =
+                (model.friction_force_and_slope(below), model.friction_force_and_slope(above));
+            // Of a difference from the force at pull-off the digits are fewer.
+            let known = 1e-7 + 1e-15 * next / (next - base);
+            failures.claim(relative(next, force) < 1e-8 && relative(next_slope, slope) < 1e-6, || {
+                format!("at {end:e}: {force:e}, {slope:e}, then {next:e}, {next_slope:e}; {:?}", model.params())
+            });
+            let far = summary.pull_off_load + onwards * x;
+            failures.claim((power(far) - power(end)).abs() < known.max(1e-6), || {
+                format!("at {end:e}: power {}, then {}; {:?}", power(end), power(far), model.params())
+            });
         }
     }
     failures.report();

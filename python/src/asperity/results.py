@@ -242,8 +242,8 @@ class Summary(_WithUnits):
             summits touch hangs on the tallest of them, and holds far more; see `asperity.pads`.
         pull_off_friction_force: friction force at the pull-off load [force].
         zero_load_friction_force: friction force at zero load [force], of the mean surface as well.
-        min_table_load: the lightest load that the compiled law covers [force]; lighter ones are evaluated exactly.
-        max_table_load: the heaviest load that the compiled law covers [force]; heavier ones are evaluated exactly.
+        min_table_load: the lightest load of the compiled table [force]; below it the law goes on with its slope, as a power.
+        max_table_load: the heaviest load of the compiled table [force]; above it likewise.
         table_error: largest relative error of the compiled friction force found when it was built, at samples; between
             them it may be four times as large.
     """

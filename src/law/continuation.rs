@@ -1,0 +1,132 @@
+//! The law beyond its table: a power of x = load - pull-off that meets the outermost row with value and slope.
+//!
+//! Light: F = F_0 + G x^p, with F_0 the value at pull-off, next to which p is 1/2. Heavy: F = G x^p. A power is the same in every
+//! binade but for a factor, so rows for one binade and powers of that factor answer for all, without exp or log.
+
+use super::row::{polynomial, Row, RowBasis, INTERIOR};
+use super::table::Table;
+use super::FRACTION;
+use crate::elementary::{exp, log, log1p};
+use std::f64::consts::LN_2;
+
+/// Rows per binade.
+const ROWS: usize = 1 << FRACTION;
+/// The number of binades from a row's end to x has three digits of this base: 4096 binades are more than doubles have.
+const DIGIT_BITS: u32 = 4;
+const DIGIT: usize = 1 << DIGIT_BITS;
+const DIGITS: usize = 3;
+/// Subnormal numbers are multiplied by 2 to this power.
+const SUBNORMAL: u64 = 54;
+const MANTISSA_BITS: u32 = 52;
+
+/// Value and slope of a quantity beyond one end of its table.
+#[derive(Debug, Clone)]
+pub struct Continuation {
+    base: f64,
+    /// G x^p over the first binade beyond, as in a table.
+    rows: [Row; ROWS],
+    /// The exponent bits of that binade.
+    binade: u64,
+    /// What G x^p changes by over 1, 2, ... binades, over DIGIT, 2 DIGIT, ... and so on.
+    factors: [[f64; DIGIT]; DIGITS],
+}
+
+impl Continuation {
+    /// From the end of a table at `x`, where the quantity has this value and slope, to lighter or to heavier loads; `base` is
+    /// the value at x = 0 of lighter ones, 0 of heavier ones.
+    pub fn new(x: f64, (value, slope): (f64, f64), base: f64, is_heavy: bool) -> Self {
+        let gain = value - base;
+        let power = if gain > 0.0 { slope * x / gain } else { 0.0 };
+        let binade = x.to_bits() >> MANTISSA_BITS;
+        let log_mantissa = log(Self::mantissa(x));
+        // G x^p and its slope by the mantissa.
+        let at = |mantissa: f64| {
+            let value = gain * exp(power * (log1p(mantissa - 1.0) - log_mantissa));
+            (value, power * value / mantissa)
+        };
+        let width = 1.0 / ROWS as f64;
+        let basis = RowBasis::new();
+        let rows = std::array::from_fn(|row| {
+            let begin = 1.0 + row as f64 * width;
+            let end = |mantissa: f64| {
+                let (value, slope) = at(mantissa);
+                (value, slope * width)
+            };
+            let interior = INTERIOR.map(|part| at(begin + part * width).0);
+            Row::of_length(basis.coefficients(end(begin), end(begin + width), interior), width)
+        });
+        let sign = if is_heavy { 1.0 } else { -1.0 };
+        // What no load asks for overflows.
+        let factor = |binades: usize| exp((sign * power * binades as f64 * LN_2).clamp(-740.0, 700.0));
+        let factors = std::array::from_fn(|digit| std::array::from_fn(|i| factor(i << (DIGIT_BITS as usize * digit))));
+        Self { base, rows, binade, factors }
+    }
+
+    /// The value and its slope by x > 0.
+    pub fn at(&self, x: f64) -> (f64, f64) {
+        let is_subnormal = x < f64::MIN_POSITIVE;
+        let (x_normal, shift) = if is_subnormal { (x * (1_u64 << SUBNORMAL) as f64, SUBNORMAL) } else { (x, 0) };
+        let binades = (self.binade + shift).abs_diff(x_normal.to_bits() >> MANTISSA_BITS) as usize;
+        let factor = (0..DIGITS).fold(1.0, |factor, digit| {
+            factor * self.factors[digit][binades >> (DIGIT_BITS as usize * digit) & (DIGIT - 1)]
+        });
+        let mantissa = Self::mantissa(x_normal);
+        let row = ((mantissa - 1.0) * ROWS as f64) as usize;
+        let (value, rate) = polynomial(&self.rows[row].0, mantissa - 1.0 - row as f64 / ROWS as f64);
+        (self.base + factor * value, factor * rate * mantissa / x)
+    }
+
+    fn mantissa(x: f64) -> f64 {
+        f64::from_bits(x.to_bits() & Table::MANTISSA | Table::ONE)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::neighbours::Neighbours;
+
+    #[test]
+    fn beyond_its_end_the_law_is_a_power_that_meets_value_and_slope() {
+        for (x, power, base) in
+            [(1.25, 0.5, 0.0), (3e-7, 0.5, 2.0), (1.75e200, 0.93, 0.0), (1e-290, 0.98, 0.0), (8.0, 0.0, 1.0)]
+        {
+            let gain = 3.0;
+            let end = (base + gain, power * gain / x);
+            for is_heavy in [false, true] {
+                let beyond = Continuation::new(x, end, base, is_heavy);
+                let (value, slope) = beyond.at(x);
+                assert!((value / end.0 - 1.0).abs() < 1e-12, "{x:e}: {value}");
+                assert!((slope - end.1).abs() <= 1e-8 * end.1, "{x:e}: {slope:e}, not {:e}", end.1);
+                for step in 1..200 {
+                    let far = 1.9 * f64::from(step);
+                    let ratio = exp(if is_heavy { far } else { -far });
+                    let at = x * ratio;
+                    if !at.is_normal() {
+                        continue;
+                    }
+                    let (value, slope) = beyond.at(at);
+                    let rise = gain * exp(power * log(at / x));
+                    assert!(
+                        (value / (base + rise) - 1.0).abs() < 1e-10,
+                        "{at:e} of {x:e}: {value:e}, not {:e}",
+                        base + rise
+                    );
+                    let exact = power * rise / at;
+                    assert!((slope - exact).abs() <= 1e-8 * exact, "{at:e} of {x:e}: slope {slope:e}, not {exact:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_smallest_numbers_are_told_apart() {
+        let beyond = Continuation::new(1e-300, (1e-300, 0.9), 0.0, false);
+        let mut last = 0.0;
+        for x in [5e-324, 1e-323, 1e-320, f64::MIN_POSITIVE.below(), f64::MIN_POSITIVE, 1e-301] {
+            let (value, slope) = beyond.at(x);
+            assert!(value > last && slope > 0.0 && slope.is_finite(), "{x:e}: {value:e}, {slope:e}");
+            last = value;
+        }
+    }
+}
