@@ -22,6 +22,11 @@ pub use exact::{State, SummitState};
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
+/// Tables reach from this part of the pull-off load above it, or of the load at which half of the summits touch, to so many
+/// times that load. Few do not; loads beside theirs are computed exactly.
+const LIGHTEST_OF_PULL_OFF: f64 = 1e-9;
+const LIGHTEST_OF_HALF: f64 = 1e-24;
+const HEAVIEST_OF_HALF: f64 = 1e6;
 /// A friction coefficient above this is taken as infinite.
 const LARGEST_COEFFICIENT: f64 = 1e140;
 /// No load curve has more minima than this.
@@ -38,8 +43,8 @@ pub struct Model {
     /// 1 / max_friction_coefficient, of a finite one.
     inverse_cap: f64,
     known: [Known; Quantity::COUNT],
-    /// Each quantity at loads lighter and heavier than its table's.
-    beyond: [[Continuation; 2]; Quantity::COUNT],
+    /// Each quantity at loads lighter and heavier than its table's, where that reaches as far as is promised.
+    beyond: [[Option<Continuation>; 2]; Quantity::COUNT],
     /// The heaviest load that can be evaluated.
     heaviest: f64,
 }
@@ -248,11 +253,16 @@ impl Model {
     /// the load, within it from the curve, or else exactly.
     pub(crate) fn computed(&self, quantity: Quantity, load: f64) -> (f64, f64) {
         let (table, [light, heavy]) = (self.law.table(quantity), &self.beyond[quantity as usize]);
-        match load - table.pull_off {
-            x if x < table.begin_of(0) => light.at(x),
-            x if x >= table.begin_of(table.row_count) => heavy.at(x),
-            _ => self.law.interpolated(quantity, load).unwrap_or_else(|| self.exact(quantity, load)),
-        }
+        let x = load - table.pull_off;
+        let beyond = match x {
+            x if x < table.begin_of(0) => light.as_ref(),
+            x if x >= table.begin_of(table.row_count) => heavy.as_ref(),
+            _ => None,
+        };
+        beyond
+            .map(|beyond| beyond.at(x))
+            .or_else(|| self.law.interpolated(quantity, load))
+            .unwrap_or_else(|| self.exact(quantity, load))
     }
 
     /// Friction coefficient and slope at such a load.
@@ -344,9 +354,11 @@ impl Model {
     }
 }
 
-/// A quantity at lighter and at heavier loads than its table's.
-fn beyond(quantity: Quantity, branch: &Branch, law: &Law, units: &Units) -> [Continuation; 2] {
+/// A quantity at lighter and at heavier loads than its table's, where that reaches as far as is promised.
+fn beyond(quantity: Quantity, branch: &Branch, law: &Law, units: &Units) -> [Option<Continuation>; 2] {
     let (table, unit) = (law.table(quantity), units.of(quantity));
+    let half = branch.population().at_separation(-branch.population().heights().origin()).load().abs() * units.load;
+    let lightest = (LIGHTEST_OF_PULL_OFF * -table.pull_off).max(LIGHTEST_OF_HALF * half);
     let at = |x: f64| {
         let tabulated = table.at_excess(x).or_else(|| law.interpolated(quantity, table.pull_off + x));
         tabulated.unwrap_or_else(|| {
@@ -361,7 +373,10 @@ fn beyond(quantity: Quantity, branch: &Branch, law: &Law, units: &Units) -> [Con
     let at_pull_off = branch.pull_off().map_or(0.0, |point| quantity.of(&point.sums).0 * unit);
     // The next number below: the table's end is not of it.
     let last = end.below();
-    [Continuation::new(first, at(first), at_pull_off, false), Continuation::new(last, at(last), 0.0, true)]
+    [
+        (first <= lightest).then(|| Continuation::new(first, at(first), at_pull_off, false)),
+        (last >= HEAVIEST_OF_HALF * half).then(|| Continuation::new(last, at(last), 0.0, true)),
+    ]
 }
 
 /// a/b for b > 0, saturating where it would overflow.

@@ -307,11 +307,16 @@ fn friction_at_pull_off_is_that_of_the_summary_with_infinite_slope() {
 #[test]
 fn beyond_the_table_the_law_goes_on_with_its_slope_as_a_power_of_the_load() {
     let mut failures = Failures::default();
+    let mut reached = 0;
     for model in random_models(SEED ^ 7, 32) {
         let summary = model.summary();
         let at_pull_off = summary.pull_off_friction_force;
+        let (nearest, farthest) = (summary.min_table_load - summary.pull_off_load, summary.max_table_load);
+        // A few tables end before; there loads are computed exactly.
+        let reaches = nearest <= (1e-9 * -summary.pull_off_load).max(1e-37 * farthest);
+        reached += usize::from(reaches);
         let ends = [(summary.min_table_load, at_pull_off, 0.1), (summary.max_table_load, 0.0, 10.0)];
-        for (end, base, onwards) in ends {
+        for (end, base, onwards) in ends.into_iter().skip(usize::from(!reaches)) {
             let x = end - summary.pull_off_load;
             let power = |load: f64| {
                 let (force, slope) = model.friction_force_and_slope(load);
@@ -331,6 +336,7 @@ fn beyond_the_table_the_law_goes_on_with_its_slope_as_a_power_of_the_load() {
             });
         }
     }
+    assert!(reached >= 24, "{reached} of 32 tables reach as far as is promised");
     failures.report();
 }
 

@@ -198,7 +198,9 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
         for (name, error) in errors(surface, &state, separation, &exact) {
             answer.note(name, load, error);
         }
-        if state.friction_force > NOTHING {
+        // Beyond the table the law goes on as a power.
+        let is_compiled = load == pull_off || (summary.min_table_load..summary.max_table_load).contains(&load);
+        if state.friction_force > NOTHING && is_compiled {
             let table = timed(&mut answer, || model.friction_force_at_load(load));
             answer.note("table", load, (table / state.friction_force - 1.0).abs());
         }
