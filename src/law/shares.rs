@@ -1,0 +1,167 @@
+//! The shares of the Jenkins elements that follow the contacts of a surface as they begin to slip, against load.
+//!
+//! At constant load the contacts resist a displacement x, over strength by stiffness, with the part Phi(x) of their strength. Phi
+//! rises from 0 with slope 1 ever more slowly to 1, and so does a polygon through it, whose corners are the sliders of the
+//! elements and whose changes of slope are their shares. Phi hardly changes with load: polygons at a few loads are blended.
+
+use super::{Curve, Table};
+use crate::elementary::log;
+use crate::equilibrium::Branch;
+use crate::jenkins::{PerElement, ELEMENTS, KNOTS};
+
+/// So many binades lie between loads at which there are polygons, as a power of two...
+const LOG_STRIDE: u32 = 1;
+/// ...and so many such steps between those at which Phi is asked for in any case.
+const LONGEST: usize = 8;
+/// In between it is asked for where it differs by more than this from the mean of its neighbours.
+const TOLERANCE: f64 = 2e-3;
+const MANTISSA_BITS: u32 = 52;
+
+/// Shares at loads that are powers of two above pull-off.
+#[derive(Debug, Clone)]
+pub struct Shares {
+    /// The biased exponent of the first.
+    first: u64,
+    rows: Vec<PerElement>,
+}
+
+impl Shares {
+    /// The shares over the range of a table.
+    pub fn new(branch: &Branch, curve: &Curve, table: &Table, load: f64) -> Self {
+        let exponent = |x: f64| x.to_bits() >> MANTISSA_BITS;
+        let (first, last) = (exponent(table.begin_of(0)), exponent(table.begin_of(table.row_count)));
+        let steps = ((last - first) >> LOG_STRIDE) as usize + 1;
+        let at = |row: usize| {
+            let exponent = (first + ((row as u64) << LOG_STRIDE)).min(last - 1);
+            resisted_at(branch, curve, log(of_exponent(exponent)) - log(load))
+        };
+        let mut rows = vec![[0.0; ELEMENTS]; steps.div_ceil(LONGEST) * LONGEST + 1];
+        // What is not known is taken from the next lighter load; most likely the lightest is the one that is not.
+        rows[0] = at(0).or_else(|| at(LONGEST)).unwrap_or_else(equal_contacts);
+        for from in (0..steps).step_by(LONGEST) {
+            rows[from + LONGEST] = at(from + LONGEST).unwrap_or(rows[from]);
+            fill_between(&mut rows, (from, from + LONGEST), &at);
+        }
+        rows.iter_mut().for_each(|row| *row = polygon(*row));
+        Self { first, rows }
+    }
+
+    /// The shares at load - pull-off, and their slopes.
+    #[inline]
+    pub fn at_excess(&self, x: f64) -> (PerElement, PerElement) {
+        const NONE: PerElement = [0.0; ELEMENTS];
+        let end = self.rows.len() - 1;
+        if x < of_exponent(self.first) {
+            return (self.rows[0], NONE);
+        }
+        let binades = (x.to_bits() >> MANTISSA_BITS) - self.first;
+        let row = (binades >> LOG_STRIDE) as usize;
+        if row >= end {
+            return (self.rows[end], NONE);
+        }
+        let unit = of_exponent(self.first + binades);
+        // Close to log2(x), with a slope that does not jump where binades meet.
+        let t = x / unit - 1.0;
+        const STRIDE: u64 = 1 << LOG_STRIDE;
+        const PER_BINADE: f64 = 1.0 / STRIDE as f64;
+        let place = ((binades % STRIDE) as f64 + t * (4.0 - t) / 3.0) * PER_BINADE;
+        let place_slope = (4.0 - 2.0 * t) * (PER_BINADE / 3.0) / unit;
+        let (part, part_slope) = (place * place * (3.0 - 2.0 * place), 6.0 * place * (1.0 - place) * place_slope);
+        let (before, after) = (&self.rows[row], &self.rows[row + 1]);
+        let change: PerElement = std::array::from_fn(|j| after[j] - before[j]);
+        (std::array::from_fn(|j| before[j] + part * change[j]), change.map(|change| part_slope * change))
+    }
+}
+
+/// 2^e of a biased exponent.
+#[inline]
+fn of_exponent(exponent: u64) -> f64 {
+    f64::from_bits(exponent << MANTISSA_BITS)
+}
+
+/// Fills the rows between two that are known: with their means, but where Phi is found to be another.
+fn fill_between(rows: &mut [PerElement], (from, to): (usize, usize), at: &dyn Fn(usize) -> Option<PerElement>) {
+    if to - from < 2 {
+        return;
+    }
+    let middle = (from + to) / 2;
+    let mean: PerElement = std::array::from_fn(|j| 0.5 * (rows[from][j] + rows[to][j]));
+    rows[middle] = at(middle).unwrap_or(mean);
+    if rows[middle].iter().zip(mean).all(|(found, mean)| (found - mean).abs() < TOLERANCE) {
+        let known = |_: usize| None;
+        fill_between(rows, (from, middle), &known);
+        fill_between(rows, (middle, to), &known);
+    } else {
+        fill_between(rows, (from, middle), at);
+        fill_between(rows, (middle, to), at);
+    }
+}
+
+/// Phi at the knots, at ln(load - pull-off); `None` where the state is not known.
+fn resisted_at(branch: &Branch, curve: &Curve, log_excess: f64) -> Option<PerElement> {
+    let population = branch.population();
+    let separation = curve.separation(log_excess)?;
+    let sums = population.at_separation(separation);
+    let length = sums.friction / sums.radius;
+    let curve = population.shares_of_strength(separation, KNOTS.map(|knot| knot * length))?;
+    curve.iter().all(|value| (0.0..=1.0 + 1e-6).contains(value)).then_some(curve)
+}
+
+/// Phi of contacts of one size, each of which slips from its rim inwards.
+fn equal_contacts() -> PerElement {
+    KNOTS.map(|knot| {
+        let left = (1.0 - knot / 1.5).max(0.0);
+        1.0 - left * left.sqrt()
+    })
+}
+
+/// The shares that are the changes of slope of the polygon through 0, with slope 1 up to the first knot, and the upper hull of
+/// these values at the others, of which the last is taken as 1. Between two knots a polygon runs below the curve: it is lifted by
+/// half of that, as a parabola through three values tells it.
+fn polygon(curve: PerElement) -> PerElement {
+    const LAST: usize = ELEMENTS - 1;
+    let rate = |a: usize, b: usize| (curve[b] - curve[a]) / (KNOTS[b] - KNOTS[a]);
+    let heights: PerElement = std::array::from_fn(|j| match j {
+        0 => KNOTS[0],
+        LAST => 1.0,
+        _ => {
+            let bend = rate(j - 1, j) - rate(j, j + 1);
+            let lifted = curve[j] + bend * (KNOTS[j + 1] - KNOTS[j - 1]) / 32.0;
+            lifted.min(1.0).min(KNOTS[j])
+        }
+    });
+    // The corners of the hull.
+    let mut corners = [0; ELEMENTS];
+    let mut count = 1;
+    let slope = |a: usize, b: usize| (heights[b] - heights[a]) / (KNOTS[b] - KNOTS[a]);
+    for j in 1..ELEMENTS {
+        while count > 1 && slope(corners[count - 1], j) >= slope(corners[count - 2], corners[count - 1]) {
+            count -= 1;
+        }
+        corners[count] = j;
+        count += 1;
+    }
+    let mut shares = [0.0; ELEMENTS];
+    let mut before = 1.0;
+    for pair in corners[..count].windows(2) {
+        let after = slope(pair[0], pair[1]).clamp(0.0, before);
+        shares[pair[0]] = before - after;
+        before = after;
+    }
+    shares[LAST] = before;
+    normalised(shares)
+}
+
+/// Shares of which all of the stiffness, and times the knots all of the strength, are 1 to rounding.
+fn normalised(mut shares: PerElement) -> PerElement {
+    // Two of them make good what rounding and hull have left: those at the first and at the last knot.
+    const LAST: usize = ELEMENTS - 1;
+    for _ in 0..2 {
+        let stiffness = 1.0 - shares.iter().sum::<f64>();
+        let strength = 1.0 - shares.iter().zip(KNOTS).map(|(share, knot)| share * knot).sum::<f64>();
+        let last = (strength - KNOTS[0] * stiffness) / (KNOTS[LAST] - KNOTS[0]);
+        shares[LAST] = (shares[LAST] + last).max(0.0);
+        shares[0] = (shares[0] + stiffness - last).max(0.0);
+    }
+    shares
+}
