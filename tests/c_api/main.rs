@@ -10,6 +10,7 @@ mod fuzz;
 mod fuzz_calls;
 mod gap;
 mod interface;
+mod pairs;
 mod pointers;
 mod pressure_and_slip;
 #[cfg(not(miri))]
