@@ -1538,6 +1538,81 @@ double asperity_slip_force(const struct asperity_model *model,
                            double *dforce_dslip_rate);
 
 /**
+ * Friction coefficients at many contact pressures, and their slopes.
+ *
+ * Every element has the bits that `asperity_friction_at_pressure` gives. All elements are filled; then the first pressure
+ * that is not in order, if any, is reported, and `asperity_last_error` names its index.
+ *
+ * @param model          must not be NULL
+ * @param n              number of pressures; may be 0
+ * @param pressure       n nominal contact pressures [stress], positive in compression; must not be NULL unless n = 0
+ * @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-60 to 1e60; the same for all
+ * @param mu             receives n coefficients; NULL to skip; may be `pressure` itself
+ * @param dmu_dpressure  receives n slopes d(mu)/d(pressure) [1/stress]; NULL to skip; may be `pressure` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`nominal_area`; all elements are NaN),
+ *         `ASPERITY_INVALID_LOAD` (a pressure that is NaN or infinite), `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE` (a
+ *         finite pressure that cannot be evaluated, where the answer is NaN)
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_friction_at_pressures(const struct asperity_model *model,
+                                               size_t n,
+                                               const double *pressure,
+                                               double nominal_area,
+                                               double *mu,
+                                               double *dmu_dpressure);
+
+/**
+ * Frictional shear stresses at many contact pressures, and their slopes, filled and reported as by
+ * `asperity_friction_at_pressures`.
+ *
+ * @param model              must not be NULL
+ * @param n                  number of pressures; may be 0
+ * @param pressure           n nominal contact pressures [stress], positive in compression; must not be NULL unless n = 0
+ * @param nominal_area       as for `asperity_friction_at_pressures`
+ * @param stress             receives n stresses: friction force over `nominal_area` [stress]; NULL to skip; may be `pressure`
+ *                           itself
+ * @param dstress_dpressure  receives n slopes d(stress)/d(pressure); NULL to skip; may be `pressure` itself
+ * @return as `asperity_friction_at_pressures`
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_shear_stresses_at_pressures(const struct asperity_model *model,
+                                                     size_t n,
+                                                     const double *pressure,
+                                                     double nominal_area,
+                                                     double *stress,
+                                                     double *dstress_dpressure);
+
+/**
+ * Friction forces of many sliding contacts, with a smooth sign of the slip rates, and their two slopes.
+ *
+ * Every element has the bits that `asperity_slip_force` gives. All elements are filled; then the first that is not in
+ * order, if any, is reported, and `asperity_last_error` names its index.
+ *
+ * @param model              must not be NULL
+ * @param n                  number of contacts; may be 0
+ * @param load               n normal loads [force]; must not be NULL unless n = 0
+ * @param slip_rate          n tangential velocities [length/time], signed; must not be NULL unless n = 0
+ * @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-60 to 1e60; the same for all
+ * @param force              receives n forces [force]; NULL to skip; may be an input itself
+ * @param dforce_dload       receives n derivatives by load; NULL to skip; may be an input itself
+ * @param dforce_dslip_rate  receives n derivatives by slip rate [force time/length]; NULL to skip; may be an input itself
+ * @return as `asperity_friction_at_loads`, and `ASPERITY_INVALID_PARAMETER` (a slip rate that is NaN or infinite, or
+ *         `transition_rate`; all elements are then NaN)
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_slip_forces(const struct asperity_model *model,
+                                     size_t n,
+                                     const double *load,
+                                     const double *slip_rate,
+                                     double transition_rate,
+                                     double *force,
+                                     double *dforce_dload,
+                                     double *dforce_dslip_rate);
+
+/**
  * Tangential stiffness K_t at a load: tangential force by displacement of the surfaces while all contacts stick.
  *
  * K_t = 8 G^ times the sum of the contact radii. The friction force over K_t is the length before gross slip: what
@@ -1670,6 +1745,94 @@ asperity_status asperity_microslip_steps(const struct asperity_model *model,
                                          double *after,
                                          double *force,
                                          double *stiffness);
+
+/**
+ * Load at a separation of the mean planes, from the compiled law.
+ *
+ * The separation is that of `asperity_state_at_separation`, on the branch of load control: from deep compression to
+ * pull-off, where the surfaces part. Without adhesion the load decays with separation: below about 1e-24 of the load at which
+ * half of the asperities touch it is taken to 0 smoothly, within about one standard deviation of heights. A pull-off load
+ * weaker than that counts as none. Values are within 1e-9 of exact ones, slopes within 1e-7, both relative to the
+ * load or to the pull-off load, whichever is larger. In compression beyond the table, at some 1e4 standard deviations of
+ * heights, the law is read from the curve behind it or evaluated exactly, which takes longer.
+ *
+ * @param model       a model
+ * @param separation  of the mean planes of asperity heights and flat [length]; negative in deep compression
+ * @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a separation that is NaN,
+ *         infinite or below -1e50 `height_std`, or a NULL model
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_load_at_separation(const struct asperity_model *model,
+                                   double separation);
+
+/**
+ * Load at a separation, with its slope.
+ *
+ * @param model              a model
+ * @param separation         as for `asperity_load_at_separation`
+ * @param dload_dseparation  receives d(load)/d(separation) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and
+ *                           beyond; NaN where the load is; NULL to skip
+ * @return as `asperity_load_at_separation`
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_load_and_slope_at_separation(const struct asperity_model *model,
+                                             double separation,
+                                             double *dload_dseparation);
+
+/**
+ * Loads at many separations, and their slopes, filled and reported as by `asperity_friction_at_loads`.
+ *
+ * Every element has the bits that the call for one separation gives. All elements are filled; then the first separation that is
+ * not in order, if any, is reported, and `asperity_last_error` names its index.
+ *
+ * @param model             must not be NULL
+ * @param n                 number of separations; may be 0
+ * @param separation        n separations [length]; must not be NULL unless n = 0
+ * @param load              receives n loads [force]; NULL to skip; may be `separation` itself
+ * @param dload_dseparation receives n slopes d(load)/d(separation) [force/length], <= 0: minus the normal stiffness; 0 at
+ *                          pull-off and beyond; NULL to skip; may be `separation` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a separation that is NaN or infinite),
+ *         `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one below -1e50
+ *         `height_std`)
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_loads_at_separations(const struct asperity_model *model,
+                                              size_t n,
+                                              const double *separation,
+                                              double *load,
+                                              double *dload_dseparation);
+
+/**
+ * Friction forces of contacts that belong to several pairs of surfaces, and their slopes, in one call.
+ *
+ * `which[i]` says which of the models answers `load[i]`. Every element has the bits that the call for one load gives. All
+ * elements are filled; then the first element that is not in order, if any, is reported, and `asperity_last_error` names its
+ * index.
+ *
+ * @param models         models_length models; must not be NULL unless models_length = 0, nor may any of them be: nothing is then
+ *                       written
+ * @param models_length  number of models
+ * @param n              number of contacts; may be 0
+ * @param which          n indices of models, from 0; must not be NULL unless n = 0
+ * @param load           n loads [force]; must not be NULL unless n = 0
+ * @param force          receives n forces [force], NaN where `which` is not below `models_length`; NULL to skip; may be `load`
+ *                       itself
+ * @param dforce_dload   receives n slopes dF/d(load), as `asperity_friction_force_at_loads` has them; NULL to skip; may be
+ *                       `load` itself
+ * @return as `asperity_friction_at_loads`, and `ASPERITY_INVALID_PARAMETER` (`which` is not below `models_length`)
+ *
+ * Threads: may share the models. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_friction_force_at_loads_of(const struct asperity_model *const *models,
+                                                    size_t models_length,
+                                                    size_t n,
+                                                    const uint32_t *which,
+                                                    const double *load,
+                                                    double *force,
+                                                    double *dforce_dload);
 
 /**
  * The exact state at a load, by integration over the summits, without the table.

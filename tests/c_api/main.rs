@@ -8,8 +8,10 @@ mod common;
 mod batch;
 mod fuzz;
 mod fuzz_calls;
+mod gap;
 mod interface;
 mod microslip;
+mod pairs;
 mod pointers;
 mod pressure_and_slip;
 #[cfg(not(miri))]
