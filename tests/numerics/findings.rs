@@ -58,7 +58,7 @@ fn the_tip_of_the_highest_summit_carries_the_lightest_loads() {
     for power in (-250..=-45).step_by(5) {
         let friction = |power: i32| model.friction_force_at_load(10f64.powi(power) * unit);
         let ratio = friction(power) / friction(power - 5);
-        assert!((ratio * 1e-4 - 1.0).abs() < 3e-6, "from 1e{power} of the units: {ratio:e}");
+        assert!((ratio * 1e-4 - 1.0).abs() < 3e-5, "from 1e{power} of the units: {ratio:e}");
     }
     let lightest = model.friction_force_at_load(f64::from_bits(1));
     assert!((0.0..1e-200).contains(&lightest), "{lightest:e}");
