@@ -680,6 +680,72 @@ module asperity
       type(c_ptr), intent(in), value :: dforce_dslip_rate ! receives one [force time/length]; c_null_ptr: none
       real(c_double) :: force
     end function asperity_slip_force
+
+    ! ---- Second names: the same functions, under names of one pattern ----
+
+    ! The same as asperity_summary_of.
+    function asperity_get_summary(model, summary) result(status) bind(c)
+      import :: asperity_summary, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      type(asperity_summary), intent(inout) :: summary    ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_get_summary
+
+    ! The same as asperity_table_of.
+    function asperity_get_table(model, table) result(status) bind(c)
+      import :: asperity_table, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      type(asperity_table), intent(inout) :: table        ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_get_table
+
+    ! The same as asperity_material.
+    function asperity_get_material(name, material) result(status) bind(c)
+      import :: asperity_material_data, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      type(asperity_material_data), intent(inout) :: material ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_get_material
+
+    ! The same as asperity_pair.
+    function asperity_get_pair(name, pair) result(status) bind(c)
+      import :: asperity_pair_data, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      type(asperity_pair_data), intent(inout) :: pair     ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_get_pair
+
+    ! The same as asperity_interface.
+    function asperity_get_interface(name, data) result(status) bind(c)
+      import :: asperity_interface_data, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      type(asperity_interface_data), intent(inout) :: data ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_get_interface
+
+    ! The same as asperity_slip_force.
+    function asperity_friction_force_at_slip_rate(model, load, slip_rate, transition_rate, dforce_dload, dforce_dslip_rate) &
+        result(force) bind(c)
+      import :: c_double, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load
+      real(c_double), intent(in), value :: slip_rate      ! [length/time], signed
+      real(c_double), intent(in), value :: transition_rate ! [length/time], 1e-60 to 1e60
+      type(c_ptr), intent(in), value :: dforce_dload      ! receives a real(c_double) [-]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: dforce_dslip_rate ! receives one [force time/length]; c_null_ptr: none
+      real(c_double) :: force
+    end function asperity_friction_force_at_slip_rate
+
+    ! The same as asperity_tangential_at_load.
+    function asperity_tangential_force_at_displacement(model, load, displacement, force, stiffness) result(status) bind(c)
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load           ! [force]
+      real(c_double), intent(in), value :: displacement   ! [length]
+      type(c_ptr), intent(in), value :: force             ! receives a real(c_double) [force]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: stiffness         ! receives a real(c_double) [force/length]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_tangential_force_at_displacement
   end interface
 
   public :: asperity_abi_version, asperity_version, asperity_status_string, asperity_last_error
@@ -698,6 +764,8 @@ module asperity
   public :: asperity_summits_at_overlaps
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
   public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
+  public :: asperity_get_summary, asperity_get_table, asperity_get_material, asperity_get_pair, asperity_get_interface
+  public :: asperity_friction_force_at_slip_rate, asperity_tangential_force_at_displacement
   public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
 
   ! ---- The Fortran interface ----
@@ -773,7 +841,9 @@ module asperity
     !                      through zero slip rate; it opposes the slip: give it the opposite sign on the body that slips
     !   dforce_dload       real(c_double), intent(out), optional [-]
     !   dforce_dslip_rate  real(c_double), intent(out), optional [force time/length]
+    ! friction_force_at_slip_rate is the same function.
     procedure, public :: slip_force => model_slip_force
+    procedure, public :: friction_force_at_slip_rate => model_slip_force
 
     ! stiffness = law%tangential_stiffness_at_load(load [, stat] [, errmsg])
     !   load       real(c_double), intent(in), rank 0 or 1 [force]
@@ -785,7 +855,9 @@ module asperity
     !   slope         real(c_double), intent(inout), optional [force/length]: d(force)/d(displacement)
     ! The force rises from stiffness times displacement to the friction force; it is odd in the displacement.
     generic, public :: tangential_stiffness_at_load => stiffness_rank_0, stiffness_rank_1
+    ! tangential_force_at_displacement is the same as tangential_at_load.
     procedure, public :: tangential_at_load => model_tangential_at_load
+    procedure, public :: tangential_force_at_displacement => model_tangential_at_load
 
     ! call law%state_at_load(load, state [, stat] [, errmsg])                the exact state at a load [force]
     ! call law%state_at_separation(separation, state [, stat] [, errmsg])    the same at a separation [length]

@@ -664,84 +664,6 @@ typedef struct asperity_summary {
 } asperity_summary;
 
 /**
- * A read-only view of the compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
- *
- * `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load. Its
- * index is (bits(x) >> shift) - base, as unsigned 64-bit integers; if that is not below `row_count`, the table does
- * not answer. Its variable is t = (bits of x below `shift` | bits of 1.0) - 1.0. Its value is F; its derivative by t,
- * times 2^-(exponent of x), is dF/d(load).
- *
- * A row whose first coefficient is NaN is a link to its parts: the last 51 bits of that NaN are the offset of the
- * first part in bytes from `rows`, and the last six numbers of the row are the t at which the next parts begin. The
- * part in which t lies, which may be a link too, is a row whose variable is t minus the t at which it begins. An
- * offset of 0 means that the row is left out. To use the table elsewhere, copy `total_count` rows and change the
- * pointer.
- */
-typedef struct asperity_table {
-  /**
-   * Set by the caller to `sizeof(asperity_table)`; the library writes no more than that.
-   */
-  uint64_t struct_size;
-  /**
-   * `row_count` rows of 8 doubles, aligned to 64 bytes.
-   */
-  const double *rows;
-  /**
-   * Number of rows found from x; parts of rows follow them.
-   */
-  uint64_t row_count;
-  /**
-   * Shifted bits of x at which the first row begins.
-   */
-  uint64_t base;
-  /**
-   * How far the bits of x are shifted.
-   */
-  uint32_t shift;
-  /**
-   * `ASPERITY_TABLE_LAYOUT`.
-   */
-  uint32_t layout_version;
-  /**
-   * The pull-off load [force].
-   */
-  double pull_off_load;
-  /**
-   * Cap on the friction coefficient.
-   */
-  double max_friction_coefficient;
-  /**
-   * Loads up to this times F have the capped coefficient.
-   */
-  double inverse_cap;
-  /**
-   * Number of rows and parts.
-   */
-  uint64_t total_count;
-  /**
-   * Friction force at the pull-off load [force].
-   */
-  double pull_off_force;
-  /**
-   * dF/d(load) of the straight line that stands for F between pull-off and the first row.
-   */
-  double light_slope;
-  /**
-   * Friction force at zero load [force], and its slope.
-   */
-  double zero_force;
-  double zero_slope;
-  /**
-   * dF/d(load) below the pull-off load: 0 with adhesion; without adhesion that of the lightest load of the table.
-   */
-  double separated_slope;
-  /**
-   * Friction force at the end of the last row [force], which `asperity_eval.h` takes for all heavier loads.
-   */
-  double heavy_force;
-} asperity_table;
-
-/**
  * What the friction force F at constant load changes by with each parameter p, the others as they are: d(ln F)/d(ln p),
  * the percentage by which F changes for each percent of p. For `radius_amplitude`, `skew` and `pressure_coefficient`,
  * which may be 0, it is d(ln F)/dp. 0 for a parameter that the model does not read.
@@ -832,49 +754,89 @@ typedef struct asperity_sensitivities {
   double pressure_coefficient;
 } asperity_sensitivities;
 
+/**
+ * A read-only view of the compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
+ *
+ * `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load. Its
+ * index is (bits(x) >> shift) - base, as unsigned 64-bit integers; if that is not below `row_count`, the table does
+ * not answer. Its variable is t = (bits of x below `shift` | bits of 1.0) - 1.0. Its value is F; its derivative by t,
+ * times 2^-(exponent of x), is dF/d(load).
+ *
+ * A row whose first coefficient is NaN is a link to its parts: the last 51 bits of that NaN are the offset of the
+ * first part in bytes from `rows`, and the last six numbers of the row are the t at which the next parts begin. The
+ * part in which t lies, which may be a link too, is a row whose variable is t minus the t at which it begins. An
+ * offset of 0 means that the row is left out. To use the table elsewhere, copy `total_count` rows and change the
+ * pointer.
+ */
+typedef struct asperity_table {
+  /**
+   * Set by the caller to `sizeof(asperity_table)`; the library writes no more than that.
+   */
+  uint64_t struct_size;
+  /**
+   * `row_count` rows of 8 doubles, aligned to 64 bytes.
+   */
+  const double *rows;
+  /**
+   * Number of rows found from x; parts of rows follow them.
+   */
+  uint64_t row_count;
+  /**
+   * Shifted bits of x at which the first row begins.
+   */
+  uint64_t base;
+  /**
+   * How far the bits of x are shifted.
+   */
+  uint32_t shift;
+  /**
+   * `ASPERITY_TABLE_LAYOUT`.
+   */
+  uint32_t layout_version;
+  /**
+   * The pull-off load [force].
+   */
+  double pull_off_load;
+  /**
+   * Cap on the friction coefficient.
+   */
+  double max_friction_coefficient;
+  /**
+   * Loads up to this times F have the capped coefficient.
+   */
+  double inverse_cap;
+  /**
+   * Number of rows and parts.
+   */
+  uint64_t total_count;
+  /**
+   * Friction force at the pull-off load [force].
+   */
+  double pull_off_force;
+  /**
+   * dF/d(load) of the straight line that stands for F between pull-off and the first row.
+   */
+  double light_slope;
+  /**
+   * Friction force at zero load [force], and its slope.
+   */
+  double zero_force;
+  double zero_slope;
+  /**
+   * dF/d(load) below the pull-off load: 0 with adhesion; without adhesion that of the lightest load of the table.
+   */
+  double separated_slope;
+  /**
+   * Friction force at the end of the last row [force], which `asperity_eval.h` takes for all heavier loads.
+   */
+  double heavy_force;
+} asperity_table;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
 
-/**
- * The binary interface of the library loaded: it changes only when compiled callers must be compiled again.
- *
- * Threads: any.
- */
-uint32_t asperity_abi_version(void);
-
-/**
- * The version of the library loaded, "major.minor.patch".
- *
- * @return a constant string, never NULL
- *
- * Threads: any.
- */
-const char *asperity_version(void);
-
-/**
- * Says what a status means, in a few words.
- *
- * @return a constant string, never NULL; "unknown status" for a number that is none
- *
- * Threads: any.
- */
-const char *asperity_status_string(asperity_status status);
-
-/**
- * Copies the message of this thread's last failure.
- *
- * That is the message of the last call on this thread that returned a status other than `ASPERITY_OK`; it is empty if
- * there was none. Calls that succeed do not change it.
- *
- * @param buffer  receives the message, NUL-terminated, cut to fit; NULL to ask for the length only
- * @param length  size of `buffer` in bytes
- * @return the length of the whole message in bytes, without the NUL: it is cut unless `length` is greater
- *
- * Threads: each has its own message.
- */
-size_t asperity_last_error(char *buffer,
-                           size_t length);
+/* ---- Make: parameters from what you know of the surfaces, then a model. ---- */
 
 /**
  * Sets all parameters to the paper's default case.
@@ -1327,6 +1289,8 @@ asperity_status asperity_get_params_sized(const struct asperity_model *model,
  */
 void asperity_free(struct asperity_model *model);
 
+/* ---- Ask: friction and stiffness of one contact or of many, for the inner loop of a solver. ---- */
+
 /**
  * Friction coefficient F/P at a load.
  *
@@ -1552,6 +1516,38 @@ asperity_status asperity_tangential_at_load(const struct asperity_model *model,
                                             double *stiffness);
 
 /**
+ * Load, friction force and contact radius of single summits, by the law that all sums of the model are made of.
+ *
+ * For pads of so few contacts that their summits count one by one. A summit stays in contact down to the overlap at
+ * which it breaks away, which is negative with adhesion; below that it may attract without contact. All elements are
+ * filled; then the first overlap or height that is not in order, if any, is reported, and `asperity_last_error` names its
+ * index.
+ *
+ * @param model    must not be NULL
+ * @param n        number of summits; may be 0
+ * @param overlap  n overlaps [length]: the height of the summit less the separation, negative for a gap; must not be NULL
+ *                 unless n = 0
+ * @param height   n heights from the mean of the summit heights [length], on which radii of summits depend where
+ *                 `radius_amplitude` is not 0; NULL: all summits have the mean height
+ * @param load     receives n loads [force], negative where a summit pulls; NULL to skip; may be `overlap` itself
+ * @param force    receives n friction forces [force], 0 out of contact; NULL to skip; may be `overlap` itself
+ * @param radius   receives n contact radii [length], 0 out of contact; NULL to skip; may be `overlap` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (an overlap or height that is not finite),
+ *         `ASPERITY_OUT_OF_RANGE` (one beyond 1e50 `height_std`); the three numbers of such a summit are NaN
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_summits_at_overlaps(const struct asperity_model *model,
+                                             size_t n,
+                                             const double *overlap,
+                                             const double *height,
+                                             double *load,
+                                             double *force,
+                                             double *radius);
+
+/* ---- Explain: exact states, the constants of a model, and which parameter matters how much. ---- */
+
+/**
  * The exact state at a load, by integration over the summits, without the table.
  *
  * @param model  must not be NULL
@@ -1593,6 +1589,28 @@ asperity_status asperity_state_at_separation(const struct asperity_model *model,
  */
 asperity_status asperity_summary_of(const struct asperity_model *model,
                                     struct asperity_summary *summary);
+
+/**
+ * The sensitivities of the friction force at a load, by integration over the summits, without the table. Takes longer than
+ * an exact state, but far less than a model.
+ *
+ * Next to the pull-off load they grow without limit, as dF/dP does. There are none at that load itself and, without
+ * adhesion, at zero load.
+ *
+ * @param model          must not be NULL
+ * @param load           normal load [force], above the pull-off load
+ * @param sensitivities  receives them; must not be NULL; its `struct_size` must be set; untouched on failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
+ *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE` (too heavy, or none at this load),
+ *         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+ *
+ * Threads: may share the model.
+ */
+asperity_status asperity_sensitivities_at_load(const struct asperity_model *model,
+                                               double load,
+                                               struct asperity_sensitivities *sensitivities);
+
+/* ---- Limits: where the model does not hold, and what to do there. ---- */
 
 /**
  * The warnings of all states from one load to another: whether the law holds for a contact that meets these loads.
@@ -1660,35 +1678,49 @@ size_t asperity_warnings_text(uint64_t warnings,
                               char *buffer,
                               size_t length);
 
+/* ---- Errors and versions. ---- */
+
 /**
- * Load, friction force and contact radius of single summits, by the law that all sums of the model are made of.
+ * Copies the message of this thread's last failure.
  *
- * For pads of so few contacts that their summits count one by one. A summit stays in contact down to the overlap at
- * which it breaks away, which is negative with adhesion; below that it may attract without contact. All elements are
- * filled; then the first overlap or height that is not in order, if any, is reported, and `asperity_last_error` names its
- * index.
+ * That is the message of the last call on this thread that returned a status other than `ASPERITY_OK`; it is empty if
+ * there was none. Calls that succeed do not change it.
  *
- * @param model    must not be NULL
- * @param n        number of summits; may be 0
- * @param overlap  n overlaps [length]: the height of the summit less the separation, negative for a gap; must not be NULL
- *                 unless n = 0
- * @param height   n heights from the mean of the summit heights [length], on which radii of summits depend where
- *                 `radius_amplitude` is not 0; NULL: all summits have the mean height
- * @param load     receives n loads [force], negative where a summit pulls; NULL to skip; may be `overlap` itself
- * @param force    receives n friction forces [force], 0 out of contact; NULL to skip; may be `overlap` itself
- * @param radius   receives n contact radii [length], 0 out of contact; NULL to skip; may be `overlap` itself
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (an overlap or height that is not finite),
- *         `ASPERITY_OUT_OF_RANGE` (one beyond 1e50 `height_std`); the three numbers of such a summit are NaN
+ * @param buffer  receives the message, NUL-terminated, cut to fit; NULL to ask for the length only
+ * @param length  size of `buffer` in bytes
+ * @return the length of the whole message in bytes, without the NUL: it is cut unless `length` is greater
  *
- * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ * Threads: each has its own message.
  */
-asperity_status asperity_summits_at_overlaps(const struct asperity_model *model,
-                                             size_t n,
-                                             const double *overlap,
-                                             const double *height,
-                                             double *load,
-                                             double *force,
-                                             double *radius);
+size_t asperity_last_error(char *buffer,
+                           size_t length);
+
+/**
+ * Says what a status means, in a few words.
+ *
+ * @return a constant string, never NULL; "unknown status" for a number that is none
+ *
+ * Threads: any.
+ */
+const char *asperity_status_string(asperity_status status);
+
+/**
+ * The binary interface of the library loaded: it changes only when compiled callers must be compiled again.
+ *
+ * Threads: any.
+ */
+uint32_t asperity_abi_version(void);
+
+/**
+ * The version of the library loaded, "major.minor.patch".
+ *
+ * @return a constant string, never NULL
+ *
+ * Threads: any.
+ */
+const char *asperity_version(void);
+
+/* ---- The table: the compiled law for code that cannot call a library, as GPU kernels. ---- */
 
 /**
  * Gives a view of the compiled law of a model.
@@ -1703,25 +1735,53 @@ asperity_status asperity_summits_at_overlaps(const struct asperity_model *model,
 asperity_status asperity_table_of(const struct asperity_model *model,
                                   struct asperity_table *table);
 
+/* ---- Second names: the same functions under names of the pattern above. Neither name will go. ---- */
+
 /**
- * The sensitivities of the friction force at a load, by integration over the summits, without the table. Takes longer than
- * an exact state, but far less than a model.
- *
- * Next to the pull-off load they grow without limit, as dF/dP does. There are none at that load itself and, without
- * adhesion, at zero load.
- *
- * @param model          must not be NULL
- * @param load           normal load [force], above the pull-off load
- * @param sensitivities  receives them; must not be NULL; its `struct_size` must be set; untouched on failure
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
- *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE` (too heavy, or none at this load),
- *         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
- *
- * Threads: may share the model.
+ * Fills the constants of a model: the same as `asperity_summary_of`.
  */
-asperity_status asperity_sensitivities_at_load(const struct asperity_model *model,
-                                               double load,
-                                               struct asperity_sensitivities *sensitivities);
+asperity_status asperity_get_summary(const struct asperity_model *model,
+                                     struct asperity_summary *summary);
+
+/**
+ * Fills a view of the compiled law of a model: the same as `asperity_table_of`.
+ */
+asperity_status asperity_get_table(const struct asperity_model *model,
+                                   struct asperity_table *table);
+
+/**
+ * Fills the data of a material: the same as `asperity_material`.
+ */
+asperity_status asperity_get_material(const char *name, struct asperity_material_data *material);
+
+/**
+ * Fills the data of a pair of materials: the same as `asperity_pair`.
+ */
+asperity_status asperity_get_pair(const char *name, struct asperity_pair_data *pair);
+
+/**
+ * Fills the data of an interface: the same as `asperity_interface`.
+ */
+asperity_status asperity_get_interface(const char *name, struct asperity_interface_data *data);
+
+/**
+ * Returns the friction force at a load and a slip rate, with a smooth sign: the same as `asperity_slip_force`.
+ */
+double asperity_friction_force_at_slip_rate(const struct asperity_model *model,
+                                            double load,
+                                            double slip_rate,
+                                            double transition_rate,
+                                            double *dforce_dload,
+                                            double *dforce_dslip_rate);
+
+/**
+ * Computes the tangential force at a load and a displacement, exactly: the same as `asperity_tangential_at_load`.
+ */
+asperity_status asperity_tangential_force_at_displacement(const struct asperity_model *model,
+                                                          double load,
+                                                          double displacement,
+                                                          double *force,
+                                                          double *stiffness);
 
 #ifdef __cplusplus
 }  // extern "C"

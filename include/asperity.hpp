@@ -8,8 +8,11 @@
 //     const asperity::Model model(params);
 //     double mu = model.friction_at_load(1e-3);
 //
-// Errors: calls that cannot do what they are asked throw asperity::Error, with the status and the message of the
-// library. Calls for the inner loop of a solver never throw for a load: they return a number for every load.
+// Errors, one rule each:
+//   Calls that return a number return one for every load, and never throw for a load: NaN where there is no answer.
+//   Batch calls into memory of the caller return a Status, which is [[nodiscard]]: look at it, or pass it to check().
+//   All other calls throw asperity::Error, with the status and the message of the library.
+//   A Model that was moved from throws asperity::MovedFrom from every call but c(), until a model is assigned to it.
 // Threads: a const Model may be shared. Floating point: no call raises invalid, divide-by-zero or overflow.
 
 #ifndef ASPERITY_HPP
@@ -86,6 +89,13 @@ public:
 
 private:
     Status status_;
+};
+
+/// A Model was used after it was moved from; its status is ASPERITY_NULL_POINTER.
+class MovedFrom : public Error {
+public:
+    /// The error, which says what to do.
+    MovedFrom() : Error(ASPERITY_NULL_POINTER, "Model was moved from: assign a model to it before you use it") {}
 };
 
 /// The message of the last call on this thread that failed; empty if none did.
@@ -560,8 +570,8 @@ private:
 
 /// A friction law ready for use: owns the C model, moves, does not copy.
 ///
-/// A Model that was moved from holds nothing: it may be assigned to or destroyed; friction at one load or pressure is
-/// NaN, other calls throw Error (ASPERITY_NULL_POINTER).
+/// A Model that was moved from holds nothing. It may be assigned to or destroyed, and c() is null; every other call throws
+/// MovedFrom.
 class Model {
 public:
     /// Checks the parameters and compiles the law, in milliseconds.
@@ -577,12 +587,12 @@ public:
     /// Gives the model other parameters, all or nothing: when it throws, the model is as before.
     ///
     /// Throws as the constructor. No other thread may use the model during the call.
-    void set_params(const Params &params) { check(asperity_set_params(handle_.get(), &params.c())); }
+    void set_params(const Params &params) { check(asperity_set_params(open(), &params.c())); }
 
     /// The parameters of the model, with a table of their own if it has one.
     Params params() const {
         asperity_params params;
-        check(asperity_get_params_sized(handle_.get(), &params, sizeof params));
+        check(asperity_get_params_sized(open(), &params, sizeof params));
         return Params(params);
     }
 
@@ -590,26 +600,26 @@ public:
     ///
     /// At most max_friction_coefficient, which it is at and below zero load down to pull-off; 0 below pull-off; a quiet
     /// NaN for a NaN or infinite load.
-    double friction_at_load(double load) const noexcept { return asperity_friction_at_load(handle_.get(), load); }
+    double friction_at_load(double load) const { return asperity_friction_at_load(open(), load); }
 
     /// Friction force F [force] at a normal load [force].
     ///
     /// Finite and positive down to pull-off; 0 below; a quiet NaN for a NaN or infinite load.
-    double friction_force_at_load(double load) const noexcept {
-        return asperity_friction_force_at_load(handle_.get(), load);
+    double friction_force_at_load(double load) const {
+        return asperity_friction_force_at_load(open(), load);
     }
 
     /// Friction coefficient as friction_at_load, and its slope d(mu)/d(load) [1/force]: 0 where it is capped.
-    ValueAndSlope friction_and_slope_at_load(double load) const noexcept {
+    ValueAndSlope friction_and_slope_at_load(double load) const {
         ValueAndSlope mu;
-        mu.value = asperity_friction_and_slope_at_load(handle_.get(), load, &mu.slope);
+        mu.value = asperity_friction_and_slope_at_load(open(), load, &mu.slope);
         return mu;
     }
 
     /// Friction force as friction_force_at_load, and its slope dF/d(load): infinite at the pull-off load itself.
-    ValueAndSlope friction_force_and_slope_at_load(double load) const noexcept {
+    ValueAndSlope friction_force_and_slope_at_load(double load) const {
         ValueAndSlope force;
-        force.value = asperity_friction_force_and_slope_at_load(handle_.get(), load, &force.slope);
+        force.value = asperity_friction_force_and_slope_at_load(open(), load, &force.slope);
         return force;
     }
 
@@ -618,28 +628,28 @@ public:
     /// The summits of the model, asperity_count, belong to nominal_area [length^2], from 1e-60 to 1e60: the load is
     /// pressure times that area. An integration point's own area plays no part. A quiet NaN also for an area that is
     /// not allowed.
-    double friction_at_pressure(double pressure, double nominal_area) const noexcept {
-        return asperity_friction_at_pressure(handle_.get(), pressure, nominal_area, nullptr);
+    double friction_at_pressure(double pressure, double nominal_area) const {
+        return asperity_friction_at_pressure(open(), pressure, nominal_area, nullptr);
     }
 
     /// Friction coefficient as friction_at_pressure, and its slope d(mu)/d(pressure) [1/stress].
-    ValueAndSlope friction_and_slope_at_pressure(double pressure, double nominal_area) const noexcept {
+    ValueAndSlope friction_and_slope_at_pressure(double pressure, double nominal_area) const {
         ValueAndSlope mu;
-        mu.value = asperity_friction_at_pressure(handle_.get(), pressure, nominal_area, &mu.slope);
+        mu.value = asperity_friction_at_pressure(open(), pressure, nominal_area, &mu.slope);
         return mu;
     }
 
     /// Frictional shear stress, friction force per nominal area, at a nominal contact pressure [stress].
     ///
     /// As friction_at_pressure, but finite also at zero pressure and down to pull-off.
-    double shear_stress_at_pressure(double pressure, double nominal_area) const noexcept {
-        return asperity_shear_stress_at_pressure(handle_.get(), pressure, nominal_area, nullptr);
+    double shear_stress_at_pressure(double pressure, double nominal_area) const {
+        return asperity_shear_stress_at_pressure(open(), pressure, nominal_area, nullptr);
     }
 
     /// Shear stress as shear_stress_at_pressure, and its slope d(stress)/d(pressure).
-    ValueAndSlope shear_stress_and_slope_at_pressure(double pressure, double nominal_area) const noexcept {
+    ValueAndSlope shear_stress_and_slope_at_pressure(double pressure, double nominal_area) const {
         ValueAndSlope stress;
-        stress.value = asperity_shear_stress_at_pressure(handle_.get(), pressure, nominal_area, &stress.slope);
+        stress.value = asperity_shear_stress_at_pressure(open(), pressure, nominal_area, &stress.slope);
         return stress;
     }
 
@@ -648,16 +658,26 @@ public:
     /// It has the sign of slip_rate [length/time]: the force on the body that slips is minus this. transition_rate,
     /// from 1e-60 to 1e60, is where the force reaches 76 % of the law's. A quiet NaN for a load or rate that is not
     /// finite or not allowed.
-    double slip_force(double load, double slip_rate, double transition_rate) const noexcept {
-        return asperity_slip_force(handle_.get(), load, slip_rate, transition_rate, nullptr, nullptr);
+    double slip_force(double load, double slip_rate, double transition_rate) const {
+        return asperity_slip_force(open(), load, slip_rate, transition_rate, nullptr, nullptr);
     }
 
     /// Friction force as slip_force, and its derivatives by load and by slip rate [force time/length].
-    SlipForce slip_force_and_slopes(double load, double slip_rate, double transition_rate) const noexcept {
+    SlipForce slip_force_and_slopes(double load, double slip_rate, double transition_rate) const {
         SlipForce force;
-        force.value = asperity_slip_force(handle_.get(), load, slip_rate, transition_rate, &force.dforce_dload,
+        force.value = asperity_slip_force(open(), load, slip_rate, transition_rate, &force.dforce_dload,
                                           &force.dforce_dslip_rate);
         return force;
+    }
+
+    /// The same as slip_force.
+    double friction_force_at_slip_rate(double load, double slip_rate, double transition_rate) const {
+        return asperity_friction_force_at_slip_rate(open(), load, slip_rate, transition_rate, nullptr, nullptr);
+    }
+
+    /// The same as slip_force_and_slopes.
+    SlipForce friction_force_and_slopes_at_slip_rate(double load, double slip_rate, double transition_rate) const {
+        return slip_force_and_slopes(load, slip_rate, transition_rate);
     }
 
     /// Friction coefficients at many loads, into memory of the caller; for the inner loop: allocates nothing.
@@ -671,7 +691,7 @@ public:
     ///         pull-off), ASPERITY_INVALID_LOAD (NaN, infinite) or ASPERITY_OUT_OF_RANGE (too heavy to be evaluated,
     ///         NaN); last_error() names its index
     /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
-    Status friction_at_load(Span<const double> loads, Span<double> mu, Span<double> dmu_dload = {}) const {
+    [[nodiscard]] Status friction_at_load(Span<const double> loads, Span<double> mu, Span<double> dmu_dload = {}) const {
         return many(asperity_friction_at_loads, loads, mu, dmu_dload);
     }
 
@@ -684,7 +704,8 @@ public:
     /// @param dforce_dload  receives as many slopes; none by default
     /// @return as for coefficients
     /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
-    Status friction_force_at_load(Span<const double> loads, Span<double> force, Span<double> dforce_dload = {}) const {
+    [[nodiscard]] Status friction_force_at_load(Span<const double> loads, Span<double> force,
+                                                Span<double> dforce_dload = {}) const {
         return many(asperity_friction_force_at_loads, loads, force, dforce_dload);
     }
 
@@ -731,8 +752,8 @@ public:
     /// Tangential stiffness K_t [force/length] at a normal load [force]: force by displacement while all contacts stick.
     ///
     /// Positive down to pull-off; 0 below and, without adhesion, at zero load; a quiet NaN for a NaN or infinite load.
-    double tangential_stiffness_at_load(double load) const noexcept {
-        return asperity_tangential_stiffness_at_load(handle_.get(), load);
+    double tangential_stiffness_at_load(double load) const {
+        return asperity_tangential_stiffness_at_load(open(), load);
     }
 
     /// Tangential stiffnesses at many loads, into memory of the caller; for the inner loop: allocates nothing.
@@ -743,7 +764,7 @@ public:
     /// @param stiffness  receives as many stiffnesses [force/length]; may be `loads` itself
     /// @return as for coefficients
     /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
-    Status tangential_stiffness_at_load(Span<const double> loads, Span<double> stiffness) const {
+    [[nodiscard]] Status tangential_stiffness_at_load(Span<const double> loads, Span<double> stiffness) const {
         return many(stiffnesses, loads, stiffness, {});
     }
 
@@ -765,7 +786,14 @@ public:
     /// ASPERITY_NOT_CONVERGED).
     ValueAndSlope tangential_at_load(double load, double displacement) const {
         ValueAndSlope force;
-        check(asperity_tangential_at_load(handle_.get(), load, displacement, &force.value, &force.slope));
+        check(asperity_tangential_at_load(open(), load, displacement, &force.value, &force.slope));
+        return force;
+    }
+
+    /// The same as tangential_at_load.
+    ValueAndSlope tangential_force_at_displacement(double load, double displacement) const {
+        ValueAndSlope force;
+        check(asperity_tangential_force_at_displacement(open(), load, displacement, &force.value, &force.slope));
         return force;
     }
 
@@ -775,7 +803,7 @@ public:
     State state_at_load(double load) const {
         State state;
         state.struct_size = sizeof state;
-        check(asperity_state_at_load(handle_.get(), load, &state));
+        check(asperity_state_at_load(open(), load, &state));
         return state;
     }
 
@@ -785,7 +813,7 @@ public:
     State state_at_separation(double separation) const {
         State state;
         state.struct_size = sizeof state;
-        check(asperity_state_at_separation(handle_.get(), separation, &state));
+        check(asperity_state_at_separation(open(), separation, &state));
         return state;
     }
 
@@ -796,7 +824,7 @@ public:
     Sensitivities sensitivities_at_load(double load) const {
         Sensitivities sensitivities;
         sensitivities.struct_size = sizeof sensitivities;
-        check(asperity_sensitivities_at_load(handle_.get(), load, &sensitivities));
+        check(asperity_sensitivities_at_load(open(), load, &sensitivities));
         return sensitivities;
     }
 
@@ -806,7 +834,7 @@ public:
     /// Takes milliseconds. Throws Error as state_at_load, and ASPERITY_INVALID_PARAMETER if lightest is above heaviest.
     std::uint64_t check_loads(double lightest, double heaviest) const {
         std::uint64_t warnings = 0;
-        check(asperity_check_loads(handle_.get(), lightest, heaviest, &warnings));
+        check(asperity_check_loads(open(), lightest, heaviest, &warnings));
         return warnings;
     }
 
@@ -816,7 +844,7 @@ public:
     /// Takes milliseconds. Throws Error (ASPERITY_INVALID_PARAMETER for what is not one known bit).
     std::pair<double, double> warning_loads(std::uint64_t warning) const {
         std::pair<double, double> loads;
-        check(asperity_warning_loads(handle_.get(), warning, &loads.first, &loads.second));
+        check(asperity_warning_loads(open(), warning, &loads.first, &loads.second));
         return loads;
     }
 
@@ -832,7 +860,7 @@ public:
             require_size("heights", heights.size(), n, "overlaps");
         }
         Summits found{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
-        check(asperity_summits_at_overlaps(handle_.get(), n, overlaps.data(), heights.data(), found.load.data(),
+        check(asperity_summits_at_overlaps(open(), n, overlaps.data(), heights.data(), found.load.data(),
                                            found.force.data(), found.radius.data()));
         return found;
     }
@@ -841,7 +869,7 @@ public:
     Summary summary() const {
         Summary summary;
         summary.struct_size = sizeof summary;
-        check(asperity_summary_of(handle_.get(), &summary));
+        check(asperity_summary_of(open(), &summary));
         return summary;
     }
 
@@ -851,7 +879,7 @@ public:
     Table table() const {
         Table table;
         table.struct_size = sizeof table;
-        check(asperity_table_of(handle_.get(), &table));
+        check(asperity_table_of(open(), &table));
         return table;
     }
 
@@ -860,6 +888,14 @@ public:
 
 private:
     using Batch = asperity_status (*)(const asperity_model *, std::size_t, const double *, double *, double *);
+
+    /// The C model, which a Model that was moved from lacks.
+    asperity_model *open() const {
+        if (!handle_) {
+            throw MovedFrom();
+        }
+        return handle_.get();
+    }
 
     struct Free {
         void operator()(asperity_model *model) const noexcept { asperity_free(model); }
@@ -875,11 +911,7 @@ private:
         if (slope.data() != nullptr) {
             require_size("slopes", slope.size(), loads.size());
         }
-        const Status status = batch(handle_.get(), loads.size(), loads.data(), value.data(), slope.data());
-        if (status == ASPERITY_NULL_POINTER) {
-            check(status);
-        }
-        return status;
+        return batch(open(), loads.size(), loads.data(), value.data(), slope.data());
     }
 
     /// An open contact is an answer. The library reports the first invalid load alone, so that one may hide a load that has none.
@@ -893,7 +925,7 @@ private:
             if (is_nan(value.data()[i])) {
                 State state;
                 state.struct_size = sizeof state;
-                const Status why = asperity_state_at_load(handle_.get(), loads.data()[i], &state);
+                const Status why = asperity_state_at_load(open(), loads.data()[i], &state);
                 throw Error(why, "element " + std::to_string(i) + ": " + last_error());
             }
         }

@@ -1,7 +1,6 @@
 //! Status codes.
 
 use crate::error::Error;
-use std::ffi::c_char;
 
 /// What a call returns: 0, or why it failed. A plain integer, never an enum type.
 pub type asperity_status = i32;
@@ -40,26 +39,4 @@ impl Error {
             Error::NotConverged { .. } => ASPERITY_NOT_CONVERGED,
         }
     }
-}
-
-/// Says what a status means, in a few words.
-///
-/// @return a constant string, never NULL; "unknown status" for a number that is none
-///
-/// Threads: any.
-#[no_mangle]
-pub extern "C" fn asperity_status_string(status: asperity_status) -> *const c_char {
-    match status {
-        ASPERITY_OK => c"success",
-        ASPERITY_NULL_POINTER => c"a pointer is NULL",
-        ASPERITY_INVALID_PARAMETER => c"invalid parameter",
-        ASPERITY_INVALID_LOAD => c"load is NaN or infinite",
-        ASPERITY_SEPARATED => c"load below pull-off: the surfaces are apart",
-        ASPERITY_OUT_OF_RANGE => c"outside the range the model can be evaluated for",
-        ASPERITY_NOT_CONVERGED => c"an iteration did not converge",
-        ASPERITY_OUT_OF_MEMORY => c"out of memory",
-        ASPERITY_INTERNAL => c"internal error: a bug in asperity",
-        _ => c"unknown status",
-    }
-    .as_ptr()
 }

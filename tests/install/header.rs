@@ -1,47 +1,67 @@
 //! The committed header is what the sources generate, and every dialect of C and C++ takes it.
 
 use crate::common::c_compiler::{root, source, Compiler, Language};
+use std::path::PathBuf;
 
 /// Set to write the header instead of comparing it: `make header`.
 const WRITE: &str = "ASPERITY_WRITE_HEADER";
 
+/// The groups of functions in the order in which a reader needs them: a heading, and the files of `src/capi/` whose functions follow.
+const GROUPS: [(&str, &[&str]); 7] = [
+    (
+        "Make: parameters from what you know of the surfaces, then a model.",
+        &["params", "setters", "names", "materials", "interfaces", "calibration", "model"],
+    ),
+    (
+        "Ask: friction and stiffness of one contact or of many, for the inner loop of a solver.",
+        &["evaluate", "slope", "tangential", "summits"],
+    ),
+    (
+        "Explain: exact states, the constants of a model, and which parameter matters how much.",
+        &["state", "sensitivities"],
+    ),
+    ("Limits: where the model does not hold, and what to do there.", &["validity"]),
+    ("Errors and versions.", &["last_error", "about"]),
+    ("The table: the compiled law for code that cannot call a library, as GPU kernels.", &["table"]),
+    ("Second names: the same functions under names of the pattern above. Neither name will go.", &["aliases"]),
+];
+
+/// Files that have constants and types alone, which come before all functions.
+const CONSTANTS: [&str; 2] = ["version", "status"];
+
+fn capi(file: &str) -> PathBuf {
+    root().join(format!("src/capi/{file}.rs"))
+}
+
+/// The header, with a heading before the first function of each group.
+fn generated() -> String {
+    let config = cbindgen::Config::from_file(root().join("cbindgen.toml")).expect("cbindgen.toml");
+    let files = CONSTANTS.iter().chain(GROUPS.iter().flat_map(|(_, files)| *files));
+    let builder = files.fold(cbindgen::Builder::new(), |builder, file| builder.with_src(capi(file)));
+    let mut header = Vec::new();
+    builder.with_config(config).generate().expect("bindings").write(&mut header);
+    let mut header = String::from_utf8(header).expect("a text");
+    for (heading, files) in GROUPS {
+        let sources = files.iter().map(|file| std::fs::read_to_string(capi(file)).expect(file)).collect::<String>();
+        let name = sources.split("extern \"C\" fn ").nth(1).and_then(|rest| rest.split('(').next()).expect(heading);
+        let declares = |line: &&str| !line.starts_with([' ', '/', '#']) && line.contains(&format!("{name}("));
+        let declaration = header.lines().find(declares).expect(name);
+        let end = declaration.as_ptr() as usize - header.as_ptr() as usize;
+        let comment = header[..end].rfind("/**\n").expect("a comment");
+        header.insert_str(comment, &format!("/* ---- {heading} ---- */\n\n"));
+    }
+    header
+}
+
 #[test]
 fn committed_header_is_what_the_sources_generate() {
-    let root = root();
-    let path = root.join("include/asperity.h");
-    let config = cbindgen::Config::from_file(root.join("cbindgen.toml")).expect("cbindgen.toml");
-    // The C interface alone, a file per subject, in the order in which a reader needs them.
-    let files = [
-        "version",
-        "status",
-        "last_error",
-        "params",
-        "setters",
-        "names",
-        "materials",
-        "interfaces",
-        "calibration",
-        "model",
-        "evaluate",
-        "slope",
-        "tangential",
-        "state",
-        "validity",
-        "summits",
-        "table",
-        "sensitivities",
-    ];
-    let builder = files
-        .iter()
-        .fold(cbindgen::Builder::new(), |builder, file| builder.with_src(root.join(format!("src/capi/{file}.rs"))));
-    let bindings = builder.with_config(config).generate().expect("bindings");
-    let mut generated = Vec::new();
-    bindings.write(&mut generated);
+    let path = root().join("include/asperity.h");
+    let generated = generated();
     if std::env::var_os(WRITE).is_some() {
         std::fs::write(&path, &generated).expect("include/asperity.h");
         return;
     }
-    let committed = std::fs::read(&path).expect("include/asperity.h");
+    let committed = std::fs::read_to_string(&path).expect("include/asperity.h");
     assert!(
         committed == generated,
         "include/asperity.h differs from what the sources generate: run `make header` and commit the result"

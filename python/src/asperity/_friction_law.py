@@ -184,6 +184,9 @@ class FrictionLaw:
         values = tuple(_shaped(given, row, pairs.shape, name) for row, name in zip(found, _SLIP_NAMES))
         return values if slope else values[0]
 
+    #: The same as `slip_force`.
+    friction_force_at_slip_rate = slip_force
+
     @overload
     def tangential_stiffness_at_load(self, load: float) -> float: ...
     @overload
@@ -238,6 +241,9 @@ class FrictionLaw:
         names = ("tangential_force", "tangential_stiffness")
         force_there, slope_there = (_shaped(given, row, pairs.shape, name) for row, name in zip(found, names))
         return force_there, slope_there
+
+    #: The same as `tangential`.
+    tangential_force_at_displacement = tangential
 
     def hysteresis(self, load: float, amplitude: float, *, points: int = 201) -> Hysteresis:
         """The loop of tangential force against displacement between -amplitude and amplitude, at a constant load.
