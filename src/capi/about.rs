@@ -4,9 +4,10 @@ use super::status::*;
 use super::version::ASPERITY_ABI_VERSION;
 use std::ffi::c_char;
 
-/// Says what a status means, in a few words.
+/// Returns a status in a few words; `asperity_last_error` says more of the last failure.
 ///
-/// @return a constant string, never NULL; "unknown status" for a number that is none
+/// @param status  one of the constants `ASPERITY_OK` to `ASPERITY_INTERNAL`
+/// @return a constant string, never NULL; "unknown status" for any other number
 ///
 /// Threads: any.
 #[no_mangle]
@@ -26,7 +27,9 @@ pub extern "C" fn asperity_status_string(status: asperity_status) -> *const c_ch
     .as_ptr()
 }
 
-/// The binary interface of the library loaded: it changes only when compiled callers must be compiled again.
+/// Returns the version of the binary interface of the library loaded; compare it with `ASPERITY_ABI_VERSION`.
+///
+/// It changes only when compiled callers must be compiled again.
 ///
 /// Threads: any.
 #[no_mangle]
@@ -34,7 +37,7 @@ pub extern "C" fn asperity_abi_version() -> u32 {
     ASPERITY_ABI_VERSION
 }
 
-/// The version of the library loaded, "major.minor.patch".
+/// Returns the version of the library loaded, "major.minor.patch".
 ///
 /// @return a constant string, never NULL
 ///

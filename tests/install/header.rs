@@ -1,6 +1,6 @@
 //! The committed header is what the sources generate, and every dialect of C and C++ takes it.
 
-use crate::common::c_compiler::{root, source, Compiler, Language};
+use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
 use std::path::PathBuf;
 
 /// Set to write the header instead of comparing it: `make header`.
@@ -95,6 +95,49 @@ fn every_dialect_takes_the_header_without_a_warning() {
             // C++98 has no long long of its own, which the system's stdint.h uses.
             let compiler = if *standard == "c++98" { compiler.with(&["-Wno-long-long"]) } else { compiler };
             compiler.accepts(&cpp);
+        }
+    }
+}
+
+/// The examples of the header, as programs: the one at its top whole, and the others with parameters and a model at hand.
+#[test]
+fn examples_of_the_header_run() {
+    let header = std::fs::read_to_string(root().join("include/asperity.h")).expect("include/asperity.h");
+    let blocks = header.split("* ```c\n").skip(1).map(|rest| rest.split(" * ```").next().unwrap());
+    let lines =
+        |block: &str| block.lines().map(|line| line.trim_start_matches(" *").to_owned() + "\n").collect::<String>();
+    let blocks: Vec<String> = blocks.map(lines).collect();
+    let (first, others) = blocks.split_first().expect("examples");
+    assert!(others.len() > 8, "{}", others.len());
+    let mut all = String::from("#include <asperity.h>\n#include <stdio.h>\n\n");
+    for (i, block) in others.iter().enumerate() {
+        all += &format!("static void example_{i}(asperity_params params, asperity_model *model)\n{{\n{block}    (void)params, (void)model;\n}}\n");
+    }
+    // A model in SI units, and what a failure left.
+    all += "int main(void)\n{\n    asperity_params params;\n    asperity_model *model;\n    asperity_params_init_unset(&params);\n\
+            asperity_params_set_pair(&params, \"Si/Si\");\n    params.height_std = 5e-9;\n    params.summit_radius = 1e-6;\n\
+            params.asperity_count = 1e5;\n    if (asperity_create(&params, &model) != ASPERITY_OK) return 1;\n";
+    for i in 0..others.len() {
+        all += &format!("    example_{i}(params, model);\n");
+    }
+    all += "    char message[512];\n    asperity_last_error(message, sizeof message);\n    puts(message);\n\
+            asperity_free(model);\n    return 0;\n}\n";
+    let first = source("header_first.c", &format!("#include <asperity.h>\n#include <stdio.h>\n\n{first}"));
+    let all = source("header_examples.c", &all);
+    for compiler in Compiler::all(Language::C, "c11") {
+        // A variable that an example sets for the reader.
+        let compiler = if cfg!(windows) {
+            compiler
+        } else {
+            compiler.with(&["-Wno-unused-variable", "-Wno-unused-but-set-variable"])
+        };
+        let printed = compiler.program(&first, Linking::Shared).succeeds(&[]);
+        assert!(printed.starts_with("mu = 0.") && printed.ends_with(" at 1 mN\n"), "{printed}");
+        let printed = compiler.program(&all, Linking::Shared).succeeds(&[]);
+        for said in
+            ["contacts, real area", "1 % more of w changes friction by", "summit_radius = -1: must be finite and > 0"]
+        {
+            assert!(printed.contains(said), "{said}: {printed}");
         }
     }
 }
