@@ -45,12 +45,12 @@ module asperity
 
   ! Bits of warnings; asperity_warning_text tells what to do about each.
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! summits yield, the contact law is elastic
-  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_CROWDED = 2  ! summits do not act alone
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_CROWDED = 2  ! summits do not act independently
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_STEEP = 4    ! contacts too large for their summits
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ATOMIC = 8   ! contacts too small for continuum mechanics
-  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW = 16     ! too few contacts for a mean over surfaces
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW = 16     ! fewer than 20 contacts: averages are not reliable
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ADHESIVE = 32 ! adhesion presses with more than the load
-  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_UNCALIBRATED = 64 ! the strength is a default that nobody measured
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_UNCALIBRATED = 64 ! the strength is the default, not a measured one
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_BROAD = 128 ! a bandwidth above 6
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_STRONG = 256 ! stronger than the softer body
 
@@ -69,7 +69,7 @@ module asperity
     real(c_double) :: burgers_vector              ! b [length], > 0
     real(c_double) :: height_std                  ! sigma [length], > 0: standard deviation of summit heights
     real(c_double) :: summit_radius               ! R [length], > 0: mean radius of the summits
-    real(c_double) :: asperity_count              ! N [-], > 0: summit density times nominal area; need not be whole
+    real(c_double) :: asperity_count              ! N [-], > 0: summit density times nominal area; need not be an integer
     integer(c_int32_t) :: height_distribution     ! one of ASPERITY_HEIGHTS_
     integer(c_int32_t) :: attraction              ! 1: summits out of contact attract; 0: they do not
     real(c_double) :: weibull_shape               ! omega [-], > 0; read only for ASPERITY_HEIGHTS_WEIBULL
@@ -112,7 +112,7 @@ module asperity
     real(c_double) :: attracted                   ! number of summits that attract without contact
     real(c_double) :: attraction_load             ! part of the load carried by those [force], <= 0
     real(c_double) :: mean_contact_radius         ! mean radius of the contacts [length]; 0 without contacts
-    real(c_double) :: max_contact_radius          ! of the tallest of so many summits [length]; not below the mean
+    real(c_double) :: max_contact_radius          ! expected radius of the largest contact [length]; not below the mean
     real(c_double) :: fraction_below_slip_radius_1 ! fraction of the contacts up to slip_radius_1 [-]
     real(c_double) :: fraction_between_slip_radii ! fraction of the contacts between the two [-]
     real(c_double) :: fraction_above_slip_radius_2 ! fraction of the contacts from slip_radius_2 on [-]
@@ -267,7 +267,7 @@ module asperity
       integer(c_size_t) :: whole_length                   ! of the message, without its final NUL
     end function asperity_last_error
 
-    ! The paper's default case in so many bytes of the type; asperity_params_init does it for all.
+    ! The paper's default case, in struct_size bytes of the type; asperity_params_init does it for the whole type.
     function asperity_params_init_sized(params, struct_size) result(status) bind(c)
       import :: asperity_params, c_int32_t, c_int64_t
       type(asperity_params), intent(inout) :: params      ! untouched on failure
@@ -275,7 +275,7 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_params_init_sized
 
-    ! Parameters without the eight physical inputs, in so many bytes; asperity_params_init_unset does it for all.
+    ! Parameters without the eight physical inputs, in struct_size bytes; asperity_params_init_unset does it for the whole type.
     function asperity_params_init_unset_sized(params, struct_size) result(status) bind(c)
       import :: asperity_params, c_int32_t, c_int64_t
       type(asperity_params), intent(inout) :: params      ! untouched on failure
@@ -349,8 +349,8 @@ module asperity
       import :: asperity_params, c_int32_t, c_ptr, c_size_t
       type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
       integer(c_size_t), intent(in), value :: count
-      type(c_ptr), intent(in), value :: names             ! c_loc of so many c_ptr, each to characters
-      type(c_ptr), intent(in), value :: values            ! c_loc of so many real(c_double)
+      type(c_ptr), intent(in), value :: names             ! c_loc of count c_ptr, each to characters
+      type(c_ptr), intent(in), value :: values            ! c_loc of count real(c_double)
       integer(c_int32_t) :: status
     end function asperity_params_set_values
 
@@ -458,7 +458,7 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_set_params
 
-    ! Copies the parameters of a model into so many bytes of the type; asperity_get_params does it for all.
+    ! Copies the parameters of a model into struct_size bytes of the type; asperity_get_params does it for the whole type.
     function asperity_get_params_sized(model, params, struct_size) result(status) bind(c)
       import :: asperity_params, c_int32_t, c_int64_t, c_ptr
       type(c_ptr), intent(in), value :: model
@@ -605,7 +605,7 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_summits_at_overlaps
 
-    ! The constants of a model.
+    ! The constants of a model: dimensionless groups, pull-off, extent and error of the table.
     function asperity_summary_of(model, summary) result(status) bind(c)
       import :: asperity_summary, c_int32_t, c_ptr
       type(c_ptr), intent(in), value :: model

@@ -45,13 +45,13 @@ using State = asperity_state;
 using Summary = asperity_summary;
 /// A view of the compiled law, for asperity_eval.h; its fields are described in asperity.h.
 using Table = asperity_table;
-/// What the friction force changes by with each parameter; its fields are described in asperity.h.
+/// Logarithmic derivatives of the friction force by each parameter; its fields are described in asperity.h.
 using Sensitivities = asperity_sensitivities;
 /// What is known of a material, in SI units; its fields are described in asperity.h.
 using Material = asperity_material_data;
 /// What is known of two bodies in contact, in SI units; its fields are described in asperity.h.
 using Pair = asperity_pair_data;
-/// What was measured of the strength of an interface, in SI units; its fields are described in asperity.h.
+/// The measured strength of an interface, in SI units; its fields are described in asperity.h.
 using InterfaceData = asperity_interface_data;
 
 // ---- Versions ----
@@ -300,7 +300,7 @@ public:
         return *this;
     }
 
-    /// Sets all that is known of two materials, in SI units, as asperity_params_set_pair does: all but the roughness.
+    /// Sets what is known of two materials, in SI units, as asperity_params_set_pair does; you set the roughness.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER); the parameters are then as before.
     Params &set_pair(const std::string &name) {
@@ -426,7 +426,7 @@ public:
     /// Sets R [length].
     Params &summit_radius(double value) noexcept { return assign(c_.summit_radius, value); }
 
-    /// N, > 0: number of summits, summit density times nominal area; need not be whole.
+    /// N, > 0: number of summits, summit density times nominal area; need not be an integer.
     double asperity_count() const noexcept { return c_.asperity_count; }
     /// Sets N.
     Params &asperity_count(double value) noexcept { return assign(c_.asperity_count, value); }
@@ -483,12 +483,12 @@ public:
     /// Sets the cap.
     Params &max_friction_coefficient(double value) noexcept { return assign(c_.max_friction_coefficient, value); }
 
-    /// Skew of Johnson's heights; read only for those.
+    /// Skew of Johnson's heights [-], -3 to 3; 0 by default, the only one that other heights allow.
     double skew() const noexcept { return c_.skew; }
     /// Sets the skew of Johnson's heights.
     Params &skew(double value) noexcept { return assign(c_.skew, value); }
 
-    /// Kurtosis of Johnson's heights, > skew^2 + 1; read only for those.
+    /// Kurtosis of Johnson's heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, the only one that other heights allow.
     double kurtosis() const noexcept { return c_.kurtosis; }
     /// Sets the kurtosis of Johnson's heights.
     Params &kurtosis(double value) noexcept { return assign(c_.kurtosis, value); }
@@ -498,22 +498,22 @@ public:
     /// Sets kappa.
     Params &pressure_coefficient(double value) noexcept { return assign(c_.pressure_coefficient, value); }
 
-    /// Nayak's bandwidth, to judge whether summits act alone; 0 is not known.
+    /// Nayak's bandwidth, with which warnings judge whether summits act independently; 0 means not known.
     double bandwidth() const noexcept { return c_.bandwidth; }
     /// Sets the bandwidth.
     Params &bandwidth(double value) noexcept { return assign(c_.bandwidth, value); }
 
-    /// H [stress]: hardness of the softer body, to judge whether contacts are elastic; 0 is not known.
+    /// H [stress]: hardness of the softer body, with which warnings compare pressures; 0 means not known.
     double hardness() const noexcept { return c_.hardness; }
     /// Sets H [stress].
     Params &hardness(double value) noexcept { return assign(c_.hardness, value); }
 
-    /// G^ [stress]: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for contacts that stick; 0 is E* G* / (2 (E* + G*)).
+    /// G^ [stress]: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for contacts that stick; 0 stands for E* G* / (2 (E* + G*)).
     double tangential_modulus() const noexcept { return c_.tangential_modulus; }
     /// Sets G^ [stress].
     Params &tangential_modulus(double value) noexcept { return assign(c_.tangential_modulus, value); }
 
-    /// Nominal area of contact [length^2], with which warnings compare the real area; 0 is not known.
+    /// Nominal area of contact [length^2], with which warnings compare the real area; 0 means not known.
     double nominal_area() const noexcept { return c_.nominal_area; }
     /// Sets the nominal area [length^2].
     Params &nominal_area(double value) noexcept { return assign(c_.nominal_area, value); }
@@ -656,7 +656,7 @@ public:
     /// Friction force of a sliding contact, F(load) tanh(slip_rate / transition_rate) [force].
     ///
     /// It has the sign of slip_rate [length/time]: the force on the body that slips is minus this. transition_rate,
-    /// from 1e-60 to 1e60, is where the force reaches 76 % of the law's. A quiet NaN for a load or rate that is not
+    /// from 1e-60 to 1e60, is where the force reaches 76 % of F. A quiet NaN for a load or rate that is not
     /// finite or not allowed.
     double slip_force(double load, double slip_rate, double transition_rate) const {
         return asperity_slip_force(open(), load, slip_rate, transition_rate, nullptr, nullptr);
@@ -828,7 +828,7 @@ public:
         return sensitivities;
     }
 
-    /// The bits ASPERITY_WARNING_ of all states from one load [force] to a heavier one: whether the law holds for a contact
+    /// The bits ASPERITY_WARNING_ of all states from one load [force] to a heavier one: whether the model holds for a contact
     /// that meets these loads; 0 if nothing is known to fail.
     ///
     /// Takes milliseconds. Throws Error as state_at_load, and ASPERITY_INVALID_PARAMETER if lightest is above heaviest.
@@ -848,7 +848,7 @@ public:
         return loads;
     }
 
-    /// Single summits at overlaps [length], by the law that all sums of the model are made of.
+    /// Single summits at overlaps [length], by the law that the model sums over all summits.
     ///
     /// @param overlaps  height of a summit less the separation; negative for a gap
     /// @param heights   from the mean of the summit heights [length], on which radii depend where radius_amplitude is not

@@ -184,7 +184,7 @@ contains
     call check('a bandwidth below 1.5 is refused', &
                asperity_params_set_spectral_moments(p, M2, M2, 1.49_c_double * M2, AREA) == ASPERITY_INVALID_PARAMETER)
     call check_text('... with a message', asperity_error_message(), &
-                    'bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5, as that of every isotropic surface is; ' // &
+                    'bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5, the least of isotropic surfaces; ' // &
                     'are all lengths in one unit?')
     ! One wavelength: the moments of Nayak's density of curvatures, integrated by hand.
     call asperity_check(asperity_params_set_nayak_summits(p, 1.5_c_double, 1.0_c_double, 1.0_c_double, AREA))

@@ -129,7 +129,7 @@ def test_the_mean_deviation_stands_for_the_standard_one() -> None:
     expected = friction("Si/Si", **ROUGH, load=1e5).value
     given = {"Ra": ROUGH["Sq"] * math.sqrt(2 / math.pi), "Sdq": ROUGH["Sdq"], "Sds": ROUGH["Sds"]}
     assert friction("Si/Si", **given, load=1e5).value == pytest.approx(expected, rel=1e-12)
-    with pytest.raises(Error, match="Ra: must not be given beside Sq, which it stands for"):
+    with pytest.raises(Error, match="Ra: must not be given together with Sq, which it replaces"):
         friction("Si/Si", **given, Sq=5e-9, load=1e5)
 
 

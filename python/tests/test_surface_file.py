@@ -239,7 +239,7 @@ def test_the_mean_deviation_stands_for_the_standard_one(surface_file: SurfaceFil
     expected = Params.from_iso25178(Sq=math.sqrt(m0), **iso, **BODIES, **CONTACT, nominal_area=1e-6)
     assert Params.from_toml(surface_file(head + toml(iso))).height_std == pytest.approx(expected.height_std, rel=1e-14)
     for name, value in {"Sq": 1e-9, "m0": 1e-18, "Ssk": 0.1}.items():
-        with pytest.raises(Error, match=f"Ra: must not be given beside {name}, "):
+        with pytest.raises(Error, match=f"Ra: must not be given together with {name}, "):
             Params.from_toml(surface_file(head + toml(iso | {name: value})))
     with pytest.raises(Error, match="Ra = -1: must be finite and > 0"):
         Params.from_toml(surface_file(head.replace(f"Ra = {ra}", "Ra = -1") + toml(iso)))

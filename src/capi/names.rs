@@ -151,7 +151,9 @@ impl Numbers {
         let [ra, m0] = [ROUGHNESS, MATERIALS].map(|argument| FIELDS.len() + argument);
         if let Some(roughness) = self.0[ra] {
             if self.0[m0].is_some() {
-                return Err(Failure::invalid(format_args!("Ra: must not be given beside m0, which it stands for")));
+                return Err(Failure::invalid(format_args!(
+                    "Ra: must not be given together with m0, which it replaces"
+                )));
             }
             positive("Ra", roughness)?;
             numbers.0[m0] = Some(FRAC_PI_2 * roughness * roughness);

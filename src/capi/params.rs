@@ -299,7 +299,8 @@ impl asperity_params {
             return invalid("skew", self.skew, allowed);
         }
         if self.kurtosis != 3.0 {
-            let allowed = "must be 3 unless heights are Johnson's: other heights have a kurtosis of their own; set \
+            let allowed =
+                "must be 3 unless heights are Johnson's: the kurtosis of other heights follows from their shape; set \
                            height_distribution to ASPERITY_HEIGHTS_JOHNSON, with skew and kurtosis";
             return invalid("kurtosis", self.kurtosis, allowed);
         }

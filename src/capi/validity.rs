@@ -158,44 +158,47 @@ fn string(warning: u64) -> &'static CStr {
     match warning {
         0 => c"no warning",
         ASPERITY_WARNING_PLASTIC => {
-            c"summits yield: the mean asperity pressure is above 0.4 of the hardness, or the plasticity index above 1; use \
-              the elastic-plastic contact law (contact_law 1, by name elastic-plastic) with work_of_adhesion 0, or lighter \
-              loads if only the pressure is too high"
+            c"summits yield: the mean asperity pressure is above 0.4 of the hardness, or the plasticity index is above \
+              1; use the elastic-plastic contact law (contact_law 1, by name elastic-plastic) with work_of_adhesion 0, \
+              or lighter loads if only the pressure is too high"
         }
         ASPERITY_WARNING_CROWDED => {
-            c"summits do not act alone: more than 10 % of them touch, or more than 10 % of nominal_area; use \
-              lighter loads, or check height_std and asperity_count: surfaces that are taken too smooth or too small are \
-              the usual cause"
+            c"summits do not act independently: more than 10 % of them touch, or the real area is more than 10 % of \
+              nominal_area; use lighter loads, or check height_std and asperity_count, which are usually too small"
         }
         ASPERITY_WARNING_STEEP => {
-            c"contacts are too large for their summits: a/R is above 0.1 on average; use lighter loads, or check \
-              summit_radius: maps that are noisy or finer than the contacts give too small a radius"
+            c"contacts are too large for their summits: contact radii are above a tenth of summit radii on average; \
+              use lighter loads, or check summit_radius: a height map that is noisy, or finer than the contacts, gives \
+              too small a radius"
         }
         ASPERITY_WARNING_ATOMIC => {
-            c"contacts are too small for continuum mechanics: their mean radius is below burgers_vector; use heavier loads, \
-              or summits of a map that is filtered at the size of the contacts"
+            c"contacts are too small for continuum mechanics: their mean radius is below burgers_vector; use heavier \
+              loads, or take the summits of a height map that is filtered at the size of the contacts"
         }
         ASPERITY_WARNING_FEW => {
-            c"fewer than 20 summits touch: friction differs from one pair of surfaces to another by friction_scatter, and its mean \
-              at this load is higher than the law by friction_bias; use heavier loads or a larger area (asperity_count)"
+            c"fewer than 20 summits touch, so averages are not reliable: nominally equal contacts differ by \
+              friction_scatter, and their mean friction exceeds that of the model by friction_bias; use heavier loads \
+              or a larger area (asperity_count)"
         }
         ASPERITY_WARNING_ADHESIVE => {
-            c"adhesion presses the surfaces together with more than the load: models of single summits are quantitatively wrong \
-              there; use heavier loads, or check work_of_adhesion, height_std and summit_radius: surfaces that are taken too smooth or too clean are the usual cause"
+            c"adhesion presses the surfaces together with more than the load, where models of independent summits are \
+              quantitatively wrong; use heavier loads, or check work_of_adhesion, height_std and summit_radius: input \
+              that is too smooth or too clean is the usual cause"
         }
         ASPERITY_WARNING_UNCALIBRATED => {
-            c"the strength of the interface is a default that nobody measured for these surfaces, and friction is in proportion \
-              to it: against measurements it errs from 1/200 to 36 times; measure the friction force once and call \
-              asperity_params_calibrate, or set slip stresses and pressure_coefficient to measured ones"
+            c"the strength of the interface is the default, not a measured one, and friction is proportional to it: \
+              the default gives 1/200 to 36 times the measured friction; measure the friction force once and call \
+              asperity_params_calibrate, or set slip stresses and pressure_coefficient to measured values"
         }
         ASPERITY_WARNING_BROAD => {
-            c"the surface is rough on many scales, with a bandwidth above 6, so that summits stand on summits: against boundary \
-              elements friction is 7 to 24 % too low at a bandwidth of 27 and the real area 30 to 43 %; filter the map at the size of \
-              the contacts, or calibrate at the load of use"
+            c"the surface is rough on many scales, with a bandwidth above 6, so that summits stand on summits: at a \
+              bandwidth of 27 the model predicts 7 to 24 % less friction and 30 to 43 % less real area than boundary \
+              elements; filter the height map at the size of the contacts, or calibrate at the load of use"
         }
         ASPERITY_WARNING_STRONG => {
-            c"the slip stress at the mean contact radius exceeds what the softer body bears in shear, hardness/(3 sqrt 3): it \
-              would shear before the interface slips; calibrate with a measured friction force, or set weaker slip stresses"
+            c"the slip stress at the mean contact radius exceeds the shear strength of the softer body, hardness/(3 \
+              sqrt 3): that body shears before the interface slips; calibrate with a measured friction force, or set \
+              lower slip stresses"
         }
         _ => c"unknown warning",
     }

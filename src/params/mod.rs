@@ -266,7 +266,7 @@ impl Params {
             positive(name, value)?;
         }
         if !moments.exist() {
-            let allowed = "must be at least 1.5, as that of every isotropic surface is; are all lengths in one unit?";
+            let allowed = "must be at least 1.5, the least of isotropic surfaces; are all lengths in one unit?";
             return Err(Error::invalid("bandwidth m0 m4/m2^2", moments.bandwidth(), allowed));
         }
         self.height_std = moments.summit_height_std();

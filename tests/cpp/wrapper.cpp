@@ -483,7 +483,7 @@ void a_range_of_loads_warns_of_what_fails_in_it() {
     EXPECT(asperity::warnings_text(3) == std::string(asperity::warning_string(1)) + "\n" + asperity::warning_string(2));
     EXPECT(thrown_by([&] { (void)model.check_loads(2.0, 1.0); }).status() == ASPERITY_INVALID_PARAMETER);
     EXPECT(thrown_by([&] { (void)model.check_loads(NOT_A_NUMBER, 1.0); }).status() == ASPERITY_INVALID_LOAD);
-    EXPECT(std::strstr(asperity::warning_string(ASPERITY_WARNING_CROWDED), "summits do not act alone") != nullptr);
+    EXPECT(std::strstr(asperity::warning_string(ASPERITY_WARNING_CROWDED), "summits do not act independently") != nullptr);
     EXPECT(std::strcmp(asperity::warning_string(3), "unknown warning") == 0);
 }
 

@@ -237,11 +237,11 @@ def _remarks(fit: Fit, estimate: Estimate) -> list[str]:
 
 
 def _remark_on_strength(fit: Fit) -> list[str]:
-    """What the data tell of the strength of the interface, or that nobody measured it."""
+    """What the data say about the strength of the interface, or that it was not measured."""
     if fit.calibrated:
         now = [f"{name} = {getattr(fit.params, name):.6g}" for name in ("slip_stress_1", "slip_stress_2")]
         return [f"calibrated by the data: {', '.join(fit.calibrated)}; {', '.join(now)} of G*"]
-    says = "not calibrated: the strength of the interface is a default that nobody measured; free slip_stress to fit it"
+    says = "not calibrated: the strength of the interface is the default, not a measured one; free slip_stress to fit it"
     with FrictionLaw(fit.params) as law:
         return [says] if law.uncalibrated else []
 
