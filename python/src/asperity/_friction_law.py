@@ -72,7 +72,7 @@ class FrictionLaw:
         >>> model = asperity.Model(asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001))
         >>> mu, slope = model.friction_at_load([10.0, 100.0], slope=True)
         >>> print(mu.round(4))
-        @THREE@
+        [2.5279 1.9827]
 
         Args:
             load: normal load [force]: a number, or an array (or nested sequence) of any shape. Contiguous arrays of

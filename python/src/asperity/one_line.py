@@ -52,7 +52,7 @@ def friction(
 
     >>> estimate = asperity.friction("Si/Si", Sq=5e-9, Sdq=0.08, Sds=2e13, load=1e-3, nominal_area=1e-8)
     >>> print(f"{estimate:.2g}")
-    @ONE@
+    0.45 (0.045 to 4.5)
 
     `print(estimate)` says what the number rests on and what would narrow its band. For more than the coefficient make
     `Params` and a `Model`. The models of the last surfaces are kept, so that the next call for them is fast.

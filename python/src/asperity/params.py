@@ -375,7 +375,7 @@ class Params:
         >>> params = asperity.Params.from_iso25178(
         ...     Sq=5e-9, Sdq=0.08, Sds=2e13, nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
         >>> print(f"{params.asperity_count:.3g} summits of radius {params.summit_radius:.3g} m")
-        @FOUR@
+        2e+05 summits of radius 4.6e-07 m
 
         m0 = Sq^2 and m2 = Sdq^2/2. m4 is that of a Gaussian surface whose summits have the curvature `Ssc` or, without it,
         the density `Sds`. With both, `Sds` gives the number of summits. `Ssk` and `Sku` describe all heights of the

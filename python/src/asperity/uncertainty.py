@@ -130,6 +130,11 @@ def uncertainty(
 ) -> Uncertainty:
     """Friction at loads, with the band that follows from the spread of the parameters.
 
+    >>> params = asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+    >>> band = asperity.uncertainty(params, {"slip_stress": 0.1}, loads=[100.0])
+    >>> print(f"{band.high[0] / band.value[0]:.3f}")
+    1.217
+
     Positive parameters are distributed log-normally, the others normally, each by itself. The linear band
     follows from the sensitivities of ln F, and holds where the spread is small. For a wide spread set `samples`: 200 take
     about a second.
