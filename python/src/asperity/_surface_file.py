@@ -97,7 +97,7 @@ def _params(params: Any, found: dict[str, Any]) -> Any:
     if roughness:
         _exclude(given, _ROUGHNESS, "roughness")
         if "nominal_area" not in given:
-            raise Error("nominal_area: must be set, [roughness] tells the summits per area", Status.INVALID_PARAMETER)
+            raise Error("nominal_area: must be set, since [roughness] gives the summits per area", Status.INVALID_PARAMETER)
         roughness = from_mean_deviation(roughness)
         _one_kind(roughness)
         make = params.from_iso25178 if roughness.keys() & set(_ISO) else params.from_spectral_moments
@@ -210,7 +210,7 @@ def _one_kind(roughness: dict[str, Any]) -> None:
 def _exclude(given: dict[str, Any], names: Iterable[str], by: str) -> None:
     for name in names:
         if name in given:
-            raise Error(f"{name}: is told by {by} already, leave one out", Status.INVALID_PARAMETER)
+            raise Error(f"{name}: {by} sets it already, leave one out", Status.INVALID_PARAMETER)
 
 
 def _demand(given: dict[str, Any], names: Iterable[str], message: str = "{}: must be set") -> None:

@@ -315,7 +315,7 @@ class Params:
         surface: dict[str, Any] = {name: getattr(struct, name) for name in names}
         twice = sorted((surface.keys() | _HEIGHTS) & contact.keys()) if summits == "nayak" else []
         if twice:
-            raise TypeError(f'{twice[0]}: summits="nayak" tells heights and radii, leave one out')
+            raise TypeError(f'{twice[0]}: summits="nayak" sets heights and radii, leave one out')
         params = cls.si(**surface, **contact)
         _bandwidth_bias.warn(m0 / m2 * (m4 / m2), summits)
         return params
@@ -397,7 +397,7 @@ class Params:
             TypeError: an unknown name, one missing, or names that exclude each other.
         """
         if Ssc is None and Sds is None:
-            raise TypeError("give Ssc, Sds or both: Sq and Sdq do not tell how sharp the summits are")
+            raise TypeError("give Ssc, Sds or both: Sq and Sdq do not determine how sharp the summits are")
         if (Ssk is None) != (Sku is None):
             raise TypeError("give both Ssk and Sku, or neither")
         shape: dict[str, Any] = {} if Sku is None else {"skew": Ssk, "kurtosis": Sku}

@@ -1,4 +1,4 @@
-"""What a model tells beside friction: the exact state of the contact, and the constants of the model."""
+"""Answers of a model other than friction: the exact state of the contact, and the constants of the model."""
 
 from __future__ import annotations
 
