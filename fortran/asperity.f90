@@ -48,12 +48,12 @@ module asperity
 
   ! Bits of warnings; asperity_warning_text tells what to do about each.
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! summits yield, the contact law is elastic
-  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_CROWDED = 2  ! summits do not act alone
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_CROWDED = 2  ! summits do not act independently
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_STEEP = 4    ! contacts too large for their summits
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ATOMIC = 8   ! contacts too small for continuum mechanics
-  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW = 16     ! too few contacts for a mean over surfaces
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW = 16     ! fewer than 20 contacts: averages are not reliable
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ADHESIVE = 32 ! adhesion presses with more than the load
-  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_UNCALIBRATED = 64 ! the strength is a default that nobody measured
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_UNCALIBRATED = 64 ! the strength is the default, not a measured one
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_BROAD = 128 ! a bandwidth above 6
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_STRONG = 256 ! stronger than the softer body
 
@@ -72,7 +72,7 @@ module asperity
     real(c_double) :: burgers_vector              ! b [length], > 0
     real(c_double) :: height_std                  ! sigma [length], > 0: standard deviation of summit heights
     real(c_double) :: summit_radius               ! R [length], > 0: mean radius of the summits
-    real(c_double) :: asperity_count              ! N [-], > 0: summit density times nominal area; need not be whole
+    real(c_double) :: asperity_count              ! N [-], > 0: summit density times nominal area; need not be an integer
     integer(c_int32_t) :: height_distribution     ! one of ASPERITY_HEIGHTS_
     integer(c_int32_t) :: attraction              ! 1: summits out of contact attract; 0: they do not
     real(c_double) :: weibull_shape               ! omega [-], > 0; read only for ASPERITY_HEIGHTS_WEIBULL
@@ -115,7 +115,7 @@ module asperity
     real(c_double) :: attracted                   ! number of summits that attract without contact
     real(c_double) :: attraction_load             ! part of the load carried by those [force], <= 0
     real(c_double) :: mean_contact_radius         ! mean radius of the contacts [length]; 0 without contacts
-    real(c_double) :: max_contact_radius          ! of the tallest of so many summits [length]; not below the mean
+    real(c_double) :: max_contact_radius          ! expected radius of the largest contact [length]; not below the mean
     real(c_double) :: fraction_below_slip_radius_1 ! fraction of the contacts up to slip_radius_1 [-]
     real(c_double) :: fraction_between_slip_radii ! fraction of the contacts between the two [-]
     real(c_double) :: fraction_above_slip_radius_2 ! fraction of the contacts from slip_radius_2 on [-]
@@ -280,7 +280,7 @@ module asperity
       integer(c_size_t) :: whole_length                   ! of the message, without its final NUL
     end function asperity_last_error
 
-    ! The paper's default case in so many bytes of the type; asperity_params_init does it for all.
+    ! The paper's default case, in struct_size bytes of the type; asperity_params_init does it for the whole type.
     function asperity_params_init_sized(params, struct_size) result(status) bind(c)
       import :: asperity_params, c_int32_t, c_int64_t
       type(asperity_params), intent(inout) :: params      ! untouched on failure
@@ -288,7 +288,7 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_params_init_sized
 
-    ! Parameters without the eight physical inputs, in so many bytes; asperity_params_init_unset does it for all.
+    ! Parameters without the eight physical inputs, in struct_size bytes; asperity_params_init_unset does it for the whole type.
     function asperity_params_init_unset_sized(params, struct_size) result(status) bind(c)
       import :: asperity_params, c_int32_t, c_int64_t
       type(asperity_params), intent(inout) :: params      ! untouched on failure
@@ -362,8 +362,8 @@ module asperity
       import :: asperity_params, c_int32_t, c_ptr, c_size_t
       type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
       integer(c_size_t), intent(in), value :: count
-      type(c_ptr), intent(in), value :: names             ! c_loc of so many c_ptr, each to characters
-      type(c_ptr), intent(in), value :: values            ! c_loc of so many real(c_double)
+      type(c_ptr), intent(in), value :: names             ! c_loc of count c_ptr, each to characters
+      type(c_ptr), intent(in), value :: values            ! c_loc of count real(c_double)
       integer(c_int32_t) :: status
     end function asperity_params_set_values
 
@@ -471,7 +471,7 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_set_params
 
-    ! Copies the parameters of a model into so many bytes of the type; asperity_get_params does it for all.
+    ! Copies the parameters of a model into struct_size bytes of the type; asperity_get_params does it for the whole type.
     function asperity_get_params_sized(model, params, struct_size) result(status) bind(c)
       import :: asperity_params, c_int32_t, c_int64_t, c_ptr
       type(c_ptr), intent(in), value :: model
@@ -651,7 +651,7 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_summits_at_overlaps
 
-    ! The constants of a model.
+    ! The constants of a model: dimensionless groups, pull-off, extent and error of the table.
     function asperity_summary_of(model, summary) result(status) bind(c)
       import :: asperity_summary, c_int32_t, c_ptr
       type(c_ptr), intent(in), value :: model
@@ -726,6 +726,72 @@ module asperity
       type(c_ptr), intent(in), value :: dforce_dslip_rate ! receives one [force time/length]; c_null_ptr: none
       real(c_double) :: force
     end function asperity_slip_force
+
+    ! ---- Second names: the same functions, under names of one pattern ----
+
+    ! The same as asperity_summary_of.
+    function asperity_get_summary(model, summary) result(status) bind(c)
+      import :: asperity_summary, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      type(asperity_summary), intent(inout) :: summary    ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_get_summary
+
+    ! The same as asperity_table_of.
+    function asperity_get_table(model, table) result(status) bind(c)
+      import :: asperity_table, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      type(asperity_table), intent(inout) :: table        ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_get_table
+
+    ! The same as asperity_material.
+    function asperity_get_material(name, material) result(status) bind(c)
+      import :: asperity_material_data, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      type(asperity_material_data), intent(inout) :: material ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_get_material
+
+    ! The same as asperity_pair.
+    function asperity_get_pair(name, pair) result(status) bind(c)
+      import :: asperity_pair_data, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      type(asperity_pair_data), intent(inout) :: pair     ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_get_pair
+
+    ! The same as asperity_interface.
+    function asperity_get_interface(name, data) result(status) bind(c)
+      import :: asperity_interface_data, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
+      type(asperity_interface_data), intent(inout) :: data ! untouched on failure
+      integer(c_int32_t) :: status
+    end function asperity_get_interface
+
+    ! The same as asperity_slip_force.
+    function asperity_friction_force_at_slip_rate(model, load, slip_rate, transition_rate, dforce_dload, dforce_dslip_rate) &
+        result(force) bind(c)
+      import :: c_double, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load
+      real(c_double), intent(in), value :: slip_rate      ! [length/time], signed
+      real(c_double), intent(in), value :: transition_rate ! [length/time], 1e-60 to 1e60
+      type(c_ptr), intent(in), value :: dforce_dload      ! receives a real(c_double) [-]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: dforce_dslip_rate ! receives one [force time/length]; c_null_ptr: none
+      real(c_double) :: force
+    end function asperity_friction_force_at_slip_rate
+
+    ! The same as asperity_tangential_at_load.
+    function asperity_tangential_force_at_displacement(model, load, displacement, force, stiffness) result(status) bind(c)
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load           ! [force]
+      real(c_double), intent(in), value :: displacement   ! [length]
+      type(c_ptr), intent(in), value :: force             ! receives a real(c_double) [force]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: stiffness         ! receives a real(c_double) [force/length]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_tangential_force_at_displacement
   end interface
 
   public :: asperity_abi_version, asperity_version, asperity_status_string, asperity_last_error
@@ -744,6 +810,8 @@ module asperity
   public :: asperity_summits_at_overlaps
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
   public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
+  public :: asperity_get_summary, asperity_get_table, asperity_get_material, asperity_get_pair, asperity_get_interface
+  public :: asperity_friction_force_at_slip_rate, asperity_tangential_force_at_displacement
   public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
   public :: asperity_microslip_length, asperity_microslip_step, asperity_microslip_steps
 
@@ -820,7 +888,9 @@ module asperity
     !                      through zero slip rate; it opposes the slip: give it the opposite sign on the body that slips
     !   dforce_dload       real(c_double), intent(out), optional [-]
     !   dforce_dslip_rate  real(c_double), intent(out), optional [force time/length]
+    ! friction_force_at_slip_rate is the same function.
     procedure, public :: slip_force => model_slip_force
+    procedure, public :: friction_force_at_slip_rate => model_slip_force
 
     ! stiffness = law%tangential_stiffness_at_load(load [, stat] [, errmsg])
     !   load       real(c_double), intent(in), rank 0 or 1 [force]
@@ -832,7 +902,9 @@ module asperity
     !   slope         real(c_double), intent(inout), optional [force/length]: d(force)/d(displacement)
     ! The force rises from stiffness times displacement to the friction force; it is odd in the displacement.
     generic, public :: tangential_stiffness_at_load => stiffness_rank_0, stiffness_rank_1
+    ! tangential_force_at_displacement is the same as tangential_at_load.
     procedure, public :: tangential_at_load => model_tangential_at_load
+    procedure, public :: tangential_force_at_displacement => model_tangential_at_load
 
     ! length = law%microslip_length()    the doubles in the state of a contact that remembers, all 0 when it has just closed
     ! call law%microslip_step(load, increment, before, after, out [, stat] [, errmsg])

@@ -8,8 +8,11 @@
 //     const asperity::Model model(params);
 //     double mu = model.friction_at_load(1e-3);
 //
-// Errors: calls that cannot do what they are asked throw asperity::Error, with the status and the message of the
-// library. Calls for the inner loop of a solver never throw for a load: they return a number for every load.
+// Errors, one rule each:
+//   Calls that return a number return one for every load, and never throw for a load: NaN where there is no answer.
+//   Batch calls into memory of the caller return a Status, which is [[nodiscard]]: look at it, or pass it to check().
+//   All other calls throw asperity::Error, with the status and the message of the library.
+//   A Model that was moved from throws asperity::MovedFrom from every call but c(), until a model is assigned to it.
 // Threads: a const Model may be shared. Floating point: no call raises invalid, divide-by-zero or overflow.
 
 #ifndef ASPERITY_HPP
@@ -42,7 +45,7 @@ using State = asperity_state;
 using Summary = asperity_summary;
 /// A view of the compiled law, for asperity_eval.h; its fields are described in asperity.h.
 using Table = asperity_table;
-/// What the friction force changes by with each parameter; its fields are described in asperity.h.
+/// Logarithmic derivatives of the friction force by each parameter; its fields are described in asperity.h.
 using Sensitivities = asperity_sensitivities;
 /// What resists a displacement in a step of a contact that remembers; its fields are described in asperity.h.
 using Microslip = asperity_microslip;
@@ -50,7 +53,7 @@ using Microslip = asperity_microslip;
 using Material = asperity_material_data;
 /// What is known of two bodies in contact, in SI units; its fields are described in asperity.h.
 using Pair = asperity_pair_data;
-/// What was measured of the strength of an interface, in SI units; its fields are described in asperity.h.
+/// The measured strength of an interface, in SI units; its fields are described in asperity.h.
 using InterfaceData = asperity_interface_data;
 
 // ---- Versions ----
@@ -88,6 +91,13 @@ public:
 
 private:
     Status status_;
+};
+
+/// A Model was used after it was moved from; its status is ASPERITY_NULL_POINTER.
+class MovedFrom : public Error {
+public:
+    /// The error, which says what to do.
+    MovedFrom() : Error(ASPERITY_NULL_POINTER, "Model was moved from: assign a model to it before you use it") {}
 };
 
 /// The message of the last call on this thread that failed; empty if none did.
@@ -298,7 +308,7 @@ public:
         return *this;
     }
 
-    /// Sets all that is known of two materials, in SI units, as asperity_params_set_pair does: all but the roughness.
+    /// Sets what is known of two materials, in SI units, as asperity_params_set_pair does; you set the roughness.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER); the parameters are then as before.
     Params &set_pair(const std::string &name) {
@@ -424,7 +434,7 @@ public:
     /// Sets R [length].
     Params &summit_radius(double value) noexcept { return assign(c_.summit_radius, value); }
 
-    /// N, > 0: number of summits, summit density times nominal area; need not be whole.
+    /// N, > 0: number of summits, summit density times nominal area; need not be an integer.
     double asperity_count() const noexcept { return c_.asperity_count; }
     /// Sets N.
     Params &asperity_count(double value) noexcept { return assign(c_.asperity_count, value); }
@@ -481,12 +491,12 @@ public:
     /// Sets the cap.
     Params &max_friction_coefficient(double value) noexcept { return assign(c_.max_friction_coefficient, value); }
 
-    /// Skew of Johnson's heights; read only for those.
+    /// Skew of Johnson's heights [-], -3 to 3; 0 by default, the only one that other heights allow.
     double skew() const noexcept { return c_.skew; }
     /// Sets the skew of Johnson's heights.
     Params &skew(double value) noexcept { return assign(c_.skew, value); }
 
-    /// Kurtosis of Johnson's heights, > skew^2 + 1; read only for those.
+    /// Kurtosis of Johnson's heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, the only one that other heights allow.
     double kurtosis() const noexcept { return c_.kurtosis; }
     /// Sets the kurtosis of Johnson's heights.
     Params &kurtosis(double value) noexcept { return assign(c_.kurtosis, value); }
@@ -496,22 +506,22 @@ public:
     /// Sets kappa.
     Params &pressure_coefficient(double value) noexcept { return assign(c_.pressure_coefficient, value); }
 
-    /// Nayak's bandwidth, to judge whether summits act alone; 0 is not known.
+    /// Nayak's bandwidth, with which warnings judge whether summits act independently; 0 means not known.
     double bandwidth() const noexcept { return c_.bandwidth; }
     /// Sets the bandwidth.
     Params &bandwidth(double value) noexcept { return assign(c_.bandwidth, value); }
 
-    /// H [stress]: hardness of the softer body, to judge whether contacts are elastic; 0 is not known.
+    /// H [stress]: hardness of the softer body, with which warnings compare pressures; 0 means not known.
     double hardness() const noexcept { return c_.hardness; }
     /// Sets H [stress].
     Params &hardness(double value) noexcept { return assign(c_.hardness, value); }
 
-    /// G^ [stress]: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for contacts that stick; 0 is E* G* / (2 (E* + G*)).
+    /// G^ [stress]: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for contacts that stick; 0 stands for E* G* / (2 (E* + G*)).
     double tangential_modulus() const noexcept { return c_.tangential_modulus; }
     /// Sets G^ [stress].
     Params &tangential_modulus(double value) noexcept { return assign(c_.tangential_modulus, value); }
 
-    /// Nominal area of contact [length^2], with which warnings compare the real area; 0 is not known.
+    /// Nominal area of contact [length^2], with which warnings compare the real area; 0 means not known.
     double nominal_area() const noexcept { return c_.nominal_area; }
     /// Sets the nominal area [length^2].
     Params &nominal_area(double value) noexcept { return assign(c_.nominal_area, value); }
@@ -573,8 +583,8 @@ private:
 
 /// A friction law ready for use: owns the C model, moves, does not copy.
 ///
-/// A Model that was moved from holds nothing: it may be assigned to or destroyed; friction at one load or pressure is
-/// NaN, other calls throw Error (ASPERITY_NULL_POINTER).
+/// A Model that was moved from holds nothing. It may be assigned to or destroyed, and c() is null; every other call throws
+/// MovedFrom.
 class Model {
 public:
     /// Checks the parameters and compiles the law, in milliseconds.
@@ -590,12 +600,12 @@ public:
     /// Gives the model other parameters, all or nothing: when it throws, the model is as before.
     ///
     /// Throws as the constructor. No other thread may use the model during the call.
-    void set_params(const Params &params) { check(asperity_set_params(handle_.get(), &params.c())); }
+    void set_params(const Params &params) { check(asperity_set_params(open(), &params.c())); }
 
     /// The parameters of the model, with a table of their own if it has one.
     Params params() const {
         asperity_params params;
-        check(asperity_get_params_sized(handle_.get(), &params, sizeof params));
+        check(asperity_get_params_sized(open(), &params, sizeof params));
         return Params(params);
     }
 
@@ -603,26 +613,26 @@ public:
     ///
     /// At most max_friction_coefficient, which it is at and below zero load down to pull-off; 0 below pull-off; a quiet
     /// NaN for a NaN or infinite load.
-    double friction_at_load(double load) const noexcept { return asperity_friction_at_load(handle_.get(), load); }
+    double friction_at_load(double load) const { return asperity_friction_at_load(open(), load); }
 
     /// Friction force F [force] at a normal load [force].
     ///
     /// Finite and positive down to pull-off; 0 below; a quiet NaN for a NaN or infinite load.
-    double friction_force_at_load(double load) const noexcept {
-        return asperity_friction_force_at_load(handle_.get(), load);
+    double friction_force_at_load(double load) const {
+        return asperity_friction_force_at_load(open(), load);
     }
 
     /// Friction coefficient as friction_at_load, and its slope d(mu)/d(load) [1/force]: 0 where it is capped.
-    ValueAndSlope friction_and_slope_at_load(double load) const noexcept {
+    ValueAndSlope friction_and_slope_at_load(double load) const {
         ValueAndSlope mu;
-        mu.value = asperity_friction_and_slope_at_load(handle_.get(), load, &mu.slope);
+        mu.value = asperity_friction_and_slope_at_load(open(), load, &mu.slope);
         return mu;
     }
 
     /// Friction force as friction_force_at_load, and its slope dF/d(load): infinite at the pull-off load itself.
-    ValueAndSlope friction_force_and_slope_at_load(double load) const noexcept {
+    ValueAndSlope friction_force_and_slope_at_load(double load) const {
         ValueAndSlope force;
-        force.value = asperity_friction_force_and_slope_at_load(handle_.get(), load, &force.slope);
+        force.value = asperity_friction_force_and_slope_at_load(open(), load, &force.slope);
         return force;
     }
 
@@ -631,46 +641,56 @@ public:
     /// The summits of the model, asperity_count, belong to nominal_area [length^2], from 1e-60 to 1e60: the load is
     /// pressure times that area. An integration point's own area plays no part. A quiet NaN also for an area that is
     /// not allowed.
-    double friction_at_pressure(double pressure, double nominal_area) const noexcept {
-        return asperity_friction_at_pressure(handle_.get(), pressure, nominal_area, nullptr);
+    double friction_at_pressure(double pressure, double nominal_area) const {
+        return asperity_friction_at_pressure(open(), pressure, nominal_area, nullptr);
     }
 
     /// Friction coefficient as friction_at_pressure, and its slope d(mu)/d(pressure) [1/stress].
-    ValueAndSlope friction_and_slope_at_pressure(double pressure, double nominal_area) const noexcept {
+    ValueAndSlope friction_and_slope_at_pressure(double pressure, double nominal_area) const {
         ValueAndSlope mu;
-        mu.value = asperity_friction_at_pressure(handle_.get(), pressure, nominal_area, &mu.slope);
+        mu.value = asperity_friction_at_pressure(open(), pressure, nominal_area, &mu.slope);
         return mu;
     }
 
     /// Frictional shear stress, friction force per nominal area, at a nominal contact pressure [stress].
     ///
     /// As friction_at_pressure, but finite also at zero pressure and down to pull-off.
-    double shear_stress_at_pressure(double pressure, double nominal_area) const noexcept {
-        return asperity_shear_stress_at_pressure(handle_.get(), pressure, nominal_area, nullptr);
+    double shear_stress_at_pressure(double pressure, double nominal_area) const {
+        return asperity_shear_stress_at_pressure(open(), pressure, nominal_area, nullptr);
     }
 
     /// Shear stress as shear_stress_at_pressure, and its slope d(stress)/d(pressure).
-    ValueAndSlope shear_stress_and_slope_at_pressure(double pressure, double nominal_area) const noexcept {
+    ValueAndSlope shear_stress_and_slope_at_pressure(double pressure, double nominal_area) const {
         ValueAndSlope stress;
-        stress.value = asperity_shear_stress_at_pressure(handle_.get(), pressure, nominal_area, &stress.slope);
+        stress.value = asperity_shear_stress_at_pressure(open(), pressure, nominal_area, &stress.slope);
         return stress;
     }
 
     /// Friction force of a sliding contact, F(load) tanh(slip_rate / transition_rate) [force].
     ///
     /// It has the sign of slip_rate [length/time]: the force on the body that slips is minus this. transition_rate,
-    /// from 1e-60 to 1e60, is where the force reaches 76 % of the law's. A quiet NaN for a load or rate that is not
+    /// from 1e-60 to 1e60, is where the force reaches 76 % of F. A quiet NaN for a load or rate that is not
     /// finite or not allowed.
-    double slip_force(double load, double slip_rate, double transition_rate) const noexcept {
-        return asperity_slip_force(handle_.get(), load, slip_rate, transition_rate, nullptr, nullptr);
+    double slip_force(double load, double slip_rate, double transition_rate) const {
+        return asperity_slip_force(open(), load, slip_rate, transition_rate, nullptr, nullptr);
     }
 
     /// Friction force as slip_force, and its derivatives by load and by slip rate [force time/length].
-    SlipForce slip_force_and_slopes(double load, double slip_rate, double transition_rate) const noexcept {
+    SlipForce slip_force_and_slopes(double load, double slip_rate, double transition_rate) const {
         SlipForce force;
-        force.value = asperity_slip_force(handle_.get(), load, slip_rate, transition_rate, &force.dforce_dload,
+        force.value = asperity_slip_force(open(), load, slip_rate, transition_rate, &force.dforce_dload,
                                           &force.dforce_dslip_rate);
         return force;
+    }
+
+    /// The same as slip_force.
+    double friction_force_at_slip_rate(double load, double slip_rate, double transition_rate) const {
+        return asperity_friction_force_at_slip_rate(open(), load, slip_rate, transition_rate, nullptr, nullptr);
+    }
+
+    /// The same as slip_force_and_slopes.
+    SlipForce friction_force_and_slopes_at_slip_rate(double load, double slip_rate, double transition_rate) const {
+        return slip_force_and_slopes(load, slip_rate, transition_rate);
     }
 
     /// Friction coefficients at many loads, into memory of the caller; for the inner loop: allocates nothing.
@@ -684,7 +704,7 @@ public:
     ///         pull-off), ASPERITY_INVALID_LOAD (NaN, infinite) or ASPERITY_OUT_OF_RANGE (too heavy to be evaluated,
     ///         NaN); last_error() names its index
     /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
-    Status friction_at_load(Span<const double> loads, Span<double> mu, Span<double> dmu_dload = {}) const {
+    [[nodiscard]] Status friction_at_load(Span<const double> loads, Span<double> mu, Span<double> dmu_dload = {}) const {
         return many(asperity_friction_at_loads, loads, mu, dmu_dload);
     }
 
@@ -697,7 +717,8 @@ public:
     /// @param dforce_dload  receives as many slopes; none by default
     /// @return as for coefficients
     /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
-    Status friction_force_at_load(Span<const double> loads, Span<double> force, Span<double> dforce_dload = {}) const {
+    [[nodiscard]] Status friction_force_at_load(Span<const double> loads, Span<double> force,
+                                                Span<double> dforce_dload = {}) const {
         return many(asperity_friction_force_at_loads, loads, force, dforce_dload);
     }
 
@@ -744,8 +765,8 @@ public:
     /// Tangential stiffness K_t [force/length] at a normal load [force]: force by displacement while all contacts stick.
     ///
     /// Positive down to pull-off; 0 below and, without adhesion, at zero load; a quiet NaN for a NaN or infinite load.
-    double tangential_stiffness_at_load(double load) const noexcept {
-        return asperity_tangential_stiffness_at_load(handle_.get(), load);
+    double tangential_stiffness_at_load(double load) const {
+        return asperity_tangential_stiffness_at_load(open(), load);
     }
 
     /// Tangential stiffnesses at many loads, into memory of the caller; for the inner loop: allocates nothing.
@@ -756,7 +777,7 @@ public:
     /// @param stiffness  receives as many stiffnesses [force/length]; may be `loads` itself
     /// @return as for coefficients
     /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
-    Status tangential_stiffness_at_load(Span<const double> loads, Span<double> stiffness) const {
+    [[nodiscard]] Status tangential_stiffness_at_load(Span<const double> loads, Span<double> stiffness) const {
         return many(stiffnesses, loads, stiffness, {});
     }
 
@@ -778,7 +799,14 @@ public:
     /// ASPERITY_NOT_CONVERGED).
     ValueAndSlope tangential_at_load(double load, double displacement) const {
         ValueAndSlope force;
-        check(asperity_tangential_at_load(handle_.get(), load, displacement, &force.value, &force.slope));
+        check(asperity_tangential_at_load(open(), load, displacement, &force.value, &force.slope));
+        return force;
+    }
+
+    /// The same as tangential_at_load.
+    ValueAndSlope tangential_force_at_displacement(double load, double displacement) const {
+        ValueAndSlope force;
+        check(asperity_tangential_force_at_displacement(open(), load, displacement, &force.value, &force.slope));
         return force;
     }
 
@@ -850,7 +878,7 @@ public:
     State state_at_load(double load) const {
         State state;
         state.struct_size = sizeof state;
-        check(asperity_state_at_load(handle_.get(), load, &state));
+        check(asperity_state_at_load(open(), load, &state));
         return state;
     }
 
@@ -860,7 +888,7 @@ public:
     State state_at_separation(double separation) const {
         State state;
         state.struct_size = sizeof state;
-        check(asperity_state_at_separation(handle_.get(), separation, &state));
+        check(asperity_state_at_separation(open(), separation, &state));
         return state;
     }
 
@@ -871,17 +899,17 @@ public:
     Sensitivities sensitivities_at_load(double load) const {
         Sensitivities sensitivities;
         sensitivities.struct_size = sizeof sensitivities;
-        check(asperity_sensitivities_at_load(handle_.get(), load, &sensitivities));
+        check(asperity_sensitivities_at_load(open(), load, &sensitivities));
         return sensitivities;
     }
 
-    /// The bits ASPERITY_WARNING_ of all states from one load [force] to a heavier one: whether the law holds for a contact
+    /// The bits ASPERITY_WARNING_ of all states from one load [force] to a heavier one: whether the model holds for a contact
     /// that meets these loads; 0 if nothing is known to fail.
     ///
     /// Takes milliseconds. Throws Error as state_at_load, and ASPERITY_INVALID_PARAMETER if lightest is above heaviest.
     std::uint64_t check_loads(double lightest, double heaviest) const {
         std::uint64_t warnings = 0;
-        check(asperity_check_loads(handle_.get(), lightest, heaviest, &warnings));
+        check(asperity_check_loads(open(), lightest, heaviest, &warnings));
         return warnings;
     }
 
@@ -891,11 +919,11 @@ public:
     /// Takes milliseconds. Throws Error (ASPERITY_INVALID_PARAMETER for what is not one known bit).
     std::pair<double, double> warning_loads(std::uint64_t warning) const {
         std::pair<double, double> loads;
-        check(asperity_warning_loads(handle_.get(), warning, &loads.first, &loads.second));
+        check(asperity_warning_loads(open(), warning, &loads.first, &loads.second));
         return loads;
     }
 
-    /// Single summits at overlaps [length], by the law that all sums of the model are made of.
+    /// Single summits at overlaps [length], by the law that the model sums over all summits.
     ///
     /// @param overlaps  height of a summit less the separation; negative for a gap
     /// @param heights   from the mean of the summit heights [length], on which radii depend where radius_amplitude is not
@@ -907,7 +935,7 @@ public:
             require_size("heights", heights.size(), n, "overlaps");
         }
         Summits found{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
-        check(asperity_summits_at_overlaps(handle_.get(), n, overlaps.data(), heights.data(), found.load.data(),
+        check(asperity_summits_at_overlaps(open(), n, overlaps.data(), heights.data(), found.load.data(),
                                            found.force.data(), found.radius.data()));
         return found;
     }
@@ -916,7 +944,7 @@ public:
     Summary summary() const {
         Summary summary;
         summary.struct_size = sizeof summary;
-        check(asperity_summary_of(handle_.get(), &summary));
+        check(asperity_summary_of(open(), &summary));
         return summary;
     }
 
@@ -926,7 +954,7 @@ public:
     Table table() const {
         Table table;
         table.struct_size = sizeof table;
-        check(asperity_table_of(handle_.get(), &table));
+        check(asperity_table_of(open(), &table));
         return table;
     }
 
@@ -935,6 +963,14 @@ public:
 
 private:
     using Batch = asperity_status (*)(const asperity_model *, std::size_t, const double *, double *, double *);
+
+    /// The C model, which a Model that was moved from lacks.
+    asperity_model *open() const {
+        if (!handle_) {
+            throw MovedFrom();
+        }
+        return handle_.get();
+    }
 
     struct Free {
         void operator()(asperity_model *model) const noexcept { asperity_free(model); }
@@ -950,11 +986,7 @@ private:
         if (slope.data() != nullptr) {
             require_size("slopes", slope.size(), loads.size());
         }
-        const Status status = batch(handle_.get(), loads.size(), loads.data(), value.data(), slope.data());
-        if (status == ASPERITY_NULL_POINTER) {
-            check(status);
-        }
-        return status;
+        return batch(open(), loads.size(), loads.data(), value.data(), slope.data());
     }
 
     /// An open contact is an answer. The library reports the first invalid load alone, so that one may hide a load that has none.
@@ -968,7 +1000,7 @@ private:
             if (is_nan(value.data()[i])) {
                 State state;
                 state.struct_size = sizeof state;
-                const Status why = asperity_state_at_load(handle_.get(), loads.data()[i], &state);
+                const Status why = asperity_state_at_load(open(), loads.data()[i], &state);
                 throw Error(why, "element " + std::to_string(i) + ": " + last_error());
             }
         }

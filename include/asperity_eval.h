@@ -1,4 +1,4 @@
-/* asperity_eval.h: evaluates a table of asperity where the library cannot be called: in GPU kernels, OpenMP target
+/* asperity_eval.h: evaluates a table of asperity where a program cannot call the library: in GPU kernels, OpenMP target
  * regions, loops that a compiler shall vectorise.
  *
  *     asperity_table table;
@@ -6,15 +6,15 @@
  *     asperity_table_of(model, &table);
  *     double force = asperity_eval_friction_force(&table, load, NULL);
  *
- * Self-contained but for the declaration of asperity_table: C99, C++, CUDA, HIP; no libm, and no branch on data but for
- * rows in parts, loads beside the table and the caps. For a kernel, copy table.total_count * 8 doubles from table.rows to
+ * It needs the declaration of asperity_table and nothing else: C99, C++, CUDA, HIP, without libm. It branches on data only
+ * for rows in parts, loads outside the table and the upper bound of the coefficient. For a kernel, copy table.total_count * 8 doubles from table.rows to
  * the device and point a copy of the struct there.
  *
  * Where the library answers from the table, these functions give the same bits, provided that the compiler does not
  * contract a*b + c into a fused multiply-add: GCC does so with -march of a processor that has it, unless -std=c99 or
  * -ffp-contract=off is given; with contraction the last bit or two may differ. Clang, CUDA and HIP are told below.
  *
- * There is no library to ask in a kernel, so every load has its rule:
+ * A kernel cannot call the library, so that every load has its rule:
  *
  *   below pull-off             as the library: force and coefficient 0; slope table.separated_slope (0 with adhesion)
  *   zero                       as the library
@@ -122,7 +122,7 @@ ASPERITY_EVAL_FUNCTION const double *asperity_eval_part(const asperity_table *ta
     return row;
 }
 
-/* Friction force beside the rows, and its slope. */
+/* Friction force at loads outside the rows, and its slope. */
 ASPERITY_EVAL_FUNCTION double asperity_eval_beside(const asperity_table *table, double load, double x, double *slope)
 {
     ASPERITY_EVAL_NO_CONTRACTION
@@ -241,7 +241,7 @@ ASPERITY_EVAL_FUNCTION double asperity_eval_friction(const asperity_table *table
  *
  * Force and slope are within 2e-7 of those of the library for the same load, a float, where that answers from its table and
  * the load is above pull-off by 2^-100 to 2^100 (8e-31 to 1e30; choose units in which it is) and by more than 1e-6 of the
- * pull-off load. Where all contacts meet a kink of the law at once, the slope is rounded off within 1/2048 of that load; next
+ * pull-off load. Where all contacts meet a kink of the law together, the slope is rounded off within 1/2048 of that load; next
  * to rows that the doubles leave out as much is left out. Beside that range the rules are those for doubles. To use the
  * table elsewhere, copy total_count * 8 floats and change the pointer. */
 typedef struct asperity_float_table {
@@ -470,7 +470,7 @@ ASPERITY_EVAL_FUNCTION float asperity_eval_in_row_float(const asperity_float_tab
     return ASPERITY_EVAL_ADDF(c[0], asperity_eval_line_float(c[6], force, t));
 }
 
-/* Friction force beside the rows, and its slope. */
+/* Friction force at loads outside the rows, and its slope. */
 ASPERITY_EVAL_FUNCTION float asperity_eval_beside_float(const asperity_float_table *table, float load, float x,
                                                         float *slope)
 {

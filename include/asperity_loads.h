@@ -1,14 +1,14 @@
-/* asperity_loads.h: which load to ask the law for where a solver wants the friction coefficient before it knows the
- * normal force of the step.
+/* asperity_loads.h: the load at which to ask for friction, where a solver needs the friction coefficient before it knows
+ * the normal force of the step.
  *
- * The load of the step before is late, and where it jitters it biases friction. Of each contact, or of each pair of
- * bodies, these functions keep what the past steps tell of its load:
+ * The load of the last step lags behind, and biases friction where it jitters. These functions keep the loads of past
+ * steps for each contact, or for each pair of bodies, and return the expected load of the next step [force]:
  *
  *   time_constant = 0   the straight line through the last two loads, for loads that vary smoothly
  *   time_constant > 0   the mean over about that time, for loads that are right on average only; steps without contact
  *                       count as load 0, until the pair has been apart for time_constant
  *
- * Of pairs, in memory of the caller's, which must be zero at first (nothing is allocated):
+ * For pairs, in memory of the caller, which must be zero at the start (the functions allocate nothing):
  *
  *     static asperity_body_pair pairs[1000];
  *     each contact, before the step:    load = asperity_pairs_expected(pairs, 1000, a, b, time);
@@ -16,10 +16,11 @@
  *     each contact, after the step:     asperity_pairs_add(pairs, 1000, a, b, normal_force);
  *     then once:                        asperity_pairs_end_step(pairs, 1000, time, time_constant);
  *
- * A solver that keeps data of its own with each contact can have an asperity_load there and do without the pairs:
+ * A solver that keeps its own data with each contact can keep an asperity_load there, without the pairs: call
  * asperity_load_take after the step, asperity_load_expected before.
  *
- * Included after asperity.h, it also says which warnings of the model are new at a load, so that a host tells each once:
+ * If you include it after asperity.h, it also returns the warnings of the model that are new at a load, so that a host
+ * writes each one once:
  *
  *     static asperity_told told;
  *     uint64_t warnings = asperity_told_anew(&told, model, load), bit;
@@ -27,8 +28,8 @@
  *         if (warnings & bit) write_to_log(asperity_warning_string(bit));
  *
  * Self-contained: C99 and C++. Both structs are plain doubles, so that a host may save, copy and restore them with its
- * own state. Loads are those of compression, finite and not negative; `time` is the host's own, at which a load is or
- * will be found. A time that does not grow begins anew.
+ * own state. Loads are positive in compression, finite and not negative. `time` is the host's time of a load, past or
+ * expected. A time that does not increase starts again.
  */
 #ifndef ASPERITY_LOADS_H
 #define ASPERITY_LOADS_H

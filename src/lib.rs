@@ -1,14 +1,16 @@
 //! Friction laws from contact physics, callable from any solver.
 //!
-//! Two rough elastic surfaces touch at their summits; adhesion pulls them together (Maugis), each summit's shear
-//! strength depends on its own contact radius (Hurtado and Kim), and summits out of contact still attract. Summed
-//! over the distribution of heights, friction depends on load and scale (Adams and Müftü, Nanotechnology 16 (2005)).
+//! The crate computes the friction of two rough surfaces under a normal load, with its slope, for the contacts of a solver.
+//! The model sums over the summits at which the surfaces touch: adhesion (Maugis), a shear strength that depends on the
+//! radius of each contact (Hurtado and Kim), and attraction of summits out of contact, over a distribution of heights
+//! (Adams and Müftü, Nanotechnology 16 (2005)). It does not predict the shear strength of the interface: call
+//! [`Params::calibrate`] with one measurement.
 //!
 //! ```
 //! use asperity::materials::Bodies;
 //! use asperity::{Model, Params};
 //!
-//! // SI units throughout; any other consistent system does as well, with moduli and lengths of one's own.
+//! // SI units; any other consistent system will do, if you set moduli and lengths yourself.
 //! let mut params = Params::unset();
 //! params.set_bodies(&Bodies::find("steel/steel").ok_or("two names of asperity::materials")?)?;
 //! params.height_std = 0.3e-6;
@@ -27,8 +29,8 @@
 //! ```
 //!
 //! The default feature `memory-reserve` sets the program's global allocator, the system's with a reserve behind it, by which a
-//! caller in C gets a status where memory runs out. A Rust program gains nothing by it, and one that sets an allocator of its own does
-//! not compile with it: depend on the crate with `default-features = false`.
+//! caller in C gets a status where memory runs out. A Rust program gains nothing by it. One that sets its own allocator does not
+//! compile with it: depend on the crate with `default-features = false`.
 
 mod c_string;
 #[doc(hidden)]

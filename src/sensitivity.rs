@@ -1,4 +1,4 @@
-//! What the friction force at constant load changes by with each parameter.
+//! Logarithmic derivatives of the friction force with respect to each parameter, at constant load.
 //!
 //! At constant load dF/dp = dF/dp|_d - (dF/dd)/(dP/dd) dP/dp|_d. The changes at fixed separation d are those of the population
 //! by the groups; the parameters in the caller's units act through groups and units alone.
@@ -8,9 +8,10 @@ use crate::float_bits::finite;
 use crate::params::{HeightFamily, Params, RADIUS_RATES};
 use crate::population::{Change, Changes, Population, Sums};
 
-/// The sensitivities of the friction force F at constant load to the parameters of the same names: d ln F/d ln p, but dF/dp/F
-/// for `radius_amplitude`, `skew` and `pressure_coefficient`, which may be 0. 0 for what the model does not read. The slip radii, which
-/// are ratios, stay as they are while `burgers_vector` changes, as the kurtosis does while the skew changes.
+/// Logarithmic derivatives d(ln F)/d(ln p) of the friction force F with respect to the parameters p of the same names, at constant
+/// load. For `radius_amplitude`, `skew` and `pressure_coefficient`, which may be 0, they are d(ln F)/dp. They are 0 for parameters
+/// that the model does not read. The slip radii are ratios, and constant while `burgers_vector` changes. The kurtosis is constant
+/// while the skew changes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[allow(missing_docs)] // said above, of all
 pub struct Sensitivities {

@@ -43,7 +43,8 @@ def c_reference(header: str) -> str:
     assert version
     parts = [f"# C reference\n\n`include/asperity.h` of version {version[1]}.\n"]
     opening = header[header.index("/*") + 2 : header.index("*/")]
-    parts.append(f"```text\n{re.sub(r'(?m)^ [*] ?', '', opening).strip()}\n```\n")
+    # With four backticks, since it has examples in three.
+    parts.append(f"````text\n{re.sub(r'(?m)^ [*] ?', '', opening).strip()}\n````\n")
     parts.append("## Constants\n\n| | value | |\n|---|---|---|")
     for comment, name, value in re.findall(COMMENT + r"#define (\w+) (.*)", header):
         parts.append(f"| `{name}` | `{value}` | {prose(comment)} |")

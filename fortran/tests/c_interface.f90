@@ -32,9 +32,44 @@ program c_interface
   call compiled_table
   call hertzian_states
   call adhesive_summary
+  call second_names
   call finish('the C interface from Fortran')
 
 contains
+
+  subroutine second_names
+    character(kind=c_char), target :: steel(6) = ['s', 't', 'e', 'e', 'l', c_null_char]
+    character(kind=c_char), target :: both(6) = ['S', 'i', '/', 'S', 'i', c_null_char]
+    character(kind=c_char), target :: film(21) = ['M', 'o', 'S', '2', ' ', 'f', 'i', 'l', 'm', ' ', 'i', 'n', ' ', 'd', 'r', &
+                                                  'y', ' ', 'a', 'i', 'r', c_null_char]
+    type(asperity_material_data) :: material
+    type(asperity_pair_data) :: pair
+    type(asperity_interface_data) :: found
+    type(asperity_summary) :: one, other
+    type(asperity_table) :: table, same
+    type(c_ptr) :: model
+    real(c_double), target :: force, again
+    model = default_model()
+    call asperity_check(asperity_summary_of(model, one))
+    call asperity_check(asperity_get_summary(model, other))
+    call check('asperity_get_summary is asperity_summary_of', identical(one%pull_off_load, other%pull_off_load))
+    call asperity_check(asperity_table_of(model, table))
+    call asperity_check(asperity_get_table(model, same))
+    call check('asperity_get_table is asperity_table_of', c_associated(table%rows, same%rows))
+    call asperity_check(asperity_get_material(c_loc(steel), material))
+    call check_close('asperity_get_material', material%young, 205e9_c_double, 1e-15_c_double)
+    call asperity_check(asperity_get_pair(c_loc(both), pair))
+    call check_close('asperity_get_pair', pair%work_of_adhesion, 0.063_c_double, 1e-15_c_double)
+    call asperity_check(asperity_get_interface(c_loc(film), found))
+    call check_close('asperity_get_interface', found%shear_strength, 24.8e6_c_double, 1e-15_c_double)
+    call check('asperity_friction_force_at_slip_rate is asperity_slip_force', identical( &
+               asperity_friction_force_at_slip_rate(model, 5.0_c_double, 0.3_c_double, 1.0_c_double, c_null_ptr, c_null_ptr), &
+               asperity_slip_force(model, 5.0_c_double, 0.3_c_double, 1.0_c_double, c_null_ptr, c_null_ptr)))
+    call asperity_check(asperity_tangential_at_load(model, 5.0_c_double, 0.1_c_double, c_loc(force), c_null_ptr))
+    call asperity_check(asperity_tangential_force_at_displacement(model, 5.0_c_double, 0.1_c_double, c_loc(again), c_null_ptr))
+    call check('asperity_tangential_force_at_displacement is asperity_tangential_at_load', identical(force, again))
+    call asperity_free(model)
+  end subroutine second_names
 
   subroutine versions_and_texts
     character(*), parameter :: DOT = '.'
@@ -149,7 +184,7 @@ contains
     call check('a bandwidth below 1.5 is refused', &
                asperity_params_set_spectral_moments(p, M2, M2, 1.49_c_double * M2, AREA) == ASPERITY_INVALID_PARAMETER)
     call check_text('... with a message', asperity_error_message(), &
-                    'bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5, as that of every isotropic surface is; ' // &
+                    'bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5, the least of isotropic surfaces; ' // &
                     'are all lengths in one unit?')
     ! One wavelength: the moments of Nayak's density of curvatures, integrated by hand.
     call asperity_check(asperity_params_set_nayak_summits(p, 1.5_c_double, 1.0_c_double, 1.0_c_double, AREA))

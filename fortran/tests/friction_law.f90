@@ -196,6 +196,7 @@ contains
       call check_close('its slope by slip rate', by_rate, law%friction_force_at_load(P) / V0 / cosh(v / V0)**2, &
                        1e-13_c_double)
       call check('slopes may be left out', identical(law%slip_force(P, v, V0), force))
+      call check('the second name', identical(law%friction_force_at_slip_rate(P, v, V0), force))
     end do
     force = law%slip_force(P, 1.0_c_double, -V0, stat=stat, errmsg=errmsg)
     call check('a negative transition rate is refused', &
@@ -266,6 +267,9 @@ contains
       call law%tangential_at_load(P(i), -length, back, stat=stat)
       call check('the force is odd', stat == 0 .and. identical(back, -force))
     end do
+    call law%tangential_force_at_displacement(P(3), length, back)
+    call law%tangential_at_load(P(3), length, force)
+    call check('the second name', identical(back, force))
     force = 7
     call law%tangential_at_load(1.0_c_double, nan(), force, stat=stat, errmsg=errmsg)
     call check('a displacement that is NaN is refused', stat == ASPERITY_INVALID_PARAMETER .and. identical(force, 7.0_c_double))

@@ -40,13 +40,13 @@ function columnOf({ surface, curve: { model, band } }, load) {
     "95 % between": `${coefficient(low)} and ${coefficient(high)}`,
     "Friction force": withUnit(exact.friction_force, "N"),
     "Summits in contact": count(exact.contacting),
-    "Real area of nominal": percent(exact.real_area / shifted(parsed(surface.nominal_area), FIELDS.nominal_area.power)),
+    "Real area / nominal area": percent(exact.real_area / shifted(parsed(surface.nominal_area), FIELDS.nominal_area.power)),
     "Mean contact radius": withUnit(exact.mean_contact_radius, "m"),
     "Mean pressure on summits": withUnit(exact.mean_asperity_pressure, "Pa"),
     "Stiffness before slip": withUnit(exact.tangential_stiffness, "N/m"),
     "Contacts mostly": regime(exact),
     "Strength of the interface": strength(surface),
-    "Does not hold": page.library.warningsOf(exact.warnings).map(short).join(", ") || "nothing known",
+    "Limits exceeded": page.library.warningsOf(exact.warnings).map(short).join(", ") || "no limit known to be exceeded",
   };
 }
 

@@ -41,7 +41,7 @@ export const SHORT = {
   ADHESIVE: "held by adhesion",
   UNCALIBRATED: "not calibrated",
   BROAD: "broad spectrum",
-  STRONG: "stronger than its bodies",
+  STRONG: "stronger than the bodies",
 };
 
 export const short = ({ name }) => SHORT[name] ?? name.toLowerCase();
@@ -67,8 +67,8 @@ export function rests(surface, { spread, error }) {
 /** What to know of a surface without a measured strength; empty of the others. */
 export const unmeasured = (surface) =>
   uncalibrated(surface)
-    ? " Not calibrated: nobody measured how strong this interface is, and friction may be many times higher or lower." +
-      " Give one measured friction coefficient and its load."
+    ? " Not calibrated: the strength of this interface is a default, and friction may be many times higher or lower." +
+      " Enter one measured friction coefficient and its load."
     : "";
 
 /** Some sentences on a curve. */
@@ -79,7 +79,7 @@ export function summary(letter, surface, curve) {
   const failing = curve.warnings.filter(({ name }) => name !== "UNCALIBRATED");
   const said = failing.length
     ? `The model does not hold everywhere: ${failing.map(short).join(", ")}.`
-    : "Nothing is known to fail of the model at these loads.";
+    : "No limit of the model is known to be exceeded at these loads.";
   return `${range}${unmeasured(surface)} ${said}`;
 }
 

@@ -86,7 +86,7 @@ export function materialsOf(library) {
   return { MATERIALS, PAIRS, INTERFACES, material, pair, interfaceOf, knownOf, contact };
 }
 
-/** What the library sets of two materials beside their moduli. @param {import("./library.js").Library} library @param {string} name */
+/** What the library sets for two materials in addition to their moduli. @param {import("./library.js").Library} library @param {string} name */
 function ofPair(library, name) {
   writeParams(library, { slip_stress_1: NaN }); // set only where it is measured
   library.run("params_set_pair", library.struct, library.text(name));

@@ -7,7 +7,7 @@ import { readParams, writeParams } from "./params.js";
 /** @typedef {import("./header.js").State} State */
 /** @typedef {import("./header.js").Summary} Summary */
 /** @typedef {import("./header.js").Sensitivities} Sensitivities */
-/** What fails of the model, and what to do about it. @typedef {{ name: string, bit: number, text: string }} Warning */
+/** An assumption of the model that fails, and what to do about it. @typedef {{ name: string, bit: number, text: string }} Warning */
 /** @typedef {ArrayLike<number>} Loads */
 
 /** The warnings that this version names; a later library may have more. */
@@ -19,17 +19,17 @@ const WARNINGS = Object.entries(CONSTANTS)
 const OF_LOADS = [CONSTANTS.OK, CONSTANTS.SEPARATED, CONSTANTS.INVALID_LOAD, CONSTANTS.OUT_OF_RANGE];
 
 /**
- * A friction law: load to friction, as table and as exact states. It frees its memory when it is no longer reachable, or at
- * `free`.
+ * A friction law of two surfaces: friction against load, and exact states. Make it once, ask it often. It frees its memory
+ * when it is no longer reachable, or at `free`. All quantities are in the units of the parameters.
  */
 export class Model {
   /** @type {number} */
   #pointer = 0;
 
   /**
-   * @param {import("./library.js").Library} library the instance that it lives in
+   * @param {import("./library.js").Library} library the instance of the library
    * @param {Params} params the surfaces
-   * @throws {AsperityError} a parameter that the library refuses, or one missing, in the library's words
+   * @throws {AsperityError} a parameter that the library refuses, or one that is missing: the message names it, its value and what is allowed
    */
   constructor(library, params) {
     /** @private */
@@ -68,19 +68,19 @@ export class Model {
   }
 
   /**
-   * Friction coefficient F/P at a load, or at many. From the pull-off load to 0 it is `max_friction_coefficient`, below the
-   * pull-off load 0.
+   * Friction coefficient F/P [-] at a load, or at many: `model.frictionAtLoad(1e-3)`. From the pull-off load to 0 it is
+   * `max_friction_coefficient`; below the pull-off load it is 0.
    * @template {number | Loads} T
    * @param {T} load normal load [force]
    * @returns {T extends number ? number : Float64Array}
-   * @throws {AsperityError} a load that is not finite, or too heavy; of an array it is named by its index
+   * @throws {AsperityError} a load that is not finite, or too heavy; for an array the message has its index
    */
   frictionAtLoad(load) {
     return this.#values("friction_at_loads", load);
   }
 
   /**
-   * Friction force F at a load, or at many: finite down to the pull-off load, 0 below it.
+   * Friction force F [force] at a load, or at many: finite down to the pull-off load, 0 below it.
    * @template {number | Loads} T
    * @param {T} load normal load [force]
    * @returns {T extends number ? number : Float64Array}
@@ -90,7 +90,7 @@ export class Model {
   }
 
   /**
-   * Friction coefficient and its slope d(mu)/d(load), 0 where the coefficient is capped.
+   * Friction coefficient and its slope d(mu)/d(load) [1/force], 0 where the coefficient is capped.
    * @template {number | Loads} T
    * @param {T} load normal load [force]
    * @returns {{ value: T extends number ? number : Float64Array, slope: T extends number ? number : Float64Array }}
@@ -110,7 +110,7 @@ export class Model {
   }
 
   /**
-   * Tangential stiffness K_t at a load, or at many: tangential force by displacement while all contacts stick.
+   * Tangential stiffness K_t [force/length] at a load, or at many: force by displacement while all contacts stick.
    * @template {number | Loads} T
    * @param {T} load normal load [force]
    * @returns {T extends number ? number : Float64Array}
@@ -120,7 +120,8 @@ export class Model {
   }
 
   /**
-   * The tangential force at a load and a displacement, and its slope by displacement, by integration over the summits.
+   * The tangential force [force] at a load and a displacement, and its slope by displacement [force/length], by integration
+   * over the summits. `tangentialForceAtDisplacement` is the same.
    * @param {number} load normal load [force]
    * @param {number} displacement of the surfaces along each other [length]
    */
@@ -128,6 +129,15 @@ export class Model {
     const { out } = this.library;
     this.library.run("tangential_at_load", this.#open, load, displacement, out, out + 8);
     return { force: this.library.data().getFloat64(out, true), stiffness: this.library.data().getFloat64(out + 8, true) };
+  }
+
+  /**
+   * The same as `tangentialAtLoad`.
+   * @param {number} load normal load [force]
+   * @param {number} displacement of the surfaces along each other [length]
+   */
+  tangentialForceAtDisplacement(load, displacement) {
+    return this.tangentialAtLoad(load, displacement);
   }
 
   /**
@@ -149,7 +159,8 @@ export class Model {
   }
 
   /**
-   * By how many per cent friction at a load changes for each per cent of each parameter.
+   * Logarithmic derivatives of the friction force at a load with respect to each parameter: per cent of friction for each per
+   * cent of the parameter.
    * @param {number} load normal load [force], above the pull-off load
    * @returns {Sensitivities}
    */
@@ -157,13 +168,13 @@ export class Model {
     return this.library.fill("asperity_sensitivities", "sensitivities_at_load", this.#open, load);
   }
 
-  /** The constants of the model. @returns {Summary} */
+  /** The constants of the model: dimensionless groups, pull-off, extent and error of the table. @returns {Summary} */
   summary() {
     return this.library.fill("asperity_summary", "summary_of", this.#open);
   }
 
   /**
-   * What does not hold of the model somewhere between two loads, and what to do about it; empty if nothing is known to fail.
+   * The warnings of all states between two loads: what fails and what to do about it. Empty if nothing is known to fail.
    * @param {number} lightest normal load [force]
    * @param {number} heaviest normal load [force]
    * @returns {Warning[]}
@@ -174,7 +185,7 @@ export class Model {
   }
 
   /**
-   * Between which loads of the compiled table a warning holds.
+   * The loads of the compiled table between which a warning holds.
    * @param {number} warning one bit, the `bit` of a `Warning`
    * @returns {[lightest: number, heaviest: number] | null} normal loads [force]; null if it holds at none
    * @throws {AsperityError} not one known bit

@@ -360,7 +360,7 @@ test("where a warning holds in part of the loads the chart is shaded and named, 
   assert.ok(!written.includes("not calibrated"));
   const said = await page.locator("#warnings").textContent();
   assert.match(said, new RegExp(`A Si/Si below ${withUnit(span[1], "N")}: fewer than 20 summits touch`));
-  assert.match(said, /A Si\/Si at all these loads: the strength of the interface is a default that nobody measured/);
+  assert.match(said, /A Si\/Si at all these loads: the strength of the interface is the default, not a measured one/);
   // Where fewer loads are shown it holds at all of them.
   await page.locator("#heaviest").fill(String(span[1] / 2));
   const narrow = await chart([0.5]);
@@ -423,7 +423,7 @@ test("a measured point is met, drawn on the curve, kept in the address, and aske
   const { page, wrong } = await open();
   const summary = () => page.locator("#summary").textContent();
   const row = () => page.locator("#values tr", { hasText: "Strength of the interface" }).textContent();
-  await page.waitForFunction(() => /Not calibrated: nobody measured/.test(document.getElementById("summary").textContent));
+  await page.waitForFunction(() => /Not calibrated: the strength of this interface/.test(document.getElementById("summary").textContent));
   assert.match(await row(), /not measured/);
   await page.locator("#calibration_friction_coefficient").fill("0.2");
   await drawn(page);

@@ -164,7 +164,7 @@ test("a surface says whether its strength was measured", () => {
   const silicon = start(asperity);
   assert.ok(uncalibrated(silicon));
   assert.equal(strength(silicon), "not measured");
-  assert.match(unmeasured(silicon), /^ Not calibrated: nobody measured .* Give one measured friction coefficient and its load\.$/);
+  assert.match(unmeasured(silicon), /^ Not calibrated: the strength of this interface is a default, .* Enter one measured friction coefficient and its load\.$/);
   const measured = { ...silicon, calibration_friction_coefficient: "0.3", calibration_load: "1e-3" };
   assert.deepEqual(measuredOf(measured), { load: 1e-3, mu: 0.3 });
   assert.equal(strength(measured), "from μ = 0.3 measured at 1.00 mN");

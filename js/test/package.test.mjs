@@ -194,6 +194,7 @@ test("without adhesion a pressure coefficient adds itself to friction", () => {
 test("the tangential force starts with the stiffness and ends at the friction force", () => {
   const model = new Model(silicon);
   const start = model.tangentialAtLoad(1e-3, 1e-15);
+  assert.deepEqual(model.tangentialForceAtDisplacement(1e-3, 1e-15), start);
   assert.ok(Math.abs(start.stiffness / model.tangentialStiffnessAtLoad(1e-3) - 1) < 1e-6);
   assert.ok(Math.abs(model.tangentialAtLoad(1e-3, 1e-3).force / model.frictionForceAtLoad(1e-3) - 1) < 1e-9);
 });

@@ -58,7 +58,7 @@ def test_an_interface_brings_its_strength() -> None:
     # The band has no part of it, and the answer says so.
     told = "strength of the interface: that of Al2O3/Si in air, measured on other specimens and taken as known"
     assert found.rests_on == (told,) and found.narrow == ("one measured friction force: measured=(load, coefficient)",)
-    with pytest.raises(Error, match="slip_stress_2: is told by interface already, leave one out"):
+    with pytest.raises(Error, match="slip_stress_2: interface sets it already, leave one out"):
         friction("Si/Si", **ROUGH, load=1e5, interface="Al2O3/Si in air", slip_stress_2=0.01)
     with pytest.raises(Error, match="interface = 5: must be the name of an interface"):
         friction("Si/Si", **ROUGH, load=1e5, interface=5)  # type: ignore[arg-type]
@@ -129,7 +129,7 @@ def test_the_mean_deviation_stands_for_the_standard_one() -> None:
     expected = friction("Si/Si", **ROUGH, load=1e5).value
     given = {"Ra": ROUGH["Sq"] * math.sqrt(2 / math.pi), "Sdq": ROUGH["Sdq"], "Sds": ROUGH["Sds"]}
     assert friction("Si/Si", **given, load=1e5).value == pytest.approx(expected, rel=1e-12)
-    with pytest.raises(Error, match="Ra: must not be given beside Sq, which it stands for"):
+    with pytest.raises(Error, match="Ra: must not be given together with Sq, which it replaces"):
         friction("Si/Si", **given, Sq=5e-9, load=1e5)
 
 
@@ -252,7 +252,7 @@ def test_roughness_that_a_process_does_not_leave_is_warned_of() -> None:
         friction("steel/steel", process="gorund", load=20.0)
     with pytest.raises(Error, match="Rq = -1: must be finite and > 0"):
         friction(**GROUND, Rq=-1, load=20.0)
-    with pytest.raises(TypeError, match="Ra and Rq both tell the height"):
+    with pytest.raises(TypeError, match="Ra and Rq both give the height"):
         friction(**GROUND, Ra=1e-6, Rq=1e-6, load=20.0)
 
 

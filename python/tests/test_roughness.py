@@ -183,7 +183,7 @@ def test_nayaks_summits_leave_heights_and_radii_to_no_one_else() -> None:
     moments: dict[str, Any] = dict(m0=M0, m2=M2, m4=M4, nominal_area=AREA, **CONTACT)
     given: dict[str, Any] = {"skew": 0.1, "weibull_shape": 3.0, "radius_amplitude": 0.1, "height_distribution": "gaussian"}
     for name, value in given.items():
-        with pytest.raises(TypeError, match=f'^{name}: summits="nayak" tells heights and radii'):
+        with pytest.raises(TypeError, match=f'^{name}: summits="nayak" sets heights and radii'):
             Params.from_spectral_moments(**moments, summits="nayak", **{name: value})
     with pytest.raises(Error, match="^summits = 'round': must be 'equal' or 'nayak'$"):
         Params.from_spectral_moments(**moments, summits="round")  # type: ignore[arg-type]

@@ -120,11 +120,11 @@ def test_heights_are_chosen_as_in_si(surface_file: SurfaceFile) -> None:
         (WHOLE.replace("nu2 = 0.25", "nu2 = 0.6"), "nu2 = 0.6: must be > -1 and <= 0.5"),
         (WHOLE.replace("51000000000.0", "true"), "hardness = true: must be a number"),
         (WHOLE.replace("51000000000.0", '"hard"'), "hardness = 'hard': must be a real number"),
-        ("height_std = 1e-9\n" + WHOLE, "height_std: is told by roughness already"),
-        ("composite_modulus = 1e11\n" + WHOLE, "composite_modulus: is told by materials already"),
+        ("height_std = 1e-9\n" + WHOLE, "height_std: roughness sets it already"),
+        ("composite_modulus = 1e11\n" + WHOLE, "composite_modulus: materials sets it already"),
         ("contact_law = \"plastic\"\n" + WHOLE, "contact_law = 'plastic': must be one of 'maugis'"),
         (WHOLE.replace("E1 = 493000000000.0\n", 'first = "Stahl"\n').replace("nu1", "# "), "Stahl: no material has this name; the nearest is steel"),
-        (WHOLE.replace("E1 =", 'first = "Si"\nE1 ='), "E1: is told by first already"),
+        (WHOLE.replace("E1 =", 'first = "Si"\nE1 ='), "E1: first sets it already"),
         ("materials = 3\n", r"materials = 3: must be a table, \[materials\]"),
         ("height_std = 1e-9\n", "composite_modulus: must be set"),
         ("height_std = \n", "no TOML: "),
@@ -239,7 +239,7 @@ def test_the_mean_deviation_stands_for_the_standard_one(surface_file: SurfaceFil
     expected = Params.from_iso25178(Sq=math.sqrt(m0), **iso, **BODIES, **CONTACT, nominal_area=1e-6)
     assert Params.from_toml(surface_file(head + toml(iso))).height_std == pytest.approx(expected.height_std, rel=1e-14)
     for name, value in {"Sq": 1e-9, "m0": 1e-18, "Ssk": 0.1}.items():
-        with pytest.raises(Error, match=f"Ra: must not be given beside {name}, "):
+        with pytest.raises(Error, match=f"Ra: must not be given together with {name}, "):
             Params.from_toml(surface_file(head + toml(iso | {name: value})))
     with pytest.raises(Error, match="Ra = -1: must be finite and > 0"):
         Params.from_toml(surface_file(head.replace(f"Ra = {ra}", "Ra = -1") + toml(iso)))
@@ -263,7 +263,7 @@ def test_an_interface_is_taken_by_its_name(surface_file: SurfaceFile) -> None:
     point = "calibration_load = 1e-3\ncalibration_friction_coefficient = 0.4\n"
     assert Params.from_toml(surface_file(point + named + WHOLE)) == found.calibrated(load=1e-3, mu=0.4)
     for text, message in (
-        (named + "slip_stress_1 = 0.01\n", "slip_stress_1: is told by interface already, leave one out"),
+        (named + "slip_stress_1 = 0.01\n", "slip_stress_1: interface sets it already, leave one out"),
         ('interface = "KCl"\n', "KCl: no interface has this name; the nearest is "),
         ("interface = 3\n", "interface = 3: must be the name of an interface"),
         ('interface = "Al/Al clean"\n', "Al/Al clean: its shear strength is not known, only a friction coefficient of 1.05 "),

@@ -19,20 +19,24 @@ impl asperity_params {
     }
 }
 
-/// Sets the strength of the interface from one measured point: scales `slip_stress_1` and `slip_stress_2` by one factor, so that
-/// the friction force at this load is the one measured.
+/// Sets the strength of the interface from one measured point: scales `slip_stress_1` and `slip_stress_2` by one factor, so
+/// that the friction force at this load is the measured one.
 ///
-/// The strength decides the friction, and no model predicts it: it is that of films, oxides and whatever else covers the
-/// surfaces. Measure the friction of your pair once, on surfaces and at a load that you know, give these surfaces in `params`, and
-/// call this last. What changes with load, area, roughness and adhesion is then the model's. `pressure_coefficient` stays as it is.
+/// The model does not predict the shear strength of an interface: films and oxides govern it. Measure the friction of your
+/// pair once, on surfaces and at a load that you know. Set the parameters of these surfaces, and call this function last. The
+/// model then predicts how friction changes with load, area, roughness and adhesion. `pressure_coefficient` stays as it is.
+/// The call makes one model and one exact state: milliseconds.
 ///
-/// It makes one model and asks one exact state of it: milliseconds.
+/// ```c
+/// double load = 1e-3, measured_coefficient = 0.4;  // N
+/// asperity_params_calibrate(&params, load, measured_coefficient * load);
+/// ```
 ///
 /// @param params          all parameters of the surfaces that were measured; must not be NULL; untouched on failure
 /// @param load            normal load of the measurement [force], a total over `asperity_count`
-/// @param friction_force  friction force measured at that load [force], > 0: the coefficient of friction times the load
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a force that no strength gives: the message has
-///         the numbers; a parameter that `asperity_create` refuses), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+/// @param friction_force  friction force measured at that load [force], > 0: the friction coefficient times the load
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a force that no strength gives: the message
+///         has the numbers; a parameter that `asperity_create` refuses), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
 ///         `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
 ///
 /// Threads: any, on different structs.

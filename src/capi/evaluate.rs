@@ -5,12 +5,12 @@ use super::boundary::{self, not_null};
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
 
-/// Friction coefficient F/P at a load.
+/// Returns the friction coefficient F/P at a normal load.
 ///
 /// @param model  a model
-/// @param load   normal load [force]
-/// @return F/load for load > 0, at most `max_friction_coefficient`; for pull-off <= load <= 0, where F is finite and
-///         F/load is not, `max_friction_coefficient`; 0 below pull-off (a separated contact has no friction); a quiet
+/// @param load   normal load P [force], a total over `asperity_count`
+/// @return the coefficient [-]: F/load for load > 0, at most `max_friction_coefficient`; `max_friction_coefficient` for
+///         pull-off <= load <= 0, where F is finite and F/load is not; 0 below pull-off, where the surfaces are apart; a quiet
 ///         NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
@@ -19,10 +19,12 @@ pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model,
     model::value_at(model, Quantity::Coefficient, load)
 }
 
-/// Friction force F at a load.
+/// Returns the friction force F at a normal load.
+///
+/// Prefer it to the coefficient where loads reach zero: with adhesion the force is finite there, and the coefficient is not.
 ///
 /// @param model  a model
-/// @param load   normal load [force]
+/// @param load   normal load [force], a total over `asperity_count`
 /// @return F [force], finite and positive also at zero and negative load down to pull-off; 0 below pull-off; a quiet
 ///         NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
 ///
@@ -32,19 +34,29 @@ pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_
     model::value_at(model, Quantity::Force, load)
 }
 
-/// Friction coefficients at many loads, and their slopes.
+/// Computes the friction coefficients at many loads, and their slopes.
 ///
-/// Every element has the bits that the call for one load gives. All elements are filled; then the first load that is not
-/// in order, if any, is reported, and `asperity_last_error` names its index.
+/// Every element has the same bits as `asperity_friction_at_load` at that load. The library fills all elements. Then it
+/// reports the first load without an answer, if there is one: `asperity_last_error` says its index. An open contact is often
+/// no error of your solver: check for `ASPERITY_SEPARATED` first.
+///
+/// ```c
+/// double load[] = {1e-3, 2e-3, -1.0}, mu[3];
+/// asperity_status status = asperity_friction_at_loads(model, 3, load, mu, NULL);
+/// if (status != ASPERITY_OK && status != ASPERITY_SEPARATED) {
+///     fprintf(stderr, "%s\n", asperity_status_string(status));
+/// }
+/// ```
 ///
 /// @param model      must not be NULL
 /// @param n          number of loads; may be 0
 /// @param load       n loads [force]; must not be NULL unless n = 0
-/// @param mu         receives n coefficients; NULL to skip; may be `load` itself
+/// @param mu         receives n coefficients [-]; NULL to skip; may be `load` itself
 /// @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load`
 ///                   itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
-///         `ASPERITY_OUT_OF_RANGE` (a finite load that cannot be evaluated, where the answer is NaN)
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD` (a NaN or infinite load: the answer is NaN),
+///         `ASPERITY_SEPARATED` (a load below pull-off: the answer is 0), `ASPERITY_OUT_OF_RANGE` (a finite load that cannot
+///         be evaluated: the answer is NaN)
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -58,15 +70,15 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
     evaluate(model, Quantity::Coefficient, n, load, mu, dmu_dload)
 }
 
-/// Friction forces at many loads, and their slopes, filled and reported as by `asperity_friction_at_loads`.
+/// Computes the friction forces at many loads, and their slopes; filled and reported as by `asperity_friction_at_loads`.
 ///
 /// @param model         must not be NULL
 /// @param n             number of loads; may be 0
 /// @param load          n loads [force]; must not be NULL unless n = 0
 /// @param force         receives n forces [force]; NULL to skip; may be `load` itself
-/// @param dforce_dload  receives n slopes dF/d(load): INFINITY at the pull-off load itself, 0 below it; without
-///                      adhesion, where F has no slope at zero load, there and below that of the lightest load of the
-///                      table, finite; NULL to skip; may be `load` itself
+/// @param dforce_dload  receives n slopes dF/d(load) [-]: INFINITY at the pull-off load itself, 0 below it. Without adhesion
+///                      F has no slope at zero load; there and below, it is that of the lightest load of the table, finite.
+///                      NULL to skip; may be `load` itself
 /// @return as `asperity_friction_at_loads`
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.

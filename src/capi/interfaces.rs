@@ -10,27 +10,30 @@ use crate::materials::{Interface, INTERFACES};
 use std::ffi::c_char;
 use std::mem::size_of;
 
-/// What was measured of the strength of an interface, in SI units. 0 stands for what no source is known for.
+/// The measured strength of an interface, in SI units. 0 means that no source is known.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_interface_data {
-    /// Set by the caller to `sizeof(asperity_interface_data)`; the library writes no more than that.
+    /// Set it to `sizeof(asperity_interface_data)` before the call; the library writes no more than that.
     pub struct_size: u64,
-    /// tau_0 [Pa], what a contact resists over its area, at no pressure; 0 where only a friction coefficient is known.
+    /// tau_0 [Pa]: friction force of a contact per real area, at no pressure; 0 where only a friction coefficient is
+    /// known.
     pub shear_strength: f64,
-    /// kappa, what the strength grows by with the pressure; 0 if it is not known.
+    /// kappa [-]: increase of the strength per increase of pressure; 0 if it is not known.
     pub pressure_coefficient: f64,
-    /// Measured over many contacts, where the strength of one is not known; else 0.
+    /// Friction coefficient [-] measured over many contacts, where the strength of one is not known; otherwise 0.
     pub friction_coefficient: f64,
     /// The lightest load [N] of that measurement; 0 if it is not known.
     pub load: f64,
-    /// The name; a constant string, as the next three.
+    /// The name; a constant string.
     pub name: *const c_char,
-    /// Bodies, film, humidity, vacuum, temperature and loads of the measurement, as far as they are known.
+    /// Bodies, film, humidity, vacuum, temperature and loads of the measurement, as far as they are known; a constant
+    /// string.
     pub conditions: *const c_char,
-    /// "read": the numbers were seen in the text that the reference names; "quoted": they were not.
+    /// "read": the numbers were read in the text that the reference names; "quoted": in another that quotes it. A
+    /// constant string.
     pub source: *const c_char,
-    /// Where the numbers are from.
+    /// The source of the numbers; a constant string.
     pub reference: *const c_char,
 }
 
@@ -40,14 +43,15 @@ unsafe fn find(name: *const c_char) -> Result<&'static Interface, Failure> {
     Interface::find(name).ok_or_else(|| unknown(name, "interface", nearest()))
 }
 
-/// Looks an interface up by its name: "MoS2 film in dry air". docs/materials.md has all of them, with their sources.
+/// Looks an interface up by its name, "MoS2 film in dry air", and fills its data. Also: `asperity_get_interface`.
 ///
-/// The numbers were measured on other specimens: they are a start for an interface like theirs. Films, humidity and wear change
-/// the strength of yours many times over: measure it, and call `asperity_params_calibrate`.
+/// The numbers were measured on other specimens. Use them to start from for a similar interface. Films, humidity and wear
+/// change the strength many times over: measure yours, and call `asperity_params_calibrate`. docs/materials.md lists all
+/// interfaces with their sources.
 ///
-/// @param name  one of `asperity_interface_name`; must not be NULL; at most 64 bytes are read
-/// @param data  receives the numbers; must not be NULL; its `struct_size` must be set; untouched on failure
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
+/// @param name  one of `asperity_interface_name`; must not be NULL; the library reads at most 64 bytes
+/// @param data  receives the data; must not be NULL; its `struct_size` must be set; untouched on failure
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which is
 ///         nearest; `struct_size`)
 ///
 /// Threads: any.
@@ -74,7 +78,7 @@ pub unsafe extern "C" fn asperity_interface(
     })
 }
 
-/// Lists the names of the interfaces.
+/// Returns the name of an interface by its index.
 ///
 /// @param index  from 0
 /// @return a constant string; NULL after the last
@@ -85,19 +89,26 @@ pub extern "C" fn asperity_interface_name(index: usize) -> *const c_char {
     INTERFACES.get(index).map_or(std::ptr::null(), |interface| interface.name.as_ptr())
 }
 
-/// Sets the strength of the interface to one that was measured elsewhere, in SI units.
+/// Sets the strength of the interface to one that was measured on other specimens, in SI units.
 ///
-/// Sets `slip_stress_1` and `slip_stress_2` to the shear strength over `effective_shear_modulus`, since it does not depend on the
-/// size of a contact, and `pressure_coefficient`, to 0 if none is known. The other parameters stay as they are. Set the bodies
-/// before, in SI units (`asperity_params_set_pair`, `asperity_params_set_materials`): the modulus must be in Pa.
+/// It sets `slip_stress_1` and `slip_stress_2` to the shear strength over `effective_shear_modulus`, since this strength does
+/// not depend on the size of a contact. It sets `pressure_coefficient`, to 0 if none is known. The other parameters stay as
+/// they are. Set the bodies before, in SI units (`asperity_params_set_pair`, `asperity_params_set_materials`): the modulus
+/// must be in Pa.
 ///
-/// Of some interfaces only a friction coefficient is known, which depends on the surfaces: they are refused, and the message
-/// tells it, with what to give to `asperity_params_calibrate`.
+/// ```c
+/// asperity_params_set_pair(&params, "steel/steel");
+/// asperity_params_set_interface(&params, "MoS2 film in dry air");
+/// ```
+///
+/// Of some interfaces only a friction coefficient is known, which depends on the surfaces. The library refuses these; the
+/// message says the coefficient, and what to give to `asperity_params_calibrate`.
 ///
 /// @param params  parameters whose bodies are set; must not be NULL; untouched on failure
-/// @param name    one of `asperity_interface_name`; must not be NULL; at most 64 bytes are read
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the nearest; no
-///         strength; a shear modulus that is not set, or below the strength; a struct without `pressure_coefficient`)
+/// @param name    one of `asperity_interface_name`; must not be NULL; the library reads at most 64 bytes
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which is
+///         nearest; no strength; a shear modulus that is not set, or below the strength; a struct without
+///         `pressure_coefficient`)
 ///
 /// Threads: any, on different structs.
 #[no_mangle]

@@ -38,14 +38,22 @@ pub fn set(message: &dyn Display) {
     });
 }
 
-/// Copies the message of this thread's last failure.
+/// Copies the message of this thread's last failure: which parameter, its value, and what is allowed.
 ///
-/// That is the message of the last call on this thread that returned a status other than `ASPERITY_OK`; it is empty if
-/// there was none. Calls that succeed do not change it.
+/// It is the message of the last call on this thread that returned a status other than `ASPERITY_OK`, and empty if there was
+/// none. Calls that succeed do not change it.
+///
+/// ```c
+/// char message[512];
+/// params.summit_radius = -1.0;
+/// if (asperity_set_params(model, &params) != ASPERITY_OK) {
+///     asperity_last_error(message, sizeof message);  // "summit_radius = -1: must be finite and > 0"
+/// }
+/// ```
 ///
 /// @param buffer  receives the message, NUL-terminated, cut to fit; NULL to ask for the length only
-/// @param length  size of `buffer` in bytes
-/// @return the length of the whole message in bytes, without the NUL: it is cut unless `length` is greater
+/// @param length  size of `buffer` [bytes]
+/// @return the length of the whole message [bytes], without the NUL: it is cut unless `length` is greater
 ///
 /// Threads: each has its own message.
 #[no_mangle]

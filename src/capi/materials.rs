@@ -10,53 +10,53 @@ use crate::materials::{halves, Bodies, Material, Pair, MATERIALS, PAIRS};
 use std::ffi::c_char;
 use std::mem::size_of;
 
-/// What is known of a material, in SI units. 0 stands for what no source is known for.
+/// What is known of a material, in SI units. 0 means that no source is known.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_material_data {
-    /// Set by the caller to `sizeof(asperity_material_data)`; the library writes no more than that.
+    /// Set it to `sizeof(asperity_material_data)` before the call; the library writes no more than that.
     pub struct_size: u64,
-    /// Young's modulus [Pa].
+    /// Young's modulus [Pa], > 0.
     pub young: f64,
-    /// The least published value [Pa]; 0 if no range is known.
+    /// The smallest published value [Pa]; 0 if no range is known.
     pub young_low: f64,
-    /// The largest published value [Pa]; 0 with it.
+    /// The largest published value [Pa]; 0 if no range is known.
     pub young_high: f64,
-    /// Poisson's ratio.
+    /// Poisson's ratio [-].
     pub poisson: f64,
     /// Indentation hardness [Pa]; 0 if it is not known.
     pub hardness: f64,
-    /// The least published value [Pa]; 0 if no range is known.
+    /// The smallest published value [Pa]; 0 if no range is known.
     pub hardness_low: f64,
-    /// The largest published value [Pa]; 0 with it.
+    /// The largest published value [Pa]; 0 if no range is known.
     pub hardness_high: f64,
-    /// Burgers vector [m], of a glass the distance of like atoms; 0 if there is none.
+    /// Burgers vector [m]; for a glass the distance of like atoms; 0 if there is none.
     pub burgers_vector: f64,
-    /// The name; a constant string, as the next.
+    /// The name; a constant string.
     pub name: *const c_char,
-    /// Where the numbers are from.
+    /// The source of the numbers; a constant string.
     pub reference: *const c_char,
 }
 
-/// What is known of two bodies in contact, in SI units. 0 stands for what no source is known for.
+/// What is known of two bodies in contact, in SI units. 0 means that no source is known.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_pair_data {
-    /// Set by the caller to `sizeof(asperity_pair_data)`; the library writes no more than that.
+    /// Set it to `sizeof(asperity_pair_data)` before the call; the library writes no more than that.
     pub struct_size: u64,
-    /// w [J/m^2].
+    /// Work of adhesion w [J/m^2].
     pub work_of_adhesion: f64,
-    /// The least measurement or estimate [J/m^2]; 0 if no range is known.
+    /// The smallest measurement or estimate [J/m^2]; 0 if no range is known.
     pub work_of_adhesion_low: f64,
-    /// The largest measurement or estimate [J/m^2]; 0 with it.
+    /// The largest measurement or estimate [J/m^2]; 0 if no range is known.
     pub work_of_adhesion_high: f64,
-    /// The Hamaker constant A [J] from which w is estimated, A/(12 pi D^2) with D = 0.165 nm; 0 if it is not.
+    /// Hamaker constant A [J] from which w is estimated, w = A/(12 pi D^2) with D = 0.165 nm; 0 if w was measured.
     pub hamaker: f64,
-    /// Measured shear strength of small contacts over G*; 0 if none is known.
+    /// Measured shear strength of small contacts over G* [-]; 0 if none is known.
     pub slip_stress_1: f64,
-    /// The name, both materials with a slash between; a constant string, as the next.
+    /// The name, both materials with a slash between; a constant string.
     pub name: *const c_char,
-    /// Where w and the strength are from.
+    /// The source of w and of the strength; a constant string.
     pub reference: *const c_char,
 }
 
@@ -86,13 +86,14 @@ fn nearest_material(name: &[u8]) -> &'static str {
     meant.unwrap_or_else(|| nearest(name, MATERIALS.iter().map(|material| material.name)))
 }
 
-/// Looks a material up by its name: "steel", "SiO2". docs/materials.md has all of them, with their sources.
+/// Looks a material up by its name, "steel" or "SiO2", and fills its data. Also: `asperity_get_material`.
 ///
-/// Typical values in SI units, to start from: films, alloys and treatments differ.
+/// The values are typical, in SI units, and meant to start from: films, alloys and treatments differ. docs/materials.md lists
+/// all materials with their sources.
 ///
-/// @param name      one of `asperity_material_name`; must not be NULL; at most 64 bytes are read
-/// @param material  receives the numbers; must not be NULL; its `struct_size` must be set; untouched on failure
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
+/// @param name      one of `asperity_material_name`; must not be NULL; the library reads at most 64 bytes
+/// @param material  receives the data; must not be NULL; its `struct_size` must be set; untouched on failure
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which is
 ///         nearest; `struct_size`)
 ///
 /// Threads: any.
@@ -123,7 +124,7 @@ pub unsafe extern "C" fn asperity_material(
     })
 }
 
-/// Lists the names of the materials.
+/// Returns the name of a material by its index.
 ///
 /// @param index  from 0
 /// @return a constant string; NULL after the last
@@ -134,14 +135,15 @@ pub extern "C" fn asperity_material_name(index: usize) -> *const c_char {
     MATERIALS.get(index).map_or(std::ptr::null(), |material| material.name.as_ptr())
 }
 
-/// Looks a pair of materials up by its name: "steel/steel", "mica/Au", in either order.
+/// Looks a pair of materials up by its name, "steel/steel" or "mica/Au" in either order, and fills its data. Also:
+/// `asperity_get_pair`.
 ///
-/// The work of adhesion depends on what covers the surfaces more than on the bodies: look at its range and reference.
+/// The work of adhesion depends on what covers the surfaces more than on the bodies: check its range and reference.
 ///
-/// @param name  one of `asperity_pair_name`; must not be NULL; at most 64 bytes are read
-/// @param pair  receives the numbers; must not be NULL; its `struct_size` must be set; untouched on failure
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (two materials that are no pair: the
-///         message tells what to give; unknown name: it tells the nearest; `struct_size`)
+/// @param name  one of `asperity_pair_name`; must not be NULL; the library reads at most 64 bytes
+/// @param pair  receives the data; must not be NULL; its `struct_size` must be set; untouched on failure
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (two materials without data as a pair: the
+///         message says what to give; unknown name: it says which is nearest; `struct_size`)
 ///
 /// Threads: any.
 #[no_mangle]
@@ -165,7 +167,7 @@ pub unsafe extern "C" fn asperity_pair(name: *const c_char, pair: *mut asperity_
     })
 }
 
-/// Lists the names of the pairs.
+/// Returns the name of a pair by its index.
 ///
 /// @param index  from 0
 /// @return a constant string; NULL after the last
@@ -176,19 +178,25 @@ pub extern "C" fn asperity_pair_name(index: usize) -> *const c_char {
     PAIRS.get(index).map_or(std::ptr::null(), |pair| pair.name.as_ptr())
 }
 
-/// Sets all that is known of two materials in contact, in SI units; the roughness is left to set.
+/// Sets what is known of two materials in contact, in SI units; you set the roughness.
 ///
-/// Sets E*, G* and `tangential_modulus` as `asperity_params_set_materials`, `work_of_adhesion`, `burgers_vector`, the longer
-/// of both bodies', `adhesion_range`, equal to it as in the paper, `hardness`, that of the softer body or 0 if one is not
-/// known, and `slip_stress_1` where it is measured. The other parameters stay as they are, and must be in SI units too: lengths
-/// in m, areas in m^2, loads in N.
+/// It sets
 ///
-/// Any two materials may be named. What is not known of them is left to set, as by `asperity_params_init_unset`: the work of
-/// adhesion of a pair that is not one of `asperity_pair_name`, both lengths where a body has no Burgers vector.
+/// - E*, G* and `tangential_modulus` as `asperity_params_set_materials`
+/// - `work_of_adhesion`
+/// - `burgers_vector`, the longer one of both bodies, and `adhesion_range`, equal to it as in the paper
+/// - `hardness`, that of the softer body, or 0 if one is not known
+/// - `slip_stress_1`, where it is measured
+///
+/// The other parameters stay as they are. They must be in SI units too: lengths in m, areas in m^2, loads in N.
+///
+/// You may name any two materials. What is not known of them stays unset, as after `asperity_params_init_unset`: the work of
+/// adhesion of a pair that is not one of `asperity_pair_name`, and both lengths where a body has no Burgers vector.
+/// `asperity_create` then says what is left to set.
 ///
 /// @param params  initialised parameters; must not be NULL; untouched on failure
-/// @param name    two of `asperity_material_name` with a slash between; must not be NULL; at most 64 bytes are read
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
+/// @param name    two of `asperity_material_name` with a slash between; must not be NULL; the library reads at most 64 bytes
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which is
 ///         nearest)
 ///
 /// Threads: any, on different structs.

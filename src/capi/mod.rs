@@ -6,6 +6,8 @@
 // Units stand in brackets, which rustdoc takes for links.
 #![allow(rustdoc::broken_intra_doc_links)]
 
+mod about;
+mod aliases;
 mod batch;
 mod boundary;
 mod calibration;
@@ -39,6 +41,8 @@ mod validity;
 mod version;
 
 // For C through the header, for the tests of this crate as items; no part of the Rust interface.
+pub use about::*;
+pub use aliases::*;
 pub use calibration::*;
 pub use evaluate::*;
 pub use gap::*;

@@ -8,7 +8,7 @@ use super::scalar::{self, ScalarCall};
 use super::status::asperity_status;
 use crate::model::Model;
 
-/// A friction law ready for use; opaque.
+/// A friction law ready for use; opaque. `asperity_create` makes it, `asperity_free` frees it.
 pub struct asperity_model {
     pub(super) model: Model,
     scalar_calls: [ScalarCall; 4],
@@ -55,14 +55,14 @@ impl asperity_model {
     }
 }
 
-/// Makes a model: checks the parameters, finds the pull-off load, compiles the law.
+/// Makes a model: checks the parameters, finds the pull-off load, and compiles the law into a table, in milliseconds.
 ///
-/// Free it with `asperity_free`. The parameters are copied.
+/// The library copies the parameters. Free the model with `asperity_free`.
 ///
 /// @param params  the surfaces; must not be NULL
 /// @param model   receives the model; must not be NULL; `*model` is untouched on failure
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`,
-///         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+///         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`; `asperity_last_error` says which parameter and what is allowed
 ///
 /// Threads: any.
 #[no_mangle]
@@ -77,7 +77,7 @@ pub unsafe extern "C" fn asperity_create(
     })
 }
 
-/// Gives a model other parameters. On failure the model is as before.
+/// Gives a model other parameters; on failure the model is as before.
 ///
 /// @param model   must not be NULL
 /// @param params  the new parameters; must not be NULL
@@ -98,12 +98,12 @@ pub unsafe extern "C" fn asperity_set_params(
 
 /// Copies the parameters of a model.
 ///
-/// A table of heights is not copied: the pointers lead to the model's own copy and are valid until
-/// `asperity_set_params` or `asperity_free`. They may be passed to `asperity_set_params` of the same model.
+/// A table of heights is not copied: the pointers lead to the model's own copy and are valid until `asperity_set_params` or
+/// `asperity_free`. You may pass them to `asperity_set_params` of the same model.
 ///
-/// This function sets `struct_size` and the fields of the first version of the struct, as `asperity_params_init` does,
-/// and in C and C++ a macro of its name calls `asperity_get_params_sized` instead. It refuses if the heights need later
-/// fields, unless the model was made from a struct that had these although its `struct_size` did not say so.
+/// As for `asperity_params_init`, the exported function writes the first version of the struct, and a macro of its name calls
+/// `asperity_get_params_sized` instead. It fails if the heights need later fields, unless the model was made from a struct
+/// that had them although its `struct_size` did not say so.
 ///
 /// @param model   must not be NULL
 /// @param params  receives the parameters; must not be NULL; its `struct_size` need not be set; untouched on failure
@@ -122,13 +122,13 @@ pub unsafe extern "C" fn asperity_get_params(
     })
 }
 
-/// Copies the parameters of a model into a struct of this size, as `asperity_get_params` does.
+/// Copies the parameters of a model into a struct of a given size, as `asperity_get_params`.
 ///
 /// @param model        must not be NULL
 /// @param params       receives the parameters; must not be NULL; untouched on failure
-/// @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no size of a version of the struct, or
-///         one that lacks fields which the heights read)
+/// @param struct_size  `sizeof(asperity_params)` [bytes]: the library writes no more than that, and sets `struct_size` to it
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no version of the struct has this size, or
+///         it lacks fields that the heights need)
 ///
 /// Threads: may share the model.
 #[no_mangle]

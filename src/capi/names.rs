@@ -151,7 +151,9 @@ impl Numbers {
         let [ra, m0] = [ROUGHNESS, MATERIALS].map(|argument| FIELDS.len() + argument);
         if let Some(roughness) = self.0[ra] {
             if self.0[m0].is_some() {
-                return Err(Failure::invalid(format_args!("Ra: must not be given beside m0, which it stands for")));
+                return Err(Failure::invalid(format_args!(
+                    "Ra: must not be given together with m0, which it replaces"
+                )));
             }
             positive("Ra", roughness)?;
             numbers.0[m0] = Some(FRAC_PI_2 * roughness * roughness);
@@ -215,15 +217,14 @@ impl Field {
     }
 }
 
-/// Sets one parameter by its name.
-///
-/// The same as `asperity_params_set_values` with one name: see there. Names that go together need that call.
+/// Sets one parameter by its name, as `asperity_params_set_values` does with one name.
 ///
 /// @param params  initialised parameters; must not be NULL; untouched on failure
-/// @param name    a name of `asperity_params_name`; must not be NULL; at most 64 bytes are read
-/// @param value   the number; a whole one for `attraction`, `contact_law` and `height_distribution`
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message tells the
-///         nearest; a number that is not whole), `ASPERITY_OUT_OF_RANGE`
+/// @param name    a name of `asperity_params_name`; must not be NULL; the library reads at most 64 bytes
+/// @param value   the number, in the units of the other parameters; an integer for `attraction`, `contact_law` and
+///                `height_distribution`
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which is
+///         nearest; a number that must be an integer; a name that needs others in the same call), `ASPERITY_OUT_OF_RANGE`
 ///
 /// Threads: any, on different structs.
 #[no_mangle]
@@ -235,23 +236,32 @@ pub unsafe extern "C" fn asperity_params_set_value(
     asperity_params_set_values(params, 1, &name, &value)
 }
 
-/// Sets parameters by their names, in any order, all or none.
+/// Sets parameters by their names, in any order, all or none: for hosts whose input file has names and numbers.
 ///
-/// The names are those of the fields of `asperity_params` that are one number, and of setters: `E1`, `nu1`, `E2` and
-/// `nu2` together are `asperity_params_set_materials`; `m0`, `m2` and `m4` together, with a `nominal_area` that is given
-/// here or earlier, are `asperity_params_set_spectral_moments`; `Ra` may stand for `m0`, which is pi/2 Ra^2 for Gaussian heights.
-/// `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force` is `asperity_params_calibrate`, and
-/// comes last. A field is set after them and as it is: what it may be is
-/// for `asperity_create` to say.
+/// A name is that of a field of `asperity_params` that is one number, or one of these arguments of setters:
 ///
-/// Three names choose the heights: `kurtosis` Johnson's, `weibull_shape` without it Weibull's. `skew` is that of Johnson's heights if
-/// they are chosen or `kurtosis` is given too, else it is `asperity_params_set_skew`. `height_distribution`, if given,
-/// has the last word; a skew or a kurtosis that these heights do not read is refused with the parameters.
+/// - `E1`, `nu1`, `E2` and `nu2` together: `asperity_params_set_materials`
+/// - `m0`, `m2` and `m4` together, with a `nominal_area` given here or earlier: `asperity_params_set_spectral_moments`.
+///   `Ra` may replace `m0`, which is pi/2 Ra^2 for Gaussian heights
+/// - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
+///   `asperity_params_calibrate`, which comes last
+///
+/// Fields are set after materials and before moments, and are not checked here: `asperity_create` checks them.
+///
+/// Three names choose the heights. `kurtosis` chooses Johnson's. `weibull_shape` without it chooses Weibull's. `skew` is that
+/// of Johnson's heights if they are chosen or `kurtosis` is given too; otherwise it is `asperity_params_set_skew`.
+/// `height_distribution`, if given, decides; `asperity_create` refuses a skew or kurtosis that these heights do not read.
+///
+/// ```c
+/// const char *const names[] = {"E1", "nu1", "E2", "nu2", "height_std"};
+/// const double values[] = {160e9, 0.22, 160e9, 0.22, 5e-9};
+/// asperity_params_set_values(&params, 5, names, values);
+/// ```
 ///
 /// @param params  initialised parameters; must not be NULL; untouched on failure
-/// @param count   how many names; may be 0
-/// @param names   so many strings, of which at most 64 bytes are read; not NULL unless `count` is 0
-/// @param values  so many numbers; of a name given twice the last counts; not NULL unless `count` is 0
+/// @param count   number of names; may be 0
+/// @param names   `count` strings, of which the library reads at most 64 bytes; not NULL unless `count` is 0
+/// @param values  `count` numbers; the last counts where a name is given twice; not NULL unless `count` is 0
 /// @return as `asperity_params_set_value`
 ///
 /// Threads: any, on different structs.
@@ -268,10 +278,10 @@ pub unsafe extern "C" fn asperity_params_set_values(
 /// Reads one parameter by its name.
 ///
 /// @param params  initialised parameters; must not be NULL
-/// @param name    a name of `asperity_params_name`; must not be NULL; at most 64 bytes are read
+/// @param name    a name of `asperity_params_name`; must not be NULL; the library reads at most 64 bytes
 /// @param value   receives the number; must not be NULL; untouched on failure
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name; a name that is no field,
-///         as `E1`: the struct does not keep it)
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name; a name that is not a field,
+///         as `E1`: the struct keeps the moduli made from it)
 ///
 /// Threads: any.
 #[no_mangle]
@@ -295,9 +305,9 @@ pub unsafe extern "C" fn asperity_params_get_value(
     })
 }
 
-/// Lists the names of the parameters that are one number, for messages and to copy them.
+/// Returns the name of a parameter that is one number, by its index: for messages, and to copy parameters.
 ///
-/// To set one after another, in this order, what `asperity_params_get_value` read of other parameters copies those.
+/// To copy parameters, read all names with `asperity_params_get_value` and set them one after another in this order.
 ///
 /// @param index  from 0
 /// @return a constant string; NULL after the last

@@ -9,16 +9,16 @@ use std::fmt::Arguments;
 use std::mem::{offset_of, size_of};
 use std::sync::Arc;
 
-/// Gaussian heights, eq (17).
+/// Gaussian heights, eq (17): the default.
 pub const ASPERITY_HEIGHTS_GAUSSIAN: i32 = 0;
-/// Weibull heights, eqs (18)-(21): skewed, with `weibull_shape`.
+/// Weibull heights, eqs (18)-(21): their skew follows from `weibull_shape`.
 pub const ASPERITY_HEIGHTS_WEIBULL: i32 = 1;
-/// Heights of Johnson's system: with `skew` and `kurtosis`, independent of each other.
+/// Heights of Johnson's system: `skew` and `kurtosis` are set independently.
 pub const ASPERITY_HEIGHTS_JOHNSON: i32 = 2;
-/// Heights of a measured density: with `table_height`, `table_density` and `table_length`.
+/// Heights of a measured density: `table_height`, `table_density` and `table_length`.
 pub const ASPERITY_HEIGHTS_TABULATED: i32 = 3;
 
-/// Elastic summits, with adhesion after Maugis; without adhesion Hertz' law.
+/// Elastic summits with adhesion after Maugis, or Hertz' law without adhesion: the default.
 pub const ASPERITY_CONTACT_MAUGIS: i32 = 0;
 /// Summits that yield, after Zhao, Maietta and Chang (2000): needs `hardness` > 0 and `work_of_adhesion` = 0.
 pub const ASPERITY_CONTACT_ELASTIC_PLASTIC: i32 = 1;
@@ -28,80 +28,86 @@ pub const ASPERITY_SLIP_PARTIAL: i32 = 0;
 /// Before gross slip each contact sticks until all of it slips: contacts so small that one dislocation moves them.
 pub const ASPERITY_SLIP_WHOLE: i32 = 1;
 
-/// Two rough elastic surfaces, as the equivalent rough surface against a flat.
+/// Two rough surfaces in contact, as one equivalent rough surface against a flat.
 ///
-/// All quantities are in one consistent system of units of the caller's choice: SI, mm-N-MPa, or the paper's
-/// b = G = 1. Loads, forces and areas are totals over `asperity_count` summits. Start from `asperity_params_init_unset`
-/// or, for the paper's surfaces, `asperity_params_init`, which also set `struct_size`.
+/// Start from `asperity_params_init_unset`, which sets `struct_size` and every default. Then set the eight physical inputs,
+/// `composite_modulus` to `asperity_count`, directly or through the functions `asperity_params_set_...`. All quantities are
+/// in one consistent system of units of your choice: SI, mm-N-MPa, or the paper's b = G = 1. Loads, forces and areas are
+/// totals over `asperity_count` summits. A summit is a local maximum of the surface.
 ///
-/// The struct has grown: `max_friction_coefficient` is the last field of its first version. Fields that `struct_size`
-/// does not cover have their defaults, except those that `height_distribution` needs: `ASPERITY_HEIGHTS_JOHNSON` and
-/// `ASPERITY_HEIGHTS_TABULATED` were added together with the fields that they read, so a caller that sets one of them
-/// has these fields.
+/// The struct has grown: `max_friction_coefficient` is the last field of its first version. The library gives fields that
+/// `struct_size` does not cover their defaults. It reads the fields that `height_distribution` needs in any case, since a
+/// caller that sets `ASPERITY_HEIGHTS_JOHNSON` or `ASPERITY_HEIGHTS_TABULATED` has them.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_params {
-    /// Size of this struct as the caller declares it, in bytes; set by `asperity_params_init`.
+    /// Size of this struct as the caller declares it [bytes]; set by `asperity_params_init_unset` and
+    /// `asperity_params_init`.
     pub struct_size: u64,
-    /// E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+    /// E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No default: set it, or call
+    /// `asperity_params_set_materials`.
     pub composite_modulus: f64,
-    /// G* [stress], > 0: 2 G1 G2/(G1 + G2).
+    /// G* [stress], > 0: 2 G1 G2/(G1 + G2). No default: set it, or call `asperity_params_set_materials`.
     pub effective_shear_modulus: f64,
-    /// w [force/length], >= 0: work of adhesion; 0 is Hertzian contact.
+    /// w [force/length], >= 0: work of adhesion; 0 is Hertzian contact. No default.
     pub work_of_adhesion: f64,
-    /// h [length], > 0: range of adhesion, within which surfaces attract with the stress w/h.
+    /// h [length], > 0: range of adhesion, within which surfaces attract with the stress w/h. No default; the paper
+    /// takes b.
     pub adhesion_range: f64,
-    /// b [length], > 0: Burgers vector, the length scale of the dependence of friction on contact size.
+    /// b [length], > 0: Burgers vector, the length in which the slip radii are given. No default.
     pub burgers_vector: f64,
-    /// sigma [length], > 0: standard deviation of summit heights.
+    /// sigma [length], > 0: standard deviation of the summit heights. No default.
     pub height_std: f64,
-    /// R [length], > 0: mean radius of curvature of the summits.
+    /// R [length], > 0: mean radius of curvature of the summits. No default.
     pub summit_radius: f64,
-    /// N, > 0: number of summits, i.e. summit density times nominal area; need not be an integer.
+    /// N [-], > 0: number of summits, i.e. summit density times nominal area; need not be an integer. No default.
     pub asperity_count: f64,
     /// Family of the summit heights, one of `ASPERITY_HEIGHTS_`; Gaussian by default.
     pub height_distribution: i32,
     /// 1: summits out of contact attract (the default, as in the paper); 0: they do not.
     pub attraction: i32,
-    /// omega, 1 to 200: shape of the Weibull heights, 3.602 for no skew; read only for `ASPERITY_HEIGHTS_WEIBULL`.
+    /// omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for
+    /// `ASPERITY_HEIGHTS_WEIBULL`.
     pub weibull_shape: f64,
-    /// epsilon, -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by
+    /// epsilon [-], -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by
     /// default.
     pub radius_amplitude: f64,
-    /// rho > 0, per standard deviation of height: how fast the radius changes; 0.5 by default.
+    /// rho [-], > 0, per standard deviation of height: how fast the radius changes; 0.5 by default. 1e-6 to 1000 where
+    /// `radius_amplitude` is not 0.
     pub radius_rate: f64,
-    /// a_1/b > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
+    /// a_1/b [-], > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
     pub slip_radius_1: f64,
-    /// tau_1/G*, > 0 and at most 1; 1/43 by default, which nobody measured for your interface: see
+    /// tau_1/G* [-], > 0 and at most 1; 1/43 by default, which was not measured on your interface: call
     /// `asperity_params_calibrate`.
     pub slip_stress_1: f64,
-    /// a_2/b > a_1/b: contact radius from which the shear strength is `slip_stress_2`; 8e4 by default.
+    /// a_2/b [-], > a_1/b: contact radius from which the shear strength is `slip_stress_2`; 8e4 by default.
     pub slip_radius_2: f64,
-    /// tau_2/G*, > 0 and at most 1; 1/1290 by default. tau_2 a_2^2 must not be below tau_1 a_1^2.
+    /// tau_2/G* [-], > 0 and at most 1; 1/1290 by default. tau_2 a_2^2 must not be below tau_1 a_1^2.
     pub slip_stress_2: f64,
-    /// Cap on every friction coefficient returned, > 0: at and near zero load F/P grows without bound. 1000 by
-    /// default, INFINITY allowed.
+    /// Upper bound of every friction coefficient returned [-], > 0; 1000 by default, INFINITY allowed. F/P grows
+    /// without bound towards zero load.
     pub max_friction_coefficient: f64,
-    /// Skew of Johnson's summit heights, -3 to 3. 0 by default, and refused if it is not for other
-    /// `height_distribution`s: those of Weibull heights are chosen with `asperity_params_set_skew`.
+    /// Skew of Johnson's summit heights [-], -3 to 3; 0 by default. Other `height_distribution`s refuse any other
+    /// value: call `asperity_params_set_skew` for Weibull heights of a given skew.
     pub skew: f64,
-    /// Kurtosis of Johnson's summit heights, 1.87 + 1.25 skew^2 to 100. 3 by default, which with skew 0 is Gaussian,
-    /// and refused if it is not for other `height_distribution`s.
+    /// Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0 is
+    /// Gaussian. Other `height_distribution`s refuse any other value.
     pub kurtosis: f64,
-    /// H [stress], 1e-5 to 100 E*: indentation hardness of the softer body. The pressures in `asperity_state` are
-    /// compared with it; friction does not depend on it. 0, the default, means not known.
+    /// H [stress], 1e-5 to 100 E*: indentation hardness of the softer body. 0, the default, means not known. Warnings
+    /// compare pressures with it; the friction of elastic summits does not depend on it, that of
+    /// `ASPERITY_CONTACT_ELASTIC_PLASTIC` does.
     pub hardness: f64,
-    /// `table_length` summit heights, in any unit and from any origin: the library standardises them. Each exceeds the
-    /// one before by at least 1e-12 of their range. Read only for `ASPERITY_HEIGHTS_TABULATED`, and copied when a model
-    /// is made. NULL by default.
+    /// `table_length` summit heights in ascending order, in any unit and from any origin: the library standardises
+    /// them. Each exceeds the one before by at least 1e-12 of their range. Read only for `ASPERITY_HEIGHTS_TABULATED`,
+    /// and copied when a model is made. NULL by default.
     pub table_height: *const f64,
-    /// The density at each of them, >= 0; it need not be normalised. NULL by default.
+    /// The density at each of these heights, >= 0; it need not be normalised. NULL by default.
     pub table_density: *const f64,
-    /// Number of heights in the table, 3 to 256. 0 by default.
+    /// Number of heights in the table, 3 to 256; 0 by default.
     pub table_length: u64,
     /// G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick.
-    /// `asperity_params_set_materials` sets it. 0, the default, stands for E* G* / (2 (E* + G*)), which is exact for two
-    /// bodies of one material and for one rigid body.
+    /// `asperity_params_set_materials` sets it. 0, the default, stands for E* G* / (2 (E* + G*)), which is exact for
+    /// two bodies of one material and for one rigid body.
     pub tangential_modulus: f64,
     /// Nominal area of contact [length^2], >= 0, with which warnings compare the real area.
     /// `asperity_params_set_spectral_moments` sets it. 0, the default, means not known.
@@ -111,12 +117,14 @@ pub struct asperity_params {
     /// How a contact begins to slip, one of `ASPERITY_SLIP_`; partial slip by default. Friction does not depend on it, the
     /// tangential force before gross slip does: `asperity_tangential_at_load`, `asperity_microslip_step`.
     pub slip_onset: i32,
-    /// kappa >= 0, the pressure coefficient of the interface: a contact's friction force is pi a^2 tau(a) + kappa P_H, where P_H is
-    /// the load of Hertz' contact of its radius, the load and what adhesion adds to it. Boundary films have 0.02 to 0.2. 0, the
-    /// default, is a strength that does not grow with pressure. Where it is > 0, both slip stresses may be 0: Amontons' law.
+    /// kappa [-], 0 to 1000: the pressure coefficient of the interface. The friction force of a contact is pi a^2
+    /// tau(a) + kappa P_H. P_H is the load that Hertz' contact of the same radius carries: the load, and what adhesion
+    /// adds to it. Boundary films have 0.02 to 0.2. 0, the default, is a strength that does not grow with pressure.
+    /// Where it is > 0, both slip stresses may be 0: Amontons' law.
     pub pressure_coefficient: f64,
-    /// Nayak's bandwidth m0 m4/m2^2 of the surface, at least 1.5, with which warnings judge whether summits act alone.
-    /// `asperity_params_set_spectral_moments` sets it. 0, the default, means not known: `nominal_area` then tells it.
+    /// Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether summits act
+    /// independently. `asperity_params_set_spectral_moments` sets it. 0, the default, means not known: the library then
+    /// takes it from `nominal_area`, if that is known.
     pub bandwidth: f64,
 }
 
@@ -304,7 +312,8 @@ impl asperity_params {
             return invalid("skew", self.skew, allowed);
         }
         if self.kurtosis != 3.0 {
-            let allowed = "must be 3 unless heights are Johnson's: other heights have a kurtosis of their own; set \
+            let allowed =
+                "must be 3 unless heights are Johnson's: the kurtosis of other heights follows from their shape; set \
                            height_distribution to ASPERITY_HEIGHTS_JOHNSON, with skew and kurtosis";
             return invalid("kurtosis", self.kurtosis, allowed);
         }

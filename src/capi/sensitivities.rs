@@ -6,62 +6,71 @@ use super::output::{fill, same_fields};
 use super::reserve;
 use super::status::asperity_status;
 
-/// What the friction force F at constant load changes by with each parameter p, the others as they are: d(ln F)/d(ln p),
-/// the percentage by which F changes for each percent of p. For `radius_amplitude`, `skew` and `pressure_coefficient`,
-/// which may be 0, it is d(ln F)/dp. 0 for a parameter that the model does not read.
+/// Logarithmic derivatives of the friction force F with respect to each parameter p, at constant load.
 ///
-/// A friction coefficient changes as F does, since the load is constant.
+/// Each is d(ln F)/d(ln p): the percentage by which F changes for each percent of p, with the other parameters held. For
+/// `radius_amplitude`, `skew` and `pressure_coefficient`, which may be 0, it is d(ln F)/dp. It is 0 for a parameter that the
+/// model does not read. A friction coefficient has the same sensitivities, since the load is constant. All are numbers
+/// without a unit.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_sensitivities {
-    /// Set by the caller to `sizeof(asperity_sensitivities)`; the library writes no more than that.
+    /// Set it to `sizeof(asperity_sensitivities)` before the call; the library writes no more than that.
     pub struct_size: u64,
-    /// To E*.
+    /// With respect to E*.
     pub composite_modulus: f64,
-    /// To G*: 1.
+    /// With respect to G*: 1.
     pub effective_shear_modulus: f64,
-    /// To w; 0 where w is 0.
+    /// With respect to w; 0 where w is 0.
     pub work_of_adhesion: f64,
-    /// To h; 0 where w is 0.
+    /// With respect to h; 0 where w is 0.
     pub adhesion_range: f64,
-    /// To b; the slip radii grow with it.
+    /// With respect to b; the slip radii grow with it.
     pub burgers_vector: f64,
-    /// To sigma.
+    /// With respect to sigma.
     pub height_std: f64,
-    /// To R.
+    /// With respect to R.
     pub summit_radius: f64,
-    /// To N.
+    /// With respect to N.
     pub asperity_count: f64,
-    /// To omega; 0 unless heights are Weibull's.
+    /// With respect to omega; 0 unless heights are Weibull's.
     pub weibull_shape: f64,
-    /// To epsilon: d(ln F)/d(epsilon), also where epsilon is 0; at -1 and 1 the limit from within. 0 where epsilon must be 0,
-    /// since `radius_rate` is not between 1e-6 and 1000.
+    /// With respect to epsilon, d(ln F)/d(epsilon), also where epsilon is 0; at -1 and 1 the limit from within. 0 where
+    /// epsilon must be 0, since `radius_rate` is not between 1e-6 and 1000.
     pub radius_amplitude: f64,
-    /// To rho; 0 where epsilon is 0.
+    /// With respect to rho; 0 where epsilon is 0.
     pub radius_rate: f64,
-    /// To a_1/b.
+    /// With respect to a_1/b.
     pub slip_radius_1: f64,
-    /// To tau_1/G*.
+    /// With respect to tau_1/G*.
     pub slip_stress_1: f64,
-    /// To a_2/b.
+    /// With respect to a_2/b.
     pub slip_radius_2: f64,
-    /// To tau_2/G*.
+    /// With respect to tau_2/G*.
     pub slip_stress_2: f64,
-    /// To the skew at this kurtosis: d(ln F)/d(skew); 0 unless heights are Johnson's.
+    /// With respect to the skew at this kurtosis, d(ln F)/d(skew); 0 unless heights are Johnson's.
     pub skew: f64,
-    /// To the kurtosis at this skew; 0 unless heights are Johnson's.
+    /// With respect to the kurtosis at this skew; 0 unless heights are Johnson's.
     pub kurtosis: f64,
-    /// To H; 0 where contacts are elastic.
+    /// With respect to H; 0 where contacts are elastic.
     pub hardness: f64,
-    /// To kappa: d(ln F)/d(kappa), also where kappa is 0.
+    /// With respect to kappa, d(ln F)/d(kappa), also where kappa is 0.
     pub pressure_coefficient: f64,
 }
 
-/// The sensitivities of the friction force at a load, by integration over the summits, without the table. Takes longer than
-/// an exact state, but far less than a model.
+/// Computes the sensitivities of the friction force at a load: which parameter is worth measuring.
 ///
-/// Next to the pull-off load they grow without limit, as dF/dP does. There are none at that load itself and, without
-/// adhesion, at zero load.
+/// The library integrates over the summits, without the table. That takes longer than an exact state, but far less than
+/// making a model. Next to the pull-off load sensitivities grow without limit, as dF/dP does. They do not exist at the
+/// pull-off load itself and, without adhesion, at zero load.
+///
+/// ```c
+/// asperity_sensitivities found;
+/// found.struct_size = sizeof found;
+/// if (asperity_sensitivities_at_load(model, 1e-3, &found) == ASPERITY_OK) {
+///     printf("1 %% more of w changes friction by %g %%\n", found.work_of_adhesion);
+/// }
+/// ```
 ///
 /// @param model          must not be NULL
 /// @param load           normal load [force], above the pull-off load

@@ -83,16 +83,15 @@ impl asperity_params {
     }
 }
 
-/// Sets all parameters to the paper's default case.
+/// Sets all parameters to the paper's default case. For surfaces of your own call `asperity_params_init_unset`: it makes
+/// `asperity_create` name an input that you forget, instead of keeping the paper's value.
 ///
-/// alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1; Gaussian heights, equal radii
-/// (epsilon = 0, rho = 0.5), attraction on, Hurtado and Kim's slip constants. For a surface of your own start from
-/// `asperity_params_init_unset`, so that an input that you forget is refused and does not keep the paper's value.
+/// The case is alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1, with Gaussian heights, equal
+/// radii (epsilon = 0, rho = 0.5), attraction, and the slip constants of Hurtado and Kim.
 ///
-/// This function sets `struct_size` and the fields of the first version of the struct, and writes no more, since
-/// programs compiled with that version have no more. In C and C++ a macro of its name calls
-/// `asperity_params_init_sized` instead, for the whole struct. Callers that look functions up by name call that one
-/// directly.
+/// The exported function writes the first version of the struct, as programs compiled with that version expect. In C and C++
+/// a macro of this name calls `asperity_params_init_sized` instead, for the whole struct. Callers that look functions up by
+/// name call that one directly.
 ///
 /// @param params  receives the parameters; must not be NULL
 /// @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
@@ -103,12 +102,11 @@ pub unsafe extern "C" fn asperity_params_init(params: *mut asperity_params) -> a
     boundary::status(|| initialise(params, FIRST_SIZE, &Params::default()))
 }
 
-/// Sets all parameters to the paper's default case, as `asperity_params_init`, in a struct of this size.
+/// Sets all parameters to the paper's default case, as `asperity_params_init`, in a struct of a given size.
 ///
 /// @param params       receives the parameters; must not be NULL; untouched on failure
-/// @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size` is that of no version of
-///         the struct)
+/// @param struct_size  `sizeof(asperity_params)` [bytes]: the library writes no more than that, and sets `struct_size` to it
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no version of the struct has this size)
 ///
 /// Threads: any, on different structs.
 #[no_mangle]
@@ -116,13 +114,21 @@ pub unsafe extern "C" fn asperity_params_init_sized(params: *mut asperity_params
     boundary::status(|| initialise(params, checked_size(struct_size)?, &Params::default()))
 }
 
-/// Prepares parameters of a surface of your own: as `asperity_params_init`, but the eight physical inputs are missing.
+/// Prepares parameters of surfaces of your own: defaults for all fields but the eight physical inputs, which are left unset.
 ///
-/// `composite_modulus` to `asperity_count` are NaN, and `asperity_create` names the first of them that was never set:
-/// "asperity_count: must be set". Heights, slip constants and all else have their defaults.
+/// The inputs `composite_modulus` to `asperity_count` become NaN. `asperity_create` then refuses the first that you did not
+/// set, with the message "asperity_count: must be set".
 ///
-/// As with `asperity_params_init`, this function writes the first version of the struct, and in C and C++ a macro of
-/// its name calls `asperity_params_init_unset_sized` instead.
+/// ```c
+/// asperity_params_init_unset(&params);
+/// asperity_params_set_materials(&params, 160e9, 0.22, 160e9, 0.22);  // Pa: two bodies of polysilicon
+/// params.work_of_adhesion = 0.063;                                   // J/m^2
+/// params.adhesion_range = params.burgers_vector = 0.384e-9;          // m
+/// asperity_params_set_spectral_moments(&params, 2.5e-17, 4e-3, 2e12, 1e-8);
+/// ```
+///
+/// As for `asperity_params_init`, the exported function writes the first version of the struct, and a macro of its name calls
+/// `asperity_params_init_unset_sized` instead.
 ///
 /// @param params  receives the parameters; must not be NULL
 /// @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
@@ -133,12 +139,11 @@ pub unsafe extern "C" fn asperity_params_init_unset(params: *mut asperity_params
     boundary::status(|| initialise(params, FIRST_SIZE, &Params::unset()))
 }
 
-/// Prepares parameters of a surface of your own, as `asperity_params_init_unset`, in a struct of this size.
+/// Prepares parameters of surfaces of your own, as `asperity_params_init_unset`, in a struct of a given size.
 ///
 /// @param params       receives the parameters; must not be NULL; untouched on failure
-/// @param struct_size  `sizeof(asperity_params)`: no more than that is written, and it becomes `struct_size`
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size` is that of no version of
-///         the struct)
+/// @param struct_size  `sizeof(asperity_params)` [bytes]: the library writes no more than that, and sets `struct_size` to it
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no version of the struct has this size)
 ///
 /// Threads: any, on different structs.
 #[no_mangle]
@@ -157,9 +162,9 @@ unsafe fn initialise(params: *mut asperity_params, size: u64, with: &Params) -> 
 
 /// Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
 ///
-/// In the paper's units b = 1, G = 1, N = 1: E* = 2/(1 - nu), G* = 2, sigma = alpha beta, R = beta/alpha,
-/// w = gamma E*, h = 1/(b/h). Loads are then P/(N G b^2). `tangential_modulus` becomes 0, its default, which is exact
-/// here. The other parameters stay as they are.
+/// The units are the paper's, b = 1, G = 1, N = 1: E* = 2/(1 - nu), G* = 2, sigma = alpha beta, R = beta/alpha,
+/// w = gamma E*, h = 1/(b/h). Loads are then P/(N G b^2). `tangential_modulus` becomes 0, its default, which is exact for
+/// these bodies. The other parameters stay as they are.
 ///
 /// @param params    initialised parameters; must not be NULL; untouched on failure
 /// @param alpha     (sigma/R)^(1/2) > 0, surface roughness
@@ -192,7 +197,7 @@ pub unsafe extern "C" fn asperity_params_set_dimensionless(
 /// Sets E*, G* and `tangential_modulus` from Young's modulus and Poisson's ratio of the two bodies.
 ///
 /// 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, G* = 2 G1 G2/(G1 + G2) and 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2 with
-/// G = E/(2 (1 + nu)).
+/// G = E/(2 (1 + nu)). The other parameters stay as they are.
 ///
 /// @param params  initialised parameters; must not be NULL; untouched on failure
 /// @param E1,E2   Young's moduli [stress] > 0; INFINITY is a rigid body, which at most one may be
@@ -212,10 +217,10 @@ pub unsafe extern "C" fn asperity_params_set_materials(
     boundary::status(|| change(params, |params| params.set_materials([E1, nu1, E2, nu2])))
 }
 
-/// Sets the roughness and `nominal_area` from the spectral moments of the profiles of an isotropic Gaussian surface.
+/// Sets roughness, `nominal_area` and `bandwidth` from the spectral moments of profiles of an isotropic Gaussian surface.
 ///
-/// m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile, which isotropy makes
-/// the same in every direction. Two rough surfaces: add their moments. With the bandwidth alpha = m0 m4/m2^2, after
+/// m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile. Isotropy makes them the
+/// same in every direction. For two rough surfaces, add their moments. With the bandwidth alpha = m0 m4/m2^2, after
 /// Nayak (1971), Bush, Gibson and Keogh (1976) and McCool (1987):
 ///
 /// - height_std = ((1 - 0.8968/alpha) m0)^(1/2), where 0.8968 is 1 + 16/pi - 3^(3/2)
@@ -223,8 +228,8 @@ pub unsafe extern "C" fn asperity_params_set_materials(
 /// - asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area
 ///
 /// @param params        initialised parameters; must not be NULL; untouched on failure
-/// @param m0            variance of the heights [length^2] > 0
-/// @param m2            variance of the slopes > 0
+/// @param m0            variance of the heights [length^2] > 0: the square of Rq
+/// @param m2            variance of the slopes [-] > 0
 /// @param m4            variance of the curvatures [1/length^2] > 0; alpha must be at least 1.5
 /// @param nominal_area  [length^2] > 0
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
@@ -243,10 +248,10 @@ pub unsafe extern "C" fn asperity_params_set_spectral_moments(
     })
 }
 
-/// Sets the roughness as `asperity_params_set_spectral_moments`, with heights and radii as such summits have them.
+/// Sets the roughness as `asperity_params_set_spectral_moments`, and heights and radii as Nayak's summits have them.
 ///
-/// On a Gaussian surface higher summits are sharper, and the heights of summits are not Gaussian: their joint
-/// distribution (Nayak, 1971) depends on the bandwidth alone. Beyond what the other function sets:
+/// On a Gaussian surface higher summits are sharper, and summit heights are not Gaussian: their joint distribution (Nayak,
+/// 1971) depends on the bandwidth alone. This function also sets:
 ///
 /// - height_distribution = ASPERITY_HEIGHTS_JOHNSON with the skew and kurtosis of the summit heights: 0.47 and 3.19 at a
 ///   bandwidth of 1.5, 0.07 and 3.01 at 3, none and 3 for broad spectra
@@ -254,12 +259,12 @@ pub unsafe extern "C" fn asperity_params_set_spectral_moments(
 ///   height and 1.5 and 3 standard deviations above
 /// - summit_radius, which is that at the mean height: up to 2 % above that of the other function
 ///
-/// With narrow spectra, whose bandwidth is near 1.5, this takes a third off the area that one radius gives at light loads
-/// and brings it to that of boundary elements; docs/validation.md has both for other bandwidths; above 2 one radius errs less.
+/// Prefer it for narrow spectra, with bandwidths near 1.5: it lowers the real area at light loads by a third, to that of
+/// boundary elements. Above a bandwidth of 2 the other function errs less. docs/validation.md has the numbers.
 ///
 /// @param params                 initialised parameters; must not be NULL; untouched on failure
 /// @param m0,m2,m4,nominal_area  as for `asperity_params_set_spectral_moments`
-/// @return as `asperity_params_set_spectral_moments`, and `ASPERITY_INVALID_PARAMETER` for a struct without the fields
+/// @return as `asperity_params_set_spectral_moments`, and `ASPERITY_INVALID_PARAMETER` for a struct without these fields
 ///
 /// Threads: any, on different structs.
 #[no_mangle]
@@ -284,10 +289,10 @@ pub unsafe extern "C" fn asperity_params_set_nayak_summits(
     })
 }
 
-/// Chooses Weibull heights with this skew: sets `height_distribution` and `weibull_shape`.
+/// Chooses Weibull heights of a given skew: sets `height_distribution` and `weibull_shape`.
 ///
 /// @param params  initialised parameters; must not be NULL; untouched on failure
-/// @param skew    -1.1100 to 2, those of omega from 200 to 1; 0 gives omega = 3.602
+/// @param skew    [-], -1.1100 to 2, which are the skews of omega from 200 to 1; 0 gives omega = 3.602
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (skew outside the family),
 ///         `ASPERITY_OUT_OF_RANGE` (skew of a shape that is not evaluated)
 ///

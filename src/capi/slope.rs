@@ -13,11 +13,11 @@ const LARGEST: f64 = 1e60;
 /// What is said of others.
 pub(super) const ALLOWED: &str = "must be from 1e-60 to 1e60";
 
-/// Friction coefficient at a load, with its slope.
+/// Returns the friction coefficient at a load, and writes its slope.
 ///
 /// @param model      a model
 /// @param load       normal load [force]
-/// @param dmu_dload  receives d(mu)/d(load) [1/force], 0 where mu is capped and below pull-off, NaN where mu is NaN;
+/// @param dmu_dload  receives d(mu)/d(load) [1/force]: 0 where mu is capped and below pull-off, NaN where mu is NaN;
 ///                   NULL to skip
 /// @return as `asperity_friction_at_load`
 ///
@@ -35,13 +35,13 @@ pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
     })
 }
 
-/// Friction force at a load, with its slope.
+/// Returns the friction force at a load, and writes its slope: what an implicit solver needs in one call.
 ///
 /// @param model         a model
 /// @param load          normal load [force]
-/// @param dforce_dload  receives dF/d(load): INFINITY at the pull-off load itself, 0 below it; without adhesion, where
-///                      F has no slope at zero load, there and below that of the lightest load of the table, finite;
-///                      NaN where F is; NULL to skip
+/// @param dforce_dload  receives dF/d(load) [-]: INFINITY at the pull-off load itself, 0 below it. Without adhesion F has no
+///                      slope at zero load; there and below, it is that of the lightest load of the table, finite. NaN where
+///                      F is NaN; NULL to skip
 /// @return as `asperity_friction_force_at_load`
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
@@ -58,16 +58,21 @@ pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
     })
 }
 
-/// Friction coefficient at a contact pressure, for solvers that hand over load per area.
+/// Returns the friction coefficient at a contact pressure, for solvers that hand over load per area.
 ///
-/// The model's `asperity_count` summits belong to `nominal_area`: the load is pressure times that area. The area of an
-/// integration point plays no part: the answer depends on summits per area alone.
+/// The load is the pressure times `nominal_area`, the area that carries the model's `asperity_count` summits. The area of a
+/// mesh facet or of an integration point plays no part: the answer depends on summits per area alone.
+///
+/// ```c
+/// double area = 1e-8;  // m^2: of the model, whose asperity_count summits it carries
+/// double slope, mu = asperity_friction_at_pressure(model, 1e5, area, &slope);
+/// ```
 ///
 /// @param model          a model
 /// @param pressure       nominal contact pressure [stress], positive in compression
 /// @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-60 to 1e60
 /// @param dmu_dpressure  receives d(mu)/d(pressure) [1/stress]; NULL to skip
-/// @return as `asperity_friction_at_load` at that load; a quiet NaN also for an area that is not allowed
+/// @return as `asperity_friction_at_load` at that load; a quiet NaN also for an area out of its range
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -84,14 +89,14 @@ pub unsafe extern "C" fn asperity_friction_at_pressure(
     })
 }
 
-/// Frictional shear stress at a contact pressure: friction force per nominal area.
+/// Returns the frictional shear stress at a contact pressure: friction force per nominal area.
 ///
 /// @param model               a model
 /// @param pressure            nominal contact pressure [stress], positive in compression
-/// @param nominal_area        as for `asperity_friction_at_pressure`
-/// @param dstress_dpressure   receives d(stress)/d(pressure); NULL to skip
+/// @param nominal_area        as for `asperity_friction_at_pressure` [length^2]
+/// @param dstress_dpressure   receives d(stress)/d(pressure) [-]; NULL to skip
 /// @return friction force over `nominal_area` [stress], finite also at zero and negative pressure down to pull-off; 0
-///         below pull-off; a quiet NaN for a pressure that is not finite, an area that is not allowed, a NULL model
+///         below pull-off; a quiet NaN for a pressure that is not finite, an area out of its range, a NULL model
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -120,23 +125,31 @@ pub(super) fn stress(force: f64, nominal_area: f64) -> f64 {
     force / if is_allowed(nominal_area) { nominal_area } else { 1.0 }
 }
 
-/// Friction force of a sliding contact, with a smooth sign of the slip rate, and its two slopes.
+/// Returns the friction force of a sliding contact with a smooth sign of the slip rate, and writes its two slopes. Also:
+/// `asperity_friction_force_at_slip_rate`.
 ///
-/// F(load) tanh(slip_rate / transition_rate), for solvers that integrate through zero slip rate. A contact that should
-/// stick creeps instead, more slowly for a smaller `transition_rate`. Friction opposes slip: apply the force with the
-/// sign opposite to the slip rate of the body on which it acts.
+/// The force is F(load) tanh(slip_rate / transition_rate), for solvers that integrate through zero slip rate. It has the sign
+/// of the slip rate, and friction opposes slip: apply minus this force to the body whose slip rate you give. A contact that
+/// should stick creeps instead, more slowly for a smaller `transition_rate`.
 ///
-/// Which `transition_rate`: below a third of the slowest sliding speed that counts, where friction is 0.5 % low. A contact
-/// held against a tangential force T creeps with transition_rate artanh(T/F): keep that below the creep that you allow. Explicit
-/// steps h of a mass m stop without a change of sign where transition_rate >= F h/m, and oscillate below half of that.
+/// How to choose `transition_rate`:
+///
+/// - Sliding: take less than a third of the slowest sliding speed of interest, at which friction is then 0.5 % low.
+/// - Holding: a tangential force T < F makes the contact creep with transition_rate artanh(T/F). Keep that below the creep
+///   that you allow.
+/// - Explicit steps h of a mass m stop without a change of sign if transition_rate >= F h/m. They oscillate below half of that.
+///
+/// ```c
+/// double force_on_body = -asperity_slip_force(model, 1e-3, 0.2, 1e-3, NULL, NULL);  // N; 0.2 m/s, 1e-3 m/s
+/// ```
 ///
 /// @param model              a model
 /// @param load               normal load [force]
 /// @param slip_rate          tangential velocity [length/time], signed
-/// @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-60 to 1e60
-/// @param dforce_dload       receives the derivative by load; NULL to skip
+/// @param transition_rate    slip rate at which the force reaches 76 % of F [length/time], from 1e-60 to 1e60
+/// @param dforce_dload       receives the derivative by load [-]; NULL to skip
 /// @param dforce_dslip_rate  receives the derivative by slip rate [force time/length]; NULL to skip
-/// @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a rate that is not allowed, a
+/// @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a transition rate out of its range, a
 ///         NULL model
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.

@@ -8,71 +8,72 @@ use super::status::asperity_status;
 use crate::error::Error;
 use crate::model::{Model, State};
 
-/// The exact state of the contact; all quantities in the units of the parameters.
+/// The exact state of a contact, in the units of the parameters.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_state {
-    /// Set by the caller to `sizeof(asperity_state)`; the library writes no more than that.
+    /// Set it to `sizeof(asperity_state)` before the call; the library writes no more than that.
     pub struct_size: u64,
     /// Normal load P [force]; negative pulls.
     pub load: f64,
     /// Separation d of the flat from the mean of the summit heights [length].
     pub separation: f64,
-    /// Friction force F [force].
+    /// Friction force F [force], >= 0.
     pub friction_force: f64,
-    /// Friction coefficient F/P, capped, as `asperity_friction_at_load` gives it.
+    /// Friction coefficient F/P [-], at most `max_friction_coefficient`, as `asperity_friction_at_load` returns it.
     pub friction_coefficient: f64,
-    /// dF/dP; INFINITY at the pull-off load itself.
+    /// dF/dP [-]; INFINITY at the pull-off load itself.
     pub dforce_dload: f64,
     /// d(F/P)/dP [1/force]; 0 where the coefficient is capped.
     pub dmu_dload: f64,
-    /// dP/dd [force/length]: minus the contact stiffness.
+    /// dP/dd [force/length]: minus the normal contact stiffness.
     pub dload_dseparation: f64,
     /// Real area of contact [length^2].
     pub real_area: f64,
-    /// Number of summits in contact.
+    /// Number of summits in contact [-]; need not be an integer.
     pub contacting: f64,
-    /// Number of summits that attract without contact.
+    /// Number of summits that attract without contact [-].
     pub attracted: f64,
-    /// Load of the summits that attract without contact, <= 0 [force].
+    /// Load of the summits that attract without contact [force], <= 0.
     pub attraction_load: f64,
-    /// Mean radius of the contacts [length]; 0 if nothing touches; likewise for the fields below, except
+    /// Mean radius of the contacts [length]; 0 if nothing touches. The same holds for the fields below, except
     /// `plasticity_index`.
     pub mean_contact_radius: f64,
     /// Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that
-    /// 1/(n + 1) of the contacts exceed. At least the mean radius, and equal to it for n <= 1, hence always if
+    /// 1/(n + 1) of the contacts exceed. It is at least the mean radius, and equal to it for n <= 1, hence always if
     /// `asperity_count` is 1: give the true number of summits.
     pub max_contact_radius: f64,
-    /// Fraction of the contacts with radii up to `slip_radius_1`, which slip as a whole.
+    /// Fraction of the contacts with radii up to `slip_radius_1` [-], which slip as a whole.
     pub fraction_below_slip_radius_1: f64,
-    /// Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2`.
+    /// Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2` [-].
     pub fraction_between_slip_radii: f64,
-    /// Fraction of the contacts with radii of at least `slip_radius_2`.
+    /// Fraction of the contacts with radii of at least `slip_radius_2` [-].
     pub fraction_above_slip_radius_2: f64,
-    /// Fraction of all summits that are in contact.
+    /// Fraction of all summits that are in contact [-].
     pub fraction_in_contact: f64,
     /// Load of the summits in contact over their real area [stress]; negative where adhesion pulls more than they push.
     pub mean_asperity_pressure: f64,
-    /// Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H; 0 where the hardness H is not given.
+    /// Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H [-]; 0 if the hardness H is not given.
     pub plasticity_index: f64,
     /// Bits `ASPERITY_WARNING_...`: assumptions of the model that fail in this state; 0 if none is known to fail.
+    /// `asperity_warnings_text` says what to do.
     pub warnings: u64,
     /// K_t [force/length]: tangential force by displacement while all contacts stick.
     pub tangential_stiffness: f64,
-    /// Fraction of the contacts below first yield; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness.
+    /// Fraction of the contacts below first yield [-]; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness.
     pub fraction_elastic: f64,
-    /// Fraction of the contacts that are fully plastic.
+    /// Fraction of the contacts that are fully plastic [-].
     pub fraction_flowing: f64,
-    /// Sum of the radii of all contacts [length]: their constriction conductance, thermal or electrical, is 2 k times it,
-    /// 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies, where contacts are independent.
+    /// Sum of the radii of all contacts [length]. The constriction conductance, thermal or electrical, of independent
+    /// contacts is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
     pub contact_radius_sum: f64,
     /// Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
     pub hertz_load: f64,
-    /// Standard deviation of the friction force over its mean, among nominally equal contacts under this load, from the number of
-    /// contacts; 0 if `asperity_count` is 1.
+    /// Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load, from
+    /// the number of contacts; 0 if `asperity_count` is 1.
     pub friction_scatter: f64,
-    /// Mean friction force of nominally equal contacts under this load, over `friction_force`, less 1; 0 if `asperity_count`
-    /// is 1.
+    /// Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 if
+    /// `asperity_count` is 1.
     pub friction_bias: f64,
 }
 
@@ -80,34 +81,34 @@ pub struct asperity_state {
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_summary {
-    /// Set by the caller to `sizeof(asperity_summary)`; the library writes no more than that.
+    /// Set it to `sizeof(asperity_summary)` before the call; the library writes no more than that.
     pub struct_size: u64,
-    /// Surface roughness parameter (sigma/R)^(1/2).
+    /// Surface roughness parameter (sigma/R)^(1/2) [-].
     pub alpha: f64,
-    /// Friction regime parameter (R sigma)^(1/2)/b.
+    /// Friction regime parameter (R sigma)^(1/2)/b [-].
     pub beta: f64,
-    /// Surface energy parameter w/(E* b).
+    /// Surface energy parameter w/(E* b) [-].
     pub gamma: f64,
-    /// Maugis' adhesion parameter: small is DMT, large is JKR.
+    /// Maugis' adhesion parameter [-]: small values are the DMT limit, large ones the JKR limit.
     pub lambda: f64,
-    /// Skew of the summit heights.
+    /// Skew of the summit heights [-].
     pub skew: f64,
-    /// Kurtosis of the summit heights; 3 for Gaussian.
+    /// Kurtosis of the summit heights [-]; 3 for Gaussian.
     pub kurtosis: f64,
-    /// The pull-off load, the smallest load at which the surfaces hold together, <= 0 [force]. It is that of the mean over
-    /// many summits, far below that of one rough pad, which its few tallest summits hold (docs/c.md).
+    /// Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over
+    /// many summits, far below that of one rough specimen, which its few highest summits hold (docs/c.md).
     pub pull_off_load: f64,
     /// Friction force at the pull-off load [force].
     pub pull_off_friction_force: f64,
     /// Friction force at zero load [force].
     pub zero_load_friction_force: f64,
-    /// The lightest load of the compiled table [force]. For lighter ones the law goes on with its slope, as a power of the distance
-    /// from the pull-off load.
+    /// Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from
+    /// the pull-off load.
     pub min_table_load: f64,
-    /// The heaviest load of the compiled table [force]. For heavier ones the law goes on with its slope, as a power of the load.
+    /// Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load.
     pub max_table_load: f64,
-    /// Largest relative error of the compiled friction force at the samples that were compared when the model was made;
-    /// between samples it may be four times as large.
+    /// Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
+    /// made; between samples it may be four times as large.
     pub table_error: f64,
 }
 
@@ -135,7 +136,15 @@ unsafe fn exact(
     })
 }
 
-/// The exact state at a load, by integration over the summits, without the table.
+/// Computes the exact state at a load, by integration over the summits, without the table.
+///
+/// ```c
+/// asperity_state state;
+/// state.struct_size = sizeof state;
+/// if (asperity_state_at_load(model, 1e-3, &state) == ASPERITY_OK) {
+///     printf("%g contacts, real area %g m^2\n", state.contacting, state.real_area);
+/// }
+/// ```
 ///
 /// @param model  must not be NULL
 /// @param load   normal load [force], from the pull-off load upwards
@@ -154,7 +163,7 @@ pub unsafe extern "C" fn asperity_state_at_load(
     exact(model, state, |model| model.state_at_load(load))
 }
 
-/// The exact state at a separation, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
+/// Computes the exact state at a separation, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
 ///
 /// @param model       must not be NULL
 /// @param separation  of the flat from the mean of the summit heights [length]; may be negative
@@ -172,7 +181,8 @@ pub unsafe extern "C" fn asperity_state_at_separation(
     exact(model, state, |model| model.state_at_separation(separation))
 }
 
-/// The constants of a model.
+/// Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table. Also:
+/// `asperity_get_summary`.
 ///
 /// @param model    must not be NULL
 /// @param summary  receives the constants; must not be NULL; its `struct_size` must be set; untouched on failure

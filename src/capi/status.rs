@@ -1,7 +1,6 @@
 //! Status codes.
 
 use crate::error::Error;
-use std::ffi::c_char;
 
 /// What a call returns: 0, or why it failed. A plain integer, never an enum type.
 pub type asperity_status = i32;
@@ -10,15 +9,15 @@ pub type asperity_status = i32;
 pub const ASPERITY_OK: i32 = 0;
 /// A pointer is NULL that must not be.
 pub const ASPERITY_NULL_POINTER: i32 = 1;
-/// A parameter has no meaning; the message names it, its value and what is allowed.
+/// A parameter has no meaning; the message says which, its value and what is allowed.
 pub const ASPERITY_INVALID_PARAMETER: i32 = 2;
 /// A load is NaN or infinite.
 pub const ASPERITY_INVALID_LOAD: i32 = 3;
-/// A load lies below the pull-off load: nothing holds the surfaces together.
+/// A load lies below the pull-off load: the surfaces are apart. Batch calls return it after they filled every element.
 pub const ASPERITY_SEPARATED: i32 = 4;
-/// A quantity is finite, but outside the domain of the library; the message tells the bound and what to use instead.
+/// A quantity is finite, but outside the domain of the library; the message says the bound and what to use instead.
 pub const ASPERITY_OUT_OF_RANGE: i32 = 5;
-/// An iteration did not converge.
+/// An iteration did not converge: please report the parameters.
 pub const ASPERITY_NOT_CONVERGED: i32 = 6;
 /// The system refused memory that the call needs; nothing was made or changed.
 pub const ASPERITY_OUT_OF_MEMORY: i32 = 7;
@@ -40,26 +39,4 @@ impl Error {
             Error::NotConverged { .. } => ASPERITY_NOT_CONVERGED,
         }
     }
-}
-
-/// Says what a status means, in a few words.
-///
-/// @return a constant string, never NULL; "unknown status" for a number that is none
-///
-/// Threads: any.
-#[no_mangle]
-pub extern "C" fn asperity_status_string(status: asperity_status) -> *const c_char {
-    match status {
-        ASPERITY_OK => c"success",
-        ASPERITY_NULL_POINTER => c"a pointer is NULL",
-        ASPERITY_INVALID_PARAMETER => c"invalid parameter",
-        ASPERITY_INVALID_LOAD => c"load is NaN or infinite",
-        ASPERITY_SEPARATED => c"load below pull-off: the surfaces are apart",
-        ASPERITY_OUT_OF_RANGE => c"outside the range the model can be evaluated for",
-        ASPERITY_NOT_CONVERGED => c"an iteration did not converge",
-        ASPERITY_OUT_OF_MEMORY => c"out of memory",
-        ASPERITY_INTERNAL => c"internal error: a bug in asperity",
-        _ => c"unknown status",
-    }
-    .as_ptr()
 }

@@ -6,12 +6,11 @@ use super::status::asperity_status;
 use crate::error::Error;
 use crate::model::{Model, SummitState};
 
-/// Load, friction force and contact radius of single summits, by the law that all sums of the model are made of.
+/// Computes load, friction force and contact radius of single summits, by the law that the model sums over all summits.
 ///
-/// For pads of so few contacts that their summits count one by one. A summit stays in contact down to the overlap at
-/// which it breaks away, which is negative with adhesion; below that it may attract without contact. All elements are
-/// filled; then the first overlap or height that is not in order, if any, is reported, and `asperity_last_error` names its
-/// index.
+/// Use it for contacts of so few summits that each one counts. A summit stays in contact down to the overlap at which it
+/// breaks away, which is negative with adhesion; below that it may attract without contact. The library fills all elements.
+/// Then it reports the first overlap or height without an answer, if there is one: `asperity_last_error` says its index.
 ///
 /// @param model    must not be NULL
 /// @param n        number of summits; may be 0

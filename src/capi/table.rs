@@ -12,20 +12,21 @@ pub const ASPERITY_TABLE_LAYOUT: u32 = 1;
 
 /// A read-only view of the compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
 ///
-/// `asperity_eval.h` evaluates it. A row is a polynomial for one fraction of a binade of x = load - pull_off_load. Its
-/// index is (bits(x) >> shift) - base, as unsigned 64-bit integers; if that is not below `row_count`, the table does
-/// not answer. Its variable is t = (bits of x below `shift` | bits of 1.0) - 1.0. Its value is F; its derivative by t,
-/// times 2^-(exponent of x), is dF/d(load).
+/// `asperity_eval.h` evaluates it: most users need no more than that, and `total_count`.
 ///
-/// A row whose first coefficient is NaN is a link to its parts: the last 51 bits of that NaN are the offset of the
-/// first part in bytes from `rows`, and the last six numbers of the row are the t at which the next parts begin. The
-/// part in which t lies, which may be a link too, is a row whose variable is t minus the t at which it begins. An
-/// offset of 0 means that the row is left out. To use the table elsewhere, copy `total_count` rows and change the
-/// pointer.
+/// A row is a polynomial for one fraction of a binade of x = load - pull_off_load. Its index is (bits(x) >> shift) - base, as
+/// unsigned 64-bit integers. If that is not below `row_count`, the table does not answer. Its variable is
+/// t = (bits of x below `shift` | bits of 1.0) - 1.0. Its value is F. Its derivative by t, times 2^-(exponent of x), is
+/// dF/d(load).
+///
+/// A row whose first coefficient is NaN is a link to its parts. The last 51 bits of that NaN are the offset of the first part
+/// in bytes from `rows`. The last six numbers of the row are the t at which the next parts begin. The part in which t lies,
+/// which may be a link too, is a row whose variable is t minus the t at which it begins. An offset of 0 means that the row is
+/// left out. To use the table in another memory, copy `total_count` rows and change the pointer.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_table {
-    /// Set by the caller to `sizeof(asperity_table)`; the library writes no more than that.
+    /// Set it to `sizeof(asperity_table)` before the call; the library writes no more than that.
     pub struct_size: u64,
     /// `row_count` rows of 8 doubles, aligned to 64 bytes.
     pub rows: *const f64,
@@ -39,26 +40,28 @@ pub struct asperity_table {
     pub layout_version: u32,
     /// The pull-off load [force].
     pub pull_off_load: f64,
-    /// Cap on the friction coefficient.
+    /// Upper bound of the friction coefficient [-].
     pub max_friction_coefficient: f64,
-    /// Loads up to this times F have the capped coefficient.
+    /// Loads up to this times F have the coefficient `max_friction_coefficient` [-].
     pub inverse_cap: f64,
     /// Number of rows and parts.
     pub total_count: u64,
     /// Friction force at the pull-off load [force].
     pub pull_off_force: f64,
-    /// dF/d(load) of the straight line that stands for F between pull-off and the first row.
+    /// dF/d(load) [-] of the straight line that replaces F between pull-off and the first row.
     pub light_slope: f64,
-    /// Friction force at zero load [force], and its slope.
+    /// Friction force at zero load [force].
     pub zero_force: f64,
+    /// dF/d(load) at zero load [-].
     pub zero_slope: f64,
-    /// dF/d(load) below the pull-off load: 0 with adhesion; without adhesion that of the lightest load of the table.
+    /// dF/d(load) below the pull-off load [-]: 0 with adhesion; without adhesion that of the lightest load of the
+    /// table.
     pub separated_slope: f64,
     /// Friction force at the end of the last row [force], which `asperity_eval.h` takes for all heavier loads.
     pub heavy_force: f64,
 }
 
-/// Gives a view of the compiled law of a model.
+/// Fills a view of the compiled law of a model. Also: `asperity_get_table`.
 ///
 /// @param model  must not be NULL
 /// @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model; must not be

@@ -9,32 +9,32 @@ use crate::model::validity;
 use std::ffi::{c_char, CStr};
 
 /// Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
-/// hardness (yield sets in below the contact) or the plasticity index above 1 (contacts flow at any load). Never set if no
-/// hardness is given, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding.
+/// hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never set without
+/// a hardness, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding.
 pub const ASPERITY_WARNING_PLASTIC: u64 = 1;
-/// Bit of `warnings`: summits do not act alone. Set if more than 10 % of them touch, or if the real area is more than 10 %
-/// of `nominal_area`, where that is given; never if `asperity_count` is 1.
+/// Bit of `warnings`: summits do not act independently. Set if more than 10 % of them touch, or if the real area is more than
+/// 10 % of `nominal_area`, where that is given. Never set if `asperity_count` is 1.
 pub const ASPERITY_WARNING_CROWDED: u64 = 2;
-/// Bit of `warnings`: contacts are not small. Set if their radii are more than a tenth of those of their summits, on
-/// average.
+/// Bit of `warnings`: contacts are not small compared with their summits. Set if contact radii are more than a tenth of the
+/// summit radii, on average.
 pub const ASPERITY_WARNING_STEEP: u64 = 4;
 /// Bit of `warnings`: contacts have few atoms. Set if their mean radius is below `burgers_vector`.
 pub const ASPERITY_WARNING_ATOMIC: u64 = 8;
-/// Bit of `warnings`: the sums are no means over surfaces at this load. Set if fewer than 20 summits touch; never if
-/// `asperity_count` is 1, whose loads are those of a mean summit.
+/// Bit of `warnings`: averages are not reliable at this load. Set if fewer than 20 summits touch. Never set if
+/// `asperity_count` is 1, where loads are those of a mean summit.
 pub const ASPERITY_WARNING_FEW: u64 = 16;
 /// Bit of `warnings`: adhesion presses the surfaces together with more than the load. Set if `hertz_load` is more than twice
-/// the load; never if `asperity_count` is 1, as for single summits.
+/// the load. Never set if `asperity_count` is 1, as for single summits.
 pub const ASPERITY_WARNING_ADHESIVE: u64 = 32;
-/// Bit of `warnings`: the strength of the interface is the default, which nobody measured for these surfaces. Set while slip
-/// radii and stresses are the defaults and `pressure_coefficient` is 0; never if `asperity_count` is 1. Against measurements the
-/// default errs from 1/200 to 36 times: call `asperity_params_calibrate`.
+/// Bit of `warnings`: the strength of the interface is the default, which was not measured on these surfaces. Set while slip
+/// radii and stresses are the defaults and `pressure_coefficient` is 0. Never set if `asperity_count` is 1. With the default
+/// the model predicts 1/200 to 36 times the measured friction: call `asperity_params_calibrate`.
 pub const ASPERITY_WARNING_UNCALIBRATED: u64 = 64;
-/// Bit of `warnings`: the surface is rough on so many scales that summits stand on summits. Set if Nayak's bandwidth is above 6:
-/// that given as `bandwidth`, or that of so many summits on `nominal_area`.
+/// Bit of `warnings`: the surface is rough on so many scales that summits stand on summits. Set if Nayak's bandwidth is
+/// above 6: the `bandwidth` given, or that of this many summits on `nominal_area`.
 pub const ASPERITY_WARNING_BROAD: u64 = 128;
-/// Bit of `warnings`: the interface would be stronger than the softer body, which shears at H/(3 sqrt 3). Set if the slip stress
-/// at the mean contact radius is larger; never without a hardness.
+/// Bit of `warnings`: the interface is stronger than the softer body, which shears at H/(3 sqrt 3). Set if the slip stress at
+/// the mean contact radius is larger. Never set without a hardness.
 pub const ASPERITY_WARNING_STRONG: u64 = 256;
 
 const _: () = {
@@ -49,16 +49,25 @@ const _: () = {
     assert!(ASPERITY_WARNING_STRONG == validity::WARNING_STRONG);
 };
 
-/// The warnings of all states from one load to another: whether the law holds for a contact that meets these loads.
+/// Computes the warnings of all states from one load to another: whether the model holds for a contact that meets these loads.
 ///
-/// It looks at some hundred exact states, in milliseconds: for the start of a run, not for its inner loop.
+/// The library evaluates hundreds of exact states, in milliseconds. Call it at the start of a run, not in its inner loop.
+///
+/// ```c
+/// uint64_t warnings = 0;
+/// char text[2048];
+/// if (asperity_check_loads(model, 1e-4, 1e-2, &warnings) == ASPERITY_OK && warnings != 0) {
+///     asperity_warnings_text(warnings, text, sizeof text);
+///     fprintf(stderr, "%s\n", text);
+/// }
+/// ```
 ///
 /// @param model     must not be NULL
-/// @param lightest  normal load [force], from the pull-off load upwards; without adhesion above 0, where nothing touches
+/// @param lightest  normal load [force], from the pull-off load upwards; above 0 without adhesion, where nothing touches at 0
 /// @param heaviest  normal load [force], not below `lightest`
 /// @param warnings  receives every bit `ASPERITY_WARNING_...` that is set in a state between; 0 if nothing is known to
 ///                  fail; must not be NULL; untouched on failure
-/// @return `ASPERITY_OK`, also if there are warnings; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`lightest` is
+/// @return `ASPERITY_OK`, also with warnings; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`lightest` is
 ///         above `heaviest`), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`,
 ///         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
 ///
@@ -78,7 +87,7 @@ pub unsafe extern "C" fn asperity_check_loads(
     })
 }
 
-/// Says of one warning what fails and what to do about it.
+/// Returns the text of one warning: what fails and what to do about it.
 ///
 /// @param warning  one bit `ASPERITY_WARNING_...`
 /// @return a constant string, never NULL; "no warning" for 0, "unknown warning" for a number that is not one known bit
@@ -89,17 +98,17 @@ pub extern "C" fn asperity_warning_string(warning: u64) -> *const c_char {
     string(warning).as_ptr()
 }
 
-/// Between which loads of the compiled table a warning holds.
+/// Finds the loads between which a warning holds, within the loads of the compiled table.
 ///
-/// It looks at some hundred exact states, in milliseconds: for the start of a run, not for its inner loop.
+/// The library evaluates hundreds of exact states, in milliseconds. Call it at the start of a run, not in its inner loop.
 ///
 /// @param model     must not be NULL
 /// @param warning   one bit `ASPERITY_WARNING_...`
-/// @param lightest  receives the lightest load of the table at which it holds [force], NaN if it holds at none; must not be NULL;
-///                  untouched on failure
+/// @param lightest  receives the lightest load of the table at which the warning holds [force], NaN if it holds at none; must
+///                  not be NULL; untouched on failure
 /// @param heaviest  receives the heaviest [force], likewise
-/// @return `ASPERITY_OK`, also if it holds nowhere; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`warning` is not one
-///         known bit), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+/// @return `ASPERITY_OK`, also if the warning holds nowhere; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`warning`
+///         is not one known bit), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
 ///
 /// Threads: may share the model.
 #[no_mangle]
@@ -125,13 +134,14 @@ pub unsafe extern "C" fn asperity_warning_loads(
     })
 }
 
-/// Says of warnings what fails and what to do about it, a line for each.
+/// Copies the texts of several warnings, one line each: what fails and what to do about it.
 ///
-/// @param warnings  bits `ASPERITY_WARNING_...`, as a state has them; a line "unknown warning" stands for all others
-/// @param buffer    receives the lines, each ended by a line feed but the last, NUL-terminated, cut to fit; "no warning" for 0;
-///                  NULL to ask for the length only
-/// @param length    size of `buffer` in bytes
-/// @return the length of the whole text in bytes, without the NUL: it is cut unless `length` is greater
+/// @param warnings  bits `ASPERITY_WARNING_...` of a state or of `asperity_check_loads`; a line "unknown warning" stands for
+///                  all others
+/// @param buffer    receives the lines, separated by line feeds, NUL-terminated, cut to fit; "no warning" for 0; NULL to ask
+///                  for the length only
+/// @param length    size of `buffer` [bytes]
+/// @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater
 ///
 /// Threads: any.
 #[no_mangle]
@@ -148,44 +158,47 @@ fn string(warning: u64) -> &'static CStr {
     match warning {
         0 => c"no warning",
         ASPERITY_WARNING_PLASTIC => {
-            c"summits yield: the mean asperity pressure is above 0.4 of the hardness, or the plasticity index above 1; use \
-              the elastic-plastic contact law (contact_law 1, by name elastic-plastic) with work_of_adhesion 0, or lighter \
-              loads if only the pressure is too high"
+            c"summits yield: the mean asperity pressure is above 0.4 of the hardness, or the plasticity index is above \
+              1; use the elastic-plastic contact law (contact_law 1, by name elastic-plastic) with work_of_adhesion 0, \
+              or lighter loads if only the pressure is too high"
         }
         ASPERITY_WARNING_CROWDED => {
-            c"summits do not act alone: more than 10 % of them touch, or more than 10 % of nominal_area; use \
-              lighter loads, or check height_std and asperity_count: surfaces that are taken too smooth or too small are \
-              the usual cause"
+            c"summits do not act independently: more than 10 % of them touch, or the real area is more than 10 % of \
+              nominal_area; use lighter loads, or check height_std and asperity_count, which are usually too small"
         }
         ASPERITY_WARNING_STEEP => {
-            c"contacts are too large for their summits: a/R is above 0.1 on average; use lighter loads, or check \
-              summit_radius: maps that are noisy or finer than the contacts give too small a radius"
+            c"contacts are too large for their summits: contact radii are above a tenth of summit radii on average; \
+              use lighter loads, or check summit_radius: a height map that is noisy, or finer than the contacts, gives \
+              too small a radius"
         }
         ASPERITY_WARNING_ATOMIC => {
-            c"contacts are too small for continuum mechanics: their mean radius is below burgers_vector; use heavier loads, \
-              or summits of a map that is filtered at the size of the contacts"
+            c"contacts are too small for continuum mechanics: their mean radius is below burgers_vector; use heavier \
+              loads, or take the summits of a height map that is filtered at the size of the contacts"
         }
         ASPERITY_WARNING_FEW => {
-            c"fewer than 20 summits touch: friction differs from one pair of surfaces to another by friction_scatter, and its mean \
-              at this load is higher than the law by friction_bias; use heavier loads or a larger area (asperity_count)"
+            c"fewer than 20 summits touch, so averages are not reliable: nominally equal contacts differ by \
+              friction_scatter, and their mean friction exceeds that of the model by friction_bias; use heavier loads \
+              or a larger area (asperity_count)"
         }
         ASPERITY_WARNING_ADHESIVE => {
-            c"adhesion presses the surfaces together with more than the load: models of single summits are quantitatively wrong \
-              there; use heavier loads, or check work_of_adhesion, height_std and summit_radius: surfaces that are taken too smooth or too clean are the usual cause"
+            c"adhesion presses the surfaces together with more than the load, where models of independent summits are \
+              quantitatively wrong; use heavier loads, or check work_of_adhesion, height_std and summit_radius: input \
+              that is too smooth or too clean is the usual cause"
         }
         ASPERITY_WARNING_UNCALIBRATED => {
-            c"the strength of the interface is a default that nobody measured for these surfaces, and friction is in proportion \
-              to it: against measurements it errs from 1/200 to 36 times; measure the friction force once and call \
-              asperity_params_calibrate, or set slip stresses and pressure_coefficient to measured ones"
+            c"the strength of the interface is the default, not a measured one, and friction is proportional to it: \
+              the default gives 1/200 to 36 times the measured friction; measure the friction force once and call \
+              asperity_params_calibrate, or set slip stresses and pressure_coefficient to measured values"
         }
         ASPERITY_WARNING_BROAD => {
-            c"the surface is rough on many scales, with a bandwidth above 6, so that summits stand on summits: against boundary \
-              elements friction is 7 to 24 % too low at a bandwidth of 27 and the real area 30 to 43 %; filter the map at the size of \
-              the contacts, or calibrate at the load of use"
+            c"the surface is rough on many scales, with a bandwidth above 6, so that summits stand on summits: at a \
+              bandwidth of 27 the model predicts 7 to 24 % less friction and 30 to 43 % less real area than boundary \
+              elements; filter the height map at the size of the contacts, or calibrate at the load of use"
         }
         ASPERITY_WARNING_STRONG => {
-            c"the slip stress at the mean contact radius exceeds what the softer body bears in shear, hardness/(3 sqrt 3): it \
-              would shear before the interface slips; calibrate with a measured friction force, or set weaker slip stresses"
+            c"the slip stress at the mean contact radius exceeds the shear strength of the softer body, hardness/(3 \
+              sqrt 3): that body shears before the interface slips; calibrate with a measured friction force, or set \
+              lower slip stresses"
         }
         _ => c"unknown warning",
     }

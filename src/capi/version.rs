@@ -1,6 +1,4 @@
-//! Versions of the library and its binary interface.
-
-use std::ffi::c_char;
+//! Versions of the header and of the binary interface that it describes.
 
 /// Major version of the header.
 pub const ASPERITY_VERSION_MAJOR: i32 = 0;
@@ -17,21 +15,3 @@ const _: () = assert!(
         && matches!(i32::from_str_radix(env!("CARGO_PKG_VERSION_MINOR"), 10), Ok(ASPERITY_VERSION_MINOR))
         && matches!(i32::from_str_radix(env!("CARGO_PKG_VERSION_PATCH"), 10), Ok(ASPERITY_VERSION_PATCH))
 );
-
-/// The binary interface of the library loaded: it changes only when compiled callers must be compiled again.
-///
-/// Threads: any.
-#[no_mangle]
-pub extern "C" fn asperity_abi_version() -> u32 {
-    ASPERITY_ABI_VERSION
-}
-
-/// The version of the library loaded, "major.minor.patch".
-///
-/// @return a constant string, never NULL
-///
-/// Threads: any.
-#[no_mangle]
-pub extern "C" fn asperity_version() -> *const c_char {
-    concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
-}

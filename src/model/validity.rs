@@ -6,23 +6,23 @@ use crate::error::Error;
 use crate::neighbours::Neighbours;
 use crate::params::{ContactLawKind, Params};
 
-/// Set in [`State::warnings`](crate::State::warnings) where summits yield, though their law is elastic.
+/// Set in [`State::warnings`](crate::State::warnings) where summits yield, but the contact law is elastic.
 pub const WARNING_PLASTIC: u64 = 1;
-/// Set where summits are too close to act alone.
+/// Set where summits are too close to act independently.
 pub const WARNING_CROWDED: u64 = 2;
 /// Set where contacts are not small against the radius of their summits.
 pub const WARNING_STEEP: u64 = 4;
 /// Set where contacts are too small for continuum mechanics.
 pub const WARNING_ATOMIC: u64 = 8;
-/// Set where so few summits touch that one surface differs from another.
+/// Set where fewer than 20 summits touch, so that averages are not reliable.
 pub const WARNING_FEW: u64 = 16;
 /// Set where adhesion presses the surfaces together with more than the load.
 pub const WARNING_ADHESIVE: u64 = 32;
-/// Set where the strength of the interface is the default, which nobody measured.
+/// Set where the strength of the interface is the default, not a measured one.
 pub const WARNING_UNCALIBRATED: u64 = 64;
 /// Set where the surface is rough on so many scales that summits stand on summits.
 pub const WARNING_BROAD: u64 = 128;
-/// Set where the interface would be stronger than the softer body.
+/// Set where the interface is stronger than the softer body.
 pub const WARNING_STRONG: u64 = 256;
 
 /// The mean pressure of an elastic contact, over the hardness, at which yield sets in below its surface: 1.1 of the

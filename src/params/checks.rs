@@ -35,13 +35,17 @@ impl Params {
         let radius = self.checked_radius(heights.origin())?;
         self.check_slip()?;
         if !infinite(self.max_friction_coefficient) {
-            magnitude("max_friction_coefficient", self.max_friction_coefficient, "must be > 0; INFINITY is no cap")?;
+            magnitude(
+                "max_friction_coefficient",
+                self.max_friction_coefficient,
+                "must be > 0; use INFINITY for no upper bound",
+            )?;
         }
-        not_negative("hardness", self.hardness, "must be finite and >= 0; 0 is not known")?;
-        let default_modulus = "must be finite and >= 0; 0 is E* G* / (2 (E* + G*))";
+        not_negative("hardness", self.hardness, "must be finite and >= 0; 0 means not known")?;
+        let default_modulus = "must be finite and >= 0; 0 stands for E* G* / (2 (E* + G*))";
         not_negative("tangential_modulus", self.tangential_modulus, default_modulus)?;
-        not_negative("nominal_area", self.nominal_area, "must be finite and >= 0; 0 is not known")?;
-        let no_bandwidth = "must be at least 1.5, as that of every isotropic surface is; 0 is not known";
+        not_negative("nominal_area", self.nominal_area, "must be finite and >= 0; 0 means not known")?;
+        let no_bandwidth = "must be at least 1.5, the least of isotropic surfaces; 0 means not known";
         not_negative("bandwidth", self.bandwidth, no_bandwidth)?;
         if self.bandwidth != 0.0 && self.bandwidth < LEAST_BANDWIDTH {
             return Err(Error::invalid("bandwidth", self.bandwidth, no_bandwidth));
@@ -83,8 +87,8 @@ impl Params {
     fn check_contact_law(&self) -> Result<(), Error> {
         let yields = self.contact_law == ContactLawKind::ElasticPlastic;
         if yields && self.hardness == 0.0 {
-            let allowed = "must be > 0 where contact_law is ASPERITY_CONTACT_ELASTIC_PLASTIC (1): summits yield at a \
-                           part of it";
+            let allowed = "must be > 0 where contact_law is ASPERITY_CONTACT_ELASTIC_PLASTIC (1): give the \
+                           hardness of the softer body";
             return Err(Error::invalid("hardness", self.hardness, allowed));
         }
         if yields && self.work_of_adhesion != 0.0 {
@@ -101,7 +105,7 @@ impl Params {
         not_negative(
             "pressure_coefficient",
             kappa,
-            "must be finite and >= 0; 0 is a strength that does not grow with pressure",
+            "must be finite and >= 0; 0 means that the strength does not grow with pressure",
         )?;
         if kappa > LARGEST_PRESSURE_COEFFICIENT {
             let allowed = "must be at most 1000: it is a number without unit, about 0.01 to 1";
@@ -117,7 +121,7 @@ impl Params {
                 "must be finite and > 0; both slip stresses may be 0 where pressure_coefficient is > 0 (Amontons' law)";
             magnitude(name, stress, ZERO)?;
             if stress > 1.0 {
-                let allowed = "must be at most 1: it is a share of effective_shear_modulus; is it in Pa?";
+                let allowed = "must be at most 1: it is a fraction of effective_shear_modulus; is it in Pa?";
                 return Err(Error::out_of_range(name, stress, allowed));
             }
         }
@@ -151,16 +155,16 @@ fn check_groups(groups: &Groups) -> Result<(), Error> {
         "alpha", groups.alpha, 1e-5..=10.0, "(height_std/summit_radius)^(1/2) must be between 1e-5 and 10; ",
             below "is summit_radius in um?", above "is height_std in um or nm?";
         "beta", groups.beta, 0.1..=1e8, "(height_std summit_radius)^(1/2)/burgers_vector must be between 0.1 and 1e8; ",
-            below "is burgers_vector in nm? Of a smooth tip, a height_std of 1e-2 adhesion_range is small enough",
+            below "is burgers_vector in nm? For a smooth tip, take a height_std of 0.01 adhesion_range",
             above "are height_std and summit_radius in um?";
         "gamma" where adheres, groups.gamma, 1e-9..=10.0,
             "work_of_adhesion/(composite_modulus burgers_vector) must be 0 or between 1e-9 and 10; ",
             below "are work_of_adhesion and the moduli in one system of units?",
-            above "is work_of_adhesion in mJ/m^2, or beside mm in J/m^2, or are the moduli in GPa? An elastomer has no Burgers \
+            above "is work_of_adhesion in mJ/m^2, or in J/m^2 with lengths in mm, or are the moduli in GPa? An elastomer has no Burgers \
                 vector: set slip_stress_1 = slip_stress_2, and burgers_vector to a length above \
-                work_of_adhesion/(10 composite_modulus), on which the answers then do not depend";
+                work_of_adhesion/(10 composite_modulus); the answers then do not depend on it";
         "h/sigma" where adheres, groups.reach(), 0.0..=1e6, "adhesion_range/height_std must be at most 1e6; ",
-            below "", above "is adhesion_range in nm? Else take a rougher surface, or no adhesion";
+            below "", above "is adhesion_range in nm? Otherwise take a larger height_std, or no adhesion";
         "b/h", groups.b_over_h, 1e-3..=100.0, "burgers_vector/adhesion_range must be between 1e-3 and 100; ",
             below "is adhesion_range in nm?", above "is burgers_vector in nm?";
     }

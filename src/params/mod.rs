@@ -269,7 +269,7 @@ impl Params {
             positive(name, value)?;
         }
         if !moments.exist() {
-            let allowed = "must be at least 1.5, as that of every isotropic surface is; are all lengths in one unit?";
+            let allowed = "must be at least 1.5, the least of isotropic surfaces; are all lengths in one unit?";
             return Err(Error::invalid("bandwidth m0 m4/m2^2", moments.bandwidth(), allowed));
         }
         self.height_std = moments.summit_height_std();
@@ -311,12 +311,12 @@ impl Params {
         self.asperity_count != 1.0
     }
 
-    /// Whether the strength of the interface is the default, which nobody measured for these surfaces.
+    /// Whether the strength of the interface is the default, not a measured one.
     pub(crate) fn has_default_strength(&self) -> bool {
         self.slip == SlipConstants::default() && self.pressure_coefficient == 0.0
     }
 
-    /// Nayak's bandwidth: that given, or that of a Gaussian surface with so many summits on the nominal area (P. R. Nayak,
+    /// Nayak's bandwidth: that given, or that of a Gaussian surface with this number of summits on the nominal area (P. R. Nayak,
     /// J. Lubr. Technol. 93 (1971) 398; eta sigma R as J. I. McCool, J. Tribol. 109 (1987) 264, has it); 0 if neither is known.
     pub(crate) fn known_bandwidth(&self) -> f64 {
         if self.bandwidth > 0.0 || self.nominal_area <= 0.0 {

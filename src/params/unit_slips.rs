@@ -14,7 +14,7 @@ const HARDNESS: RangeInclusive<f64> = 1e-5..=100.0;
 /// Nayak's bandwidth: of a fractal dimension of 2.2, 4e3 goes with three decades of wavelengths, 2e5 with four.
 const BROADEST: (f64, &str) = (
     1e6,
-    "must be at most 1e6: no surface was measured over so many scales; is m0 the square of Rq, is asperity_count a number \
+    "must be at most 1e6: is m0 the square of Rq, is asperity_count a number \
      of summits and not a density, and are all lengths in one unit?",
 );
 /// Where lengths are in m or mm there is less: in GPa beside moduli in MPa all hardnesses are below.
@@ -44,14 +44,14 @@ const UNITS: [Units; 2] = [
     Units {
         burgers_vector: 1e-10..=1e-9,
         softest: (1e3, "must be at least 1000 Pa where burgers_vector is in m; is it in GPa?"),
-        stiffest: (1e16, "must be at most 1e16 Pa where burgers_vector is in m; has it a factor of 1e9 too many?"),
+        stiffest: (1e16, "must be at most 1e16 Pa where burgers_vector is in m; is it too large by a factor of 1e9?"),
         strongest_adhesion: (20.0, "must be at most 20 J/m^2 where burgers_vector is in m; is it in mJ/m^2?"),
         roughest: (1e-4, "must be at most 1e-4 m where burgers_vector is in m; is it in mm or um?"),
         widest_summit: (0.1, "must be at most 0.1 m where burgers_vector is in m; is it in um?"),
         fewest_summits: (
             0.5,
-            "fewer than one summit; is the summit density per um^2 or mm^2, and the area in m^2? For a part of a summit ask \
-             a model of the whole for load/part, and take that part of the force",
+            "fewer than one summit; is the summit density per um^2 or mm^2, and the area in m^2? To model a part \
+             of a summit, ask a model of the whole summit for load/part, and take that part of the force",
         ),
         most_summits: (
             3e16,
@@ -67,8 +67,8 @@ const UNITS: [Units; 2] = [
         widest_summit: (100.0, "must be at most 100 mm where burgers_vector is in mm; is it in um?"),
         fewest_summits: (
             0.5,
-            "fewer than one summit; is the summit density per um^2, and the area in mm^2? For a part of a summit ask a \
-             model of the whole for load/part, and take that part of the force",
+            "fewer than one summit; is the summit density per um^2, and the area in mm^2? To model a part of a \
+             summit, ask a model of the whole summit for load/part, and take that part of the force",
         ),
         most_summits: (
             3e16,

@@ -5,6 +5,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod aliases;
 mod batch;
 mod fuzz;
 mod fuzz_calls;

@@ -2,6 +2,8 @@
 # All of asperity.hpp is tested by wrapper.cpp: every function of asperity.h is reached, and every function of asperity.hpp
 # is called. That its promises are kept is for cargo test (tests/c_api/programs.rs).
 #
+# A status of a batch call that nobody looks at does not compile where warnings are errors.
+#
 # usage: tests/cpp/called.sh      needs cargo, g++ with gcov, nm, python3; builds in $CARGO_TARGET_DIR or target
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -21,6 +23,23 @@ nm -u "$build/wrapper.o" | grep -oE 'asperity_[a-z_]+$' | sort -u >"$build/reach
 diff "$build/declared" "$build/reached" ||
     { echo "tests/cpp/called.sh: asperity.hpp does not reach these functions of asperity.h" >&2; exit 1; }
 echo "all $(wc -l <"$build/declared") functions of asperity.h are reached from C++"
+
+# [[nodiscard]]: the same line compiles once the status is checked, and not before.
+for call in 'friction_at_load(loads, out)' 'friction_force_at_load(loads, out)' 'tangential_stiffness_at_load(loads, out)'; do
+    for form in "asperity::check(model.$call)" "model.$call"; do
+        printf '#include <asperity.hpp>\nvoid ask(const asperity::Model &model, std::vector<double> &loads, std::vector<double> &out)\n{ %s; }\n' \
+            "$form" >"$build/status.cpp"
+        refused=0
+        g++ -std=c++17 -Wall -Wextra -Werror -Iinclude -c "$build/status.cpp" -o "$build/status.o" 2>"$build/status.txt" || refused=1
+        case $form in model*) expected=1 ;; *) expected=0 ;; esac
+        if [ $refused != $expected ] || { [ $refused = 1 ] && ! grep -q unused-result "$build/status.txt"; }; then
+            echo "tests/cpp/called.sh: '$form' compiles or does not, against what asperity.hpp says:" >&2
+            cat "$build/status.txt" >&2
+            exit 1
+        fi
+    done
+done
+echo "a status of a batch call cannot be overlooked"
 
 rm -f "$build"/*.gcda "$build"/*.gcno
 g++ -std=c++17 -O0 --coverage -fkeep-inline-functions -Iinclude -c tests/cpp/wrapper.cpp -o "$build/covered.o"

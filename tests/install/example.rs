@@ -127,8 +127,8 @@ fn its_command_line_is_refused_with_a_reason() {
         (1, "asperity_state_at_load: load = 1e200: ", &["-", "2", "1", "1e200"]),
         (1, &cannot_write, &[nowhere]),
         (0, "warning: fewer than 20 summits touch", &["-", "5", "1e-6", "1e-2"]),
-        (0, "warning: summits do not act alone", &["-", "5", "1e-3", "1"]),
-        (0, "warning: the strength of the interface is a default", &["-", "5", "1e-3", "1e-2"]),
+        (0, "warning: summits do not act independently", &["-", "5", "1e-3", "1"]),
+        (0, "warning: the strength of the interface is the default, not a measured one", &["-", "5", "1e-3", "1e-2"]),
         (0, "warning: the surface is rough on many scales", &["-", "5", "1e-3", "1e-2"]),
     ];
     for program in example(Language::C) {

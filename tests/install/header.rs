@@ -1,51 +1,67 @@
 //! The committed header is what the sources generate, and every dialect of C and C++ takes it.
 
-use crate::common::c_compiler::{root, source, Compiler, Language};
+use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
+use std::path::PathBuf;
 
 /// Set to write the header instead of comparing it: `make header`.
 const WRITE: &str = "ASPERITY_WRITE_HEADER";
 
+/// The groups of functions in the order in which a reader needs them: a heading, and the files of `src/capi/` whose functions follow.
+const GROUPS: [(&str, &[&str]); 7] = [
+    (
+        "Make: parameters from what you know of the surfaces, then a model.",
+        &["params", "setters", "names", "materials", "interfaces", "calibration", "model"],
+    ),
+    (
+        "Ask: friction and stiffness of one contact or of many, for the inner loop of a solver.",
+        &["evaluate", "slope", "pressures", "pairs", "tangential", "microslip", "gap", "summits"],
+    ),
+    (
+        "Explain: exact states, the constants of a model, and which parameter matters how much.",
+        &["state", "sensitivities"],
+    ),
+    ("Limits: where the model does not hold, and what to do there.", &["validity"]),
+    ("Errors and versions.", &["last_error", "about"]),
+    ("The table: the compiled law for code that cannot call a library, as GPU kernels.", &["table"]),
+    ("Second names: the same functions under names of the pattern above. Neither name will go.", &["aliases"]),
+];
+
+/// Files that have constants and types alone, which come before all functions.
+const CONSTANTS: [&str; 2] = ["version", "status"];
+
+fn capi(file: &str) -> PathBuf {
+    root().join(format!("src/capi/{file}.rs"))
+}
+
+/// The header, with a heading before the first function of each group.
+fn generated() -> String {
+    let config = cbindgen::Config::from_file(root().join("cbindgen.toml")).expect("cbindgen.toml");
+    let files = CONSTANTS.iter().chain(GROUPS.iter().flat_map(|(_, files)| *files));
+    let builder = files.fold(cbindgen::Builder::new(), |builder, file| builder.with_src(capi(file)));
+    let mut header = Vec::new();
+    builder.with_config(config).generate().expect("bindings").write(&mut header);
+    let mut header = String::from_utf8(header).expect("a text");
+    for (heading, files) in GROUPS {
+        let sources = files.iter().map(|file| std::fs::read_to_string(capi(file)).expect(file)).collect::<String>();
+        let name = sources.split("extern \"C\" fn ").nth(1).and_then(|rest| rest.split('(').next()).expect(heading);
+        let declares = |line: &&str| !line.starts_with([' ', '/', '#']) && line.contains(&format!("{name}("));
+        let declaration = header.lines().find(declares).expect(name);
+        let end = declaration.as_ptr() as usize - header.as_ptr() as usize;
+        let comment = header[..end].rfind("/**\n").expect("a comment");
+        header.insert_str(comment, &format!("/* ---- {heading} ---- */\n\n"));
+    }
+    header
+}
+
 #[test]
 fn committed_header_is_what_the_sources_generate() {
-    let root = root();
-    let path = root.join("include/asperity.h");
-    let config = cbindgen::Config::from_file(root.join("cbindgen.toml")).expect("cbindgen.toml");
-    // The C interface alone, a file per subject, in the order in which a reader needs them.
-    let files = [
-        "version",
-        "status",
-        "last_error",
-        "params",
-        "setters",
-        "names",
-        "materials",
-        "interfaces",
-        "calibration",
-        "model",
-        "evaluate",
-        "slope",
-        "pressures",
-        "tangential",
-        "microslip",
-        "gap",
-        "pairs",
-        "state",
-        "validity",
-        "summits",
-        "table",
-        "sensitivities",
-    ];
-    let builder = files
-        .iter()
-        .fold(cbindgen::Builder::new(), |builder, file| builder.with_src(root.join(format!("src/capi/{file}.rs"))));
-    let bindings = builder.with_config(config).generate().expect("bindings");
-    let mut generated = Vec::new();
-    bindings.write(&mut generated);
+    let path = root().join("include/asperity.h");
+    let generated = generated();
     if std::env::var_os(WRITE).is_some() {
         std::fs::write(&path, &generated).expect("include/asperity.h");
         return;
     }
-    let committed = std::fs::read(&path).expect("include/asperity.h");
+    let committed = std::fs::read_to_string(&path).expect("include/asperity.h");
     assert!(
         committed == generated,
         "include/asperity.h differs from what the sources generate: run `make header` and commit the result"
@@ -79,6 +95,49 @@ fn every_dialect_takes_the_header_without_a_warning() {
             // C++98 has no long long of its own, which the system's stdint.h uses.
             let compiler = if *standard == "c++98" { compiler.with(&["-Wno-long-long"]) } else { compiler };
             compiler.accepts(&cpp);
+        }
+    }
+}
+
+/// The examples of the header, as programs: the one at its top whole, and the others with parameters and a model at hand.
+#[test]
+fn examples_of_the_header_run() {
+    let header = std::fs::read_to_string(root().join("include/asperity.h")).expect("include/asperity.h");
+    let blocks = header.split("* ```c\n").skip(1).map(|rest| rest.split(" * ```").next().unwrap());
+    let lines =
+        |block: &str| block.lines().map(|line| line.trim_start_matches(" *").to_owned() + "\n").collect::<String>();
+    let blocks: Vec<String> = blocks.map(lines).collect();
+    let (first, others) = blocks.split_first().expect("examples");
+    assert!(others.len() > 8, "{}", others.len());
+    let mut all = String::from("#include <asperity.h>\n#include <stdio.h>\n\n");
+    for (i, block) in others.iter().enumerate() {
+        all += &format!("static void example_{i}(asperity_params params, asperity_model *model)\n{{\n{block}    (void)params, (void)model;\n}}\n");
+    }
+    // A model in SI units, and what a failure left.
+    all += "int main(void)\n{\n    asperity_params params;\n    asperity_model *model;\n    asperity_params_init_unset(&params);\n\
+            asperity_params_set_pair(&params, \"Si/Si\");\n    params.height_std = 5e-9;\n    params.summit_radius = 1e-6;\n\
+            params.asperity_count = 1e5;\n    if (asperity_create(&params, &model) != ASPERITY_OK) return 1;\n";
+    for i in 0..others.len() {
+        all += &format!("    example_{i}(params, model);\n");
+    }
+    all += "    char message[512];\n    asperity_last_error(message, sizeof message);\n    puts(message);\n\
+            asperity_free(model);\n    return 0;\n}\n";
+    let first = source("header_first.c", &format!("#include <asperity.h>\n#include <stdio.h>\n\n{first}"));
+    let all = source("header_examples.c", &all);
+    for compiler in Compiler::all(Language::C, "c11") {
+        // A variable that an example sets for the reader.
+        let compiler = if cfg!(windows) {
+            compiler
+        } else {
+            compiler.with(&["-Wno-unused-variable", "-Wno-unused-but-set-variable"])
+        };
+        let printed = compiler.program(&first, Linking::Shared).succeeds(&[]);
+        assert!(printed.starts_with("mu = 0.") && printed.ends_with(" at 1 mN\n"), "{printed}");
+        let printed = compiler.program(&all, Linking::Shared).succeeds(&[]);
+        for said in
+            ["contacts, real area", "1 % more of w changes friction by", "summit_radius = -1: must be finite and > 0"]
+        {
+            assert!(printed.contains(said), "{said}: {printed}");
         }
     }
 }

@@ -1,11 +1,12 @@
 """Friction laws from contact physics: friction as a function of normal load for two rough, adhesive surfaces.
 
-    from asperity import Model, Params
+    import asperity
 
-    model = Model(Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001))
-    mu = model.friction_at_load(77.4)
+    print(asperity.friction("Si/Si", Sq=5e-9, Sdq=0.08, Sds=2e13, load=1e-3, nominal_area=1e-8))
 
-The Rust library `libasperity` does the work; it is inside the package, unless ASPERITY_LIBRARY names another.
+`friction` returns a coefficient with its band in one call. `Params` and `Model` give all the rest: forces, slopes, stiffness,
+exact states, warnings. The Rust library `libasperity` computes; it is inside the package, unless ASPERITY_LIBRARY names
+another.
 """
 
 from . import materials, surface

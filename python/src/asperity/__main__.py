@@ -41,8 +41,8 @@ def _parser() -> argparse.ArgumentParser:
         "figures",
         help="draw the figures of the paper, and compare them with its text, and those of what the law is good for",
         description="Draws the figures of Adams and Müftü (2005), section 3, as SVG in DIR/figures, and writes "
-        "DIR/gallery.md, which compares each with what the paper says. Draws the map of real contacts and the measured "
-        "friction beside its predictions as well.",
+        "DIR/gallery.md, which compares each with what the paper says. Also draws the map of real contacts, and measured "
+        "friction against predictions.",
         allow_abbrev=False,
     )
     figures.add_argument("--out", type=Path, default=Path("docs"), metavar="DIR", help="where to (%(default)s)")

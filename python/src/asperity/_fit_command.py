@@ -19,7 +19,7 @@ def add(commands: Any) -> None:
         help="find parameters from measured friction",
         description="Reads measurements, one line for each: load, friction coefficient and, optionally, its standard "
         "error, separated by spaces or commas; # begins a comment. Prints one line for each free name: name, value, "
-        "standard error; and what the data do not tell.",
+        "standard error. Then it says what the data do not determine.",
         epilog="The other parameters are where the search starts. Without any: the paper's case, alpha = 0.01, beta = "
         "1000, gamma = 0.001. The free names are those of asperity.fit_names.",
         allow_abbrev=False,

@@ -68,7 +68,12 @@ class FrictionLaw:
     def friction_at_load(self, load: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
 
     def friction_at_load(self, load: Any, *, slope: bool = False) -> Any:
-        """Friction coefficient F/P at a load, or at many.
+        """Friction coefficient F/P [-] at a load, or at many.
+
+        >>> model = asperity.Model(asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001))
+        >>> mu, slope = model.friction_at_load([10.0, 100.0], slope=True)
+        >>> print(mu.round(4))
+        [2.5279 1.9827]
 
         Args:
             load: normal load [force]: a number, or an array (or nested sequence) of any shape. Contiguous arrays of
@@ -98,7 +103,7 @@ class FrictionLaw:
     def friction_force_at_load(self, load: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
 
     def friction_force_at_load(self, load: Any, *, slope: bool = False) -> Any:
-        """Friction force F at a load, or at many.
+        """Friction force F [force] at a load, or at many; also where the load is 0 or pulls.
 
         Args:
             load: normal load [force], as for `friction_at_load`.
@@ -148,15 +153,16 @@ class FrictionLaw:
         )
 
     def slip_force(self, load: Any, slip_rate: Any, transition_rate: float, *, slope: bool = False) -> Any:
-        """Friction force of a sliding contact with a smooth sign of the slip rate: F(load) tanh(slip_rate/transition_rate).
+        """Friction force [force] of a sliding contact with a smooth sign of the slip rate: F(load) tanh(slip_rate/transition_rate).
 
-        For solvers that integrate through zero slip rate; a contact that should stick creeps instead. Friction opposes slip:
-        apply the force with the sign opposite to the slip rate of the body on which it acts.
+        For solvers that integrate through zero slip rate. A contact that should stick creeps instead, more slowly for a
+        smaller `transition_rate`. The force has the sign of the slip rate, and friction opposes slip: apply minus this force
+        to the body whose slip rate you give. `friction_force_at_slip_rate` is the same method.
 
         Args:
             load: normal load [force]; a number or an array.
             slip_rate: tangential velocity [length/time], signed; a number or an array. The two are broadcast.
-            transition_rate: slip rate at which the force reaches 76 % of the law's, 1e-60 to 1e60.
+            transition_rate: slip rate at which the force reaches 76 % of F [length/time], 1e-60 to 1e60.
             slope: whether to return the derivatives by load and by slip rate too.
 
         Returns:
@@ -185,6 +191,9 @@ class FrictionLaw:
         values = tuple(_shaped(given, row, pairs.shape, name) for row, name in zip(found, _SLIP_NAMES))
         return values if slope else values[0]
 
+    #: The same as `slip_force`.
+    friction_force_at_slip_rate = slip_force
+
     @overload
     def tangential_stiffness_at_load(self, load: float) -> float: ...
     @overload
@@ -193,7 +202,7 @@ class FrictionLaw:
     def tangential_stiffness_at_load(self, load: Labelled) -> Labelled: ...
 
     def tangential_stiffness_at_load(self, load: Any) -> Any:
-        """Tangential stiffness K_t at a load, or at many: tangential force by displacement while all contacts stick.
+        """Tangential stiffness K_t [force/length] at a load, or at many: force by displacement while all contacts stick.
 
         F/K_t is the length before gross slip, which solvers ask for as bristle deflection or elastic slip.
 
@@ -213,10 +222,11 @@ class FrictionLaw:
         return self._evaluate("tangential_stiffness", LIBRARY.asperity_tangential_stiffness_at_load, None, many, load, False)
 
     def tangential(self, load: npt.ArrayLike, displacement: npt.ArrayLike) -> tuple[Any, Any]:
-        """The tangential force T at a load and a displacement, and dT/d(displacement), integrated without the compiled law.
+        """The tangential force T [force] at a load and a displacement, and its slope, integrated without the compiled law.
 
-        Each contact slips from its rim inwards, or as a whole (`Params.slip_onset`), until its force is its strength: T rises from
-        K_t times the displacement to the friction force. It is odd in the displacement.
+        Each contact slips from its rim inwards, or as a whole (`Params.slip_onset`), until its force is its strength. T therefore
+        rises from K_t times the displacement to the friction force. It is odd in the displacement.
+        `tangential_force_at_displacement` is the same method.
 
         Args:
             load: normal load [force]; a number or an array.
@@ -240,6 +250,8 @@ class FrictionLaw:
         force_there, slope_there = (_shaped(given, row, pairs.shape, name) for row, name in zip(found, names))
         return force_there, slope_there
 
+    #: The same as `tangential`.
+    tangential_force_at_displacement = tangential
     def microslip(self, shape: int | tuple[int, ...] = ()) -> Microslip:
         """A contact that remembers how it was displaced, or many: its force under changing load along any path.
 
@@ -289,7 +301,7 @@ class FrictionLaw:
         Args:
             load: a number, or an array (or nested sequence, Series, DataArray) of any shape.
             progress: whether to tell how far it is, on the error stream, or a function of the part done, 0 to 1, and of
-                what is being done; by default for more than some ten thousand loads.
+                what is being done; by default for more than about ten thousand loads.
 
         Returns:
             `State` for a number, `States` for an array.
@@ -318,7 +330,7 @@ class FrictionLaw:
         return self._states(LIBRARY.asperity_state_at_separation, "separation", separation, progress)
 
     def sensitivities(self, load: float) -> Sensitivities:
-        """What the friction force at a load [force] changes by with each parameter: d(ln F)/d(ln p) at constant load.
+        """Logarithmic derivatives of the friction force with respect to each parameter, d(ln F)/d(ln p), at a load [force].
 
         `print(model.sensitivities(load).by_size())` lists them, `.plot()` draws them. They grow without limit next to the
         pull-off load.
@@ -335,16 +347,20 @@ class FrictionLaw:
         return Sensitivities(at, *_values(struct))
 
     def check(self, lightest: float, heaviest: float) -> Warnings:
-        """Whether the model holds for a contact that meets these loads: what fails in any state between.
+        """Warnings of all states between two loads: whether the model holds for a contact that meets these loads.
 
-        It evaluates some hundred exact states: once for a run, not for each load.
+        >>> model = asperity.Model(asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001))
+        >>> print(model.check(10.0, 100.0))
+        none
+
+        It evaluates hundreds of exact states, in milliseconds: call it once for a run, not for each load.
 
         Args:
             lightest: normal load [force], from the pull-off load upwards; without adhesion above 0.
             heaviest: normal load [force], not below `lightest`.
 
         Returns:
-            `Warnings`, false where nothing is known to fail; printed, it says what fails and what to do about it.
+            `Warnings`, false if nothing is known to fail. `print` says what fails and what to do about it.
 
         Raises:
             Error: `lightest` is above `heaviest`, or one of them has no state, as in `state_at_load`.
@@ -356,7 +372,7 @@ class FrictionLaw:
 
     @property
     def uncalibrated(self) -> bool:
-        """Whether the strength of the interface is a default that nobody measured: `Warnings.UNCALIBRATED` of any state."""
+        """Whether the strength of the interface is the default, not a measured one: `Warnings.UNCALIBRATED` of any state."""
         return bool(self.state_at_separation(0.0).warnings & Warnings.UNCALIBRATED)
 
     def table(self, dtype: npt.DTypeLike = np.float64) -> _table.Table:
@@ -389,7 +405,7 @@ class FrictionLaw:
                 _caller.warn(f"{where}: {kind}", ValidityWarning)
 
     def summits_at_overlaps(self, overlap: npt.ArrayLike, height: npt.ArrayLike | None = None) -> SummitStates:
-        """Load, friction force and contact radius of single summits, by the law that all sums are made of.
+        """Load, friction force and contact radius of single summits, by the law that the model sums over all summits.
 
         A summit stays in contact down to the overlap at which it breaks away, below 0 with adhesion; out of contact it may
         still attract. `asperity.pads` makes pads of few contacts of them.

@@ -63,14 +63,14 @@ def remarks(spikes: int, points: int, found: Differences, isotropy: float, heigh
     said = []
     if spikes:
         said.append(
-            f"{spikes} points ({spikes / points:.2g} of all) stand out from those around them like spikes of an instrument, "
-            "which decide the highest summits: surface.clean replaces them"
+            f"{spikes} points ({spikes / points:.2g} of all) stand out like spikes of an instrument, and determine the "
+            "highest summits: call surface.clean, which replaces them"
         )
     deviation = noise(found)
     if deviation is not None:
         said.append(
-            f"neighbouring points differ as by noise of {deviation:.2g} (summits: sigma {height_std:.2g}), which makes "
-            "summits of its own: surface.filter takes it away, surface.cutoffs shows from which cutoff on"
+            f"neighbouring points differ as by noise of {deviation:.2g} (summits: sigma {height_std:.2g}), which adds "
+            "summits: call surface.filter to remove it, and surface.cutoffs to find the cutoff"
         )
     if isotropy < _ISOTROPIC:
         said.append(

@@ -62,7 +62,7 @@ def _next(law: Law, row: float, highest: float, tolerance: float) -> float:
             far = middle
     found = _rounded(row * float(np.exp(near)))
     if found <= row:
-        raise Error(f"tolerance = {tolerance:g}: needs rows closer than nine digits tell", Status.OUT_OF_RANGE)
+        raise Error(f"tolerance = {tolerance:g}: needs rows closer than nine digits resolve", Status.OUT_OF_RANGE)
     return min(found, highest)
 
 

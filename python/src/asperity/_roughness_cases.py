@@ -63,7 +63,7 @@ def _of_profile(process: str | None, surface: dict[str, Any]) -> Roughness:
         raise Error(f"process = {process!r}: must be one of {', '.join(PROCESSES)}", Status.INVALID_PARAMETER)
     heights = [name for name in HEIGHTS if name in surface]
     if len(heights) > 1:
-        raise TypeError(f"{' and '.join(heights)} both tell the height of the roughness: give one of them")
+        raise TypeError(f"{' and '.join(heights)} both give the height of the roughness: leave one out")
     other = sorted(surface.keys() & ((_AREAL | _MOMENTS | _SUMMITS) - {"Sq"}))
     if other:
         raise TypeError(f"{other[0]}: is not for a profile or a process; give all of the roughness, or Ra or Rq alone with those")

@@ -81,7 +81,7 @@ def summits(
 def _statistics(found: Found, level: Array, dx: float, dy: float, tell: Callable[[float, str], None]) -> Summits:
     ny, nx = level.shape
     curvature = (found.first_curvature + found.second_curvature) / 2
-    tell(0.4, f"slopes and curvatures beside {found.height.size} summits")
+    tell(0.4, f"slopes and curvatures of {found.height.size} summits")
     moments, sdq, gradient_moments, skewness, kurtosis_of_all = _of_heights(level, dx, dy)
     area = nx * dx * ny * dy
     for number in (area, moments.m0, moments.m2, moments.m4, curvature.min(), curvature.max()):

@@ -97,7 +97,7 @@ def _params(params: Any, found: dict[str, Any]) -> Any:
     if roughness:
         _exclude(given, _ROUGHNESS, "roughness")
         if "nominal_area" not in given:
-            raise Error("nominal_area: must be set, [roughness] tells the summits per area", Status.INVALID_PARAMETER)
+            raise Error("nominal_area: must be set, since [roughness] gives the summits per area", Status.INVALID_PARAMETER)
         roughness = from_mean_deviation(roughness)
         _one_kind(roughness)
         make = params.from_iso25178 if roughness.keys() & set(_ISO) else params.from_spectral_moments
@@ -136,14 +136,14 @@ def calibrated(params: Any, measured: dict[str, Any]) -> Any:
 def from_mean_deviation(roughness: dict[str, Any]) -> dict[str, Any]:
     """The same roughness with the standard deviation of the heights for their mean one, as Gaussian heights have it.
 
-    Rq = Ra (pi/2)^(1/2): `Ra` stands for `m0` beside `m2` and `m4`, else for `Sq`.
+    Rq = Ra (pi/2)^(1/2): `Ra` replaces `m0` where `m2` and `m4` are given, otherwise `Sq`.
     """
     if "Ra" not in roughness:
         return roughness
     for name in ("m0", "Sq", "Ssk", "Sku"):
         if name in roughness:
-            says = "which it stands for" if name in ("m0", "Sq") else "it is understood as that of Gaussian heights: give Sq"
-            raise Error(f"Ra: must not be given beside {name}, {says}", Status.INVALID_PARAMETER)
+            says = "which it replaces" if name in ("m0", "Sq") else "it is understood as that of Gaussian heights: give Sq"
+            raise Error(f"Ra: must not be given together with {name}, {says}", Status.INVALID_PARAMETER)
     given = roughness["Ra"]
     if not isinstance(given, (int, float)) or not (math.isfinite(given) and given > 0):
         raise Error(f"Ra = {given!r}: must be finite and > 0", Status.INVALID_PARAMETER)
@@ -210,7 +210,7 @@ def _one_kind(roughness: dict[str, Any]) -> None:
 def _exclude(given: dict[str, Any], names: Iterable[str], by: str) -> None:
     for name in names:
         if name in given:
-            raise Error(f"{name}: is told by {by} already, leave one out", Status.INVALID_PARAMETER)
+            raise Error(f"{name}: {by} sets it already, leave one out", Status.INVALID_PARAMETER)
 
 
 def _demand(given: dict[str, Any], names: Iterable[str], message: str = "{}: must be set") -> None:

@@ -51,15 +51,22 @@ def fit(
     starts: int = 1,
     seed: int = 0,
 ) -> Fit:
-    """Fits parameters of two surfaces to measured friction, by weighted least squares.
+    """Parameters of two surfaces, fitted to measured friction by weighted least squares, with their errors: a `Fit`.
 
-    The search starts at `params` and goes by trust regions (SciPy's `least_squares`), in the logarithm of all names
-    that are positive. Trial surfaces that the library refuses are stepped back from. It finds the minimum near the
-    start: where there may be several, start from what is known of the surface, or from several places.
+    >>> params = asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+    >>> load = [10.0, 30.0, 100.0, 300.0]
+    >>> measured = 0.5 * asperity.Model(params).friction_at_load(load)  # half the default strength
+    >>> found = asperity.fit(load, measured, free=["slip_stress"], params=params)
+    >>> print(f"{found.params.slip_stress_1 / params.slip_stress_1:.3f}")
+    0.500
 
-    A name counts as not identifiable if a change of it, alone or with others that make up for it, does not change the
-    friction; or if its standard error is at least its value (names searched in the logarithm), or at least the
-    standard deviation of a uniform distribution between its bounds: the data then say no more than the bounds did.
+    The search starts at `params` and uses trust regions (SciPy's `least_squares`), in the logarithm of all positive
+    parameters. It steps back from trial surfaces that the library refuses. It finds the minimum near the start. Where there
+    may be several minima, start from what is known of the surface, or set `starts`.
+
+    A name counts as not identifiable if a change of it, alone or compensated by others, does not change the friction. It
+    also does if its standard error is at least its value (names searched in the logarithm), or at least the standard
+    deviation of a uniform distribution between its bounds: the data then say no more than the bounds.
 
     Args:
         load: normal loads [force], one-dimensional. For `mu` they must be > 0; friction forces may be given at zero
@@ -73,12 +80,12 @@ def fit(
         force: measured friction forces F >= 0 [force], instead of `mu`.
         bounds: lowest and highest value for some of the free names. By default a positive name stays within a factor
             of 1000 of its start, the others in their domains.
-        loss: "linear" for least squares; "soft_l1", "huber" or "cauchy" where some points are far off for reasons of their
-            own: residuals beyond about one sigma then count less and less, in this order. Without sigma that of most
+        loss: "linear" for least squares; "soft_l1", "huber" or "cauchy" where some points are
+            outliers: residuals beyond about one sigma then count less and less, in this order. Without sigma that of most
             residuals is taken. Errors are those of the loss.
-        starts: how many places the search begins at: `params`, and others at random, within a factor of 10 of it for
+        starts: number of starting points: `params`, and others at random, within a factor of 10 of it for
             positive names. The best end is taken; the message says how many came to it.
-        seed: of the random places.
+        seed: of the random starting points.
 
     Returns:
         The fit. Read its `message`, or print it: it says what the data do not determine.
@@ -237,11 +244,11 @@ def _remarks(fit: Fit, estimate: Estimate) -> list[str]:
 
 
 def _remark_on_strength(fit: Fit) -> list[str]:
-    """What the data tell of the strength of the interface, or that nobody measured it."""
+    """What the data say about the strength of the interface, or that it was not measured."""
     if fit.calibrated:
         now = [f"{name} = {getattr(fit.params, name):.6g}" for name in ("slip_stress_1", "slip_stress_2")]
         return [f"calibrated by the data: {', '.join(fit.calibrated)}; {', '.join(now)} of G*"]
-    says = "not calibrated: the strength of the interface is a default that nobody measured; free slip_stress to fit it"
+    says = "not calibrated: the strength of the interface is the default, not a measured one; free slip_stress to fit it"
     with FrictionLaw(fit.params) as law:
         return [says] if law.uncalibrated else []
 

@@ -17,13 +17,19 @@ from .uncertainty import AS_GIVEN, uncertainty
 class Model(FrictionLaw):
     """The friction law of two surfaces: friction coefficient and force as functions of the normal load.
 
-    Making one takes milliseconds: make it once, ask it often. A model may be shared by threads; calls run in parallel,
-    since they do not hold the interpreter lock. It pickles and copies through its parameters. Use it in a `with`
-    statement, or call `close`, to free its memory at a known time.
+    >>> params = asperity.Params.from_iso25178(
+    ...     Sq=5e-9, Sdq=0.08, Sds=2e13, nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
+    >>> model = asperity.Model(params)
+    >>> print(f"{model.friction_at_load(1e-3):.3f}, {model.friction_force_at_load(1e-3):.3e} N")
+    0.454, 4.545e-04 N
+
+    Making a model takes milliseconds: make it once, and call it for each load or array of loads. Threads may share a model,
+    and their calls run in parallel, since they do not hold the interpreter lock. A model pickles and copies through its
+    parameters. Use it in a `with` statement, or call `close`, to free its memory at a known time.
 
     Loads of `friction_at_load` and `friction_force_at_load`, one or many:
 
-    - load >= pull-off load: the friction; the coefficient is at most `max_friction_coefficient`, which it also is
+    - load >= pull-off load: the friction. The coefficient is at most `max_friction_coefficient`, and equal to it
       for loads <= 0, where F is finite and F/P is not;
     - below the pull-off load: 0, since a separated contact has no friction. This is no error;
     - NaN, infinite, or too heavy to be evaluated: `Error`, which for arrays names the index of the first such load.
@@ -52,9 +58,9 @@ class Model(FrictionLaw):
             loads: normal loads > 0 [force], one-dimensional, in any order; by default 61 from 1e-4 to 1e2 times
                 `asperity_count` E* b^2.
             spread: name to standard deviation of parameters that are not known well, which gives the curve a band:
-                {"work_of_adhesion": 0.3} is 30 %; see `asperity.uncertainty`. A strength of the interface that nobody
-                measured (`uncalibrated`) gives it one by itself.
-            coverage: the probability that the band is to have.
+                {"work_of_adhesion": 0.3} is 30 %; see `asperity.uncertainty`. A strength of the interface that was not
+                measured (`uncalibrated`) always widens it.
+            coverage: probability of the band, between 0 and 1.
             samples: how many surfaces to draw for the band; 0 for the linear one.
             seed: of the random numbers.
             measured_load: normal load [force] of the one measured friction force that the model was calibrated with, which

@@ -50,17 +50,25 @@ def friction(
 ) -> Estimate:
     """The friction coefficient of two materials with a roughness, at a load or at many, with its band. SI units.
 
-    For more than the coefficient make `Params` and a `Model`; this is the same in one call. Models of the last surfaces are
-    kept, so that asking again is quick.
+    >>> estimate = asperity.friction("Si/Si", Sq=5e-9, Sdq=0.08, Sds=2e13, load=1e-3, nominal_area=1e-8)
+    >>> print(f"{estimate:.2g}")
+    0.45 (0.045 to 4.5)
 
-    Three things widen the band. A strength of the interface that nobody measured: a factor of 10 either way, as for
-    `asperity.uncertainty`; give `measured`. A bandwidth that is not given: Nayak's m0 m4/m2^2 is then log-normal with 95 % of
-    its probability from 3 to 30. What is assumed of a machined surface: its slope along a profile is 0.14 (Rq/um)^(1/2) to a
-    factor of 4, and without Ra or Rq the roughness is that which the process leaves. The band is log-normal, with mean and
-    variance of ln(mu) over all of it. Heights are Gaussian.
+    `print(estimate)` says what the number rests on and what would narrow its band. For more than the coefficient make
+    `Params` and a `Model`. The models of the last surfaces are kept, so that the next call for them is fast.
 
-    Where summits yield (a plasticity index above 1) the law is the elastic-plastic one, which has no adhesion, unless a
-    `contact_law` or a `work_of_adhesion` is given.
+    Three things widen the band:
+
+    - The strength of the interface was not measured: a factor of 10 either way, as for `asperity.uncertainty`. Give
+      `measured`.
+    - The bandwidth is not given: Nayak's m0 m4/m2^2 is then log-normal, with 95 % of its probability from 3 to 30.
+    - The slopes of a machined surface are assumed: the slope along a profile is 0.14 (Rq/um)^(1/2) to a factor of 4.
+      Without Ra or Rq, the roughness is the usual one of the process.
+
+    The band is log-normal, with the mean and variance of ln(mu) from all three. Heights are Gaussian.
+
+    Where summits yield (a plasticity index above 1) the contact law is elastic-plastic, without adhesion, unless you give a
+    `contact_law` or a `work_of_adhesion`.
 
     Args:
         pair: a name in `asperity.materials.PAIRS`, as "steel/steel", in either order; or two names in `MATERIALS`, as
@@ -70,22 +78,22 @@ def friction(
         process: how a surface of metal was machined, if its slopes were not measured: "superfinished", "lapped", "honed",
             "ground", "turned", "bored" or "milled". For one rough surface against a smooth one; of two alike, Ra is 2^(1/2)
             times that of one.
-        interface: a name in `asperity.materials.INTERFACES`, whose shear strength stands for the default: `Params.with_interface`.
-        measured: (load, friction coefficient) measured on these surfaces, which gives the strength of the interface.
+        interface: a name in `asperity.materials.INTERFACES`, whose shear strength replaces the default: `Params.with_interface`.
+        measured: (load [N], friction coefficient) measured on these surfaces, which sets the strength of the interface.
         measured_error: relative standard deviation of that coefficient.
-        coverage: the probability that the band is to have.
+        coverage: probability of the band, between 0 and 1.
         **surface: the roughness, as `Params.from_iso25178` (`Sq`, `Sdq` and `Sds` or `Ssc`), `Params.from_spectral_moments`
-            (`m0`, `m2`, `m4`; `Ra` of Gaussian heights may stand for `Sq` or `m0`), `Params.from_profile` (`Ra` or `Rq`, `RSm`,
+            (`m0`, `m2`, `m4`; `Ra` of Gaussian heights may replace `Sq` or `m0`), `Params.from_profile` (`Ra` or `Rq`, `RSm`,
             `bandwidth`) or `Params.si` (`height_std`, `summit_radius`, `summit_density`) take it, with a `process` `Ra`, `Rq`
             or neither; and what is to replace the numbers of the pair or a default: `work_of_adhesion`, `slip_stress_1`,
             `kurtosis`, ...
 
     Returns:
-        F/P with its band, what it rests on and what would narrow it: `Estimate`. At loads of 0 and below, where F/P is no
-        finite number, the band has no width.
+        F/P with its band, what it rests on and what would narrow it: `Estimate`. At loads of 0 and below, where F/P is not
+        finite, the band has no width.
 
     Raises:
-        KeyError: materials that are not known; the message has the nearest.
+        KeyError: materials that are not known; the message names the nearest.
         Error: a value that the library refuses.
         TypeError: a name that is unknown or missing.
 

@@ -55,7 +55,7 @@ def pads(
         count: number of pads, 2 or more. The mean is known to its scatter over the root of this.
         seed: of the random numbers, >= 0: the same pads for the same seed and the same loads.
         progress: whether to tell how far it is, on the error stream, or a function of the part done, 0 to 1, and of what is
-            being done; by default for more than some thousand states.
+            being done; by default for more than about a thousand states.
 
     Raises:
         ValueError: what loads, count, seed or the number of summits may not be; `Error` for what the library refuses.

@@ -100,18 +100,19 @@ class Params:
     """Two rough elastic surfaces, as the equivalent rough surface against a flat.
 
     All quantities are in one consistent system of units of your choice: SI, mm-N-MPa, or the paper's b = G = 1.
-    Loads, forces and areas are totals over `asperity_count` summits. `Params.si` and `Params.dimensionless` are
-    the usual ways to make one, `replace` gives a changed copy. What a number may be is checked by `Model`.
+    Loads, forces and areas are totals over `asperity_count` summits. Make one with
+    `Params.from_iso25178`, `Params.from_profile`, `Params.si` or another of its class methods. `replace` returns a changed
+    copy. `Model` checks the numbers.
 
     Attributes:
         composite_modulus: E* [stress] > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
         effective_shear_modulus: G* [stress] > 0: 2 G1 G2/(G1 + G2).
         work_of_adhesion: w [force/length] >= 0; 0 is Hertzian contact.
         adhesion_range: h [length] > 0: range of adhesion, within which surfaces attract with the stress w/h.
-        burgers_vector: b [length] > 0: the length that the scale dependence of friction is measured in.
+        burgers_vector: b [length] > 0: Burgers vector, the length in which the slip radii are given.
         height_std: sigma [length] > 0: standard deviation of summit heights.
         summit_radius: R [length] > 0: mean radius of curvature of the summits.
-        asperity_count: N > 0: summit density times nominal area; need not be whole.
+        asperity_count: N > 0: summit density times nominal area; need not be an integer.
         height_distribution: "gaussian", "weibull", "johnson" or "tabulated".
         attraction: whether summits out of contact attract.
         weibull_shape: omega > 0, 3.602 for no skew; read only for "weibull".
@@ -124,8 +125,8 @@ class Params:
         max_friction_coefficient: cap > 0 on every friction coefficient returned; may be infinite.
         skew: of "johnson" heights; 0 for others.
         kurtosis: of "johnson" heights, > skew^2 + 1; 3 for others.
-        hardness: H [stress] >= 0, indentation hardness of the softer body, which the contact pressure of a `State`
-            is judged by; 0 where it is not known.
+        hardness: H [stress] >= 0, indentation hardness of the softer body, with which warnings compare contact pressures;
+            0 where it is not known.
         table_height: summit heights, increasing, in any unit and from any origin; read only for "tabulated".
         table_density: as many densities >= 0, of any scale.
         tangential_modulus: G^ [stress] >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for contacts that stick; 0 stands for
@@ -135,7 +136,7 @@ class Params:
         slip_onset: how a contact begins to slip, "partial", from its rim inwards (Cattaneo and Mindlin), or "whole", all at once: for
             the tangential force before gross slip.
         pressure_coefficient: kappa >= 0, the part of a contact's strength that grows with pressure, over its Hertz load.
-        bandwidth: Nayak's m0 m4/m2^2 >= 1.5, by which warnings judge whether summits act alone; 0 where it is not known.
+        bandwidth: Nayak's m0 m4/m2^2 >= 1.5, by which warnings judge whether summits act independently; 0 where it is not known.
     """
 
     composite_modulus: float
@@ -228,7 +229,7 @@ class Params:
         nominal_area: float | None = None,
         **options: Unpack[Options],
     ) -> Params:
-        """Physical parameters, in SI units (any other consistent system serves as well).
+        """Parameters from numbers of the summits, in SI units or any other consistent system.
 
         Stiffness is either `composite_modulus` and `effective_shear_modulus`, or the two bodies `E1`, `nu1`, `E2`,
         `nu2`. The number of summits is either `asperity_count`, with `nominal_area` if that is known, or
@@ -287,7 +288,7 @@ class Params:
         summits: Literal["equal", "nayak"] = "equal",
         **contact: Unpack[Contact],
     ) -> Params:
-        """Roughness from the variances of height, slope and curvature along profiles of an isotropic Gaussian surface.
+        """Parameters from the spectral moments of profiles of an isotropic Gaussian surface, in SI units.
 
         Summit density, radius and height deviation are those of Nayak (1971), with the variance of Bush, Gibson and
         Keogh (1976), as McCool (1987) collects them. Two rough surfaces: add their moments.
@@ -319,7 +320,7 @@ class Params:
         surface: dict[str, Any] = {name: getattr(struct, name) for name in names}
         twice = sorted((surface.keys() | _HEIGHTS) & contact.keys()) if summits == "nayak" else []
         if twice:
-            raise TypeError(f'{twice[0]}: summits="nayak" tells heights and radii, leave one out')
+            raise TypeError(f'{twice[0]}: summits="nayak" sets heights and radii, leave one out')
         params = cls.si(**surface, **contact)
         _bandwidth_bias.warn(m0 / m2 * (m4 / m2), summits)
         return params
@@ -334,10 +335,10 @@ class Params:
         summits: Literal["equal", "nayak"] = "equal",
         **contact: Unpack[Contact],
     ) -> Params:
-        """Roughness from two numbers of a profile of an isotropic Gaussian surface, all in SI units: lengths in m.
+        """Parameters from Rq and RSm of a profile of an isotropic Gaussian surface, in SI units: lengths in m.
 
-        m0 = Rq^2 and m2 = (2 pi Rq/RSm)^2, since a Gaussian profile crosses its mean line upwards once in RSm. No profile
-        parameter tells how sharp the summits are: m4 = bandwidth m2^2/m0.
+        m0 = Rq^2 and m2 = (2 pi Rq/RSm)^2, since a Gaussian profile crosses its mean line upwards once in RSm. Rq and RSm do
+        not determine how sharp the summits are: m4 = bandwidth m2^2/m0.
 
         Args:
             Rq: standard deviation of the profile [m] > 0; of Gaussian heights (pi/2)^(1/2) Ra.
@@ -345,7 +346,7 @@ class Params:
             nominal_area: [m^2] > 0.
             summits: "equal" or "nayak", as for `from_spectral_moments`.
             **contact: materials, adhesion and options, as `si` takes them. Of these `bandwidth` is Nayak's m0 m4/m2^2 >= 1.5;
-                without it the middle of 3 to 30 is taken, between which most surfaces are, and `asperity.friction` tells the
+                without it the library takes the middle of 3 to 30, the range of most surfaces. `asperity.friction` returns the
                 band of friction that follows from that range.
 
         Raises:
@@ -374,11 +375,16 @@ class Params:
         summits: Literal["equal", "nayak"] = "equal",
         **contact: Unpack[Contact],
     ) -> Params:
-        """Roughness from areal parameters of an isotropic surface, all in SI units: lengths in m, not in um.
+        """Parameters from areal roughness parameters (ISO 25178) of an isotropic surface, in SI units: lengths in m, not in um.
 
-        m0 = Sq^2 and m2 = Sdq^2/2; m4 is that of a Gaussian surface whose summits have the curvature `Ssc`, or else the
-        density `Sds`. With both, `Sds` counts the summits. `Ssk` and `Sku` describe all heights of the surface, and
-        serve for those of the summits: an approximation.
+        >>> params = asperity.Params.from_iso25178(
+        ...     Sq=5e-9, Sdq=0.08, Sds=2e13, nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
+        >>> print(f"{params.asperity_count:.3g} summits of radius {params.summit_radius:.3g} m")
+        2e+05 summits of radius 4.6e-07 m
+
+        m0 = Sq^2 and m2 = Sdq^2/2. m4 is that of a Gaussian surface whose summits have the curvature `Ssc` or, without it,
+        the density `Sds`. With both, `Sds` gives the number of summits. `Ssk` and `Sku` describe all heights of the
+        surface; here they are taken for those of the summits, which is an approximation.
 
         Args:
             Sq: standard deviation of the heights [m] > 0.
@@ -396,7 +402,7 @@ class Params:
             TypeError: an unknown name, one missing, or names that exclude each other.
         """
         if Ssc is None and Sds is None:
-            raise TypeError("give Ssc, Sds or both: Sq and Sdq do not tell how sharp the summits are")
+            raise TypeError("give Ssc, Sds or both: Sq and Sdq do not determine how sharp the summits are")
         if (Ssk is None) != (Sku is None):
             raise TypeError("give both Ssk and Sku, or neither")
         shape: dict[str, Any] = {} if Sku is None else {"skew": Ssk, "kurtosis": Sku}
@@ -421,7 +427,7 @@ class Params:
         nominal_area: float | None = None,
         **contact: Unpack[Contact],
     ) -> Params:
-        """The surface that `asperity.surface.summits` found in a height map, of a material given here.
+        """Parameters of the surface in which `asperity.surface.summits` found summits, of a material given here.
 
         Summit heights, radius and density are those of the map; lengths here are in the unit of the map.
 
@@ -461,10 +467,10 @@ class Params:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Params:
-        """The surface that a TOML file describes: docs/surface-file.md has its keys, in SI units.
+        """The parameters that a TOML file describes, in SI units: docs/surface-file.md lists its keys.
 
         Raises:
-            Error: a key or a value that has no meaning; the message names the file, the key and what is allowed.
+            Error: a key or a value that is not allowed; the message names the file, the key and what is allowed.
             OSError: a file that cannot be read.
         """
         return _surface_file.read(path, cls)
@@ -490,7 +496,7 @@ class Params:
         return values
 
     def replace(self, **changes: Any) -> Params:
-        """A copy with some fields changed, understood as the options of `si`; Johnson's heights keep to a new `skew`."""
+        """A copy with some fields changed, which are understood as the options of `si`; Johnson's heights stay so with a new `skew`."""
         kept = {field.name: getattr(self, field.name) for field in fields(self)}
         if "skew" in changes and self.height_distribution == "johnson":
             changes.setdefault("height_distribution", "johnson")
@@ -500,10 +506,15 @@ class Params:
         return type(self)(**(kept | options))
 
     def calibrated(self, *, load: float, mu: float | None = None, friction_force: float | None = None) -> Params:
-        """The same surfaces with the strength of the interface that one measurement gives.
+        """A copy whose strength of the interface is set from one measured friction coefficient or force.
 
-        Both slip stresses are scaled by one factor, so that the friction force at this load is the one measured. Give the
-        surfaces that were measured; how friction changes with load, area, roughness and adhesion is then the model's.
+        >>> params = asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001).calibrated(load=100.0, mu=0.3)
+        >>> print(f"{asperity.Model(params).friction_at_load(100.0):.3f}")
+        0.300
+
+        The library scales both slip stresses by one factor, so that the friction force at this load is the measured one.
+        Use the parameters of the surfaces that were measured. The model then predicts how friction changes with load, area,
+        roughness and adhesion.
 
         Args:
             load: normal load of the measurement [force], a total over `asperity_count`.
@@ -522,10 +533,10 @@ class Params:
         return self.replace(slip_stress_1=struct.slip_stress_1, slip_stress_2=struct.slip_stress_2)
 
     def with_interface(self, name: str) -> Params:
-        """The same surfaces with a strength of the interface that was measured elsewhere, by its name.
+        """A copy whose strength of the interface was measured on other specimens, by the name of the interface.
 
         Both slip stresses become the shear strength over G*, which must be in Pa, and `pressure_coefficient` that of the interface,
-        0 where none is known. It is a start: `calibrated` takes a measurement of your own.
+        0 where none is known. Use it to start from; `calibrated` takes your own measurement.
 
         Args:
             name: one of `asperity.materials.INTERFACES`.

@@ -1,4 +1,4 @@
-"""What a model tells beside friction: the exact state of the contact, and the constants of the model."""
+"""Answers of a model other than friction: the exact state of the contact, and the constants of the model."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from ._library import LIBRARY
 
 
 class Warnings(IntFlag):
-    """What the model assumes and a state, or the states of a range of loads, lack: bits, of which none is set where
-    nothing is known to fail. `str` tells what fails and what to do about it, a line for each.
+    """Assumptions of the model that fail in a state, or in the states of a range of loads: bits, none of which is set if
+    nothing is known to fail. `str` says what fails and what to do about it, one line each.
 
-    `PLASTIC`: summits yield, but their law is elastic. The mean asperity pressure is above 0.4 of the hardness, or the
+    `PLASTIC`: summits yield, but the contact law is elastic. The mean asperity pressure is above 0.4 of the hardness, or the
     plasticity index above 1. Never where the hardness is not given.
-    `CROWDED`: summits do not act alone. More than 10 % of them touch, or the real area is more than 10 % of the nominal.
+    `CROWDED`: summits do not act independently. More than 10 % of them touch, or the real area is more than 10 % of the nominal.
     `STEEP`: contacts are too large for their summits, above a tenth of their radius on average.
     `ATOMIC`: contacts are too small for continuum mechanics, below the Burgers vector on average.
-    `FEW`: fewer than 20 summits touch, too few for a mean over surfaces. Never where `asperity_count` is 1.
+    `FEW`: fewer than 20 summits touch, so averages are not reliable. Never where `asperity_count` is 1.
     `ADHESIVE`: adhesion presses the surfaces together with more than the load. Never where `asperity_count` is 1.
-    `UNCALIBRATED`: the strength of the interface is a default that nobody measured: see `Params.calibrated`. Never where
+    `UNCALIBRATED`: the strength of the interface is the default, not a measured one: see `Params.calibrated`. Never where
     `asperity_count` is 1.
     `BROAD`: the surface is rough on many scales, with a bandwidth above 6.
-    `STRONG`: the interface would be stronger than the softer body. Never where the hardness is not given.
+    `STRONG`: the interface is stronger than the softer body. Never where the hardness is not given.
     """
 
     PLASTIC = _header.ASPERITY_WARNING_PLASTIC
@@ -62,7 +62,7 @@ class Warnings(IntFlag):
 
 
 class ValidityWarning(UserWarning):
-    """The law is drawn or tabulated at loads at which its model does not hold."""
+    """An assumption of the model fails at loads at which friction is drawn, tabulated or estimated."""
 
 
 def _name(kind: Warnings) -> str:
@@ -104,7 +104,7 @@ class State(_WithUnits):
         fraction_in_contact: fraction of all summits that are in contact.
         mean_asperity_pressure: load of the summits in contact over their real area [stress].
         plasticity_index: Greenwood and Williamson's E* (sigma/R)^(1/2)/H; 0 where the hardness is not given.
-        warnings: what of the model does not hold in this state; 0 if nothing is known to fail.
+        warnings: assumptions of the model that fail in this state; 0 if none is known to fail.
         tangential_stiffness: K_t [force/length], tangential force by displacement while all contacts stick.
         fraction_elastic: fraction of the contacts below first yield; 1 for "maugis" without a hardness.
         fraction_flowing: fraction of the contacts that are fully plastic.

@@ -1,7 +1,7 @@
 """How well friction is known where the parameters are known with an error: a curve with a band.
 
 Linear from the sensitivities, or by as many models as are asked for with parameters drawn at random. A strength of the
-interface that nobody measured is such a parameter, also where nobody names it.
+interface that was not measured is such a parameter, also where `spread` does not name it.
 """
 
 from __future__ import annotations
@@ -128,13 +128,19 @@ def uncertainty(
     measured_load: float | None = None,
     measured_error: float = 0.05,
 ) -> Uncertainty:
-    """Friction at loads with the band that follows from the spread of the parameters.
+    """Friction at loads, with the band that follows from the spread of the parameters.
 
-    Positive parameters are distributed log-normally, the others normally, each by itself. The linear band is that of
-    ln F by the sensitivities: right where the spread is small. For a wide one ask for samples; 200 take about a second.
+    >>> params = asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+    >>> band = asperity.uncertainty(params, {"slip_stress": 0.1}, loads=[100.0])
+    >>> print(f"{band.high[0] / band.value[0]:.3f}")
+    1.217
 
-    The strength of an interface that nobody measured, a default (`Model.uncalibrated`), is known to a factor of 10 either
-    way with a probability of 95 %: `slip_stress` then has a spread of 1.17 in its logarithm, unless `spread` names it.
+    Positive parameters are distributed log-normally, the others normally, each by itself. The linear band
+    follows from the sensitivities of ln F, and holds where the spread is small. For a wide spread set `samples`: 200 take
+    about a second.
+
+    A default strength of the interface (`Model.uncalibrated`) is taken as known to a factor of 10 either way, with a
+    probability of 95 %: `slip_stress` then has a spread of 1.17 in its logarithm, unless `spread` names it.
 
     One measured point narrows the band by Bayes' rule, linearised: calibrate the parameters with it (`Params.calibrated`)
     and name its load here. The parameters are correlated afterwards, so that all of them together are known better than each.
@@ -149,7 +155,7 @@ def uncertainty(
         quantity: "mu", the friction coefficient, or "force".
         samples: how many surfaces to draw; 0 for the linear band.
         seed: of the random numbers.
-        coverage: the probability that the band is to have.
+        coverage: probability of the band, between 0 and 1.
         progress: whether to tell how far the samples are, on the error stream, or a function of the part done, 0 to 1, and
             of what is being done; by default for more than a thousand.
         measured_load: normal load [force] of the one measured friction force that `params` were calibrated with.
