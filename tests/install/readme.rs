@@ -1,4 +1,5 @@
-//! The programs in README.md, on the front page of the site and in docs/fit.md print what stands there.
+//! The programs in README.md, on the front page of the site, in docs/fit.md and on the starting points' pages print what stands
+//! there.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
 
@@ -40,4 +41,18 @@ fn the_front_page_of_the_site_shows_lines_of_that_program_and_what_they_print() 
 fn the_calibrated_program_prints_what_stands_below_it() {
     let guide = page("docs/fit.md");
     prints("calibrate.c", between(&guide, "```c\n", "```"), between(&guide, "```text\n", "```"));
+}
+
+#[test]
+fn the_programs_of_the_starting_points_print_what_stands_below_them() {
+    let mut pages = 0;
+    for entry in std::fs::read_dir(root().join("docs")).expect("docs/") {
+        let name = entry.expect("docs/").file_name().into_string().expect("a name in UTF-8");
+        if let Some(start) = name.strip_prefix("start-").and_then(|rest| rest.strip_suffix(".md")) {
+            let text = page(&format!("docs/{name}"));
+            prints(&format!("start-{start}.c"), between(&text, "```c\n", "```"), between(&text, "```text\n", "```"));
+            pages += 1;
+        }
+    }
+    assert_eq!(pages, 5, "starting points");
 }
