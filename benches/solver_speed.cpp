@@ -567,7 +567,7 @@ int measure(const std::string &plot) {
         panel->level_label = "one call of exp";
     }
     contacts.title = with_digits("In a large batch a contact costs %.2f exp", contacts.points.back().second / exp_ns);
-    models.title = with_digits("With 10 000 models in turn it costs %.1f exp", models.points.back().second / exp_ns);
+    models.title = with_digits("With 10 000 models a contact costs %.1f exp", models.points.back().second / exp_ns);
     if (!LogLogPlot::write(plot, {contacts, models})) {
         std::fprintf(stderr, "solver_speed: cannot write %s\n", plot.c_str());
         return 1;
