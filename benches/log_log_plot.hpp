@@ -1,4 +1,5 @@
-// Draws curves on logarithmic axes, side by side, as an SVG file that reads on light and dark pages.
+// Draws curves on logarithmic axes, one below the other so that a telephone shows them, as an SVG file that reads on light and dark
+// pages.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +26,8 @@ public:
         std::fprintf(file,
                      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" font-family=\"DejaVu Sans, sans-serif\" "
                      "font-size=\"13\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
-                     int(panels.size()) * kWidth, kHeight);
-        for (size_t i = 0; i < panels.size(); ++i) LogLogPlot(file, panels[i], double(i) * kWidth).draw();
+                     kWidth, int(panels.size()) * kHeight);
+        for (size_t i = 0; i < panels.size(); ++i) LogLogPlot(file, panels[i], double(i) * kHeight).draw();
         std::fprintf(file, "</svg>\n");
         return std::fclose(file) == 0;
     }
@@ -51,10 +52,10 @@ private:
     }
 
     double x_of(double log_x) const {
-        return offset_ + kLeft + (log_x - first_x_) / (last_x_ - first_x_) * (kWidth - kLeft - kRight);
+        return kLeft + (log_x - first_x_) / (last_x_ - first_x_) * (kWidth - kLeft - kRight);
     }
     double y_of(double log_y) const {
-        return kHeight - kBottom - (log_y - first_y_) / (last_y_ - first_y_) * (kHeight - kTop - kBottom);
+        return offset_ + kHeight - kBottom - (log_y - first_y_) / (last_y_ - first_y_) * (kHeight - kTop - kBottom);
     }
 
     void line(double x1, double y1, double x2, double y2) const {
@@ -82,10 +83,10 @@ private:
             line(left, y_of(e), right, y_of(e));
             text(left - 8, y_of(e) + 5, power_of_ten(e), "text-anchor=\"end\"");
         }
-        text(0.5 * (left + right), 20, panel_.title, "text-anchor=\"middle\" font-weight=\"bold\"");
-        text(0.5 * (left + right), kHeight - 10, panel_.x_label, "text-anchor=\"middle\"");
+        text(0.5 * kWidth, offset_ + 20, panel_.title, "text-anchor=\"middle\" font-weight=\"bold\"");
+        text(0.5 * (left + right), offset_ + kHeight - 10, panel_.x_label, "text-anchor=\"middle\"");
         char turned[80];
-        const double x = offset_ + 15, y = 0.5 * (bottom + top);
+        const double x = 15, y = 0.5 * (bottom + top);
         std::snprintf(turned, sizeof turned, "text-anchor=\"middle\" transform=\"rotate(-90 %.1f %.1f)\"", x, y);
         text(x, y, panel_.y_label, turned);
         if (panel_.level > 0) {

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Measures, counts instructions, and puts the results between the marks in docs/performance.md, with date and machine.
+# Measures, counts instructions, and puts the results between the marks in docs/performance-tables.md, with date and machine, and
+# the most important of them between those in docs/performance.md.
 #
 # usage: benches/report.sh PROGRAM      (make bench builds the program and calls this)
 set -euo pipefail
@@ -7,7 +8,6 @@ set -euo pipefail
 program=$1
 cd "$(dirname "$0")/.."
 work=$(dirname "$program")
-document=docs/performance.md
 
 if ! command -v valgrind >/dev/null; then
     echo "benches/report.sh: valgrind is missing: tests/setup.sh installs it" >&2
@@ -59,11 +59,19 @@ results=$work/results.md
     done <"$work/calls.txt"
 } >"$results"
 
-awk -v results="$results" '
-    /^<!-- measured: begin/ { print; print ""; while ((getline line < results) > 0) print line; skip = 1; begun = 1 }
-    /^<!-- measured: end/ { print ""; skip = 0; ended = 1 }
-    !skip { print }
-    END { exit !(begun && ended) }' "$document" >"$work/performance.md" ||
-    { echo "benches/report.sh: $document has lost its marks" >&2; exit 1; }
-cp "$work/performance.md" "$document"
+summary=$work/summary.md
+awk -f benches/summary.awk "$results" >"$summary"
+
+# between_marks FILE DOCUMENT: FILE takes the place of what stands between the marks in DOCUMENT.
+between_marks() {
+    awk -v results="$1" '
+        /^<!-- measured: begin/ { print; print ""; while ((getline line < results) > 0) print line; skip = 1; begun = 1 }
+        /^<!-- measured: end/ { print ""; skip = 0; ended = 1 }
+        !skip { print }
+        END { exit !(begun && ended) }' "$2" >"$work/document.md" ||
+        { echo "benches/report.sh: $2 has lost its marks" >&2; exit 1; }
+    cp "$work/document.md" "$2"
+}
+between_marks "$results" docs/performance-tables.md
+between_marks "$summary" docs/performance.md
 if grep -q MISSED "$results"; then grep MISSED "$results"; else echo "all limits met"; fi

@@ -352,7 +352,7 @@ Accuracy accuracy_over(const asperity_model *model, double pull_off, double near
 void report_accuracy(const std::vector<Surface> &surfaces, size_t count) {
     std::printf("\n### Accuracy of the compiled law\n\n"
                 "Largest relative error against `asperity_state_at_load`, %zu loads in the table's range and %zu in "
-                "the whole range. Where dF/dP is off by more than its limit, exact states at 25 loads beside that load, 2e-4 "
+                "the whole range. Where dF/dP is off by more than its limit, exact states at 25 loads next to it, 2e-4 "
                 "apart in ln(load - pull-off), tell why: *scatter* is the standard deviation of their dF/dP from a smooth "
                 "curve, by fourth differences, *mean* the error of the law's dF/dP averaged over them, which is then what the "
                 "limit is for. Of several such loads the largest is given.\n\n"
@@ -497,7 +497,7 @@ double seconds_per_pass(const std::function<void()> &pass) {
 
 Panel report_growth_with_contacts(size_t most) {
     std::printf("\n### Growth of cost with contacts\n\n| contacts in one batch call | ns per contact |\n|---|---|\n");
-    Panel panel{"one model", "contacts per batch call", "ns per contact", {}};
+    Panel panel{"", "contacts per batch call", "time per contact [ns]", {}};
     for (size_t n = 1; n <= most; n *= 10) {
         Solver solver(n);
         const double ns = 1e9 * seconds_per_pass([&solver] { solver.batch_mu(); }) / double(n);
@@ -511,7 +511,7 @@ Panel report_growth_with_models(size_t most) {
     constexpr size_t kContacts = 100;
     std::printf("\n### Growth of cost with models\n\nOne batch of %zu contacts for each model in turn.\n\n"
                 "| models | ms per create | ns per contact |\n|---|---|---|\n", kContacts);
-    Panel panel{"many models, 100 contacts each", "models", "ns per contact", {}};
+    Panel panel{"", "models, 100 contacts each", "time per contact [ns]", {}};
     for (size_t count = 1; count <= most; count *= 10) {
         const std::vector<double> load = random_loads(count * kContacts);
         std::vector<double> mu(load.size());
@@ -569,6 +569,8 @@ int measure(const std::string &plot) {
         panel->level = exp_ns;
         panel->level_label = "one call of exp";
     }
+    contacts.title = with_digits("In a large batch a contact costs %.2f exp", contacts.points.back().second / exp_ns);
+    models.title = with_digits("With 10 000 models a contact costs %.1f exp", models.points.back().second / exp_ns);
     if (!LogLogPlot::write(plot, {contacts, models})) {
         std::fprintf(stderr, "solver_speed: cannot write %s\n", plot.c_str());
         return 1;

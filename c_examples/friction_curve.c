@@ -140,7 +140,7 @@ static int print_table(const row *rows, int n)
 
 /* ---- The figure ---- */
 
-enum { WIDTH = 760, HEIGHT = 480, LEFT = 80, RIGHT = 730, TOP = 50, BOTTOM = 410 };
+enum { WIDTH = 480, HEIGHT = 400, LEFT = 62, RIGHT = 452, TOP = 46, BOTTOM = 336 };
 enum { EXTRA_LOADS = 20 }; /* below LOWEST, in the figure alone */
 static const double BELOW_LOWEST = 1.0 / 20; /* where they begin, over LOWEST */
 
@@ -201,13 +201,12 @@ static void draw_axes(FILE *svg, const axes *a)
     }
     fprintf(svg, "<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" fill=\"none\" stroke=\"black\"/>\n",
             LEFT, TOP, RIGHT - LEFT, BOTTOM - TOP);
-    fprintf(svg, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">normal load <tspan font-style=\"italic\">P</tspan>"
-                 " [N]</text>\n", (LEFT + RIGHT) / 2, BOTTOM + 52);
-    fprintf(svg, "<text transform=\"translate(28 %d) rotate(-90)\" text-anchor=\"middle\">friction coefficient "
-                 "<tspan font-style=\"italic\">&#956;</tspan> = <tspan font-style=\"italic\">F</tspan>/"
-                 "<tspan font-style=\"italic\">P</tspan> [&#8211;]</text>\n", (TOP + BOTTOM) / 2);
-    fprintf(svg, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">Friction of two polysilicon surfaces, "
-                 "100 &#181;m &#215; 100 &#181;m</text>\n", (LEFT + RIGHT) / 2, TOP - 18);
+    fprintf(svg, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">normal load P [N]</text>\n", (LEFT + RIGHT) / 2,
+            BOTTOM + 52);
+    fprintf(svg, "<text transform=\"translate(20 %d) rotate(-90)\" text-anchor=\"middle\">friction coefficient "
+                 "&#956; = F/P [&#8211;]</text>\n", (TOP + BOTTOM) / 2);
+    fprintf(svg, "<text x=\"10\" y=\"%d\" font-weight=\"bold\">Friction falls with load: polysilicon on polysilicon</text>\n",
+            TOP - 20);
 }
 
 /* Grey from the left up to the load from which enough summits touch. */
@@ -220,7 +219,7 @@ static void draw_too_few(FILE *svg, const axes *a, double enough)
     fprintf(svg, "<rect x=\"%d\" y=\"%d\" width=\"%.2f\" height=\"%d\" fill=\"#e6e6e6\"/>\n", LEFT, TOP, right - LEFT,
             BOTTOM - TOP);
     fprintf(svg, "<text x=\"%d\" y=\"%d\" font-size=\"13\">fewer than 20 contacts:</text>\n", LEFT + 8, BOTTOM - 28);
-    fprintf(svg, "<text x=\"%d\" y=\"%d\" font-size=\"13\">pads differ</text>\n", LEFT + 8, BOTTOM - 10);
+    fprintf(svg, "<text x=\"%d\" y=\"%d\" font-size=\"13\">specimens differ</text>\n", LEFT + 8, BOTTOM - 10);
 }
 
 static void draw_curve(FILE *svg, const axes *a, const char *class, const row *rows, int n)
@@ -233,9 +232,9 @@ static void draw_curve(FILE *svg, const axes *a, const char *class, const row *r
 
 static void draw_legend(FILE *svg, double constant, double middle)
 {
-    const int x = RIGHT - 375, y = TOP + 14;
+    const int x = RIGHT - 372, y = BOTTOM - 118;
 
-    fprintf(svg, "<rect x=\"%d\" y=\"%d\" width=\"365\" height=\"56\" fill=\"white\" stroke=\"#999\"/>\n", x, y);
+    fprintf(svg, "<rect x=\"%d\" y=\"%d\" width=\"367\" height=\"56\" fill=\"white\" stroke=\"#999\"/>\n", x, y);
     fprintf(svg, "<path class=\"law\" d=\"M%d %d h36\"/>\n", x + 10, y + 18);
     fprintf(svg, "<text x=\"%d\" y=\"%d\">contact physics (asperity)</text>\n", x + 56, y + 23);
     fprintf(svg, "<path class=\"constant\" d=\"M%d %d h36\"/>\n", x + 10, y + 40);

@@ -16,7 +16,7 @@ FENCE = re.compile(r"^```(\w+) .*$", re.MULTILINE)
 
 def gather(folder: Path) -> None:
     """Pages and the files that they link to, at the places that they have in the repository."""
-    waiting = sorted((ROOT / "docs").glob("*.md")) + [ROOT / "CHANGELOG.md"]
+    waiting = sorted((ROOT / "docs").glob("*.md")) + [ROOT / "CHANGELOG.md", ROOT / "README.md"]
     done = set()
     while waiting:
         source = waiting.pop()

@@ -205,25 +205,27 @@ def compare(law, constant):
 
 
 def draw(law, constant, path):
-    """Traction and what the law allows, side by side, when part of the floor has slipped and when all has."""
+    """Traction of the law and of a constant coefficient, when part of the floor has slipped and when all has; the coefficients."""
     import matplotlib
 
     matplotlib.use("Agg")
-    matplotlib.rcParams.update({"svg.hashsalt": "asperity", "svg.fonttype": "none", "font.size": 9})
+    matplotlib.rcParams.update({"svg.hashsalt": "asperity", "svg.fonttype": "none", "font.size": 10})
     from matplotlib import pyplot
 
-    figure, axes = pyplot.subplots(3, 2, figsize=(9, 7.5), sharex=True, sharey="row", layout="constrained")
-    for column, (name, states) in enumerate((("friction of the law, µ(p)", law), ("constant µ", constant))):
-        for row, step in enumerate((PARTIAL, -1)):
-            state, axis = states[step], axes[row, column]
-            axis.fill_between(state["x"], state["mu"] * state["pressure"], color="0.9", label="µ p")
-            axis.plot(state["x"], -state["traction"], "k", label="friction")
-            axis.set_title(f"{name}, top moved {1e3 * SHEAR[step - 1 if step > 0 else -1]:.1f} µm")
-            axes[row, 0].set_ylabel("shear stress (MPa)")
-        axes[2, column].plot(states[-1]["x"], states[-1]["mu"], "k")
-        axes[2, column].set_xlabel("place along the floor (mm)")
-    axes[2, 0].set_ylabel("coefficient µ while sliding")
-    axes[0, 0].legend(loc="upper left")
+    figure, axes = pyplot.subplots(3, 1, figsize=(5, 7.5), sharex=True, layout="constrained")
+    figure.suptitle("At the edges the law differs from a constant µ", x=0.02, ha="left", weight="bold", fontsize=11)
+    for name, states, line in (("law, µ(p)", law, "k-"), ("constant µ", constant, "C0--")):
+        for axis, step in zip(axes, (PARTIAL, -1)):
+            state = states[step]
+            axis.plot(state["x"], -state["traction"], line, label=f"friction, {name}")
+            axis.set_title(f"top moved {1e3 * SHEAR[step - 1 if step > 0 else -1]:.1f} µm", loc="left", fontsize=10)
+            axis.set_ylabel("shear stress [MPa]")
+        axes[2].plot(states[-1]["x"], states[-1]["mu"], line, label=name)
+    for axis, step in zip(axes, (PARTIAL, -1)):
+        axis.fill_between(law[step]["x"], law[step]["mu"] * law[step]["pressure"], color="0.9", label="what the law allows, µ p")
+    axes[2].set(xlabel="place along the floor [mm]", ylabel="coefficient µ while sliding [–]")
+    axes[0].legend(loc="upper left", fontsize=9)
+    axes[2].legend(loc="upper right", fontsize=9)
     figure.savefig(path, metadata={"Date": None})
 
 

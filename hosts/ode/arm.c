@@ -75,13 +75,13 @@ static void run_arm(const asperity_model *model, double gain, int max_passes, do
     dWorldDestroy(world);
 }
 
-static double x_of(int step) { return 60 + 500.0 * step / (STEPS - 1); }
+static double x_of(int step) { return 62 + 340.0 * step / (STEPS - 1); }
 
-static double y_of(double error) { return 30 + 260.0 * (1 - log10(fmax(error, 1e-12))) / 13; }
+static double y_of(double error) { return 44 + 250.0 * (1 - log10(fmax(error, 1e-12))) / 13; }
 
-/* A line with its label beside the error after the step label_step; it ends where the arm has left the belt. */
+/* A line with its label next to the error after the step label_step, raised by some points; it ends where the arm has left the belt. */
 static void draw_line(FILE *svg, const double *error, const char *colour, const char *dash, int label_step,
-                      const char *label) {
+                      int rise, const char *label) {
     int last = 0;
     while (last < STEPS - 1 && error[last] < 1) last++;
     fprintf(svg, "<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" stroke-dasharray=\"%s\" points=\"",
@@ -93,30 +93,30 @@ static void draw_line(FILE *svg, const double *error, const char *colour, const 
                 y_of(fmin(error[last], 10)), colour);
     if (label_step > last) label_step = last;
     fprintf(svg, "<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\">%s</text>\n", x_of(label_step) + 8,
-            y_of(fmin(error[label_step], 10)) + 4, colour, label);
+            y_of(fmin(error[label_step], 10)) + 4 - rise, colour, label);
 }
 
 static void draw(const char *path, const arm_case *cases) {
     static const char *const power[] = {"1", "10⁻²", "10⁻⁴", "10⁻⁶", "10⁻⁸", "10⁻¹⁰", "10⁻¹²"};
     FILE *svg = fopen(path, "w");
     if (!svg) fail("cannot write %s", path);
-    fprintf(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 700 345\" font-family=\"DejaVu Sans, sans-serif\" "
-                 "font-size=\"12\">\n<rect width=\"700\" height=\"345\" fill=\"white\"/>\n");
+    fprintf(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 420 350\" font-family=\"DejaVu Sans, sans-serif\" "
+                 "font-size=\"12\">\n<rect width=\"420\" height=\"350\" fill=\"white\"/>\n");
     for (int i = 0; i < 7; i++) {
         const double y = y_of(pow(10, -2 * i));
-        fprintf(svg, "<line x1=\"60\" x2=\"560\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"#ddd\"/>\n", y, y);
-        fprintf(svg, "<text x=\"54\" y=\"%.1f\" text-anchor=\"end\">%s</text>\n", y + 4, power[i]);
+        fprintf(svg, "<line x1=\"62\" x2=\"402\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"#ddd\"/>\n", y, y);
+        fprintf(svg, "<text x=\"56\" y=\"%.1f\" text-anchor=\"end\">%s</text>\n", y + 4, power[i]);
     }
     for (int step = 0; step < STEPS; step += 10)
-        fprintf(svg, "<text x=\"%.1f\" y=\"310\" text-anchor=\"middle\">%d</text>\n", x_of(step), step);
-    fprintf(svg, "<text x=\"310\" y=\"332\" text-anchor=\"middle\">time step</text>\n"
-                 "<text x=\"60\" y=\"18\">relative error of the normal force, |N/N* − 1|; g: gain of a lagged "
-                 "force</text>\n");
-    draw_line(svg, cases[0].lagged, "#009e73", "none", 3, "trailing, g = 0.03");
-    draw_line(svg, cases[1].lagged, "#0072b2", "none", 16, "lagged, g = 0.5");
-    draw_line(svg, cases[2].lagged, "#b37f00", "none", STEPS - 1, "lagged, g = 0.9");
-    draw_line(svg, cases[3].lagged, "#d55e00", "none", STEPS - 1, "lagged, g = 1.2: leaves the belt");
-    draw_line(svg, cases[3].current, "#d55e00", "2 4", STEPS - 1, "current, g = 1.2");
+        fprintf(svg, "<text x=\"%.1f\" y=\"316\" text-anchor=\"middle\">%d</text>\n", x_of(step), step);
+    fprintf(svg, "<text x=\"232\" y=\"338\" text-anchor=\"middle\">time step [–]</text>\n"
+                 "<text x=\"8\" y=\"16\" font-weight=\"bold\">A lagged normal force is stable for gains below 1</text>\n"
+                 "<text x=\"8\" y=\"32\">relative error of the normal force |N/N* − 1| [–]; gain g</text>\n");
+    draw_line(svg, cases[0].lagged, "#009e73", "none", 22, 8, "trailing, g = 0.03");
+    draw_line(svg, cases[1].lagged, "#0072b2", "none", 15, 2, "lagged, g = 0.5");
+    draw_line(svg, cases[2].lagged, "#b37f00", "none", 36, 12, "lagged, g = 0.9");
+    draw_line(svg, cases[3].lagged, "#d55e00", "none", STEPS - 1, 0, "g = 1.2: leaves the belt");
+    draw_line(svg, cases[3].current, "#d55e00", "2 4", 36, 9, "current, g = 1.2");
     fprintf(svg, "</svg>\n");
     if (fclose(svg) != 0) fail("cannot write %s", path);
 }

@@ -65,7 +65,7 @@ def draw(file: str, model: Model, loads: list[float]) -> None:
 
     constant = model.friction_at_load(math.sqrt(loads[0]) * math.sqrt(loads[-1]))
     figure = Figure(figsize=(7.5, 5), layout="constrained")
-    axes = figure.add_subplot(title="Friction of two polysilicon surfaces, 100 µm × 100 µm")
+    axes = figure.add_subplot(title="Friction falls with load: polysilicon on polysilicon")
     axes.semilogx(loads, [model.friction_at_load(load) for load in loads], label="contact physics (asperity)")
     axes.axhline(constant, color="C3", linestyle="--", label=f"constant µ = {constant:.3f}")
     axes.set(xlabel="normal load $P$ [N]", ylabel="friction coefficient $F/P$ [–]")

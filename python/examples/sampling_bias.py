@@ -46,8 +46,9 @@ def draw(file: str, results: dict[str, list[tuple[Array, Array]]]) -> None:
         from matplotlib.figure import Figure
 
         labels = ("density $\\eta$", "mean height", "standard deviation $\\sigma$", "radius $R$")
-        figure = Figure(figsize=(9, 4.2), layout="constrained")
-        panels = figure.subplots(1, 2, sharey=True)
+        figure = Figure(figsize=(5, 7), layout="constrained")
+        figure.suptitle("Coarse maps overestimate the radius of summits", weight="bold", fontsize=11)
+        panels = figure.subplots(2, 1, sharex=True)
         intervals = 1 / np.array(POINTS_PER_WAVE)
         for axes, (kind, found) in zip(panels, results.items()):
             for index, (label, marker) in enumerate(zip(labels, "os^D")):
@@ -57,8 +58,8 @@ def draw(file: str, results: dict[str, list[tuple[Array, Array]]]) -> None:
             axes.set_xscale("log")
             axes.set_xticks(intervals, [f"1/{points}" if points != 2.5 else "" for points in POINTS_PER_WAVE], fontsize=8)
             axes.minorticks_off()
-            axes.set(xlabel="sampling interval in shortest wavelengths, $dx/L$", title=f"{kind} spectrum")
-        panels[0].set(ylabel="found in the map / Nayak's theory", ylim=(0.5, 1.9))
+            axes.set(title=f"{kind} spectrum", ylabel="map / Nayak's theory [–]", ylim=(0.5, 1.9))
+        panels[1].set_xlabel("sampling interval over shortest wavelength, $dx/L$ [–]")
         panels[0].legend(loc="upper left")
         saved(figure, file)
 

@@ -16,9 +16,11 @@ import pytest
 from asperity import Model, Params
 from asperity.figures import calibrated, curves, drawing, page
 
-# Of other pages than the gallery: the contacts of the map, the rows of the measurements, a film measured and predicted with a
-# bar for each comparison.
-ELSEWHERE = {"contacts.svg": [7], "measurements.svg": [6], "measured-points.svg": [2, 6]}
+# Of other pages than the gallery: the contacts of the map, the rows of the measurements, a film measured and predicted, a bar for
+# each comparison.
+ELSEWHERE = {"contacts.svg": [7], "measurements.svg": [6], "measured-points.svg": [2], "comparisons.svg": [6]}
+# The width of every picture [pt].
+WIDTH = 5.0 * 72
 
 SVG = "{http://www.w3.org/2000/svg}"
 # Each picture with the number of curves in each of its panels.
@@ -85,9 +87,16 @@ def test_the_pictures_show_the_same_curves(root: Path, written: Path, name: str)
     assert len(committed) == sum((PICTURES | ELSEWHERE)[name]) and committed.keys() == now.keys()
     for curve, drawn in committed.items():
         (_, old), (_, new) = drawn[0], now[curve][0]
-        is_bar = name == "measurements.svg" or (name == "measured-points.svg" and curve not in ("curve-0", "curve-1"))
+        is_bar = name in ("measurements.svg", "comparisons.svg")
         assert len(old) == len(new) >= (2 if is_bar else 20)
         assert np.array(old) == pytest.approx(np.array(new), abs=0.02), curve
+
+
+@pytest.mark.parametrize("name", PICTURES | ELSEWHERE)
+def test_a_telephone_shows_a_picture_with_readable_letters(root: Path, name: str) -> None:
+    """As wide as a telephone's page, about 360 points, so that letters of 9 points stay so."""
+    picture = ElementTree.parse(root / "docs" / "figures" / name).getroot()
+    assert float(picture.get("width", "").removesuffix("pt")) == WIDTH
 
 
 @pytest.mark.parametrize("name", PICTURES)
@@ -111,15 +120,15 @@ def test_a_curve_is_drawn_where_its_numbers_are(written: Path) -> None:
     slope, origin = np.polyfit(np.array(expected).ravel(), measured.ravel(), 1)
     assert measured == pytest.approx(slope * np.array(expected) + origin, abs=0.01)
     ends = (light[0][0], heavy[0][0])
-    assert ends == pytest.approx((0.12 * 6.4 * 72, 0.82 * 6.4 * 72), abs=0.01)
+    assert ends == pytest.approx((0.14 * WIDTH, 0.82 * WIDTH), abs=0.01)
 
 
 def test_bars_are_where_the_residuals_are(written: Path) -> None:
     """The axis of ratios is logarithmic from 0.4 to 2.5; a single value is drawn as a short bar around it."""
-    drawn = lines(written / "figures" / "measured-points.svg")
-    left, right = (place * 6.4 * 72 for place in (0.06, 0.97))
+    drawn = lines(written / "figures" / "comparisons.svg")
+    left, right = (place * WIDTH for place in (0.05, 0.96))
     for number, one in enumerate(calibrated.COMPARISONS):
-        ends = [point[0] for point in drawn[f"curve-{number + 2}"][0][1]]
+        ends = [point[0] for point in drawn[f"curve-{number}"][0][1]]
         _, (low, high) = one.worst()
         at = [math.log(ratio / 0.4) / math.log(2.5 / 0.4) * (right - left) + left for ratio in (1 + low, 1 + high)]
         assert sum(ends) == pytest.approx(sum(at), abs=0.1), one.name

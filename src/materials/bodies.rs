@@ -57,7 +57,7 @@ pub static MATERIALS: &[Material] = bodies! {
         a = 0.5431 nm: Hirth and Lothe, Theory of Dislocations";
     "SiO2" or "silica": E 72e9 in [70e9, 74e9], nu 0.17, H 9e9 in [8e9, 10e9], b 0.31e-9,
         from "fused silica: Oliver and Pharr, J. Mater. Res. 7 (1992) 1564; a glass: Si to Si across an oxygen atom, \
-        twice 0.162 nm at some 144 degrees: Mozzi and Warren, J. Appl. Crystallogr. 2 (1969) 164";
+        twice 0.162 nm at about 144 degrees: Mozzi and Warren, J. Appl. Crystallogr. 2 (1969) 164";
     "Au" or "gold": E 78e9 in [77e9, 80e9], nu 0.44, H 1.3e9 in [0.2e9, 2e9], b 0.288e-9,
         from "bulk, with the lower hardness: Kaye and Laby, Tables of Physical and Chemical Constants; film on glass: \
         Zhou et al., Mater. Sci. Forum 561-565 (2007) 2005; <110>/2 with a = 0.4078 nm";
@@ -126,8 +126,8 @@ pub static MATERIALS: &[Material] = bodies! {
         hardness on (001) by direction: MatWeb; <110>/2 with a = 0.357 nm";
     "WC" or "tungsten carbide": E 534e9 in [530e9, 700e9], nu 0.22, b 0.291e-9,
         from "E and Poisson's ratio: Kaye and Laby, section 2.2.2; the range: Cardarelli, Materials Handbook (2018), and CRC \
-        Handbook of Chemistry and Physics, as matmake.com has it; the upper end is said to be that of carbide without a binder; hardness is left out, since that of cemented \
-        carbide depends on the binder; <11-20>/3, a = 0.2906 nm";
+        Handbook of Chemistry and Physics, as matmake.com has it; the upper end is quoted for carbide without a binder; hardness is left \
+        out, since that of cemented carbide depends on the binder; <11-20>/3, a = 0.2906 nm";
     "GaAs" or "gallium arsenide": E 116.5e9, nu 0.242, b 0.4e-9,
         from "Voigt, Reuss and Hill's mean of C11 = 119, C12 = 53.4, C44 = 59.6 GPa: Goldberg and Schmidt, Handbook \
         Series on Semiconductor Parameters 2 (1999); <110>/2 with a = 0.5653 nm";

@@ -39,7 +39,7 @@ pub static PAIRS: &[Pair] = pairs! {
         IMECE 2006, MEMS, 21-26";
     "SiO2/SiO2": w 0.063 in [0.03, 0.5], A 6.5e-20,
         from "van der Waals: Israelachvili; microspheres in air at the lower end: Heim et al., Phys. Rev. Lett. 83 \
-        (1999) 3328; in vacuum some ten times as much: Kimura et al., Astrophys. J. 812 (2015) 67";
+        (1999) 3328; in vacuum about ten times as much: Kimura et al., Astrophys. J. 812 (2015) 67";
     "Au/Au": w 0.3 in [0.1, 3.0], A 31e-20,
         from "van der Waals, 25 to 40e-20 J: Israelachvili; clean metal welds, 3 J/m^2: Tyson and Miller, Surf. Sci. \
         62 (1977) 267; adsorbed films in air lower it";

@@ -1,4 +1,5 @@
-//! The programs in README.md, in docs/fit.md and on the front page of the site print what stands there.
+//! The programs in README.md, on the front page of the site, in docs/fit.md and on the starting points' pages print what stands
+//! there.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
 
@@ -29,18 +30,29 @@ fn the_program_of_the_readme_prints_what_it_says() {
 }
 
 #[test]
-fn the_lines_of_the_front_page_print_what_stands_below_them() {
-    let front = page("docs/site/index.md");
-    let lines = between(&front, "```c\n", "```");
-    assert_eq!(lines.lines().count(), 5, "the page says that there are five");
-    let start = "#include <asperity.h>\n#include <stdio.h>\n\
-                 int main(void) { asperity_params params; asperity_model *model;\n";
-    let program = format!("{start}{lines}asperity_free(model); }}\n");
-    prints("front.c", &program, between(&front, "```text\n", "```"));
+fn the_front_page_of_the_site_shows_lines_of_that_program_and_what_they_print() {
+    let (readme, front) = (page("README.md"), page("docs/site/index.md"));
+    let program = between(&readme, "```c\n", "```");
+    assert!(program.contains(between(&front, "```c\n", "```")), "the page shows other lines than README.md");
+    assert_eq!(between(&front, "```text\n", "```").trim_end(), between(&readme, "It prints `", "`"));
 }
 
 #[test]
 fn the_calibrated_program_prints_what_stands_below_it() {
     let guide = page("docs/fit.md");
     prints("calibrate.c", between(&guide, "```c\n", "```"), between(&guide, "```text\n", "```"));
+}
+
+#[test]
+fn the_programs_of_the_starting_points_print_what_stands_below_them() {
+    let mut pages = 0;
+    for entry in std::fs::read_dir(root().join("docs")).expect("docs/") {
+        let name = entry.expect("docs/").file_name().into_string().expect("a name in UTF-8");
+        if let Some(start) = name.strip_prefix("start-").and_then(|rest| rest.strip_suffix(".md")) {
+            let text = page(&format!("docs/{name}"));
+            prints(&format!("start-{start}.c"), between(&text, "```c\n", "```"), between(&text, "```text\n", "```"));
+            pages += 1;
+        }
+    }
+    assert_eq!(pages, 5, "starting points");
 }

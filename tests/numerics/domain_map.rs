@@ -180,25 +180,28 @@ impl Map {
         let limit = longest.as_secs_f64();
         let errors = Scale { from: 1e-16, to: accuracy * 10.0, limit: accuracy, unit: "" };
         let times = Scale { from: 1e-3, to: limit * 10.0, limit, unit: " s" };
-        let width = 2.0 * MARGIN + 3.0 * SIDE + 2.0 * GAP;
+        let (width, height) = (2.0 * MARGIN + SIDE, 3.0 * HEIGHT);
         let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {HEIGHT}\" font-family=\"DejaVu Sans, sans-serif\" \
-             font-size=\"11\">\n<rect width=\"{width}\" height=\"{HEIGHT}\" fill=\"white\"/>\n"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"DejaVu Sans, sans-serif\" \
+             font-size=\"11\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"white\"/>\n"
         );
-        let left = |panel: f64| MARGIN + panel * (SIDE + GAP);
-        draw_cells(&mut svg, left(0.0), &cells, |cell| errors.colour(cell.error));
-        draw_cells(&mut svg, left(2.0), &cells, |cell| times.colour(cell.slowest));
-        errors.draw(&mut svg, left(0.0));
-        times.draw(&mut svg, left(2.0));
+        // One panel below the other: a telephone shows them with readable letters.
+        begin_panel(&mut svg, 0.0, "Largest relative error of any quantity [–]");
+        draw_cells(&mut svg, &cells, |cell| errors.colour(cell.error));
+        errors.draw(&mut svg);
+        end_panel(&mut svg);
+        begin_panel(&mut svg, 1.0, "Surfaces refused");
         for (x, y) in &refused {
-            let (x, y) = (left(1.0) + SIDE * x, TOP + SIDE * (1.0 - y));
+            let (x, y) = (MARGIN + SIDE * x, TOP + SIDE * (1.0 - y));
             let _ = writeln!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.5\" fill=\"{OVER}\"/>");
         }
         let count = format!("{} of {}, {needless} of them without need", refused.len(), self.sets.len());
-        write_text(&mut svg, left(1.0), TOP + SIDE + 50.0, "start", &count);
-        draw_axes(&mut svg, left(0.0), "largest relative error of any quantity");
-        draw_axes(&mut svg, left(1.0), "surfaces refused");
-        draw_axes(&mut svg, left(2.0), "slowest call");
+        write_text(&mut svg, MARGIN, TOP + SIDE + 50.0, "start", &count);
+        end_panel(&mut svg);
+        begin_panel(&mut svg, 2.0, "Slowest call");
+        draw_cells(&mut svg, &cells, |cell| times.colour(cell.slowest));
+        times.draw(&mut svg);
+        end_panel(&mut svg);
         svg.push_str("</svg>\n");
         svg
     }
@@ -209,7 +212,6 @@ impl Map {
 const ALPHA: (f64, f64) = (1e-4, 1.0);
 const BETA: (f64, f64) = (1.0, 1e7);
 const SIDE: f64 = 224.0;
-const GAP: f64 = 64.0;
 const MARGIN: f64 = 48.0;
 const TOP: f64 = 34.0;
 const HEIGHT: f64 = 356.0;
@@ -244,7 +246,7 @@ impl Scale {
     }
 
     /// The scale below a panel, with a tick at every decade or second one, and the limit.
-    fn draw(&self, svg: &mut String, left: f64) {
+    fn draw(&self, svg: &mut String) {
         const STEPS: usize = 112;
         let (top, width) = (TOP + SIDE + 40.0, SIDE / STEPS as f64);
         for step in 0..STEPS {
@@ -252,17 +254,17 @@ impl Scale {
             let _ = writeln!(
                 svg,
                 "<rect x=\"{:.1}\" y=\"{top}\" width=\"{:.1}\" height=\"10\" fill=\"{}\"/>",
-                left + width * step as f64,
+                MARGIN + width * step as f64,
                 width + 0.3,
                 self.colour(x)
             );
         }
         let (first, last) = (self.from.log10().round() as i32, self.to.log10().round() as i32);
         for decade in (first..=last).step_by(if last - first > 5 { 2 } else { 1 }) {
-            let x = left + SIDE * part_of(10f64.powi(decade), (self.from, self.to));
+            let x = MARGIN + SIDE * part_of(10f64.powi(decade), (self.from, self.to));
             write_text(svg, x, top + 22.0, "middle", &format!("{}{}", power_of_ten(decade), self.unit));
         }
-        let x = left + SIDE * part_of(self.limit, (self.from, self.to));
+        let x = MARGIN + SIDE * part_of(self.limit, (self.from, self.to));
         let _ = writeln!(
             svg,
             "<line x1=\"{x:.1}\" x2=\"{x:.1}\" y1=\"{}\" y2=\"{}\" stroke=\"black\" stroke-width=\"1.5\"/>",
@@ -270,7 +272,7 @@ impl Scale {
             top + 13.0
         );
         let promise = format!("promised: at most {}{}", power_of_ten(self.limit.log10().round() as i32), self.unit);
-        write_text(svg, left + SIDE, top + 38.0, "end", &promise);
+        write_text(svg, MARGIN + SIDE, top + 38.0, "end", &promise);
     }
 }
 
@@ -291,11 +293,11 @@ fn write_text(svg: &mut String, x: f64, y: f64, anchor: &str, text: &str) {
     let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{text}</text>");
 }
 
-fn draw_cells(svg: &mut String, left: f64, cells: &[[Cell; CELLS]], colour: impl Fn(&Cell) -> String) {
+fn draw_cells(svg: &mut String, cells: &[[Cell; CELLS]], colour: impl Fn(&Cell) -> String) {
     let size = SIDE / CELLS as f64;
     for (row, cells) in cells.iter().enumerate() {
         for (column, cell) in cells.iter().enumerate().filter(|(_, cell)| cell.answered) {
-            let (x, y) = (left + size * column as f64, TOP + SIDE - size * (row + 1) as f64);
+            let (x, y) = (MARGIN + size * column as f64, TOP + SIDE - size * (row + 1) as f64);
             let _ = writeln!(
                 svg,
                 "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{size}\" height=\"{size}\" fill=\"{}\"/>",
@@ -305,22 +307,33 @@ fn draw_cells(svg: &mut String, left: f64, cells: &[[Cell; CELLS]], colour: impl
     }
 }
 
-fn draw_axes(svg: &mut String, left: f64, title: &str) {
-    let _ = writeln!(svg, "<text x=\"{left}\" y=\"{}\" font-weight=\"bold\">{title}</text>", TOP - 12.0);
+/// What is drawn until the end of a panel lies below the panels before it.
+fn begin_panel(svg: &mut String, panel: f64, title: &str) {
+    let _ = writeln!(svg, "<g transform=\"translate(0 {})\">", panel * HEIGHT);
+    let _ = writeln!(svg, "<text x=\"{MARGIN}\" y=\"{}\" font-weight=\"bold\">{title}</text>", TOP - 12.0);
+}
+
+/// The axes of a panel, over what it shows.
+fn end_panel(svg: &mut String) {
     let _ = writeln!(
         svg,
-        "<rect x=\"{left}\" y=\"{TOP}\" width=\"{SIDE}\" height=\"{SIDE}\" fill=\"none\" stroke=\"#333\"/>"
+        "<rect x=\"{MARGIN}\" y=\"{TOP}\" width=\"{SIDE}\" height=\"{SIDE}\" fill=\"none\" stroke=\"#333\"/>"
     );
     for decade in (-4..=0).step_by(2) {
-        let x = left + SIDE * part_of(10f64.powi(decade), ALPHA);
+        let x = MARGIN + SIDE * part_of(10f64.powi(decade), ALPHA);
         write_text(svg, x, TOP + SIDE + 14.0, "middle", &power_of_ten(decade));
     }
-    write_text(svg, left + 0.75 * SIDE, TOP + SIDE + 14.0, "middle", "α");
+    write_text(svg, MARGIN + SIDE / 2.0, TOP + SIDE + 28.0, "middle", "α = (σ/R)^½ [–]");
     for decade in (0..=6).step_by(2) {
         let y = TOP + SIDE * (1.0 - part_of(10f64.powi(decade), BETA));
-        write_text(svg, left - 5.0, y + 4.0, "end", &power_of_ten(decade));
+        write_text(svg, MARGIN - 5.0, y + 4.0, "end", &power_of_ten(decade));
     }
-    write_text(svg, left - 5.0, TOP + 4.0, "end", "β");
+    let (x, y) = (12.0, TOP + SIDE / 2.0);
+    let _ = writeln!(
+        svg,
+        "<text x=\"{x}\" y=\"{y}\" text-anchor=\"middle\" transform=\"rotate(-90 {x} {y})\">β = (Rσ)^½/b [–]</text>"
+    );
+    svg.push_str("</g>\n");
 }
 
 /// A surface as a person reads it, with all digits.

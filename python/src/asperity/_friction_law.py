@@ -252,6 +252,7 @@ class FrictionLaw:
 
     #: The same as `tangential`.
     tangential_force_at_displacement = tangential
+
     def microslip(self, shape: int | tuple[int, ...] = ()) -> Microslip:
         """A contact that remembers how it was displaced, or many: its force under changing load along any path.
 

@@ -19,7 +19,7 @@ from .curves import Array
 
 # The mean pressure over the hardness at which a summit begins to yield: docs/theory.md.
 YIELD = 0.4
-# Below some three atoms' distances a contact is a number of atoms and no continuum.
+# Below about three atoms' distances a contact is a number of atoms and no continuum.
 CONTINUUM = 3.0
 # Of the real area over the nominal one, above which summits press each other down.
 CROWDED = 0.1

@@ -37,12 +37,14 @@ class CurveFigure:
 
     Attributes:
         number: of the figure in the paper.
+        title: the one thing that it shows.
         groups: alpha, beta and gamma.
         curves: its lines.
         logarithmic: whether the coefficients span so much that their axis is logarithmic.
     """
 
     number: int
+    title: str
     groups: tuple[float, float, float]
     curves: tuple[Curve, ...]
     logarithmic: bool
@@ -72,18 +74,18 @@ def attraction_effect(beta: float, loads: Array = LOADS, gamma: float = 0.001) -
     return 100 * (friction(surface(0.01, beta, gamma), loads) / without - 1)
 
 
-def _skewed(number: int, alpha: float, beta: float, gamma: float) -> CurveFigure:
+def _skewed(number: int, title: str, alpha: float, beta: float, gamma: float) -> CurveFigure:
     weibull = [Curve(f"Weibull, $S = {skew:g}$", surface(alpha, beta, gamma, skew=skew)) for skew in SKEWS]
     curves = (*weibull, Curve("Gaussian", surface(alpha, beta, gamma)))
-    return CurveFigure(number, (alpha, beta, gamma), curves, logarithmic=True)
+    return CurveFigure(number, title, (alpha, beta, gamma), curves, logarithmic=True)
 
 
-def _varying(number: int, alpha: float, beta: float, gamma: float) -> CurveFigure:
+def _varying(number: int, title: str, alpha: float, beta: float, gamma: float) -> CurveFigure:
     curves = [
         Curve(f"$\\varepsilon = {amplitude:g}$", surface(alpha, beta, gamma, radius_amplitude=amplitude))
         for amplitude in AMPLITUDES
     ]
-    return CurveFigure(number, (alpha, beta, gamma), tuple(curves), logarithmic=False)
+    return CurveFigure(number, title, (alpha, beta, gamma), tuple(curves), logarithmic=False)
 
 
 FIGURE_3 = tuple(
@@ -92,15 +94,15 @@ FIGURE_3 = tuple(
     for word in ("with", "without")
 )
 SKEW_FIGURES = (
-    _skewed(4, 0.01, 1000, 0.001),
-    _skewed(5, 0.006, 1000, 0.001),
-    _skewed(6, 0.01, 500, 0.001),
-    _skewed(7, 0.01, 1000, 0.002),
+    _skewed(4, "Negative skew of the heights raises friction", 0.01, 1000, 0.001),
+    _skewed(5, "Skew matters more on a smoother surface", 0.006, 1000, 0.001),
+    _skewed(6, "A smaller β raises friction at light loads", 0.01, 500, 0.001),
+    _skewed(7, "More surface energy raises friction", 0.01, 1000, 0.002),
 )
 RADIUS_FIGURES = (
-    _varying(8, 0.01, 1000, 0.001),
-    _varying(9, 0.01, 5000, 0.001),
-    _varying(10, 0.03, 1000, 0.001),
+    _varying(8, "Radii that grow with height raise friction", 0.01, 1000, 0.001),
+    _varying(9, "Radii matter less where β is larger", 0.01, 5000, 0.001),
+    _varying(10, "Radii matter less on a rougher surface", 0.03, 1000, 0.001),
 )
 
 

@@ -1,4 +1,4 @@
-"""Measured friction beside what the law predicts with nothing fitted: the rows of `docs/validation.md`.
+"""Measured friction next to what the law predicts with nothing fitted: the rows of `docs/validation.md`.
 
 Inputs that a paper does not give are varied over a range, so that a prediction is a band. Measured values were read in
 their source; those that were only quoted elsewhere are marked.

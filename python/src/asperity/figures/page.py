@@ -1,4 +1,4 @@
-"""The page `gallery.md`: each figure beside what the paper says about it, with the numbers found here.
+"""The page `gallery.md`: each figure next to what the paper says about it, with the numbers found here.
 
 Every number and every ordering on the page is computed when the page is written. An ordering that did not hold at all
 loads drawn would be printed with the loads where it does.
@@ -31,25 +31,25 @@ def text() -> str:
 
 def _introduction() -> str:
     return f"""\
-# The paper's figures
+# The paper's figures: friction coefficient against load
 
-The figures of section 3 of G. G. Adams and S. Müftü, *Improvements to a scale-dependent model for contact and
-friction*, Nanotechnology 16 (2005), drawn anew beside what the paper says about them. This page and the pictures are
-written by
+This page draws the figures of section 3 of G. G. Adams and S. Müftü, *Improvements to a scale-dependent model for contact
+and friction*, Nanotechnology 16 (2005), and compares them with what the paper says about them. Below these it has figures
+that the paper lacks. From the root of a checkout this command writes page and pictures:
 
 ```sh
 python -m asperity figures
 ```
 
-from the root of a checkout; `python/tests/test_figures.py` fails if a number or a curve here is not what the library
-computes. Loads P are in N G b², the friction coefficient is μ = F/P.
+`python/tests/test_figures.py` fails if a number or a curve here is not what the library computes. Loads P are in N G b²;
+the friction coefficient is μ = F/P.
 
-**What cannot be compared.** The paper prints no table of its curves, and its text names no load. So the curves cannot
-be compared point by point. What is compared is what the text says of them, at loads from {LIGHTEST:g} to {HEAVIEST:g}
-that were chosen here. Nor does the text give Poisson's ratio (here 0.3), b/h in the figures (here 1, which it calls
-typical) and the constants of the shear strength (here Hurtado and Kim's, see [theory.md](theory.md)). The range of
-loads matters: where many summits are high, adhesion alone holds lightly loaded surfaces together, and μ grows without
-limit as the load goes to zero."""
+**What cannot be compared.** The paper prints no table of its curves, and its text names no load. So the curves cannot be
+compared point by point. The tables compare what the text says of them, at loads from {LIGHTEST:g} to {HEAVIEST:g} that were
+chosen here. Three more inputs had to be chosen: Poisson's ratio (0.3), b/h in the figures (1, which the paper calls
+typical) and the constants of the shear strength (Hurtado and Kim's, see [theory.md](theory.md)). The range of loads
+matters: if many summits are high, adhesion alone holds lightly loaded surfaces together, and μ grows without limit as the
+load goes to zero."""
 
 
 # ---- Figure 3 ----
@@ -260,7 +260,7 @@ def _kurtosis() -> str:
     claims = [
         (
             "skew and kurtosis cannot be varied independently with a Weibull distribution",
-            "with Johnson's they can: all heights of this figure on the left have skew 0",
+            "with Johnson's they can: all heights of the upper panel have skew 0",
         ),
         (
             "says nothing of kurtosis alone",
@@ -295,7 +295,7 @@ Johnson's heights with skew and kurtosis of the Weibull heights of figure 4 give
 |---|---|{'---|' * _SHOWN.size}
 {chr(10).join(pairs)}
 
-On the right the curves for the skews −0.5 and 0.5 have a kink at kurtosis {_lognormal_kurtosis(0.5):.3f}. There
+In the lower panel the curves for the skews −0.5 and 0.5 have a kink at kurtosis {_lognormal_kurtosis(0.5):.3f}. There
 Johnson's heights are lognormal, and depart from that in different ways to either side: they are bounded at both ends
 for smaller kurtosis, at none for larger."""
 
@@ -382,8 +382,8 @@ ones, slip first ([theory.md](theory.md#before-a-contact-slips-stiffness-and-mic
 |---|{'---|' * shown.size}
 {chr(10).join(forces)}
 
-On the right, loops between the displacements ±A of the first surface. The work of a cycle in F²/K_t, beside that of summits that
-all slip at once, 4 (A − 1) where A > 1:
+The lower panel has loops between the displacements ±A of the first surface. The table compares the work of a cycle, in F²/K_t, with that
+of summits that all slip at the same displacement, 4 (A − 1) for A > 1:
 
 | A | Work | Of equal summits |
 |---|---|---|
@@ -400,8 +400,8 @@ def _sensitivities() -> str:
 
 ![Sensitivities of the friction to six parameters, over the load](figures/sensitivities.svg)
 
-By how many per cent friction changes, at constant load, if a parameter grows by one per cent and the others stay as they are
-([theory.md](theory.md#sensitivities)). Here {order}; w counts for
+Logarithmic derivatives of the friction force with respect to each parameter, at constant load: per cent of friction per per cent of the
+parameter ([theory.md](theory.md#sensitivities)). Here {order}; w counts for
 {_pair(adhesion)}. `Model.sensitivities` has all parameters at one load, and `uncertainty`
 makes a band of them ([python.md](python.md#what-friction-depends-on)).
 

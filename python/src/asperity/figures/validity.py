@@ -1,4 +1,4 @@
-"""The pictures of what the law is good for: the map of real contacts and the measurements beside their predictions.
+"""The pictures of what the law is good for: the map of real contacts and the measurements next to their predictions.
 
 Each can be read alone and without colour: labels stand at what they name.
 """
@@ -31,28 +31,26 @@ _LABELS = {
     "MEMS polysilicon": (-1, (8, -12), "left"),
     "wafer on chuck": (-1, (8, -4), "left"),
     "DLC on steel": (0, (-8, -4), "right"),
-    "ground steel": (-1, (9, -4), "left"),
+    "ground steel": (-1, (6, 9), "center"),
     "rubber": (0, (-10, 12), "right"),
 }
 
 
 def _contacts() -> Figure:
-    picture, axes = _empty((8.4, 6.0), (0.09, 0.13, 0.88, 0.85))
-    picture.text(
-        0.09, 0.02, "from the lightest load to the heaviest (dot); round numbers, with their sources in docs/domain.md",
-        fontsize=8.5, color=GREY,
-    )  # fmt: skip
+    picture, axes = _empty((5.0, 5.4), (0.145, 0.15, 0.835, 0.78))
+    axes.set_title("Ground steel yields, MEMS and wafers do not", loc="left", x=-0.15, weight="bold", fontsize=11)
+    picture.text(0.03, 0.02, "from the lightest load to the heaviest (dot); numbers in docs/domain.md", fontsize=9, color=GREY)
     axes.set(xscale="log", yscale="log", xlim=(3e-4, 4), ylim=(1, 1e6))
-    axes.set_xlabel("mean pressure of the contacts / hardness of the softer body [–]")
+    axes.set_xlabel("mean pressure of the contacts / hardness [–]")
     axes.set_ylabel("mean contact radius / Burgers vector [–]")
     axes.axvspan(contacts.YIELD, 4, color=ORANGE, alpha=0.13, lw=0)
     axes.axhspan(1, contacts.CONTINUUM, color=GREY, alpha=0.18, lw=0)
-    _region(axes, 1.26, 4e5, "summits yield:\nelastic-plastic\ncontact law", ORANGE)
-    _region(axes, 1.2e-2, 4e5, "summits stay elastic: the elastic law", BLUE)
+    _region(axes, 1.26, 4e5, "yielding:\nelastic-plastic\nlaw", ORANGE)
+    _region(axes, 8e-3, 4e5, "elastic: the elastic law", BLUE)
     _region(axes, 1.2e-2, 1.7, "few atoms: no continuum", GREY)
-    for radius, text in ((28, "$a_1$: larger contacts are weaker"), (8e4, "$a_2$: many dislocations, lowest strength")):
+    for radius, text in ((28, "$a_1$: larger contacts are weaker"), (8e4, "$a_2$: lowest strength")):
         axes.plot((3e-4, 4), (radius, radius), color=GREY, lw=0.8, dashes=(4, 3))
-        axes.annotate(text, (3.4e-4, radius), (0, 3), textcoords="offset points", color=GREY, fontsize=8.5)
+        axes.annotate(text, (3.4e-4, radius), (0, 3), textcoords="offset points", color=GREY, fontsize=9)
     for number, contact in enumerate(contacts.CONTACTS):
         _track(axes, number, contact)
     return picture
@@ -67,7 +65,7 @@ def _track(axes: Axes, number: int, contact: contacts.Contact) -> None:
     line.set_gid(f"curve-{number}")
     axes.plot(pressure[-1:], radius[-1:], "o", color=colour, ms=6)
     end, shift, side = _LABELS[contact.name]
-    text = contact.name if held else f"{contact.name}: no law of this library,\nviscoelastic and crowded"
+    text = contact.name if held else f"{contact.name}: no law here,\nviscoelastic, crowded"
     place = (float(pressure[end]), float(radius[end]))
     axes.annotate(text, place, shift, textcoords="offset points", ha=side, fontsize=10, color=colour, weight="bold")
 
@@ -81,9 +79,10 @@ def _region(axes: Axes, x: float, y: float, text: str, colour: str) -> None:
 
 def _measurements() -> Figure:
     rows = measured.MEASUREMENTS
-    picture, axes = _empty((9.2, 0.66 * len(rows) + 1.0), (0.36, 0.13, 0.62, 0.85))
+    picture, axes = _empty((5.0, 0.72 * len(rows) + 1.1), (0.04, 0.12, 0.92, 0.81))
+    axes.set_title("With the default strength the law errs up to 40 times", loc="left", weight="bold", fontsize=11)
     axes.set(xscale="log", xlim=(0.02, 1000), ylim=(len(rows) - 0.4, -0.9))
-    axes.set_xlabel("predicted / measured [–]; nothing fitted; bands: inputs not given")
+    axes.set_xlabel("predicted / measured [–]; bands: inputs not given")
     axes.set_yticks([])
     axes.grid(axis="y", visible=False)
     axes.plot((1, 1), (-0.5, len(rows) - 0.4), color=GREY, lw=1.2)
@@ -94,17 +93,15 @@ def _measurements() -> Figure:
         ends = np.array([low, high] if high > 1.08 * low else [low / 1.04, low * 1.04])
         colour = BLUE if low <= 1.05 and high >= 0.95 else ORANGE
         alpha = 1.0 if row.read else 0.45
-        (line,) = axes.plot(ends, (number, number), lw=9, color=colour, solid_capstyle="butt", alpha=alpha)
+        (line,) = axes.plot(ends, (number + 0.27,) * 2, lw=9, color=colour, solid_capstyle="butt", alpha=alpha)
         line.set_gid(f"curve-{number}")
         text = _ratio(low, high)
-        axes.annotate(text, (ends[1], number), (6, 0), textcoords="offset points", va="center", fontsize=9)
+        axes.annotate(text, (ends[1], number + 0.27), (6, 0), textcoords="offset points", va="center", fontsize=9)
         axes.annotate(
-            _caption(row), (0, number), (-8, 0), xycoords=("axes fraction", "data"), textcoords="offset points",
-            ha="right", va="center", fontsize=8.5, annotation_clip=False,
+            _caption(row), (0, number - 0.18), (2, 0), xycoords=("axes fraction", "data"), textcoords="offset points",
+            va="center", fontsize=9, bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
         )  # fmt: skip
-    axes.annotate(
-        "pale: quoted,\npapers not read", (0.02, 0.03), xycoords="axes fraction", va="bottom", fontsize=8.5, color=GREY,
-    )  # fmt: skip
+    axes.annotate("pale: quoted, papers not read", (0.0, 0.01), xycoords="axes fraction", va="bottom", fontsize=9, color=GREY)
     return picture
 
 
@@ -114,7 +111,7 @@ def _caption(row: measured.Measurement) -> str:
     if row.measured is not None:
         low, high = row.measured
         value = f"{low:g}" if low == high else f"{(low + high) / 2:.2g} ± {(high - low) / 2:g}"
-    return f"{row.name}, {row.label}\n{quantity}: {value} {unit.rstrip(']')}".rstrip()
+    return f"{row.name}: {quantity} {value} {unit.rstrip(']')}".rstrip()
 
 
 def _ratio(low: float, high: float) -> str:
