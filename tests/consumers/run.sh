@@ -149,6 +149,7 @@ follow() {
 follow docs/install.md
 follow docs/c.md
 follow docs/cpp.md
+follow docs/cpp-reference.md
 with_make modelica
 check modelica static
 
