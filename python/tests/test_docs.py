@@ -80,5 +80,6 @@ def test_the_guide_to_fits_runs_and_prints_what_it_says(
     root: Path, checkout: Path, environment: dict[str, str]
 ) -> None:
     check_page(root / "docs" / "fit.md", checkout, environment)
+    check_page(root / "docs" / "fit-reference.md", checkout, environment)
     assert (checkout / "fit.svg").read_text(encoding="utf-8").startswith("<?xml")
     assert (checkout / "fit.png").read_bytes().startswith(b"\x89PNG")
