@@ -1,5 +1,5 @@
 /* The surface of all hosts, the check that the model holds for it at the loads of a run, and the larger of two errors. For C
- * and C++; the surface in Python is hosts/surface.py. docs/hosts.md says where the numbers come from. SI units. */
+ * and C++; the surface in Python is hosts/surface.py. docs/hosts-reference.md says where the numbers come from. SI units. */
 #ifndef HOSTS_SURFACE_H
 #define HOSTS_SURFACE_H
 

@@ -31,7 +31,7 @@ contains
     end select
   end subroutine state_surface
 
-  ! Hard carbon on hard carbon, ta-C: docs/hosts.md has the sources of these numbers.
+  ! Hard carbon on hard carbon, ta-C: docs/hosts-reference.md has the sources of these numbers.
   subroutine hard_carbon(params, nominal_area)
     type(asperity_params), intent(inout) :: params
     real(c_double), intent(out) :: nominal_area

@@ -69,6 +69,7 @@ def check_page(page: Path, checkout: Path, environment: dict[str, str]) -> None:
 
 def test_the_guide_runs_and_prints_what_it_says(root: Path, checkout: Path, environment: dict[str, str]) -> None:
     check_page(root / "docs" / "python.md", checkout, environment)
+    check_page(root / "docs" / "python-reference.md", checkout, environment)
     assert len(list((checkout / "wheels").glob("asperity-*-py3-none-*.whl"))) == 1
     assert (checkout / "friction_curve.svg").read_text(encoding="utf-8").startswith("<?xml")
     for page in ("python/README.md", "docs/roughness.md", "docs/materials.md", "docs/metals.md"):  # in what the guide installed
@@ -79,5 +80,6 @@ def test_the_guide_to_fits_runs_and_prints_what_it_says(
     root: Path, checkout: Path, environment: dict[str, str]
 ) -> None:
     check_page(root / "docs" / "fit.md", checkout, environment)
+    check_page(root / "docs" / "fit-reference.md", checkout, environment)
     assert (checkout / "fit.svg").read_text(encoding="utf-8").startswith("<?xml")
     assert (checkout / "fit.png").read_bytes().startswith(b"\x89PNG")

@@ -20,7 +20,7 @@ from asperity._pad_heights import TailHeights
 
 @pytest.fixture(scope="module")
 def silicon() -> Params:
-    """The pad of docs/python.md: polysilicon, 100 um x 100 um, 1e5 summits."""
+    """The surfaces of docs/python.md: polysilicon, 100 um x 100 um, 1e5 summits."""
     return Params.si(
         E1=160e9, nu1=0.22, E2=160e9, nu2=0.22, work_of_adhesion=0.063, adhesion_range=0.384e-9,
         burgers_vector=0.384e-9, height_std=5e-9, summit_radius=1e-6, summit_density=1e13, nominal_area=1e-8,

@@ -15,7 +15,7 @@ from asperity.materials import MATERIALS, PAIRS
 
 SurfaceFile = Callable[[str], Path]
 
-# Hard carbon on hard carbon, as in docs/hosts.md.
+# Hard carbon on hard carbon, as in docs/hosts-reference.md.
 CONTACT: dict[str, Any] = {
     "work_of_adhesion": 0.06,
     "adhesion_range": 0.25e-9,

@@ -128,7 +128,7 @@ with_cmake fetch-content -DFETCHCONTENT_SOURCE_DIR_ASPERITY="$root"
 check fetch-content shared
 
 # ---- Documentation ----
-# The program in README.md, compiled as docs/c.md says.
+# The program in README.md.
 sed -n '/^```c$/,/^```$/{/^```/d;p}' README.md >"$work/readme.c"
 # shellcheck disable=SC2046
 quietly cc -std=c11 -Wall -Wextra -Wpedantic -Werror "$work/readme.c" $(pkg-config --cflags --libs asperity) \
@@ -137,9 +137,9 @@ said=$("$work/readme")
 grep -qF "It prints \`$said\`." README.md || fail "README.md does not say that its program prints '$said'"
 echo "README.md: its program prints $said"
 
-# follow PAGE: does what the page says, in a copy of the source tree and with a home of its own.
+# follow PAGE: does what the page says, in a copy of the source tree and with a home of its own. All pages share the two.
 follow() {
-    local folder=$work/$(basename "$1" .md)
+    local folder=$work/guides
     mkdir -p "$folder/source" "$folder/home"
     git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -t "$folder/source"
     CARGO_HOME=${CARGO_HOME:-$HOME/.cargo} RUSTUP_HOME=${RUSTUP_HOME:-$HOME/.rustup} HOME=$folder/home \
@@ -147,7 +147,9 @@ follow() {
 }
 
 follow docs/install.md
+follow docs/c.md
 follow docs/cpp.md
+follow docs/cpp-reference.md
 with_make modelica
 check modelica static
 
