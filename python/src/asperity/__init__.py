@@ -8,7 +8,7 @@
 The Rust library `libasperity` does the work; it is inside the package, unless ASPERITY_LIBRARY names another.
 """
 
-from . import materials, surface
+from . import materials, study, surface
 from ._header import ASPERITY_VERSION as __version__
 from ._pad_results import Pads
 from .curve import Curve
@@ -48,6 +48,7 @@ __all__ = [
     "friction",
     "materials",
     "pads",
+    "study",
     "surface",
     "uncertainty",
 ]

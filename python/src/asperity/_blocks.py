@@ -6,7 +6,10 @@ answers depends on nothing but its task, so that neither the engine nor the numb
 
 from __future__ import annotations
 
+import multiprocessing
 import operator
+import os
+import threading
 from collections import deque
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
 from typing import Any, Callable, Iterable, Iterator
@@ -64,13 +67,29 @@ def _answer(work: Work, task: Any) -> tuple[str, Any]:
     return version(), work(task)
 
 
+def _pool(workers: int) -> Executor:
+    return ProcessPoolExecutor(workers, initializer=_end_with_parent)
+
+
+def _end_with_parent() -> None:
+    """In a worker of a pool made here: ends it when its parent is gone, which the pool itself would not notice."""
+    parent = multiprocessing.parent_process()
+
+    def watch() -> None:
+        if parent is not None:
+            parent.join()
+            os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
 class _Engine:
     """An executor, given or made here, with the blocks that are under way."""
 
     def __init__(self, work: Work, executor: Executor | None, workers: int) -> None:
         self._work, self._given, self._workers = work, executor, workers
         self._room = _IN_FLIGHT if executor is not None else _EACH * workers
-        self._pool = ProcessPoolExecutor(workers) if executor is None else executor
+        self._pool = _pool(workers) if executor is None else executor
         self._sent: dict[Future[Any], tuple[int, Any, int]] = {}
         self._again: deque[tuple[int, Any, int]] = deque()
         self._deaths = 0
@@ -136,4 +155,4 @@ class _Engine:
         self._again.extend((number, task, attempts - 1) for number, task, attempts in self._sent.values())
         self._sent.clear()
         self._pool.shutdown(wait=False, cancel_futures=True)
-        self._pool = ProcessPoolExecutor(self._workers)
+        self._pool = _pool(self._workers)

@@ -115,7 +115,8 @@ def evaluate(block: Block) -> Answers:
 
 def forces(block: Block) -> list[Array | None]:
     """The friction forces of each surface; None for one that the library refuses, or that refuses a load."""
-    names, found = names_of(block.names, block.params), []
+    names = names_of(block.names, block.params)
+    found: list[Array | None] = []
     for row in block.values:
         try:
             with FrictionLaw(_surface(block.params, names, row)) as law:

@@ -10,6 +10,7 @@ import hashlib
 import itertools
 import math
 import numbers
+import operator
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -105,10 +106,10 @@ def _columns(
     for side in range(sides):
         first = side * len(quantiles)
         sheets.append({name: quantile(unit[:, first + j]) for j, (name, quantile) in enumerate(quantiles.items())})
-    for j, name in enumerate(sorted(functions)):
-        values = _asked(name, vary[name], np.random.default_rng([seed, j]), count * sides)
+    for j, asked in enumerate(sorted(functions)):
+        values = _column(asked, vary[asked](np.random.default_rng([seed, j]), count * sides), count * sides)
         for side in range(sides):
-            sheets[side][name] = values[side * count : (side + 1) * count]
+            sheets[side][asked] = values[side * count : (side + 1) * count]
     if sampling != "saltelli":
         return sheets[0], told
     # A, B, and for each name A with the column of B.
@@ -191,10 +192,6 @@ def _joint(params: Params, vary: Callable[..., Any], samples: Any, seed: int, sa
     return Draws(tuple(found), values, dict.fromkeys(found, told), count)
 
 
-def _asked(name: str, function: Callable[..., Any], random: np.random.Generator, count: int) -> Array:
-    return _column(name, function(random, count), count)
-
-
 def _column(name: str, values: Any, count: int) -> Array:
     array = np.asarray(values)
     if array.shape != (count,) or array.dtype.kind not in "iuf":
@@ -225,16 +222,18 @@ def _grid(name: str, given: Any) -> Array:
     return values
 
 
-def _count(samples: Any, chance: bool) -> int:
+def _count(samples: int | None, chance: bool) -> int:
     if samples is None:
         return 1024 if chance else 1
-    if isinstance(samples, bool) or not isinstance(samples, numbers.Integral):
-        raise TypeError(f"samples = {samples!r}: must be a whole number")
+    try:
+        samples = operator.index(samples)
+    except TypeError:
+        raise TypeError(f"samples = {samples!r}: must be a whole number") from None
     if not 1 <= samples <= MOST:
         raise ValueError(f"samples = {short(samples)}: must be from 1 to {MOST}")
     if not chance and samples != 1:
         raise ValueError(f"samples = {samples}: all of vary are lists, whose grid has each point once; leave samples out")
-    return int(samples)
+    return samples
 
 
 def short(number: Any) -> str:

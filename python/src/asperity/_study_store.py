@@ -224,7 +224,8 @@ class _Writer:
             made.setncatts(attributes)
         for name in layout.names:
             dims, kind, _ = _VARIABLES[name]
-            made = self.file.createVariable(name, kind, dims, **({"zlib": True, "complevel": 1} if name == "warnings" else {}))
+            packed: dict[str, Any] = {"zlib": True, "complevel": 1} if name == "warnings" else {}
+            made = self.file.createVariable(name, kind, dims, **packed)
             made.setncatts(layout.described(name) | {"coordinates": " ".join(layout.parameters)})
         self.file.setncatts({**layout.attributes, "study": identity})
 
