@@ -111,6 +111,7 @@ def pads(
             yield first, _Pads(params, heights.highest, drawn, start, load[order])
 
     done = 0
+    tell(0.0, "pads")
     for first, found in _blocks.completed(_unloaded, blocks(), executor):
         for pad, one in enumerate(found, first):
             force[pad, order], contacting[pad, order], apart[pad, order] = one
