@@ -21,6 +21,6 @@ if [ "$(cat "$environment/made_from" 2>/dev/null)" != "$made_from" ]; then
 fi
 # Only what is imported is compiled, into PYTHONPYCACHEPREFIX.
 CARGO_TARGET_DIR="$target" "$environment/bin/pip" --quiet --disable-pip-version-check install --no-compile \
-    './python[fit,jax,plot,test,topography,warp]' >&2
+    './python[fit,jax,plot,study,test,topography,warp]' >&2
 printf '%s\n' "$made_from" >"$environment/made_from"
 echo "$environment"

@@ -9,7 +9,7 @@ exact states, warnings. The Rust library `libasperity` computes; it is inside th
 another.
 """
 
-from . import materials, surface
+from . import materials, study, surface
 from ._header import ASPERITY_VERSION as __version__
 from ._pad_results import Pads
 from ._microslip import Microslip, MicroslipStep
@@ -52,6 +52,7 @@ __all__ = [
     "friction",
     "materials",
     "pads",
+    "study",
     "surface",
     "uncertainty",
 ]

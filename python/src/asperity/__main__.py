@@ -1,6 +1,6 @@
 """The command line: `python -m asperity curve` prints friction over a range of loads and draws the curve, `fit` finds
-parameters from measured friction, `export` and `fmu` write tables and mock-up units for hosts, `figures` draws the
-paper's figures.
+parameters from measured friction, `study` computes friction of thousands of surfaces, `export` and `fmu` write tables and
+mock-up units for hosts, `figures` draws the paper's figures.
 
 Exit status: 0; 1 if the library, a file or a missing package stands in the way; 2 for a wrong command line.
 """
@@ -14,7 +14,8 @@ import sys
 import warnings
 from pathlib import Path
 
-from . import Model, Params, __version__, _export_command, _fit_command, _fmu_command, _header, _library, _surface_options
+from . import Model, Params, __version__, _export_command, _fit_command, _fmu_command, _header, _library, _study_command
+from . import _surface_options
 from ._style import saved, style
 
 
@@ -35,6 +36,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_loads(curve)
     curve.set_defaults(run=_curve)
     _fit_command.add(commands)
+    _study_command.add(commands)
     _export_command.add(commands)
     _fmu_command.add(commands)
     figures = commands.add_parser(

@@ -8,9 +8,10 @@ from __future__ import annotations
 import math
 import os
 import sys
+from contextlib import contextmanager
 from dataclasses import MISSING, fields, replace
 from pathlib import Path
-from typing import Any, Iterable, TypeVar, Union
+from typing import Any, Iterable, Iterator, TypeVar, Union
 
 from .errors import Error, Status, nearest
 from .materials import MATERIALS, Material
@@ -40,20 +41,34 @@ _LONGEST = 1 << 20
 
 def read(file: FileName, params: type[Params]) -> Params:
     """The surface that a file describes; `Error` names the file, the key and what is allowed."""
-    try:
-        with open(file, "rb") as stream:
-            text = stream.read(_LONGEST + 1)
-        if len(text) > _LONGEST:
-            raise Error("longer than 1 MiB: must be a surface file, whose keys docs/surface-file.md has", Status.INVALID_PARAMETER)
-        made: Params = _params(params, tomllib.loads(text.decode().replace("\r\n", "\n")))
+    with named(file):
+        made: Params = from_tables(tables(file, "surface file, whose keys docs/surface-file.md has"), params)
         return made
+
+
+def tables(file: FileName, kind: str) -> dict[str, Any]:
+    """The keys and tables of a TOML file, as they are; for use within `named`."""
+    with open(file, "rb") as stream:
+        text = stream.read(_LONGEST + 1)
+    if len(text) > _LONGEST:
+        raise Error(f"longer than 1 MiB: must be a {kind}", Status.INVALID_PARAMETER)
+    return tomllib.loads(text.decode().replace("\r\n", "\n"))
+
+
+@contextmanager
+def named(file: FileName) -> Iterator[None]:
+    """What is wrong with a file that is read within, as an `Error` that names it."""
+    try:
+        yield
     except tomllib.TOMLDecodeError as error:
         raise Error(f"{file}: no TOML: {error}", Status.INVALID_PARAMETER) from None
     except UnicodeDecodeError as error:
         raise Error(f"{file}: must be UTF-8: {error}", Status.INVALID_PARAMETER) from None
+    except RecursionError:
+        raise Error(f"{file}: must not have arrays or tables so deep inside each other", Status.INVALID_PARAMETER) from None
     except Error as error:
         raise Error(f"{file}: {error}", error.status) from None
-    except (TypeError, KeyError) as error:
+    except (TypeError, KeyError, ValueError, OverflowError) as error:
         raise Error(f"{file}: {error.args[0]}", Status.INVALID_PARAMETER) from None
 
 
@@ -84,7 +99,8 @@ def _literal(value: Any) -> str:
     return repr(value)  # of a float: TOML reads all that Python writes, inf and nan too
 
 
-def _params(params: Any, found: dict[str, Any]) -> Any:
+def from_tables(found: dict[str, Any], params: Any) -> Any:
+    """The surface that keys and tables describe."""
     materials = _table(found, "materials", _MATERIALS)
     roughness = _table(found, "roughness", (*_MOMENTS, *_ISO, "Ra", "summits"))
     _check(found, (*(field.name for field in fields(params)), "materials", "roughness", "interface", *CALIBRATION), "")

@@ -234,6 +234,8 @@ _KINDS: dict[str, tuple[tuple[str, ...], Get, Put, tuple[float, float]]] = {
         _POSITIVE,
     ),
 }
+# All names and symbols.
+KNOWN = (*_KINDS, *_SYMBOLS)
 # What sets the strength of the interface.
 STRENGTHS = ("slip_stress", "slip_stress_1", "slip_stress_2")
 _GROUPS = ("slip_stress", "alpha", "beta", "gamma", "b_over_h")

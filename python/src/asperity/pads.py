@@ -15,12 +15,14 @@ from __future__ import annotations
 
 import math
 import operator
-from typing import Any
+from concurrent.futures import Executor
+from typing import Any, Iterator, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from ._pad_equilibrium import OneSummitLaw, descend
+from . import _blocks
+from ._pad_equilibrium import Counts, Mask, OneSummitLaw, descend
 from ._pad_heights import TailHeights
 from ._pad_results import Pads
 from ._progress import Progress, teller
@@ -37,10 +39,28 @@ _DRAWN_WHOLE = 1000
 _FIRST_CONTACTS, _DEVIATIONS = 40, 8.0
 # States of pads; more take more than some seconds.
 _MANY = 5000
+# Pads that a worker is given at a time: the law of one summit, which each block needs anew, takes as long as a few of them.
+_BLOCK = 16
+
+
+class _Pads(NamedTuple):
+    """Pads to be unloaded: the heights of each, the tallest first, and the separation to begin at, NaN to search for one."""
+
+    params: Params
+    highest: float
+    heights: list[Array]
+    start: float
+    loads: Array
 
 
 def pads(
-    params: Params, loads: npt.ArrayLike, count: int = 100, *, seed: int = 0, progress: Progress = None
+    params: Params,
+    loads: npt.ArrayLike,
+    count: int = 100,
+    *,
+    seed: int = 0,
+    progress: Progress = None,
+    executor: Executor | None = None,
 ) -> Pads:
     """Friction of pads whose summits are drawn at random from the heights of the surface.
 
@@ -56,6 +76,8 @@ def pads(
         seed: of the random numbers, >= 0: the same pads for the same seed and the same loads.
         progress: whether to tell how far it is, on the error stream, or a function of the part done, 0 to 1, and of what is
             being done; by default for more than about a thousand states.
+        executor: where the pads are unloaded, by default here: anything with the interface of
+            `concurrent.futures.Executor`, with the same result (docs/studies.md).
 
     Raises:
         ValueError: what loads, count, seed or the number of summits may not be; `Error` for what the library refuses.
@@ -81,16 +103,36 @@ def pads(
         heaviest, whole = float(load.max()), heights.count <= _DRAWN_WHOLE
         start = math.nan if whole else _start(model, law, heights, heaviest)
         lowest = -math.inf if whole else start - law.farthest
-        tell = teller(progress, count * load.size > _MANY, "asperity.pads")
-        for pad in range(count):
-            tell(pad / count, "pads")
-            drawn = heights.sample(random, lowest)
-            found = descend(law, drawn, _start_of(law, drawn, heaviest, params.height_std) if whole else start, load[order])
-            force[pad, order], contacting[pad, order], apart[pad, order] = found
-        tell(1.0, "pads")
+    tell = teller(progress, count * load.size > _MANY, "asperity.pads")
+
+    def blocks() -> Iterator[tuple[int, _Pads]]:
+        for first in range(0, count, _BLOCK):
+            drawn = [heights.sample(random, lowest) for _ in range(min(_BLOCK, count - first))]
+            yield first, _Pads(params, heights.highest, drawn, start, load[order])
+
+    done = 0
+    tell(0.0, "pads")
+    for first, found in _blocks.completed(_unloaded, blocks(), executor):
+        for pad, one in enumerate(found, first):
+            force[pad, order], contacting[pad, order], apart[pad, order] = one
+        done += len(found)
+        tell(done / count, "pads")
     for array in (load, force, contacting, apart, model_force):
         array.setflags(write=False)
     return Pads(params, load, force, contacting, apart, model_force, seed)
+
+
+def _unloaded(block: _Pads) -> list[tuple[Array, Counts, Mask]]:
+    """Friction force, contacts and whether it is apart, of each pad at each load."""
+    heaviest = float(block.loads[0])
+    with Model(block.params) as model:
+        law = OneSummitLaw(model, block.highest)
+        found = []
+        for heights in block.heights:
+            whole = math.isnan(block.start)
+            start = _start_of(law, heights, heaviest, block.params.height_std) if whole else block.start
+            found.append(descend(law, heights, start, block.loads))
+        return found
 
 
 def _start(model: Model, law: OneSummitLaw, heights: TailHeights, heaviest: float) -> float:

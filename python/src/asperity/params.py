@@ -643,7 +643,10 @@ def _listed(names: Any) -> str:
 def _real(name: str, value: Any) -> float:
     if not isinstance(value, numbers.Real):
         raise TypeError(f"{name} = {value!r}: must be a real number")
-    return float(value)
+    try:
+        return float(value)
+    except OverflowError:
+        raise Error(f"{name}: a whole number of more than 308 digits; must be finite", Status.INVALID_PARAMETER) from None
 
 
 def _positive(name: str, value: Any) -> float:

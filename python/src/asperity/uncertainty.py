@@ -10,6 +10,7 @@ import math
 import numbers
 import os
 from collections.abc import Mapping
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from statistics import NormalDist
 from typing import TYPE_CHECKING, Any, Callable
@@ -17,11 +18,12 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 import numpy.typing as npt
 
+from . import _blocks
 from ._friction_law import FrictionLaw
+from ._many_surfaces import Block, forces
 from ._progress import Progress, teller
 from ._sparkline import is_wide
 from ._style import BLACK, saved, style
-from .errors import Error, Status
 from .fit_names import STRENGTHS, FreeName, free_names, put_all
 from .fit_result import Fit
 from .fit_search import log_slopes
@@ -41,6 +43,8 @@ _WIDEST = 2.0
 _NARROWEST = 1e-6
 # More surfaces than these take more than some seconds.
 _MANY = 1000
+# Surfaces that are drawn together, between two tellings of progress, and those of them that a worker is given at a time.
+_TOGETHER, _BLOCK = 512, 16
 # A default strength and a true one are within this factor with a probability of 95 %, log-normally (docs/domain.md) ...
 STRENGTH_FACTOR = 10.0
 # ... which is this standard deviation of its logarithm.
@@ -127,6 +131,7 @@ def uncertainty(
     progress: Progress = None,
     measured_load: float | None = None,
     measured_error: float = 0.05,
+    executor: Executor | None = None,
 ) -> Uncertainty:
     """Friction at loads, with the band that follows from the spread of the parameters.
 
@@ -160,6 +165,8 @@ def uncertainty(
             of what is being done; by default for more than a thousand.
         measured_load: normal load [force] of the one measured friction force that `params` were calibrated with.
         measured_error: relative standard deviation of that force (0.05 is 5 %; 1e-6 to 2).
+        executor: where the samples are evaluated, by default here: anything with the interface of
+            `concurrent.futures.Executor`, with the same result (docs/studies.md).
 
     Raises:
         ValueError: names, numbers or loads that cannot be used, or a surface that the library refuses (`Error`).
@@ -192,13 +199,21 @@ def uncertainty(
     drawn, refused = None, 0
     if samples:
         random = np.random.default_rng(seed)
+        varied = tuple(name.given for name in names)
 
         def draw() -> Array | None:
             at = random.multivariate_normal(x, covariance)
-            return _forces(surfaces, at, load) if ((low <= at) & (at <= high)).all() else None
+            if not ((low <= at) & (at <= high)).all():
+                return None
+            return np.array([name.value(float(a), float(v)) for name, a, v in zip(names, at, values)])
 
-        forces, refused = _draw(draw, samples, teller(progress, samples > _MANY, "asperity.uncertainty"))
-        drawn = forces / unit
+        def evaluated(rows: list[Array]) -> list[Array | None]:
+            blocks = [(i, Block(params, varied, np.array(rows[i : i + _BLOCK]), load)) for i in range(0, len(rows), _BLOCK)]
+            by_first = dict(_blocks.completed(forces, blocks, executor))
+            return [one for first, _ in blocks for one in by_first[first]]
+
+        found, refused = _draw(draw, evaluated, samples, teller(progress, samples > _MANY, "asperity.uncertainty"))
+        drawn = found / unit
         band = np.quantile(drawn, [0.5 - 0.5 * coverage, 0.5 + 0.5 * coverage], axis=0)
         deviation = np.std(drawn, axis=0) / np.where(force > 0, force / unit, 1)
     else:
@@ -307,31 +322,25 @@ def _check(load: Array, quantity: str, samples: int, coverage: float) -> None:
 
 
 def _draw(
-    draw: Callable[[], Array | None], samples: int, tell: Callable[[float, str], None]
+    draw: Callable[[], Array | None],
+    evaluated: Callable[[list[Array]], list[Array | None]],
+    samples: int,
+    tell: Callable[[float, str], None],
 ) -> tuple[Array, int]:
-    """Forces of so many surfaces, and how many were refused on the way."""
-    forces: list[Array] = []
+    """Forces of so many surfaces, and how many were refused on the way.
+
+    No more are drawn at a time than are still wanted, so that the surfaces are the same however many are evaluated together.
+    """
+    found: list[Array] = []
     refused = 0
-    while len(forces) < samples:
-        if len(forces) % 100 == 0:
-            tell(len(forces) / samples, "surfaces drawn")
-        found = draw()
-        if found is not None:
-            forces.append(found)
-            continue
-        refused += 1
+    while len(found) < samples:
+        tell(len(found) / samples, "surfaces drawn")
+        wanted = min(samples - len(found), _TOGETHER)
+        rows = [row for row in (draw() for _ in range(wanted)) if row is not None]
+        whole = [one for one in evaluated(rows) if one is not None]
+        found += whole
+        refused += wanted - len(whole)
         if refused > _REFUSED * samples:
-            raise ValueError(f"spread: {refused} of {refused + len(forces)} surfaces drawn are refused; make it smaller")
+            raise ValueError(f"spread: {refused} of {refused + len(found)} surfaces drawn are refused; make it smaller")
     tell(1.0, "surfaces drawn")
-    return np.array(forces), refused
-
-
-def _forces(surfaces: Callable[[Array], Params], at: Array, load: Array) -> Array | None:
-    """Of a surface that was drawn; None if the library refuses it."""
-    try:
-        with FrictionLaw(surfaces(at)) as law:
-            return law.friction_force_at_load(load)
-    except Error as error:
-        if error.status == Status.INTERNAL:
-            raise
-        return None
+    return np.array(found), refused

@@ -1,0 +1,148 @@
+"""A study as a TOML file: a surface file with the tables [vary], [loads] and [study]. It names no files: what is written, and
+where, is said on the command line."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _surface_file
+from ._study_draws import SAMPLINGS, short
+from .errors import Error, Status, nearest
+from .params import Params
+
+_LOADS = ("values", "lowest", "highest", "count")
+_STUDY = ("samples", "seed", "sampling", "warnings", "block")
+# A grid of more loads says no more, and would not fit in memory with more than a few surfaces.
+_MOST_LOADS = 100_000
+
+
+class StudyFile(NamedTuple):
+    """What a file says, as arguments of `study`."""
+
+    params: Params
+    vary: dict[str, Any]
+    loads: npt.NDArray[np.float64]
+    options: dict[str, Any]
+
+
+def read(file: _surface_file.FileName) -> StudyFile:
+    """The study that a file describes; `Error` names the file, the key and what is allowed."""
+    with _surface_file.named(file):
+        found = _surface_file.tables(file, "study, whose keys docs/studies.md has")
+        parts = {name: _table(found, name) for name in ("vary", "loads", "study")}
+        rest = {name: value for name, value in found.items() if name not in parts}
+        vary = {name: _varied(name, value) for name, value in parts["vary"].items()}
+        if not vary:
+            raise _error("[vary]: must have one parameter or more, as height_std = 0.1")
+        params: Params = _surface_file.from_tables(rest, Params)
+        return StudyFile(params, vary, _loads(parts["loads"]), _options(parts["study"]))
+
+
+def _table(found: dict[str, Any], name: str) -> dict[str, Any]:
+    if name not in found and name != "study":
+        raise _error(f"[{name}]: must be there; docs/studies.md has its keys")
+    table = found.get(name, {})
+    if not isinstance(table, dict):
+        raise _error(f"{name} = {_shown(table)}: must be a table, [{name}]")
+    return table
+
+
+def _varied(name: str, given: Any) -> Any:
+    """A spread, a list, or a distribution of SciPy by its name."""
+    if isinstance(given, dict):
+        return _distribution(name, given)
+    values = given if isinstance(given, list) else [given]
+    for value in values:
+        _number(f"[vary] {name}", value, given)
+    return [float(value) for value in given] if isinstance(given, list) else float(given)
+
+
+def _distribution(name: str, given: dict[str, Any]) -> Any:
+    from scipy import stats
+
+    kind = given.get("distribution")
+    family = getattr(stats, kind, None) if isinstance(kind, str) and kind.isidentifier() else None
+    if not isinstance(family, (stats.rv_continuous, stats.rv_discrete)):
+        raise _error(
+            f"[vary] {name}: distribution = {_shown(kind)}: must be the name of one of scipy.stats, as \"norm\" or \"uniform\""
+        )
+    arguments = {key: value for key, value in given.items() if key != "distribution"}
+    for key, value in arguments.items():
+        _number(f"[vary] {name}: {key}", value, value)
+    known = [*(family.shapes.split(", ") if family.shapes else []), "loc", "scale"]
+    for key in arguments:
+        if key not in known:
+            raise _error(f"[vary] {name}: {key}: no such key; the nearest is {nearest(key, ['distribution', *known])}")
+    for key in known[:-2]:
+        if key not in arguments:
+            raise _error(f"[vary] {name}: {key}: must be set for distribution = {_shown(kind)}")
+    return family(**{key: float(value) for key, value in arguments.items()})
+
+
+def _loads(table: dict[str, Any]) -> npt.NDArray[np.float64]:
+    """Loads one by one, or evenly spaced in the logarithm."""
+    _known("loads", table, _LOADS)
+    if "values" in table:
+        if len(table) > 1:
+            raise _error(f"[loads] values: excludes {next(name for name in table if name != 'values')}, leave one out")
+        values = table["values"]
+        if not isinstance(values, list) or not values:
+            raise _error(f"[loads] values = {_shown(values)}: must be a list of one or more numbers")
+        for value in values:
+            _number("[loads] values", value, values)
+        return np.array([float(value) for value in values])
+    for name in ("lowest", "highest"):
+        if name not in table:
+            raise _error(f"[loads] {name}: must be set, or values")
+    lowest, highest = (_number(f"[loads] {name}", table[name], table[name]) for name in ("lowest", "highest"))
+    if not 0 < lowest < highest < math.inf:
+        raise _error(f"[loads] lowest = {lowest:g} and highest = {highest:g}: must be > 0, finite, and ascend")
+    count = _whole("[loads] count", table.get("count", 33), 2, _MOST_LOADS)
+    return np.geomspace(lowest, highest, count)
+
+
+def _options(table: dict[str, Any]) -> dict[str, Any]:
+    _known("study", table, _STUDY)
+    for name in ("samples", "seed", "block"):
+        if name in table:
+            _whole(f"[study] {name}", table[name], 0 if name == "seed" else 1, 2**63 - 1)
+    if not isinstance(table.get("warnings", True), bool):
+        raise _error(f"[study] warnings = {_shown(table['warnings'])}: must be true or false")
+    if table.get("sampling", "sobol") not in SAMPLINGS:
+        raise _error(f"[study] sampling = {_shown(table['sampling'])}: must be one of {', '.join(map(repr, SAMPLINGS))}")
+    return dict(table)
+
+
+def _known(name: str, table: dict[str, Any], known: tuple[str, ...]) -> None:
+    for key in table:
+        if key not in known:
+            raise _error(f"[{name}] {key}: no such key; the nearest is {nearest(key, known)}")
+
+
+def _number(name: str, value: Any, shown: Any) -> float:
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise _error(f"{name} = {_shown(shown)}: must be a number, or a list of them where one is allowed")
+    if isinstance(value, int) and abs(value) > 1e300:
+        raise _error(f"{name} = {short(value)}: must be finite")
+    return float(value)
+
+
+def _whole(name: str, value: Any, least: int, most: int) -> int:
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise _error(f"{name} = {_shown(value)}: must be a whole number")
+    if not least <= value <= most:
+        raise _error(f"{name} = {short(value)}: must be from {least} to {most}")
+    return value
+
+
+def _shown(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+def _error(message: str) -> Error:
+    return Error(message, Status.INVALID_PARAMETER)

@@ -1,0 +1,280 @@
+"""Where a study is kept: in memory, or in a NetCDF file, beside which each block is written as it is done.
+
+A block is a file of its own, written under another name, flushed to the disk and then renamed: after whatever end of the
+process it is there whole or not at all. When all are there, they become one file in the same way, a block at a time, and their
+folder goes.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from pathlib import Path
+from typing import Any, Iterable
+
+import numpy as np
+import numpy.typing as npt
+
+from ._many_surfaces import Answers
+from .errors import Status
+from .results import Warnings
+
+Array = npt.NDArray[np.float64]
+
+_BOTH, _EACH = ("sample", "load"), ("sample",)
+_FLAGS = [kind for kind in Warnings]
+# Name to dimensions, type, and attributes; the dimension of a quantity stands for its unit.
+_VARIABLES: dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]] = {
+    "friction_coefficient": (_BOTH, np.float64, {"long_name": "friction coefficient F/P", "units": "1"}),
+    "friction_force": (_BOTH, np.float64, {"long_name": "friction force F", "units": "force"}),
+    "tangential_stiffness": (_BOTH, np.float64, {"long_name": "tangential stiffness K_t", "units": "force/length"}),
+    "warnings": (
+        _BOTH,
+        np.uint32,
+        {
+            "long_name": "what of the model does not hold in this state; 0 where nothing is known to fail",
+            "flag_masks": np.array(_FLAGS, dtype=np.uint32),
+            "flag_meanings": " ".join(str(kind.name) for kind in _FLAGS),
+        },
+    ),
+    "status": (
+        _EACH,
+        np.uint8,
+        {
+            "long_name": "0, or why the library refuses this surface or one of its loads",
+            "flag_values": np.array(Status, dtype=np.uint8),
+            "flag_meanings": " ".join(status.name for status in Status),
+        },
+    ),
+    "reason": (_EACH, str, {"long_name": "the message that goes with the status"}),
+}
+_SI = {"force": "N", "force/length": "N/m", "stress": "Pa", "length": "m", "length^2": "m2"}
+
+
+class Layout:
+    """What a study consists of beside its answers.
+
+    Attributes:
+        parameters: name to (values, dimension).
+        load: normal loads [force].
+        attributes: of the whole, text and numbers.
+        identity: what another study must agree in for one to go on with the other's blocks.
+        block: surfaces in a block.
+        names: of the variables.
+    """
+
+    def __init__(
+        self, parameters: dict[str, tuple[Array, str]], load: Array, attributes: dict[str, Any], identity: dict[str, Any],
+        block: int, warnings: bool, units: str | None,
+    ) -> None:  # fmt: skip
+        self.parameters, self.load, self.block = parameters, load, block
+        self.attributes, self.identity = attributes, identity
+        self.names = [name for name in _VARIABLES if warnings or name != "warnings"]
+        self._si = units == "SI"
+
+    @property
+    def surfaces(self) -> int:
+        return len(next(iter(self.parameters.values()))[0])
+
+    def unit(self, dimension: str) -> str:
+        """The unit of a dimension: the dimension itself where the system of units is the caller's own."""
+        return _SI.get(dimension, dimension or "1") if self._si else dimension or "1"
+
+    def described(self, name: str) -> dict[str, Any]:
+        """The attributes of a variable."""
+        attributes = dict(_VARIABLES[name][2])
+        return attributes | ({"units": self.unit(attributes["units"])} if "units" in attributes else {})
+
+    def coordinates(self) -> dict[str, tuple[tuple[str, ...], Array, dict[str, Any]]]:
+        """Loads and parameters."""
+        found: dict[str, Any] = {"load": (("load",), self.load, {"long_name": "normal load P", "units": self.unit("force")})}
+        for name, (values, dimension) in self.parameters.items():
+            found[name] = (_EACH, values, {"units": self.unit(dimension)})
+        return found
+
+
+class Memory:
+    """A study in memory."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout, surfaces = layout, layout.surfaces
+        sizes = {"sample": surfaces, "load": layout.load.size}
+        self._arrays: dict[str, Any] = {
+            name: np.empty([sizes[one] for one in _VARIABLES[name][0]], dtype=object if name == "reason" else _VARIABLES[name][1])
+            for name in layout.names
+        }
+
+    def missing(self) -> list[int]:
+        """The first surfaces of blocks that are not done."""
+        return list(range(0, self._layout.surfaces, self._layout.block))
+
+    def put(self, first: int, answers: Answers) -> None:
+        for name, array in self._arrays.items():
+            array[first : first + len(answers.status)] = getattr(answers, name)
+
+    def dataset(self) -> Any:
+        """The `xarray.Dataset` of it all."""
+        import xarray
+
+        layout = self._layout
+        data = {name: (_VARIABLES[name][0], array, layout.described(name)) for name, array in self._arrays.items()}
+        data["reason"] = (_EACH, self._arrays["reason"].astype(str), layout.described("reason"))
+        refused = int(np.count_nonzero(self._arrays["status"]))
+        return xarray.Dataset(data, layout.coordinates(), {**layout.attributes, "refused": refused})
+
+
+class Checkpoint:
+    """A study in a file, and in blocks beside it until all are done.
+
+    Raises:
+        ValueError: the file or the blocks are of another study, or no study.
+    """
+
+    def __init__(self, file: str | os.PathLike[str], layout: Layout) -> None:
+        self._file, self._layout = Path(file), layout
+        self._folder = self._file.with_name(self._file.name + ".blocks")
+        self._identity = json.dumps(layout.identity, sort_keys=True)
+        self._whole = self._file.exists()
+        if self._whole:
+            self._agree(self._file, _identity_of(self._file))
+            return
+        self._folder.mkdir(exist_ok=True)
+        told = self._folder / "study.json"
+        if told.exists():
+            self._agree(self._folder, told.read_text(encoding="utf-8"))
+        else:
+            _replaced(told, lambda part: part.write_text(self._identity, encoding="utf-8"))
+
+    def missing(self) -> list[int]:
+        """The first surfaces of blocks that are not done."""
+        if self._whole:
+            return []
+        return [first for first in range(0, self._layout.surfaces, self._layout.block) if not self._done(first)]
+
+    def put(self, first: int, answers: Answers) -> None:
+        def write(part: Path) -> None:
+            count = len(answers.status)
+            with _Writer(part, self._layout, slice(first, first + count), self._identity) as writer:
+                writer.put(0, {name: getattr(answers, name) for name in self._layout.names})
+
+        _replaced(self._block(first), write)
+
+    def dataset(self) -> Any:
+        """The `xarray.Dataset`, read from the file as it is used; the blocks are put together first."""
+        import xarray
+
+        if not self._whole:
+            _replaced(self._file, self._join)
+            self._whole = True
+        shutil.rmtree(self._folder, ignore_errors=True)
+        return xarray.open_dataset(self._file, engine="netcdf4")
+
+    def _join(self, part: Path) -> None:
+        with _Writer(part, self._layout, slice(0, self._layout.surfaces), self._identity) as writer:
+            refused = 0
+            for first in range(0, self._layout.surfaces, self._layout.block):
+                arrays = _read(self._block(first), self._layout.names)
+                refused += int(np.count_nonzero(arrays["status"]))
+                writer.put(first, arrays)
+            writer.file.setncattr("refused", refused)
+
+    def _block(self, first: int) -> Path:
+        return self._folder / f"block-{first // self._layout.block:07}.nc"
+
+    def _done(self, first: int) -> bool:
+        """Whether a block is there and can be read: one that cannot is computed anew."""
+        file = self._block(first)
+        if not file.exists():
+            return False
+        try:
+            return _identity_of(file) == self._identity and len(_read(file, ["status"])["status"]) == min(
+                self._layout.block, self._layout.surfaces - first
+            )
+        except (OSError, ValueError):
+            return False
+
+    def _agree(self, where: Path, found: str) -> None:
+        try:
+            other = json.loads(found)
+        except json.JSONDecodeError:
+            other = None
+        if not isinstance(other, dict):
+            raise ValueError(f"checkpoint = {str(self._file)!r}: {where} is no study; give another name, or remove it")
+        for name, value in self._layout.identity.items():
+            if other.get(name) != value:
+                raise ValueError(
+                    f"checkpoint = {str(self._file)!r}: {where} is of another study, with {name} = {_shown(other.get(name))} "
+                    f"where this one has {_shown(value)}; give another name, or remove it"
+                )
+
+
+class _Writer:
+    """A NetCDF file with the surfaces of a slice; `with` closes it."""
+
+    def __init__(self, path: Path, layout: Layout, surfaces: slice, identity: str) -> None:
+        import netCDF4
+
+        self.file: Any = netCDF4.Dataset(os.fspath(path), "w", format="NETCDF4")
+        self.file.createDimension("sample", surfaces.stop - surfaces.start)
+        self.file.createDimension("load", layout.load.size)
+        for name, (dims, values, attributes) in layout.coordinates().items():
+            made = self.file.createVariable(name, np.float64, dims)
+            made[:] = values if name == "load" else values[surfaces]
+            made.setncatts(attributes)
+        for name in layout.names:
+            dims, kind, _ = _VARIABLES[name]
+            packed: dict[str, Any] = {"zlib": True, "complevel": 1} if name == "warnings" else {}
+            made = self.file.createVariable(name, kind, dims, **packed)
+            made.setncatts(layout.described(name) | {"coordinates": " ".join(layout.parameters)})
+        self.file.setncatts({**layout.attributes, "study": identity})
+
+    def put(self, first: int, arrays: dict[str, Any]) -> None:
+        for name, values in arrays.items():
+            stop = first + len(values)
+            self.file[name][first:stop] = np.array(values, dtype=object) if name == "reason" else values
+
+    def __enter__(self) -> _Writer:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.file.close()
+
+
+def _read(file: Path, names: Iterable[str]) -> dict[str, Any]:
+    import netCDF4
+
+    with netCDF4.Dataset(os.fspath(file)) as opened:
+        opened.set_auto_mask(False)
+        return {name: opened[name][:] for name in names}
+
+
+def _identity_of(file: Path) -> str:
+    """What a file says of its study; "" if it says nothing or is none of NetCDF."""
+    import netCDF4
+
+    try:
+        with netCDF4.Dataset(os.fspath(file)) as opened:
+            return str(getattr(opened, "study", ""))
+    except OSError:
+        return ""
+
+
+def _replaced(file: Path, write: Any) -> None:
+    """Writes a file beside its place, and puts it there once it is on the disk."""
+    part = file.with_name(f"{file.name}.{os.getpid()}.part")
+    try:
+        write(part)
+        descriptor = os.open(part, os.O_RDWR)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+        os.replace(part, file)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _shown(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) <= 200 else f"{text[:197]}..."

@@ -1,0 +1,166 @@
+"""Checkpoints: a study that was killed goes on with equal bits, never with half a block, and never with another's."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+from unittest import mock
+
+import numpy as np
+import pytest
+import xarray
+from scipy import stats
+from study_workers import LOADS, PARAMS, SMALL
+from test_study_engines import bits
+
+from asperity import _blocks, _study_store
+from asperity.study import study
+
+BLOCKS = 8  # of SMALL
+
+
+@pytest.fixture(scope="module")
+def small() -> xarray.Dataset:
+    return study(PARAMS, **SMALL)
+
+
+def stop_after(blocks: int, file: Path, **changes: Any) -> None:
+    """A study that ends with an error once so many blocks are written."""
+    told: list[float] = []
+
+    def tell(part: float, doing: str) -> None:
+        told.append(part)
+        if part * BLOCKS >= blocks:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt), mock.patch("asperity.study._OFTEN", 0.0):
+        study(PARAMS, **{**SMALL, **changes, "progress": tell}, checkpoint=file)
+
+
+def test_a_checkpoint_holds_what_is_in_memory_without(small: xarray.Dataset, tmp_path: Path) -> None:
+    with study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc") as found:
+        assert bits(found) == bits(small)
+        assert {name: found.attrs[name] for name in small.attrs} == small.attrs
+        assert all(found[name].attrs.keys() == small[name].attrs.keys() for name in small.variables)
+    assert [path.name for path in tmp_path.iterdir()] == ["found.nc"]
+    # A study that is whole is read, not computed.
+    with mock.patch.object(_blocks, "completed", side_effect=lambda work, tasks, *_: iter([(0, 0)] if list(tasks) else [])):
+        with study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc") as again:
+            assert bits(again) == bits(small)
+
+
+def test_a_study_that_was_stopped_computes_the_rest_alone(small: xarray.Dataset, tmp_path: Path) -> None:
+    stop_after(3, tmp_path / "found.nc")
+    folder = tmp_path / "found.nc.blocks"
+    assert sorted(path.name for path in folder.iterdir()) == [*(f"block-000000{i}.nc" for i in range(3)), "study.json"]
+    told: list[str] = []
+    given = {**SMALL, "progress": lambda part, doing: told.append(doing)}
+    with study(PARAMS, **given, checkpoint=tmp_path / "found.nc", workers=2) as found:
+        assert bits(found) == bits(small)
+    assert told[0] == "12 of 32 surfaces" and not folder.exists()
+
+
+def test_a_study_that_was_killed_goes_on_with_equal_bits(tmp_path: Path) -> None:
+    file, program = tmp_path / "found.nc", Path(__file__).with_name("study_workers.py")
+    running = subprocess.Popen([sys.executable, str(program), str(file)])
+    folder = tmp_path / "found.nc.blocks"
+    for _ in range(600):
+        if len(list(folder.glob("block-*.nc"))) >= 5:
+            break
+        time.sleep(0.05)
+    running.send_signal(signal.SIGKILL)
+    assert running.wait() == -signal.SIGKILL and not file.exists()
+    done = len(list(folder.glob("block-???????.nc")))
+    assert 5 <= done < 60
+    for block in folder.glob("block-???????.nc"):  # each is whole
+        with xarray.open_dataset(block, engine="netcdf4") as one:
+            assert one.sizes["sample"] == 4
+    given, told = {**SMALL, "samples": 120}, []
+    whole = study(PARAMS, **given)
+    given["progress"] = lambda part, doing: told.append(doing)
+    with study(PARAMS, **given, checkpoint=file) as found:
+        assert bits(found) == bits(whole)
+    assert told[0] == f"{4 * done} of 240 surfaces"
+
+
+def test_a_block_that_cannot_be_read_is_computed_anew(small: xarray.Dataset, tmp_path: Path) -> None:
+    stop_after(3, tmp_path / "found.nc")
+    block = tmp_path / "found.nc.blocks" / "block-0000001.nc"
+    block.write_bytes(block.read_bytes()[:1000])
+    with study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc") as found:
+        assert bits(found) == bits(small)
+
+
+def test_a_disk_that_is_full_leaves_no_half_block(tmp_path: Path) -> None:
+    with mock.patch.object(os, "fsync", side_effect=OSError(28, "No space left on device")), pytest.raises(OSError):
+        study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc")
+    assert list((tmp_path / "found.nc.blocks").iterdir()) == []
+
+
+OTHERS: list[tuple[dict[str, Any], str]] = [
+    ({"seed": 6}, "seed = 5 where this one has 6"),
+    ({"samples": 8}, "samples = 16 where this one has 8"),
+    ({"loads": 2 * LOADS}, "loads = '4 from 0.01 to 100' where this one has '4 from 0.02 to 200'"),
+    ({"loads": LOADS * [1, 1 + 1e-15, 1, 1]}, "bits of the loads = "),
+    ({"vary": {**SMALL["vary"], "height_std": 0.2}}, "vary = .*relative spread 0.3.* where this one has"),
+    ({"vary": {**SMALL["vary"], "height_std": stats.norm(10, 1)}}, "vary = .*where this one has '.*scipy.stats.norm"),
+    ({"params": PARAMS.replace(asperity_count=2.0)}, "params = 'Params.* where this one has 'Params"),
+    ({"sampling": "latin"}, "sampling = 'sobol' where this one has 'latin'"),
+    ({"warnings": False}, "warnings = True where this one has False"),
+    ({"block": 5}, "block = 4 where this one has 5"),
+    ({"units": "SI"}, "units = '' where this one has 'SI'"),
+]
+
+
+@pytest.fixture(scope="module", params=["blocks", "file"])
+def begun(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A study that was stopped, and one that is whole."""
+    file = tmp_path_factory.mktemp("begun") / "found.nc"
+    if request.param == "blocks":
+        stop_after(2, file)
+    else:
+        study(PARAMS, **SMALL, checkpoint=file).close()
+    return file
+
+
+@pytest.mark.parametrize("changes, message", OTHERS)
+def test_another_study_is_refused(begun: Path, changes: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=f"found.nc.* is of another study, with {message}.*; give another name, or remove it"):
+        study(**{"params": PARAMS, **SMALL, **changes}, checkpoint=begun)
+
+
+def test_another_version_is_refused(begun: Path) -> None:
+    with mock.patch("asperity.study.version", lambda: "9.9.9"):
+        with pytest.raises(ValueError, match="with asperity_version = '.*' where this one has '9.9.9'"):
+            study(PARAMS, **SMALL, checkpoint=begun)
+
+
+def test_a_file_that_is_no_study_is_left_as_it_is(tmp_path: Path) -> None:
+    (tmp_path / "thesis.nc").write_text("years of work", encoding="utf-8")
+    with pytest.raises(ValueError, match="thesis.nc is no study; give another name, or remove it"):
+        study(PARAMS, **SMALL, checkpoint=tmp_path / "thesis.nc")
+    assert (tmp_path / "thesis.nc").read_text(encoding="utf-8") == "years of work"
+    xarray.Dataset({"x": ("n", np.ones(3))}).to_netcdf(tmp_path / "other.nc", engine="netcdf4")
+    with pytest.raises(ValueError, match="other.nc is no study"):
+        study(PARAMS, **SMALL, checkpoint=tmp_path / "other.nc")
+    (tmp_path / "mine.nc.blocks").mkdir()
+    (tmp_path / "mine.nc.blocks" / "study.json").write_text("[1]", encoding="utf-8")
+    with pytest.raises(ValueError, match="mine.nc.blocks is no study"):
+        study(PARAMS, **SMALL, checkpoint=tmp_path / "mine.nc")
+
+
+def test_a_folder_that_is_not_there_is_named(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match="missing"):
+        study(PARAMS, **SMALL, checkpoint=tmp_path / "missing" / "found.nc")
+
+
+def test_names_are_put_in_place_in_one_step(tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    with pytest.raises(ZeroDivisionError):
+        _study_store._replaced(file, lambda part: part.write_text("half") and 1 / 0)
+    assert list(tmp_path.iterdir()) == []
