@@ -693,6 +693,105 @@ public:
         return slip_force_and_slopes(load, slip_rate, transition_rate);
     }
 
+    /// Friction coefficients at many pressures, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as friction_at_pressure gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param pressures      nominal contact pressures [stress]
+    /// @param nominal_area   as for one pressure, the same for all
+    /// @param mu             receives as many coefficients; may be `pressures` itself
+    /// @param dmu_dpressure  receives as many slopes [1/stress]; none by default
+    /// @return ASPERITY_OK, or what is wrong with the first pressure that has no friction, or with the area; last_error() tells
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    [[nodiscard]] Status friction_at_pressure(Span<const double> pressures, double nominal_area, Span<double> mu,
+                                              Span<double> dmu_dpressure = {}) const {
+        return at_pressures(asperity_friction_at_pressures, pressures, nominal_area, mu, dmu_dpressure);
+    }
+
+    /// Shear stresses at many pressures, into memory of the caller; as coefficients at many pressures.
+    ///
+    /// @param pressures          nominal contact pressures [stress]
+    /// @param nominal_area       as for one pressure, the same for all
+    /// @param stress             receives as many stresses [stress]; may be `pressures` itself
+    /// @param dstress_dpressure  receives as many slopes; none by default
+    [[nodiscard]] Status shear_stress_at_pressure(Span<const double> pressures, double nominal_area, Span<double> stress,
+                                                  Span<double> dstress_dpressure = {}) const {
+        return at_pressures(asperity_shear_stresses_at_pressures, pressures, nominal_area, stress, dstress_dpressure);
+    }
+
+    /// Friction forces of many sliding contacts, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as slip_force gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param loads              normal loads [force]
+    /// @param slip_rates         as many slip rates [length/time], signed
+    /// @param transition_rate    as for one contact, the same for all
+    /// @param force              receives as many forces [force]; may be an input itself
+    /// @param dforce_dload       receives as many derivatives by load; none by default
+    /// @param dforce_dslip_rate  receives as many derivatives by slip rate [force time/length]; none by default
+    /// @return ASPERITY_OK, or what is wrong with the first contact that has no friction, or with the rate; last_error() tells
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    [[nodiscard]] Status slip_force(Span<const double> loads, Span<const double> slip_rates, double transition_rate,
+                                    Span<double> force, Span<double> dforce_dload = {},
+                                    Span<double> dforce_dslip_rate = {}) const {
+        require_size("slip rates", slip_rates.size(), loads.size());
+        require_sizes(loads, force, dforce_dload);
+        require_sizes(loads, force, dforce_dslip_rate);
+        return asperity_slip_forces(open(), loads.size(), loads.data(), slip_rates.data(), transition_rate, force.data(),
+                                    dforce_dload.data(), dforce_dslip_rate.data());
+    }
+
+    /// Load [force] at a separation [length] of the mean planes, from the compiled law.
+    ///
+    /// Negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a NaN or infinite separation.
+    double load_at_separation(double separation) const {
+        return asperity_load_at_separation(open(), separation);
+    }
+
+    /// Load as load_at_separation, and its slope d(load)/d(separation) [force/length]: minus the normal stiffness.
+    ValueAndSlope load_and_slope_at_separation(double separation) const {
+        ValueAndSlope load;
+        load.value = asperity_load_and_slope_at_separation(open(), separation, &load.slope);
+        return load;
+    }
+
+    /// Loads at many separations, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as load_at_separation gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param separations        separations [length]
+    /// @param load               receives as many loads [force]; may be `separations` itself
+    /// @param dload_dseparation  receives as many slopes [force/length]; none by default
+    /// @return ASPERITY_OK, or what is wrong with the first separation that has no load: ASPERITY_SEPARATED (at pull-off or
+    ///         beyond, the load is 0), ASPERITY_INVALID_PARAMETER (NaN, infinite) or ASPERITY_OUT_OF_RANGE; last_error()
+    ///         names its index
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    [[nodiscard]] Status load_at_separation(Span<const double> separations, Span<double> load,
+                                            Span<double> dload_dseparation = {}) const {
+        return many(asperity_loads_at_separations, separations, load, dload_dseparation);
+    }
+
+    /// Loads [force] at many separations.
+    ///
+    /// 0 at pull-off and beyond. Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE) that names the first
+    /// separation that has no answer.
+    std::vector<double> load_at_separation(Span<const double> separations) const {
+        std::vector<double> load(separations.size());
+        const Status status = many(asperity_loads_at_separations, separations, load, {});
+        // An open contact is an answer, but may hide a separation without one.
+        for (std::size_t i = 0; status == ASPERITY_SEPARATED && i < load.size(); ++i) {
+            double value;
+            if (is_nan(load[i])) {
+                const Status why = asperity_loads_at_separations(open(), 1, separations.data() + i, &value, nullptr);
+                throw Error(why, "element " + std::to_string(i) + " of the separations: " + last_error());
+            }
+        }
+        if (status != ASPERITY_SEPARATED) {
+            check(status);
+        }
+        return load;
+    }
+
     /// Friction coefficients at many loads, into memory of the caller; for the inner loop: allocates nothing.
     ///
     /// Every element is as friction_at_load gives it, also when the status is not ASPERITY_OK.
@@ -811,7 +910,7 @@ public:
     }
 
     /// How many doubles the state of a contact that remembers takes; all 0 is one that has just closed.
-    std::size_t microslip_length() const noexcept { return asperity_microslip_length(handle_.get()); }
+    std::size_t microslip_length() const { return asperity_microslip_length(open()); }
 
     /// One step of a contact that remembers: the tangential force at a load [force] after a displacement [length] along both
     /// directions since `before`, with its tangents.
@@ -830,7 +929,7 @@ public:
         Microslip out;
         out.struct_size = sizeof out;
         const Status status =
-            asperity_microslip_step(handle_.get(), load, increment, before.data(), after.data(), &out);
+            asperity_microslip_step(open(), load, increment, before.data(), after.data(), &out);
         if (status != ASPERITY_SEPARATED) {
             check(status);
         }
@@ -850,8 +949,9 @@ public:
     /// @param stiffness  receives four tangents for each, row by row; none to skip
     /// @return as for coefficients
     /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
-    Status microslip_steps(Span<const double> loads, Span<const double> increment, Span<const double> before,
-                           Span<double> after, Span<double> force, Span<double> stiffness) const {
+    [[nodiscard]] Status microslip_steps(Span<const double> loads, Span<const double> increment,
+                                         Span<const double> before, Span<double> after, Span<double> force,
+                                         Span<double> stiffness) const {
         const std::size_t n = loads.size();
         require_state("before", before.size(), n);
         if (after.data() != nullptr) {
@@ -864,12 +964,8 @@ public:
         if (stiffness.data() != nullptr) {
             require_size("stiffness", stiffness.size(), 4 * n, "four tangents for each load");
         }
-        const Status status = asperity_microslip_steps(handle_.get(), n, loads.data(), increment.data(), before.data(),
-                                                       after.data(), force.data(), stiffness.data());
-        if (status == ASPERITY_NULL_POINTER) {
-            check(status);
-        }
-        return status;
+        return asperity_microslip_steps(open(), n, loads.data(), increment.data(), before.data(), after.data(), force.data(),
+                                        stiffness.data());
     }
 
     /// The exact state at a load [force], from the pull-off load upwards: integrates the model, uses no table.
@@ -981,12 +1077,25 @@ private:
         return asperity_tangential_stiffness_at_loads(model, n, load, stiffness);
     }
 
-    Status many(Batch batch, Span<const double> loads, Span<double> value, Span<double> slope) const {
+    static void require_sizes(Span<const double> loads, Span<double> value, Span<double> slope) {
         require_size("values", value.size(), loads.size());
         if (slope.data() != nullptr) {
             require_size("slopes", slope.size(), loads.size());
         }
+    }
+
+    Status many(Batch batch, Span<const double> loads, Span<double> value, Span<double> slope) const {
+        require_sizes(loads, value, slope);
         return batch(open(), loads.size(), loads.data(), value.data(), slope.data());
+    }
+
+    using BatchAtPressures = asperity_status (*)(const asperity_model *, std::size_t, const double *, double, double *,
+                                                 double *);
+
+    Status at_pressures(BatchAtPressures batch, Span<const double> pressures, double nominal_area, Span<double> value,
+                        Span<double> slope) const {
+        require_sizes(pressures, value, slope);
+        return batch(open(), pressures.size(), pressures.data(), nominal_area, value.data(), slope.data());
     }
 
     /// An open contact is an answer. The library reports the first invalid load alone, so that one may hide a load that has none.
@@ -1017,6 +1126,9 @@ private:
         require_size(name, size, contacts * microslip_length(), "doubles in the states, microslip_length() for each");
     }
 
+    friend Status friction_force_at_load(Span<const Model *const>, Span<const std::uint32_t>, Span<const double>,
+                                         Span<double>, Span<double>);
+
     static void require_size(const char *name, std::size_t size, std::size_t count, const char *of = "loads") {
         if (size != count) {
             throw Error(ASPERITY_INVALID_PARAMETER, std::string("size of ") + name + " = " + std::to_string(size) +
@@ -1027,6 +1139,38 @@ private:
 
     std::unique_ptr<asperity_model, Free> handle_;
 };
+
+/// Friction forces of contacts that belong to several models, into memory of the caller.
+///
+/// Every element is as Model::friction_force_at_load of its model gives it. For the inner loop: allocates nothing where the
+/// models are 64 or fewer.
+///
+/// @param models        the models; none may be null
+/// @param which         for each contact, the index of its model
+/// @param loads         as many normal loads [force]
+/// @param force         receives as many forces [force]; may be `loads` itself
+/// @param dforce_dload  receives as many slopes; none by default
+/// @return as Model::friction_force_at_load, and ASPERITY_INVALID_PARAMETER where `which` is not the index of a model
+/// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, ASPERITY_NULL_POINTER for a model that is null, before
+/// anything is written.
+[[nodiscard]] inline Status friction_force_at_load(Span<const Model *const> models, Span<const std::uint32_t> which,
+                                     Span<const double> loads, Span<double> force, Span<double> dforce_dload = {}) {
+    Model::require_size("which", which.size(), loads.size());
+    Model::require_sizes(loads, force, dforce_dload);
+    constexpr std::size_t FEW = 64;
+    const asperity_model *few[FEW];
+    std::vector<const asperity_model *> more(models.size() > FEW ? models.size() : 0);
+    const asperity_model **const handles = models.size() > FEW ? more.data() : few;
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        handles[i] = models.data()[i] == nullptr ? nullptr : models.data()[i]->c();
+    }
+    const Status status = asperity_friction_force_at_loads_of(handles, models.size(), loads.size(), which.data(),
+                                                              loads.data(), force.data(), dforce_dload.data());
+    if (status == ASPERITY_NULL_POINTER) {
+        check(status);
+    }
+    return status;
+}
 
 } // namespace asperity
 
