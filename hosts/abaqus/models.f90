@@ -103,7 +103,7 @@ contains
 
   ! Moves a point on by a slip increment [length], one number or two, at a pressure [stress].
   ! rotation  of the directions of friction in this increment
-  ! state     forces of the parts of the nominal area, in pairs; as it was if the step is invalid
+  ! state     forces of the parts along the first direction, then along the second; as it was if the step is invalid
   function microslip_step(surface, pressure, slip, rotation, state) result(step)
     real(c_double), intent(in) :: surface, pressure, slip(:), rotation(2, 2)
     real(c_double), intent(inout) :: state(:)
@@ -112,16 +112,16 @@ contains
     real(c_double), target :: increment(2), before(size(state)), after(size(state))
     real(c_double) :: area
     integer(c_int32_t) :: status
-    integer :: number, i
+    integer :: number, half
     step%invalid = .true.
     if (.not. is_ready(surface)) return
     number = nint(surface)
     area = nominal_areas(number)
     increment = 0
     increment(:size(slip)) = slip
-    do i = 1, size(state), 2
-      before(i:i + 1) = matmul(rotation, state(i:i + 1))
-    end do
+    half = size(state) / 2
+    before(:half) = rotation(1, 1) * state(:half) + rotation(1, 2) * state(half + 1:)
+    before(half + 1:) = rotation(2, 1) * state(:half) + rotation(2, 2) * state(half + 1:)
     out%struct_size = c_sizeof(out)
     status = asperity_microslip_step(laws(number)%c_model(), pressure * area, increment, before, after, out)
     step%apart = status == ASPERITY_SEPARATED

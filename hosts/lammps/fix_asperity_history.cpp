@@ -1,7 +1,6 @@
 #include "fix_asperity_history.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "atom.h"
 #include "comm.h"

@@ -113,9 +113,9 @@ private:
     void normal(const Contact &contact, Forces &result) const;
     // What the tangential forces of a batch need beside Forces.
     struct Bodies {
-        double area[BATCH];       // of the real contacts
-        double grain[BATCH];      // stick stiffness of the grains alone
-        double summits[BATCH];    // and of the summits
+        double area[BATCH] = {};       // of the real contacts
+        double grain[BATCH] = {};      // stick stiffness of the grains alone
+        double summits[BATCH] = {};    // and of the summits
     };
     void limits(int count, const double *load, const double *moment, Bodies &bodies, Forces *result) const;
     void spring(const Contact &contact, double dt, Forces &result) const;
