@@ -2,7 +2,8 @@
 //
 // With the displacement D of the step, of which d goes into the summits and the rest into the grain, of stiffness G:
 //   T(d) = T_before + G (D - d)
-// T, of the library, is the sum of many parts that stick or slip; Newton's method takes one or two calls a step.
+// T, of the library, is the sum of many parts that stick or slip, and Newton's method finds d. It begins with what the tangent of
+// the step before says, or where a contact is unloaded with that of sticking: most steps then take two calls.
 // d is in the softened grain's lengths: the summits of the real one move by softening_ times as much.
 #include "law.h"
 
@@ -12,8 +13,15 @@ namespace {
 
 // Of the residual, relative to the limit, and of calls. Parts slip one after the other as d grows, so that iterations
 // approach from one side, from one piece of T to the next.
-const double tolerance = 1e-10;
+const double tolerance = 1e-6;
 const int most_calls = 40;
+
+// The solution of a symmetric system, (xx xy, xy yy) x = (b0, b1).
+void solve(double xx, double xy, double yy, const double *b, double *x) {
+    const double inverse = 1 / (xx * yy - xy * xy);
+    x[0] = inverse * (yy * b[0] - xy * b[1]);
+    x[1] = inverse * (xx * b[1] - xy * b[0]);
+}
 
 struct Frame {
     double one[3], other[3], side;
@@ -48,7 +56,8 @@ Frame frame_of(const Contact &c, bool remembers) {
 
 void Law::microslip(int count, const Contact *contact, double dt, const Bodies &bodies, Forces *result) const {
     Frame frame[BATCH];
-    double pressure[BATCH], moved[BATCH][2], part[BATCH][2], earlier[BATCH][2], force[BATCH][2];
+    double pressure[BATCH], moved[BATCH][2], part[BATCH][2], earlier[BATCH][2], force[BATCH][2], tangent[BATCH][3];
+    double correction[BATCH][2], left_over[BATCH];    // of the iteration before
     double before[BATCH * MOST_REMEMBERED], after[BATCH * MOST_REMEMBERED];
     double increments[2 * BATCH], pressures[BATCH], befores[BATCH * MOST_REMEMBERED], afters[BATCH * MOST_REMEMBERED];
     double stresses[2 * BATCH], slopes[4 * BATCH];
@@ -66,10 +75,14 @@ void Law::microslip(int count, const Contact *contact, double dt, const Bodies &
         for (int a = 0; a < 3; a++) slip[a] = c.velocity[a] + r.approach * c.normal[a];
         for (int axis = 0; axis < 2; axis++) {
             moved[k][axis] = -dt * frame[k].along(slip, axis);
-            part[k][axis] = moved[k][axis] * bodies.grain[k] / (bodies.grain[k] + bodies.summits[k]);
             earlier[k][axis] = had == 0 ? 0 : kept * c.history[FORCE + axis];
             force[k][axis] = 0;
         }
+        const double grain = bodies.grain[k], taken[2] = {grain * moved[k][0], grain * moved[k][1]};
+        const bool onwards = had != 0 && moved[k][0] * earlier[k][0] + moved[k][1] * earlier[k][1] > 0;
+        std::copy_n(c.history + TANGENT, 3, tangent[k]);
+        if (onwards) solve(grain + tangent[k][0], tangent[k][1], grain + tangent[k][2], taken, part[k]);
+        else for (int axis = 0; axis < 2; axis++) part[k][axis] = taken[axis] / (grain + bodies.summits[k]);
         pressure[k] = r.pressure;
         const bool holds = !(r.limit <= 0);    // without load there is neither friction nor memory
         const double per_area = holds ? kept / bodies.area[k] : 0;
@@ -96,12 +109,20 @@ void Law::microslip(int count, const Contact *contact, double dt, const Bodies &
                 residual[axis] = force[k][axis] - earlier[k][axis] - grain * (moved[k][axis] - part[k][axis]);
             }
             std::copy_n(afters + w * numbers, numbers, after + k * numbers);
-            if (std::hypot(residual[0], residual[1]) <= tolerance * result[k].limit) continue;
             const double scale = softening_ * area;
-            const double xx = grain + scale * s[0], xy = scale * s[1], yx = scale * s[2], yy = grain + scale * s[3];
-            const double inverse = 1 / (xx * yy - xy * yx);
-            part[k][0] -= inverse * (yy * residual[0] - xy * residual[1]);
-            part[k][1] -= inverse * (xx * residual[1] - yx * residual[0]);
+            tangent[k][0] = scale * s[0];
+            tangent[k][1] = scale * s[1];
+            tangent[k][2] = scale * s[3];
+            const double size = std::hypot(residual[0], residual[1]);
+            if (size <= tolerance * result[k].limit) continue;
+            if (call > 0 && size >= left_over[k]) {    // too far, over several pieces: half as far
+                for (int axis = 0; axis < 2; axis++) part[k][axis] -= correction[k][axis] *= 0.5;
+            } else {
+                left_over[k] = size;
+                for (double &component : residual) component = -component;
+                solve(grain + tangent[k][0], tangent[k][1], grain + tangent[k][2], residual, correction[k]);
+                for (int axis = 0; axis < 2; axis++) part[k][axis] += correction[k][axis];
+            }
             waiting[left++] = k;
         }
         open = left;
@@ -121,6 +142,7 @@ void Law::microslip(int count, const Contact *contact, double dt, const Bodies &
         c.history[STIFFNESS] = r.stiffness;
         c.history[SIDE] = frame[k].side;
         std::copy_n(force[k], 2, c.history + FORCE);
+        std::copy_n(tangent[k], 3, c.history + TANGENT);
         for (std::size_t m = 0; m < numbers; m++) c.history[SUMMITS + m] = bodies.area[k] * after[k * numbers + m];
     }
 }
