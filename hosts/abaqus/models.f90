@@ -4,9 +4,8 @@
 ! the models are only read, which needs no lock. Nothing is made on demand: a friction routine that finds no model
 ! stops the analysis and says why.
 module asperity_models
-  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_sizeof
-  use asperity, only: asperity_microslip, asperity_microslip_length, asperity_microslip_step, asperity_params, &
-    ASPERITY_SEPARATED, friction_model
+  use, intrinsic :: iso_c_binding, only: c_double
+  use asperity, only: asperity_microslip, asperity_params, ASPERITY_SEPARATED, friction_model
   use asperity_surfaces, only: NUMBER_OF_SURFACES, state_surface
   implicit none
   private
@@ -22,7 +21,7 @@ module asperity_models
     logical :: apart = .false., invalid = .false.
   end type microslip
 
-  type(friction_model), save, target :: laws(NUMBER_OF_SURFACES)
+  type(friction_model), save :: laws(NUMBER_OF_SURFACES)
   real(c_double), save :: nominal_areas(NUMBER_OF_SURFACES)
   logical, save :: made = .false.
   character(400), save :: refusal = 'no model was made: call make_models of module asperity_models at the start ' // &
@@ -98,7 +97,7 @@ contains
   integer function microslip_length(surface)
     real(c_double), intent(in) :: surface
     microslip_length = 0
-    if (is_ready(surface)) microslip_length = int(asperity_microslip_length(laws(nint(surface))%c_model()))
+    if (is_ready(surface)) microslip_length = laws(nint(surface))%microslip_length()
   end function microslip_length
 
   ! Moves a point on by a slip increment [length], one number or two, at a pressure [stress].
@@ -108,11 +107,9 @@ contains
     real(c_double), intent(in) :: surface, pressure, slip(:), rotation(2, 2)
     real(c_double), intent(inout) :: state(:)
     type(microslip) :: step
-    type(asperity_microslip), target :: out
-    real(c_double), target :: increment(2), before(size(state)), after(size(state))
-    real(c_double) :: area
-    integer(c_int32_t) :: status
-    integer :: number, half
+    type(asperity_microslip) :: out
+    real(c_double) :: increment(2), before(size(state)), after(size(state)), area
+    integer :: number, half, status
     step%invalid = .true.
     if (.not. is_ready(surface)) return
     number = nint(surface)
@@ -122,8 +119,7 @@ contains
     half = size(state) / 2
     before(:half) = rotation(1, 1) * state(:half) + rotation(1, 2) * state(half + 1:)
     before(half + 1:) = rotation(2, 1) * state(:half) + rotation(2, 2) * state(half + 1:)
-    out%struct_size = c_sizeof(out)
-    status = asperity_microslip_step(laws(number)%c_model(), pressure * area, increment, before, after, out)
+    call laws(number)%microslip_step(pressure * area, increment, before, after, out, status)
     step%apart = status == ASPERITY_SEPARATED
     step%invalid = status /= 0 .and. .not. step%apart
     if (step%invalid) return
