@@ -71,11 +71,13 @@ def model_description(
         structure = outputs + "\n    " + "".join(f'<InitialUnknown valueReference="{references[output]}"/>' for output in known)
     state = "FMUstate" if two else "FMUState"
     unit = f'modelIdentifier="{name}"{memory} canGetAndSet{state}="true" canSerialize{state}="true" {derivatives}="true"'
+    # What a contact remembers moves on with accepted steps; in FMI 2.0 an importer tells of them unless it is told not to.
+    accepts = ' needsCompletedIntegratorStep="true"' if microslip and not two else ""
     return f"""<?xml version="1.0" encoding="UTF-8"?>
 <fmiModelDescription fmiVersion="{fmi}" modelName="{name}" {identity}="{guid}"{events}
     description="Friction of two rough surfaces as a function of the normal load{" and the displacement" if microslip else ""}"
     generationTool="asperity {_header.ASPERITY_VERSION}" variableNamingConvention="flat">
-  <ModelExchange {unit}>{files}</ModelExchange>
+  <ModelExchange {unit}{accepts}>{files}</ModelExchange>
   <CoSimulation {unit} canHandleVariableCommunicationStepSize="true">{files}</CoSimulation>
   <LogCategories><Category name="logStatusWarning"/><Category name="logStatusError"/><Category name="logStatusDiscard"/></LogCategories>
   <DefaultExperiment startTime="0" stopTime="1"/>

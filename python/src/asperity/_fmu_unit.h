@@ -103,8 +103,8 @@ static fmiStatus move(unit *u, int from, int to, const char *function)
 /* The parameters that the unit was exported with, and their load. */
 static fmiStatus set_start(unit *u)
 {
-    asperity_free(u->state.model);
-    u->state.model = NULL;
+    asperity_free(u->model);
+    u->model = NULL;
     u->stale = 1;
     memset(&u->state, 0, sizeof u->state);
     u->state.mode = INSTANTIATED;
@@ -131,17 +131,17 @@ static unit *instantiated(unit *u, const char *guid)
 static void release(unit *u)
 {
     if (u != NULL)
-        asperity_free(u->state.model);
+        asperity_free(u->model);
     free(u);
 }
 
 static fmiStatus make_model(unit *u)
 {
     asperity_status status = ASPERITY_OK;
-    if (u->state.model == NULL)
-        status = asperity_create(&u->state.params, &u->state.model);
+    if (u->model == NULL)
+        status = asperity_create(&u->state.params, &u->model);
     else if (u->stale)
-        status = asperity_set_params(u->state.model, &u->state.params);
+        status = asperity_set_params(u->model, &u->state.params);
     if (status != ASPERITY_OK)
         return refused(u, fmiError);
     if (u->stale) /* of this surface nothing was looked at */
@@ -157,7 +157,7 @@ static void tell_warnings(unit *u, double load)
     uint64_t warnings, bit;
     if (u->log == NULL)
         return;
-    warnings = asperity_told_anew(&u->told, u->state.model, load);
+    warnings = asperity_told_anew(&u->told, u->model, load);
     for (bit = 1; bit <= warnings; bit *= 2)
         if (warnings & bit) {
             snprintf(message, sizeof message, "at a load of %g: %s", load, asperity_warning_string(bit));
@@ -181,8 +181,8 @@ static fmiStatus evaluate(unit *u, int coefficient, double load, double *value, 
     asperity_status status;
     if (make_model(u) != fmiOK)
         return fmiError;
-    status = coefficient ? asperity_friction_at_loads(u->state.model, 1, &load, value, slope)
-                         : asperity_friction_force_at_loads(u->state.model, 1, &load, value, slope);
+    status = coefficient ? asperity_friction_at_loads(u->model, 1, &load, value, slope)
+                         : asperity_friction_force_at_loads(u->model, 1, &load, value, slope);
     if (status != ASPERITY_OK && status != ASPERITY_SEPARATED)
         return refused(u, fmiDiscard);
     tell_warnings(u, load);
@@ -258,6 +258,7 @@ static fmiStatus output_at(unit *u, unsigned output, double load, double *value)
     if (output == TANGENTIAL_STIFFNESS)
         return resistance(u, load, output, value, NULL, NULL);
 #endif
+    (void)output;
     return evaluate(u, 0, load, &other, value);
 }
 
