@@ -19,7 +19,6 @@ mod table;
 
 use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
-use crate::jenkins::PerElement;
 use crate::population::Sums;
 use curve::Curve;
 use fill::Filling;
@@ -148,10 +147,10 @@ impl Law {
         Some((value, value / x * log_slope))
     }
 
-    /// The shares of the elements that follow the contacts before gross slip, at load - pull-off, and their slopes by load.
+    /// The shares of the elements that follow the contacts before gross slip.
     #[inline]
-    pub fn shares_at_excess(&self, x: f64) -> (PerElement, PerElement) {
-        self.shares.at_excess(x)
+    pub fn shares(&self) -> &Shares {
+        &self.shares
     }
 
     /// The largest relative error found when the table of a quantity was built.
