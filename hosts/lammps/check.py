@@ -216,7 +216,11 @@ def main(folder):
     law = np.max([law_error(model, contacts(folder, n)) for n in (1, 2)])
     held = np.min([np.min(column(rows, "v_held") / column(rows, "v_load")) for n in (1, 2) for rows in runs[n]])
     continued, = tables(folder / "continued.log")
-    microslip_continued, = tables(folder / "microslip_continued.log")
+    microslip_continued, forgetful = tables(folder / "microslip_continued.log")
+    if "all contacts forget what they carried" not in (folder / "microslip_continued.log").read_text():
+        raise RuntimeError("microslip is turned off between two runs without a warning")
+    if not column(forgetful, "v_load")[-1] > 0:
+        raise RuntimeError("grains fly apart where microslip is turned off")
     same = continued == runs[2][1] and microslip_continued == slipping[2][1]
     curve, work, turn = cycles(folder, model)
     print(f"  two grains: friction within {slide:.1e} of the law (limit {LAW_LIMIT:.0e})")

@@ -123,8 +123,9 @@ void PairAsperityHertz::make_fix_history() {
     if (fix_history_ && fix_history_->numbers() == numbers) return;
     if (fix_history_ && comm->me == 0)
         error->warning(FLERR, "pair_style asperity/hertz: microslip is not as it was, and all contacts forget what they carried");
-    modify->replace_fix(fix_history_ ? history_id : place_id,
-                        fmt::format("{} all {} {}", history_id, FixAsperityHistory::style_name, numbers), 1);
+    const std::string wanted = fmt::format("{} all {} {}", history_id, FixAsperityHistory::style_name, numbers);
+    if (fix_history_) modify->add_fix(wanted, 1);    // in the place of the one of this name
+    else modify->replace_fix(place_id, wanted, 1);
     fix_history_ = dynamic_cast<FixAsperityHistory *>(modify->get_fix_by_id(history_id));
     if (!fix_history_) error->all(FLERR, "pair_style asperity/hertz: no fix that keeps the histories");
     fix_history_->of_pair(this);
