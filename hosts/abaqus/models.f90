@@ -5,11 +5,21 @@
 ! stops the analysis and says why.
 module asperity_models
   use, intrinsic :: iso_c_binding, only: c_double
-  use asperity, only: asperity_params, friction_model
+  use asperity, only: asperity_microslip, asperity_params, ASPERITY_SEPARATED, friction_model
   use asperity_surfaces, only: NUMBER_OF_SURFACES, state_surface
   implicit none
   private
-  public :: make_models, free_models, friction_coefficients, shear_strength
+  public :: make_models, free_models, friction_coefficients, shear_strength, microslip_length, microslip_step
+
+  ! Of a point whose summits slip one after the other.
+  type, public :: microslip
+    real(c_double) :: stress(2)           ! that resists
+    real(c_double) :: by_slip(2, 2)       ! d(stress)/d(slip increment) [stress/length]
+    real(c_double) :: by_pressure(2)      ! d(stress)/d(pressure) [-]
+    real(c_double) :: stick_stiffness     ! while all summits stick [stress/length]
+    real(c_double) :: dissipated          ! in this step, for the area [force/length]
+    logical :: apart = .false., invalid = .false.
+  end type microslip
 
   type(friction_model), save :: laws(NUMBER_OF_SURFACES)
   real(c_double), save :: nominal_areas(NUMBER_OF_SURFACES)
@@ -82,6 +92,45 @@ contains
     strength = laws(number)%shear_stress_at_pressure(pressure, nominal_areas(number), slope, stat)
     slope = min(slope, huge(slope))  ! infinite at the pull-off pressure itself
   end subroutine shear_strength
+
+  ! How many numbers a point remembers: DEPVAR.
+  integer function microslip_length(surface)
+    real(c_double), intent(in) :: surface
+    microslip_length = 0
+    if (is_ready(surface)) microslip_length = laws(nint(surface))%microslip_length()
+  end function microslip_length
+
+  ! Moves a point on by a slip increment [length], one number or two, at a pressure [stress].
+  ! rotation  of the directions of friction in this increment
+  ! state     forces of the parts along the first direction, then along the second; as it was if the step is invalid
+  function microslip_step(surface, pressure, slip, rotation, state) result(step)
+    real(c_double), intent(in) :: surface, pressure, slip(:), rotation(2, 2)
+    real(c_double), intent(inout) :: state(:)
+    type(microslip) :: step
+    type(asperity_microslip) :: out
+    real(c_double) :: increment(2), before(size(state)), after(size(state)), area
+    integer :: number, half, status
+    step%invalid = .true.
+    if (.not. is_ready(surface)) return
+    number = nint(surface)
+    area = nominal_areas(number)
+    increment = 0
+    increment(:size(slip)) = slip
+    half = size(state) / 2
+    before(:half) = rotation(1, 1) * state(:half) + rotation(1, 2) * state(half + 1:)
+    before(half + 1:) = rotation(2, 1) * state(:half) + rotation(2, 2) * state(half + 1:)
+    call laws(number)%microslip_step(pressure * area, increment, before, after, out, status)
+    step%apart = status == ASPERITY_SEPARATED
+    step%invalid = status /= 0 .and. .not. step%apart
+    if (step%invalid) return
+    state = after
+    step%stress = out%force / area
+    step%by_slip = reshape(out%stiffness, [2, 2]) / area
+    step%by_pressure = out%dforce_dload
+    step%stick_stiffness = laws(number)%tangential_stiffness_at_load(pressure * area, status) / area
+    step%dissipated = out%dissipated / area
+    step%apart = step%apart .or. step%stick_stiffness <= 0    ! also at no pressure, where nothing adheres
+  end function microslip_step
 
   function is_ready(surface)
     real(c_double), intent(in) :: surface

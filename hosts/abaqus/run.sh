@@ -67,15 +67,22 @@ stops() {
 stops unmade 'no model was made: call make_models'
 stops surface 'the first property of \*FRICTION is 3.*1 to 2'
 stops stiffness 'the stick stiffness, must be > 0'
+stops depvar 'PROPERTIES=1 computes microslip and needs DEPVAR=.*; it has 1'
+
+# How Newton's method converges on the block: increments of stick, of slip, of reversal.
+awk '$1 == "residual" && ($2 == 1 || $2 == 5 || $2 == 11 || $2 == 20) { row[$2] = row[$2] "  " $4; if (!seen[$2]++) order[++n] = $2 }
+    END { for (i = 1; i <= n; i++) print "  residuals of the block, increment " order[i] ":" row[order[i]] }' \
+    "$build/slip_data/measures.txt"
 
 awk -v started="$started" -v now="$(date +%s.%N)" '
     # What is not a number fails: awk takes it for 0.
     NF == 3 && !($2 ~ /^[0-9][-+.E0-9]*$/ && $2 + 0 <= $3 + 0) { wrong = wrong " " $1 " = " $2 " (limit " $3 ")" }
     function keep(name) { if ($2 + 0 > worst[name]) worst[name] = $2 + 0; limit[name] = $3; seen[name]++ }
-    $1 == "mu" || $1 == "tangent" || $1 == "mu_single" { keep($1) }
+    $1 == "mu" || $1 == "tangent" || $1 == "mu_single" || $1 == "curve" || $1 == "quadratic" { keep($1) }
     $1 == "iterations" && $2 > iterations { iterations = $2 }
+    $1 == "block_iterations" && $2 > block { block = $2 }
     END {
-        if (seen["mu"] < 5 || seen["tangent"] < 6 || seen["mu_single"] != 1) {
+        if (seen["mu"] < 7 || seen["tangent"] < 8 || seen["mu_single"] != 1 || seen["curve"] != 2 || seen["quadratic"] != 2) {
             print "abaqus  FAIL  measures are missing"
             exit 1
         }
@@ -84,7 +91,9 @@ awk -v started="$started" -v now="$(date +%s.%N)" '
             exit 1
         }
         printf "abaqus  PASS  max |t/p - mu(p)|/mu = %.0e (limit %.0e), in single precision %.0e (limit %.0e), " \
-               "tangent vs differences %.0e (limit %.0e), Newton %d iterations (limit 7)  %.1f s\n",
+               "tangent vs differences %.0e (limit %.0e), Newton %d iterations (limit 7); microslip within %.3f F of the " \
+               "curve (limit %.2f), on a block Newton %d iterations (limit 11), residual over the square of the one " \
+               "before %.0f (limit %.0f)  %.1f s\n",
                worst["mu"], limit["mu"], worst["mu_single"], limit["mu_single"], worst["tangent"], limit["tangent"],
-               iterations, now - started
+               iterations, worst["curve"], limit["curve"], block, worst["quadratic"], limit["quadratic"], now - started
     }' "$build"/*/measures.txt

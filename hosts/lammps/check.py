@@ -15,6 +15,7 @@ import surface  # of hosts/
 import verdict
 
 LAW_LIMIT, ENERGY_LIMIT, RANK_LIMIT = 1e-6, 5e-3, 1e-6
+CURVE_LIMIT, WORK_LIMIT, TURN_LIMIT = 0.02, 0.15, 1e-3  # of microslip: of the friction force, of the work, of the force
 REAL_MODULUS, POISSON = 1.7531556e9, 0.38
 LEAST_HELD = 0.99
 
@@ -84,13 +85,68 @@ def slide_error(folder, model):
     return worst
 
 
-def energy_gap(rows):
-    """Largest gap of the balance of energy, relative to what was turned over; heat of friction must only grow."""
+class Cycle:
+    """Two grains with microslip that one log of cycle.in moved to and fro and turned, against the law's own curve: its summits
+    are behind the grain's spring, whose part of the displacement is taken off."""
+
+    def __init__(self, model, modulus, radius, there, back, again, turned):
+        rows = np.array([[float(word) for word in row.values()] for row in there + back[1:] + again[1:]])
+        place, force, load = rows[:, 1], rows[:, 2], rows[0, 6]
+        area = math.pi * (0.75 * load * radius / REAL_MODULUS) ** (2 / 3)
+        overlap = (0.75 * load / (modulus * math.sqrt(radius))) ** (2 / 3)
+        grain = RealContact(model, modulus, radius).grains(overlap)
+        softened = (modulus / REAL_MODULUS) ** (2 / 3)
+        self.limit = area * model.state_at_load(load / area).friction_force
+        self.summits, self.force = place - force / grain, force
+        def first(displacement):
+            force, _ = model.tangential(load / area, softened * np.abs(displacement))
+            return area * np.sign(displacement) * force
+
+        ends = self.summits[[100, 300]]
+        reached = first(ends[0])
+        back = reached - 2 * first((ends[0] - self.summits[101:301]) / 2)
+        self.exact = np.concatenate([first(self.summits[:101]), back,
+                                     back[-1] + 2 * first((self.summits[301:] - ends[1]) / 2)])
+        self.turned = np.array([[float(row[f"c_force[{a}]"]) for a in (1, 2, 3)] for row in turned])
+
+    def off(self):
+        """From the curve, relative to the friction force."""
+        return np.max(np.abs(self.force - self.exact)) / self.limit
+
+    def work(self, force):
+        loop = slice(100, 501)
+        return np.sum(np.diff(self.summits[loop]) * (force[loop][1:] + force[loop][:-1]) / 2)
+
+    def turning(self):
+        """How far the force is from one that turned as the grains did."""
+        size, angle = self.force[-1], np.arange(len(self.turned)) * math.pi / 1000
+        expected = size * np.stack([np.cos(angle), 0 * angle, -np.sin(angle)], axis=1)
+        return np.max(np.abs(self.turned - expected)) / abs(size)
+
+
+def cycles(folder, model):
+    """Of the grains of cycle.in: how far forces are from the curve, the work of a cycle, and a force that turns."""
+    runs = tables(folder / "cycle.log")
+    if len(runs) != 16:
+        raise RuntimeError(f"{len(runs)} runs in cycle.log: not the cycles that were meant")
+    worst = []
+    for k in range(0, 16, 4):
+        cycle = Cycle(model, 5e6, 0.0025, *runs[k : k + 4])
+        work, exact = cycle.work(cycle.force), cycle.work(cycle.exact)
+        print(f"  cycle to {np.max(np.abs(cycle.force)) / cycle.limit:.2f} F: within {cycle.off():.4f} F of Masing's loop, "
+              f"work {work:.3g} J, that of the loop {exact:.3g} J")
+        worst.append([cycle.off(), abs(work / exact - 1), cycle.turning()])
+    return np.max(worst, axis=0)
+
+
+def energy_gap(rows, springs=True):
+    """Largest gap of the balance of energy, relative to what was turned over; heat of friction must only grow, where it is
+    known: summits store more than one spring with their force."""
     values = {name: column(rows, f"v_{name}") for name in
               ("kinetic", "height", "elastic", "stick", "friction", "damping", "driving")}
     total = sum(values[name] for name in ("kinetic", "height", "elastic", "friction", "damping")) - values["driving"]
     heat = values["friction"] - values["stick"]
-    if np.any(np.diff(heat) < -1e-9 * heat.max()):
+    if springs and np.any(np.diff(heat) < -1e-9 * heat.max()):
         raise RuntimeError("friction gives back more than was put into its springs")
     return np.max(np.abs(total - total[0])) / (values["friction"][-1] + values["damping"][-1])
 
@@ -153,18 +209,29 @@ def main(folder):
     runs = {ranks: tables(folder / f"shear{ranks}.log") for ranks in (1, 2, 4)}
     energy = np.max([energy_gap(rows) for rows in [settle, *runs[1], *runs[2]]])
     # Built-in max leaves out what is no number; NumPy's does not.
+    slipping = {ranks: tables(folder / f"microslip{ranks}.log") for ranks in (1, 2)}
+    energy = np.max([energy, *(energy_gap(rows, springs=False) for rows in slipping[1] + slipping[2])])
     ranks = np.max([disagreement(runs[1][0], runs[2][0]), disagreement(runs[1][0], runs[4][0]),
-                    disagreement(runs[1][1], runs[2][1])])
+                    disagreement(runs[1][1], runs[2][1])] + [disagreement(*pair) for pair in zip(slipping[1], slipping[2])])
     law = np.max([law_error(model, contacts(folder, n)) for n in (1, 2)])
     held = np.min([np.min(column(rows, "v_held") / column(rows, "v_load")) for n in (1, 2) for rows in runs[n]])
     continued, = tables(folder / "continued.log")
-    same = continued == runs[2][1]
+    microslip_continued, forgetful = tables(folder / "microslip_continued.log")
+    if "all contacts forget what they carried" not in (folder / "microslip_continued.log").read_text():
+        raise RuntimeError("microslip is turned off between two runs without a warning")
+    if not column(forgetful, "v_load")[-1] > 0:
+        raise RuntimeError("grains fly apart where microslip is turned off")
+    same = continued == runs[2][1] and microslip_continued == slipping[2][1]
+    curve, work, turn = cycles(folder, model)
     print(f"  two grains: friction within {slide:.1e} of the law (limit {LAW_LIMIT:.0e})")
     print(f"  column: limits within {law:.1e} of the law (limit {LAW_LIMIT:.0e}), energy within {energy:.1e} "
           f"(limit {ENERGY_LIMIT:.0e}); the model holds for {held:.4f} of the load (at least {LEAST_HELD})")
-    print(f"  the run continued from a restart file has {'the same digits' if same else 'OTHER digits'}")
+    print(f"  the runs continued from restart files have {'the same digits' if same else 'OTHER digits'}")
+    print(f"  microslip: within {curve:.4f} F of Masing's loops (limit {CURVE_LIMIT}), work of a cycle within {work:.3f} "
+          f"(limit {WORK_LIMIT}); a force that turns with its grains is within {turn:.1e} (limit {TURN_LIMIT:.0e})")
     passed = slide <= LAW_LIMIT and law <= LAW_LIMIT and energy <= ENERGY_LIMIT and ranks <= RANK_LIMIT
     passed = passed and held >= LEAST_HELD and same
+    passed = passed and curve <= CURVE_LIMIT and work <= WORK_LIMIT and turn <= TURN_LIMIT
     return passed, f"one, two and four ranks differ by {ranks:.1e} (limit {RANK_LIMIT:.0e})"
 
 

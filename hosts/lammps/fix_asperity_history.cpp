@@ -1,7 +1,6 @@
 #include "fix_asperity_history.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "atom.h"
 #include "comm.h"
@@ -9,11 +8,14 @@
 #include "modify.h"
 #include "neigh_list.h"
 #include "pair.h"
+#include "utils.h"
 
 using namespace LAMMPS_NS;
-using asperity_lammps::HISTORY;
+using asperity_lammps::STIFFNESS;
+using asperity_lammps::turn_round;
 
 FixAsperityHistory::FixAsperityHistory(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {
+    numbers_ = utils::inumeric(FLERR, arg[3], false, lmp);
     restart_peratom = 1;
     restart_global = 1;    // so that write_restart is called
     create_attribute = 1;
@@ -49,16 +51,21 @@ void FixAsperityHistory::init() {
 void FixAsperityHistory::pre_exchange() {
     if (saved_ || !pair_ || !pair_->list) return;
     for (int i = 0; i < listed_; i++) partners_[i].clear();
+    const auto remember = [this](int i, tagint partner, const double *history) {
+        partners_[i].push_back(static_cast<double>(partner));
+        partners_[i].insert(partners_[i].end(), history, history + numbers_);
+    };
     const NeighList &list = *pair_->list;
     for (int ii = 0; ii < list.inum; ii++) {
         const int i = list.ilist[ii];
         const double *history = of_grain(i);
-        for (int jj = 0; jj < list.numneigh[i]; jj++, history += HISTORY) {
-            if (history[3] == 0) continue;
+        for (int jj = 0; jj < list.numneigh[i]; jj++, history += numbers_) {
+            if (history[STIFFNESS] == 0) continue;
             const int j = list.firstneigh[i][jj] & NEIGHMASK;
-            partners_[i].push_back({atom->tag[j], {history[0], history[1], history[2], history[3]}});
-            if (j < listed_)
-                partners_[j].push_back({atom->tag[i], {-history[0], -history[1], -history[2], history[3]}});
+            remember(i, atom->tag[j], history);
+            if (j >= listed_) continue;
+            remember(j, atom->tag[i], history);
+            turn_round(partners_[j].data() + partners_[j].size() - numbers_, numbers_);
         }
     }
     for (int i = listed_; i < atom->nlocal; i++) partners_[i].clear();    // grains that were added since
@@ -72,19 +79,26 @@ void FixAsperityHistory::post_neighbor() {
     listed_ = atom->nlocal;
     first_.resize(std::max<std::size_t>(first_.size(), listed_));
     std::size_t total = 0;
-    for (int ii = 0; ii < list.inum; ii++) total += HISTORY * list.numneigh[list.ilist[ii]];
+    for (int ii = 0; ii < list.inum; ii++) total += numbers_ * list.numneigh[list.ilist[ii]];
     values_.assign(total + 1, 0.0);    // one more, so that the place of a last grain without neighbours exists
     std::size_t place = 0;
     for (int ii = 0; ii < list.inum; ii++) {
         const int i = list.ilist[ii];
         first_[i] = place;
-        for (int jj = 0; jj < list.numneigh[i]; jj++, place += HISTORY) {
+        for (int jj = 0; jj < list.numneigh[i]; jj++, place += numbers_) {
             if (partners_[i].empty()) continue;
-            const tagint tag = atom->tag[list.firstneigh[i][jj] & NEIGHMASK];
-            for (const Partner &partner : partners_[i])
-                if (partner.tag == tag) std::memcpy(&values_[place], partner.history, sizeof partner.history);
+            const double *history = find(i, atom->tag[list.firstneigh[i][jj] & NEIGHMASK]);
+            if (history) std::copy_n(history, numbers_, &values_[place]);
         }
     }
+}
+
+// What a grain remembers of its contact with another.
+const double *FixAsperityHistory::find(int i, tagint tag) const {
+    const auto &partners = partners_[i];
+    for (std::size_t at = 0; at < partners.size(); at += packed())
+        if (static_cast<tagint>(partners[at]) == tag) return &partners[at + 1];
+    return nullptr;
 }
 
 void FixAsperityHistory::write_restart(FILE *file) {
@@ -99,7 +113,7 @@ void FixAsperityHistory::write_restart(FILE *file) {
 void FixAsperityHistory::measure() {
     most_ = 0;
     for (const auto &partners : partners_) most_ = std::max(most_, partners.size());
-    maxexchange = static_cast<int>(PACKED * most_ + 1);
+    maxexchange = static_cast<int>(HEAD + most_);
 }
 
 void FixAsperityHistory::grow_arrays(int nmax) { partners_.resize(nmax); }
@@ -109,24 +123,20 @@ void FixAsperityHistory::copy_arrays(int from, int to, int) { partners_[to] = pa
 void FixAsperityHistory::set_arrays(int i) { partners_[i].clear(); }
 
 int FixAsperityHistory::pack(int i, double *buffer) const {
-    int m = 0;
-    buffer[m++] = static_cast<double>(partners_[i].size());
-    for (const Partner &partner : partners_[i]) {
-        buffer[m++] = static_cast<double>(partner.tag);
-        for (const double value : partner.history) buffer[m++] = value;
-    }
-    return m;
+    buffer[0] = numbers_;
+    buffer[1] = static_cast<double>(partners_[i].size());
+    std::copy(partners_[i].begin(), partners_[i].end(), buffer + HEAD);
+    return static_cast<int>(HEAD + partners_[i].size());
 }
 
 int FixAsperityHistory::unpack(int i, const double *buffer) {
-    int m = 0;
-    partners_[i].resize(static_cast<std::size_t>(buffer[m++]));
-    for (Partner &partner : partners_[i]) {
-        partner.tag = static_cast<tagint>(buffer[m++]);
-        for (double &value : partner.history) value = buffer[m++];
-    }
-    most_ = std::max(most_, partners_[i].size());
-    return m;
+    if (buffer[0] != numbers_)
+        error->one(FLERR, "pair_style asperity/hertz: contacts of the restart file remember {} numbers, these {}: microslip must "
+                   "be as it was", buffer[0], numbers_);
+    const auto size = static_cast<std::size_t>(buffer[1]);
+    partners_[i].assign(buffer + HEAD, buffer + HEAD + size);
+    most_ = std::max(most_, size);
+    return static_cast<int>(HEAD + size);
 }
 
 int FixAsperityHistory::pack_exchange(int i, double *buffer) { return pack(i, buffer); }
@@ -145,17 +155,17 @@ void FixAsperityHistory::unpack_restart(int i, int nth) {
     unpack(i, buffer + 1);
 }
 
-int FixAsperityHistory::size_restart(int i) { return static_cast<int>(2 + PACKED * partners_[i].size()); }
+int FixAsperityHistory::size_restart(int i) { return static_cast<int>(1 + HEAD + partners_[i].size()); }
 
 int FixAsperityHistory::maxsize_restart() {
     const int mine = static_cast<int>(most_);
     int most = 0;
     MPI_Allreduce(&mine, &most, 1, MPI_INT, MPI_MAX, world);
-    return 2 + PACKED * most;
+    return 1 + HEAD + most;
 }
 
 double FixAsperityHistory::memory_usage() {
     double bytes = sizeof(double) * values_.capacity() + sizeof(std::size_t) * first_.capacity();
-    for (const auto &partners : partners_) bytes += sizeof partners + sizeof(Partner) * partners.capacity();
+    for (const auto &partners : partners_) bytes += sizeof partners + sizeof(double) * partners.capacity();
     return bytes;
 }

@@ -14,10 +14,12 @@ class FixAsperityHistory : public Fix {
 public:
     static constexpr const char *style_name = "ASPERITY/HISTORY";
 
+    // fix ID group ASPERITY/HISTORY N: with N numbers for each contact
     FixAsperityHistory(LAMMPS *, int, char **);
     ~FixAsperityHistory() override;
     void of_pair(class Pair *pair) { pair_ = pair; }
-    // The histories of the neighbours of grain i, HISTORY numbers for each. Stiffness 0: nothing is remembered.
+    // The histories of the neighbours of grain i, numbers() for each. Stiffness 0: nothing is remembered.
+    int numbers() const { return numbers_; }
     double *of_grain(int i) { return &values_[first_[i]]; }
     const double *of_grain(int i) const { return &values_[first_[i]]; }
     // The neighbour list has moved on since it was last saved.
@@ -45,22 +47,20 @@ public:
     double memory_usage() override;
 
 private:
-    struct Partner {
-        tagint tag;
-        double history[asperity_lammps::HISTORY];
-    };
-    enum { PACKED = 1 + asperity_lammps::HISTORY };    // numbers of a partner in a buffer
-
     int pack(int, double *) const;
     int unpack(int, const double *);
     void measure();
+    const double *find(int, tagint) const;
+    int packed() const { return 1 + numbers_; }    // numbers of a partner: its identifier and the history
+    enum { HEAD = 2 };                             // before the partners in a buffer: numbers_, and how many follow
 
     Pair *pair_ = nullptr;
+    int numbers_;                                  // of the history of a contact
     std::vector<std::size_t> first_;               // of grain i in values_
     std::vector<double> values_;
-    std::vector<std::vector<Partner>> partners_;   // of each grain, as last saved
+    std::vector<std::vector<double>> partners_;    // packed() numbers for each partner of each grain, as last saved
     int listed_ = 0;                               // grains of this rank when the list was built
-    std::size_t most_ = 0;                         // partners of a grain of this rank
+    std::size_t most_ = 0;                         // numbers of a grain of this rank
     bool saved_ = true;
 };
 

@@ -32,7 +32,8 @@ FixWallAsperityHertz::FixWallAsperityHertz(LAMMPS *lmp, int narg, char **arg) : 
     }
     restart_peratom = 1;
     create_attribute = 1;
-    maxexchange = OF_GRAIN;
+    of_grain_ = WALLS * law_->history();
+    maxexchange = of_grain_;
     vector_flag = 1;
     size_vector = VECTOR;
     global_freq = 1;
@@ -93,11 +94,11 @@ void FixWallAsperityHertz::post_force(int) {
         if (!(atom->mask[i] & groupbit)) continue;
         for (int w = 0; w < WALLS; w++) {
             const double side = w == 0 ? 1 : -1, overlap = atom->radius[i] - side * (atom->x[i][axis_] - place_[w]);
-            double *history = &histories_[static_cast<std::size_t>(i) * OF_GRAIN + w * HISTORY];
+            double *history = of_grain(i) + w * law_->history();
             if (std::isfinite(place_[w]) && overlap > 0) {
                 meet(i, overlap, side, history, contacts[waiting++]);
-            } else if (history[3] != 0) {
-                std::memset(history, 0, HISTORY * sizeof *history);
+            } else if (history[STIFFNESS] != 0) {
+                std::fill_n(history, law_->history(), 0.0);
             }
             if (waiting == Law::BATCH) {
                 apply(waiting, contacts, dt);
@@ -150,29 +151,26 @@ double FixWallAsperityHertz::compute_vector(int n) {
 
 // ---- What LAMMPS asks of a fix with data of its own for each grain ----
 
-void FixWallAsperityHertz::grow_arrays(int nmax) { histories_.resize(static_cast<std::size_t>(nmax) * OF_GRAIN); }
+double *FixWallAsperityHertz::of_grain(int i) { return histories_.data() + static_cast<std::size_t>(i) * of_grain_; }
 
-void FixWallAsperityHertz::copy_arrays(int from, int to, int) {
-    std::copy_n(&histories_[static_cast<std::size_t>(from) * OF_GRAIN], +OF_GRAIN,
-                &histories_[static_cast<std::size_t>(to) * OF_GRAIN]);
-}
+void FixWallAsperityHertz::grow_arrays(int nmax) { histories_.resize(static_cast<std::size_t>(nmax) * of_grain_); }
 
-void FixWallAsperityHertz::set_arrays(int i) {
-    std::fill_n(&histories_[static_cast<std::size_t>(i) * OF_GRAIN], +OF_GRAIN, 0.0);
-}
+void FixWallAsperityHertz::copy_arrays(int from, int to, int) { std::copy_n(of_grain(from), of_grain_, of_grain(to)); }
+
+void FixWallAsperityHertz::set_arrays(int i) { std::fill_n(of_grain(i), of_grain_, 0.0); }
 
 int FixWallAsperityHertz::pack_exchange(int i, double *buffer) {
-    std::copy_n(&histories_[static_cast<std::size_t>(i) * OF_GRAIN], +OF_GRAIN, buffer);
-    return OF_GRAIN;
+    std::copy_n(of_grain(i), of_grain_, buffer);
+    return of_grain_;
 }
 
 int FixWallAsperityHertz::unpack_exchange(int i, double *buffer) {
-    std::copy_n(buffer, +OF_GRAIN, &histories_[static_cast<std::size_t>(i) * OF_GRAIN]);
-    return OF_GRAIN;
+    std::copy_n(buffer, of_grain_, of_grain(i));
+    return of_grain_;
 }
 
 int FixWallAsperityHertz::pack_restart(int i, double *buffer) {
-    buffer[0] = 1 + OF_GRAIN;
+    buffer[0] = 1 + of_grain_;
     return 1 + pack_exchange(i, buffer + 1);
 }
 
@@ -180,5 +178,8 @@ int FixWallAsperityHertz::pack_restart(int i, double *buffer) {
 void FixWallAsperityHertz::unpack_restart(int i, int nth) {
     double *buffer = atom->extra[i];
     for (int n = 0; n < nth; n++) buffer += static_cast<int>(buffer[0]);
+    if (static_cast<int>(buffer[0]) != 1 + of_grain_)
+        error->one(FLERR, "fix {} wall/asperity/hertz: contacts of the restart file remember {} numbers, these {}: microslip must "
+                   "be as it was", id, (buffer[0] - 1) / WALLS, law_->history());
     unpack_exchange(i, buffer + 1);
 }

@@ -29,14 +29,15 @@ public:
     int unpack_exchange(int, double *) override;
     int pack_restart(int, double *) override;
     void unpack_restart(int, int) override;
-    int size_restart(int) override { return 1 + OF_GRAIN; }
-    int maxsize_restart() override { return 1 + OF_GRAIN; }
+    int size_restart(int) override { return 1 + of_grain_; }
+    int maxsize_restart() override { return 1 + of_grain_; }
     double memory_usage() override { return static_cast<double>(sizeof(double)) * histories_.capacity(); }
 
 private:
-    enum { WALLS = 2, OF_GRAIN = WALLS * asperity_lammps::HISTORY };
+    enum { WALLS = 2 };
 
     int read_planes(int, char **);
+    double *of_grain(int i);
     void meet(int grain, double overlap, double side, double *history, asperity_lammps::Contact &) const;
     void apply(int count, const asperity_lammps::Contact *, double dt);
 
@@ -44,7 +45,8 @@ private:
     int axis_ = 2;                      // normal to the walls
     double place_[WALLS];               // below and above; not finite where there is none
     double velocity_[3] = {0, 0, 0};
-    std::vector<double> histories_;     // OF_GRAIN numbers of each grain
+    int of_grain_ = 0;                  // numbers of the histories of a grain at all walls
+    std::vector<double> histories_;     // of_grain_ numbers of each grain
     asperity_lammps::Sums sums_;
     double force_[3] = {0, 0, 0};       // of the walls on the grains of this rank
     double driving_ = 0;                // work of the walls on these

@@ -110,6 +110,10 @@ Law::Law(const std::vector<std::string> &words) {
         else if (name == "poisson") poisson = number(name, text);
         else if (name == "restitution") restitution = positive(name, text);
         else if (name == "mu") mu_ = number(name, text);
+        else if (name == "microslip") {
+            if (text != "yes" && text != "no") refuse("microslip: must be yes or no");
+            microslip_ = text == "yes";
+        }
         else if (name == "surface") read_file(text, names, values);
         else {
             names.push_back(name);
@@ -125,6 +129,7 @@ Law::Law(const std::vector<std::string> &words) {
     damping_ = damping_of(restitution);
     softening_ = std::pow(modulus_ / real_modulus, 2.0 / 3);
     area_ = pi * std::pow(0.75 / real_modulus, 2.0 / 3);
+    if (microslip_ && mu_ >= 0) refuse("microslip: needs a surface, not mu");
     if (mu_ >= 0 && names.empty()) return;
     if (mu_ >= 0 || std::find(words.begin(), words.end(), "mu") != words.end())
         refuse("mu: must be 0 or more, and stands in place of a surface");
@@ -144,6 +149,10 @@ void Law::make_model(const std::vector<std::string> &names, const std::vector<do
     demand(asperity_create(&params, &model));
     model_.reset(model, asperity_free);
     find_where_it_holds(params.composite_modulus);
+    const std::size_t remembered = asperity_microslip_length(model);
+    if (microslip_ && remembered > MOST_REMEMBERED)
+        refuse("microslip: this library keeps " + std::to_string(remembered) + " numbers of a contact; build the plugin with its own");
+    remembered_ = static_cast<int>(remembered);
 }
 
 // Warnings and number of contacts against pressure, from a billionth of E*, at which hardly a summit touches, to E* itself.
@@ -172,12 +181,17 @@ void Law::forces(int count, const Contact *contact, double dt, Forces *result) c
         load[k] = result[k].load;
         moment[k] = load[k] * contact[k].radius;
     }
+    Bodies bodies;
     if (model_) {
-        limits(count, load, moment, result);
+        limits(count, load, moment, bodies, result);
     } else {
         for (int k = 0; k < count; k++) result[k].limit = mu_ * load[k], result[k].pressure = 0;
     }
-    for (int k = 0; k < count; k++) tangential(contact[k], dt, result[k]);
+    if (microslip_) microslip(count, contact, dt, bodies, result);
+    for (int k = 0; k < count; k++) {
+        if (!microslip_) spring(contact[k], dt, result[k]);
+        damp(contact[k], dt, result[k]);
+    }
 }
 
 // Also the stick stiffness of smooth grains, after Mindlin.
@@ -191,8 +205,8 @@ void Law::normal(const Contact &c, Forces &r) const {
 }
 
 // The greatest friction, and the stick stiffness of summits and grains one behind the other. moment: load times radius.
-void Law::limits(int count, const double *load, const double *moment, Forces *r) const {
-    double area[BATCH], pressure[BATCH] = {}, limit[BATCH], summits[BATCH];
+void Law::limits(int count, const double *load, const double *moment, Bodies &bodies, Forces *r) const {
+    double pressure[BATCH] = {}, limit[BATCH], summits[BATCH], *area = bodies.area;
     for (int k = 0; k < count; k++) {
         const double root = cube_root(moment[k] > 1e-200 ? moment[k] : 1e-200);    // without load there is no area, nearly
         area[k] = area_ * root * root;
@@ -206,17 +220,19 @@ void Law::limits(int count, const double *load, const double *moment, Forces *r)
         r[k].pressure = pressure[k];
         r[k].limit = area[k] * limit[k];
         r[k].stiffness = bulk * both / (bulk + both);
+        bodies.grain[k] = bulk;
+        bodies.summits[k] = both;
     }
 }
 
-void Law::tangential(const Contact &c, double dt, Forces &r) const {
+void Law::spring(const Contact &c, double dt, Forces &r) const {
     double *history = c.history;
     double slip[3], *spring = r.spring;
     for (int a = 0; a < 3; a++) slip[a] = c.velocity[a] + r.approach * c.normal[a];
     const double off = dot(history, c.normal);    // the tangent plane has turned
     // A contact that is unloaded loses the stiffness of the part that opens, and the force of that part: nothing else
     // keeps the spring from giving back more than was put in. One that is loaded gains stiffness without force.
-    const double kept = r.stiffness < history[3] ? r.stiffness / history[3] : 1;
+    const double kept = r.stiffness < history[STIFFNESS] ? r.stiffness / history[STIFFNESS] : 1;
     for (int a = 0; a < 3; a++)
         spring[a] = kept * (history[a] - off * c.normal[a]) - r.stiffness * dt * slip[a];
     double size = dot(spring, spring);
@@ -226,24 +242,27 @@ void Law::tangential(const Contact &c, double dt, Forces &r) const {
         for (int a = 0; a < 3; a++) spring[a] *= scale;
     }
     r.friction_work = 0;
-    for (int a = 0; a < 3; a++) {
-        r.friction_work -= 0.5 * (history[a] + spring[a]) * slip[a] * dt;
-        r.friction[a] = spring[a];
-    }
+    for (int a = 0; a < 3; a++) r.friction_work -= 0.5 * (history[a] + spring[a]) * slip[a] * dt;
     if (dt > 0) {
         for (int a = 0; a < 3; a++) history[a] = spring[a];
-        history[3] = r.stiffness;
+        history[STIFFNESS] = r.stiffness;
     }
+}
+
+// The spring of a contact that sticks is damped as the normal one is; the whole stays below the limit.
+void Law::damp(const Contact &c, double dt, Forces &r) const {
+    for (int a = 0; a < 3; a++) r.friction[a] = r.spring[a];
     if (r.slips || damping_ == 0) return;
-    // The spring of a contact that sticks is damped as the normal one is; the whole stays below the limit.
+    double slip[3];
+    for (int a = 0; a < 3; a++) slip[a] = c.velocity[a] + r.approach * c.normal[a];
     const double viscous = damping_ * std::sqrt(r.stiffness * c.mass);
     for (int a = 0; a < 3; a++) r.friction[a] -= viscous * slip[a];
-    size = dot(r.friction, r.friction);
+    const double size = dot(r.friction, r.friction);
     if (size > r.limit * r.limit) {
         const double scale = r.limit / std::sqrt(size);
         for (int a = 0; a < 3; a++) r.friction[a] *= scale;
     }
-    for (int a = 0; a < 3; a++) r.friction_work -= (r.friction[a] - spring[a]) * slip[a] * dt;
+    for (int a = 0; a < 3; a++) r.friction_work -= (r.friction[a] - r.spring[a]) * slip[a] * dt;
 }
 
 }    // namespace asperity_lammps

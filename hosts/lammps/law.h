@@ -1,5 +1,5 @@
 // The law of a contact between two grains, or a grain and a wall: Hertz and damping along the normal, friction with a stick
-// stiffness across it. Knows nothing of LAMMPS. docs/lammps.md has the equations.
+// stiffness or microslip across it. Knows nothing of LAMMPS. docs/lammps.md has the equations.
 #ifndef ASPERITY_LAMMPS_LAW_H
 #define ASPERITY_LAMMPS_LAW_H
 
@@ -40,12 +40,20 @@ inline double pressure_of(std::int64_t half_binade) {
 // Where fewer summits touch, ASPERITY_WARNING_FEW holds (docs/theory.md).
 const double fewest_summits = 20;
 
-// What a contact remembers: the force of its tangential spring on the first body, and the stiffness that it had.
-enum { HISTORY = 4 };
+// What a contact remembers: the force of its tangential spring on the first body, and the stiffness that it had; 0: nothing.
+// With microslip in place of the force a direction in the tangent plane; behind the stiffness on which side the other
+// direction is, the force in both, how stiff the summits were (xx, xy, yy), and what the library keeps of them.
+enum { SPRING, STIFFNESS = 3, SIDE, FORCE, TANGENT = 7, SUMMITS = 10 };
+
+// The same contact seen from the other body.
+inline void turn_round(double *history, int numbers) {
+    for (int a = 0; a < 3; a++) history[SPRING + a] = -history[SPRING + a];
+    if (numbers > SIDE) history[SIDE] = -history[SIDE];
+}
 
 struct Contact {
     int first, second;            // the grains
-    double *history;              // HISTORY numbers
+    double *history;              // Law::history() numbers
     double radius, mass;          // effective ones
     double overlap, normal[3];    // towards the first body
     double velocity[3];           // of the first body against the second, where they touch
@@ -82,6 +90,10 @@ public:
     // Contacts are computed so many at a time, as the library's batch calls are the faster ones.
     enum { BATCH = 32 };
 
+    // Of how many numbers the history of a contact is, and how many it can be.
+    int history() const { return microslip_ ? SUMMITS + remembered_ : SIDE; }
+    enum { MOST_REMEMBERED = 64, MOST_HISTORY = SUMMITS + MOST_REMEMBERED };
+
     // Of up to BATCH contacts. dt: by which the springs are moved on; 0 leaves the histories as they are, for a step that is
     // computed again.
     void forces(int count, const Contact *contact, double dt, Forces *result) const;
@@ -99,8 +111,16 @@ private:
     void make_model(const std::vector<std::string> &names, const std::vector<double> &values);
     void find_where_it_holds(double composite_modulus);
     void normal(const Contact &contact, Forces &result) const;
-    void limits(int count, const double *load, const double *moment, Forces *result) const;
-    void tangential(const Contact &contact, double dt, Forces &result) const;
+    // What the tangential forces of a batch need beside Forces.
+    struct Bodies {
+        double area[BATCH] = {};       // of the real contacts
+        double grain[BATCH] = {};      // stick stiffness of the grains alone
+        double summits[BATCH] = {};    // and of the summits
+    };
+    void limits(int count, const double *load, const double *moment, Bodies &bodies, Forces *result) const;
+    void spring(const Contact &contact, double dt, Forces &result) const;
+    void microslip(int count, const Contact *contact, double dt, const Bodies &bodies, Forces *result) const;
+    void damp(const Contact &contact, double dt, Forces &result) const;
 
     std::shared_ptr<asperity_model> model_;    // of one unit of area; none with a constant coefficient
     double mu_ = -1;
@@ -109,6 +129,8 @@ private:
     double damping_ = 0;
     double area_ = 0;                          // area over (load radius)^(2/3)
     double softening_ = 1;                     // (modulus/real_modulus)^(2/3)
+    bool microslip_ = false;                   // summits slip one after the other, not all at once
+    int remembered_ = 0;                       // numbers that the library keeps of a contact
     std::int64_t first_interval_ = 0;
     std::vector<Interval> intervals_;          // by half_binade(pressure) - first_interval_
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 
 #include "atom.h"
@@ -108,17 +107,28 @@ void PairAsperityHertz::init_style() {
     if (!comm->ghost_velocity) error->all(FLERR, "pair_style asperity/hertz: say 'comm_modify vel yes'");
     // Each rank computes a contact with a grain of another rank for its own grain.
     neighbor->add_request(this, NeighConst::REQ_SIZE | NeighConst::REQ_NEWTON_OFF);
-    if (!fix_history_) {
-        modify->replace_fix(place_id, std::string(history_id) + " all " + FixAsperityHistory::style_name, 1);
-        fix_history_ = dynamic_cast<FixAsperityHistory *>(modify->get_fix_by_id(history_id));
-        if (!fix_history_) error->all(FLERR, "pair_style asperity/hertz: no fix that keeps the histories");
-        fix_history_->of_pair(this);
-    }
+    make_fix_history();
     const auto freezing = modify->get_fix_by_style("^freeze");
     freeze_bit_ = freezing.empty() ? 0 : freezing.front()->groupbit;
     find_radii();
     sums_ = Sums();
     run_load_ = run_held_ = 0;
+}
+
+// The fix that keeps the histories, as long as the longest of them.
+void PairAsperityHertz::make_fix_history() {
+    int numbers = 0;
+    for (const auto &law : laws_)
+        if (law) numbers = std::max(numbers, law->history());
+    if (fix_history_ && fix_history_->numbers() == numbers) return;
+    if (fix_history_ && comm->me == 0)
+        error->warning(FLERR, "pair_style asperity/hertz: microslip is not as it was, and all contacts forget what they carried");
+    const std::string wanted = fmt::format("{} all {} {}", history_id, FixAsperityHistory::style_name, numbers);
+    if (fix_history_) modify->add_fix(wanted, 1);    // in the place of the one of this name
+    else modify->replace_fix(place_id, wanted, 1);
+    fix_history_ = dynamic_cast<FixAsperityHistory *>(modify->get_fix_by_id(history_id));
+    if (!fix_history_) error->all(FLERR, "pair_style asperity/hertz: no fix that keeps the histories");
+    fix_history_->of_pair(this);
 }
 
 // The largest grains of each type, those included that fix pour or fix deposit will add.
@@ -177,7 +187,7 @@ inline bool PairAsperityHertz::touching(int i, int j, Contact &c) const {
 
 void PairAsperityHertz::compute(int eflag, int vflag) {
     ev_init(eflag, vflag);
-    const int types = atom->ntypes, *type = atom->type;
+    const int types = atom->ntypes, *type = atom->type, numbers = fix_history_->numbers();
     fix_history_->changed();
     sums_.begin_step();
     Contact contacts[Law::BATCH];
@@ -187,10 +197,10 @@ void PairAsperityHertz::compute(int eflag, int vflag) {
         const int i = list->ilist[ii], *neighbours = list->firstneigh[i], count = list->numneigh[i];
         const auto *laws = &laws_[type[i] * (types + 1)];
         double *history = fix_history_->of_grain(i);
-        for (int jj = 0; jj < count; jj++, history += HISTORY) {
+        for (int jj = 0; jj < count; jj++, history += numbers) {
             const int j = neighbours[jj] & NEIGHMASK;
             if (!touching(i, j, contacts[waiting])) {
-                if (history[3] != 0) std::memset(history, 0, HISTORY * sizeof *history);
+                if (history[STIFFNESS] != 0) std::fill_n(history, numbers, 0.0);
                 continue;
             }
             const Law *own = laws[type[j]].get();
@@ -249,27 +259,28 @@ void PairAsperityHertz::apply(const Law &law, int count, const Contact *contacts
 }
 
 // The history of a contact as seen by i. It is kept with the grain in whose list the other stands.
-const double *PairAsperityHertz::history_of(int i, int j, double &sign) const {
-    sign = 1;
-    for (int turn = 0; turn < 2; turn++, std::swap(i, j), sign = -1) {
+void PairAsperityHertz::history_of(int i, int j, double *history) const {
+    const int numbers = fix_history_->numbers();
+    for (int turn = 0; turn < 2; turn++, std::swap(i, j)) {
         if (i >= atom->nlocal) continue;
         const int *neighbours = list->firstneigh[i];
-        for (int jj = 0; jj < list->numneigh[i]; jj++)
-            if ((neighbours[jj] & NEIGHMASK) == j) return fix_history_->of_grain(i) + HISTORY * jj;
+        for (int jj = 0; jj < list->numneigh[i]; jj++) {
+            if ((neighbours[jj] & NEIGHMASK) != j) continue;
+            std::copy_n(fix_history_->of_grain(i) + numbers * jj, numbers, history);
+            if (turn == 1) turn_round(history, numbers);
+            return;
+        }
     }
-    return nullptr;
 }
 
 // For compute pair/local: tangential force on i, its size, load, pressure, limit, stick stiffness, whether it slips.
 double PairAsperityHertz::single(int i, int j, int itype, int jtype, double, double, double, double &fforce) {
     Contact c;
-    double sign = 1, history[HISTORY] = {};
-    const double *kept = history_of(i, j, sign);
+    double history[Law::MOST_HISTORY] = {};
     std::fill(svector, svector + SINGLE, 0.0);
     fforce = 0;
     if (!touching(i, j, c)) return 0;
-    if (kept)
-        for (int a = 0; a < HISTORY; a++) history[a] = (a < 3 ? sign : 1) * kept[a];
+    history_of(i, j, history);
     c.history = history;
     Forces r;
     laws_[itype * (atom->ntypes + 1) + jtype]->forces(1, &c, 0, &r);

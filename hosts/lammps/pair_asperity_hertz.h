@@ -36,10 +36,11 @@ private:
 
     void allocate();
     void set_law(int, int, const Words &);
+    void make_fix_history();
     void find_radii();
     bool touching(int, int, asperity_lammps::Contact &) const;
     void apply(const asperity_lammps::Law &, int, const asperity_lammps::Contact *);
-    const double *history_of(int, int, double &) const;
+    void history_of(int, int, double *) const;
     void write_words(FILE *, const Words &) const;
     Words read_words(FILE *);
 

@@ -30,6 +30,8 @@ refused "pair_style asperity/hertz: asperity_count: must be set" \
     $'pair_style asperity/hertz modulus 5e6 E1 1e9 nu1 0.3 E2 1e9 nu2 0.3 work_of_adhesion 0 adhesion_range 1e-10 burgers_vector 1e-10 height_std 1e-8 summit_radius 1e-6\npair_coeff * *'
 refused "pair_style asperity/hertz: say 'comm_modify vel yes'" $'pair_style asperity/hertz ${beads}\npair_coeff * *'
 refused "fix f wall/asperity/hertz: modulus: must be set" $'fix f all wall/asperity/hertz zplane 0 NULL height_std 1e-8'
+refused 'pair_coeff asperity/hertz: microslip: must be yes or no' $'pair_style asperity/hertz ${beads}\npair_coeff * * microslip 1'
+refused 'pair_style asperity/hertz: microslip: needs a surface, not mu' $'pair_style asperity/hertz modulus 5e6 mu 0.3 microslip yes\npair_coeff * *'
 printf 'first = "Si"\n' >"$build/named.toml"
 refused 'pair_style asperity/hertz: surface '"$build"'/named.toml, line 1: first: "Si" is not a number' \
     "pair_style asperity/hertz modulus 5e6 surface $build/named.toml"$'\npair_coeff * *'
@@ -46,5 +48,20 @@ shear 1 500
 shear 2 500
 shear 4 25    # ranks that share a core wait for each other at every step
 script=continue.in go 2 "$here/continue.in" continued.log -var from "$build/shear2.restart" -var steps 500
+
+script=cycle.in go 1 "$here/cycle.in" cycle.log
+microslip() {
+    local ranks=$1 log=$2 begin=$3 from=$4
+    script=microslip.in go "$ranks" "$here/microslip.in" "$log.log" -var begin "$begin" -var from "$build/$from" \
+        -var to "$build/$log.restart" -var steps 120
+}
+microslip 1 microslip1 data settled.data
+microslip 2 microslip2 data settled.data
+microslip 2 microslip_continued restart microslip2.restart
+# With one spring for each contact a file of microslip cannot go on.
+message=$(lammps 2 "$here/continue.in" refused.log -var from "$build/microslip2.restart" -var steps 0 2>&1) &&
+    fail "walls with one spring go on from a file of microslip"
+[[ "$message$(cat "$build/refused.log")" == *"fix sides wall/asperity/hertz: contacts of the restart file remember 42 numbers, these 4"* ]] ||
+    fail "a file of microslip is refused without saying so: $message"
 
 run "$environment/bin/python" hosts/lammps/check.py "$build"

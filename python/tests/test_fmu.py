@@ -31,20 +31,26 @@ from asperity._fmu_binaries import _soname
 
 PARAMS = Params.from_toml(HARD_CARBON)
 LOAD, FORCE, COEFFICIENT, SLOPE = range(4)
+DISPLACEMENT, RESISTANCE, STIFFNESS = range(4, 7)  # of units with microslip
 # FMPy has one logger for all units of FMI 2.0, the last one given: it must live as long as the tests.
 LOGGERS: list[fmi2CallbackFunctions] = []
 
 
-def made(params: Params, directory: Path, fmi: str) -> Path:
+def made(params: Params, directory: Path, fmi: str, *options: str) -> Path:
     params.to_toml(directory / "surface.toml")
     unit = directory / "hard_carbon.fmu"
-    assert main(["fmu", str(directory / "surface.toml"), "-o", str(unit), "--load", "0.5", "--fmi", fmi]) == 0
+    assert main(["fmu", str(directory / "surface.toml"), "-o", str(unit), "--load", "0.5", "--fmi", fmi, *options]) == 0
     return unit
 
 
 @pytest.fixture(scope="module")
 def units(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     return {fmi: made(PARAMS, tmp_path_factory.mktemp("fmu"), fmi) for fmi in ("2.0", "3.0")}
+
+
+@pytest.fixture(scope="module")
+def microslip_units(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    return {fmi: made(PARAMS, tmp_path_factory.mktemp("microslip"), fmi, "--microslip") for fmi in ("2.0", "3.0")}
 
 
 @pytest.fixture(params=["2.0", "3.0"])
@@ -63,19 +69,17 @@ def references(units: dict[str, Path]) -> dict[str, int]:
     return two
 
 
-@pytest.fixture(params=[FMU2Model, FMU2Slave, FMU3Model, FMU3Slave])
-def instance(units: dict[str, Path], tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Any]:
+def instantiated(unit: Path, kind: type[Any], directory: Path) -> Any:
     """A new instance, and what was logged, with the names of FMI 2.0."""
-    unit = units["2.0" if request.param in (FMU2Model, FMU2Slave) else "3.0"]
     description = read_model_description(unit)
-    made = request.param(
+    made = kind(
         guid=description.guid,
         modelIdentifier=description.coSimulation.modelIdentifier,
-        unzipDirectory=extract(unit, str(tmp_path / "unit")),
+        unzipDirectory=extract(unit, str(directory)),
         instanceName="pad",
     )
     made.log = []
-    if request.param in (FMU2Model, FMU2Slave):
+    if kind in (FMU2Model, FMU2Slave):
         calls = fmi2CallbackFunctions()
         calls.logger = fmi2CallbackLoggerTYPE(lambda *said: made.log.append(said[4].decode()))
         LOGGERS.append(calls)
@@ -84,7 +88,43 @@ def instance(units: dict[str, Path], tmp_path: Path, request: pytest.FixtureRequ
         made.setupExperiment()
     else:
         made.getReal, made.setReal = made.getFloat64, made.setFloat64
+        made.getFMUstate, made.setFMUstate, made.freeFMUstate = made.getFMUState, made.setFMUState, made.freeFMUState
+        made.serializeFMUstate, made.deSerializeFMUstate = made.serializeFMUState, made.deserializeFMUState
         made.instantiate(logMessage=lambda *said: made.log.append(said[3].decode()))
+    return made
+
+
+KINDS = [FMU2Model, FMU2Slave, FMU3Model, FMU3Slave]
+
+
+def version_of(kind: type[Any]) -> str:
+    return "2.0" if kind in (FMU2Model, FMU2Slave) else "3.0"
+
+
+@pytest.fixture(params=KINDS)
+def instance(units: dict[str, Path], tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Any]:
+    made = instantiated(units[version_of(request.param)], request.param, tmp_path / "unit")
+    yield made
+    made.freeInstance()
+
+
+@pytest.fixture(params=KINDS)
+def contact(microslip_units: dict[str, Path], tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Any]:
+    """An instance with microslip; `move` sets displacement and load and accepts the step, and gives the tangential force."""
+    made = instantiated(microslip_units[version_of(request.param)], request.param, tmp_path / "unit")
+
+    def move(displacement: float, load: float = 0.5) -> float:
+        made.setReal([DISPLACEMENT, LOAD], [displacement, load])
+        made.completedIntegratorStep() if request.param in (FMU2Model, FMU3Model) else made.doStep(0.0, 0.1)
+        return float(made.getReal([RESISTANCE])[0])
+
+    def begin() -> None:
+        made.enterInitializationMode()
+        made.exitInitializationMode()
+        if request.param in (FMU2Model, FMU3Model):
+            made.enterContinuousTimeMode()
+
+    made.move, made.begin = move, begin
     yield made
     made.freeInstance()
 
@@ -261,6 +301,147 @@ def test_directional_derivatives_are_the_slopes_of_the_law(instance: Any) -> Non
     assert curvature == pytest.approx((above - below) / 2e-3, rel=1e-4)
 
 
+def slip_length(load: float = 0.5) -> float:
+    """Friction force over tangential stiffness."""
+    with Model(PARAMS) as model:
+        return float(model.friction_force_at_load(load) / model.tangential_stiffness_at_load(load))
+
+
+def test_units_with_microslip_are_valid(microslip_units: dict[str, Path]) -> None:
+    for unit in microslip_units.values():
+        assert validate_fmu(str(unit)) == []
+        variables = [variable.name for variable in read_model_description(unit).modelVariables]
+        assert variables[DISPLACEMENT:8] == ["displacement", "tangential_force", "tangential_stiffness", "composite_modulus"]
+
+
+def test_a_contact_resists_as_the_law_says_and_remembers(contact: Any) -> None:
+    length = slip_length()
+    with Model(PARAMS) as model:
+        friction, stiffness = model.friction_force_at_load(0.5), model.tangential_stiffness_at_load(0.5)
+
+        def curve(displacement: float) -> float:
+            return float(model.tangential(0.5, displacement)[0])
+
+        contact.begin()
+        assert contact.getReal([RESISTANCE, STIFFNESS]) == [0.0, pytest.approx(stiffness, rel=1e-12)]
+        for part in np.linspace(0.05, 0.8, 16):
+            assert contact.move(part * length) == pytest.approx(curve(part * length), abs=0.02 * friction)
+        top = contact.getReal([RESISTANCE])[0]
+        for part in np.linspace(0.75, -0.8, 32):  # Masing's rule
+            expected = curve(0.8 * length) - 2 * curve((0.8 - part) / 2 * length)
+            assert contact.move(part * length) == pytest.approx(expected, abs=0.03 * friction)
+        assert contact.getReal([RESISTANCE])[0] == pytest.approx(-top, rel=1e-3)
+        assert contact.move(100 * length) == pytest.approx(friction, rel=1e-12)
+        assert contact.getReal([FORCE, COEFFICIENT, SLOPE]) == law(0.5)
+        assert contact.move(100 * length, load=-1e3) == 0.0  # apart: nothing is remembered
+        assert contact.move(100 * length) == 0.0
+        assert contact.move(100.01 * length) == pytest.approx(0.01 * friction, rel=1e-2)
+
+
+def test_what_a_solver_tries_is_not_remembered(contact: Any) -> None:
+    length = slip_length()
+    contact.begin()
+    contact.move(0.3 * length)
+    force = contact.move(0.6 * length)
+    for displacement, load in ((2.0, 0.5), (-3.0, 0.4), (0.1, 2.0)):
+        contact.setReal([DISPLACEMENT, LOAD], [displacement * length, load])
+        assert contact.getReal([RESISTANCE]) != [force]
+    contact.setReal([DISPLACEMENT, LOAD], [0.6 * length, 0.5])
+    assert contact.getReal([RESISTANCE]) == [force]
+    contact.setReal([DISPLACEMENT], [float("nan")])
+    with pytest.raises(Exception, match="status 2"):
+        contact.getReal([RESISTANCE])
+
+
+def test_a_contact_is_saved_and_brought_back(contact: Any) -> None:
+    length = slip_length()
+    contact.begin()
+    path = [(0.7, 0.5), (0.2, 0.45), (0.9, 0.8)]
+    contact.move(0.5 * length)
+    saved = contact.getFMUstate()
+    forces = [contact.move(displacement * length, load) for displacement, load in path]
+    data = contact.serializeFMUstate(saved)
+    contact.setFMUstate(saved)
+    contact.freeFMUstate(saved)
+    assert [contact.move(displacement * length, load) for displacement, load in path] == forces
+    contact.setFMUstate(contact.deSerializeFMUstate(data))
+    assert contact.getReal([DISPLACEMENT, LOAD]) == [0.5 * length, 0.5]
+    assert [contact.move(displacement * length, load) for displacement, load in path] == forces
+    for wrong in (data[:-1], b"x" + data[1:]):
+        with pytest.raises(Exception, match="status 3"):
+            contact.deSerializeFMUstate(wrong)
+    assert "not those of a saved unit" in contact.log[-1]
+
+
+def test_a_saved_unit_brings_its_parameters_back(instance: Any, references: dict[str, int]) -> None:
+    instance.enterInitializationMode()
+    saved = instance.getFMUstate()
+    instance.setReal([LOAD, references["height_std"]], [3.0, 8e-9])
+    assert instance.getReal([FORCE]) == law(3.0, height_std=8e-9)[:1]
+    instance.setFMUstate(saved)
+    assert instance.getReal([LOAD, FORCE]) == [0.5, law(0.5)[0]]
+    instance.freeFMUstate(saved)
+
+
+def test_directional_derivatives_of_microslip_are_those_of_the_step(contact: Any) -> None:
+    """Against central differences, where some of the contact sticks and some slips."""
+    length = slip_length()
+    contact.begin()
+    contact.move(0.9 * length)
+    contact.move(0.35 * length, load=0.45)
+    here, load = 0.21 * length, 0.437
+
+    def force(displacement: float, load: float) -> float:
+        contact.setReal([DISPLACEMENT, LOAD], [displacement, load])
+        return float(contact.getReal([RESISTANCE])[0])
+
+    step = 1e-5 * length
+    along = (force(here + step, load) - force(here - step, load)) / (2 * step)
+    by_load = (force(here, load * (1 + 1e-5)) - force(here, load * (1 - 1e-5))) / (2e-5 * load)
+    force(here, load)
+    stiffness, friction_force = contact.getReal([STIFFNESS, FORCE])
+    assert stiffness == pytest.approx(along, rel=1e-6) and along > 0 and abs(by_load) > 1e-3 * friction_force / load
+    derivatives = contact.getDirectionalDerivative
+    assert derivatives([RESISTANCE], [DISPLACEMENT], [1.0])[0] == stiffness
+    assert derivatives([RESISTANCE], [LOAD], [1.0])[0] == pytest.approx(by_load, rel=1e-5)
+    both = derivatives([RESISTANCE, FORCE], [LOAD, DISPLACEMENT], [2.0, 3 * length])
+    assert both == [
+        pytest.approx(2 * by_load + 3 * length * along, rel=1e-5),
+        pytest.approx(2 * law(load)[2], rel=1e-12),
+    ]
+    assert derivatives([STIFFNESS, FORCE], [DISPLACEMENT], [1.0]) == [0.0, 0.0]
+    assert derivatives([STIFFNESS], [LOAD], [1.0])[0] > 0
+
+
+@pytest.mark.parametrize("fmi", ["2.0", "3.0"])
+def test_a_simulation_of_both_kinds_dissipates_the_same_work(microslip_units: dict[str, Path], fmi: str) -> None:
+    """Two cycles of displacement: the second closes, and both kinds of unit give the same loop, the one a step later."""
+    times = np.linspace(0, 2, 81)
+    path = slip_length() * 0.8 * np.sin(2 * np.pi * times)
+    given = np.array(list(zip(times, path)), dtype=[("time", float), ("displacement", float)])
+    loops = {}
+    for kind, lag in (("ModelExchange", 0), ("CoSimulation", 1)):
+        found = simulate_fmu(
+            str(microslip_units[fmi]), stop_time=2, step_size=0.025, output_interval=0.025, fmi_type=kind, input=given,
+            output=["displacement", "tangential_force"],
+        )  # fmt: skip
+        where, force = (np.array(found[name][lag:]) for name in ("displacement", "tangential_force"))
+        assert where == pytest.approx(path[: len(where)], abs=1e-6 * slip_length())
+        loops[kind] = force[:80]
+        assert force[50] == pytest.approx(-force[70], rel=2e-3)  # quarter periods of the second cycle
+    assert loops["ModelExchange"] == pytest.approx(loops["CoSimulation"], abs=1e-6 * np.max(loops["CoSimulation"]))
+    second = slice(40, 80)
+    with Model(PARAMS) as model:
+        amplitude = 0.8 * slip_length()
+        steps = np.linspace(0, 2 * amplitude, 401)
+        half = 2 * np.array([model.tangential(0.5, step / 2)[0] for step in steps])
+        top = model.tangential(0.5, amplitude)[0]
+        exact = 2 * np.trapezoid(half - top, steps)
+    closed = np.append(loops["ModelExchange"][second], loops["ModelExchange"][40])
+    work = np.trapezoid(closed, np.append(path[second], path[40]))
+    assert work == pytest.approx(exact, rel=0.15)
+
+
 @pytest.mark.parametrize("kind", ["ModelExchange", "CoSimulation"])
 def test_a_simulation_follows_the_law(unit: Path, kind: str) -> None:
     times = np.linspace(0, 1, 11)
@@ -310,9 +491,10 @@ def test_libcosim_runs_the_unit(units: dict[str, Path]) -> None:
 
 
 @pytest.mark.parametrize("fmi", ["2.0", "3.0"])
-def test_the_sources_inside_are_those_of_the_binary(units: dict[str, Path], tmp_path: Path, fmi: str) -> None:
+@pytest.mark.parametrize("kind", ["units", "microslip_units"])
+def test_the_sources_inside_are_those_of_the_binary(request: pytest.FixtureRequest, tmp_path: Path, kind: str, fmi: str) -> None:
     """They compile without a warning, also with the prefix of a static unit, and have every function of the standard."""
-    with zipfile.ZipFile(units[fmi]) as archive:
+    with zipfile.ZipFile(request.getfixturevalue(kind)[fmi]) as archive:
         archive.extractall(tmp_path)
     if shutil.which("cc") is None:
         pytest.fail("this test needs a C compiler named cc: apt-get install gcc libc6-dev")

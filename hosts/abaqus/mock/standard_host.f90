@@ -1,17 +1,19 @@
 ! Plays Abaqus/Standard: calls the user subroutines with the published argument lists, and measures what comes back
 ! against the law by another path, against differences, and inside Newton iterations.
 !
-! usage: standard_host [unmade | surface | stiffness]    the argument provokes an error that must stop the analysis
+! usage: standard_host [unmade | surface | stiffness | depvar]    the argument provokes an error that must stop the analysis
 program standard_host
   use, intrinsic :: iso_c_binding
   use, intrinsic :: ieee_exceptions, only: ieee_get_halting_mode, ieee_usual
   use omp_lib, only: omp_get_num_threads
   use measures
-  use asperity, only: asperity_free, asperity_friction_force_at_load
+  use asperity, only: asperity_free, asperity_friction_force_at_load, asperity_microslip_length, &
+    asperity_tangential_at_load, asperity_tangential_stiffness_at_load
   implicit none
 
   integer, parameter :: STICKING_OR_SLIPPING = 0, OPEN = 2
   real(c_double), parameter :: STIFFNESS = 2e5_c_double   ! of sticking [MPa/mm]
+  integer, parameter :: MOST_REMEMBERED = 200             ! numbers of a point, at most
   ! Between these pressures the law holds for the surfaces [MPa]: below, few summits of the first touch, and adhesion presses
   ! those of the second together.
   real(c_double), parameter :: LIGHTEST(2) = [0.01_c_double, 0.3_c_double], HEAVIEST(2) = [50.0_c_double, 0.8_c_double]
@@ -31,6 +33,8 @@ program standard_host
     call ask_fric_coef(3d0, ANY_PRESSURE, 1, mu, slope, untouched)
   case ('stiffness')
     call slide_once(-1d0)
+  case ('depvar')
+    call slide_remembering(length=1)
   case default
     call check_pressures(1, LIGHTEST(1), HEAVIEST(1))
     call check_pressures(2, LIGHTEST(2), HEAVIEST(2))
@@ -39,6 +43,10 @@ program standard_host
     call tangents
     call ends
     call newton
+    call microslip_tractions
+    call microslip_tangents
+    call microslip_ends
+    call block_under_load
     call threads
     call uexternaldb(3, 0, time, 0d0, 1, 9)
     call finish
@@ -244,6 +252,240 @@ contains
         a(1, 3) * (a(2, 1) * a(3, 2) - a(2, 2) * a(3, 1))
   end function determinant
 
+  ! With microslip: at first as stiff as all summits, the law's curve on the way, its friction in the end.
+  subroutine microslip_tractions
+    real(c_double), parameter :: DIRECTION(2) = [0.6_c_double, -0.8_c_double]
+    integer, parameter :: SURFACE = 1
+    real(c_double), target :: exact
+    real(c_double) :: tau(2), ddtddg(2, 2), ddtddp(2), state(MOST_REMEMBERED), pressure, error, off, along, friction, stiffness
+    type(c_ptr) :: patch
+    integer :: i, k, lm, status
+    error = 0
+    off = 0
+    patch = patch_law(SURFACE)
+    do i = 1, 12
+      pressure = HEAVIEST(SURFACE) * 2d0**(-i)
+      friction = asperity_friction_force_at_load(patch, pressure * patch_area) / patch_area
+      stiffness = asperity_tangential_stiffness_at_load(patch, pressure * patch_area) / patch_area
+      tau = 0
+      state = 0
+      lm = 0
+      call remembering(2, SURFACE, pressure, 1e-6_c_double * friction / stiffness * DIRECTION, lm, tau, ddtddg, ddtddp, state)
+      call worse(error, abs(norm2(tau) / (1e-6_c_double * friction) - 1))
+      call worse(error, abs(ddtddg(1, 1) / stiffness - 1))
+      tau = 0
+      state = 0
+      do k = 1, 40
+        call remembering(2, SURFACE, pressure, 0.05_c_double * friction / stiffness * DIRECTION, lm, tau, ddtddg, ddtddp, state)
+        status = asperity_tangential_at_load(patch, pressure * patch_area, 0.05_c_double * k * friction / stiffness, &
+                                             c_loc(exact), c_null_ptr)
+        call worse(off, abs(norm2(tau) - exact / patch_area) / friction)
+      end do
+      call remembering(2, SURFACE, pressure, 100 * friction / stiffness * DIRECTION, lm, tau, ddtddg, ddtddp, state)
+      along = dot_product(tau, DIRECTION)
+      call worse(error, abs(along / friction - 1))
+      call worse(error, abs(norm2(tau) / along - 1))
+      call check('a point of microslip is reported as moving', lm == STICKING_OR_SLIPPING)
+    end do
+    call asperity_free(patch)
+    call largest('mu', error, 1e-12_c_double)
+    call largest('curve', off, 2e-2_c_double)
+  end subroutine microslip_tractions
+
+  ! DDTDDG and DDTDDP of microslip against differences of TAU: points that moved to and fro under changing pressure, some of
+  ! whose summits slip.
+  subroutine microslip_tangents
+    real(c_double) :: tau(2), ddtddg(2, 2), ddtddp(2), state(MOST_REMEMBERED), error, pressure, reach, slip(2)
+    integer :: i, nfdir, lm
+    error = 0
+    do i = 1, 24
+      pressure = 0.1_c_double * 1.25_c_double**i
+      reach = friction_length(pressure)
+      do nfdir = 1, 2
+        state = 0
+        tau = 0
+        lm = 0
+        slip = 0.7_c_double * reach * [cos(0.9_c_double * i), sin(0.9_c_double * i)]
+        call remembering(nfdir, 1, pressure, slip(:nfdir), lm, tau(:nfdir), ddtddg(:nfdir, :nfdir), ddtddp(:nfdir), state)
+        slip = 0.4_c_double * mod(i, 5) * reach * [cos(2.3_c_double * i + 0.1_c_double), sin(2.3_c_double * i + 0.1_c_double)]
+        call worse(error, microslip_tangent_error(nfdir, pressure * (1 + 0.2_c_double * sin(1.7_c_double * i)), slip(:nfdir), &
+                                                  tau(:nfdir), state))
+      end do
+    end do
+    call largest('tangent', error, 1e-6_c_double)
+  end subroutine microslip_tangents
+
+  ! Friction over stiffness: how far a point moves before it slips, about.
+  function friction_length(pressure) result(reach)
+    real(c_double), intent(in) :: pressure
+    real(c_double) :: reach
+    type(c_ptr) :: patch
+    patch = patch_law(1)
+    reach = asperity_friction_force_at_load(patch, pressure * patch_area) / &
+            asperity_tangential_stiffness_at_load(patch, pressure * patch_area)
+    call asperity_free(patch)
+  end function friction_length
+
+  function microslip_tangent_error(nfdir, pressure, slip, tau, state) result(error)
+    integer, intent(in) :: nfdir
+    real(c_double), intent(in) :: pressure, slip(nfdir), tau(nfdir), state(MOST_REMEMBERED)
+    integer, parameter :: AT(4) = [-2, -1, 1, 2]
+    real(c_double) :: error, step, by_slip(nfdir, nfdir), by_pressure(nfdir), values(nfdir, 4), moved(nfdir), now(nfdir)
+    real(c_double) :: unused(nfdir, nfdir), not_needed(nfdir), after(MOST_REMEMBERED)
+    integer :: i, j, k, lm
+    lm = 0
+    now = tau
+    after = state
+    call remembering(nfdir, 1, pressure, slip, lm, now, by_slip, by_pressure, after)
+    error = 0
+    do j = 1, nfdir
+      step = 1e-6_c_double * friction_length(pressure)
+      do k = 1, 4
+        moved = slip
+        moved(j) = moved(j) + AT(k) * step
+        values(:, k) = tau
+        after = state
+        call remembering(nfdir, 1, pressure, moved, lm, values(:, k), unused, not_needed, after)
+      end do
+      do i = 1, nfdir
+        call worse(error, abs(by_slip(i, j) - difference(values(i, :), step)) / STICK_SCALE(pressure))
+      end do
+    end do
+    step = 1e-6_c_double * pressure
+    do k = 1, 4
+      values(:, k) = tau
+      after = state
+      call remembering(nfdir, 1, pressure + AT(k) * step, slip, lm, values(:, k), unused, not_needed, after)
+    end do
+    do i = 1, nfdir
+      call worse(error, abs(by_pressure(i) - difference(values(i, :), step)) / (norm2(now) / pressure))
+    end do
+  end function microslip_tangent_error
+
+  function stick_scale(pressure) result(stiffness)
+    real(c_double), intent(in) :: pressure
+    real(c_double) :: stiffness
+    type(c_ptr) :: patch
+    patch = patch_law(1)
+    stiffness = asperity_tangential_stiffness_at_load(patch, pressure * patch_area) / patch_area
+    call asperity_free(patch)
+  end function stick_scale
+
+  ! With microslip: open points forget, directions that turn take along what points carry, and adhesion holds at no pressure.
+  subroutine microslip_ends
+    real(c_double) :: tau(2), ddtddg(2, 2), ddtddp(2), state(MOST_REMEMBERED), turned(2), turn(2, 2)
+    real(c_double), parameter :: NOWHERE(2) = 0
+    integer :: lm
+    state = 1
+    tau = 0
+    lm = OPEN
+    call remembering(2, 1, 1d0, NOWHERE, lm, tau, ddtddg, ddtddp, state)
+    call check('a point that was open has forgotten what it carried', lm == OPEN .and. all(abs(state(:10)) <= 0))
+    tau = 0
+    state = 0
+    lm = 0
+    call remembering(2, 1, 1d0, 0.8_c_double * friction_length(1d0) * [1d0, 0d0], lm, tau, ddtddg, ddtddp, state)
+    turn = reshape([0.6d0, 0.8d0, -0.8d0, 0.6d0], [2, 2])
+    turned = matmul(turn, tau)
+    tau = turned
+    call remembering(2, 1, 1d0, NOWHERE, lm, tau, ddtddg, ddtddp, state, turn)
+    call check('what is carried turns with the directions of friction', &
+               norm2(tau - turned) <= 1e-12_c_double * norm2(turned) .and. tau(2) > 0)
+    state = 0
+    tau = 0
+    lm = 0
+    call remembering(2, 2, 0d0, [1d-3, 0d0], lm, tau, ddtddg, ddtddp, state)
+    call check('adhesion gives microslip at no pressure', lm == STICKING_OR_SLIPPING .and. tau(1) > 0)
+    call remembering(2, 2, -1d6, [1d-3, 0d0], lm, tau, ddtddg, ddtddp, state)
+    call check('below pull-off there is no microslip, and no memory', lm == OPEN .and. all(abs(state(:10)) <= 0))
+  end subroutine microslip_ends
+
+  ! A rigid block on four points, pulled high above them by a force that grows, turns and falls back, under a normal force
+  ! that changes and that a wedge makes follow the slip: it tilts, yaws, sticks and slips. Displacements follow from forces alone,
+  ! up to 80 % of gross slip and more, so that a tangent that is not consistent shows in every iteration. Points are of 1 mm^2.
+  subroutine block_under_load
+    integer, parameter :: POINTS = 4, INCREMENTS = 60, ENOUGH = 12
+    real(c_double), parameter :: HEIGHT = 4, NORMAL = 5e4_c_double, WEDGE = 1e4_c_double    ! [mm], [MPa/mm], [N/mm]
+    real(c_double), parameter :: AT(2, POINTS) = reshape([2, 1, -1, 1, -1, -1, 0, -1], [2, POINTS])    ! [mm]
+    real(c_double) :: q(6), previous(6), state(MOST_REMEMBERED, POINTS), trial(MOST_REMEMBERED, POINTS), tau(2, POINTS)
+    real(c_double) :: held(2, POINTS), b(3, 6), d(3, 3), f(3), load(6), residual(6), tangent(6, 6), pressure, size_now, size_before
+    real(c_double) :: ratio, error, pull, weight, strength
+    type(c_ptr) :: patch
+    integer :: increment, iteration, most, i, lm
+    q = 0
+    q(3) = 5 / NORMAL
+    state = 0
+    held = 0
+    most = 0
+    ratio = 0
+    error = 0
+    patch = patch_law(1)
+    do increment = 1, INCREMENTS
+      weight = POINTS * (5 + 2 * sin(0.23_c_double * increment))
+      strength = asperity_friction_force_at_load(patch, weight / POINTS * patch_area) / patch_area * POINTS
+      pull = 0.8_c_double * strength * sin(0.31_c_double * increment)
+      load = [pull * cos(0.05_c_double * increment), pull * sin(0.05_c_double * increment), weight, 0d0, 0d0, 0.05d0 * pull]
+      previous = q
+      size_before = 0
+      do iteration = 1, ENOUGH
+        residual = -load
+        residual(3) = residual(3) - WEDGE * q(1)
+        tangent = 0
+        tangent(3, 1) = -WEDGE
+        trial = state
+        tau = held
+        do i = 1, POINTS
+          b = transpose(reshape([1d0, 0d0, 0d0, 0d0, -HEIGHT, -AT(2, i), 0d0, 1d0, 0d0, HEIGHT, 0d0, AT(1, i), &
+                                 0d0, 0d0, 1d0, -AT(2, i), AT(1, i), 0d0], [6, 3]))
+          pressure = NORMAL * dot_product(b(3, :), q)
+          lm = 0
+          d = 0
+          call remembering(2, 1, pressure, matmul(b(1:2, :), q - previous), lm, tau(:, i), d(1:2, 1:2), d(1:2, 3), trial(:, i))
+          d(1:2, 3) = NORMAL * d(1:2, 3)
+          d(3, 3) = NORMAL
+          f = [tau(:, i), pressure]
+          residual = residual + matmul(transpose(b), f)
+          tangent = tangent + matmul(transpose(b), matmul(d, b))
+        end do
+        size_now = norm2(residual) / weight
+        write (*, '(a, i0, a, i0, es10.2)') 'residual ', increment, ' ', iteration, size_now
+        if (size_before > 0 .and. size_now > 1e-12_c_double) call worse(ratio, size_now / size_before**2)
+        if (size_now <= 1e-12_c_double) exit
+        size_before = merge(size_now, 0d0, size_now < 1e-2_c_double)
+        q = q - solved(tangent, residual)
+      end do
+      most = max(most, iteration)
+      call check('Newton converges on the block', iteration <= ENOUGH)
+      call worse(error, size_now)
+      held = tau
+      state = trial
+    end do
+    call asperity_free(patch)
+    write (*, '(a, i0)') 'block_iterations ', most - 1
+    call largest('quadratic', ratio, 500d0)
+    call largest('residual', error, 1e-12_c_double)
+  end subroutine block_under_load
+
+  ! Gauss' elimination with pivots.
+  pure function solved(matrix, right) result(x)
+    real(c_double), intent(in) :: matrix(:, :), right(:)
+    real(c_double) :: x(size(right)), a(size(right), size(right) + 1), row(size(right) + 1)
+    integer :: i, k, n
+    n = size(right)
+    a(:, :n) = matrix
+    a(:, n + 1) = right
+    do k = 1, n
+      i = k - 1 + maxloc(abs(a(k:, k)), 1)
+      row = a(i, :)
+      a(i, :) = a(k, :)
+      a(k, :) = row / row(k)
+      do i = 1, n
+        if (i /= k) a(i, :) = a(i, :) - a(i, k) * a(k, :)
+      end do
+    end do
+    x = a(:, n + 1)
+  end function solved
+
   ! Threads share the models: every point comes out as it does alone, with traps on in every thread.
   subroutine threads
     integer, parameter :: N = 2000
@@ -295,18 +537,54 @@ contains
     call point(1, 1, stiffness, 1d0, [1d0], lm, tau, ddtddg, ddtddp)
   end subroutine slide_once
 
-  ! Calls FRIC with its whole argument list.
+  subroutine slide_remembering(length)
+    integer, intent(in) :: length
+    real(c_double) :: tau(1), ddtddg(1, 1), ddtddp(1), state(length)
+    integer :: lm
+    lm = 0
+    tau = 0
+    state = 0
+    call remembering(1, 1, 1d0, [1d0], lm, tau, ddtddg, ddtddp, state)
+  end subroutine slide_remembering
+
+  ! A point with a stick stiffness: two properties, no state.
   subroutine point(nfdir, surface, stiffness, pressure, slip_increment, lm, tau, ddtddg, ddtddp)
     integer, intent(in) :: nfdir, surface
     real(c_double), intent(in) :: stiffness, pressure, slip_increment(nfdir)
     integer, intent(inout) :: lm
     real(c_double), intent(inout) :: tau(nfdir)
     real(c_double), intent(out) :: ddtddg(nfdir, nfdir), ddtddp(nfdir)
-    real(c_double) :: dslip(nfdir), sed, sfd, ddtddt(nfdir, 2), pnewdt, statev(1), taulm(nfdir), slip(nfdir)
-    real(c_double) :: time(2), coords(3), rcoord(3), drot(2, 2), temp(2), predef(2, 1), props(2)
+    real(c_double), parameter :: UNIT(2, 2) = reshape([1, 0, 0, 1], [2, 2])
+    real(c_double) :: no_state(1)
+    no_state = 0
+    call call_fric(nfdir, [dble(surface), stiffness], 2, pressure, slip_increment, lm, tau, ddtddg, ddtddp, no_state, 0, UNIT)
+  end subroutine point
+
+  ! A point with microslip: one property, and the state that FRIC moves on.
+  subroutine remembering(nfdir, surface, pressure, slip_increment, lm, tau, ddtddg, ddtddp, state, turn)
+    integer, intent(in) :: nfdir, surface
+    real(c_double), intent(in) :: pressure, slip_increment(nfdir)
+    integer, intent(inout) :: lm
+    real(c_double), intent(inout) :: tau(nfdir), state(:)
+    real(c_double), intent(out) :: ddtddg(nfdir, nfdir), ddtddp(nfdir)
+    real(c_double), intent(in), optional :: turn(2, 2)
+    real(c_double) :: drot(2, 2)
+    drot = reshape([1d0, 0d0, 0d0, 1d0], [2, 2])
+    if (present(turn)) drot = turn
+    call call_fric(nfdir, [dble(surface)], 1, pressure, slip_increment, lm, tau, ddtddg, ddtddp, state, size(state), drot)
+  end subroutine remembering
+
+  ! Calls FRIC with its whole argument list.
+  subroutine call_fric(nfdir, props, nprops, pressure, slip_increment, lm, tau, ddtddg, ddtddp, statev, nstatv, drot)
+    integer, intent(in) :: nfdir, nprops, nstatv
+    real(c_double), intent(in) :: props(nprops), pressure, slip_increment(nfdir), drot(2, 2)
+    integer, intent(inout) :: lm
+    real(c_double), intent(inout) :: tau(nfdir), statev(*)
+    real(c_double), intent(out) :: ddtddg(nfdir, nfdir), ddtddp(nfdir)
+    real(c_double) :: dslip(nfdir), sed, sfd, ddtddt(nfdir, 2), pnewdt, taulm(nfdir), slip(nfdir)
+    real(c_double) :: time(2), coords(3), rcoord(3), temp(2), predef(2, 1)
     character(80) :: names(3)
     external :: fric
-    props = [dble(surface), stiffness]
     ddtddg = 0
     ddtddp = 0
     dslip = 0
@@ -314,20 +592,19 @@ contains
     sfd = 0
     ddtddt = 0
     pnewdt = 1
-    statev = 0
     taulm = 0
     slip = 0
     time = 0
     coords = 0
     rcoord = 0
-    drot = reshape([1d0, 0d0, 0d0, 1d0], [2, 2])
     temp = 293
     predef = 0
     names = ['RUBBING', 'PAD    ', 'DISC   ']
     call fric(lm, tau, ddtddg, ddtddp, dslip, sed, sfd, ddtddt, pnewdt, statev, slip_increment, taulm, pressure, 0d0, &
               0d0, slip, 1, 1, time, 1d-3, 1, names(1), names(2), names(3), 1, 1, 1, coords, rcoord, drot, temp, &
-              predef, nfdir, 3, 1, 1, 1d0, props, 2)
-  end subroutine point
+              predef, nfdir, 3, 1, nstatv, 1d0, props, nprops)
+    call check('FRIC computes every increment it is asked for', pnewdt >= 1)
+  end subroutine call_fric
 
 end program standard_host
 

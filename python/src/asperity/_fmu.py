@@ -42,9 +42,19 @@ _HEIGHTS = {
 }
 
 
+# The C files of a unit beside the one with the functions of FMI: what they are in this package, and in the unit.
+_SOURCES = {
+    "_fmu_unit.h": "asperity_unit.h",
+    "_fmu_microslip.h": "asperity_unit_microslip.h",
+    "_fmu_saved.h": "asperity_unit_saved.h",
+    "_fmu_dll.h": "asperity_dll.h",
+}
+
+
 def build(
-    params: Params, file: Path, *, fmi: str, start_load: float, platforms: Sequence[str], libraries: Mapping[str, Path]
-) -> None:
+    params: Params, file: Path, *, fmi: str, start_load: float, platforms: Sequence[str], libraries: Mapping[str, Path],
+    microslip: bool = False,
+) -> None:  # fmt: skip
     """Writes a unit with binaries for the platforms; `ImportError` names the compiler or library that is missing for one."""
     found = {platform: library_for(platform, libraries.get(platform)) for platform in platforms}
     with Model(params) as model:  # refuses what no unit could be initialised with
@@ -52,7 +62,7 @@ def build(
     name = re.sub(r"\W", "_", file.stem, flags=re.ASCII)
     name = name if re.match(r"[A-Za-z_]", name) else f"_{name}"
     parameters = _parameters(params)
-    surface = _surface(params, parameters, start_load)
+    surface = _surface(params, parameters, start_load, microslip)
     guid = f"{{{uuid.UUID(bytes=hashlib.sha256((fmi + name + surface).encode()).digest()[:16])}}}"
     surface += f"#define GUID {json.dumps(guid)}\n"
     with tempfile.TemporaryDirectory(prefix="asperity-fmu-") as made:
@@ -60,8 +70,8 @@ def build(
         sources.mkdir()
         (sources / "surface.h").write_text(surface, encoding="utf-8")
         shutil.copy(Path(__file__).with_name(f"_fmu{fmi[0]}.c"), sources / "asperity_fmu.c")
-        shutil.copy(Path(__file__).with_name("_fmu_unit.h"), sources / "asperity_unit.h")
-        shutil.copy(Path(__file__).with_name("_fmu_dll.h"), sources / "asperity_dll.h")
+        for packed, inside in _SOURCES.items():
+            shutil.copy(Path(__file__).with_name(packed), sources / inside)
         for header in ("asperity.h", "asperity_loads.h"):
             shutil.copy(_c_header(header), sources / header)
         for platform, library in found.items():
@@ -70,7 +80,7 @@ def build(
         if fmi == "3.0":
             (sources / "buildDescription.xml").write_text(build_description(name), encoding="utf-8")
         starts = {parameter: getattr(params, parameter) for parameter in parameters}
-        description = model_description(fmi, name, guid, start_load, parameters, starts)
+        description = model_description(fmi, name, guid, start_load, parameters, starts, microslip)
         Path(made, "modelDescription.xml").write_text(description, encoding="utf-8")
         with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
             for path in sorted(Path(made).rglob("*")):
@@ -86,13 +96,14 @@ def _parameters(params: Params) -> dict[str, str]:
     return parameters
 
 
-def _surface(params: Params, parameters: dict[str, str], start_load: float) -> str:
+def _surface(params: Params, parameters: dict[str, str], start_load: float, microslip: bool) -> str:
     """A header that sets the parameters, with all their digits."""
     struct = params._as_struct()
-    lines = ["/* The surface of this unit, and the names of its parameters. */", "#include <math.h>", ""]
+    lines = ["/* The surface of this unit, the names of its parameters, and whether it has microslip. */", "#include <math.h>", ""]
     lines += ["static const char *const PARAMETER_NAMES[] = {"]
     lines += [f'    "{name}",' for name in parameters]
-    lines += ["};", f"enum {{ PARAMETER_COUNT = {len(parameters)} }};", f"#define START_LOAD {start_load.hex()}", ""]
+    lines += ["};", f"enum {{ PARAMETER_COUNT = {len(parameters)} }};", f"#define START_LOAD {start_load.hex()}"]
+    lines += [f"#define MICROSLIP {int(microslip)}", ""]
     tables = {"table_height": params.table_height, "table_density": params.table_density}
     if params.table_height:
         for name, table in tables.items():

@@ -4,6 +4,7 @@
 #define FMI_PREFIX FMI2_FUNCTION_PREFIX
 #endif
 #include "asperity_unit.h"
+#include "asperity_unit_saved.h"
 
 /* What fmi2TypesPlatform.h and fmi2FunctionTypes.h of the standard (version 2.0.4) declare, as far as it is used here. */
 typedef void *fmi2Component, *fmi2ComponentEnvironment, *fmi2FMUstate;
@@ -78,7 +79,7 @@ EXPORT fmiStatus FMI(fmi2EnterInitializationMode)(fmi2Component c)
 
 EXPORT fmiStatus FMI(fmi2ExitInitializationMode)(fmi2Component c)
 {
-    return move(c, INITIALIZATION, ((unit *)c)->exchange ? EVENT : STEP, "fmi2ExitInitializationMode");
+    return exit_initialization(c, "fmi2ExitInitializationMode");
 }
 
 #define MOVE(name, from, to)                                                                                           \
@@ -129,16 +130,46 @@ EXPORT fmiStatus FMI(fmi2CompletedIntegratorStep)(fmi2Component c, fmi2Boolean l
                                                   fmi2Boolean *terminate)
 {
     *event = *terminate = 0;
-    return called_in(c, CONTINUOUS_TIME, "fmi2CompletedIntegratorStep");
+    return completed(c, CONTINUOUS_TIME, "fmi2CompletedIntegratorStep");
 }
 
 EXPORT fmiStatus FMI(fmi2DoStep)(fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean no_set_prior)
 {
-    const fmiStatus status = called_in(c, STEP, "fmi2DoStep");
-    return status == fmiOK ? make_model(c) : status;
+    return completed(c, STEP, "fmi2DoStep");
 }
 
-/* ---- Nothing to do: there is no state, no event, and time does not matter. ---- */
+EXPORT fmiStatus FMI(fmi2GetFMUstate)(fmi2Component c, fmi2FMUstate *state)
+{
+    return save(c, state);
+}
+
+EXPORT fmiStatus FMI(fmi2SetFMUstate)(fmi2Component c, fmi2FMUstate state)
+{
+    return bring_back(c, state);
+}
+
+EXPORT fmiStatus FMI(fmi2FreeFMUstate)(fmi2Component c, fmi2FMUstate *state)
+{
+    return free_saved(state);
+}
+
+EXPORT fmiStatus FMI(fmi2SerializedFMUstateSize)(fmi2Component c, fmi2FMUstate state, size_t *size)
+{
+    *size = SAVED_BYTES;
+    return fmiOK;
+}
+
+EXPORT fmiStatus FMI(fmi2SerializeFMUstate)(fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[], size_t size)
+{
+    return write_saved(c, state, (unsigned char *)bytes, size);
+}
+
+EXPORT fmiStatus FMI(fmi2DeSerializeFMUstate)(fmi2Component c, const fmi2Byte bytes[], size_t size, fmi2FMUstate *state)
+{
+    return read_saved(c, (const unsigned char *)bytes, size, state);
+}
+
+/* ---- Nothing to do: there are no continuous states, no events, and time does not matter. ---- */
 
 #define NOTHING(name, ...)                                                                                             \
     EXPORT fmiStatus FMI(name)(fmi2Component c, __VA_ARGS__)                                                           \
@@ -154,7 +185,7 @@ EXPORT fmiStatus FMI(fmi2DoStep)(fmi2Component c, fmi2Real time, fmi2Real step, 
 #define EMPTY(name, n, ...)                                                                                            \
     EXPORT fmiStatus FMI(name)(fmi2Component c, __VA_ARGS__)                                                           \
     {                                                                                                                  \
-        return n == 0 ? fmiOK : failed(c, fmiError, #name ": the unit has reals alone, no states and no events");      \
+        return n == 0 ? fmiOK : failed(c, fmiError, #name ": the unit has reals alone, no continuous states and no events");      \
     }
 
 NOTHING(fmi2SetDebugLogging, fmi2Boolean on, size_t n, const fmi2String categories[])
@@ -172,12 +203,6 @@ EMPTY(fmi2GetDerivatives, n, fmi2Real x[], size_t n)
 EMPTY(fmi2GetEventIndicators, n, fmi2Real x[], size_t n)
 EMPTY(fmi2GetContinuousStates, n, fmi2Real x[], size_t n)
 EMPTY(fmi2GetNominalsOfContinuousStates, n, fmi2Real x[], size_t n)
-NONE(fmi2GetFMUstate, fmi2FMUstate *state)
-NONE(fmi2SetFMUstate, fmi2FMUstate state)
-NONE(fmi2FreeFMUstate, fmi2FMUstate *state)
-NONE(fmi2SerializedFMUstateSize, fmi2FMUstate state, size_t *size)
-NONE(fmi2SerializeFMUstate, fmi2FMUstate state, fmi2Byte bytes[], size_t size)
-NONE(fmi2DeSerializeFMUstate, const fmi2Byte bytes[], size_t size, fmi2FMUstate *state)
 NONE(fmi2SetRealInputDerivatives, const fmi2ValueReference r[], size_t n, const fmi2Integer order[],
      const fmi2Real value[])
 NONE(fmi2GetRealOutputDerivatives, const fmi2ValueReference r[], size_t n, const fmi2Integer order[], fmi2Real value[])

@@ -7,6 +7,7 @@
 #define FMI_PREFIX FMI3_FUNCTION_PREFIX
 #endif
 #include "asperity_unit.h"
+#include "asperity_unit_saved.h"
 
 /* The argument lists are the standard's: steps and tolerances do not matter. */
 #pragma GCC diagnostic ignored "-Wunused-parameter"
@@ -17,22 +18,18 @@ typedef uint32_t reference;
 
 /* Beside the unit, FMI 3.0 wants the time as a variable. */
 enum { TIME = PARAMETERS + PARAMETER_COUNT };
-typedef struct {
-    unit unit;
-    double time;
-} instance;
 
 typedef void log_message(void *environment, fmiStatus, const char *category, const char *message);
 
-static instance *new_instance(int exchange, const char *token, void *environment, log_message *log)
+static unit *new_instance(int exchange, const char *token, void *environment, log_message *log)
 {
-    instance *i = calloc(1, sizeof *i);
-    if (i == NULL)
+    unit *u = calloc(1, sizeof *u);
+    if (u == NULL)
         return NULL;
-    i->unit.exchange = exchange;
-    i->unit.log = log;
-    i->unit.environment = environment;
-    return (instance *)instantiated(&i->unit, token);
+    u->exchange = exchange;
+    u->log = log;
+    u->environment = environment;
+    return instantiated(u, token);
 }
 
 EXPORT const char *FMI(fmi3GetVersion)(void)
@@ -76,13 +73,13 @@ EXPORT void FMI(fmi3FreeInstance)(fmi3Instance c)
 EXPORT fmiStatus FMI(fmi3EnterInitializationMode)(fmi3Instance c, bool tolerance_defined, double tolerance,
                                                   double start, bool stop_defined, double stop)
 {
-    ((instance *)c)->time = start;
+    ((unit *)c)->state.time = start;
     return enter_initialization(c, "fmi3EnterInitializationMode");
 }
 
 EXPORT fmiStatus FMI(fmi3ExitInitializationMode)(fmi3Instance c)
 {
-    return move(c, INITIALIZATION, ((unit *)c)->exchange ? EVENT : STEP, "fmi3ExitInitializationMode");
+    return exit_initialization(c, "fmi3ExitInitializationMode");
 }
 
 #define MOVE(name, from, to)                                                                                           \
@@ -91,13 +88,12 @@ EXPORT fmiStatus FMI(fmi3ExitInitializationMode)(fmi3Instance c)
         return move(c, from, to, #name);                                                                               \
     }
 MOVE(fmi3EnterEventMode, CONTINUOUS_TIME, EVENT)
-MOVE(fmi3EvaluateDiscreteStates, INITIALIZATION | EVENT, ((unit *)c)->mode)
+MOVE(fmi3EvaluateDiscreteStates, INITIALIZATION | EVENT, ((unit *)c)->state.mode)
 MOVE(fmi3EnterContinuousTimeMode, EVENT, CONTINUOUS_TIME)
 MOVE(fmi3Terminate, EVENT | CONTINUOUS_TIME | STEP, TERMINATED)
 
 EXPORT fmiStatus FMI(fmi3Reset)(fmi3Instance c)
 {
-    ((instance *)c)->time = 0;
     return set_start(c);
 }
 
@@ -111,7 +107,7 @@ EXPORT fmiStatus FMI(fmi3GetFloat64)(fmi3Instance c, const reference r[], size_t
     fmiStatus status = count_is(c, values, n);
     for (size_t i = 0; i < n && status == fmiOK; i++)
         if (r[i] == TIME)
-            value[i] = ((instance *)c)->time;
+            value[i] = ((unit *)c)->state.time;
         else
             status = get_one(c, r[i], &value[i]);
     return status;
@@ -145,12 +141,12 @@ EXPORT fmiStatus FMI(fmi3UpdateDiscreteStates)(fmi3Instance c, bool *update, boo
 EXPORT fmiStatus FMI(fmi3CompletedIntegratorStep)(fmi3Instance c, bool no_set_prior, bool *event, bool *terminate)
 {
     *event = *terminate = false;
-    return called_in(c, CONTINUOUS_TIME, "fmi3CompletedIntegratorStep");
+    return completed(c, CONTINUOUS_TIME, "fmi3CompletedIntegratorStep");
 }
 
 EXPORT fmiStatus FMI(fmi3SetTime)(fmi3Instance c, double time)
 {
-    ((instance *)c)->time = time;
+    ((unit *)c)->state.time = time;
     return called_in(c, EVENT | CONTINUOUS_TIME, "fmi3SetTime");
 }
 
@@ -159,13 +155,44 @@ EXPORT fmiStatus FMI(fmi3DoStep)(fmi3Instance c, double time, double step, bool 
 {
     *event = *terminate = *early = false;
     *reached = time;
-    if (called_in(c, STEP, "fmi3DoStep") != fmiOK || make_model(c) != fmiOK)
-        return fmiError;
-    ((instance *)c)->time = *reached = time + step;
+    const fmiStatus status = completed(c, STEP, "fmi3DoStep");
+    if (status == fmiOK)
+        ((unit *)c)->state.time = *reached = time + step;
+    return status;
+}
+
+EXPORT fmiStatus FMI(fmi3GetFMUState)(fmi3Instance c, void **state)
+{
+    return save(c, state);
+}
+
+EXPORT fmiStatus FMI(fmi3SetFMUState)(fmi3Instance c, void *state)
+{
+    return bring_back(c, state);
+}
+
+EXPORT fmiStatus FMI(fmi3FreeFMUState)(fmi3Instance c, void **state)
+{
+    return free_saved(state);
+}
+
+EXPORT fmiStatus FMI(fmi3SerializedFMUStateSize)(fmi3Instance c, void *state, size_t *size)
+{
+    *size = SAVED_BYTES;
     return fmiOK;
 }
 
-/* ---- Nothing to do: there is no state and no event. ---- */
+EXPORT fmiStatus FMI(fmi3SerializeFMUState)(fmi3Instance c, void *state, uint8_t bytes[], size_t size)
+{
+    return write_saved(c, state, bytes, size);
+}
+
+EXPORT fmiStatus FMI(fmi3DeserializeFMUState)(fmi3Instance c, const uint8_t bytes[], size_t size, void **state)
+{
+    return read_saved(c, bytes, size, state);
+}
+
+/* ---- Nothing to do: there are no continuous states and no events. ---- */
 
 EXPORT fmiStatus FMI(fmi3SetDebugLogging)(fmi3Instance c, bool on, size_t n, const char *const categories[])
 {
@@ -187,7 +214,7 @@ EXPORT fmiStatus FMI(fmi3SetDebugLogging)(fmi3Instance c, bool on, size_t n, con
 #define EMPTY(name, ...)                                                                                               \
     EXPORT fmiStatus FMI(name)(fmi3Instance c, __VA_ARGS__)                                                            \
     {                                                                                                                  \
-        return n == 0 ? fmiOK : failed(c, fmiError, #name ": the unit has Float64 alone, no states and no events");    \
+        return n == 0 ? fmiOK : failed(c, fmiError, #name ": the unit has Float64 alone, no continuous states and no events");    \
     }
 #define TYPE(name, type)                                                                                               \
     EMPTY(fmi3Get##name, const reference r[], size_t n, type v[], size_t values)                                       \
@@ -231,12 +258,6 @@ NONE(fmi3GetVariableDependencies, fmi3Instance c, reference r, size_t elements[]
      size_t known_elements[], int kinds[], size_t n)
 NONE(fmi3GetAdjointDerivative, fmi3Instance c, const reference unknown[], size_t unknowns, const reference known[],
      size_t knowns, const double seed[], size_t seeds, double value[], size_t values)
-NONE(fmi3GetFMUState, fmi3Instance c, void **state)
-NONE(fmi3SetFMUState, fmi3Instance c, void *state)
-NONE(fmi3FreeFMUState, fmi3Instance c, void **state)
-NONE(fmi3SerializedFMUStateSize, fmi3Instance c, void *state, size_t *size)
-NONE(fmi3SerializeFMUState, fmi3Instance c, void *state, uint8_t bytes[], size_t size)
-NONE(fmi3DeserializeFMUState, fmi3Instance c, const uint8_t bytes[], size_t size, void **state)
 NONE(fmi3EnterConfigurationMode, fmi3Instance c)
 NONE(fmi3ExitConfigurationMode, fmi3Instance c)
 NONE(fmi3EnterStepMode, fmi3Instance c)

@@ -34,6 +34,10 @@ def add(commands: Any) -> None:
         "--library", action="append", default=[], metavar="NAME=FILE",
         help="for another platform than this machine's: its library, or a wheel or zip with it; may be given again",
     )  # fmt: skip
+    command.add_argument(
+        "--microslip", action="store_true",
+        help="what resists before gross slip, too: input displacement, outputs tangential_force and tangential_stiffness",
+    )  # fmt: skip
     command.add_argument("--load", type=float, default=1.0, metavar="P", help="start value of the load (%(default)g)")
 
 
@@ -47,7 +51,10 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
         if name not in platforms:
             parser.error(f"--library {name}=...: the unit is not for {name}; add it to --platform")
     params = Params.from_toml(options.surface)
-    build(params, options.output, fmi=options.fmi, start_load=options.load, platforms=platforms, libraries=libraries)
+    build(
+        params, options.output, fmi=options.fmi, start_load=options.load, platforms=platforms, libraries=libraries,
+        microslip=options.microslip,
+    )  # fmt: skip
     print(f"asperity: wrote {options.output}", file=sys.stderr)
     if options.load > 0:
         with Model(params) as model:

@@ -7,21 +7,42 @@ from xml.sax.saxutils import quoteattr
 
 from . import _header
 
+# Meaning and inputs that it depends on.
 _OUTPUTS = {
-    "friction_force": "F [force]",
-    "friction_coefficient": "F/load, capped",
-    "slope": "dF/d(load)",
+    "friction_force": ("F [force]", ["load"]),
+    "friction_coefficient": ("F/load, capped", ["load"]),
+    "slope": ("dF/d(load)", ["load"]),
+}
+_MICROSLIP_OUTPUTS = {
+    "tangential_force": ("resists the displacement, from the last accepted step [force]", ["load", "displacement"]),
+    "tangential_stiffness": ("d(tangential_force)/d(displacement) [force/length]", ["load", "displacement"]),
 }
 
 
 def model_description(
-    fmi: str, name: str, guid: str, start_load: float, meanings: Mapping[str, str], starts: Mapping[str, float]
-) -> str:
+    fmi: str, name: str, guid: str, start_load: float, meanings: Mapping[str, str], starts: Mapping[str, float],
+    microslip: bool = False,
+) -> str:  # fmt: skip
     """modelDescription.xml; `meanings` are those of the parameters, in the order of their value references."""
     two = fmi == "2.0"
-    variables = [_variable(two, "load", 0, "normal load [force]", "input", "continuous", start=start_load)]
-    for output, meaning in _OUTPUTS.items():
-        variables.append(_variable(two, output, len(variables), meaning, "output", "continuous", initial="calculated"))
+    references: dict[str, int] = {}
+    variables: list[str] = []
+    known: dict[str, list[str]] = {}  # inputs of each output
+
+    def add_input(input: str, meaning: str, start: float) -> None:
+        references[input] = len(variables)
+        variables.append(_variable(two, input, len(variables), meaning, "input", "continuous", start=start))
+
+    def add_outputs(outputs: Mapping[str, tuple[str, list[str]]]) -> None:
+        for output, (meaning, inputs) in outputs.items():
+            references[output], known[output] = len(variables), inputs
+            variables.append(_variable(two, output, len(variables), meaning, "output", "continuous", initial="calculated"))
+
+    add_input("load", "normal load [force]", start_load)
+    add_outputs(_OUTPUTS)
+    if microslip:
+        add_input("displacement", "of the surfaces along each other [length]; at 0 the contact is unstrained", 0.0)
+        add_outputs(_MICROSLIP_OUTPUTS)
     for parameter, meaning in meanings.items():
         variables.append(
             _variable(two, parameter, len(variables), meaning, "parameter", "tunable", start=starts[parameter])
@@ -32,22 +53,31 @@ def model_description(
     if two:
         identity, derivatives, events = "guid", "providesDirectionalDerivative", ' numberOfEventIndicators="0"'
         memory, files = ' canNotUseMemoryManagementFunctions="true"', '<SourceFiles><File name="asperity_fmu.c"/></SourceFiles>'
-        outputs = "".join(f'<Unknown index="{i}" dependencies="1" dependenciesKind="dependent"/>' for i in (2, 3, 4))
-        initial = "".join(f'<Unknown index="{i}"/>' for i in (2, 3, 4))
+        outputs = "".join(
+            f'<Unknown index="{references[output] + 1}" dependencies="{" ".join(str(references[i] + 1) for i in inputs)}" '
+            f'dependenciesKind="{" ".join("dependent" for _ in inputs)}"/>'
+            for output, inputs in known.items()
+        )
+        initial = "".join(f'<Unknown index="{references[output] + 1}"/>' for output in known)
         structure = f"<Outputs>{outputs}</Outputs>\n    <InitialUnknowns>{initial}</InitialUnknowns>"
     else:
         identity, derivatives, events = "instantiationToken", "providesDirectionalDerivatives", ""
         memory, files = "", ""
         outputs = "".join(
-            f'<Output valueReference="{i}" dependencies="0" dependenciesKind="dependent"/>' for i in (1, 2, 3)
+            f'<Output valueReference="{references[output]}" dependencies="{" ".join(str(references[i]) for i in inputs)}" '
+            f'dependenciesKind="{" ".join("dependent" for _ in inputs)}"/>'
+            for output, inputs in known.items()
         )
-        structure = outputs + "\n    " + "".join(f'<InitialUnknown valueReference="{i}"/>' for i in (1, 2, 3))
-    unit = f'modelIdentifier="{name}"{memory} {derivatives}="true"'
+        structure = outputs + "\n    " + "".join(f'<InitialUnknown valueReference="{references[output]}"/>' for output in known)
+    state = "FMUstate" if two else "FMUState"
+    unit = f'modelIdentifier="{name}"{memory} canGetAndSet{state}="true" canSerialize{state}="true" {derivatives}="true"'
+    # What a contact remembers moves on with accepted steps; in FMI 2.0 an importer tells of them unless it is told not to.
+    accepts = ' needsCompletedIntegratorStep="true"' if microslip and not two else ""
     return f"""<?xml version="1.0" encoding="UTF-8"?>
 <fmiModelDescription fmiVersion="{fmi}" modelName="{name}" {identity}="{guid}"{events}
-    description="Friction of two rough surfaces as a function of the normal load"
+    description="Friction of two rough surfaces as a function of the normal load{" and the displacement" if microslip else ""}"
     generationTool="asperity {_header.ASPERITY_VERSION}" variableNamingConvention="flat">
-  <ModelExchange {unit}>{files}</ModelExchange>
+  <ModelExchange {unit}{accepts}>{files}</ModelExchange>
   <CoSimulation {unit} canHandleVariableCommunicationStepSize="true">{files}</CoSimulation>
   <LogCategories><Category name="logStatusWarning"/><Category name="logStatusError"/><Category name="logStatusDiscard"/></LogCategories>
   <DefaultExperiment startTime="0" stopTime="1"/>

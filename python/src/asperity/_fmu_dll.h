@@ -12,6 +12,8 @@
     F(asperity_warning_string)                                                                                         \
     F(asperity_friction_at_loads)                                                                                      \
     F(asperity_friction_force_at_loads)                                                                                \
+    F(asperity_microslip_length)                                                                                       \
+    F(asperity_microslip_step)                                                                                         \
     F(asperity_last_error)                                                                                             \
     F(asperity_free)
 
@@ -58,5 +60,7 @@ static int load_asperity(void)
 #define asperity_warning_string dll_asperity_warning_string
 #define asperity_friction_at_loads dll_asperity_friction_at_loads
 #define asperity_friction_force_at_loads dll_asperity_friction_force_at_loads
+#define asperity_microslip_length dll_asperity_microslip_length
+#define asperity_microslip_step dll_asperity_microslip_step
 #define asperity_last_error dll_asperity_last_error
 #define asperity_free dll_asperity_free

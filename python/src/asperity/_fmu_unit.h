@@ -1,5 +1,6 @@
-/* What a mock-up unit is, behind the functions of FMI 2.0 and 3.0. The law has no state and no event; outputs follow from the
- * load and the parameters alone. surface.h is written for each unit: its parameters.
+/* What a mock-up unit is, behind the functions of FMI 2.0 and 3.0. It has no continuous states and no events. Friction follows
+ * from the load and the parameters alone; with microslip (asperity_unit_microslip.h) a unit remembers its path too.
+ * surface.h is written for each unit: its parameters, and whether it has microslip.
  *
  * The model is made on entering initialization mode, and made anew where outputs are read after a parameter was set. */
 
@@ -32,17 +33,30 @@
 typedef enum { fmiOK, fmiWarning, fmiDiscard, fmiError, fmiFatal, fmiPending } fmiStatus;
 
 /* Value references: of parameters PARAMETERS + their place in PARAMETER_NAMES. */
+#if MICROSLIP
+enum { LOAD, FORCE, COEFFICIENT, SLOPE, DISPLACEMENT, TANGENTIAL_FORCE, TANGENTIAL_STIFFNESS, PARAMETERS };
+#else
 enum { LOAD, FORCE, COEFFICIENT, SLOPE, PARAMETERS };
+#endif
 
 enum { INSTANTIATED = 1, INITIALIZATION = 2, EVENT = 4, CONTINUOUS_TIME = 8, STEP = 16, TERMINATED = 32 };
 
+/* What a unit is saved by. */
 typedef struct {
     asperity_params params;
+    int mode;
+    double time, load;
+#if MICROSLIP
+    double displacement, accepted; /* now, and when the last step was accepted, */
+    double summits[64];            /* by which they carried this */
+#endif
+} unit_state;
+
+typedef struct {
+    unit_state state;
     asperity_model *model; /* NULL until it is made */
     int stale;             /* a parameter was set since */
     int exchange;          /* model exchange, not co-simulation */
-    int mode;
-    double load;
     asperity_told told; /* warnings, in the log */
     void (*log)(void *environment, fmiStatus, const char *category, const char *message); /* may be NULL */
     void *environment;
@@ -65,14 +79,14 @@ static fmiStatus refused(const unit *u, fmiStatus status)
 /* fmiOK in one of the modes: elsewhere the function must not be called. */
 static fmiStatus called_in(const unit *u, int modes, const char *function)
 {
-    const char *name = u->mode == INSTANTIATED      ? "before initialization mode"
-                       : u->mode == INITIALIZATION  ? "in initialization mode"
-                       : u->mode == EVENT           ? "in event mode"
-                       : u->mode == CONTINUOUS_TIME ? "in continuous-time mode"
-                       : u->mode == STEP            ? "in co-simulation"
+    const char *name = u->state.mode == INSTANTIATED      ? "before initialization mode"
+                       : u->state.mode == INITIALIZATION  ? "in initialization mode"
+                       : u->state.mode == EVENT           ? "in event mode"
+                       : u->state.mode == CONTINUOUS_TIME ? "in continuous-time mode"
+                       : u->state.mode == STEP            ? "in co-simulation"
                                                     : "after the end";
     char message[128];
-    if (u->mode & modes)
+    if (u->state.mode & modes)
         return fmiOK;
     snprintf(message, sizeof message, "%s must not be called %s", function, name);
     return failed(u, fmiError, message);
@@ -82,7 +96,7 @@ static fmiStatus move(unit *u, int from, int to, const char *function)
 {
     const fmiStatus status = called_in(u, from, function);
     if (status == fmiOK)
-        u->mode = to;
+        u->state.mode = to;
     return status;
 }
 
@@ -92,10 +106,11 @@ static fmiStatus set_start(unit *u)
     asperity_free(u->model);
     u->model = NULL;
     u->stale = 1;
-    u->mode = INSTANTIATED;
-    u->load = START_LOAD;
+    memset(&u->state, 0, sizeof u->state);
+    u->state.mode = INSTANTIATED;
+    u->state.load = START_LOAD;
     memset(&u->told, 0, sizeof u->told);
-    return surface(&u->params) == ASPERITY_OK ? fmiOK : refused(u, fmiError);
+    return surface(&u->state.params) == ASPERITY_OK ? fmiOK : refused(u, fmiError);
 }
 
 /* The unit, ready, or NULL after a message. It is the first member of what was allocated. */
@@ -124,9 +139,9 @@ static fmiStatus make_model(unit *u)
 {
     asperity_status status = ASPERITY_OK;
     if (u->model == NULL)
-        status = asperity_create(&u->params, &u->model);
+        status = asperity_create(&u->state.params, &u->model);
     else if (u->stale)
-        status = asperity_set_params(u->model, &u->params);
+        status = asperity_set_params(u->model, &u->state.params);
     if (status != ASPERITY_OK)
         return refused(u, fmiError);
     if (u->stale) /* of this surface nothing was looked at */
@@ -150,11 +165,13 @@ static void tell_warnings(unit *u, double load)
         }
 }
 
+#include "asperity_unit_microslip.h"
+
 static fmiStatus enter_initialization(unit *u, const char *function)
 {
     if (called_in(u, INSTANTIATED, function) != fmiOK || make_model(u) != fmiOK)
         return fmiError;
-    u->mode = INITIALIZATION;
+    u->state.mode = INITIALIZATION;
     return fmiOK;
 }
 
@@ -172,19 +189,43 @@ static fmiStatus evaluate(unit *u, int coefficient, double load, double *value, 
     return fmiOK;
 }
 
+/* Initialization is over: what was set in it is where the unit begins. */
+static fmiStatus exit_initialization(unit *u, const char *function)
+{
+    const fmiStatus status = called_in(u, INITIALIZATION, function);
+    if (status != fmiOK)
+        return status;
+    u->state.mode = u->exchange ? EVENT : STEP;
+    return accept_step(u);
+}
+
+/* In model exchange the solver has accepted a step; in co-simulation it is the step. */
+static fmiStatus completed(unit *u, int mode, const char *function)
+{
+    fmiStatus status = called_in(u, mode, function);
+    if (status == fmiOK)
+        status = make_model(u);
+    return status == fmiOK ? accept_step(u) : status;
+}
+
 static fmiStatus get_one(unit *u, unsigned reference, double *value)
 {
     double other;
     switch (reference) {
-    case LOAD: *value = u->load; return fmiOK;
-    case FORCE: return evaluate(u, 0, u->load, value, NULL);
-    case COEFFICIENT: return evaluate(u, 1, u->load, value, NULL);
-    case SLOPE: return evaluate(u, 0, u->load, &other, value);
+    case LOAD: *value = u->state.load; return fmiOK;
+    case FORCE: return evaluate(u, 0, u->state.load, value, NULL);
+    case COEFFICIENT: return evaluate(u, 1, u->state.load, value, NULL);
+    case SLOPE: return evaluate(u, 0, u->state.load, &other, value);
+#if MICROSLIP
+    case DISPLACEMENT: *value = u->state.displacement; return fmiOK;
+    case TANGENTIAL_FORCE:
+    case TANGENTIAL_STIFFNESS: return resistance(u, u->state.load, reference, value, NULL, NULL);
+#endif
     default: break;
     }
     if (reference - PARAMETERS >= PARAMETER_COUNT)
         return failed(u, fmiError, "a value reference that no variable has");
-    if (asperity_params_get_value(&u->params, PARAMETER_NAMES[reference - PARAMETERS], value) != ASPERITY_OK)
+    if (asperity_params_get_value(&u->state.params, PARAMETER_NAMES[reference - PARAMETERS], value) != ASPERITY_OK)
         return refused(u, fmiError);
     return fmiOK;
 }
@@ -192,53 +233,102 @@ static fmiStatus get_one(unit *u, unsigned reference, double *value)
 static fmiStatus set_one(unit *u, unsigned reference, double value)
 {
     if (reference == LOAD) {
-        u->load = value;
+        u->state.load = value;
         return fmiOK;
     }
+#if MICROSLIP
+    if (reference == DISPLACEMENT) {
+        u->state.displacement = value;
+        return fmiOK;
+    }
+#endif
     if (reference < PARAMETERS || reference - PARAMETERS >= PARAMETER_COUNT)
         return failed(u, fmiError, "a value reference of no input and no parameter is set");
-    if (asperity_params_set_value(&u->params, PARAMETER_NAMES[reference - PARAMETERS], value) != ASPERITY_OK)
+    if (asperity_params_set_value(&u->state.params, PARAMETER_NAMES[reference - PARAMETERS], value) != ASPERITY_OK)
         return refused(u, fmiError);
     u->stale = 1;
     return fmiOK;
 }
 
-/* d(output)/d(load). The slope's own is a central difference: the law tells no second derivative. */
+/* The output at a load, for a central difference: of the slope, and of the tangential stiffness. */
+static fmiStatus output_at(unit *u, unsigned output, double load, double *value)
+{
+    double other;
+#if MICROSLIP
+    if (output == TANGENTIAL_STIFFNESS)
+        return resistance(u, load, output, value, NULL, NULL);
+#endif
+    (void)output;
+    return evaluate(u, 0, load, &other, value);
+}
+
+static fmiStatus difference(unit *u, unsigned output, double *value)
+{
+    double below, above, step = 1e-5 * (u->state.load < 0 ? -u->state.load : u->state.load);
+    fmiStatus status;
+    *value = 0;
+    if (!(step > 0))
+        return fmiOK;
+    if ((status = output_at(u, output, u->state.load - step, &below)) != fmiOK ||
+        (status = output_at(u, output, u->state.load + step, &above)) != fmiOK)
+        return status;
+    *value = (above - below) / (2 * step);
+    return fmiOK;
+}
+
+/* d(output)/d(load). Those of the slope and the tangential stiffness are differences: the law tells no second derivative. */
 static fmiStatus derivative(unit *u, unsigned output, double *value)
 {
-    double other, below, above, step = 1e-5 * (u->load < 0 ? -u->load : u->load);
-    fmiStatus status;
+    double other;
     switch (output) {
-    case FORCE: return evaluate(u, 0, u->load, &other, value);
-    case COEFFICIENT: return evaluate(u, 1, u->load, &other, value);
-    case SLOPE:
-        *value = 0;
-        if (!(step > 0))
-            return fmiOK;
-        if ((status = evaluate(u, 0, u->load - step, &other, &below)) != fmiOK ||
-            (status = evaluate(u, 0, u->load + step, &other, &above)) != fmiOK)
-            return status;
-        *value = (above - below) / (2 * step);
-        return fmiOK;
+    case FORCE: return evaluate(u, 0, u->state.load, &other, value);
+    case COEFFICIENT: return evaluate(u, 1, u->state.load, &other, value);
+    case SLOPE: return difference(u, output, value);
+#if MICROSLIP
+    case TANGENTIAL_FORCE: return resistance(u, u->state.load, output, &other, value, NULL);
+    case TANGENTIAL_STIFFNESS: return difference(u, output, value);
+#endif
     default: return failed(u, fmiError, "only outputs have directional derivatives");
     }
+}
+
+/* d(output)/d(displacement); the stiffness is constant from one slip to the next. */
+static fmiStatus derivative_along(unit *u, unsigned output, double *value)
+{
+    *value = 0;
+#if MICROSLIP
+    if (output == TANGENTIAL_FORCE) {
+        double other;
+        return resistance(u, u->state.load, output, &other, NULL, value);
+    }
+#endif
+    (void)u;
+    (void)output;
+    return fmiOK;
 }
 
 static fmiStatus directional_derivative(unit *u, const unsigned unknown[], size_t unknowns, const unsigned known[],
                                         size_t knowns, const double seed[], double value[])
 {
-    double along = 0;
+    double by_load = 0, by_displacement = 0;
     for (size_t i = 0; i < knowns; i++) {
-        if (known[i] != LOAD)
-            return failed(u, fmiError, "directional derivatives are those with respect to the load");
-        along += seed[i];
+        if (known[i] == LOAD)
+            by_load += seed[i];
+#if MICROSLIP
+        else if (known[i] == DISPLACEMENT)
+            by_displacement += seed[i];
+#endif
+        else
+            return failed(u, fmiError, "directional derivatives are those with respect to inputs");
     }
     for (size_t i = 0; i < unknowns; i++) {
-        double slope;
+        double slope, along;
         fmiStatus status = derivative(u, unknown[i], &slope);
+        if (status == fmiOK)
+            status = derivative_along(u, unknown[i], &along);
         if (status != fmiOK)
             return status;
-        value[i] = slope * along;
+        value[i] = slope * by_load + along * by_displacement;
     }
     return fmiOK;
 }
