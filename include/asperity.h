@@ -127,6 +127,16 @@
 #define ASPERITY_CONTACT_ELASTIC_PLASTIC 1
 
 /**
+ * Before gross slip each contact slips from its rim inwards, after Cattaneo (1938) and Mindlin (1949).
+ */
+#define ASPERITY_SLIP_PARTIAL 0
+
+/**
+ * Before gross slip each contact sticks until all of it slips: contacts so small that one dislocation moves them.
+ */
+#define ASPERITY_SLIP_WHOLE 1
+
+/**
  * Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
  * hardness (yield sets in below the contact) or the plasticity index above 1 (contacts flow at any load). Never set if no
  * hardness is given, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding.
@@ -333,9 +343,10 @@ typedef struct asperity_params {
    */
   int32_t contact_law;
   /**
-   * Must be 0, the default.
+   * How a contact begins to slip, one of `ASPERITY_SLIP_`; partial slip by default. Friction does not depend on it, the
+   * tangential force before gross slip does: `asperity_tangential_at_load`, `asperity_microslip_step`.
    */
-  int32_t reserved;
+  int32_t slip_onset;
   /**
    * kappa >= 0, the pressure coefficient of the interface: a contact's friction force is pi a^2 tau(a) + kappa P_H, where P_H is
    * the load of Hertz' contact of its radius, the load and what adhesion adds to it. Boundary films have 0.02 to 0.2. 0, the
@@ -478,6 +489,38 @@ typedef struct asperity_interface_data {
    */
   const char *reference;
 } asperity_interface_data;
+
+/**
+ * What resists a displacement of the surfaces along each other.
+ */
+typedef struct asperity_microslip {
+  /**
+   * Set by the caller to `sizeof(asperity_microslip)`; the library writes no more than that.
+   */
+  uint64_t struct_size;
+  /**
+   * T [force], along both directions: positive where it resists a positive displacement. The surface that moves feels -T,
+   * the other T.
+   */
+  double force[2];
+  /**
+   * dT/d(increment) [force/length], row by row: T1 by the first, T1 by the second, T2 by the first, T2 by the second.
+   * Symmetric, with eigenvalues from 0 to K_t.
+   */
+  double stiffness[4];
+  /**
+   * dT/d(load), of the same increment.
+   */
+  double dforce_dload[2];
+  /**
+   * Work that slip turned into heat in this step, >= 0 [force length].
+   */
+  double dissipated;
+  /**
+   * Fraction of the strength that slips, 0 to 1; 1 is gross slip.
+   */
+  double slipping;
+} asperity_microslip;
 
 /**
  * The exact state of the contact; all quantities in the units of the parameters.
@@ -1550,6 +1593,82 @@ asperity_status asperity_tangential_at_load(const struct asperity_model *model,
                                             double displacement,
                                             double *force,
                                             double *stiffness);
+
+/**
+ * How many doubles the state of one contact takes; today 32, the same for all models.
+ *
+ * @param model  a model
+ * @return the number of doubles; 0 for a NULL model
+ *
+ * Threads: may share the model.
+ */
+size_t asperity_microslip_length(const struct asperity_model *model);
+
+/**
+ * Displaces a contact under a load: the tangential force with what happened before, its tangents and the work of slip.
+ *
+ * The contacts of the surfaces are represented by springs in series with sliders, whose shares were found when the model
+ * was made. The force rises with the stiffness K_t (`asperity_tangential_stiffness_at_load`) and ends at the friction force F
+ * (`asperity_friction_force_at_load`), in any direction, after any path. After a reversal it follows Masing's rule. It
+ * does not depend on time or on the number of steps in which a straight path is taken.
+ *
+ * The caller owns the state, one for each contact: `asperity_microslip_length` doubles, all 0 for a contact that has just
+ * closed. They are the forces of the sliders, first all along the first direction, then all along the second [force]; where the
+ * directions turn with the contact, turn each pair with them. An iteration repeats the call with the same `before`; the
+ * step that is accepted keeps `after`.
+ *
+ * More load on a contact at rest adds stiffness and no force. Less load lets sliders slip that are no longer held. Below
+ * the pull-off load the contact is open: force, stiffness and `after` become 0, and the status is `ASPERITY_SEPARATED`. At
+ * zero load without adhesion they are 0 too, with `ASPERITY_OK`. At the pull-off load itself, where F and K_t have no
+ * finite slope, `dforce_dload` is that of the next load.
+ *
+ * @param model      must not be NULL
+ * @param load       normal load of this step [force]
+ * @param increment  2 displacements of one surface along the other since `before` [length]; must not be NULL
+ * @param before     the state before the step; must not be NULL
+ * @param after      receives the state after the step; NULL to skip; may be `before` itself; untouched on failure
+ * @param out        receives force, tangents and work; must not be NULL; its `struct_size` must be set; untouched on
+ *                   failure
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment or a state
+ *         that is not finite), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs are 0), `ASPERITY_OUT_OF_RANGE`
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_microslip_step(const struct asperity_model *model,
+                                        double load,
+                                        const double *increment,
+                                        const double *before,
+                                        double *after,
+                                        struct asperity_microslip *out);
+
+/**
+ * One step of many contacts, each as `asperity_microslip_step` gives it, to the bit.
+ *
+ * All elements are filled; then the first that is not in order, if any, is reported, and `asperity_last_error` names its index.
+ * An element whose load, increment or state cannot be taken gets the force and stiffness NaN, and its `after` is not
+ * written.
+ *
+ * @param model      must not be NULL
+ * @param n          number of contacts; may be 0
+ * @param load       n loads [force]; must not be NULL unless n = 0
+ * @param increment  2 n displacements [length], both of a contact together; must not be NULL unless n = 0
+ * @param before     n states, that of a contact together; must not be NULL unless n = 0
+ * @param after      receives n states; NULL to skip; may be `before` itself
+ * @param force      receives 2 n forces T [force], both of a contact together; NULL to skip
+ * @param stiffness  receives 4 n tangents dT/d(increment) [force/length], those of a contact together, row by row; NULL
+ *                   to skip
+ * @return as `asperity_microslip_step`
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_microslip_steps(const struct asperity_model *model,
+                                         size_t n,
+                                         const double *load,
+                                         const double *increment,
+                                         const double *before,
+                                         double *after,
+                                         double *force,
+                                         double *stiffness);
 
 /**
  * The exact state at a load, by integration over the summits, without the table.

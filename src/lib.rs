@@ -37,6 +37,7 @@ mod elementary;
 mod equilibrium;
 mod error;
 mod float_bits;
+mod jenkins;
 mod joint_distribution;
 mod law;
 pub mod materials;
@@ -58,13 +59,14 @@ pub mod groups;
 #[doc(hidden)]
 pub mod population;
 
-pub use crate::asperity::slip::SlipConstants;
+pub use crate::asperity::slip::{SlipConstants, SlipOnset};
 pub use error::{CalibrationFailure, Error, Value};
+pub use jenkins::STATE as MICROSLIP_LENGTH;
 pub use model::validity::{
     WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP,
     WARNING_STRONG, WARNING_UNCALIBRATED,
 };
-pub use model::{Model, State, Summary, SummitState};
+pub use model::{MicroslipStep, Model, State, Summary, SummitState};
 pub use params::{ContactLawKind, HeightFamily, Params};
 pub use sensitivity::Sensitivities;
 pub use spectrum::SpectralMoments;

@@ -29,9 +29,56 @@ impl Default for SlipConstants {
     }
 }
 
+/// How a contact begins to slip.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub enum SlipOnset {
+    /// From its rim inwards (Cattaneo 1938; R. D. Mindlin, J. Appl. Mech. 16 (1949) 259).
+    #[default]
+    Partial,
+    /// As a whole.
+    Whole,
+}
+
+/// What a contact resists before all of it slips.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tangential {
+    pub force: f64,
+    /// Its slope by displacement over that of a contact that sticks.
+    pub sticking: f64,
+}
+
+impl SlipOnset {
+    /// The force of a contact of this strength at a displacement, given by the force that it would have if it stuck.
+    #[inline]
+    pub fn tangential(self, strength: f64, stuck: f64) -> Tangential {
+        let slipped = Tangential { force: strength, sticking: 0.0 };
+        match self {
+            Self::Whole if stuck < strength => Tangential { force: stuck, sticking: 1.0 },
+            Self::Partial if stuck < Self::PARTIAL_REACH * strength => {
+                // F (1 - y^3), without cancellation where the displacement is small.
+                let y = (1.0 - stuck / (Self::PARTIAL_REACH * strength)).sqrt();
+                Tangential { force: stuck / Self::PARTIAL_REACH * (1.0 + y + y * y) / (1.0 + y), sticking: y }
+            }
+            _ => slipped,
+        }
+    }
+
+    /// Up to how many times its strength a contact would resist, if it stuck, before all of it slips.
+    pub fn reach(self) -> f64 {
+        match self {
+            Self::Partial => Self::PARTIAL_REACH,
+            Self::Whole => 1.0,
+        }
+    }
+
+    const PARTIAL_REACH: f64 = 1.5;
+}
+
 /// Friction force of one asperity, in G* b^2.
 #[derive(Debug, Clone)]
 pub struct Slip {
+    /// How a contact begins to slip.
+    pub onset: SlipOnset,
     constants: SlipConstants,
     /// M of eq (14).
     exponent: f64,
@@ -60,11 +107,11 @@ impl Friction {
 
 impl Slip {
     /// The law with these constants, and kappa E*/G*.
-    pub fn new(constants: SlipConstants, by_hertz_load: f64) -> Self {
+    pub fn new(constants: SlipConstants, by_hertz_load: f64, onset: SlipOnset) -> Self {
         let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = constants;
         // Stresses of 0 go together: without a stress there is no power of the radius either.
         let exponent = if stress_1 > 0.0 { -log(stress_1 / stress_2) / log(radius_2 / radius_1) } else { 0.0 };
-        Self { constants, exponent, by_hertz_load }
+        Self { onset, constants, exponent, by_hertz_load }
     }
 
     /// The two radii at which the stress has a kink.
@@ -153,7 +200,7 @@ mod tests {
             (falling, 1.0, 3),
             (falling, 5.0, 1),
         ] {
-            let slip = Slip::new(constants, 0.0);
+            let slip = Slip::new(constants, 0.0, SlipOnset::Partial);
             let radii = slip.radii_at_force_over_radius(ratio);
             let found = radii.into_iter().filter(|radius| radius.is_finite());
             assert_eq!(found.clone().count(), number, "{constants:?}, {ratio}: {radii:?}");

@@ -1,7 +1,7 @@
 //! Parameters, as C sees them: a struct that grew, of which callers may have an earlier, shorter version.
 
 use super::boundary::{not_null, reference, wrong_struct_size, Failure};
-use crate::asperity::slip::SlipConstants;
+use crate::asperity::slip::{SlipConstants, SlipOnset};
 use crate::distribution::tabulated;
 use crate::error::Error;
 use crate::params::{ContactLawKind, HeightFamily, Params};
@@ -22,6 +22,11 @@ pub const ASPERITY_HEIGHTS_TABULATED: i32 = 3;
 pub const ASPERITY_CONTACT_MAUGIS: i32 = 0;
 /// Summits that yield, after Zhao, Maietta and Chang (2000): needs `hardness` > 0 and `work_of_adhesion` = 0.
 pub const ASPERITY_CONTACT_ELASTIC_PLASTIC: i32 = 1;
+
+/// Before gross slip each contact slips from its rim inwards, after Cattaneo (1938) and Mindlin (1949).
+pub const ASPERITY_SLIP_PARTIAL: i32 = 0;
+/// Before gross slip each contact sticks until all of it slips: contacts so small that one dislocation moves them.
+pub const ASPERITY_SLIP_WHOLE: i32 = 1;
 
 /// Two rough elastic surfaces, as the equivalent rough surface against a flat.
 ///
@@ -103,8 +108,9 @@ pub struct asperity_params {
     pub nominal_area: f64,
     /// Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default.
     pub contact_law: i32,
-    /// Must be 0, the default.
-    pub reserved: i32,
+    /// How a contact begins to slip, one of `ASPERITY_SLIP_`; partial slip by default. Friction does not depend on it, the
+    /// tangential force before gross slip does: `asperity_tangential_at_load`, `asperity_microslip_step`.
+    pub slip_onset: i32,
     /// kappa >= 0, the pressure coefficient of the interface: a contact's friction force is pi a^2 tau(a) + kappa P_H, where P_H is
     /// the load of Hertz' contact of its radius, the load and what adhesion adds to it. Boundary films have 0.02 to 0.2. 0, the
     /// default, is a strength that does not grow with pressure. Where it is > 0, both slip stresses may be 0: Amontons' law.
@@ -215,7 +221,10 @@ impl asperity_params {
                 ContactLawKind::Maugis => ASPERITY_CONTACT_MAUGIS,
                 ContactLawKind::ElasticPlastic => ASPERITY_CONTACT_ELASTIC_PLASTIC,
             },
-            reserved: 0,
+            slip_onset: match params.slip_onset {
+                SlipOnset::Partial => ASPERITY_SLIP_PARTIAL,
+                SlipOnset::Whole => ASPERITY_SLIP_WHOLE,
+            },
         });
         match &params.heights {
             HeightFamily::Gaussian => {}
@@ -266,16 +275,20 @@ impl asperity_params {
                 return invalid("contact_law", other, allowed);
             }
         };
-        if self.reserved != 0 {
-            return invalid("reserved", self.reserved, "must be 0, as asperity_params_init sets it");
-        }
+        let slip_onset = match self.slip_onset {
+            ASPERITY_SLIP_PARTIAL => SlipOnset::Partial,
+            ASPERITY_SLIP_WHOLE => SlipOnset::Whole,
+            other => {
+                return invalid("slip_onset", other, "must be one of ASPERITY_SLIP_: PARTIAL (0), WHOLE (1)");
+            }
+        };
         let slip = SlipConstants {
             radius_1: self.slip_radius_1,
             stress_1: self.slip_stress_1,
             radius_2: self.slip_radius_2,
             stress_2: self.slip_stress_2,
         };
-        Ok(with_same_numbers!(self => Params { heights, attraction, contact_law, slip, }))
+        Ok(with_same_numbers!(self => Params { heights, attraction, contact_law, slip, slip_onset, }))
     }
 
     /// Refuses a skew or a kurtosis that the heights do not read.

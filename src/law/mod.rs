@@ -13,15 +13,18 @@ mod non_integer_power;
 mod panel;
 mod position;
 mod row;
+mod shares;
 mod steps;
 mod table;
 
 use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
+use crate::jenkins::PerElement;
 use crate::population::Sums;
 use curve::Curve;
 use fill::Filling;
 use panel::Sample;
+use shares::Shares;
 
 pub use curve::Unfollowed;
 pub use row::{polynomial, Row};
@@ -86,6 +89,7 @@ impl Quantity {
 pub struct Law {
     compiled: [Compiled; Quantity::COUNT],
     curve: Curve,
+    shares: Shares,
 }
 
 /// One quantity against load.
@@ -124,7 +128,8 @@ impl Law {
             compiled.certify(&curve, quantity, &samples);
             compiled
         });
-        Ok(Self { compiled, curve })
+        let shares = Shares::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
+        Ok(Self { compiled, curve, shares })
     }
 
     /// The table of a quantity.
@@ -141,6 +146,12 @@ impl Law {
         let (value, log_slope) = self.curve.within(quantity, log(x) - log(scale.load))?;
         let value = scale.value * value;
         Some((value, value / x * log_slope))
+    }
+
+    /// The shares of the elements that follow the contacts before gross slip, at load - pull-off, and their slopes by load.
+    #[inline]
+    pub fn shares_at_excess(&self, x: f64) -> (PerElement, PerElement) {
+        self.shares.at_excess(x)
     }
 
     /// The largest relative error found when the table of a quantity was built.

@@ -7,6 +7,7 @@
 
 mod calibration;
 mod exact;
+mod microslip;
 pub mod validity;
 
 use crate::elementary::cbrt;
@@ -19,6 +20,7 @@ use crate::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
 pub use exact::{State, SummitState};
+pub use microslip::MicroslipStep;
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;

@@ -9,7 +9,7 @@ mod checks;
 mod numbers;
 mod unit_slips;
 
-use crate::asperity::slip::{Slip, SlipConstants};
+use crate::asperity::slip::{Slip, SlipConstants, SlipOnset};
 use crate::distribution::weibull::Weibull;
 pub use crate::distribution::HeightFamily;
 use crate::error::Error;
@@ -73,6 +73,8 @@ pub struct Params {
     pub nominal_area: f64,
     /// The law of one summit in contact.
     pub contact_law: ContactLawKind,
+    /// How a contact begins to slip: before all of it does, this is what it resists.
+    pub slip_onset: SlipOnset,
     /// kappa >= 0: a contact's friction force is pi a^2 tau(a) + kappa P_H, P_H the load of Hertz' contact of its radius. 0, the
     /// default, is a strength that does not depend on pressure.
     pub pressure_coefficient: f64,
@@ -102,6 +104,7 @@ impl Default for Params {
             tangential_modulus: 0.0,
             nominal_area: 0.0,
             contact_law: ContactLawKind::Maugis,
+            slip_onset: SlipOnset::Partial,
             pressure_coefficient: 0.0,
             bandwidth: 0.0,
         };
@@ -327,7 +330,8 @@ impl Params {
 
     /// The law of friction of one contact, in dimensionless units.
     pub(crate) fn slip_law(&self) -> Slip {
-        Slip::new(self.slip, self.pressure_coefficient * self.composite_modulus / self.effective_shear_modulus)
+        let by_hertz_load = self.pressure_coefficient * self.composite_modulus / self.effective_shear_modulus;
+        Slip::new(self.slip, by_hertz_load, self.slip_onset)
     }
 
     /// G^: that given, or its default E* G*/(2 (E* + G*)).

@@ -6,6 +6,7 @@
 use super::panels::Visitor;
 use super::sums::Summit;
 use super::Population;
+use crate::asperity::slip::SlipOnset;
 use crate::error::Error;
 
 /// The tangential force of the contacts, and what it is made of, per summit of the surface.
@@ -39,7 +40,47 @@ impl Visitor for Displaced {
     }
 }
 
+/// What part of the strength of all contacts they resist at several displacements.
+struct Shares<const N: usize> {
+    /// Force over contact radius of a contact that sticks, in G* b.
+    force_over_radius: [f64; N],
+    force: [f64; N],
+    strength: f64,
+    onset: SlipOnset,
+}
+
+impl<const N: usize> Visitor for Shares<N> {
+    fn summits(&mut self, _z: f64, fraction: f64, summit: &Summit) {
+        let strength = fraction * summit.friction;
+        self.strength += strength;
+        // Of no strength is no share.
+        let rate = summit.radius / summit.friction / self.onset.reach();
+        if !(rate > 0.0 && strength > 0.0) {
+            return;
+        }
+        let each = self.force.iter_mut().zip(self.force_over_radius);
+        match self.onset {
+            SlipOnset::Partial => each.for_each(|(force, stuck)| {
+                let left = (1.0 - stuck * rate).max(0.0);
+                *force += strength * (1.0 - left * left.sqrt());
+            }),
+            SlipOnset::Whole => each.for_each(|(force, stuck)| *force += strength * (stuck * rate).min(1.0)),
+        }
+    }
+}
+
 impl Population {
+    /// What part of their strength the contacts at a separation resist when they are displaced so far that one that sticks bears
+    /// these forces times its radius: to some four digits, since panels do not end where contacts begin to slip. `None` if
+    /// there are none, or their sums are not to be had.
+    pub fn shares_of_strength<const N: usize>(&self, separation: f64, force_over_radius: [f64; N]) -> Option<[f64; N]> {
+        let onset = self.slip.onset;
+        let mut shares = Shares { force_over_radius, force: [0.0; N], strength: 0.0, onset };
+        self.visit(separation, &self.edge(separation), &mut shares).ok()?;
+        let Shares { force, strength, .. } = shares;
+        (strength > 0.0).then(|| force.map(|force| force / strength))
+    }
+
     /// The contacts at a separation, displaced so far that one that sticks bears this force times its radius.
     ///
     /// # Errors

@@ -143,7 +143,7 @@ macro_rules! output {
         }
     )*};
 }
-output!(asperity_state asperity_summary asperity_table asperity_sensitivities);
+output!(asperity_state asperity_summary asperity_table asperity_sensitivities asperity_microslip);
 
 /// All numbers of an output.
 pub trait Values {

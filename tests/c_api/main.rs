@@ -9,6 +9,7 @@ mod batch;
 mod fuzz;
 mod fuzz_calls;
 mod interface;
+mod microslip;
 mod pointers;
 mod pressure_and_slip;
 #[cfg(not(miri))]

@@ -25,6 +25,7 @@ fn committed_header_is_what_the_sources_generate() {
         "evaluate",
         "slope",
         "tangential",
+        "microslip",
         "state",
         "validity",
         "summits",

@@ -6,7 +6,7 @@ use crate::common::second_evaluation::Surface;
 use crate::common::surfaces::params_of;
 use asperity::asperity::contact::ContactLaw;
 use asperity::asperity::maugis::Maugis;
-use asperity::asperity::slip::Slip;
+use asperity::asperity::slip::{Slip, SlipOnset};
 use asperity::distribution::tabulated::Tabulated;
 use asperity::distribution::weibull::Weibull;
 use asperity::distribution::HeightDistribution;
@@ -226,7 +226,9 @@ fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
         let groups = Groups { alpha: 0.02, beta, gamma, b_over_h: 0.5, hardness: f64::INFINITY, yields: false };
         for attract in [true, false] {
             let kinks = |heights: Arc<dyn HeightDistribution>| {
-                Population::new(&groups, Slip::new(slip, 0.0), heights, radius, attract).expect("a population").kinks()
+                Population::new(&groups, Slip::new(slip, 0.0, SlipOnset::Partial), heights, radius, attract)
+                    .expect("a population")
+                    .kinks()
             };
             assert_has(&kinks(table.clone()), &kinks_of_heights(&groups, &radius, attract, table.breakpoints()));
             let lower_end = weibull.support().0;

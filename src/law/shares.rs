@@ -1,0 +1,134 @@
+//! The shares of the Jenkins elements that follow the contacts of a surface as they begin to slip, against load.
+//!
+//! At constant load the contacts resist a displacement x, over strength by stiffness, with the part Phi(x) of their strength. Phi
+//! rises from 0 with slope 1 ever more slowly to 1, and so does a polygon through it, whose corners are the sliders of the
+//! elements and whose changes of slope are their shares. Phi hardly changes with load: polygons at a few loads are blended.
+
+use super::{Curve, Table};
+use crate::elementary::log;
+use crate::equilibrium::Branch;
+use crate::jenkins::{PerElement, ELEMENTS, KNOTS};
+
+/// Loads at which there are polygons, at most.
+const MOST_LOADS: u64 = 32;
+const MANTISSA_BITS: u32 = 52;
+
+/// Shares at loads that are 2^(first + n stride) above pull-off.
+#[derive(Debug, Clone)]
+pub struct Shares {
+    /// The biased exponent of the first.
+    first: u64,
+    /// So many binades lie between them.
+    stride: u64,
+    rows: Vec<PerElement>,
+}
+
+impl Shares {
+    /// The shares over the range of a table.
+    pub fn new(branch: &Branch, curve: &Curve, table: &Table, load: f64) -> Self {
+        let exponent = |x: f64| x.to_bits() >> MANTISSA_BITS;
+        let (first, last) = (exponent(table.begin_of(0)), exponent(table.begin_of(table.row_count)));
+        let stride = (last - first).div_ceil(MOST_LOADS - 1).max(1);
+        let count = (last - first).div_ceil(stride) + 1;
+        let at = |i: u64| shares_at(branch, curve, log(of_exponent(first + i * stride)) - log(load));
+        let found: Vec<_> = (0..count).map(at).collect();
+        // What is not known is taken from the next lighter load, or from the lightest that is known.
+        let mut last = found.iter().flatten().next().copied().unwrap_or_else(|| polygon(equal_contacts()));
+        let rows = found.into_iter().map(|shares| {
+            last = shares.unwrap_or(last);
+            last
+        });
+        Self { first, stride, rows: rows.collect() }
+    }
+
+    /// The shares at load - pull-off, and their slopes.
+    #[inline]
+    pub fn at_excess(&self, x: f64) -> (PerElement, PerElement) {
+        const NONE: PerElement = [0.0; ELEMENTS];
+        let end = self.rows.len() - 1;
+        if x < of_exponent(self.first) {
+            return (self.rows[0], NONE);
+        }
+        let binades = (x.to_bits() >> MANTISSA_BITS) - self.first;
+        let row = (binades / self.stride) as usize;
+        if row >= end {
+            return (self.rows[end], NONE);
+        }
+        let unit = of_exponent(self.first + binades);
+        // Close to log2(x), with a slope that does not jump where binades meet.
+        let t = x / unit - 1.0;
+        let stride = self.stride as f64;
+        let place = ((binades % self.stride) as f64 + t * (4.0 - t) / 3.0) / stride;
+        let place_slope = (4.0 - 2.0 * t) / (3.0 * stride) / unit;
+        let (part, part_slope) = (place * place * (3.0 - 2.0 * place), 6.0 * place * (1.0 - place) * place_slope);
+        let (before, after) = (&self.rows[row], &self.rows[row + 1]);
+        let change: PerElement = std::array::from_fn(|j| after[j] - before[j]);
+        (std::array::from_fn(|j| before[j] + part * change[j]), change.map(|change| part_slope * change))
+    }
+}
+
+/// 2^e of a biased exponent.
+#[inline]
+fn of_exponent(exponent: u64) -> f64 {
+    f64::from_bits(exponent << MANTISSA_BITS)
+}
+
+/// The shares at ln(load - pull-off); `None` where the state is not known.
+fn shares_at(branch: &Branch, curve: &Curve, log_excess: f64) -> Option<PerElement> {
+    let population = branch.population();
+    let separation = curve.separation(log_excess)?;
+    let sums = population.at_separation(separation);
+    let length = sums.friction / sums.radius;
+    let curve = population.shares_of_strength(separation, KNOTS.map(|knot| knot * length))?;
+    curve.iter().all(|value| (0.0..=1.0 + 1e-6).contains(value)).then(|| polygon(curve))
+}
+
+/// Phi of contacts of one size, each of which slips from its rim inwards.
+fn equal_contacts() -> PerElement {
+    KNOTS.map(|knot| {
+        let left = (1.0 - knot / 1.5).max(0.0);
+        1.0 - left * left.sqrt()
+    })
+}
+
+/// The shares that are the changes of slope of the polygon through 0, with slope 1 up to the first knot, and the upper hull of
+/// these values at the others, of which the last is taken as 1.
+fn polygon(curve: PerElement) -> PerElement {
+    const LAST: usize = ELEMENTS - 1;
+    let mut heights = curve;
+    (heights[0], heights[LAST]) = (KNOTS[0], 1.0);
+    // The corners of the hull.
+    let mut corners = [0; ELEMENTS];
+    let mut count = 1;
+    let slope = |a: usize, b: usize| (heights[b] - heights[a]) / (KNOTS[b] - KNOTS[a]);
+    for j in 1..ELEMENTS {
+        while count > 1 && slope(corners[count - 1], j) >= slope(corners[count - 2], corners[count - 1]) {
+            count -= 1;
+        }
+        corners[count] = j;
+        count += 1;
+    }
+    let mut shares = [0.0; ELEMENTS];
+    let mut before = 1.0;
+    for pair in corners[..count].windows(2) {
+        let after = slope(pair[0], pair[1]).clamp(0.0, before);
+        shares[pair[0]] = before - after;
+        before = after;
+    }
+    shares[LAST] = before;
+    normalised(shares)
+}
+
+/// Shares of which all of the stiffness, and times the knots all of the strength, are 1 to rounding.
+fn normalised(mut shares: PerElement) -> PerElement {
+    // Two of them make good what rounding and hull have left: those at the first and at the last knot.
+    const LAST: usize = ELEMENTS - 1;
+    for _ in 0..2 {
+        let stiffness = 1.0 - shares.iter().sum::<f64>();
+        let strength = 1.0 - shares.iter().zip(KNOTS).map(|(share, knot)| share * knot).sum::<f64>();
+        let last = (strength - KNOTS[0] * stiffness) / (KNOTS[LAST] - KNOTS[0]);
+        shares[LAST] = (shares[LAST] + last).max(0.0);
+        shares[0] = (shares[0] + stiffness - last).max(0.0);
+    }
+    shares
+}

@@ -1,0 +1,237 @@
+//! Steps of a contact that remembers, through the C functions.
+
+use crate::common::splitmix::SplitMix;
+use crate::interface::*;
+use std::ptr::{null, null_mut};
+
+const STATE: usize = 32;
+const UNTOUCHED: f64 = 77.0;
+
+/// With adhesion and without.
+fn handles() -> [Handle; 2] {
+    [0.001, 0.0].map(|gamma| Handle::new(&asperity_params::dimensionless(0.01, 1000.0, gamma, 1.0)))
+}
+
+/// F and K_t by their own calls.
+fn strength_and_stiffness(handle: &Handle, load: f64) -> (f64, f64) {
+    // SAFETY: the model lives.
+    unsafe { (asperity_friction_force_at_load(handle.0, load), asperity_tangential_stiffness_at_load(handle.0, load)) }
+}
+
+fn step(
+    handle: &Handle,
+    load: f64,
+    increment: [f64; 2],
+    state: &mut [f64; STATE],
+) -> (asperity_status, asperity_microslip) {
+    let mut out = asperity_microslip::empty();
+    let place = state.as_mut_ptr();
+    // SAFETY: arrays of the lengths that are asked for.
+    let status = unsafe { asperity_microslip_step(handle.0, load, increment.as_ptr(), place, place, &mut out) };
+    (status, out)
+}
+
+fn near(a: f64, b: f64, tolerance: f64) -> bool {
+    (a - b).abs() <= tolerance * b.abs()
+}
+
+#[test]
+fn a_contact_begins_with_its_stiffness_and_ends_at_its_friction_force() {
+    for handle in handles() {
+        // SAFETY: the model lives, or there is none.
+        unsafe {
+            assert_eq!(asperity_microslip_length(handle.0), STATE);
+            assert_eq!(asperity_microslip_length(null()), 0);
+        }
+        for load in [1e-6, 1e-3, 1.0, 1e3, 1e6] {
+            let (strength, stiffness) = strength_and_stiffness(&handle, load);
+            let length = strength / stiffness;
+            for [x, y] in [[1.0, 0.0], [0.0, -1.0], [0.6, 0.8]] {
+                let mut state = [0.0; STATE];
+                let small = 1e-3 * length;
+                let (status, begun) = step(&handle, load, [small * x, small * y], &mut state);
+                assert_eq!(status, OK, "{}", message());
+                let force = stiffness * small;
+                assert!(near(begun.force[0], force * x, 1e-14) && near(begun.force[1], force * y, 1e-14), "{begun:?}");
+                assert!(near(begun.stiffness[0], stiffness, 1e-14) && near(begun.stiffness[3], stiffness, 1e-14));
+                assert_eq!((begun.stiffness[1], begun.stiffness[2]), (0.0, 0.0));
+                assert_eq!((begun.dissipated, begun.slipping), (0.0, 0.0));
+                let (_, ended) = step(&handle, load, [10.0 * length * x, 10.0 * length * y], &mut state);
+                assert!(near(ended.force[0].hypot(ended.force[1]), strength, 1e-14), "{ended:?}, not {strength}");
+                assert!(near(ended.slipping, 1.0, 1e-14) && ended.dissipated > 5.0 * strength * length, "{ended:?}");
+                // Along the slip nothing more resists.
+                let along = ended.stiffness[0] * x * x + 2.0 * ended.stiffness[1] * x * y + ended.stiffness[3] * y * y;
+                assert!(along.abs() < 1e-14 * stiffness, "{ended:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_batch_has_the_bits_of_single_steps() {
+    const N: usize = 300;
+    let mut random = SplitMix(5);
+    for handle in handles() {
+        let loads: Vec<f64> =
+            (0..N).map(|i| [1e-4 * 1e8_f64.powf(random.between(0.0, 1.0)), 0.0, -1.0, f64::NAN][i % 16 / 13]).collect();
+        let mut states = vec![[0.0; STATE]; N];
+        for round in 0..6 {
+            let increments: Vec<[f64; 2]> = (0..N)
+                .map(|i| {
+                    let (strength, stiffness) =
+                        strength_and_stiffness(&handle, if loads[i] > 0.0 { loads[i] } else { 1.0 });
+                    [0, 1].map(|_| (2.0 * random.between(0.0, 1.0) - 1.0) * strength / stiffness)
+                })
+                .collect();
+            let mut singles = states.clone();
+            let steps: Vec<_> = (0..N).map(|i| step(&handle, loads[i], increments[i], &mut singles[i])).collect();
+            let (mut after, mut force, mut stiffness) =
+                (vec![[UNTOUCHED; STATE]; N], vec![[0.0_f64; 2]; N], vec![[0.0_f64; 4]; N]);
+            // SAFETY: arrays of as many elements.
+            let status = unsafe {
+                asperity_microslip_steps(
+                    handle.0,
+                    N,
+                    loads.as_ptr(),
+                    increments.as_ptr().cast(),
+                    states.as_ptr().cast(),
+                    after.as_mut_ptr().cast(),
+                    force.as_mut_ptr().cast(),
+                    stiffness.as_mut_ptr().cast(),
+                )
+            };
+            let first = steps.iter().position(|(status, _)| *status != OK);
+            assert_eq!(status, first.map_or(OK, |first| steps[first].0));
+            if let Some(first) = first {
+                assert!(message().starts_with(&format!("element {first}: load = ")), "{}", message());
+            }
+            for i in 0..N {
+                let (status, single) = &steps[i];
+                match *status {
+                    OK | SEPARATED => {
+                        assert_eq!(
+                            (bytes(&force[i]), bytes(&stiffness[i])),
+                            (bytes(&single.force), bytes(&single.stiffness))
+                        );
+                        assert_eq!(after[i], singles[i], "{i}, round {round}");
+                    }
+                    _ => {
+                        assert!(force[i].iter().chain(&stiffness[i]).all(|x| x.is_nan()));
+                        assert!(after[i].iter().all(|&x| x == UNTOUCHED));
+                    }
+                }
+            }
+            // In place.
+            let place = states.as_mut_ptr().cast();
+            // SAFETY: as above; outputs are not asked for.
+            unsafe {
+                asperity_microslip_steps(
+                    handle.0,
+                    N,
+                    loads.as_ptr(),
+                    increments.as_ptr().cast(),
+                    place,
+                    place,
+                    null_mut(),
+                    null_mut(),
+                );
+            }
+            assert_eq!(states, singles);
+        }
+    }
+}
+
+#[test]
+fn what_is_not_in_order_is_named_and_nothing_is_written() {
+    let [handle, hertz] = handles();
+    let (strength, stiffness) = strength_and_stiffness(&handle, 1.0);
+    let fine = [0.3 * strength / stiffness, 0.0];
+    let mut bad_state = [0.0; STATE];
+    bad_state[7] = f64::NAN;
+    for (load, increment, before, status, text) in [
+        (f64::NAN, fine, [0.0; STATE], INVALID_LOAD, "load = NaN: must be finite"),
+        (f64::INFINITY, fine, [0.0; STATE], INVALID_LOAD, "load = inf: must be finite"),
+        (1e300, fine, [0.0; STATE], OUT_OF_RANGE, "load = 1e300: must be below"),
+        (1.0, [f64::NEG_INFINITY, 0.0], [0.0; STATE], INVALID_PARAMETER, "increment[0] = -inf: must be finite"),
+        (1.0, [0.0, f64::NAN], [0.0; STATE], INVALID_PARAMETER, "increment[1] = NaN: must be finite"),
+        (1.0, fine, bad_state, INVALID_PARAMETER, "before[7] = NaN: must be finite"),
+    ] {
+        let mut out = asperity_microslip::empty();
+        out.dissipated = UNTOUCHED;
+        let mut after = [UNTOUCHED; STATE];
+        let call = || {
+            // SAFETY: arrays of the lengths that are asked for.
+            unsafe {
+                asperity_microslip_step(
+                    handle.0,
+                    load,
+                    increment.as_ptr(),
+                    before.as_ptr(),
+                    after.as_mut_ptr(),
+                    &mut out,
+                )
+            }
+        };
+        let (found, complaint) = flags::watch(call);
+        assert_eq!(found, status, "{text}");
+        assert!(message().starts_with(text), "{}, not {text}", message());
+        assert_eq!((out.dissipated, after, complaint), (UNTOUCHED, [UNTOUCHED; STATE], None), "{text}");
+    }
+    // Open, and at zero load.
+    for (handle, load, status) in
+        [(&handle, -1.0, SEPARATED), (&hertz, -1e-9, SEPARATED), (&hertz, 0.0, OK), (&hertz, -0.0, OK)]
+    {
+        let mut state = [0.1; STATE];
+        let (found, out) = step(handle, load, fine, &mut state);
+        assert_eq!((found, state), (status, [0.0; STATE]), "{load}");
+        assert_eq!((out.force, out.stiffness, out.dissipated, out.slipping), ([0.0; 2], [0.0; 4], 0.0, 0.0), "{load}");
+        assert_eq!(status == SEPARATED, out.dforce_dload == [0.0; 2], "{load}: {out:?}");
+    }
+    let mut out = asperity_microslip { struct_size: 12, ..asperity_microslip::empty() };
+    let (one, mut state) = ([0.0; 2], [0.0; STATE]);
+    // SAFETY: what is refused is not read.
+    unsafe {
+        let (x, s) = (one.as_ptr(), state.as_mut_ptr());
+        assert_eq!(asperity_microslip_step(handle.0, 1.0, x, s, s, &mut out), INVALID_PARAMETER);
+        out.struct_size = size_of::<asperity_microslip>() as u64;
+        assert_eq!(asperity_microslip_step(handle.0, 1.0, x, s, null_mut(), &mut out), OK);
+        assert_eq!(asperity_microslip_step(null(), 1.0, x, s, s, &mut out), NULL_POINTER);
+        assert_eq!(asperity_microslip_step(handle.0, 1.0, null(), s, s, &mut out), NULL_POINTER);
+        assert_eq!(asperity_microslip_step(handle.0, 1.0, x, null(), s, &mut out), NULL_POINTER);
+        assert_eq!(asperity_microslip_step(handle.0, 1.0, x, s, s, null_mut()), NULL_POINTER);
+        let (no, f) = (null_mut(), out.force.as_mut_ptr());
+        assert_eq!(asperity_microslip_steps(handle.0, 0, null(), null(), null(), no, no, no), OK);
+        assert_eq!(asperity_microslip_steps(handle.0, 1, null(), x, s, s, f, no), NULL_POINTER);
+        assert_eq!(asperity_microslip_steps(handle.0, 1, x, null(), s, s, f, no), NULL_POINTER);
+        assert_eq!(asperity_microslip_steps(handle.0, 1, x, x, null(), s, f, no), NULL_POINTER);
+    }
+}
+
+/// States and displacements as no solver has them: the forces stay within the strength, and everything is a number.
+#[test]
+fn anything_finite_gives_finite_numbers_within_the_strength() {
+    let mut random = SplitMix(11);
+    let sizes = [0.0, 5e-324, 1e-308, 1e-200, 1e-150, 1e-20, 1.0, 1e20, 1e150, 1e200, f64::MAX];
+    for handle in handles() {
+        for i in 0..4000 {
+            let mut any = || {
+                sizes[(random.between(0.0, 1.0) * sizes.len() as f64) as usize]
+                    * if random.between(0.0, 1.0) < 0.5 { -1.0 } else { 1.0 }
+            };
+            let mut state: [f64; STATE] = std::array::from_fn(|_| any());
+            let increment = [any(), any()];
+            let load = [1e-280, 1e-30, 1e-6, 1.0, 1e6, 1e60, 0.0, handle.summary().pull_off_load][i % 8];
+            let (strength, stiffness) = strength_and_stiffness(&handle, load);
+            let ((status, out), complaint) = flags::watch(|| step(&handle, load, increment, &mut state));
+            assert_eq!((status, complaint), (OK, None), "{load}");
+            let force = out.force[0].hypot(out.force[1]);
+            assert!(force <= strength * (1.0 + 1e-14), "{load}: {out:?}, {strength}");
+            let numbers = [out.dforce_dload, [out.dissipated, out.slipping]].concat();
+            assert!(numbers.iter().chain(&out.stiffness).chain(&state).all(|x| x.is_finite()), "{load}: {out:?}");
+            assert!(out.stiffness.iter().all(|x| x.abs() <= stiffness * (1.0 + 1e-13)), "{load}: {out:?}");
+            assert!(out.dissipated >= 0.0 && (0.0..=1.0).contains(&out.slipping), "{load}: {out:?}");
+            let sum: f64 = (0..STATE / 2).map(|j| state[j].hypot(state[STATE / 2 + j])).sum();
+            assert!(sum <= strength * (1.0 + 1e-14), "{load}: {state:?}");
+        }
+    }
+}
