@@ -5,6 +5,7 @@ microslip. MuJoCo's own contact creeps. SI units.
 
 import math
 import sys
+import time
 from pathlib import Path
 
 import mujoco
@@ -158,6 +159,36 @@ def check_slow_slip(law):
         raise RuntimeError(f"slow slip: {errors}")
 
 
+def check_twist(law):
+    """A moment about the normal, half of what makes the box slip, does not turn it."""
+    moment = 0.5 * law.friction_force_at_load(MASS * GRAVITY) * math.hypot(*incline.HALF_LENGTHS[:2])
+    turns = []
+    for microslip in ("false", "true"):
+        data = mujoco.MjData(model := model_of(law, 0.0, microslip))
+        data.qfrc_applied[5] = moment
+        run(model, data, 1)
+        begin = data.qpos[6]
+        run(model, data, 4)
+        turns.append(abs(data.qpos[6] - begin) * 2 / 4)
+    without, held = turns
+    print(f"hold: at half the moment at which it slips the box turns at {held:.1e} rad/s, without microslip at {without:.1e}")
+    if not (without > 1e-5 and held * RATIO_LIMIT <= without):
+        raise RuntimeError(f"the box turns at {held} rad/s with microslip, at {without} without")
+
+
+def check_cost(law):
+    """What microslip adds to a step of the box; printed, not judged: the machine is not idle."""
+    seconds = {"false": [], "true": []}
+    for _ in range(5):
+        for microslip, found in seconds.items():
+            data = mujoco.MjData(model := model_of(law, 0.1, microslip))
+            begin = time.process_time()
+            mujoco.mj_step(model, data, 2000)
+            found.append((time.process_time() - begin) / 2000)
+    without, held = (1e6 * float(np.median(found)) for found in seconds.values())
+    print(f"hold: a step takes {held:.1f} us with microslip, {without:.1f} us without")
+
+
 def check_rolling(law):
     """A ball rolls down as without microslip: its point of contact does not slip."""
     angle = math.radians(10)
@@ -205,7 +236,7 @@ def check_refusal(law):
 def main():
     law = incline.law()
     own, held = check_creep(law)
-    for check in (check_slide, check_loop, check_slow_slip, check_rolling, check_state, check_refusal):
+    for check in (check_slide, check_loop, check_slow_slip, check_twist, check_rolling, check_state, check_refusal, check_cost):
         check(law)
     return True, f"creep at {SHARE:g} of the slip load: {held:.1e} m/s with microslip, {own:.1e} m/s without"
 

@@ -6,6 +6,9 @@
  *
  * T follows the displacement explicitly, from step to step. The stiffness of summits is too great for that, so the displacement is
  * scaled down until the stiffness is B^2/4 I/R at each point, that of critical damping. T reaches the same friction force.
+ *
+ * The points of a pair share T as they share the load. What resists a twist about the normal is one slider more: a force at each
+ * point in proportion to its distance from their centre, on average F at most. The cone limits each point as ever.
  */
 #ifndef ASPERITY_MUJOCO_MICROSLIP_H
 #define ASPERITY_MUJOCO_MICROSLIP_H
@@ -24,6 +27,7 @@ typedef struct held_pair {
     double taken, first, second; /* as in asperity_body_pair */
     double tangent[3];           /* the first axis of the sliders, moved with the bodies */
     double force[3];             /* T, against the motion of the second body */
+    double twist;                /* what resists twist, force by distance from the centre of the points */
     double sliders[];
 } held_pair;
 
@@ -62,16 +66,36 @@ static inline double resting_forces(const mjData *d, const mjContact *points, in
     return sum;
 }
 
+/* The centre of the points of a pair. */
+static inline void centre_of(const mjData *d, const mjContact *points, int count, double centre[3]) {
+    const double all = resting_forces(d, points, count);
+    mju_zero3(centre);
+    for (int i = 0; i < count; i++) mju_addToScl3(centre, points[i].pos, resting_force(d, &points[i]) / all);
+}
+
+/* Which way a point goes in a twist about the normal by a unit angle. */
+static inline void arm_of(const mjContact *point, const double centre[3], double arm[3]) {
+    double from_centre[3];
+    mju_sub3(from_centre, point->pos, centre);
+    mju_cross(arm, point->frame, from_centre);
+}
+
 /* Gives the points of a pair its T, before mj_referenceConstraint: aref = -B v - K I (pos - margin). */
 static inline void hold(mjData *d, const held_pair *held, const mjContact *points, int count) {
     const double all = resting_forces(d, points, count);
+    double centre[3];
+    centre_of(d, points, count, centre);
     for (int i = 0; i < count; i++) {
         const double share = resting_force(d, &points[i]) / all;
+        double force[3];
+        arm_of(&points[i], centre, force);
+        mju_scl3(force, force, held->twist);
+        mju_addTo3(force, held->force);
         for (int axis = 1; axis <= 2 && share > 0; axis++) {
             const int row = points[i].efc_address + axis;
-            const double force = share * mju_dot3(held->force, points[i].frame + 3 * axis);
+            const double pull = share * mju_dot3(force, points[i].frame + 3 * axis);
             d->efc_KBIP[4 * row] = 1;
-            d->efc_pos[row] = d->efc_margin[row] + force * d->efc_R[row] / d->efc_KBIP[4 * row + 2];
+            d->efc_pos[row] = d->efc_margin[row] + pull * d->efc_R[row] / d->efc_KBIP[4 * row + 2];
         }
     }
 }
@@ -90,16 +114,32 @@ static inline double greatest_stiffness(const mjData *d, const mjContact *points
     return least;
 }
 
-/* By how much the second body of a pair has slipped over the first in this step; `velocity` is that of every row. */
-static inline void slip_of(const mjModel *m, const mjData *d, const mjtNum *velocity, const mjContact *points, int count,
-                           double slip[3]) {
+/* A step's slip of the second body of a pair over the first. */
+typedef struct pair_slip {
+    double along[3], angle;
+    double distance; /* of the points from their centre, on average */
+} pair_slip;
+
+/* `velocity` is that of every row of the constraints. */
+static inline pair_slip slip_of(const mjModel *m, const mjData *d, const mjtNum *velocity, const mjContact *points, int count) {
     const double all = resting_forces(d, points, count);
-    mju_zero3(slip);
+    pair_slip slip = {{0, 0, 0}, 0, 0};
+    double centre[3], moment = 0, inertia = 0;
+    centre_of(d, points, count, centre);
     for (int i = 0; i < count; i++) {
-        const double part = resting_force(d, &points[i]) / all * m->opt.timestep;
-        for (int axis = 1; axis <= 2 && part > 0; axis++)
-            mju_addToScl3(slip, points[i].frame + 3 * axis, part * velocity[points[i].efc_address + axis]);
+        const double share = resting_force(d, &points[i]) / all;
+        double arm[3], moved[3] = {0, 0, 0};
+        if (!(share > 0)) continue;
+        for (int axis = 1; axis <= 2; axis++)
+            mju_addToScl3(moved, points[i].frame + 3 * axis, m->opt.timestep * velocity[points[i].efc_address + axis]);
+        arm_of(&points[i], centre, arm);
+        mju_addToScl3(slip.along, moved, share);
+        moment += share * mju_dot3(arm, moved);
+        inertia += share * mju_dot3(arm, arm);
+        slip.distance += share * mju_norm3(arm);
     }
+    slip.angle = inertia > mjMINVAL ? moment / inertia : 0;
+    return slip;
 }
 
 /* Turns the first axis of a pair with its bodies and lays it into the plane of contact. */
@@ -117,17 +157,19 @@ static inline void move_tangent(const mjModel *m, const mjData *d, const mjConta
 static inline int slide(const mjModel *m, const mjData *d, const asperity_model *model, const mjtNum *velocity,
                         const mjContact *points, int count, double load, held_pair *held) {
     const double stiffness = asperity_tangential_stiffness_at_load(model, load);
-    double across[3], slip[3];
     asperity_microslip out = {.struct_size = sizeof out};
     if (!(load > 0 && stiffness > 0)) return 0;
+    const double soft = fmin(stiffness, greatest_stiffness(d, points, count)), part = soft / stiffness;
+    const pair_slip slip = slip_of(m, d, velocity, points, count);
+    double across[3];
     move_tangent(m, d, points, held->tangent);
     mju_cross(across, points->frame, held->tangent);
-    slip_of(m, d, velocity, points, count, slip);
-    mju_scl3(slip, slip, fmin(1, greatest_stiffness(d, points, count) / stiffness));
-    const double increment[2] = {mju_dot3(slip, held->tangent), mju_dot3(slip, across)};
+    const double increment[2] = {part * mju_dot3(slip.along, held->tangent), part * mju_dot3(slip.along, across)};
     if (asperity_microslip_step(model, load, increment, held->sliders, held->sliders, &out) != ASPERITY_OK) return 0;
     mju_scl3(held->force, held->tangent, out.force[0]);
     mju_addToScl3(held->force, across, out.force[1]);
+    const double limit = slip.distance > mjMINVAL ? asperity_friction_force_at_load(model, load) / slip.distance : 0;
+    held->twist = fmax(-limit, fmin(limit, held->twist + soft * slip.angle));
     held->taken = 1;
     held->first = points->geom[0];
     held->second = points->geom[1];
