@@ -59,6 +59,8 @@ const MOST_STEPS: u32 = 20;
 
 /// The most contact radii at which what is summed has a kink: two of the slip law, and three where summits begin to slip.
 const RADII: usize = 5;
+/// The first of those.
+const ONSET: usize = 2;
 /// The fineness of sums of which the sign is asked: every panel has as few points as there are.
 const COARSE: f64 = 0.05;
 
@@ -75,8 +77,8 @@ pub struct Population {
     radius_kinks: [f64; RADII],
     /// The overlaps over g at which the law of contact has.
     kinks_of_contact: [f64; KINKS],
-    /// The friction force over the contact radius at which it has one too, where no radius tells that.
-    friction_kink: Option<f64>,
+    /// The friction force over the contact radius at which it has one too: contacts are about to slip.
+    onset_ratio: Option<f64>,
     /// The overlaps over g at which summits begin to yield, and to flow, infinite where they do not.
     yields: [f64; KINKS],
     /// No summit in contact has a smaller overlap.
@@ -171,7 +173,7 @@ impl Population {
             lambda_cubed: groups.lambda_cubed(),
             radius_kinks: [first, second, f64::INFINITY, f64::INFINITY, f64::INFINITY],
             kinks_of_contact,
-            friction_kink: None,
+            onset_ratio: None,
             yields,
             deepest,
             lower_cut,

@@ -6,9 +6,9 @@
 //! contact's.
 
 use super::sums::{out_of_panels, Summit};
-use super::{Point, Population, RADII};
+use super::{Point, Population, ONSET, RADII};
 use crate::asperity::contact::KINKS;
-use crate::asperity::slip::Slip;
+use crate::asperity::slip::{Slip, SlipOnset};
 use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS, SHORTEST};
 use crate::elementary::exp;
 use crate::error::Error;
@@ -35,6 +35,11 @@ const PART_OF_HEIGHT_PANEL: f64 = 0.5;
 /// Where the density has fallen by e-folds since its largest value fewer digits of it count: a panel may be longer by this
 /// for each, up to twice as long.
 const LONGER_PER_FOLD: f64 = 0.02;
+/// Where contacts slip in part no panel is longer than this many times the parameter, or the distance to break-away: what they
+/// resist is singular where they begin to slip as a whole.
+const ONSET_RATIO: f64 = 1.0;
+/// And over none does the distance from there grow by more than this.
+const MOST_GROWTH: f64 = 4.0;
 /// A panel that is longer than it should be by no more than this factor is taken.
 const LENGTH_SLACK: f64 = 1.05;
 /// Less than this part of a panel is not left for another.
@@ -97,6 +102,9 @@ pub struct Panel {
     pub kink: Option<usize>,
     /// What part it is of one that all points are needed for.
     part: f64,
+    /// Whether it begins or ends where contacts are about to slip as a whole: what they resist goes as the distance to the power
+    /// 3/2 there.
+    is_eased: bool,
 }
 
 /// The summits in contact to go over, from the lowest up.
@@ -248,8 +256,11 @@ impl Population {
         let Some(panel) = LowerEndPanel::new(&*self.heights, start.z, longest) else { return start };
         // A kink of the slip law within so short a panel ends it.
         let to = self.at_height(separation, lower_end + panel.length, start.contact.parameter);
-        let whole = Panel { axis: Axis::Height, from: start, to, kink: None, part: 1.0 };
-        let panel = panel.shortened(self.cut_at_kink(separation, whole, None).to.z - lower_end);
+        let whole = Panel { axis: Axis::Height, from: start, to, kink: None, part: 1.0, is_eased: false };
+        let cut = self.cut_at_kink(separation, whole, None);
+        // Its nodes do not gather at its end: where contacts are about to slip is left to another.
+        let length = if self.is_onset(cut.kink) { 0.5 } else { 1.0 } * (cut.to.z - lower_end);
+        let panel = panel.shortened(length);
         let mut here = start;
         for (rise, fraction) in panel.nodes(&*self.heights) {
             here = self.at_height(separation, lower_end + rise, here.contact.parameter);
@@ -279,7 +290,8 @@ impl Population {
         let (axis, to) = match by_parameter {
             Some(to) => (Axis::Parameter, to),
             None => {
-                let z = (here.z + reach.min((HEIGHT_RATIO * clearance).max(SHORTEST))).min(stop);
+                let ratio = if self.has_onset() { ONSET_RATIO } else { HEIGHT_RATIO };
+                let z = (here.z + reach.min((ratio * clearance).max(SHORTEST))).min(stop);
                 let to = self.at_height(separation, z, here.contact.parameter);
                 let singular = self.law.distance_to_singularity(here.contact.parameter, self.radius.factor(here.z));
                 let is_short = to.contact.parameter - here.contact.parameter < SHORT_RATIO * singular;
@@ -287,7 +299,7 @@ impl Population {
                 (if serves { Axis::Parameter } else { Axis::Height }, to)
             }
         };
-        let panel = Panel { axis, from: here, to, kink: None, part: 1.0 };
+        let panel = Panel { axis, from: here, to, kink: None, part: 1.0, is_eased: false };
         // Load is smooth where friction has a kink.
         let panel = match self.fineness < 1.0 {
             true => self.cut_at_kink_of_contact(separation, panel, kink),
@@ -295,7 +307,9 @@ impl Population {
         };
         // A polynomial density is smooth up to where it ends.
         let smooth = if self.heights.is_piecewise_polynomial() { self.radius.smooth_length(here.z) } else { reach };
-        Panel { part: self.fineness * self.part(&panel, clearance, smooth), ..panel }
+        // What contacts about to slip resist asks for all points.
+        let part = if self.has_onset() { 1.0 } else { self.fineness * self.part(&panel, clearance, smooth) };
+        Panel { part, is_eased: self.is_onset(kink) || self.is_onset(panel.kink), ..panel }
     }
 
     /// What part a panel is of the longest over which the law of contact is smooth, and heights and radii as far as `smooth`.
@@ -314,6 +328,7 @@ impl Population {
     fn longest_step(&self, from: &Point) -> f64 {
         let s = from.contact.parameter;
         let smooth = PARAMETER_RATIO * self.law.distance_to_singularity(s, self.radius.factor(from.z));
+        let smooth = if self.has_onset() { smooth.min((ONSET_RATIO * s).max(SHORTEST)) } else { smooth };
         if from.contact.radius > 0.999_999 * self.slip.kinks()[0] {
             smooth.min(POWER_RATIO * s)
         } else {
@@ -377,10 +392,26 @@ impl Population {
         for (index, kink) in self.radius_kinks.into_iter().enumerate().filter(|&(index, _)| start_kink != Some(index)) {
             self.cut_where(separation, &mut panel, |point| point.contact.radius - kink, Some(index));
         }
-        if let Some(ratio) = self.friction_kink {
-            self.cut_at_friction_over_radius(separation, &mut panel, ratio, start_kink);
+        if let Some(ratio) = self.onset_ratio {
+            if !self.slip.is_of_radius() {
+                self.cut_at_friction_over_radius(separation, &mut panel, ratio, start_kink);
+            }
+            if self.has_onset() && !self.is_onset(start_kink) {
+                self.cut_near_onset(separation, &mut panel, ratio);
+            }
         }
         panel
+    }
+
+    /// Ends a panel where its summits are much farther from the onset of slip, or much nearer, than where it begins: what they
+    /// resist is singular there, also where no summit is of that height.
+    fn cut_near_onset(&self, separation: f64, panel: &mut Panel, ratio: f64) {
+        let left = |point: &Point| 1.0 - ratio * point.contact.radius / self.slip.friction(&point.contact).force;
+        let [from, to] = [panel.from, panel.to].map(|point| left(&point));
+        if from > 0.0 && !self.is_onset(panel.kink) {
+            let limit = if to > from { MOST_GROWTH * from } else { from / MOST_GROWTH };
+            self.cut_where(separation, panel, |point| left(point) - limit, None);
+        }
     }
 
     /// Ends a panel where the friction force of its summits is this times the contact radius, and where their ratio turns
@@ -417,6 +448,17 @@ impl Population {
         panel
     }
 
+    /// Whether panels end where contacts are about to slip as a whole, after they have slipped in part.
+    fn has_onset(&self) -> bool {
+        self.onset_ratio.is_some() && self.slip.onset == SlipOnset::Partial
+    }
+
+    /// Whether a kink is where they are.
+    fn is_onset(&self, kink: Option<usize>) -> bool {
+        let is_one = kink.is_some_and(|kink| (ONSET..RADII).contains(&kink) || kink == RADII + KINKS);
+        is_one && self.slip.onset == SlipOnset::Partial
+    }
+
     /// Ends a panel where a function of its summits changes sign: at a kink, or near enough to an extremum.
     fn cut_where(&self, separation: f64, panel: &mut Panel, f: impl Fn(&Point) -> f64, kink: Option<usize>) {
         let ends = [panel.from, panel.to].map(|end| (panel.variable(&end), f(&end)));
@@ -440,6 +482,7 @@ impl Population {
         let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
         let mut count = 0;
         for (x, weight) in quadrature::nodes_of_part(panel.part, from, to) {
+            let (x, weight) = if panel.is_eased { eased(x, weight, from, to) } else { (x, weight) };
             let point = self.at_place(separation, panel.axis, x, guess.at(x));
             nodes[count] = match panel.axis {
                 Axis::Parameter => (weight * point.z_rate(), point),
@@ -512,6 +555,12 @@ impl Panel {
         };
         Cubic::new(a, b)
     }
+}
+
+/// A node of a panel, and its weight, where nodes gather at both ends: a power of 3/2 of the distance from one is a polynomial.
+fn eased(x: f64, weight: f64, from: f64, to: f64) -> (f64, f64) {
+    let t = (x - from) / (to - from);
+    (from + (to - from) * (t * t * (3.0 - 2.0 * t)), weight * (6.0 * t * (1.0 - t)))
 }
 
 /// Whether a cut leaves a panel on both sides, rounding apart.

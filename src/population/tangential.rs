@@ -1,12 +1,12 @@
 //! Friction before gross slip: the tangential force of the contacts at a displacement.
 //!
-//! A contact sticks with the stiffness 8 G^ a (Mindlin) until its force reaches its strength, the friction force of a contact that
-//! slips, then it slips at that. Small contacts slip first.
+//! A contact sticks with the stiffness 8 G^ a (Mindlin), then slips, in part or as a whole (`asperity::slip`), until its force is
+//! its strength, the friction force of a contact that slips. Small contacts slip first.
 
 use super::panels::Visitor;
 use super::sums::Summit;
 use super::Population;
-use crate::asperity::slip::SlipOnset;
+use crate::asperity::slip::{SlipOnset, Tangential};
 use crate::error::Error;
 
 /// The tangential force of the contacts, and what it is made of, per summit of the surface.
@@ -14,7 +14,7 @@ use crate::error::Error;
 pub struct Microslip {
     /// In G* b^2.
     pub force: f64,
-    /// Sum of the radii of the contacts that stick, in b: what the stiffness is proportional to.
+    /// Sum of the radii of the contacts, in b, each as far as it sticks: what the stiffness is proportional to.
     pub sticking: f64,
     /// Of all contacts.
     pub radius: f64,
@@ -24,19 +24,17 @@ pub struct Microslip {
 struct Displaced {
     /// Force over contact radius of a contact that sticks, in G* b.
     force_over_radius: f64,
+    onset: SlipOnset,
     sums: Microslip,
 }
 
 impl Visitor for Displaced {
     fn summits(&mut self, _z: f64, fraction: f64, summit: &Summit) {
-        let force = self.force_over_radius * summit.radius;
+        let Tangential { force, sticking } =
+            self.onset.tangential(summit.friction, self.force_over_radius * summit.radius);
         self.sums.radius += fraction * summit.radius;
-        if force < summit.friction {
-            self.sums.force += fraction * force;
-            self.sums.sticking += fraction * summit.radius;
-        } else {
-            self.sums.force += fraction * summit.friction;
-        }
+        self.sums.force += fraction * force;
+        self.sums.sticking += fraction * (summit.radius * sticking);
     }
 }
 
@@ -87,13 +85,17 @@ impl Population {
     /// [`Error::NotConverged`] if that takes more panels than there may be.
     pub fn microslip(&self, separation: f64, force_over_radius: f64) -> Result<Microslip, Error> {
         let [first, second] = self.slip.kinks();
+        let onset = self.slip.onset;
+        // Contacts of this strength over radius are about to slip as a whole.
+        let strength_over_radius = force_over_radius / onset.reach();
         let population = if self.slip.is_of_radius() {
-            let [a, b, c] = self.slip.radii_at_force_over_radius(force_over_radius);
+            let [a, b, c] = self.slip.radii_at_force_over_radius(strength_over_radius);
             self.with_kinks([first, second, a, b, c], self.kinks_of_contact)
         } else {
-            Self { friction_kink: Some(force_over_radius), ..self.without_tables() }
+            self.without_tables()
         };
-        let mut displaced = Displaced { force_over_radius, sums: Microslip::default() };
+        let population = Self { onset_ratio: Some(strength_over_radius), ..population };
+        let mut displaced = Displaced { force_over_radius, onset, sums: Microslip::default() };
         population.visit(separation, &population.edge(separation), &mut displaced)?;
         Ok(displaced.sums)
     }

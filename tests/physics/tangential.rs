@@ -2,10 +2,11 @@
 
 use super::yielding::cases;
 use crate::common::assert_near;
-use crate::common::surfaces::{dimensionless, johnson, model};
-use asperity::{Error, HeightFamily, Params, SlipConstants};
+use crate::common::surfaces::{dimensionless, johnson, model, table};
+use asperity::{Error, HeightFamily, Params, SlipConstants, SlipOnset};
 
-/// With adhesion at zero and pulling load too, and where contacts break at a finite radius.
+/// With adhesion at zero and pulling load too, and where contacts break at a finite radius; contacts that slip as a whole and in
+/// part.
 fn surfaces() -> Vec<Params> {
     let mut surfaces: Vec<Params> = cases().iter().step_by(5).map(|case| case.params.params()).collect();
     surfaces.extend([
@@ -13,8 +14,10 @@ fn surfaces() -> Vec<Params> {
         dimensionless(0.01, 1000.0, 0.02, 1.0),
         Params { radius_amplitude: 0.6, ..dimensionless(0.01, 1000.0, 0.0, 1.0) },
         Params { heights: johnson(0.5, 4.0), ..dimensionless(0.02, 300.0, 1e-3, 0.5) },
+        Params { pressure_coefficient: 0.2, ..dimensionless(0.01, 1000.0, 1e-3, 1.0) },
     ]);
-    surfaces
+    let onsets = [SlipOnset::Partial, SlipOnset::Whole];
+    surfaces.iter().flat_map(|surface| onsets.map(|slip_onset| Params { slip_onset, ..surface.clone() })).collect()
 }
 
 #[test]
@@ -83,7 +86,8 @@ fn force_rises_from_stiffness_times_displacement_to_the_friction_force() {
 /// Far below the heights all summits are of one size: they stick, and then all slip.
 #[test]
 fn equal_summits_stick_and_slip_as_one() {
-    let model = model(&Params { tangential_modulus: 0.7, ..dimensionless(0.01, 1000.0, 0.0, 1.0) });
+    let whole = SlipOnset::Whole;
+    let model = model(&Params { tangential_modulus: 0.7, slip_onset: whole, ..dimensionless(0.01, 1000.0, 0.0, 1.0) });
     let state = model.state_at_separation(-1e9 * 10.0).expect("a state");
     let [friction, stiffness] = [state.friction_force, state.tangential_stiffness];
     let length = friction / stiffness;
@@ -110,6 +114,7 @@ fn a_strength_in_proportion_to_pressure_slips_below_one_overlap() {
         slip: none,
         pressure_coefficient: kappa,
         tangential_modulus: modulus,
+        slip_onset: SlipOnset::Whole,
         ..dimensionless(0.01, 1000.0, 0.0, 1.0)
     };
     let model = model(&params);
@@ -135,6 +140,113 @@ fn a_strength_in_proportion_to_pressure_slips_below_one_overlap() {
             assert_near(found, exact, 1e-10, &format!("at {separation}, {part}"));
         }
     }
+}
+
+/// Without adhesion, with a strength in proportion to pressure, what contacts resist is the friction of the load that a larger
+/// separation takes from them (M. Ciavarella, J. Appl. Mech. 65 (1998) 998; J. Jaeger, Arch. Appl. Mech. 68 (1998) 245), whatever
+/// their heights and radii.
+#[test]
+fn partial_slip_with_a_strength_in_proportion_to_pressure_is_the_difference_of_two_loads() {
+    let (kappa, modulus) = (0.3, 0.7);
+    let (mut compared, mut worst) = (0, 0.0_f64);
+    for (heights, radius_amplitude) in [
+        (HeightFamily::Gaussian, 0.0),
+        (HeightFamily::Weibull { shape: 3.602 }, 0.0),
+        (HeightFamily::Weibull { shape: 1.3 }, 0.0),
+        (HeightFamily::Weibull { shape: 40.0 }, 0.0),
+        (johnson(0.5, 4.0), 0.0),
+        (table(&[-2.0, -1.0, 0.3, 1.0, 3.0], &[0.0, 0.4, 0.3, 0.5, 0.0]), 0.0),
+        (HeightFamily::Gaussian, 0.6),
+        (johnson(-0.8, 5.0), -0.7),
+    ] {
+        let params = Params {
+            slip: SlipConstants { stress_1: 0.0, stress_2: 0.0, ..SlipConstants::default() },
+            pressure_coefficient: kappa,
+            tangential_modulus: modulus,
+            heights,
+            radius_amplitude,
+            ..dimensionless(0.01, 1000.0, 0.0, 1.0)
+        };
+        let model = model(&params);
+        let at = |separation: f64| model.state_at_separation(separation).expect("a state");
+        for separation in [2.2, 1.0, -0.5, -4.0].map(|d| d * params.height_std) {
+            let state = at(separation);
+            // Heights that end below it.
+            if state.contacting == 0.0 {
+                continue;
+            }
+            for part in [1e-3, 0.03, 0.1, 0.25, 0.7, 1.0, 2.0] {
+                let displacement = part * state.friction_force / state.tangential_stiffness;
+                let raised = at(separation + 4.0 * modulus * displacement / (kappa * params.composite_modulus));
+                let exact = kappa * (state.load - raised.load);
+                let (found, stiffness) = model.tangential_at_load(state.load, displacement).expect("a force");
+                // Loads cancel where the displacement is small.
+                let error = (found - exact).abs() / (exact + 1e-4 * kappa * state.load);
+                // dT/d(delta) is that of the load.
+                let slope = -4.0 * modulus / params.composite_modulus * raised.dload_dseparation;
+                let slope_error = (stiffness - slope).abs() / state.tangential_stiffness;
+                worst = worst.max(error).max(slope_error);
+                compared += 1;
+                let what = format!("{:?}, {radius_amplitude}, at {separation}, {part}", params.heights);
+                assert!(error < 1e-10, "{what}: {found}, not {exact}: {error:e}");
+                assert!(slope_error < 1e-10, "{what}: {stiffness}, not {slope}: {slope_error:e}");
+            }
+        }
+    }
+    println!("{compared} forces, worst {worst:e}");
+    assert!(compared > 200);
+}
+
+/// With the slip law's three regimes, over Gaussian heights, by another integration.
+#[test]
+fn partial_slip_in_the_regimes_of_the_slip_law_is_the_sum_over_single_contacts() {
+    let slip = SlipConstants { radius_1: 28.0, stress_1: 0.02, radius_2: 300.0, stress_2: 0.004 };
+    let params = Params { slip, tangential_modulus: 0.7, ..dimensionless(0.01, 1000.0, 0.0, 1.0) };
+    let model = model(&params);
+    let (shear, radius, sigma) = (params.effective_shear_modulus, params.summit_radius, params.height_std);
+    let power = (slip.stress_2 / slip.stress_1).ln() / (slip.radius_2 / slip.radius_1).ln();
+    let strength = |a: f64| {
+        let stress = match a {
+            _ if a < slip.radius_1 => slip.stress_1,
+            _ if a < slip.radius_2 => slip.stress_1 * (a / slip.radius_1).powf(power),
+            _ => slip.stress_2,
+        };
+        std::f64::consts::PI * a * a * stress * shear
+    };
+    for separation in [2.5, 0.5, -3.0].map(|d| d * sigma) {
+        let state = model.state_at_separation(separation).expect("a state");
+        for part in [0.01, 0.2, 0.6, 1.2] {
+            let displacement = part * state.friction_force / state.tangential_stiffness;
+            let stuck = |a: f64| 8.0 * 0.7 * a * displacement;
+            let force = |a: f64| {
+                let left = (1.0 - stuck(a) / (1.5 * strength(a))).max(0.0);
+                strength(a) * (1.0 - left.powf(1.5))
+            };
+            // Strength over radius rises with the radius.
+            let (mut slips, mut sticks) = (1e-9, 1e9);
+            for _ in 0..200 {
+                let middle = f64::sqrt(slips * sticks);
+                *if stuck(middle) > 1.5 * strength(middle) { &mut slips } else { &mut sticks } = middle;
+            }
+            let of_radius = |a: f64| {
+                let z = (separation + a * a / radius) / sigma;
+                2.0 * a / radius * force(a) * (-0.5 * z * z).exp() / (sigma * std::f64::consts::TAU.sqrt())
+            };
+            let lowest = (radius * (-separation - 12.0 * sigma).max(0.0)).sqrt();
+            let highest = (radius * (12.0 * sigma - separation)).sqrt();
+            let mut ends = [slip.radius_1, slip.radius_2, slips].map(|a| a.clamp(lowest, highest)).to_vec();
+            ends.extend([lowest, highest]);
+            ends.sort_by(f64::total_cmp);
+            let exact: f64 = ends.windows(2).map(|ends| eased_simpson(ends[0], ends[1], of_radius)).sum();
+            let (found, _) = model.tangential_at_load(state.load, displacement).expect("a force");
+            assert_near(found, exact, 1e-9, &format!("at {separation}, {part}"));
+        }
+    }
+}
+
+/// Where a function goes as the power of 3/2 of the distance from an end.
+fn eased_simpson(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
+    simpson(0.0, 1.0, |t| 6.0 * t * (1.0 - t) * (to - from) * f(from + (to - from) * t * t * (3.0 - 2.0 * t)))
 }
 
 fn simpson(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {

@@ -9,7 +9,7 @@ use crate::common::assert_near;
 use crate::common::second_evaluation::heights::{Heights, Johnson, Table};
 use crate::common::surfaces::{dimensionless, johnson, model};
 use asperity::asperity::slip::SlipConstants;
-use asperity::{ContactLawKind, Error, HeightFamily, Model, Params};
+use asperity::{ContactLawKind, Error, HeightFamily, Model, Params, SlipOnset};
 use serde::Deserialize;
 use std::f64::consts::PI;
 
@@ -55,6 +55,8 @@ impl CaseParams {
             hardness: self.eta,
             tangential_modulus: self.q,
             contact_law: ContactLawKind::ElasticPlastic,
+            // What the rows are of.
+            slip_onset: SlipOnset::Whole,
             heights: self.omega.map_or(HeightFamily::Gaussian, |shape| HeightFamily::Weibull { shape }),
             radius_amplitude: self.eps,
             radius_rate: self.rho,
