@@ -1671,6 +1671,65 @@ asperity_status asperity_microslip_steps(const struct asperity_model *model,
                                          double *stiffness);
 
 /**
+ * Load at a separation of the mean planes, from the compiled law.
+ *
+ * The separation is that of `asperity_state_at_separation`, on the branch of load control: from deep compression to
+ * pull-off, where the surfaces part. Without adhesion the load decays with separation: below about 1e-24 of the load at which
+ * half of the asperities touch it is taken to 0 smoothly, within about one standard deviation of heights. A pull-off load
+ * weaker than that counts as none. Values are within 1e-9 of exact ones, slopes within 1e-7, both relative to the
+ * load or to the pull-off load, whichever is larger. In compression beyond the table, at some 1e4 standard deviations of
+ * heights, the law is read from the curve behind it or evaluated exactly, which takes longer.
+ *
+ * @param model       a model
+ * @param separation  of the mean planes of asperity heights and flat [length]; negative in deep compression
+ * @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a separation that is NaN,
+ *         infinite or below -1e50 `height_std`, or a NULL model
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_load_at_separation(const struct asperity_model *model,
+                                   double separation);
+
+/**
+ * Load at a separation, with its slope.
+ *
+ * @param model              a model
+ * @param separation         as for `asperity_load_at_separation`
+ * @param dload_dseparation  receives d(load)/d(separation) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and
+ *                           beyond; NaN where the load is; NULL to skip
+ * @return as `asperity_load_at_separation`
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_load_and_slope_at_separation(const struct asperity_model *model,
+                                             double separation,
+                                             double *dload_dseparation);
+
+/**
+ * Loads at many separations, and their slopes, filled and reported as by `asperity_friction_at_loads`.
+ *
+ * Every element has the bits that the call for one separation gives. All elements are filled; then the first separation that is
+ * not in order, if any, is reported, and `asperity_last_error` names its index.
+ *
+ * @param model             must not be NULL
+ * @param n                 number of separations; may be 0
+ * @param separation        n separations [length]; must not be NULL unless n = 0
+ * @param load              receives n loads [force]; NULL to skip; may be `separation` itself
+ * @param dload_dseparation receives n slopes d(load)/d(separation) [force/length], <= 0: minus the normal stiffness; 0 at
+ *                          pull-off and beyond; NULL to skip; may be `separation` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a separation that is NaN or infinite),
+ *         `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one below -1e50
+ *         `height_std`)
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_loads_at_separations(const struct asperity_model *model,
+                                              size_t n,
+                                              const double *separation,
+                                              double *load,
+                                              double *dload_dseparation);
+
+/**
  * The exact state at a load, by integration over the summits, without the table.
  *
  * @param model  must not be NULL

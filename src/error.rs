@@ -57,6 +57,18 @@ pub enum Error {
         /// The pull-off load.
         pull_off: f64,
     },
+    /// Nothing holds the surfaces together at this separation.
+    #[error(
+        "separation = {}: the surfaces part at {}, beyond which they carry no load",
+        Real(*separation),
+        Real(*end)
+    )]
+    Open {
+        /// The separation.
+        separation: f64,
+        /// The smallest at which they are apart.
+        end: f64,
+    },
     /// A quantity is meaningful, but outside what the model can be evaluated for.
     #[error("{name} = {value}: {allowed}")]
     OutOfRange {

@@ -11,6 +11,7 @@ mod boundary;
 mod calibration;
 mod evaluate;
 mod fp_environment;
+mod gap;
 mod given;
 mod interfaces;
 mod last_error;
@@ -38,6 +39,7 @@ mod version;
 // For C through the header, for the tests of this crate as items; no part of the Rust interface.
 pub use calibration::*;
 pub use evaluate::*;
+pub use gap::*;
 pub use interfaces::*;
 pub use last_error::asperity_last_error;
 pub use materials::*;

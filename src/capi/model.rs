@@ -11,7 +11,7 @@ use crate::model::Model;
 /// A friction law ready for use; opaque.
 pub struct asperity_model {
     pub(super) model: Model,
-    scalar_calls: [ScalarCall; 3],
+    scalar_calls: [ScalarCall; 4],
     /// Whether its maker's parameters have fields that their `struct_size` does not cover.
     unannounced_fields: bool,
 }
@@ -24,13 +24,13 @@ pub(super) unsafe fn of<'a>(model: *const asperity_model) -> Result<&'a Model, F
     Ok(&reference(model, "model")?.model)
 }
 
-/// A quantity at a load by a model of a caller; NaN without one.
+/// A quantity at its argument by a model of a caller; NaN without one.
 ///
 /// # Safety
 /// As [`of`].
 #[inline(always)]
-pub(super) unsafe fn value_at(model: *const asperity_model, quantity: Quantity, load: f64) -> f64 {
-    model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls[quantity as usize])(&handle.model, load))
+pub(super) unsafe fn value_at(model: *const asperity_model, quantity: Quantity, at: f64) -> f64 {
+    model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls[quantity as usize])(&handle.model, at))
 }
 
 impl asperity_model {

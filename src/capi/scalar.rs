@@ -1,4 +1,4 @@
-//! Friction or stiffness at one load, one number: the table's answer in as few instructions as there are, or else the
+//! Friction or stiffness at one load, or the load at one separation, one number: the table's answer in as few instructions as there are, or else the
 //! exact model's.
 //!
 //! A table cannot panic and its answer needs no stack frame; exact evaluation is out of line, and guarded. A model keeps
@@ -11,28 +11,34 @@ use crate::float_bits::finite;
 use crate::law::{polynomial, Row};
 use crate::model::Model;
 
-/// A quantity at a load.
+/// A quantity at a load, or at minus a separation.
 pub type ScalarCall = unsafe extern "C" fn(&Model, f64) -> f64;
 
 /// The quantities, as constants of functions.
 const COEFFICIENT: u8 = Quantity::Coefficient as u8;
 const FORCE: u8 = Quantity::Force as u8;
 const STIFFNESS: u8 = Quantity::Stiffness as u8;
+const LOAD: u8 = Quantity::Load as u8;
 
 const fn quantity(of: u8) -> Quantity {
-    [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness][of as usize]
+    [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness, Quantity::Load][of as usize]
 }
 
 /// The function of each quantity that suits this processor.
-pub fn calls() -> [ScalarCall; 3] {
+pub fn calls() -> [ScalarCall; 4] {
     #[cfg(target_arch = "x86_64")]
     if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("bmi2") {
-        return [avx2::value_at::<COEFFICIENT>, avx2::value_at::<FORCE>, avx2::value_at::<STIFFNESS>];
+        return [
+            avx2::value_at::<COEFFICIENT>,
+            avx2::value_at::<FORCE>,
+            avx2::value_at::<STIFFNESS>,
+            avx2::value_at::<LOAD>,
+        ];
     }
     PORTABLE
 }
 
-const PORTABLE: [ScalarCall; 3] = [value_at::<COEFFICIENT>, value_at::<FORCE>, value_at::<STIFFNESS>];
+const PORTABLE: [ScalarCall; 4] = [value_at::<COEFFICIENT>, value_at::<FORCE>, value_at::<STIFFNESS>, value_at::<LOAD>];
 
 /// # Safety
 /// None is needed; the functions of other processors ask for their instructions.
@@ -42,7 +48,7 @@ unsafe extern "C" fn value_at<const QUANTITY: u8>(model: &Model, load: f64) -> f
 
 #[inline(always)]
 fn tabulated<const QUANTITY: u8>(model: &Model, load: f64, force: impl FnOnce(&Row, f64) -> f64) -> f64 {
-    let table = model.table(quantity(QUANTITY).tabulated());
+    let table = quantity(QUANTITY).table(model);
     // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
     if !finite(load) || !fp_environment::rounds_to_nearest() {
         return beside_rows::<QUANTITY>(model, load);
@@ -75,7 +81,7 @@ fn tabulated<const QUANTITY: u8>(model: &Model, load: f64, force: impl FnOnce(&R
 /// What a link leads to.
 #[inline(never)]
 extern "C" fn in_part<const QUANTITY: u8>(model: &Model, load: f64, row: &Row, t: f64) -> f64 {
-    let Some((part, t)) = model.table(quantity(QUANTITY).tabulated()).part_at(row, t) else {
+    let Some((part, t)) = quantity(QUANTITY).table(model).part_at(row, t) else {
         return beside_rows::<QUANTITY>(model, load);
     };
     let force = polynomial(&part.0, t).0;
@@ -133,11 +139,13 @@ mod tests {
         let summary = model.summary();
         for i in 0..400 {
             let excess = 1e-12 * 1e20_f64.powf(f64::from(i) / 400.0);
-            for load in [summary.pull_off_load * (1.0 - excess), excess, -excess, f64::NAN, f64::INFINITY] {
+            let arguments =
+                [summary.pull_off_load * (1.0 - excess), excess, -excess, 1e3 * excess, f64::NAN, f64::INFINITY];
+            for load in arguments {
                 for (of, call) in PORTABLE.into_iter().chain(calls()).enumerate() {
                     // SAFETY: a function of any processor, or of this one.
                     let found = unsafe { call(&model, load) };
-                    let expected = quantity(of as u8 % 3).at(&model, load).0;
+                    let expected = quantity(of as u8 % 4).at(&model, load).0;
                     assert_eq!(found.to_bits(), expected.to_bits(), "{of} at {load:e}: {found:e}, not {expected:e}");
                 }
             }

@@ -35,7 +35,7 @@ impl Error {
             | Error::NoStrength { .. }
             | Error::Uncalibrated { .. } => ASPERITY_INVALID_PARAMETER,
             Error::InvalidLoad { .. } => ASPERITY_INVALID_LOAD,
-            Error::Separated { .. } => ASPERITY_SEPARATED,
+            Error::Separated { .. } | Error::Open { .. } => ASPERITY_SEPARATED,
             Error::OutOfRange { .. } => ASPERITY_OUT_OF_RANGE,
             Error::NotConverged { .. } => ASPERITY_NOT_CONVERGED,
         }

@@ -1,7 +1,7 @@
 //! The coordinate of the curve, s = arsinh((x/|pull-off|)^(1/2)) with x = load - pull-off: near pull-off, where load has its
 //! minimum over separation, it is linear in separation, far from it logarithmic in load. Without adhesion it is ln(x)/2.
 
-use crate::elementary::{exp_each, log, log1p, sinh};
+use crate::elementary::{exp, exp_each, log, log1p, sinh};
 use std::f64::consts::LN_2;
 
 /// Where ln(sinh s) is larger, so many terms of the series of ln((1 + (1 + y)^(1/2))/2) give it to rounding.
@@ -42,6 +42,21 @@ impl Coordinate {
         })
     }
 
+    /// The load and its slope by s.
+    pub fn load(self, s: f64) -> (f64, f64) {
+        let Some(log_pull_off) = self.log_pull_off else {
+            let load = exp(2.0 * s);
+            return (load, 2.0 * load);
+        };
+        if s > 20.0 {
+            // sinh^2 s is exp(2 s)/4 to rounding, and may be no number beside a small pull-off load.
+            let load = exp(2.0 * (s - LN_2) + log_pull_off);
+            return (load, 2.0 * load);
+        }
+        let (pull_off, sinh) = (exp(log_pull_off), sinh(s));
+        (pull_off * (sinh * sinh - 1.0), 2.0 * pull_off * sinh * (1.0 + sinh * sinh).sqrt())
+    }
+
     /// ln x at s.
     pub fn log_excess(self, s: f64) -> f64 {
         match self.log_pull_off {
@@ -59,16 +74,21 @@ mod tests {
 
     #[test]
     fn the_coordinate_is_arsinh_of_the_root_of_load_over_pull_off() {
-        let pull_off = Coordinate { log_pull_off: Some(-7.0) };
+        let coordinate = Coordinate { log_pull_off: Some(-7.0) };
         for log_excess in [-40.0, -20.0, -7.0, -3.0, 10.0, 30.0, 34.4, 34.5, 60.0, 700.0] {
-            let (s, rate) = pull_off.at(log_excess);
+            let (s, rate) = coordinate.at(log_excess);
             let root = (0.5 * (log_excess + 7.0)).exp();
             assert!(near(s, root.asinh(), 1e-14), "{log_excess}: {s}");
             assert!(near(rate, 0.5 * root / root.hypot(1.0), 1e-14), "{log_excess}: {rate}");
+            let pull_off = (-7_f64).exp();
+            let (load, by_s) = coordinate.load(s);
+            assert!((load - (log_excess.exp() - pull_off)).abs() <= 1e-13 * load.abs().max(pull_off), "{load}");
+            assert!(near(by_s, log_excess.exp() / rate, 1e-12), "{by_s}");
         }
         // Of a pull-off load next to the smallest number and a load next to the largest.
         let (s, rate) = Coordinate { log_pull_off: Some(-640.0) }.at(700.0);
         assert!(near(s, 670.0 + LN_2, 1e-15) && rate == 0.5, "{s}, {rate}");
         assert_eq!(Coordinate { log_pull_off: None }.at(-8.0), (-4.0, 0.5));
+        assert_eq!(Coordinate { log_pull_off: None }.load(-4.0), (exp(-8.0), 2.0 * exp(-8.0)));
     }
 }

@@ -5,7 +5,6 @@
 //! the exact states between its nodes is tried again shorter.
 
 use super::coordinate::Coordinate;
-use super::fill::Source;
 use super::non_integer_power::NonIntegerPower;
 use super::panel::{larger, Panel, PerQuantity, Sample, NODES};
 use super::position::Positions;
@@ -114,7 +113,13 @@ impl Curve {
             *node = self.sample(branch, at(-cos(angle)))?;
         }
         let end = self.end(branch, stretch.to)?;
-        let mut panel = Panel::new((end.s, from.s), stretch.non_integer_power, &nodes);
+        let mut panel = Panel::new(
+            (end.s, from.s),
+            (from.separation, end.separation),
+            positions,
+            stretch.non_integer_power,
+            &nodes,
+        );
         // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
         let between = self.sample(branch, at(0.1))?;
         let (first, last) = (nodes[0].separation, nodes[NODES - 1].separation);
@@ -140,6 +145,15 @@ impl Curve {
                 .into_iter()
                 .fold(0.0, larger)
         });
+        let slack = SLACK_AT_NON_INTEGER_POWER;
+        let within = if panel.is_narrow() { slack } else { 1.0 };
+        panel.by_separation.keep_good(&[
+            (&from, slack),
+            (&between, within),
+            (&sparse, within),
+            (&next_to_it, slack),
+            (&end, slack),
+        ]);
         Ok(Attempt { panel, between: [between, sparse], end, error })
     }
 
@@ -150,6 +164,7 @@ impl Curve {
         let mut panel = Panel::bridge(&from, &end);
         self.samples += 2;
         panel.keep_good(|panel, quantity| panel.error_over_tolerance(quantity, &between, quantity.slope_slack()));
+        panel.by_separation.keep_good(&[(&between, SLACK_AT_NON_INTEGER_POWER)]);
         Ok(Attempt { panel, between: [between, between], end, error: 0.0 })
     }
 
@@ -164,6 +179,8 @@ impl Curve {
             position: self.positions.position(to),
             log_excess: f64::NEG_INFINITY,
             s: 0.0,
+            s_by_separation: unknown,
+            load: (branch.pull_off_load(), 0.0),
             log_value: [0.0; Quantity::COUNT],
             value: self.reference,
             slope: [unknown; Quantity::COUNT],
@@ -182,6 +199,7 @@ impl Curve {
             return Err(Unfollowed { separation });
         }
         let (s, s_rate) = self.coordinate.at(log_excess);
+        let load = (sums.load(), sums.load_slope);
         let sums = Quantity::ALL.map(|quantity| quantity.of(&sums));
         let log_slope = sums.map(|(value, slope)| slope / value / rate);
         Ok(Sample {
@@ -189,6 +207,8 @@ impl Curve {
             position: self.positions.position(separation),
             log_excess,
             s,
+            s_by_separation: s_rate * rate,
+            load,
             log_value: std::array::from_fn(|i| log(sums[i].0 / self.reference[i])),
             value: sums.map(|(value, _)| value),
             slope: log_slope.map(|log_slope| log_slope / s_rate),
@@ -239,20 +259,49 @@ impl Curve {
         panel.holds(s).then(|| self.positions.separation(panel.position_at(s)))
     }
 
+    /// The load and d(load)/d(separation) at a separation, dimensionless; NaN where the curve is not known to be good, or does
+    /// not reach.
+    pub fn load_at(&self, separation: f64) -> (f64, f64) {
+        let (begin, end) = self.separation_range();
+        if !(begin..=end).contains(&separation) {
+            return (f64::NAN, f64::NAN);
+        }
+        let index = self.panels.partition_point(|panel| panel.by_separation.end < separation);
+        let panel = &self.panels[index.min(self.panels.len() - 1)].by_separation;
+        // Between two panels there may be a stretch that was not followed.
+        if separation < panel.begin {
+            return (f64::NAN, f64::NAN);
+        }
+        let (s, rate) = panel.at(separation);
+        let (load, by_s) = self.coordinate.load(s);
+        (load, by_s * rate)
+    }
+
+    /// The separations between which it is followed.
+    pub fn separation_range(&self) -> (f64, f64) {
+        let (Some(first), Some(last)) = (self.panels.first(), self.panels.last()) else { return (0.0, 0.0) };
+        (first.by_separation.begin, last.by_separation.end)
+    }
+
+    /// ln x between two of them where one panel ends and another begins, rising.
+    pub fn log_joints(&self, lower: f64, upper: f64) -> Vec<f64> {
+        let joints = self.panels.iter().rev().map(|panel| self.coordinate.log_excess(panel.lowest));
+        joints.filter(|&joint| joint > lower && joint < upper).collect()
+    }
+
+    /// The separations at which one panel ends and another begins, in ascending order.
+    pub fn joints(&self) -> impl DoubleEndedIterator<Item = f64> + '_ {
+        self.panels.iter().map(|panel| panel.by_separation.end)
+    }
+
+    /// The separation at which the load is 0, to a few digits, where adhesion makes it negative at the end.
+    pub fn separation_of_zero_load(&self) -> Option<f64> {
+        self.separation(self.coordinate.log_pull_off?)
+    }
+
     fn panel(&self, s: f64) -> &Panel {
         let index = self.panels.partition_point(|panel| panel.lowest > s);
         &self.panels[index.min(self.panels.len() - 1)]
-    }
-}
-
-impl Source for Curve {
-    fn at<const N: usize>(&self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
-        self.at_each(quantity, log_excess)
-    }
-
-    fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
-        let joints = self.panels.iter().rev().map(|panel| self.coordinate.log_excess(panel.lowest));
-        joints.filter(|&joint| joint > lower && joint < upper).collect()
     }
 }
 

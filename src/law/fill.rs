@@ -5,16 +5,12 @@ use super::row::{
     OF_PIECE,
 };
 use super::table::Table;
-use super::{Quantity, Scale, FRACTION};
 use crate::elementary::{exp, log, log1p};
 use std::f64::consts::LN_2;
 use std::ops::Range;
 
 /// Where the law is asked for a row: where it is determined, where it is compared, and at its end.
 const PARTS: [f64; 8] = [INTERIOR[0], INTERIOR[1], INTERIOR[2], INTERIOR[3], BETWEEN[0], BETWEEN[1], BETWEEN[2], 1.0];
-/// Rows per binade, and the part of a mantissa that each takes.
-const PER_BINADE: u64 = 1 << FRACTION;
-const WIDTH: f64 = 1.0 / PER_BINADE as f64;
 /// The most pieces of a row: links of two levels.
 const MOST_PIECES: usize = (DIVISIONS + 1) * (DIVISIONS + 1);
 /// Where a row is not good as a whole, a piece with more joints than this is not tried: most are not good either.
@@ -25,28 +21,36 @@ const NEXT_TO_JOINT: f64 = 0.125;
 /// No piece is shorter than this part of its row: x has few digits more.
 const SHORTEST_PIECE: f64 = 1e-9;
 
-/// The law, as rows are filled from it: quantities and the slope of its logarithm by ln x, NaN where they are not known. The
-/// loads of a call are near to each other.
+/// The law, as rows are filled from it: a value in the caller's units and its slope by ln x, NaN where they are not known. The
+/// places of a call are near to each other. x is in the units of the model.
 pub trait Source {
-    fn at<const N: usize>(&self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N];
+    fn at<const N: usize>(&self, log_x: [f64; N]) -> [(f64, f64); N];
     /// ln x between two of them where the law is not smooth, rising.
     fn joints(&self, lower: f64, upper: f64) -> Vec<f64>;
+    /// Smaller values are known to the same part of this one as larger ones of themselves.
+    fn least(&self) -> f64 {
+        0.0
+    }
 }
 
 /// What rows are filled from.
 pub struct Filling<'a, S> {
     source: &'a S,
-    quantity: Quantity,
-    scale: Scale,
-    log_load: f64,
+    /// ln of the caller's unit of x.
+    log_unit: f64,
+    /// Rows per binade, and the part of a mantissa that each takes.
+    per_binade: u64,
+    width: f64,
 }
 
 /// A piece: where in its row it begins, by mantissa, and its polynomial.
 type Piece = (f64, Row);
 
 impl<'a, S: Source> Filling<'a, S> {
-    pub fn new(source: &'a S, quantity: Quantity, scale: Scale) -> Self {
-        Self { source, quantity, scale, log_load: log(scale.load) }
+    /// From a source, of which 1 is so much in the caller's units of x, rows of a fraction 1/2^`fraction` of a binade.
+    pub fn new(source: &'a S, unit: f64, fraction: u32) -> Self {
+        let per_binade = 1 << fraction;
+        Self { source, log_unit: log(unit), per_binade, width: 1.0 / per_binade as f64 }
     }
 
     /// Fills as many rows of a table; those that miss the law are left out. The largest error of the others.
@@ -54,15 +58,13 @@ impl<'a, S: Source> Filling<'a, S> {
         let basis = RowBasis::new();
         // ln(mantissa), the same in every binade.
         let mantissas: Vec<[f64; PARTS.len()]> =
-            (0..PER_BINADE).map(|row| PARTS.map(|part| log1p((row as f64 + part) * WIDTH))).collect();
-        let (log_load, scale) = (self.log_load, self.scale);
+            (0..self.per_binade).map(|row| PARTS.map(|part| log1p((row as f64 + part) * self.width))).collect();
         let points_of = |row: u64| {
-            let within = row % PER_BINADE;
-            let log_binade = log_binade(row / PER_BINADE) - log_load;
-            let mut points = self.source.at(self.quantity, mantissas[within as usize].map(|log| log + log_binade));
+            let within = row % self.per_binade;
+            let log_binade = log_binade(row / self.per_binade) - self.log_unit;
+            let mut points = self.source.at(mantissas[within as usize].map(|log| log + log_binade));
             for (point, part) in points.iter_mut().zip(PARTS) {
-                let force = scale.value * point.0;
-                *point = (force, force * point.1 * WIDTH / (1.0 + (within as f64 + part) * WIDTH));
+                point.1 = point.1 * self.width / (1.0 + (within as f64 + part) * self.width);
             }
             points
         };
@@ -70,17 +72,17 @@ impl<'a, S: Source> Filling<'a, S> {
         let mut left = points_of(table.base - 1)[7];
         for row in table.base..table.base + count as u64 {
             // In the next binade the same part of a row is twice as long.
-            if row % PER_BINADE == 0 {
+            if row % self.per_binade == 0 {
                 left.1 *= 2.0;
             }
             let points = points_of(row);
             let interior = [points[0].0, points[1].0, points[2].0, points[3].0];
             let coefficients = basis.coefficients(left, points[7], interior);
             let compared = BETWEEN.into_iter().zip(&points[4..7]);
-            match error_of(&coefficients, compared) {
+            match self.error_of(&coefficients, self.width, compared) {
                 Some(error) => {
                     worst = worst.max(error);
-                    table.rows.push(scaled(coefficients, WIDTH));
+                    table.rows.push(scaled(coefficients, self.width));
                 }
                 None => table.rows.push(Row::LEFT_OUT),
             }
@@ -110,7 +112,7 @@ impl<'a, S: Source> Filling<'a, S> {
             table.rows[row] = whole;
             return error;
         }
-        let groups = groups(&begins, WIDTH);
+        let groups = groups(&begins, self.width);
         let first = table.rows.len();
         let mut below = first + groups.len();
         table.rows[row] = Row::link(first, &groups[1..].iter().map(|group| begins[group.start]).collect::<Vec<f64>>());
@@ -130,27 +132,27 @@ impl<'a, S: Source> Filling<'a, S> {
     /// Polynomials for the parts of a row, as few as are good; `None` if they are more than there is room for.
     fn pieces(&self, row: u64, room: usize) -> Option<(Vec<Piece>, f64)> {
         let basis = PieceBasis::new();
-        let start = (row % PER_BINADE) as f64 * WIDTH;
-        let log_binade = log_binade(row / PER_BINADE) - self.log_load;
+        let start = (row % self.per_binade) as f64 * self.width;
+        let log_binade = log_binade(row / self.per_binade) - self.log_unit;
         let log_of = |t: f64| log1p(start + t) + log_binade;
-        let joints = self.source.joints(log_of(0.0), log_of(WIDTH));
+        let joints = self.source.joints(log_of(0.0), log_of(self.width));
         let joints: Vec<f64> = joints.into_iter().map(|joint| exp(joint - log_binade) - 1.0 - start).collect();
         let most = MOST_PIECES.min(room);
         let fill = |begin: f64, end: f64| {
             let length = end - begin;
             let within = joints.iter().filter(|&&joint| joint > begin && joint < end).count();
-            let is_tried = length == WIDTH || within <= FEW_JOINTS;
+            let is_tried = length == self.width || within <= FEW_JOINTS;
             let filled = is_tried.then(|| self.piece(&basis, start + begin, length, log_binade)).flatten();
             Part { begin, end, filled }
         };
-        let mut parts = vec![fill(0.0, WIDTH)];
+        let mut parts = vec![fill(0.0, self.width)];
         // The longest first: if there is not room for all pieces, those that are left out are short.
         let mut shortest = 1.0;
         while shortest >= SHORTEST_PIECE {
             let mut i = 0;
             while i < parts.len() {
                 let Part { begin, end, filled } = parts[i];
-                if filled.is_none() && end - begin >= shortest * WIDTH && parts.len() < most {
+                if filled.is_none() && end - begin >= shortest * self.width && parts.len() < most {
                     let at = division(&joints, begin, end);
                     parts.splice(i..=i, [fill(begin, at), fill(at, end)]);
                 } else {
@@ -178,16 +180,32 @@ impl<'a, S: Source> Filling<'a, S> {
                 |i| if i < OF_PIECE.len() { OF_PIECE[i] } else { BETWEEN_OF_PIECE[i - OF_PIECE.len()] },
             );
         let mantissas = parts.map(|part| begin + part * length);
-        let law = self.source.at(self.quantity, mantissas.map(|mantissa| log1p(mantissa) + log_binade));
-        let points: [(f64, f64); ALL] = std::array::from_fn(|i| {
-            let force = self.scale.value * law[i].0;
-            (force, force * law[i].1 * length / (1.0 + mantissas[i]))
-        });
+        let law = self.source.at(mantissas.map(|mantissa| log1p(mantissa) + log_binade));
+        let points: [(f64, f64); ALL] = std::array::from_fn(|i| (law[i].0, law[i].1 * length / (1.0 + mantissas[i])));
         let slopes = std::array::from_fn(|i| points[i].1);
         let coefficients = basis.coefficients(points[0].0, slopes);
         let end = (1.0, &points[OF_PIECE.len() - 1]);
         let compared = BETWEEN_OF_PIECE.into_iter().zip(&points[OF_PIECE.len()..]).chain([end]);
-        error_of(&coefficients, compared).map(|error| (scaled(coefficients, length), error))
+        self.error_of(&coefficients, length, compared).map(|error| (scaled(coefficients, length), error))
+    }
+
+    /// The largest error of the polynomial of a part of so long a mantissa where it is compared, if it is good in all of these
+    /// places.
+    fn error_of<'b>(
+        &self,
+        coefficients: &[f64; 8],
+        length: f64,
+        compared: impl Iterator<Item = (f64, &'b (f64, f64))>,
+    ) -> Option<f64> {
+        if coefficients.iter().any(|coefficient| coefficient.is_nan()) {
+            return None;
+        }
+        let least = (self.source.least(), self.source.least() * length);
+        let mut worst = 0.0_f64;
+        for (part, exact) in compared {
+            worst = worst.max(error_within_tolerance(polynomial(coefficients, part), *exact, least)?);
+        }
+        Some(worst)
     }
 }
 
@@ -243,18 +261,6 @@ fn log_binade(bits: u64) -> f64 {
     (bits as f64 - 1023.0) * LN_2
 }
 
-/// The largest error of a polynomial where it is compared, if it is good in all of these places.
-fn error_of<'a>(coefficients: &[f64; 8], compared: impl Iterator<Item = (f64, &'a (f64, f64))>) -> Option<f64> {
-    if coefficients.iter().any(|coefficient| coefficient.is_nan()) {
-        return None;
-    }
-    let mut worst = 0.0_f64;
-    for (part, exact) in compared {
-        worst = worst.max(error_within_tolerance(polynomial(coefficients, part), *exact)?);
-    }
-    Some(worst)
-}
-
 /// The row of a polynomial in the part of a length.
 fn scaled(coefficients: [f64; 8], length: f64) -> Row {
     let mut scale = 1.0;
@@ -269,12 +275,25 @@ fn scaled(coefficients: [f64; 8], length: f64) -> Row {
 mod tests {
     use super::*;
 
-    /// A law and its slope by ln x, and where that is not smooth.
-    struct Law<F>(F, Option<f64>);
+    /// A law and the slope of its logarithm by ln x, where that is not smooth, and its unit.
+    struct Law<F>(F, Option<f64>, f64);
+
+    const FRACTION: u32 = 2;
+    const WIDTH: f64 = 0.25;
+
+    /// The caller's units of x and of the value.
+    #[derive(Clone, Copy)]
+    struct Scale {
+        load: f64,
+        value: f64,
+    }
 
     impl<F: Fn(f64) -> (f64, f64)> Source for Law<F> {
-        fn at<const N: usize>(&self, _: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
-            log_excess.map(&self.0)
+        fn at<const N: usize>(&self, log_x: [f64; N]) -> [(f64, f64); N] {
+            log_x.map(|log_x| {
+                let (value, power) = self.0(log_x);
+                (self.2 * value, self.2 * value * power)
+            })
         }
 
         fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
@@ -284,9 +303,9 @@ mod tests {
 
     /// The rows of a law from x = 1 on, divided where there is room for so many pieces, and the largest error of whole ones.
     fn filled(law: impl Fn(f64) -> (f64, f64), joint: Option<f64>, scale: Scale, count: usize, room: usize) -> Table {
-        let source = Law(law, joint);
+        let source = Law(law, joint, scale.value);
         let mut table = Table::new(FRACTION, 1_f64.to_bits() >> Table::shift_of(FRACTION), 0.0);
-        let filling = Filling::new(&source, Quantity::Friction, scale);
+        let filling = Filling::new(&source, scale.load, FRACTION);
         let error = filling.rows(&mut table, count);
         assert!(error < 5e-11 && (error > 1e-17 || count == 1), "{error:e}");
         let most = table.rows.len() + room;

@@ -6,9 +6,11 @@
 //! agree where rows meet. A row across which the law has a kink is a link to several polynomials. Loads that are lighter
 //! than the table's are interpolated by the curve that it was filled from; others are evaluated exactly.
 
+mod by_separation;
 mod coordinate;
 mod curve;
 mod fill;
+mod gap;
 mod non_integer_power;
 mod panel;
 mod position;
@@ -22,11 +24,13 @@ use crate::equilibrium::Branch;
 use crate::jenkins::PerElement;
 use crate::population::Sums;
 use curve::Curve;
-use fill::Filling;
+use fill::{Filling, Source};
+use gap::Gap;
 use panel::Sample;
 use shares::Shares;
 
 pub use curve::Unfollowed;
+pub use gap::Lengths;
 pub use row::{polynomial, Row};
 #[cfg(target_arch = "x86_64")]
 pub use row::{COEFFICIENTS, DIVISIONS, OFFSET};
@@ -88,6 +92,7 @@ impl Quantity {
 #[derive(Debug, Clone)]
 pub struct Law {
     compiled: [Compiled; Quantity::COUNT],
+    gap: Gap,
     curve: Curve,
     shares: Shares,
 }
@@ -110,11 +115,11 @@ pub struct Scale {
 }
 
 impl Law {
-    /// Compiles the law in units of load and of each quantity.
+    /// Compiles the law in units of load, of each quantity and of length.
     ///
     /// # Errors
     /// [`Unfollowed`] where the load rises with separation already: the branch ends before.
-    pub fn new(branch: &Branch, load: f64, units: [f64; Quantity::COUNT]) -> Result<Self, Unfollowed> {
+    pub fn new(branch: &Branch, load: f64, units: [f64; Quantity::COUNT], length: f64) -> Result<Self, Unfollowed> {
         let mut samples = Vec::new();
         let nearest = log(-branch.pull_off_load() * NEAREST_TO_PULL_OFF);
         let reaches_pull_off = |heaviest: f64| heaviest - nearest <= LOG_RANGE + LOG_RANGE_OF_CURVE;
@@ -129,7 +134,9 @@ impl Law {
             compiled
         });
         let shares = Shares::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
-        Ok(Self { compiled, curve, shares })
+        let lengths = Lengths { unit: length, origin: branch.population().heights().origin() };
+        let gap = Gap::new(branch, &curve, lengths, load, &samples);
+        Ok(Self { compiled, gap, curve, shares })
     }
 
     /// The table of a quantity.
@@ -154,6 +161,29 @@ impl Law {
         self.shares.at_excess(x)
     }
 
+    /// Load against separation: a table of minus the separation.
+    #[inline]
+    pub fn load_table(&self) -> &Table {
+        self.gap.table()
+    }
+
+    /// Whether the surfaces are apart at a separation.
+    #[inline]
+    pub fn is_open(&self, separation: f64) -> bool {
+        self.gap.is_open(separation)
+    }
+
+    /// The separation from which on the surfaces are apart.
+    pub fn end(&self) -> f64 {
+        self.gap.end()
+    }
+
+    /// The load and its slope by minus the separation, where the table of it does not answer; `None` where the curve does not know
+    /// them either.
+    pub fn interpolated_load(&self, separation: f64) -> Option<(f64, f64)> {
+        self.gap.interpolated(&self.curve, separation)
+    }
+
     /// The largest relative error found when the table of a quantity was built.
     pub fn error(&self, quantity: Quantity) -> f64 {
         self.compiled[quantity as usize].error
@@ -162,6 +192,26 @@ impl Law {
     /// The separation at ln(load - pull-off), dimensionless, to a few digits.
     pub fn separation(&self, log_excess: f64) -> Option<f64> {
         self.curve.separation(log_excess)
+    }
+}
+
+/// A quantity against ln(load - pull-off), in the caller's units.
+struct AgainstLoad<'a> {
+    curve: &'a Curve,
+    quantity: Quantity,
+    unit: f64,
+}
+
+impl Source for AgainstLoad<'_> {
+    fn at<const N: usize>(&self, log_excess: [f64; N]) -> [(f64, f64); N] {
+        self.curve.at_each(self.quantity, log_excess).map(|(value, slope)| {
+            let value = self.unit * value;
+            (value, value * slope)
+        })
+    }
+
+    fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
+        self.curve.log_joints(lower, upper)
     }
 }
 
@@ -176,7 +226,8 @@ impl Compiled {
         let mut table = Table::new(FRACTION, base, pull_off_load * scale.load);
         let count = ((end - base) as usize).min(MOST_ROWS);
         table.rows.reserve(count);
-        let filling = Filling::new(curve, quantity, scale);
+        let source = AgainstLoad { curve, quantity, unit: scale.value };
+        let filling = Filling::new(&source, scale.load, FRACTION);
         let error = filling.rows(&mut table, count).max(filling.divide_left_out(&mut table, MOST_ROWS_AND_PARTS));
         table.rows.shrink_to_fit();
         Self { table, scale, error }
@@ -215,12 +266,13 @@ mod tests {
 
     const LOAD: f64 = 3.0;
     const UNITS: [f64; 2] = [0.5, 7.0];
+    const LENGTH: f64 = 3e-9;
 
     #[test]
     fn every_row_of_the_default_case_answers_from_next_to_pull_off_to_any_load_of_a_solver() {
         for gamma in [0.0, 0.001] {
             let branch = branch(gamma);
-            let law = Law::new(&branch, LOAD, UNITS).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
             for quantity in Quantity::ALL {
                 let table = law.table(quantity);
                 assert!(!table.rows.iter().any(Row::is_left_out), "{quantity:?}");
@@ -264,7 +316,7 @@ mod tests {
             let mut params = Params::default();
             params.set_dimensionless(0.01, beta, 0.001, 1.0, 0.3).expect("a surface");
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
-            let law = Law::new(&branch, LOAD, UNITS).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
             let table = law.table(Quantity::Friction);
             let kinks = branch.population().kinks();
             let [.., first, last] = kinks[..] else { panic!("{kinks:?}") };
@@ -296,7 +348,7 @@ mod tests {
                 ..default
             };
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
-            let law = Law::new(&branch, LOAD, UNITS).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
             let feet: Vec<f64> = branch.population().kinks().into_iter().filter(|&kink| kink > -10.0).collect();
             assert!(feet.len() >= 2, "{feet:?}");
             for quantity in Quantity::ALL {
@@ -331,7 +383,7 @@ mod tests {
     #[test]
     fn loads_next_to_pull_off_are_interpolated() {
         let branch = branch(0.001);
-        let law = Law::new(&branch, LOAD, UNITS).expect("a law");
+        let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
         let point = branch.pull_off().expect("adhesion");
         for quantity in Quantity::ALL {
             let at_pull_off = UNITS[quantity as usize] * quantity.of(&point.sums).0;
@@ -354,7 +406,7 @@ mod tests {
     #[test]
     fn a_row_is_left_out_where_it_misses_an_exact_state_and_only_there() {
         let branch = branch(0.001);
-        let law = Law::new(&branch, LOAD, UNITS).expect("a law");
+        let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
         let mut states = Vec::new();
         let curve = Curve::new(&branch, |_| LOG_RANGE, &mut states).expect("a curve");
         let compiled = &law.compiled[0];

@@ -1,15 +1,18 @@
 //! A panel of the curve: the polynomial through exact states, with their slopes.
 
+use super::by_separation::BySeparation;
 use super::non_integer_power::NonIntegerPower;
-use super::{Quantity, CONDITIONS};
+use super::position::Positions;
+use super::Quantity;
+use super::CONDITIONS;
 use crate::elementary::log;
 use crate::numerics::quadrature;
 
 /// Exact states per panel.
 pub const NODES: usize = CONDITIONS / 2;
 /// Largest error of a logarithm, and of its slope relative to the slope, at which a panel is good.
-const VALUE_TOLERANCE: f64 = 1e-11;
-const SLOPE_TOLERANCE: f64 = 1e-9;
+pub const VALUE_TOLERANCE: f64 = 1e-11;
+pub const SLOPE_TOLERANCE: f64 = 1e-9;
 /// Up to this s the slope of the load is a difference of integrals that nearly cancel, and so many times the tolerance is
 /// what slopes are known to.
 const NEAR_PULL_OFF: f64 = 1.0;
@@ -29,6 +32,9 @@ pub struct Sample {
     /// ln(load - pull-off load).
     pub log_excess: f64,
     pub s: f64,
+    pub s_by_separation: f64,
+    /// Its load and d(load)/d(separation).
+    pub load: (f64, f64),
     /// ln of the quantities over the references of the curve.
     pub log_value: PerQuantity,
     /// The quantities themselves: differences of logarithms lose fewer digits with them.
@@ -54,22 +60,33 @@ pub struct Panel {
     log_value: [[f64; CONDITIONS]; Quantity::COUNT],
     /// The position of the separation in Newton's form, each node once.
     pub position: [f64; NODES],
+    /// s against separation.
+    pub by_separation: BySeparation,
 }
 
 impl Panel {
-    pub fn new((lowest, highest): (f64, f64), non_integer_power: NonIntegerPower, samples: &[Sample; NODES]) -> Self {
+    pub fn new(
+        (lowest, highest): (f64, f64),
+        (begin, end): (f64, f64),
+        positions: Positions,
+        non_integer_power: NonIntegerPower,
+        samples: &[Sample; NODES],
+    ) -> Self {
         let places = samples.map(|sample| non_integer_power.place((lowest, highest), sample.s));
         let nodes = places.map(|(place, _)| place);
+        let is_narrow = highest - lowest < NARROW;
         let log_value = std::array::from_fn(|quantity| {
             let slopes = std::array::from_fn(|i| samples[i].slope[quantity] / places[i].1);
-            let values = match highest - lowest < NARROW {
+            let values = match is_narrow {
                 true => integrals(&nodes, slopes),
                 false => samples.map(|sample| log(sample.value[quantity] / samples[0].value[quantity])),
             };
             hermite(&nodes, values, slopes)
         });
         let position = differences(&nodes, samples.map(|sample| sample.position));
-        Self { lowest, highest, non_integer_power, reference: samples[0].log_value, nodes, log_value, position }
+        let by_separation = BySeparation::new((begin, end), positions, non_integer_power, samples, is_narrow);
+        let reference = samples[0].log_value;
+        Self { lowest, highest, non_integer_power, reference, nodes, log_value, position, by_separation }
     }
 
     /// The cubic between two states.
@@ -93,6 +110,7 @@ impl Panel {
             nodes,
             log_value,
             position: line,
+            by_separation: BySeparation::bridge(from, to),
         }
     }
 
@@ -119,15 +137,7 @@ impl Panel {
 
     #[inline(always)] // so that several are worked out side by side
     fn polynomial(&self, quantity: Quantity, place: f64) -> (f64, f64) {
-        let (mut value, mut slope) = (0.0, 0.0);
-        let coefficients = self.log_value[quantity as usize].chunks_exact(2);
-        for (node, pair) in self.nodes.iter().zip(coefficients).rev() {
-            let distance = place - node;
-            for coefficient in [pair[1], pair[0]] {
-                slope = slope * distance + value;
-                value = value * distance + coefficient;
-            }
-        }
+        let (value, slope) = hermite_at(&self.nodes, &self.log_value[quantity as usize], place);
         (self.reference[quantity as usize] + value, slope)
     }
 
@@ -168,7 +178,7 @@ impl Panel {
 }
 
 /// The coefficients of Newton's form of the polynomial with these values and slopes at the nodes.
-fn hermite(nodes: &[f64; NODES], values: [f64; NODES], slopes: [f64; NODES]) -> [f64; CONDITIONS] {
+pub fn hermite(nodes: &[f64; NODES], values: [f64; NODES], slopes: [f64; NODES]) -> [f64; CONDITIONS] {
     // Divided differences; between the two copies of a node they are the slope.
     let mut coefficients: [f64; CONDITIONS] = std::array::from_fn(|i| values[i / 2]);
     for order in 1..CONDITIONS {
@@ -181,6 +191,20 @@ fn hermite(nodes: &[f64; NODES], values: [f64; NODES], slopes: [f64; NODES]) -> 
         }
     }
     coefficients
+}
+
+/// That polynomial and its derivative.
+#[inline(always)] // so that several are worked out side by side
+pub fn hermite_at(nodes: &[f64; NODES], coefficients: &[f64; CONDITIONS], at: f64) -> (f64, f64) {
+    let (mut value, mut slope) = (0.0, 0.0);
+    for (node, pair) in nodes.iter().zip(coefficients.chunks_exact(2)).rev() {
+        let distance = at - node;
+        for coefficient in [pair[1], pair[0]] {
+            slope = slope * distance + value;
+            value = value * distance + coefficient;
+        }
+    }
+    (value, slope)
 }
 
 /// The coefficients of Newton's form of the polynomial with these values at the nodes.
@@ -199,7 +223,7 @@ fn newton(nodes: &[f64; NODES], coefficients: &[f64; NODES], at: f64) -> f64 {
 }
 
 /// What a function rises by from the first node to each, of which these are the slopes.
-fn integrals(nodes: &[f64; NODES], slopes: [f64; NODES]) -> [f64; NODES] {
+pub fn integrals(nodes: &[f64; NODES], slopes: [f64; NODES]) -> [f64; NODES] {
     let slopes = differences(nodes, slopes);
     let mut sum = 0.0;
     std::array::from_fn(|i| {
@@ -238,22 +262,30 @@ mod tests {
     /// The logarithms are 2 + 3 s + s^2/2 and s^2 at positions 1 - s.
     fn sample(s: f64) -> Sample {
         let (log_value, slope) = ([2.0 + 3.0 * s + 0.5 * s * s, s * s], [3.0 + s, 2.0 * s]);
-        let (separation, log_excess, log_slope) = (f64::NAN, 2.0 * s, [f64::NAN; 2]);
         Sample {
-            separation,
+            separation: 1.0 - s,
             position: 1.0 - s,
-            log_excess,
+            log_excess: 2.0 * s,
             s,
+            s_by_separation: -1.0,
+            load: (f64::NAN, f64::NAN),
             log_value,
             value: log_value.map(f64::exp),
             slope,
-            log_slope,
+            log_slope: [f64::NAN; 2],
         }
     }
 
     fn parabola() -> Panel {
         let node = |j: usize| 0.1 + (1.0 + (std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64).cos()).powf(1.2);
-        Panel::new((0.1, 2.5), NonIntegerPower::Nowhere, &std::array::from_fn(|j| sample(node(j))))
+        let positions = Positions { middle: 0.0 };
+        Panel::new(
+            (0.1, 2.5),
+            (-1.5, 0.9),
+            positions,
+            NonIntegerPower::Nowhere,
+            &std::array::from_fn(|j| sample(node(j))),
+        )
     }
 
     #[test]

@@ -89,10 +89,20 @@ pub fn polynomial(c: &[f64; COEFFICIENTS], t: f64) -> (f64, f64) {
     (value, slope)
 }
 
-/// The relative error of a value, if it and its slope are good enough to be kept.
-pub fn error_within_tolerance((value, rate): (f64, f64), (exact, slope): (f64, f64)) -> Option<f64> {
-    let error = (value / exact - 1.0).abs();
-    (error <= VALUE_TOLERANCE && (rate / slope - 1.0).abs() <= SLOPE_TOLERANCE).then_some(error)
+/// The relative error of a value, if it and its slope are good enough to be kept. Where they are less than the least of them, they
+/// need only be good enough for that.
+pub fn error_within_tolerance((value, rate): (f64, f64), (exact, slope): (f64, f64), least: (f64, f64)) -> Option<f64> {
+    let error = relative_error(value, exact, least.0);
+    (error <= VALUE_TOLERANCE && relative_error(rate, slope, least.1) <= SLOPE_TOLERANCE).then_some(error)
+}
+
+/// The error of a number relative to the exact one, or to the least, if that is larger.
+pub fn relative_error(value: f64, exact: f64, least: f64) -> f64 {
+    if exact.abs() < least {
+        ((value - exact) / least).abs()
+    } else {
+        (value / exact - 1.0).abs()
+    }
 }
 
 /// Turns what determines a row into coefficients.
@@ -207,7 +217,7 @@ mod tests {
     #[test]
     fn what_is_kept_is_good_in_value_and_in_slope() {
         let with = |error: f64, slope_error: f64| {
-            error_within_tolerance((2.0 * (1.0 + error), -3.0 * (1.0 + slope_error)), (2.0, -3.0))
+            error_within_tolerance((2.0 * (1.0 + error), -3.0 * (1.0 + slope_error)), (2.0, -3.0), (0.0, 0.0))
         };
         for sign in [1.0, -1.0] {
             let error = with(0.9 * sign * VALUE_TOLERANCE, 0.9 * sign * SLOPE_TOLERANCE).expect("it is good");
@@ -217,6 +227,11 @@ mod tests {
         }
         assert_eq!(with(f64::NAN, 0.0), None);
         assert_eq!(with(0.0, f64::NAN), None);
+        // Next to 0, relative to the least.
+        let next_to_zero = |value: f64, rate: f64| error_within_tolerance((value, rate), (0.0, 0.0), (2.0, 3.0));
+        assert!(near(next_to_zero(1.8 * VALUE_TOLERANCE, 0.0).expect("it is good"), 0.9 * VALUE_TOLERANCE, 1e-14));
+        assert_eq!(next_to_zero(2.2 * VALUE_TOLERANCE, 0.0), None);
+        assert_eq!(next_to_zero(0.0, -3.3 * SLOPE_TOLERANCE), None);
     }
 
     #[test]

@@ -265,7 +265,7 @@ impl Model {
     /// # Errors
     /// [`Error::InvalidParameter`] for a separation that is not finite, [`Error::OutOfRange`].
     pub fn state_at_separation(&self, separation: f64) -> Result<State, Error> {
-        let dimensionless = self.in_sigma("separation", separation)? - self.branch.population().heights().origin();
+        let dimensionless = self.dimensionless("separation", separation)?;
         let sums = self.branch.population().at_separation(dimensionless);
         let load = sums.load() * self.units.load;
         self.state(load, dimensionless, &sums)
@@ -285,6 +285,16 @@ impl Model {
             friction_force: friction * self.units.force / self.units.count,
             contact_radius: radius * self.params.burgers_vector,
         })
+    }
+
+    /// A separation of the means of summit heights and flat, in sigma from where the sums have it.
+    pub(super) fn dimensionless(&self, name: &'static str, separation: f64) -> Result<f64, Error> {
+        Ok(self.in_sigma(name, separation)? - self.branch.population().heights().origin())
+    }
+
+    /// Minus separations beyond this are out of range.
+    pub(super) fn deepest_compression(&self) -> f64 {
+        (FARTHEST_SEPARATION * self.units.length).min(f64::MAX)
     }
 
     /// A length in sigma.

@@ -7,6 +7,7 @@
 
 mod calibration;
 mod exact;
+mod gap;
 mod microslip;
 pub mod validity;
 
@@ -116,7 +117,9 @@ impl Model {
         let (groups, heights, radius) = params.surface()?;
         let units = Units::new(params);
         let population = Population::new(&groups, params.slip_law(), heights, radius, params.attraction)?;
-        let compile = |branch: &Branch| Law::new(branch, units.load, Quantity::ALL.map(|quantity| units.of(quantity)));
+        let compile = |branch: &Branch| {
+            Law::new(branch, units.load, Quantity::ALL.map(|quantity| units.of(quantity)), units.length)
+        };
         let mut branch = Branch::new(population)?;
         let mut law = compile(&branch);
         for _ in 0..MOST_MINIMA {

@@ -8,6 +8,7 @@ mod common;
 mod batch;
 mod fuzz;
 mod fuzz_calls;
+mod gap;
 mod interface;
 mod microslip;
 mod pointers;

@@ -26,6 +26,7 @@ fn committed_header_is_what_the_sources_generate() {
         "slope",
         "tangential",
         "microslip",
+        "gap",
         "state",
         "validity",
         "summits",

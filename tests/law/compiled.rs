@@ -49,7 +49,7 @@ fn random_heights(random: &mut SplitMix) -> HeightFamily {
 }
 
 /// The models of the random surfaces; one that is refused must be so for a documented reason.
-fn random_models(seed: u64, count: usize) -> Vec<Model> {
+pub fn random_models(seed: u64, count: usize) -> Vec<Model> {
     let mut random = SplitMix(seed);
     let mut models = Vec::new();
     for set in 0..count {
@@ -77,16 +77,16 @@ fn relative(a: f64, b: f64) -> f64 {
 
 /// All claims of a test are looked at before it fails, so that one run shows every surface at fault.
 #[derive(Default)]
-struct Failures(Vec<String>);
+pub struct Failures(Vec<String>);
 
 impl Failures {
-    fn claim(&mut self, holds: bool, failure: impl FnOnce() -> String) {
+    pub fn claim(&mut self, holds: bool, failure: impl FnOnce() -> String) {
         if !holds {
             self.0.push(failure());
         }
     }
 
-    fn report(self) {
+    pub fn report(self) {
         let shown = self.0.iter().take(8).map(String::as_str).collect::<Vec<_>>().join("\n");
         assert!(self.0.is_empty(), "{} failures, seed {SEED:#x}, the first:\n{shown}", self.0.len());
     }

@@ -4,3 +4,4 @@
 mod common;
 
 mod compiled;
+mod load_at_separation;

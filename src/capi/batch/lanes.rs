@@ -156,9 +156,9 @@ unsafe fn evaluate_as<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
     arrays: Arrays,
     first_invalid: &mut FirstInvalid,
 ) -> usize {
-    let table = model.table(quantity.tabulated());
+    let table = quantity.table(model);
     let cap = model.params().max_friction_coefficient;
-    let limits = Limits { table, known: model.known(quantity.tabulated()), cap, inverse_cap: model.inverse_cap() };
+    let limits = Limits { table, known: quantity.known(model), cap, inverse_cap: model.inverse_cap() };
     let vectors = arrays.n / L::COUNT;
     let mut block = [MaybeUninit::<Found<L>>::uninit(); BLOCK];
     // The vectors of the block that no rows answer by themselves, or cap.
@@ -354,7 +354,9 @@ unsafe fn beside_rows<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
     }
     let Known { at_zero, apart: apart_slope, .. } = limits.known;
     let is_zero = L::and_mask(unknown, L::not_mask(L::or_mask(pressing, load.lt(zero))));
-    let at_zero_load = L::and_mask(is_zero, L::not_mask(apart));
+    // Zero may be an argument like others, of which nothing is known ahead.
+    let is_known = L::not_mask(L::splat(at_zero.0).is_nan());
+    let at_zero_load = L::and_mask(L::and_mask(is_zero, is_known), L::not_mask(apart));
     let value = value.or_where(apart, zero).or_where(at_zero_load, L::splat(at_zero.0));
     let slope = slope.or_where(apart, L::splat(apart_slope)).or_where(at_zero_load, L::splat(at_zero.1));
     let slow = L::and_mask(unknown, L::not_mask(L::or_mask(apart, at_zero_load)));

@@ -14,9 +14,10 @@ mod lanes;
 
 use super::boundary::{write, Failure};
 use super::fp_environment;
+use crate::error::Error;
 use crate::float_bits::nan;
-use crate::law::Quantity as Tabulated;
-use crate::model::Model;
+use crate::law::{Quantity as Tabulated, Table};
+use crate::model::{Known, Model};
 
 /// Which law is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,23 +28,43 @@ pub enum Quantity {
     Force,
     /// Tangential stiffness.
     Stiffness,
+    /// Load; its argument is minus the separation, in place of a load.
+    Load,
 }
 
 impl Quantity {
-    /// What its table has.
+    /// What its table has, against load.
     #[inline]
-    pub const fn tabulated(self) -> Tabulated {
+    const fn tabulated(self) -> Tabulated {
         match self {
-            Self::Coefficient | Self::Force => Tabulated::Friction,
             Self::Stiffness => Tabulated::Radius,
+            _ => Tabulated::Friction,
         }
     }
 
-    /// The quantity at one load and its slope.
+    /// The table that answers.
+    #[inline]
+    pub fn table(self, model: &Model) -> &Table {
+        match self {
+            Self::Load => model.load_table(),
+            _ => model.table(self.tabulated()),
+        }
+    }
+
+    /// What is known beside the table.
+    pub fn known(self, model: &Model) -> Known {
+        match self {
+            Self::Load => Model::known_beside_loads(),
+            _ => model.known(self.tabulated()),
+        }
+    }
+
+    /// The quantity at one argument and its slope by that.
     #[inline]
     pub fn at(self, model: &Model, load: f64) -> (f64, f64) {
         let answer = match self {
-            Quantity::Coefficient => model.tabulated_coefficient(load).or_else(|| model.known_coefficient(load)),
+            Self::Coefficient => model.tabulated_coefficient(load).or_else(|| model.known_coefficient(load)),
+            Self::Load => model.tabulated_load(load).or_else(|| model.known_load(load)),
             _ => model.tabulated(self.tabulated(), load).or_else(|| model.known_value(self.tabulated(), load)),
         };
         answer.unwrap_or_else(|| self.computed(model, load))
@@ -52,9 +73,27 @@ impl Quantity {
     #[cold]
     fn computed(self, model: &Model, load: f64) -> (f64, f64) {
         fp_environment::held(|| match self {
-            Quantity::Coefficient => model.computed_coefficient(load),
+            Self::Coefficient => model.computed_coefficient(load),
+            Self::Load => model.computed_load(load),
             _ => model.computed(self.tabulated(), load),
         })
+    }
+
+    /// Whether there is a contact at an argument.
+    fn validate(self, model: &Model, load: f64) -> Result<(), Error> {
+        match self {
+            Self::Load => model.validate_separation(-load),
+            _ => model.validate_load(load),
+        }
+    }
+
+    /// What is said of an element without an answer.
+    pub fn failure(self, model: &Model, index: usize, load: f64) -> Failure {
+        let error = self.validate(model, load).err().unwrap_or_else(|| match self {
+            Self::Load => Model::no_load_at(-load),
+            _ => Model::not_evaluated(load),
+        });
+        Failure::of_element(index, &error)
     }
 }
 
@@ -69,7 +108,7 @@ pub struct Arrays {
     pub slope: *mut f64,
 }
 
-/// The first load of a batch that has no answer, and its index.
+/// The first argument of a batch that has no answer, and its index.
 pub type FirstInvalid = Option<(usize, f64)>;
 
 /// Fills all elements, then reports the first invalid load.
@@ -77,15 +116,21 @@ pub type FirstInvalid = Option<(usize, f64)>;
 /// # Safety
 /// The arrays have n elements; `load` is not NULL unless n = 0.
 pub unsafe fn evaluate(model: &Model, quantity: Quantity, arrays: Arrays) -> Result<(), Failure> {
+    let first_invalid = fill(model, quantity, arrays);
+    first_invalid.map_or(Ok(()), |(index, load)| Err(quantity.failure(model, index, load)))
+}
+
+/// Fills all elements; the first that is invalid.
+///
+/// # Safety
+/// As [`evaluate`].
+pub unsafe fn fill(model: &Model, quantity: Quantity, arrays: Arrays) -> FirstInvalid {
     let mut first_invalid = None;
     let done = vectors(model, quantity, arrays, &mut first_invalid);
     for i in done..arrays.n {
         one(model, quantity, arrays, i, arrays.load.add(i).read_unaligned(), &mut first_invalid);
     }
-    first_invalid.map_or(Ok(()), |(index, load)| {
-        let error = model.validate_load(load).err().unwrap_or_else(|| Model::not_evaluated(load));
-        Err(Failure::of_element(index, &error))
-    })
+    first_invalid
 }
 
 /// One element, by the scalar call; `load` is what the input held before any output was written.
@@ -99,7 +144,7 @@ unsafe fn one(
     first_invalid: &mut FirstInvalid,
 ) {
     let (value, slope) = quantity.at(model, load);
-    if first_invalid.is_none() && (nan(value) || model.validate_load(load).is_err()) {
+    if first_invalid.is_none() && (nan(value) || quantity.validate(model, load).is_err()) {
         *first_invalid = Some((index, load));
     }
     write(arrays.value, index, value);
@@ -183,12 +228,18 @@ mod tests {
         skewed.set_skew(0.8).expect("a skew");
         for params in [Params::default(), Params { work_of_adhesion: 0.0, ..Params::default() }, skewed] {
             let model = Model::new(&params).expect("a model");
-            let loads = loads(&model);
+            let mut loads = loads(&model);
+            // As minus the separation: among the heights, in compression, at the ends of the table.
+            let sigma = params.height_std;
+            loads.extend((0..500).map(|i| sigma * (f64::from(i) / 50.0 - 6.0)));
+            loads.extend([1e5, 1e9, 1e12, 1e60].map(|depth| depth * sigma));
+            let table = model.load_table();
+            loads.extend([0, 1, table.row_count - 1, table.row_count].map(|row| table.pull_off + table.begin_of(row)));
             let (mut value, mut slope) = (vec![0.0; loads.len()], vec![0.0; loads.len()]);
             let (load, values, slopes) = (loads.as_ptr(), value.as_mut_ptr(), slope.as_mut_ptr());
             let arrays = Arrays { n: loads.len(), load, value: values, slope: slopes };
             for (name, path) in paths() {
-                for quantity in [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness] {
+                for quantity in [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness, Quantity::Load] {
                     for arrays in [arrays, Arrays { slope: std::ptr::null_mut(), ..arrays }] {
                         let mut first_invalid = None;
                         // SAFETY: the arrays have so many elements.

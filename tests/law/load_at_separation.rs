@@ -1,0 +1,199 @@
+//! Load against separation, compiled, is that of exact states: values, slopes, joints between rows, the ends.
+
+use super::compiled::{random_models, Failures};
+use crate::common::neighbours::Neighbours;
+use crate::common::splitmix::SplitMix;
+use crate::common::surfaces::{dimensionless, model};
+use asperity::{Error, HeightFamily, Model, Params};
+
+const SEED: u64 = 0x6a90;
+const SETS: usize = 48;
+const SEPARATIONS: usize = 40;
+
+/// The surfaces of benches/surfaces.hpp, and one in other units.
+fn surfaces() -> Vec<Params> {
+    let default = Params::default();
+    let skewed = |skew: f64| {
+        let mut params = Params::default();
+        params.set_skew(skew).expect("a skew");
+        params
+    };
+    let mut polysilicon = Params {
+        work_of_adhesion: 0.063,
+        adhesion_range: 0.384e-9,
+        burgers_vector: 0.384e-9,
+        height_std: 5e-9,
+        summit_radius: 1e-6,
+        asperity_count: 1e5,
+        ..Params::default()
+    };
+    polysilicon.set_materials(160e9, 0.22, 160e9, 0.22).expect("materials");
+    let height: Vec<f64> = (0..=64).map(|i| -3.5 + 7.0 * f64::from(i) / 64.0).collect();
+    let density =
+        |&z: &f64| if z.abs() == 3.5 { 0.0 } else { (-0.5 * z * z).exp() * (1.0 + 0.3 * (7.0 * z * z * z).sin()) };
+    let density: Vec<f64> = height.iter().map(density).collect();
+    vec![
+        default.clone(),
+        dimensionless(0.01, 1000.0, 0.0, 1.0),
+        dimensionless(0.006, 5e4, 0.01, 1.0),
+        skewed(-1.0),
+        skewed(1.0),
+        Params { heights: HeightFamily::Weibull { shape: 40.74 }, ..default.clone() },
+        Params { radius_amplitude: 0.5, ..default.clone() },
+        Params { radius_amplitude: -0.95, ..default.clone() },
+        Params { heights: HeightFamily::Tabulated { height: height.into(), density: density.into() }, ..default },
+        polysilicon,
+    ]
+}
+
+/// The separations between which it is compared: of 1e6 times the load at which half of the summits touch, and of pull-off or a
+/// load 1e-22 times as large, below which a pull-off load counts as none.
+fn range(model: &Model) -> (f64, f64) {
+    let separation = |load: f64| model.state_at_load(load).expect("a state").separation;
+    let pull_off = model.summary().pull_off_load;
+    let half = model.state_at_separation(0.0).map_or(0.0, |state| state.load).max(-pull_off);
+    let lightest = 1e-22 * half;
+    (separation(1e6 * half), separation(if pull_off < -lightest { pull_off } else { lightest }))
+}
+
+fn models() -> Vec<Model> {
+    surfaces().iter().map(model).chain(random_models(SEED, SETS)).collect()
+}
+
+/// Relative to the load or, where it is smaller, the pull-off load; to the slope or the pull-off load over the distance to pull-off.
+#[test]
+fn load_and_slope_are_those_of_the_exact_state() {
+    let mut random = SplitMix(SEED ^ 1);
+    let mut failures = Failures::default();
+    let (mut worst, mut worst_slope) = (0.0_f64, 0.0_f64);
+    for model in models() {
+        let sigma = model.params().height_std;
+        let pull_off = model.summary().pull_off_load;
+        let (near, far) = range(&model);
+        for i in 0..SEPARATIONS {
+            let part = (i as f64 + random.between(0.0, 1.0)) / SEPARATIONS as f64;
+            // Among the heights, and over all decades of the distance from the end.
+            let distance = if i % 2 == 0 { (far - near) * 1e-9_f64.powf(part) } else { 12.0 * sigma * part };
+            let separation = far - distance;
+            let exact = model.state_at_separation(separation).expect("a state");
+            let (load, slope) = model.load_and_slope_at(separation);
+            let error = (load - exact.load).abs() / exact.load.abs().max(-pull_off);
+            let least = -pull_off / (distance + 0.1 * sigma);
+            let slope_error = (slope - exact.dload_dseparation).abs() / exact.dload_dseparation.abs().max(least);
+            failures.claim(error <= 1e-9 && slope_error <= 1e-7, || {
+                let exact = (exact.load, exact.dload_dseparation);
+                let found = (load, slope);
+                format!("{separation:e}: {found:?}, not {exact:?}: {error:e}, {slope_error:e}; {:?}", model.params())
+            });
+            (worst, worst_slope) = (worst.max(error), worst_slope.max(slope_error));
+        }
+    }
+    println!("largest error of the load {worst:.1e}, of its slope {worst_slope:.1e}");
+    failures.report();
+    // Otherwise nothing was compared.
+    assert!(worst > 1e-16 && worst_slope > 1e-16);
+}
+
+/// A load found at a separation has that separation, and its friction is that of the state there.
+#[test]
+fn separation_load_and_friction_agree() {
+    for params in surfaces() {
+        let model = model(&params);
+        let (near, far) = range(&model);
+        for i in 1..20 {
+            let separation = far - (far - near) * 1e-4_f64.powf(f64::from(i) / 20.0);
+            let load = model.load_at_separation(separation);
+            let state = model.state_at_load(load).expect("a state");
+            assert!((state.separation - separation).abs() < 1e-8 * (params.height_std + separation.abs()));
+            let force = model.friction_force_at_load(load);
+            let expected = model.state_at_separation(separation).expect("a state").friction_force;
+            assert!((force / expected - 1.0).abs() < 1e-8, "{separation:e}: {force:e}, not {expected:e}");
+        }
+    }
+}
+
+#[test]
+fn load_falls_with_separation_without_jumps() {
+    for model in models() {
+        let (near, far) = range(&model);
+        let pull_off = model.summary().pull_off_load;
+        let (mut before, mut last) = ((f64::INFINITY, 0.0), f64::NAN);
+        for i in 0..6000 {
+            // Neighbours now and then, with ends of rows among them.
+            let separation =
+                if i % 2 == 0 { far - (far - near) * 1e-7_f64.powf(f64::from(i) / 6e3) } else { last.above() };
+            let (load, slope) = model.load_and_slope_at(separation);
+            let size = load.abs().max(-pull_off);
+            assert!(load <= before.0 + 1e-10 * size, "{separation:e}: {load:e} after {before:?}; {:?}", model.params());
+            assert!(
+                slope <= 1e-8 * size / model.params().height_std,
+                "{separation:e}: {slope:e}; {:?}",
+                model.params()
+            );
+            if i % 2 == 1 {
+                let jump = (load - before.0).abs() - 4.0 * slope.abs() * (separation - last);
+                assert!(jump <= 2e-10 * size, "{separation:e}: {load:e} next to {before:?}; {:?}", model.params());
+            }
+            (before, last) = ((load, slope), separation);
+        }
+    }
+}
+
+#[test]
+fn surfaces_part_at_the_separation_of_pull_off() {
+    for gamma in [5e-4, 1e-3, 0.02] {
+        let model = model(&dimensionless(0.01, 1000.0, gamma, 1.0));
+        let pull_off = model.summary().pull_off_load;
+        let end = model.state_at_load(pull_off).expect("a state").separation;
+        for separation in [end, end.above(), end + 1e-3, 2.0 * end, 1e9, f64::MAX] {
+            assert_eq!(model.load_and_slope_at(separation), (0.0, 0.0), "{separation:e}");
+            assert!(matches!(model.validate_separation(separation), Err(Error::Open { .. })));
+        }
+        let (load, slope) = model.load_and_slope_at(end - 1e-12 * end);
+        assert!((load / pull_off - 1.0).abs() < 1e-10, "{load:e}, not {pull_off:e}");
+        assert!(slope <= 0.0 && slope > 1e-6 * pull_off / end, "{slope:e}");
+        assert_eq!(model.validate_separation(end - 1e-12 * end), Ok(()));
+    }
+}
+
+#[test]
+fn without_adhesion_the_load_goes_to_zero_smoothly() {
+    for params in [
+        dimensionless(0.01, 1000.0, 0.0, 1.0),
+        Params { heights: HeightFamily::Weibull { shape: 1.6 }, ..dimensionless(0.01, 1000.0, 0.0, 1.0) },
+        Params { heights: HeightFamily::Weibull { shape: 30.0 }, ..dimensionless(0.01, 1000.0, 0.0, 1.0) },
+    ] {
+        let model = model(&params);
+        let sigma = params.height_std;
+        let half = model.load_at_separation(0.0);
+        let mut before = f64::INFINITY;
+        let mut open = 0;
+        for i in 0..100_000 {
+            let separation = 80.0 * sigma * f64::from(i) / 1e5;
+            let (load, slope) = model.load_and_slope_at(separation);
+            assert!(load >= 0.0 && load <= before && slope <= 0.0, "{separation}: {load:e}, {slope:e}");
+            // No jump to zero.
+            assert!(load > 0.0 || before < 1e-22 * half, "{separation}: {before:e} before");
+            open += i32::from(load == 0.0);
+            before = load;
+        }
+        assert!(open > 1000 && open < 99_000, "{open}");
+    }
+}
+
+#[test]
+fn beyond_the_table_and_out_of_range() {
+    let model = model(&Params::default());
+    let sigma = model.params().height_std;
+    for depth in [1e5, 3e7, 4e9, 1e12] {
+        let exact = model.state_at_separation(-depth * sigma).expect("a state");
+        let (load, slope) = model.load_and_slope_at(-depth * sigma);
+        assert!((load / exact.load - 1.0).abs() < 1e-9, "{depth:e}: {load:e}, not {:e}", exact.load);
+        assert!((slope / exact.dload_dseparation - 1.0).abs() < 1e-7, "{depth:e}: {slope:e}");
+    }
+    for separation in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1e300] {
+        let (load, slope) = model.load_and_slope_at(separation);
+        assert!(load.is_nan() && slope.is_nan(), "{separation}: {load}, {slope}");
+        assert!(model.validate_separation(separation).is_err());
+    }
+}
