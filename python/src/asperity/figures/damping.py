@@ -26,7 +26,7 @@ def picture() -> Figure:
     drawn = Figure(figsize=(6.4, 8.0))
     loops, powers = (drawn.add_axes(place) for place in ((0.15, 0.57, 0.81, 0.34), (0.15, 0.085, 0.81, 0.35)))
     exponent = joint.slope(joint.first_loading(), *joint.FITTED)
-    drawn.text(0.02, 0.965, f"A bolted joint's damping grows as force$^{{{exponent:.1f}}}$", weight="bold", fontsize=14)
+    drawn.text(0.02, 0.965, f"A bolted joint's loss per cycle grows as force$^{{{exponent:.1f}}}$", weight="bold", fontsize=14)
     _loops(loops)
     _powers(powers)
     return drawn
@@ -61,7 +61,7 @@ def _powers(axes: Axes) -> None:
     number = 2 * len(LOOPS)
     _line(axes, number, 1e-3 * pull, 1e3 * loading.work[shown], False)
     _line(axes, number + 1, 1e-3 * pull, 1e3 * model.work(pull), True)
-    for exponent, at, where in ((2, 9.0, (0.27, 0.2)), (3, 0.9, (1.7, 0.013))):
+    for exponent, at, where in ((2, 26.0, (0.24, 0.33)), (3, 11.0, (0.42, 0.006))):
         (line,) = axes.plot(1e-3 * pull, at * (pull / loading.slip_pull) ** exponent, color=GREY, lw=1.0)
         line.set_gid(f"curve-{number + exponent}")
         axes.annotate(f"slope {exponent}", where, color=GREY, fontsize=12)
