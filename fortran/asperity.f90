@@ -43,6 +43,9 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_CONTACT_MAUGIS = 0           ! elastic, with adhesion
   integer(c_int32_t), parameter, public :: ASPERITY_CONTACT_ELASTIC_PLASTIC = 1  ! summits yield; needs hardness, no adhesion
 
+  integer(c_int32_t), parameter, public :: ASPERITY_SLIP_PARTIAL = 0             ! contacts slip from their rims inwards
+  integer(c_int32_t), parameter, public :: ASPERITY_SLIP_WHOLE = 1               ! ... all at once
+
   ! Bits of warnings; asperity_warning_text tells what to do about each.
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! summits yield, the contact law is elastic
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_CROWDED = 2  ! summits do not act alone
@@ -91,7 +94,7 @@ module asperity
                                                   ! E* G* / (2 (E* + G*))
     real(c_double) :: nominal_area                ! [length^2], >= 0: what warnings compare the real area with; 0: not known
     integer(c_int32_t) :: contact_law             ! one of ASPERITY_CONTACT_
-    integer(c_int32_t) :: reserved                ! 0
+    integer(c_int32_t) :: slip_onset              ! one of ASPERITY_SLIP_: how a contact begins to slip
     real(c_double) :: pressure_coefficient        ! kappa [-], >= 0: a contact's friction is pi a**2 tau(a) + kappa P_H, P_H
                                                   ! the load of Hertz' contact of its radius; 0: strength does not grow
     real(c_double) :: bandwidth                   ! Nayak's m0 m4/m2**2 of the surface [-], >= 1.5; 0: not known
@@ -129,6 +132,16 @@ module asperity
                                                   ! 0 if asperity_count is 1
     real(c_double) :: friction_bias               ! mean F of those over friction_force, less 1 [-]; 0 if asperity_count is 1
   end type asperity_state
+
+  ! What resists a displacement in a step of a contact that remembers.
+  type, bind(c), public :: asperity_microslip
+    integer(c_int64_t) :: struct_size = 88        ! bytes of this type; leave it
+    real(c_double) :: force(2)                    ! T [force], along both directions
+    real(c_double) :: stiffness(4)                ! dT/d(increment) [force/length], symmetric: 11, 12, 21, 22
+    real(c_double) :: dforce_dload(2)             ! dT/d(load) [-]
+    real(c_double) :: dissipated                  ! work that slip turned into heat in the step [force length], >= 0
+    real(c_double) :: slipping                    ! fraction of the strength that slips [-]; 1 is gross slip
+  end type asperity_microslip
 
   ! Constants of a model, in the units of the parameters.
   type, bind(c), public :: asperity_summary
@@ -540,6 +553,39 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_tangential_at_load
 
+    ! How many real(c_double) the state of a contact that remembers takes.
+    function asperity_microslip_length(model) result(length) bind(c)
+      import :: c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t) :: length
+    end function asperity_microslip_length
+
+    ! One step of a contact that remembers.
+    function asperity_microslip_step(model, load, increment, before, after, out) result(status) bind(c)
+      import :: asperity_microslip, c_double, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: load           ! [force]
+      type(c_ptr), intent(in), value :: increment         ! 2 real(c_double) [length]
+      type(c_ptr), intent(in), value :: before            ! the state before the step
+      type(c_ptr), intent(in), value :: after             ! receives the state after it; c_null_ptr: none
+      type(asperity_microslip), intent(inout) :: out
+      integer(c_int32_t) :: status
+    end function asperity_microslip_step
+
+    ! One step of many contacts. Every element is filled, then the first invalid one reported.
+    function asperity_microslip_steps(model, n, load, increment, before, after, force, stiffness) result(status) bind(c)
+      import :: c_int32_t, c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: load              ! n real(c_double) [force]
+      type(c_ptr), intent(in), value :: increment         ! (2, n) real(c_double) [length]
+      type(c_ptr), intent(in), value :: before            ! n states
+      type(c_ptr), intent(in), value :: after             ! receives n states; c_null_ptr: none
+      type(c_ptr), intent(in), value :: force             ! receives (2, n) real(c_double) [force]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: stiffness         ! receives (2, 2, n) real(c_double) [force/length]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_microslip_steps
+
     ! The exact state at a load [force], from the pull-off load upwards.
     function asperity_state_at_load(model, load, state) result(status) bind(c)
       import :: asperity_state, c_double, c_int32_t, c_ptr
@@ -699,6 +745,7 @@ module asperity
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
   public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
   public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
+  public :: asperity_microslip_length, asperity_microslip_step, asperity_microslip_steps
 
   ! ---- The Fortran interface ----
 
@@ -786,6 +833,20 @@ module asperity
     ! The force rises from stiffness times displacement to the friction force; it is odd in the displacement.
     generic, public :: tangential_stiffness_at_load => stiffness_rank_0, stiffness_rank_1
     procedure, public :: tangential_at_load => model_tangential_at_load
+
+    ! length = law%microslip_length()    the doubles in the state of a contact that remembers, all 0 when it has just closed
+    ! call law%microslip_step(load, increment, before, after, out [, stat] [, errmsg])
+    !   increment  real(c_double), intent(in), (2) [length]: the displacement since before, along both directions
+    !   before     real(c_double), intent(in), (length): the state before the step, which an iteration passes again and again
+    !   after      real(c_double), intent(inout), (length): the state after it, which the accepted step keeps; as it was on
+    !              failure
+    !   out        type(asperity_microslip), intent(inout): force, tangents and work; as it was on failure
+    ! call law%microslip_steps(load, increment, before, after, force, stiffness [, stat] [, errmsg])    many contacts
+    !   load (n), increment (2, n), before and after (length, n), force (2, n), stiffness (2, 2, n)
+    ! Below pull-off the contact is open: force, tangents and after are 0. That is no error, but stat tells it.
+    procedure, public :: microslip_length => model_microslip_length
+    procedure, public :: microslip_step => model_microslip_step
+    procedure, public :: microslip_steps => model_microslip_steps
 
     ! call law%state_at_load(load, state [, stat] [, errmsg])                the exact state at a load [force]
     ! call law%state_at_separation(separation, state [, stat] [, errmsg])    the same at a separation [length]
@@ -1503,6 +1564,52 @@ contains
     call report(asperity_tangential_at_load(self%handle, load, displacement, c_loc(force), at_slope), stat, errmsg)
   end subroutine model_tangential_at_load
 
+  function model_microslip_length(self) result(length)
+    class(friction_model), intent(in) :: self
+    integer :: length
+    length = int(asperity_microslip_length(self%handle))
+  end function model_microslip_length
+
+  subroutine model_microslip_step(self, load, increment, before, after, out, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in) :: load
+    real(c_double), intent(in), target :: increment(2)
+    real(c_double), intent(in), contiguous, target :: before(:)
+    real(c_double), intent(inout), contiguous, target :: after(:)
+    type(asperity_microslip), intent(inout) :: out
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: status
+    if (.not. is_created(self, stat, errmsg)) return
+    call require_shape('before', shape(before), [model_microslip_length(self)])
+    call require_shape('after', shape(after), shape(before))
+    status = asperity_microslip_step(self%handle, load, c_loc(increment), address(before), address(after), out)
+    if (status == ASPERITY_SEPARATED .and. .not. present(stat)) return
+    call report(status, stat, errmsg)
+  end subroutine model_microslip_step
+
+  subroutine model_microslip_steps(self, load, increment, before, after, force, stiffness, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), contiguous, target :: load(:)
+    real(c_double), intent(in), contiguous, target :: increment(:,:), before(:,:)
+    real(c_double), intent(inout), contiguous, target :: after(:,:), force(:,:), stiffness(:,:,:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: status
+    integer :: n
+    if (.not. is_created(self, stat, errmsg)) return
+    n = size(load)
+    call require_shape('increment', shape(increment), [2, n])
+    call require_shape('before', shape(before), [model_microslip_length(self), n])
+    call require_shape('after', shape(after), shape(before))
+    call require_shape('force', shape(force), [2, n])
+    call require_shape('stiffness', shape(stiffness), [2, 2, n])
+    status = asperity_microslip_steps(self%handle, int(n, c_size_t), address(load), address(increment), &
+                                      address(before), address(after), address(force), address(stiffness))
+    if (status == ASPERITY_SEPARATED .and. .not. present(stat)) return
+    call report(status, stat, errmsg)
+  end subroutine model_microslip_steps
+
   ! Every rank ends here, as the array that it is in memory.
   subroutine evaluate(batch, self, n, load, value, slope, stat, errmsg, tells_open)
     procedure(batch_function) :: batch
@@ -1582,6 +1689,12 @@ contains
     integer, intent(in) :: load(:), slope(:)
     if (any(load /= slope)) call stop_with('friction_model: slope must have the shape of load')
   end subroutine require_same_shape
+
+  subroutine require_shape(name, found, expected)
+    character(*), intent(in) :: name
+    integer, intent(in) :: found(:), expected(:)
+    if (any(found /= expected)) call stop_with('friction_model: '//name//' must have a state, or two numbers, for each load')
+  end subroutine require_shape
 
   ! The address of an array; c_null_ptr if it is absent.
   function address(array)

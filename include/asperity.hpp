@@ -44,6 +44,8 @@ using Summary = asperity_summary;
 using Table = asperity_table;
 /// What the friction force changes by with each parameter; its fields are described in asperity.h.
 using Sensitivities = asperity_sensitivities;
+/// What resists a displacement in a step of a contact that remembers; its fields are described in asperity.h.
+using Microslip = asperity_microslip;
 /// What is known of a material, in SI units; its fields are described in asperity.h.
 using Material = asperity_material_data;
 /// What is known of two bodies in contact, in SI units; its fields are described in asperity.h.
@@ -236,6 +238,12 @@ enum class Heights : std::int32_t {
 enum class ContactLaw : std::int32_t {
     maugis = ASPERITY_CONTACT_MAUGIS,                   ///< elastic, with adhesion; the default
     elastic_plastic = ASPERITY_CONTACT_ELASTIC_PLASTIC, ///< summits that yield: needs hardness, and no adhesion
+};
+
+/// How a contact begins to slip: what it resists before gross slip.
+enum class SlipOnset : std::int32_t {
+    partial = ASPERITY_SLIP_PARTIAL, ///< from its rim inwards, after Cattaneo and Mindlin; the default
+    whole = ASPERITY_SLIP_WHOLE,     ///< all at once
 };
 
 /// Two rough elastic surfaces, in one consistent system of units of your choice.
@@ -513,6 +521,11 @@ public:
     /// Sets the law of one summit in contact.
     Params &contact_law(ContactLaw value) noexcept { return assign(c_.contact_law, static_cast<std::int32_t>(value)); }
 
+    /// How a contact begins to slip.
+    SlipOnset slip_onset() const noexcept { return static_cast<SlipOnset>(c_.slip_onset); }
+    /// Sets how a contact begins to slip.
+    Params &slip_onset(SlipOnset value) noexcept { return assign(c_.slip_onset, static_cast<std::int32_t>(value)); }
+
     /// The heights of the table; none by default.
     Span<const double> table_height() const noexcept {
         return {c_.table_height, static_cast<std::size_t>(c_.table_length)};
@@ -769,6 +782,68 @@ public:
         return force;
     }
 
+    /// How many doubles the state of a contact that remembers takes; all 0 is one that has just closed.
+    std::size_t microslip_length() const noexcept { return asperity_microslip_length(handle_.get()); }
+
+    /// One step of a contact that remembers: the tangential force at a load [force] after a displacement [length] along both
+    /// directions since `before`, with its tangents.
+    ///
+    /// Below the pull-off load the contact is open, which is an answer: force, tangents and `after` are 0.
+    ///
+    /// @param before  the state before the step, of microslip_length() doubles
+    /// @param after   receives the state after it; may be `before` itself; none to skip
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_INVALID_LOAD, ASPERITY_OUT_OF_RANGE), before anything is written.
+    Microslip microslip_step(double load, const double (&increment)[2], Span<const double> before,
+                             Span<double> after) const {
+        require_state("before", before.size(), 1);
+        if (after.data() != nullptr) {
+            require_state("after", after.size(), 1);
+        }
+        Microslip out;
+        out.struct_size = sizeof out;
+        const Status status =
+            asperity_microslip_step(handle_.get(), load, increment, before.data(), after.data(), &out);
+        if (status != ASPERITY_SEPARATED) {
+            check(status);
+        }
+        return out;
+    }
+
+    /// The same step of many contacts, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as microslip_step gives it, to the bit, also when the status is not ASPERITY_OK; force and stiffness of one
+    /// that is not in order are NaN, and its state is not written.
+    ///
+    /// @param loads      normal loads [force]
+    /// @param increment  two displacements [length] for each
+    /// @param before     the states before the step, one after another
+    /// @param after      receives as many states; may be `before` itself; none to skip
+    /// @param force      receives two forces for each; none to skip
+    /// @param stiffness  receives four tangents for each, row by row; none to skip
+    /// @return as for coefficients
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    Status microslip_steps(Span<const double> loads, Span<const double> increment, Span<const double> before,
+                           Span<double> after, Span<double> force, Span<double> stiffness) const {
+        const std::size_t n = loads.size();
+        require_state("before", before.size(), n);
+        if (after.data() != nullptr) {
+            require_state("after", after.size(), n);
+        }
+        require_size("increment", increment.size(), 2 * n, "both displacements of each load");
+        if (force.data() != nullptr) {
+            require_size("force", force.size(), 2 * n, "both forces of each load");
+        }
+        if (stiffness.data() != nullptr) {
+            require_size("stiffness", stiffness.size(), 4 * n, "four tangents for each load");
+        }
+        const Status status = asperity_microslip_steps(handle_.get(), n, loads.data(), increment.data(), before.data(),
+                                                       after.data(), force.data(), stiffness.data());
+        if (status == ASPERITY_NULL_POINTER) {
+            check(status);
+        }
+        return status;
+    }
+
     /// The exact state at a load [force], from the pull-off load upwards: integrates the model, uses no table.
     ///
     /// Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
@@ -904,6 +979,10 @@ private:
         std::uint64_t bits;
         std::memcpy(&bits, &x, sizeof bits);
         return bits << 1 > std::uint64_t{0x7ff} << 53;
+    }
+
+    void require_state(const char *name, std::size_t size, std::size_t contacts) const {
+        require_size(name, size, contacts * microslip_length(), "doubles in the states, microslip_length() for each");
     }
 
     static void require_size(const char *name, std::size_t size, std::size_t count, const char *of = "loads") {

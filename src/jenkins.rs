@@ -11,7 +11,7 @@ pub const STATE: usize = 2 * ELEMENTS;
 
 /// The displacements at which the sliders of the elements begin to slip, over the strength of all by the stiffness of all.
 pub const KNOTS: [f64; ELEMENTS] =
-    [0.025, 0.035, 0.05, 0.07, 0.1, 0.14, 0.2, 0.28, 0.4, 0.55, 0.75, 1.0, 1.25, 1.5, 2.2, 4.0];
+    [0.028, 0.038, 0.052, 0.072, 0.1, 0.13, 0.18, 0.26, 0.38, 0.56, 0.82, 1.0, 1.22, 1.5, 2.25, 4.2];
 
 /// Displacements beyond this many times strength over stiffness are taken as this: all elements then slip.
 const FARTHEST: f64 = 1e140;

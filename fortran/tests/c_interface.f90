@@ -296,9 +296,9 @@ contains
       call asperity_params_set(copied, asperity_params_name_text(i), asperity_params_get(p, asperity_params_name_text(i)))
       i = i + 1
     end do
-    call check('the C function lists them', c_associated(asperity_params_name(25_c_size_t)) .and. &
-               .not. c_associated(asperity_params_name(26_c_size_t)))
-    call check('every number has a name', i == 27 .and. asperity_params_name_text(0) == '')
+    call check('the C function lists them', c_associated(asperity_params_name(26_c_size_t)) .and. &
+               .not. c_associated(asperity_params_name(27_c_size_t)))
+    call check('every number has a name', i == 28 .and. asperity_params_name_text(0) == '')
     call check('names copy the heights', copied%height_distribution == p%height_distribution)
     call check_close('... their shape', copied%weibull_shape, p%weibull_shape, 0.0_c_double)
     call check_close('... the hardness', copied%hardness, p%hardness, 0.0_c_double)
@@ -719,7 +719,8 @@ contains
     type(asperity_sensitivities) :: sensitivities
     type(c_ptr) :: model
     integer(c_int64_t) :: warnings
-    real(c_double), target :: warned(2)
+    real(c_double), target :: warned(2), memory(32), increment(2), force(2)
+    type(asperity_microslip) :: step
     integer :: i
     warnings = 0
     call asperity_check(asperity_params_init(p))
@@ -768,6 +769,15 @@ contains
       call check('... and so is that of many', identical(radius(1), asperity_tangential_stiffness_at_load(model, load(1))))
       call asperity_check(asperity_tangential_at_load(model, load(1), 1e9_c_double, c_loc(radius), c_null_ptr))
       call check_close('far displaced all contacts slip', radius(1), state%friction_force, 1e-9_c_double)
+      call check('a contact remembers so many numbers', asperity_microslip_length(model) == size(memory, kind=c_size_t))
+      memory = 0
+      increment = [1e-3_c_double, 0.0_c_double] * state%friction_force / state%tangential_stiffness
+      call asperity_check(asperity_microslip_step(model, load(1), c_loc(increment), c_loc(memory), c_loc(memory), step))
+      call check_close('it begins with the stiffness', step%force(1), 1e-3_c_double * state%friction_force, 1e-9_c_double)
+      increment = 1e9_c_double
+      call asperity_check(asperity_microslip_steps(model, 1_c_size_t, c_loc(load), c_loc(increment), c_loc(memory), &
+                                                   c_null_ptr, c_loc(force), c_null_ptr))
+      call check_close('and ends at the friction force', norm2(force), state%friction_force, 1e-9_c_double)
       call asperity_check(asperity_sensitivities_at_load(model, state%load, sensitivities))
       call check_close('F = tau A: E* takes from F what it adds to the load', sensitivities%composite_modulus, &
                        -state%dforce_dload * state%load / state%friction_force, 1e-8_c_double)

@@ -25,6 +25,8 @@ FIELD_TYPES = {
     "uint32_t": "integer(c_int32_t)",
     "int32_t": "integer(c_int32_t)",
     "double": "real(c_double)",
+    "double [2]": "real(c_double)(2)",
+    "double [4]": "real(c_double)(4)",
     "const double *": "type(c_ptr)",
     "const char *": "type(c_ptr)",
 }
@@ -49,6 +51,7 @@ VALUE_TYPES = {
     "struct asperity_summary *": "type(asperity_summary)",
     "struct asperity_table *": "type(asperity_table)",
     "struct asperity_sensitivities *": "type(asperity_sensitivities)",
+    "struct asperity_microslip *": "type(asperity_microslip)",
     "struct asperity_material_data *": "type(asperity_material_data)",
     "struct asperity_pair_data *": "type(asperity_pair_data)",
     "struct asperity_interface_data *": "type(asperity_interface_data)",
@@ -83,8 +86,8 @@ def read_header(path):
 
 
 def split_declaration(text):
-    kind, name = re.fullmatch(r"\s*(.*?)(\w+)\s*", text, flags=re.S).groups()
-    return name.lower(), spaced(kind)
+    kind, name, length = re.fullmatch(r"\s*(.*?)(\w+)(?:\[(\d+)\])?\s*", text, flags=re.S).groups()
+    return name.lower(), spaced(kind) + (f" [{length}]" if length else "")
 
 
 def spaced(kind):
@@ -114,7 +117,8 @@ def declared(line):
     """(name, type) pairs of a declaration, the intent left out."""
     kind, names = line.split("::")
     parts = [p.strip() for p in kind.split(",") if not p.strip().startswith("intent")]
-    return [(re.sub(r"=.*", "", n).strip(), ", ".join(parts)) for n in names.split(",")]
+    found = [re.fullmatch(r"(\w+)(\(\d+\))?", re.sub(r"=.*", "", n).strip()).groups("") for n in names.split(",")]
+    return [(name, ", ".join(parts) + shape) for name, shape in found]
 
 
 def compare(header, module):
@@ -174,7 +178,7 @@ def write_layout(structs, directory):
 def main():
     header = read_header(Path(sys.argv[1]))
     module = read_module(Path(sys.argv[2]))
-    if len(header[0]) < 10 or len(header[1]) != 8 or len(header[2]) < 20:
+    if len(header[0]) < 10 or len(header[1]) != 9 or len(header[2]) < 20:
         sys.exit("check_header.py: the header was not understood")
     problems = list(compare(header, module)) + uncalled(header[2], sys.argv[3])
     write_layout(header[1], Path(sys.argv[4]))

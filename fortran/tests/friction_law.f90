@@ -207,6 +207,43 @@ contains
     call check('so is a load that is', stat == ASPERITY_INVALID_LOAD .and. ieee_is_nan(force))
   end subroutine sliding
 
+  ! A contact that remembers, alone and with an open one.
+  subroutine remembering
+    real(c_double), parameter :: P(2) = [3.0_c_double, -1e9_c_double]
+    type(friction_model) :: law, missing
+    type(asperity_microslip) :: out
+    real(c_double), allocatable :: state(:), after(:), states(:,:)
+    real(c_double) :: increment(2, 2), force(2, 2), tangents(2, 2, 2), length
+    integer :: stat
+    character(80) :: errmsg
+    call law%create(default_parameters())
+    length = law%friction_force_at_load(P(1)) / law%tangential_stiffness_at_load(P(1))
+    allocate (state(law%microslip_length()), after(law%microslip_length()))
+    state = 0
+    call law%microslip_step(P(1), [1e-3_c_double * length, 0.0_c_double], state, after, out)
+    call check_close('it begins with the stiffness', out%force(1), &
+                     1e-3_c_double * length * law%tangential_stiffness_at_load(P(1)), 1e-12_c_double)
+    state = after
+    increment = reshape([0.0_c_double, 10 * length, 0.0_c_double, 0.0_c_double], [2, 2])
+    call law%microslip_step(P(1), increment(:, 1), state, after, out, stat)
+    call check('all of it slips', stat == 0 .and. abs(out%slipping - 1) < 1e-12_c_double .and. out%dissipated > 0)
+    call check_close('with the friction force', norm2(out%force), law%friction_force_at_load(P(1)), 1e-12_c_double)
+    allocate (states(size(state), 2))
+    states(:, 1) = state
+    states(:, 2) = 1
+    call law%microslip_steps(P, increment, states, states, force, tangents, stat, errmsg)
+    call check('an open contact tells', stat == ASPERITY_SEPARATED)
+    call check('a batch is as one step', all([(identical(states(stat, 1), after(stat)), stat = 1, size(after))]) &
+               .and. identical(force(2, 1), out%force(2)) .and. identical(tangents(1, 2, 1), out%stiffness(2)))
+    call check('and forgets', .not. any(abs(states(:, 2)) > 0) .and. .not. any(abs(force(:, 2)) > 0))
+    call law%microslip_step(P(2), increment(:, 1), state, after, out)
+    call check('alone it is no error', .not. any(abs(after) > 0))
+    call law%microslip_step(nan(), increment(:, 1), state, after, out, stat, errmsg)
+    call check_text('a load that is NaN is refused', errmsg, 'load = NaN: must be finite')
+    call missing%microslip_step(P(1), increment(:, 1), state, after, out, stat)
+    call check('a law that was never created has none', stat == ASPERITY_NULL_POINTER)
+  end subroutine remembering
+
   subroutine sticking
     real(c_double), parameter :: P(3) = [0.1_c_double, 3.0_c_double, 1e4_c_double]
     type(friction_model) :: law, missing
@@ -240,6 +277,7 @@ contains
     call check('a load that is NaN has none', stat == ASPERITY_INVALID_LOAD .and. ieee_is_nan(slope))
     slope = missing%tangential_stiffness_at_load(1.0_c_double, stat)
     call check('nor has a law that was never created', stat == ASPERITY_NULL_POINTER .and. ieee_is_nan(slope))
+    call remembering
     params = default_parameters()
     params%contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC
     params%work_of_adhesion = 0

@@ -13,6 +13,12 @@ const CONTACT_LAWS = {
   maugis: CONSTANTS.CONTACT_MAUGIS,
   "elastic-plastic": CONSTANTS.CONTACT_ELASTIC_PLASTIC,
 };
+const SLIP_ONSETS = {
+  partial: CONSTANTS.SLIP_PARTIAL,
+  whole: CONSTANTS.SLIP_WHOLE,
+};
+/** @type {Record<string, Record<string, number>>} */
+const WORDS = { height_distribution: HEIGHTS, contact_law: CONTACT_LAWS, slip_onset: SLIP_ONSETS };
 
 /**
  * Two rough surfaces. The numbers are in one consistent system of units; their names are those of `asperity_params`, and
@@ -27,6 +33,7 @@ const CONTACT_LAWS = {
  *   attraction?: boolean,
  *   height_distribution?: keyof typeof HEIGHTS,
  *   contact_law?: keyof typeof CONTACT_LAWS,
+ *   slip_onset?: keyof typeof SLIP_ONSETS,
  *   table_height?: ArrayLike<number>,
  *   table_density?: ArrayLike<number>,
  * }} Params
@@ -95,8 +102,7 @@ function withoutPoint(params) {
 /** A parameter as a number, words by theirs. @param {string} name @param {unknown} value */
 export function number(name, value) {
   if (typeof value === "boolean" && name === "attraction") return Number(value);
-  /** @type {Record<string, number> | undefined} */
-  const words = name === "height_distribution" ? HEIGHTS : name === "contact_law" ? CONTACT_LAWS : undefined;
+  const words = Object.hasOwn(WORDS, name) ? WORDS[name] : undefined;
   if (words && typeof value === "string") {
     if (Object.hasOwn(words, value)) return words[value];
     const known = Object.keys(words).map((word) => `"${word}"`).join(", ");
@@ -153,10 +159,9 @@ export function readParams(library, model) {
 
 /** The struct at `library.struct`, words where they are words. @param {import("./library.js").Library} library */
 export function readStruct(library) {
-  const { reserved, ...found } = library.read(library.struct, "asperity_params");
+  const found = library.read(library.struct, "asperity_params");
   found.attraction = found.attraction !== 0;
-  found.height_distribution = wordOf(HEIGHTS, found.height_distribution);
-  found.contact_law = wordOf(CONTACT_LAWS, found.contact_law);
+  for (const [name, words] of Object.entries(WORDS)) found[name] = wordOf(words, found[name]);
   return found;
 }
 

@@ -63,7 +63,7 @@ export function module(text) {
     lines.push(" */", "");
   }
   lines.push("/**", " * @typedef {object} Numbers");
-  const words = ["struct_size", "reserved", "table_length", "attraction", "contact_law", "height_distribution"];
+  const words = ["struct_size", "table_length", "attraction", "contact_law", "slip_onset", "height_distribution"];
   for (const field of structs.asperity_params.fields)
     if (field.type !== "pointer" && !words.includes(field.name))
       lines.push(` * @property {number} [${field.name}] ${field.comment}`);

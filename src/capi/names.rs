@@ -58,11 +58,11 @@ macro_rules! fields {
 
 /// All fields that are one number. Shape, kurtosis and skew choose the heights; in this order, with the choice itself last,
 /// setting one after another what another surface has copies that surface.
-static FIELDS: [Field; 26] = fields! {
+static FIELDS: [Field; 27] = fields! {
     composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std summit_radius
     asperity_count attraction radius_amplitude radius_rate slip_radius_1 slip_stress_1 slip_radius_2 slip_stress_2
-    max_friction_coefficient hardness tangential_modulus nominal_area pressure_coefficient bandwidth contact_law weibull_shape
-    kurtosis skew height_distribution
+    max_friction_coefficient hardness tangential_modulus nominal_area pressure_coefficient bandwidth contact_law slip_onset
+    weibull_shape kurtosis skew height_distribution
 };
 
 /// Names that are no fields: arguments of setters, which take all of theirs at once.

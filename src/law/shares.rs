@@ -92,11 +92,20 @@ fn equal_contacts() -> PerElement {
 }
 
 /// The shares that are the changes of slope of the polygon through 0, with slope 1 up to the first knot, and the upper hull of
-/// these values at the others, of which the last is taken as 1.
+/// these values at the others, of which the last is taken as 1. Between two knots a polygon runs below the curve: it is lifted by
+/// half of that, as a parabola through three values tells it.
 fn polygon(curve: PerElement) -> PerElement {
     const LAST: usize = ELEMENTS - 1;
-    let mut heights = curve;
-    (heights[0], heights[LAST]) = (KNOTS[0], 1.0);
+    let rate = |a: usize, b: usize| (curve[b] - curve[a]) / (KNOTS[b] - KNOTS[a]);
+    let heights: PerElement = std::array::from_fn(|j| match j {
+        0 => KNOTS[0],
+        LAST => 1.0,
+        _ => {
+            let bend = rate(j - 1, j) - rate(j, j + 1);
+            let lifted = curve[j] + bend * (KNOTS[j + 1] - KNOTS[j - 1]) / 32.0;
+            lifted.min(1.0).min(KNOTS[j])
+        }
+    });
     // The corners of the hull.
     let mut corners = [0; ELEMENTS];
     let mut count = 1;

@@ -80,7 +80,7 @@ static void sizes_and_offsets_do_not_change(void)
     OFFSET(asperity_params, tangential_modulus, 192);
     OFFSET(asperity_params, nominal_area, 200);
     OFFSET(asperity_params, contact_law, 208);
-    OFFSET(asperity_params, reserved, 212);
+    OFFSET(asperity_params, slip_onset, 212);
     OFFSET(asperity_state, load, 8);
     OFFSET(asperity_state, friction_force, 24);
     OFFSET(asperity_state, attraction_load, 88);
@@ -194,7 +194,8 @@ static void init_sets_the_default_case_of_the_paper(void)
     CHECK(p.max_friction_coefficient == 1000, "cap %g", p.max_friction_coefficient);
     CHECK(p.skew == 0 && p.kurtosis == 3 && p.hardness == 0, "appended numbers");
     CHECK(p.table_height == NULL && p.table_density == NULL && p.table_length == 0, "no table");
-    CHECK(p.tangential_modulus == 0 && p.nominal_area == 0 && p.contact_law == ASPERITY_CONTACT_MAUGIS && p.reserved == 0,
+    CHECK(p.tangential_modulus == 0 && p.nominal_area == 0 && p.contact_law == ASPERITY_CONTACT_MAUGIS &&
+              p.slip_onset == ASPERITY_SLIP_PARTIAL,
           "what the second version appended");
 }
 
@@ -476,6 +477,7 @@ static void names_are_those_of_the_fields(void)
     NAMES(pressure_coefficient);
     NAMES(bandwidth);
     NAMES(contact_law);
+    NAMES(slip_onset);
     NAMES(weibull_shape);
     NAMES(height_distribution);
     NAMES(kurtosis);
@@ -652,7 +654,6 @@ static void names_are_refused_with_the_nearest_and_nothing_changes(void)
     FAILS(asperity_params_set_value(&p, "e1", 1), ASPERITY_INVALID_PARAMETER, "the nearest is E1");
     FAILS(asperity_params_set_value(&p, "Height_Std", 1), ASPERITY_INVALID_PARAMETER, "the nearest is height_std");
     FAILS(asperity_params_set_value(&p, "struct_size", 1), ASPERITY_INVALID_PARAMETER, "no parameter has this name");
-    FAILS(asperity_params_set_value(&p, "reserved", 1), ASPERITY_INVALID_PARAMETER, "no parameter has this name");
     FAILS(asperity_params_set_value(&p, "", 1), ASPERITY_INVALID_PARAMETER, ": no parameter has this name");
     FAILS(asperity_params_set_value(&p, "a\n\xff", 1), ASPERITY_INVALID_PARAMETER, "a\\n\\xff: no parameter");
     FAILS(asperity_params_set_value(&p, endless, 1), ASPERITY_INVALID_PARAMETER, "xxx: no parameter has this name");

@@ -150,6 +150,7 @@ void each_setter_sets_its_own_field() {
     FIELD(tangential_modulus, 3e10);
     FIELD(nominal_area, 1e-8);
     FIELD(contact_law, asperity::ContactLaw::elastic_plastic);
+    FIELD(slip_onset, asperity::SlipOnset::whole);
 }
 
 void a_table_is_copied_and_shared() {
@@ -517,6 +518,43 @@ void contacts_stick_before_they_slip() {
     EXPECT(thrown_by([&] { model.tangential_stiffness_at_load(loads, few); }).status() == ASPERITY_INVALID_PARAMETER);
 }
 
+void a_contact_remembers() {
+    const Model model;
+    const std::size_t length = model.microslip_length();
+    const double stiffness = model.tangential_stiffness_at_load(REFERENCE_LOAD);
+    const double slip = REFERENCE_FORCE / stiffness;
+    std::vector<double> state(length), after(length);
+    const double small[2] = {1e-3 * slip, 0.0}, large[2] = {0.0, 10.0 * slip};
+    const asperity::Microslip begun = model.microslip_step(REFERENCE_LOAD, small, state, after);
+    EXPECT(close(begun.force[0], stiffness * small[0], 1e-12) && begun.force[1] == 0.0 && begun.dissipated == 0.0);
+    EXPECT(close(begun.stiffness[0], stiffness, 1e-12) && state != after);
+    // A trial step keeps no state, one that is accepted may be in place.
+    const asperity::Microslip trial = model.microslip_step(REFERENCE_LOAD, large, after, {});
+    const std::vector<double> before = after;
+    const asperity::Microslip ended = model.microslip_step(REFERENCE_LOAD, large, after, after);
+    EXPECT(trial.force[1] == ended.force[1] && close(ended.slipping, 1.0, 1e-12) && ended.dissipated > 0.0);
+    EXPECT(close(std::hypot(ended.force[0], ended.force[1]), REFERENCE_FORCE, 1e-7));
+
+    const double open = 2.0 * model.summary().pull_off_load;
+    const std::vector<double> loads{REFERENCE_LOAD, open}, increment{large[0], large[1], 0.0, 0.0};
+    std::vector<double> states(before), force(4), tangents(8);
+    states.resize(2 * length, 1.0);
+    EXPECT(model.microslip_steps(loads, increment, states, states, force, tangents) == ASPERITY_SEPARATED);
+    EXPECT(force[0] == ended.force[0] && force[1] == ended.force[1] && tangents[3] == ended.stiffness[3]);
+    EXPECT(std::vector<double>(states.begin(), states.begin() + std::ptrdiff_t(length)) == after);
+    EXPECT(std::vector<double>(states.begin() + std::ptrdiff_t(length), states.end()) == std::vector<double>(length));
+    EXPECT(model.microslip_steps(loads, increment, states, {}, {}, {}) == ASPERITY_SEPARATED);
+    EXPECT(model.microslip_step(open, small, state, after).force[0] == 0.0 && after == state);
+
+    const double endless[2] = {INF, 0.0};
+    EXPECT(thrown_by([&] { model.microslip_step(REFERENCE_LOAD, endless, state, after); }).status() ==
+           ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { model.microslip_step(REFERENCE_LOAD, small, loads, after); }).status() ==
+           ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { model.microslip_steps(loads, loads, states, {}, {}, {}); }).status() ==
+           ASPERITY_INVALID_PARAMETER);
+}
+
 void summits_that_yield_need_a_hardness_and_no_adhesion() {
     asperity::Params params;
     params.work_of_adhesion(0.0).contact_law(asperity::ContactLaw::elastic_plastic);
@@ -695,6 +733,7 @@ int main() {
     pressure_is_load_per_area_of_the_summits();
     slip_gives_the_force_a_smooth_sign();
     contacts_stick_before_they_slip();
+    a_contact_remembers();
     summits_that_yield_need_a_hardness_and_no_adhesion();
     the_table_answers_as_the_model();
     every_contiguous_range_will_do();

@@ -105,7 +105,7 @@ def _surface(params: Params, parameters: dict[str, str], start_load: float) -> s
             value = field if params.table_height else "NULL"
         elif isinstance(value, float):
             value = value.hex() if value != float("inf") else "INFINITY"
-        if field not in ("struct_size", "reserved"):
+        if field != "struct_size":
             lines.append(f"    params->{field} = {value};")
     lines += ["    return status;", "}", ""]
     return "\n".join(lines)

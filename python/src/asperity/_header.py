@@ -82,7 +82,7 @@ class asperity_params(Structure):
         ("tangential_modulus", c_double),
         ("nominal_area", c_double),
         ("contact_law", c_int32),
-        ("reserved", c_int32),
+        ("slip_onset", c_int32),
         ("pressure_coefficient", c_double),
         ("bandwidth", c_double),
     ]

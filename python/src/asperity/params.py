@@ -39,6 +39,7 @@ if TYPE_CHECKING:
         max_friction_coefficient: float
         tangential_modulus: float
         contact_law: Literal["maugis", "elastic-plastic"]
+        slip_onset: Literal["partial", "whole"]
         pressure_coefficient: float
         bandwidth: float
 
@@ -130,6 +131,8 @@ class Params:
             E* G* / (2 (E* + G*)), which is exact for two bodies of one material and for one rigid body.
         nominal_area: [length^2] >= 0, what warnings compare the real area with; 0 where it is not known.
         contact_law: "maugis", elastic with adhesion, or "elastic-plastic", which needs a hardness and no adhesion.
+        slip_onset: how a contact begins to slip, "partial", from its rim inwards (Cattaneo and Mindlin), or "whole", all at once: for
+            the tangential force before gross slip.
         pressure_coefficient: kappa >= 0, the part of a contact's strength that grows with pressure, over its Hertz load.
         bandwidth: Nayak's m0 m4/m2^2 >= 1.5, by which warnings judge whether summits act alone; 0 where it is not known.
     """
@@ -160,6 +163,7 @@ class Params:
     tangential_modulus: float = _DEFAULT.tangential_modulus
     nominal_area: float = _DEFAULT.nominal_area
     contact_law: Literal["maugis", "elastic-plastic"] = "maugis"
+    slip_onset: Literal["partial", "whole"] = "partial"
     pressure_coefficient: float = _DEFAULT.pressure_coefficient
     bandwidth: float = _DEFAULT.bandwidth
 
@@ -551,6 +555,8 @@ class Params:
                 value = _DISTRIBUTIONS[value]
             elif field.name == "contact_law":
                 value = _CONTACT_LAWS[value]
+            elif field.name == "slip_onset":
+                value = _SLIP_ONSETS[value]
             elif isinstance(value, tuple):
                 value = (ctypes.c_double * len(value))(*value)  # the struct keeps it alive
             setattr(struct, field.name, value)
@@ -643,6 +649,10 @@ def _contact_law(name: str, value: Any) -> str:
     return _one_word_of(_CONTACT_LAWS, name, value)
 
 
+def _slip_onset(name: str, value: Any) -> str:
+    return _one_word_of(_SLIP_ONSETS, name, value)
+
+
 def _one_word_of(words: dict[str, int], name: str, value: Any) -> str:
     if value not in words:
         raise Error(f"{name} = {value!r}: must be one of {', '.join(map(repr, words))}", Status.INVALID_PARAMETER)
@@ -665,6 +675,7 @@ _CHECKS: dict[str, Any] = {
     "table_height": _column,
     "table_density": _column,
     "contact_law": _contact_law,
+    "slip_onset": _slip_onset,
 }
 
 

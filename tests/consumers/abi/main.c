@@ -39,7 +39,7 @@ static const field PARAMS[] = {
     FIELD(asperity_params, table_height),       FIELD(asperity_params, table_density),
     FIELD(asperity_params, table_length),       FIELD(asperity_params, tangential_modulus),
     FIELD(asperity_params, nominal_area),       FIELD(asperity_params, contact_law),
-    FIELD(asperity_params, reserved),           FIELD(asperity_params, pressure_coefficient),
+    FIELD(asperity_params, slip_onset),         FIELD(asperity_params, pressure_coefficient),
     FIELD(asperity_params, bandwidth),
 };
 
