@@ -1537,6 +1537,81 @@ double asperity_slip_force(const struct asperity_model *model,
                            double *dforce_dslip_rate);
 
 /**
+ * Friction coefficients at many contact pressures, and their slopes.
+ *
+ * Every element has the bits that `asperity_friction_at_pressure` gives. All elements are filled; then the first pressure
+ * that is not in order, if any, is reported, and `asperity_last_error` names its index.
+ *
+ * @param model          must not be NULL
+ * @param n              number of pressures; may be 0
+ * @param pressure       n nominal contact pressures [stress], positive in compression; must not be NULL unless n = 0
+ * @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-60 to 1e60; the same for all
+ * @param mu             receives n coefficients; NULL to skip; may be `pressure` itself
+ * @param dmu_dpressure  receives n slopes d(mu)/d(pressure) [1/stress]; NULL to skip; may be `pressure` itself
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`nominal_area`; all elements are NaN),
+ *         `ASPERITY_INVALID_LOAD` (a pressure that is NaN or infinite), `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE` (a
+ *         finite pressure that cannot be evaluated, where the answer is NaN)
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_friction_at_pressures(const struct asperity_model *model,
+                                               size_t n,
+                                               const double *pressure,
+                                               double nominal_area,
+                                               double *mu,
+                                               double *dmu_dpressure);
+
+/**
+ * Frictional shear stresses at many contact pressures, and their slopes, filled and reported as by
+ * `asperity_friction_at_pressures`.
+ *
+ * @param model              must not be NULL
+ * @param n                  number of pressures; may be 0
+ * @param pressure           n nominal contact pressures [stress], positive in compression; must not be NULL unless n = 0
+ * @param nominal_area       as for `asperity_friction_at_pressures`
+ * @param stress             receives n stresses: friction force over `nominal_area` [stress]; NULL to skip; may be `pressure`
+ *                           itself
+ * @param dstress_dpressure  receives n slopes d(stress)/d(pressure); NULL to skip; may be `pressure` itself
+ * @return as `asperity_friction_at_pressures`
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_shear_stresses_at_pressures(const struct asperity_model *model,
+                                                     size_t n,
+                                                     const double *pressure,
+                                                     double nominal_area,
+                                                     double *stress,
+                                                     double *dstress_dpressure);
+
+/**
+ * Friction forces of many sliding contacts, with a smooth sign of the slip rates, and their two slopes.
+ *
+ * Every element has the bits that `asperity_slip_force` gives. All elements are filled; then the first that is not in
+ * order, if any, is reported, and `asperity_last_error` names its index.
+ *
+ * @param model              must not be NULL
+ * @param n                  number of contacts; may be 0
+ * @param load               n normal loads [force]; must not be NULL unless n = 0
+ * @param slip_rate          n tangential velocities [length/time], signed; must not be NULL unless n = 0
+ * @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-60 to 1e60; the same for all
+ * @param force              receives n forces [force]; NULL to skip; may be an input itself
+ * @param dforce_dload       receives n derivatives by load; NULL to skip; may be an input itself
+ * @param dforce_dslip_rate  receives n derivatives by slip rate [force time/length]; NULL to skip; may be an input itself
+ * @return as `asperity_friction_at_loads`, and `ASPERITY_INVALID_PARAMETER` (a slip rate that is NaN or infinite, or
+ *         `transition_rate`; all elements are then NaN)
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_slip_forces(const struct asperity_model *model,
+                                     size_t n,
+                                     const double *load,
+                                     const double *slip_rate,
+                                     double transition_rate,
+                                     double *force,
+                                     double *dforce_dload,
+                                     double *dforce_dslip_rate);
+
+/**
  * Tangential stiffness K_t at a load: tangential force by displacement of the surfaces while all contacts stick.
  *
  * K_t = 8 G^ times the sum of the contact radii. The friction force over K_t is the length before gross slip: what
@@ -1728,6 +1803,35 @@ asperity_status asperity_loads_at_separations(const struct asperity_model *model
                                               const double *separation,
                                               double *load,
                                               double *dload_dseparation);
+
+/**
+ * Friction forces of contacts that belong to several pairs of surfaces, and their slopes, in one call.
+ *
+ * `which[i]` says which of the models answers `load[i]`. Every element has the bits that the call for one load gives. All
+ * elements are filled; then the first element that is not in order, if any, is reported, and `asperity_last_error` names its
+ * index.
+ *
+ * @param models         models_length models; must not be NULL unless models_length = 0, nor may any of them be: nothing is then
+ *                       written
+ * @param models_length  number of models
+ * @param n              number of contacts; may be 0
+ * @param which          n indices of models, from 0; must not be NULL unless n = 0
+ * @param load           n loads [force]; must not be NULL unless n = 0
+ * @param force          receives n forces [force], NaN where `which` is not below `models_length`; NULL to skip; may be `load`
+ *                       itself
+ * @param dforce_dload   receives n slopes dF/d(load), as `asperity_friction_force_at_loads` has them; NULL to skip; may be
+ *                       `load` itself
+ * @return as `asperity_friction_at_loads`, and `ASPERITY_INVALID_PARAMETER` (`which` is not below `models_length`)
+ *
+ * Threads: may share the models. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_friction_force_at_loads_of(const struct asperity_model *const *models,
+                                                    size_t models_length,
+                                                    size_t n,
+                                                    const uint32_t *which,
+                                                    const double *load,
+                                                    double *force,
+                                                    double *dforce_dload);
 
 /**
  * The exact state at a load, by integration over the summits, without the table.

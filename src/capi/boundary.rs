@@ -29,6 +29,11 @@ impl Failure {
         Self::new(error.status(), &format_args!("element {index}: {error}"))
     }
 
+    /// One pointer of an array is NULL.
+    pub fn null_element(name: &'static str, index: usize) -> Self {
+        Self::new(ASPERITY_NULL_POINTER, &format_args!("{name}[{index}] is NULL: pass a valid pointer"))
+    }
+
     /// A parameter is invalid, in words of its own.
     pub fn invalid(message: Arguments) -> Self {
         Self::new(ASPERITY_INVALID_PARAMETER, &message)

@@ -10,6 +10,8 @@ use crate::regularised::smooth_sign;
 /// Areas and rates must lie between these, pressures below the square of the larger.
 const SMALLEST: f64 = 1e-60;
 const LARGEST: f64 = 1e60;
+/// What is said of others.
+pub(super) const ALLOWED: &str = "must be from 1e-60 to 1e60";
 
 /// Friction coefficient at a load, with its slope.
 ///
@@ -77,9 +79,7 @@ pub unsafe extern "C" fn asperity_friction_at_pressure(
 ) -> f64 {
     boundary::fast!(contained_value, {
         let (mu, slope) = at(model, Quantity::Coefficient, load_of(pressure, nominal_area));
-        // A slope of 1e300 or more is a saturated one already. Tested by bits: comparing a NaN may raise a flag.
-        let moderate = slope.to_bits() & !(1 << 63) < 1e200_f64.to_bits();
-        write(dmu_dpressure, 0, slope * if moderate { nominal_area } else { 1.0 });
+        write(dmu_dpressure, 0, by_pressure(slope, nominal_area));
         mu
     })
 }
@@ -104,8 +104,20 @@ pub unsafe extern "C" fn asperity_shear_stress_at_pressure(
     boundary::fast!(contained_value, {
         let (force, slope) = at(model, Quantity::Force, load_of(pressure, nominal_area));
         write(dstress_dpressure, 0, slope);
-        force / if is_allowed(nominal_area) { nominal_area } else { 1.0 }
+        stress(force, nominal_area)
     })
+}
+
+/// A slope by pressure from one by load.
+pub(super) fn by_pressure(slope: f64, nominal_area: f64) -> f64 {
+    // A slope of 1e300 or more is a saturated one already. Tested by bits: comparing a NaN may raise a flag.
+    let moderate = slope.to_bits() & !(1 << 63) < 1e200_f64.to_bits();
+    slope * if moderate { nominal_area } else { 1.0 }
+}
+
+/// A force over an area; that is NaN already where the area is not allowed.
+pub(super) fn stress(force: f64, nominal_area: f64) -> f64 {
+    force / if is_allowed(nominal_area) { nominal_area } else { 1.0 }
 }
 
 /// Friction force of a sliding contact, with a smooth sign of the slip rate, and its two slopes.
@@ -145,11 +157,18 @@ pub unsafe extern "C" fn asperity_slip_force(
         }
         let (force, slope) = at(model, Quantity::Force, load);
         let (sign, sign_rate) = fp_environment::held(|| smooth_sign(slip_rate, transition_rate));
-        // At pull-off the slope is infinite; times a sign of zero it is zero, and the product must not be formed ahead.
-        write(dforce_dload, 0, sign * if sign == 0.0 { 0.0 } else { slope });
-        write(dforce_dslip_rate, 0, force * sign_rate);
-        force * sign
+        let (force, by_load, by_rate) = slipping((force, slope), (sign, sign_rate));
+        write(dforce_dload, 0, by_load);
+        write(dforce_dslip_rate, 0, by_rate);
+        force
     })
+}
+
+/// The force of a sliding contact, its slope by load and by slip rate, from those without a sign, and the sign and its slope.
+#[inline]
+pub(super) fn slipping((force, slope): (f64, f64), (sign, sign_rate): (f64, f64)) -> (f64, f64, f64) {
+    // At pull-off the slope is infinite; times a sign of zero it is zero, and the product must not be formed ahead.
+    (force * sign, sign * if sign == 0.0 { 0.0 } else { slope }, force * sign_rate)
 }
 
 unsafe fn at(model: *const asperity_model, quantity: Quantity, load: f64) -> (f64, f64) {
@@ -157,7 +176,7 @@ unsafe fn at(model: *const asperity_model, quantity: Quantity, load: f64) -> (f6
 }
 
 /// NaN where one of them is not allowed.
-fn load_of(pressure: f64, nominal_area: f64) -> f64 {
+pub(super) fn load_of(pressure: f64, nominal_area: f64) -> f64 {
     let size = pressure.to_bits() & !(1 << 63);
     let allowed = size <= (LARGEST * LARGEST).to_bits() && is_allowed(nominal_area);
     // The product of what cannot raise a flag, should it be evaluated ahead.
@@ -170,6 +189,6 @@ fn load_of(pressure: f64, nominal_area: f64) -> f64 {
 }
 
 /// Compares bits, which order positive numbers: comparing a signalling NaN would raise a flag.
-fn is_allowed(x: f64) -> bool {
+pub(super) fn is_allowed(x: f64) -> bool {
     (SMALLEST.to_bits()..=LARGEST.to_bits()).contains(&x.to_bits())
 }

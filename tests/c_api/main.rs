@@ -11,6 +11,7 @@ mod fuzz_calls;
 mod gap;
 mod interface;
 mod microslip;
+mod pairs;
 mod pointers;
 mod pressure_and_slip;
 #[cfg(not(miri))]
