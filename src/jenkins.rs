@@ -11,7 +11,7 @@ pub const STATE: usize = 2 * ELEMENTS;
 
 /// The displacements at which the sliders of the elements begin to slip, over the strength of all by the stiffness of all.
 pub const KNOTS: [f64; ELEMENTS] =
-    [0.028, 0.038, 0.052, 0.072, 0.1, 0.13, 0.18, 0.26, 0.38, 0.56, 0.82, 1.0, 1.22, 1.5, 2.25, 4.2];
+    [0.0289, 0.0405, 0.0512, 0.0713, 0.102, 0.13, 0.18, 0.246, 0.383, 0.586, 0.808, 1.0, 1.19, 1.5, 2.25, 4.13];
 
 /// Displacements beyond this many times strength over stiffness are taken as this: all elements then slip.
 const FARTHEST: f64 = 1e140;

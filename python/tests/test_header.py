@@ -20,6 +20,7 @@ STRUCTS = (
     "asperity_summary",
     "asperity_table",
     "asperity_sensitivities",
+    "asperity_microslip",
     "asperity_material_data",
     "asperity_pair_data",
     "asperity_interface_data",
@@ -49,7 +50,10 @@ def ctype(text: str) -> Any:
         return ctypes.c_char_p
     stars = text.count("*")
     name = re.sub(r"\b(const|struct)\b|\*", "", text).strip()
+    name, _, length = name.partition("[")
     found = ctypes.c_char if name == "char" else TYPES[name]
+    if length:
+        return found * int(length.rstrip("]"))
     for _ in range(stars):
         found = ctypes.POINTER(found)
     return found
@@ -57,9 +61,9 @@ def ctype(text: str) -> Any:
 
 def declaration(text: str) -> tuple[str, str]:
     """A C declaration, cut into type and name."""
-    match = re.fullmatch(r"(.*?)(\w+)", text.strip(), re.DOTALL)
+    match = re.fullmatch(r"(.*?)(\w+)(\[\d+\])?", text.strip(), re.DOTALL)
     assert match, text
-    return " ".join(match[1].split()), match[2]
+    return " ".join(match[1].split()) + (match[3] or ""), match[2]
 
 
 def constants(header: str) -> dict[str, Any]:
@@ -130,5 +134,5 @@ def test_warnings_are_those_of_the_header(header: str) -> None:
 
 
 def test_statuses_are_those_of_the_header(header: str) -> None:
-    names = [name for name in constants(header) if not re.search("VERSION|HEIGHTS|CONTACT|TABLE|WARNING", name)]
+    names = [name for name in constants(header) if not re.search("VERSION|HEIGHTS|CONTACT|SLIP|TABLE|WARNING", name)]
     assert [f"ASPERITY_{status.name}" for status in Status] == names

@@ -72,13 +72,67 @@ def test_a_loop_is_closed_and_its_work_is_the_area(law: Model) -> None:
 
 def test_equal_summits_dissipate_four_times_the_force_times_the_slip() -> None:
     """Far below the heights all summits are of one size."""
-    model = Model(replace(ELASTIC, work_of_adhesion=0.0))
+    model = Model(replace(ELASTIC, work_of_adhesion=0.0, slip_onset="whole"))
     load = model.state_at_separation(-1e6 * ELASTIC.height_std).load
     force, stiffness = model.friction_force_at_load(load), model.tangential_stiffness_at_load(load)
     for part in (0.5, 1.0, 1.5, 3.0):
         loop = model.hysteresis(load, part * force / stiffness, points=2001)
         slip = max(0.0, part - 1.0) * force / stiffness
         assert loop.work == pytest.approx(4.0 * force * slip, rel=2e-3, abs=1e-4 * force * force / stiffness)
+
+
+def test_contacts_that_remember_follow_the_exact_loop(law: Model) -> None:
+    load = 100.0
+    strength, stiffness = law.friction_force_at_load(load), law.tangential_stiffness_at_load(load)
+    length = strength / stiffness
+    contact = law.microslip()
+    loop = law.hysteresis(load, 1.5 * length, points=101)
+    path = np.concatenate([np.linspace(0.0, 1.5 * length, 101), loop.displacement[1:]])
+    exact = np.concatenate([law.tangential(load, path[:101])[0], loop.force[1:]])
+    steps = [contact.step(load, [by, 0.0], details=True) for by in np.diff(path, prepend=0.0)]
+    found = np.array([step.force[0] for step in steps])
+    assert np.abs(found - exact).max() < 0.04 * strength  # a loop has twice the error of the first loading
+    assert all(step.dissipated is not None and step.dissipated >= 0.0 for step in steps)
+    work = sum(float(step.dissipated or 0.0) for step in steps[101:])
+    assert work == pytest.approx(loop.work, rel=0.15)
+    assert steps[1].stiffness[0, 0] == pytest.approx(stiffness, rel=1e-12) and steps[0].force.tolist() == [0.0, 0.0]
+    assert steps[0].slipping == 0.0 and steps[-1].dforce_dload is not None and steps[-1].dforce_dload.shape == (2,)
+
+
+def test_many_contacts_step_at_once_and_only_for_good_if_they_are_told_to(law: Model) -> None:
+    loads = np.geomspace(1.0, 1e3, 6).reshape(2, 3)
+    length = law.friction_force_at_load(loads) / law.tangential_stiffness_at_load(loads)
+    contacts = law.microslip((2, 3))
+    increment = np.stack([0.5 * length, -0.2 * length], axis=-1)
+    trial = contacts.step(loads, increment, keep=False, details=True)
+    assert not contacts.state.any() and trial.force.shape == (2, 3, 2) and trial.stiffness.shape == (2, 3, 2, 2)
+    kept = contacts.step(loads, increment)
+    assert kept.force.tolist() == trial.force.tolist() and contacts.state.any() and kept.slipping is None
+    assert trial.slipping is not None and trial.slipping.shape == (2, 3) and (trial.slipping > 0.0).all()
+    one = law.microslip(1)
+    assert one.step(loads[1, 2], increment[1, 2]).force[0].tolist() == kept.force[1, 2].tolist()
+    # An open contact forgets; what has no answer leaves all as it was.
+    loads[0, 0] = -1e9
+    assert contacts.step(loads, np.zeros(2)).force[0, 0].tolist() == [0.0, 0.0] and not contacts.state[0, 0].any()
+    before = contacts.state.copy()
+    for load, by, status in [
+        (math.nan, 0.0, Status.INVALID_LOAD), (1e300, 0.0, Status.OUT_OF_RANGE), (1.0, math.inf, Status.INVALID_PARAMETER),
+    ]:  # fmt: skip
+        loads[1, 1] = load
+        with pytest.raises(Error) as refusal:
+            contacts.step(loads, [by, 0.0])
+        assert refusal.value.status is status and contacts.state.tolist() == before.tolist()
+    with pytest.raises(ValueError, match="increment of shape"):
+        contacts.step(1.0, [0.0, 0.0, 0.0])
+
+
+def test_contacts_that_slip_as_a_whole_dissipate_less_at_small_amplitude(law: Model) -> None:
+    whole = Model(replace(law.params, slip_onset="whole"))
+    amplitude = 0.25 * law.friction_force_at_load(100.0) / law.tangential_stiffness_at_load(100.0)
+    assert whole.friction_force_at_load(100.0) == law.friction_force_at_load(100.0)
+    assert whole.hysteresis(100.0, amplitude).work < 0.1 * law.hysteresis(100.0, amplitude).work
+    with pytest.raises(Error, match="slip_onset = 'half': must be one of 'partial', 'whole'"):
+        replace(law.params, slip_onset="half")  # type: ignore[arg-type]
 
 
 def test_bad_amplitudes_are_refused(law: Model) -> None:

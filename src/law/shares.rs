@@ -9,17 +9,19 @@ use crate::elementary::log;
 use crate::equilibrium::Branch;
 use crate::jenkins::{PerElement, ELEMENTS, KNOTS};
 
-/// Loads at which there are polygons, at most.
-const MOST_LOADS: u64 = 32;
+/// So many binades lie between loads at which there are polygons, as a power of two...
+const LOG_STRIDE: u32 = 1;
+/// ...and so many such steps between those at which Phi is asked for in any case.
+const LONGEST: usize = 8;
+/// In between it is asked for where it differs by more than this from the mean of its neighbours.
+const TOLERANCE: f64 = 2e-3;
 const MANTISSA_BITS: u32 = 52;
 
-/// Shares at loads that are 2^(first + n stride) above pull-off.
+/// Shares at loads that are powers of two above pull-off.
 #[derive(Debug, Clone)]
 pub struct Shares {
     /// The biased exponent of the first.
     first: u64,
-    /// So many binades lie between them.
-    stride: u64,
     rows: Vec<PerElement>,
 }
 
@@ -28,17 +30,20 @@ impl Shares {
     pub fn new(branch: &Branch, curve: &Curve, table: &Table, load: f64) -> Self {
         let exponent = |x: f64| x.to_bits() >> MANTISSA_BITS;
         let (first, last) = (exponent(table.begin_of(0)), exponent(table.begin_of(table.row_count)));
-        let stride = (last - first).div_ceil(MOST_LOADS - 1).max(1);
-        let count = (last - first).div_ceil(stride) + 1;
-        let at = |i: u64| shares_at(branch, curve, log(of_exponent(first + i * stride)) - log(load));
-        let found: Vec<_> = (0..count).map(at).collect();
-        // What is not known is taken from the next lighter load, or from the lightest that is known.
-        let mut last = found.iter().flatten().next().copied().unwrap_or_else(|| polygon(equal_contacts()));
-        let rows = found.into_iter().map(|shares| {
-            last = shares.unwrap_or(last);
-            last
-        });
-        Self { first, stride, rows: rows.collect() }
+        let steps = ((last - first) >> LOG_STRIDE) as usize + 1;
+        let at = |row: usize| {
+            let exponent = (first + ((row as u64) << LOG_STRIDE)).min(last - 1);
+            resisted_at(branch, curve, log(of_exponent(exponent)) - log(load))
+        };
+        let mut rows = vec![[0.0; ELEMENTS]; steps.div_ceil(LONGEST) * LONGEST + 1];
+        // What is not known is taken from the next lighter load; most likely the lightest is the one that is not.
+        rows[0] = at(0).or_else(|| at(LONGEST)).unwrap_or_else(equal_contacts);
+        for from in (0..steps).step_by(LONGEST) {
+            rows[from + LONGEST] = at(from + LONGEST).unwrap_or(rows[from]);
+            fill_between(&mut rows, (from, from + LONGEST), &at);
+        }
+        rows.iter_mut().for_each(|row| *row = polygon(*row));
+        Self { first, rows }
     }
 
     /// The shares at load - pull-off, and their slopes.
@@ -50,16 +55,17 @@ impl Shares {
             return (self.rows[0], NONE);
         }
         let binades = (x.to_bits() >> MANTISSA_BITS) - self.first;
-        let row = (binades / self.stride) as usize;
+        let row = (binades >> LOG_STRIDE) as usize;
         if row >= end {
             return (self.rows[end], NONE);
         }
         let unit = of_exponent(self.first + binades);
         // Close to log2(x), with a slope that does not jump where binades meet.
         let t = x / unit - 1.0;
-        let stride = self.stride as f64;
-        let place = ((binades % self.stride) as f64 + t * (4.0 - t) / 3.0) / stride;
-        let place_slope = (4.0 - 2.0 * t) / (3.0 * stride) / unit;
+        const STRIDE: u64 = 1 << LOG_STRIDE;
+        const PER_BINADE: f64 = 1.0 / STRIDE as f64;
+        let place = ((binades % STRIDE) as f64 + t * (4.0 - t) / 3.0) * PER_BINADE;
+        let place_slope = (4.0 - 2.0 * t) * (PER_BINADE / 3.0) / unit;
         let (part, part_slope) = (place * place * (3.0 - 2.0 * place), 6.0 * place * (1.0 - place) * place_slope);
         let (before, after) = (&self.rows[row], &self.rows[row + 1]);
         let change: PerElement = std::array::from_fn(|j| after[j] - before[j]);
@@ -73,14 +79,32 @@ fn of_exponent(exponent: u64) -> f64 {
     f64::from_bits(exponent << MANTISSA_BITS)
 }
 
-/// The shares at ln(load - pull-off); `None` where the state is not known.
-fn shares_at(branch: &Branch, curve: &Curve, log_excess: f64) -> Option<PerElement> {
+/// Fills the rows between two that are known: with their means, but where Phi is found to be another.
+fn fill_between(rows: &mut [PerElement], (from, to): (usize, usize), at: &dyn Fn(usize) -> Option<PerElement>) {
+    if to - from < 2 {
+        return;
+    }
+    let middle = (from + to) / 2;
+    let mean: PerElement = std::array::from_fn(|j| 0.5 * (rows[from][j] + rows[to][j]));
+    rows[middle] = at(middle).unwrap_or(mean);
+    if rows[middle].iter().zip(mean).all(|(found, mean)| (found - mean).abs() < TOLERANCE) {
+        let known = |_: usize| None;
+        fill_between(rows, (from, middle), &known);
+        fill_between(rows, (middle, to), &known);
+    } else {
+        fill_between(rows, (from, middle), at);
+        fill_between(rows, (middle, to), at);
+    }
+}
+
+/// Phi at the knots, at ln(load - pull-off); `None` where the state is not known.
+fn resisted_at(branch: &Branch, curve: &Curve, log_excess: f64) -> Option<PerElement> {
     let population = branch.population();
     let separation = curve.separation(log_excess)?;
     let sums = population.at_separation(separation);
     let length = sums.friction / sums.radius;
     let curve = population.shares_of_strength(separation, KNOTS.map(|knot| knot * length))?;
-    curve.iter().all(|value| (0.0..=1.0 + 1e-6).contains(value)).then(|| polygon(curve))
+    curve.iter().all(|value| (0.0..=1.0 + 1e-6).contains(value)).then_some(curve)
 }
 
 /// Phi of contacts of one size, each of which slips from its rim inwards.

@@ -8,6 +8,7 @@ mod few_contacts;
 mod figures;
 mod film;
 mod heights;
+mod microslip;
 mod published;
 mod reference;
 mod sensitivities;

@@ -11,6 +11,7 @@ The Rust library `libasperity` does the work; it is inside the package, unless A
 from . import materials, surface
 from ._header import ASPERITY_VERSION as __version__
 from ._pad_results import Pads
+from ._microslip import Microslip, MicroslipStep
 from .curve import Curve
 from .errors import Error, Status
 from .estimate import Estimate
@@ -30,6 +31,8 @@ __all__ = [
     "Estimate",
     "Fit",
     "Hysteresis",
+    "Microslip",
+    "MicroslipStep",
     "Model",
     "Pads",
     "Params",

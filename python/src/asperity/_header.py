@@ -32,6 +32,9 @@ ASPERITY_HEIGHTS_TABULATED = 3
 ASPERITY_CONTACT_MAUGIS = 0
 ASPERITY_CONTACT_ELASTIC_PLASTIC = 1
 
+ASPERITY_SLIP_PARTIAL = 0
+ASPERITY_SLIP_WHOLE = 1
+
 ASPERITY_WARNING_PLASTIC = 1
 ASPERITY_WARNING_CROWDED = 2
 ASPERITY_WARNING_STEEP = 4
@@ -185,6 +188,17 @@ class asperity_sensitivities(Structure):
     ]
 
 
+class asperity_microslip(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("force", c_double * 2),
+        ("stiffness", c_double * 4),
+        ("dforce_dload", c_double * 2),
+        ("dissipated", c_double),
+        ("slipping", c_double),
+    ]
+
+
 class asperity_material_data(Structure):
     _fields_ = [
         ("struct_size", c_uint64),
@@ -234,6 +248,7 @@ _state = POINTER(asperity_state)
 _summary = POINTER(asperity_summary)
 _table = POINTER(asperity_table)
 _sensitivities = POINTER(asperity_sensitivities)
+_microslip = POINTER(asperity_microslip)
 _material = POINTER(asperity_material_data)
 _pair = POINTER(asperity_pair_data)
 _interface = POINTER(asperity_interface_data)
@@ -284,6 +299,9 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_tangential_stiffness_at_load": (c_double, [_model, c_double]),
     "asperity_tangential_stiffness_at_loads": (asperity_status, [_model, c_size_t, _doubles, _doubles]),
     "asperity_tangential_at_load": (asperity_status, [_model, c_double, c_double, _doubles, _doubles]),
+    "asperity_microslip_length": (c_size_t, [_model]),
+    "asperity_microslip_step": (asperity_status, [_model, c_double, _doubles, _doubles, _doubles, _microslip]),
+    "asperity_microslip_steps": (asperity_status, [_model, c_size_t, *6 * [_doubles]]),
     "asperity_state_at_load": (asperity_status, [_model, c_double, _state]),
     "asperity_state_at_separation": (asperity_status, [_model, c_double, _state]),
     "asperity_summary_of": (asperity_status, [_model, _summary]),

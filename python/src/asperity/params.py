@@ -67,6 +67,7 @@ _CONTACT_LAWS = {
     "maugis": _header.ASPERITY_CONTACT_MAUGIS,
     "elastic-plastic": _header.ASPERITY_CONTACT_ELASTIC_PLASTIC,
 }
+_SLIP_ONSETS = {"partial": _header.ASPERITY_SLIP_PARTIAL, "whole": _header.ASPERITY_SLIP_WHOLE}
 # What a field means for the heights, where no height_distribution is given with it. A skew alone is one of Weibull's.
 _CHOOSES = {"weibull_shape": "weibull", "kurtosis": "johnson", "table_height": "tabulated", "table_density": "tabulated"}
 _HEIGHTS = {"height_distribution", "skew", *_CHOOSES}

@@ -1,0 +1,304 @@
+//! A contact that remembers: against the exact tangential force, and what springs and sliders must do on any path.
+
+use crate::common::assert_near;
+use crate::common::splitmix::SplitMix;
+use crate::common::surfaces::{dimensionless, johnson, model, table};
+use asperity::{
+    ContactLawKind, HeightFamily, MicroslipStep, Model, Params, SlipConstants, SlipOnset, MICROSLIP_LENGTH,
+};
+
+type State = [f64; MICROSLIP_LENGTH];
+
+/// Those of the benchmark, and others that are far from them: summits that yield, strengths that grow with pressure, heights of
+/// other families.
+fn surfaces() -> Vec<Params> {
+    let default = Params::default();
+    let skewed = |skew: f64| {
+        let mut params = Params::default();
+        params.set_skew(skew).expect("a skew");
+        params
+    };
+    let yielding = |eta: f64| Params {
+        contact_law: ContactLawKind::ElasticPlastic,
+        hardness: eta * default.composite_modulus,
+        ..dimensionless(0.02, 1000.0, 0.0, 1.0)
+    };
+    let no_stress = SlipConstants { stress_1: 0.0, stress_2: 0.0, ..SlipConstants::default() };
+    let heights = table(&[-2.0, -1.0, 0.3, 1.0, 3.0], &[0.0, 0.4, 0.3, 0.5, 0.0]);
+    vec![
+        default.clone(),
+        dimensionless(0.01, 1000.0, 0.0, 1.0),
+        dimensionless(0.006, 5e4, 0.01, 1.0),
+        skewed(-1.0),
+        skewed(1.0),
+        Params { heights: HeightFamily::Weibull { shape: 40.74 }, ..default.clone() },
+        Params { radius_amplitude: 0.5, ..default.clone() },
+        Params { radius_amplitude: -0.95, ..default.clone() },
+        yielding(0.01),
+        yielding(0.05),
+        Params { slip: no_stress, pressure_coefficient: 0.2, ..dimensionless(0.01, 1000.0, 0.0, 1.0) },
+        Params { pressure_coefficient: 0.1, ..default.clone() },
+        Params { heights: johnson(0.5, 4.0), ..dimensionless(0.02, 300.0, 1e-3, 0.5) },
+        Params { heights, ..dimensionless(0.01, 1000.0, 0.0, 1.0) },
+    ]
+}
+
+/// Six decades about the load at which half of the summits touch, and loads that adhesion rules.
+fn loads(model: &Model) -> Vec<f64> {
+    let half = model.state_at_separation(0.0).expect("a state").load;
+    let mut loads: Vec<f64> = (-5..=2).map(|decade| 0.3 * half * 10_f64.powi(decade)).collect();
+    if model.summary().pull_off_load < 0.0 {
+        loads.extend([0.0, 0.5 * model.summary().pull_off_load]);
+    }
+    loads
+}
+
+/// F and F/K_t.
+fn strength_and_length(model: &Model, load: f64) -> (f64, f64) {
+    let strength = model.friction_force_at_load(load);
+    (strength, strength / model.tangential_stiffness_at_load(load))
+}
+
+fn step(model: &Model, load: f64, increment: [f64; 2], state: &mut State) -> MicroslipStep {
+    model.microslip_step(load, increment, state).unwrap_or_else(|error| panic!("{load}, {increment:?}: {error}"))
+}
+
+/// The force along a straight path of a contact that has just closed.
+fn first_loading(model: &Model, load: f64, displacement: f64) -> f64 {
+    step(model, load, [displacement, 0.0], &mut [0.0; MICROSLIP_LENGTH]).force[0]
+}
+
+/// What docs/microslip.md says: within 2 % of F, the work of a cycle within 15 % from a tenth of F/K_t up.
+#[test]
+fn forces_and_work_are_those_of_the_contacts() {
+    const AMPLITUDES: [f64; 3] = [0.1, 0.3, 1.2];
+    const STEPS: u32 = 16;
+    for onset in [SlipOnset::Partial, SlipOnset::Whole] {
+        let (mut worst_force, mut worst_work) = (0.0_f64, 0.0_f64);
+        for params in surfaces() {
+            let model = model(&Params { slip_onset: onset, ..params.clone() });
+            for load in loads(&model) {
+                let (strength, length) = strength_and_length(&model, load);
+                let exact = |x: f64| model.tangential_at_load(load, x * length).expect("a force").0 / strength;
+                for i in 0..26 {
+                    let x = 0.03 * 1.22_f64.powi(i);
+                    let error = (first_loading(&model, load, x * length) / strength - exact(x)).abs();
+                    worst_force = worst_force.max(error);
+                    assert!(error < 0.02, "{onset:?}, {params:?} at {load}: {error} at {x}");
+                }
+                // As a whole hardly any contact slips at small amplitude.
+                for amplitude in AMPLITUDES.into_iter().filter(|_| onset == SlipOnset::Partial) {
+                    let width = amplitude / f64::from(STEPS);
+                    let simpson = |i: u32| if i == 0 || i == STEPS { 1.0 } else { 2.0 + 2.0 * f64::from(i % 2) };
+                    let area: f64 =
+                        (0..=STEPS).map(|i| simpson(i) * exact(width * f64::from(i))).sum::<f64>() * width / 3.0;
+                    let expected = 8.0 * area - 4.0 * amplitude * exact(amplitude);
+                    let mut state = [0.0; MICROSLIP_LENGTH];
+                    let path = [1.0, -2.0, 2.0].map(|part| [part * amplitude * length, 0.0]);
+                    let work = path.map(|increment| step(&model, load, increment, &mut state).dissipated);
+                    let error = (work[1] + work[2]) / (expected * strength * length) - 1.0;
+                    worst_work = worst_work.max(error.abs());
+                    assert!(error.abs() < 0.15, "{params:?} at {load}: work {error:+} at {amplitude}");
+                }
+            }
+        }
+        println!("{onset:?}: force within {worst_force:.4} of F, work of a cycle within {worst_work:.3}");
+    }
+}
+
+#[test]
+fn at_constant_load_loops_are_masings() {
+    for params in surfaces() {
+        let model = model(&params);
+        for load in loads(&model) {
+            let (strength, length) = strength_and_length(&model, load);
+            for amplitude in [0.2, 0.9, 3.0] {
+                let mut state = [0.0; MICROSLIP_LENGTH];
+                let top = step(&model, load, [amplitude * length, 0.0], &mut state).force[0];
+                let (mut reversal, mut force_there) = (amplitude, top);
+                for direction in [-1.0, 1.0, -1.0] {
+                    for part in [0.1, 0.3, 0.7, 1.0] {
+                        let back = 2.0 * amplitude * part;
+                        let mut there = state;
+                        let found = step(&model, load, [direction * back * length, 0.0], &mut there).force[0];
+                        let expected = force_there + direction * 2.0 * first_loading(&model, load, 0.5 * back * length);
+                        assert!((found - expected).abs() < 1e-13 * strength, "{params:?} at {load}, {part}: {found}");
+                    }
+                    force_there = step(&model, load, [direction * 2.0 * amplitude * length, 0.0], &mut state).force[0];
+                    reversal = -reversal;
+                    assert!((force_there - reversal.signum() * top).abs() < 1e-13 * strength);
+                }
+            }
+        }
+    }
+}
+
+/// It does not depend on time: ten steps along a straight path are as one, and so are the work and the state.
+#[test]
+fn a_straight_path_may_be_taken_in_any_number_of_steps() {
+    let mut random = SplitMix(3);
+    for params in surfaces() {
+        let model = model(&params);
+        for load in loads(&model) {
+            let (strength, length) = strength_and_length(&model, load);
+            let (mut once, mut often) = ([0.0; MICROSLIP_LENGTH], [0.0; MICROSLIP_LENGTH]);
+            let angle = random.between(0.0, 6.3);
+            for _ in 0..5 {
+                let by = random.between(-2.5, 2.5) * length;
+                let increment = [by * angle.cos(), by * angle.sin()];
+                let one = step(&model, load, increment, &mut once);
+                let tenth = increment.map(|x| 0.1 * x);
+                let ten: Vec<_> = (0..10).map(|_| step(&model, load, tenth, &mut often)).collect();
+                let work: f64 = ten.iter().map(|one| one.dissipated).sum();
+                for axis in [0, 1] {
+                    assert!((ten[9].force[axis] - one.force[axis]).abs() < 1e-12 * strength, "{params:?} at {load}");
+                }
+                assert!((work - one.dissipated).abs() < 1e-12 * strength * length, "{params:?} at {load}: {work}");
+            }
+        }
+    }
+}
+
+#[test]
+fn tangents_are_those_of_differences() {
+    let mut random = SplitMix(17);
+    let (mut compared, mut slipped) = (0, 0);
+    for params in surfaces() {
+        let model = model(&params);
+        let half = model.state_at_separation(0.0).expect("a state").load;
+        let mut state = [0.0; MICROSLIP_LENGTH];
+        for _ in 0..120 {
+            let load = half * random.log_between(1e-5, 1e2);
+            let (strength, length) = strength_and_length(&model, load);
+            let size = length * random.log_between(1e-2, 4.0);
+            let increment = [0, 1].map(|_| random.between(-1.0, 1.0) * size);
+            let before = state;
+            let found = step(&model, load, increment, &mut state);
+            let at = |load: f64, increment: [f64; 2]| step(&model, load, increment, &mut before.clone()).force;
+            let small = 1e-6 * length;
+            for along in [0, 1] {
+                let moved = |by: f64| {
+                    let mut increment = increment;
+                    increment[along] += by;
+                    at(load, increment)
+                };
+                let (less, more) = (moved(-small), moved(small));
+                for axis in [0, 1] {
+                    let slope = (more[axis] - less[axis]) / (2.0 * small);
+                    let error = (found.stiffness[2 * axis + along] - slope).abs();
+                    assert!(error < 1e-6 * strength / length, "{params:?} at {load}: {found:?}, {slope}");
+                }
+            }
+            let (less, more) = (at(load * (1.0 - 1e-5), increment), at(load * (1.0 + 1e-5), increment));
+            for axis in [0, 1] {
+                let slope = (more[axis] - less[axis]) / (2e-5 * load);
+                let error = (found.dforce_dload[axis] - slope).abs() * load / strength;
+                assert!(error < 1e-6, "{params:?} at {load}: {found:?}, {slope}: {error:e}");
+            }
+            compared += 1;
+            slipped += usize::from(found.slipping > 0.0 && found.slipping < 1.0);
+        }
+    }
+    assert!(slipped > compared / 4, "{slipped} of {compared} slipped in part");
+}
+
+/// Any path in the plane, with loads that jump over six decades: no force above the strength, no work gained by slip.
+#[test]
+fn no_path_exceeds_the_strength_or_gains_from_slip() {
+    let mut random = SplitMix(23);
+    for params in surfaces() {
+        let model = model(&params);
+        let half = model.state_at_separation(0.0).expect("a state").load;
+        let mut state = [0.0; MICROSLIP_LENGTH];
+        for _ in 0..2000 {
+            let load = half * random.log_between(1e-4, 1e2);
+            let (strength, length) = strength_and_length(&model, load);
+            let size = length * random.log_between(1e-3, 10.0);
+            let found = step(&model, load, [0, 1].map(|_| random.between(-1.0, 1.0) * size), &mut state);
+            let force = found.force[0].hypot(found.force[1]);
+            assert!(force <= strength * (1.0 + 1e-14), "{params:?} at {load}: {force}, {strength}");
+            assert!(found.dissipated >= 0.0 && (0.0..=1.0).contains(&found.slipping), "{found:?}");
+            // Positive semidefinite, no stiffer than all contacts that stick.
+            let [xx, xy, yx, yy] = found.stiffness;
+            let (mean, half) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
+            let stiffest = strength / length;
+            assert!(
+                xy == yx && mean - half >= -1e-13 * stiffest && mean + half <= stiffest * (1.0 + 1e-13),
+                "{found:?}"
+            );
+        }
+    }
+}
+
+/// The work that closed cycles at one load take is the area of the loop.
+#[test]
+fn the_work_of_a_closed_cycle_is_the_area_of_its_loop() {
+    const STEPS: usize = 4000;
+    for params in surfaces().into_iter().step_by(3) {
+        let model = model(&params);
+        let load = model.state_at_separation(0.0).expect("a state").load;
+        let (strength, length) = strength_and_length(&model, load);
+        let mut state = [0.0; MICROSLIP_LENGTH];
+        step(&model, load, [1.3 * length, 0.0], &mut state);
+        let (mut area, mut work) = (0.0, 0.0);
+        let mut last = step(&model, load, [0.0; 2], &mut state).force[0];
+        for i in 0..2 * STEPS {
+            let by = if i < STEPS { -2.6 } else { 2.6 } * length / STEPS as f64;
+            let found = step(&model, load, [by, 0.0], &mut state);
+            area += 0.5 * (last + found.force[0]) * by;
+            work += found.dissipated;
+            last = found.force[0];
+        }
+        assert_near(work, area, 1e-5, &format!("{params:?}, {}", strength * length));
+    }
+}
+
+#[test]
+fn more_load_adds_stiffness_and_no_force_and_less_lets_slip() {
+    for params in surfaces() {
+        let model = model(&params);
+        let load = model.state_at_separation(1.0 * params.height_std).expect("a state").load;
+        let (strength, length) = strength_and_length(&model, load);
+        let mut state = [0.0; MICROSLIP_LENGTH];
+        let pushed = step(&model, load, [0.8 * length, 0.0], &mut state);
+        // Shares move a little with load: an element whose share falls by more than its load grows would slip.
+        let pressed = step(&model, 8.0 * load, [0.0; 2], &mut state);
+        assert_near(pressed.force[0], pushed.force[0], 1e-3, &format!("{params:?}"));
+        let (_, longer) = strength_and_length(&model, 8.0 * load);
+        let stiffness = model.tangential_stiffness_at_load(8.0 * load);
+        let more = step(&model, 8.0 * load, [1e-4 * longer, 0.0], &mut state.clone());
+        assert!(more.stiffness[0] > 0.9 * stiffness, "{params:?}: {more:?}, {stiffness}");
+        let lightened = step(&model, 1e-3 * load, [0.0; 2], &mut state);
+        let left = model.friction_force_at_load(1e-3 * load);
+        assert!(lightened.force[0] <= left * (1.0 + 1e-14) && lightened.force[0] > 0.9 * left, "{lightened:?}, {left}");
+        assert!(lightened.dissipated > 0.0 && strength > left);
+    }
+}
+
+#[test]
+fn a_contact_that_opens_forgets_and_one_at_zero_load_begins_anew() {
+    let hertz = model(&dimensionless(0.01, 1000.0, 0.0, 1.0));
+    let mut state = [0.0; MICROSLIP_LENGTH];
+    let pushed = step(&hertz, 1.0, [1.0, 2.0], &mut state);
+    assert!(pushed.force[0] > 0.0 && state != [0.0; MICROSLIP_LENGTH]);
+    let mut open = state;
+    assert!(hertz.microslip_step(-1.0, [1.0, 0.0], &mut open).is_err());
+    assert_eq!(open, [0.0; MICROSLIP_LENGTH]);
+    let none = step(&hertz, 0.0, [1.0, 0.0], &mut state);
+    assert_eq!((none.force, none.stiffness, none.dissipated, state), ([0.0; 2], [0.0; 4], 0.0, open));
+    // The next load gives this slope.
+    let tiny = hertz.summary().min_table_load;
+    for displacement in [1e-3, 1e3] {
+        let zero = step(&hertz, 0.0, [displacement, 0.0], &mut [0.0; MICROSLIP_LENGTH]);
+        let next = step(&hertz, tiny, [displacement, 0.0], &mut [0.0; MICROSLIP_LENGTH]);
+        assert_near(zero.dforce_dload[0], next.force[0] / tiny, 0.1, &format!("{displacement}"));
+    }
+    // With adhesion zero load is as any other, and so is the pull-off load itself.
+    let adhesive = model(&Params::default());
+    for load in [0.0, adhesive.summary().pull_off_load] {
+        let (strength, length) = strength_and_length(&adhesive, load);
+        let found = step(&adhesive, load, [0.5 * length, 0.0], &mut [0.0; MICROSLIP_LENGTH]);
+        assert!(found.force[0] > 0.4 * strength && found.force[0] < 0.5 * strength, "{found:?}");
+        assert!(found.dforce_dload[0] > 0.0 && found.dforce_dload[0].is_finite(), "{found:?}");
+    }
+}
