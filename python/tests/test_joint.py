@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from pathlib import Path
 
 import numpy as np
@@ -10,40 +9,17 @@ import pytest
 from numpy.typing import NDArray
 
 from asperity import Warnings
-from asperity._library import LIBRARY
 from asperity.figures import joint
 
 Array = NDArray[np.float64]
-
-
-class Contacts:
-    """Of all cells, as a solver has them: a state for each, stepped from its last accepted value."""
-
-    def __init__(self) -> None:
-        self.model, self.load = joint.contact(), joint.pressures()
-        self.length = LIBRARY.asperity_microslip_length
-        self.length.restype = ctypes.c_size_t
-        count = self.length(self.model._open().pointer)
-        self.before, self.after = np.zeros((joint.CELLS, count)), np.zeros((joint.CELLS, count))
-
-    def step(self, increment: Array) -> tuple[Array, Array]:
-        along = np.stack([increment, np.zeros(joint.CELLS)], axis=1)
-        force, stiffness = np.empty((joint.CELLS, 2)), np.empty((joint.CELLS, 4))
-        arrays = (self.load, along, self.before, self.after, force, stiffness)
-        data = [array.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for array in arrays]
-        pointer = self.model._open().pointer
-        assert LIBRARY.asperity_microslip_steps(pointer, ctypes.c_size_t(joint.CELLS), *data) == 0
-        return force[:, 0], stiffness[:, 0]
-
-    def accept(self) -> None:
-        self.before[:] = self.after
 
 
 class Stepped:
     """The plates of `joint`, solved by Newton's method with the tangents of the contacts."""
 
     def __init__(self) -> None:
-        self.contacts, self.slip, self.iterations = Contacts(), np.zeros(joint.CELLS), 0
+        self.contacts = joint.contact().microslip(joint.CELLS)
+        self.slip, self.iterations = np.zeros(joint.CELLS), 0
         size = joint.HALF_LENGTH / joint.CELLS
         self.tension, self.area = joint.YOUNG * joint.WIDTH * joint.THICKNESS, joint.WIDTH * size
         chain = 2 * np.eye(joint.CELLS) - np.eye(joint.CELLS, k=1) - np.eye(joint.CELLS, k=-1)
@@ -55,15 +31,16 @@ class Stepped:
         slip, ends = self.slip.copy(), np.zeros(joint.CELLS)
         ends[-1] = pull / 2
         for iteration in range(20):
-            traction, slope = self.contacts.step(slip - self.slip)
-            rest = self.plates @ slip + self.area * traction - ends
+            increment = np.stack([slip - self.slip, np.zeros(joint.CELLS)], axis=1)
+            step = self.contacts.step(joint.pressures(), increment, keep=False)
+            rest = self.plates @ slip + self.area * step.force[:, 0] - ends
             if np.max(np.abs(rest)) <= 1e-9 * joint.first_loading().slip_pull:
                 break
-            slip -= np.linalg.solve(self.plates + np.diag(self.area * slope), rest)
+            slip -= np.linalg.solve(self.plates + np.diag(self.area * step.stiffness[:, 0, 0]), rest)
         else:
             pytest.fail(f"Newton's method has not converged at {pull:g} N")
         self.iterations = max(self.iterations, iteration)
-        self.contacts.accept()
+        self.contacts.step(joint.pressures(), increment)
         self.slip = slip
         return float(slip[-1] + pull / self.tension * self.arm)
 

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
 LOOPS = (0.5, 0.9)  # pulls of the loops, over that of gross slip
 SHOWN = (0.05, 1.0)  # of the powers
-_DASHES = (5, 2)
 
 
 def picture() -> Figure:
@@ -68,5 +67,6 @@ def _powers(axes: Axes) -> None:
 
 
 def _line(axes: Axes, number: int, x: Array, y: Array, dashed: bool) -> None:
-    (line,) = axes.plot(x, y, color=ORANGE if dashed else BLUE, lw=2.0, **({"dashes": _DASHES} if dashed else {}))
+    style = (0, (5, 2)) if dashed else "-"
+    (line,) = axes.plot(x, y, color=ORANGE if dashed else BLUE, lw=2.0, linestyle=style)
     line.set_gid(f"curve-{number}")

@@ -23,8 +23,7 @@ from .curves import Array
 WIDTH, THICKNESS, HALF_LENGTH, CLAMP = 22e-3, 4e-3, 40e-3, 20e3
 YOUNG = 205e9
 CELLS = 40  # of half the overlap, the other half being its mirror image
-# Ground, hardened steel as in docs/metals.md; calibrated with a friction coefficient of 0.2 at 10 MPa, an assumption.
-GROUND = dict(height_std=0.4e-6, summit_radius=20e-6, summit_density=5e9)
+# The surfaces are ground, hardened steel as in docs/metals.md, calibrated with an assumed friction coefficient.
 FRICTION_COEFFICIENT, CALIBRATION_PRESSURE = 0.2, 10e6
 # Slips over F/K_t at which each cell has its curve, a polygon between them.
 _SLIPS = np.concatenate([[0.0], np.geomspace(1e-3, 8.0, 120)])
@@ -60,7 +59,7 @@ class Iwan:
     @property
     def _r(self) -> float:
         of_chi = (self.chi + 1) / (self.chi + 2)
-        return self.slip_force * (self.chi + 1) / (self.slip_displacement ** (self.chi + 2) * (self.beta + of_chi))
+        return self.slip_force * (self.chi + 1) / (float(self.slip_displacement ** (self.chi + 2)) * (self.beta + of_chi))
 
     def force(self, displacement: Array) -> Array:
         """Of the first loading, up to the slip displacement."""
@@ -81,7 +80,9 @@ class Iwan:
 def contact() -> Model:
     """Of 1 m2: its load is the pressure, its friction force the traction."""
     steel = {**PAIRS["steel/steel"].contact, "work_of_adhesion": 0.0, "hardness": 7.5e9}
-    params = Params.si(**steel, **GROUND, nominal_area=1.0, contact_law="elastic-plastic")
+    params = Params.si(
+        **steel, height_std=0.4e-6, summit_radius=20e-6, summit_density=5e9, nominal_area=1.0, contact_law="elastic-plastic"
+    )
     return Model(params.calibrated(load=CALIBRATION_PRESSURE, mu=FRICTION_COEFFICIENT))
 
 
