@@ -4,7 +4,7 @@
  * sets the friction coefficients of its contacts: with elliptic cones nothing that was made before depends on them, if
  * the coefficients of a contact keep their ratios. The normal force of the step is not known yet; what the steps before
  * tell of it (asperity_loads.h), for each pair of geometries, is in the plugin's state, which MuJoCo copies, saves and
- * resets.
+ * resets. With `microslip` pairs that stick stay where they are (microslip.h), in the same way.
  */
 #include <math.h>
 #include <stdarg.h>
