@@ -15,8 +15,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from .. import Model, Params
 from ..materials import PAIRS
+from ..model import Model
+from ..params import Params
 from .curves import Array
 
 # Two plates of steel, 22 mm by 4 mm, that overlap by 80 mm; bolts press them together with 20 kN, most in the middle.
