@@ -99,6 +99,21 @@ def test_the_closed_form_of_iwan_is_that_of_its_sliders(chi: float, beta: float)
         assert model.work(np.array([force]))[0] == pytest.approx(work, rel=5e-3)
 
 
+@pytest.mark.parametrize("chi, beta, slip, force, work", [
+    (-0.5, 1.0, 0.0642857143, 0.402566, 0.00243954), (-0.5, 1.0, 0.321428571, 1.71967, 0.136371),
+    (-0.5, 1.0, 0.578571429, 2.76928, 0.592792), (0.0, 0.2, 0.0734693878, 0.492857, 0.00209913),
+    (0.0, 0.2, 0.367346939, 2.03571, 0.262391), (0.0, 0.2, 0.66122449, 2.89286, 1.53026),
+    (-0.5, 0.0, 0.128571429, 0.710264, 0.0195163), (-0.5, 0.0, 0.642857143, 2.37868, 1.09097),
+    (-0.5, 0.0, 1.15714286, 2.97711, 4.74234),
+])  # fmt: skip
+def test_iwan_is_that_of_tmdsimpy(chi: float, beta: float, slip: float, force: float, work: float) -> None:
+    """`Iwan4Force` of github.com/tmd-lab/tmdsimpy, commit 17d5fc3, with F_S = 3, K_T = 7 and 4000 sliders: the force of the first
+    loading, and the area of a loop in 4000 steps."""
+    model = joint.Iwan(3.0, 7.0, chi, beta)
+    assert model.force(np.array(slip)) == pytest.approx(force, rel=5e-6)
+    assert model.work(model.force(np.array([slip])))[0] == pytest.approx(work, rel=1e-4)
+
+
 def test_steps_with_the_contact_that_remembers_close_the_same_loops() -> None:
     """Elements in place of the exact curve, steps in place of Masing's rule: the same joint, as a solver sees it."""
     loading = joint.first_loading()
