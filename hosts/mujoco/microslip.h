@@ -2,7 +2,7 @@
  *
  * In MuJoCo the friction of a contact that sticks is f = (-B v - a)/R: it needs a slip velocity v, so that a held body creeps. Here
  * a pair has the library's sliders (asperity_microslip_step), and their force T is the reference of its friction rows,
- * f = (T R - B v - a)/R, which MuJoCo's solver limits by the cone as before. A pair at rest has f = T with v = 0.
+ * f = (-T R - B v - a)/R, which MuJoCo's solver limits by the cone as before. A pair at rest has f = -T with v = 0.
  *
  * T follows the displacement explicitly, from step to step. The stiffness of summits is too great for that, so the displacement is
  * scaled down until the stiffness is B^2/4 I/R at each point, that of critical damping. T reaches the same friction force.
@@ -15,7 +15,6 @@
 
 #include <math.h>
 #include <stddef.h>
-#include <string.h>
 
 #include <mujoco/mujoco.h>
 
