@@ -7,6 +7,9 @@
  * T follows the displacement explicitly, from step to step. The stiffness of summits is too great for that, so the displacement is
  * scaled down until the stiffness is B^2/4 I/R at each point, that of critical damping. T reaches the same friction force.
  *
+ * MuJoCo takes J a for the relative acceleration of two bodies. Of bodies that turn together this lacks J' v, for which a held
+ * body would drift at J' v/B; the reference of a pair that sticks has it: aref = -T R - B v - J' v.
+ *
  * The points of a pair share T as they share the load. What resists a twist about the normal is one slider more: a force at each
  * point in proportion to its distance from their centre, on average F at most. The cone limits each point as ever.
  */
@@ -79,22 +82,39 @@ static inline void arm_of(const mjContact *point, const double centre[3], double
     mju_cross(arm, point->frame, from_centre);
 }
 
-/* Gives the points of a pair its T, before mj_referenceConstraint: aref = -B v - K I (pos - margin). */
-static inline void hold(mjData *d, const held_pair *held, const mjContact *points, int count) {
+/* J' v of a point: the acceleration of the second body relative to the first that velocities alone give. */
+static inline void turning(const mjModel *m, mjData *d, const mjContact *point, double acceleration[3]) {
+    mj_markStack(d);
+    mjtNum *jacobian = mj_stackAllocNum(d, 3 * (size_t)m->nv);
+    mju_zero3(acceleration);
+    for (int side = 0; side < 2; side++) {
+        double of_body[3];
+        mj_jacDot(m, d, jacobian, NULL, point->pos, m->geom_bodyid[point->geom[side]]);
+        mju_mulMatVec(of_body, jacobian, d->qvel, 3, m->nv);
+        mju_addToScl3(acceleration, of_body, side == 0 ? -1 : 1);
+    }
+    mj_freeStack(d);
+}
+
+/* Gives the points of a pair their reference, before mj_referenceConstraint: aref = -B v - K I (pos - margin). */
+static inline void hold(const mjModel *m, mjData *d, const held_pair *held, const mjContact *points, int count) {
     const double all = resting_forces(d, points, count);
     double centre[3];
     centre_of(d, points, count, centre);
     for (int i = 0; i < count; i++) {
         const double share = resting_force(d, &points[i]) / all;
-        double force[3];
+        double force[3], acceleration[3];
+        if (!(share > 0)) continue;
+        turning(m, d, &points[i], acceleration);
         arm_of(&points[i], centre, force);
         mju_scl3(force, force, held->twist);
         mju_addTo3(force, held->force);
-        for (int axis = 1; axis <= 2 && share > 0; axis++) {
+        for (int axis = 1; axis <= 2; axis++) {
             const int row = points[i].efc_address + axis;
-            const double pull = share * mju_dot3(force, points[i].frame + 3 * axis);
+            const mjtNum *way = points[i].frame + 3 * axis;
+            const double less = share * mju_dot3(force, way) * d->efc_R[row] + mju_dot3(acceleration, way);
             d->efc_KBIP[4 * row] = 1;
-            d->efc_pos[row] = d->efc_margin[row] + pull * d->efc_R[row] / d->efc_KBIP[4 * row + 2];
+            d->efc_pos[row] = d->efc_margin[row] + less / d->efc_KBIP[4 * row + 2];
         }
     }
 }

@@ -313,7 +313,7 @@ static void hold_pairs(const mjModel *m, mjData *d, int instance) {
         count = points_of_pair(d, i);
         if (!any_has_surface(m, d, instance, i, count)) continue;
         const held_pair *held = held_place(pairs, &d->contact[i]);
-        if (held && held->taken != 0) hold(d, held, &d->contact[i], count);
+        if (held && held->taken != 0) hold(m, d, held, &d->contact[i], count);
     }
 }
 
