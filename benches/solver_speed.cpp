@@ -2,12 +2,14 @@
 // constant, all timed in one run; accuracy of the compiled law; memory and growth of cost. Prints Markdown.
 //
 // usage: solver_speed PLOT.svg              measure everything
+//        solver_speed --microslip           contacts that remember alone
 //        solver_speed --list                what can be counted: name, calls per pass, passes to add
 //        solver_speed --only NAME PASSES    so many passes of one of them
 
 #include "interleaved.hpp"
 #include "kinds_of_load.hpp"
 #include "log_log_plot.hpp"
+#include "microslip.hpp"
 #include "rivals.hpp"
 #include "surfaces.hpp"
 
@@ -559,6 +561,7 @@ int measure(const std::string &plot) {
     const std::vector<Surface> surfaces = all_surfaces();
     const double exp_ns = report_times(surfaces);
     KindsOfLoad::report();
+    MicroslipBench::report(surfaces);
     report_accuracy(surfaces, 3000);
     report_memory(surfaces);
     Panel contacts = report_growth_with_contacts(10000000), models = report_growth_with_models(10000);
@@ -608,8 +611,9 @@ int only(const std::string &name, int passes) {
 
 int main(int argc, char **argv) {
     if (argc == 2 && std::strcmp(argv[1], "--list") == 0) return list();
+    if (argc == 2 && std::strcmp(argv[1], "--microslip") == 0) return MicroslipBench::report(all_surfaces()), 0;
     if (argc == 4 && std::strcmp(argv[1], "--only") == 0) return only(argv[2], std::atoi(argv[3]));
     if (argc == 2) return measure(argv[1]);
-    std::fprintf(stderr, "usage: solver_speed PLOT.svg | --list | --only NAME PASSES\n");
+    std::fprintf(stderr, "usage: solver_speed PLOT.svg | --microslip | --list | --only NAME PASSES\n");
     return 2;
 }

@@ -22,6 +22,7 @@ const STEEPEST: f64 = 1e290;
 
 /// A number for each element.
 pub type PerElement = [f64; ELEMENTS];
+const NONE: PerElement = [0.0; ELEMENTS];
 
 /// A quantity and its slope by load.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -31,7 +32,7 @@ pub struct Sloped {
 }
 
 /// Elements under one load.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Elements {
     /// The strength of all, at least 0.
     pub strength: Sloped,
@@ -59,11 +60,11 @@ pub struct Response {
 }
 
 impl Elements {
-    /// Displaces all elements; the state, of finite numbers, becomes what it is after.
+    /// Displaces all elements; the state, of finite numbers, becomes what it is after. Without `DETAILS` only force and stiffness
+    /// are told.
     #[inline(always)] // so that it is compiled for the instructions that its caller has
-    pub fn step(&self, displacement: [f64; 2], state: &mut [f64; STATE]) -> Response {
-        let (Sloped { value: strength, slope: strength_slope }, Sloped { value: stiffness, slope: stiffness_slope }) =
-            (self.strength, self.stiffness);
+    pub fn step<const DETAILS: bool>(&self, displacement: [f64; 2], state: &mut [f64; STATE]) -> Response {
+        let (strength, stiffness) = (self.strength.value, self.stiffness.value);
         if strength <= 0.0 || stiffness <= 0.0 {
             return self.step_of_none(displacement, state);
         }
@@ -72,50 +73,62 @@ impl Elements {
         // Forces over a power of two next to the strength: their squares are numbers, and nothing is rounded by it.
         let unit = power_of_two_below(strength);
         let scale = 1.0 / unit;
-        let (strength, strength_slope) = (strength * scale, at_most(strength_slope * scale, STEEPEST));
-        let (stiffness, stiffness_slope) = (stiffness * scale, at_most(stiffness_slope * scale, STEEPEST));
-        let mut lanes = [[0.0; ELEMENTS]; 9];
-        let (first, second) = state.split_at_mut(ELEMENTS);
+        let (strength, stiffness) = (strength * scale, stiffness * scale);
+        let (mut fx, mut fy, mut nx, mut ny) = (NONE, NONE, NONE, NONE);
+        let (mut part, mut excess) = (NONE, NONE);
         for j in 0..ELEMENTS {
-            let (share, share_slope) = (self.shares[j], self.share_slopes[j]);
-            let k = share * stiffness;
-            let limit = share * KNOTS[j] * strength;
-            let x = at_most(first[j] * scale + k * dx, LARGEST);
-            let y = at_most(second[j] * scale + k * dy, LARGEST);
+            let k = self.shares[j] * stiffness;
+            let limit = self.shares[j] * (KNOTS[j] * strength);
+            let x = at_most(state[j] * scale + k * dx, LARGEST);
+            let y = at_most(state[ELEMENTS + j] * scale + k * dy, LARGEST);
             let square = x * x + y * y;
             let slips = square > limit * limit;
-            let (sticks, inverse) = if slips { (0.0, 1.0 / square.sqrt()) } else { (1.0, 0.0) };
             // The direction of the force of one that slips, and what part of its force the slider leaves.
-            let (nx, ny) = (x * inverse, y * inverse);
-            let part = if slips { limit * inverse } else { 1.0 };
-            let (fx, fy) = (x * part, y * part);
-            let excess = if slips { square * inverse - limit } else { 0.0 };
-            let k_slope = share_slope * stiffness + share * stiffness_slope;
-            let limit_slope = KNOTS[j] * (share_slope * strength + share * strength_slope);
-            // What a change of the trial force across the direction becomes.
-            let across = (ny * dx - nx * dy) * part * k_slope;
-            let along = if slips { [0.0; 2] } else { [k_slope * dx, k_slope * dy] };
-            let turning = k * part;
-            lanes[0][j] = fx;
-            lanes[1][j] = fy;
-            lanes[2][j] = sticks * k + turning * (ny * ny);
-            lanes[3][j] = -turning * (nx * ny);
-            lanes[4][j] = sticks * k + turning * (nx * nx);
-            lanes[5][j] = along[0] + limit_slope * nx + across * ny;
-            lanes[6][j] = along[1] + limit_slope * ny - across * nx;
-            lanes[7][j] = KNOTS[j] * excess;
-            lanes[8][j] = if slips { share * KNOTS[j] } else { 0.0 };
-            first[j] = fx * unit;
-            second[j] = fy * unit;
+            let inverse = 1.0 / if slips { square } else { 1.0 }.sqrt();
+            part[j] = if slips { limit * inverse } else { 1.0 };
+            nx[j] = if slips { x * inverse } else { 0.0 };
+            ny[j] = if slips { y * inverse } else { 0.0 };
+            excess[j] = if slips { square * inverse - limit } else { 0.0 };
+            fx[j] = x * part[j];
+            fy[j] = y * part[j];
+            state[j] = fx[j] * unit;
+            state[ELEMENTS + j] = fy[j] * unit;
         }
-        let [fx, fy, xx, xy, yy, by_x, by_y, excess, slipping] = lanes.map(|lane| sum(&lane));
-        Response {
-            force: [fx * unit, fy * unit],
-            stiffness: [xx * unit, xy * unit, yy * unit],
-            by_load: [by_x * unit, by_y * unit].map(|slope| at_most(slope, f64::MAX)),
-            dissipated: at_most(excess * length * unit, f64::MAX),
-            slipping: slipping.min(1.0),
+        let (mut xx, mut xy, mut yy) = (NONE, NONE, NONE);
+        for j in 0..ELEMENTS {
+            // Of one that slips a force across its direction turns it; of one that sticks there is no direction.
+            let turning = self.shares[j] * stiffness * part[j];
+            let along = nx[j] * nx[j] + ny[j] * ny[j];
+            let sticks = if along > 0.5 { 0.0 } else { 1.0 };
+            xx[j] = turning * (sticks + ny[j] * ny[j]);
+            xy[j] = turning * (nx[j] * ny[j]);
+            yy[j] = turning * (sticks + nx[j] * nx[j]);
         }
+        let mut response = Response {
+            force: [sum(&fx) * unit, sum(&fy) * unit],
+            stiffness: [sum(&xx) * unit, -sum(&xy) * unit, sum(&yy) * unit],
+            ..Response::default()
+        };
+        if DETAILS {
+            let strength_slope = at_most(self.strength.slope * scale, STEEPEST);
+            let stiffness_slope = at_most(self.stiffness.slope * scale, STEEPEST);
+            let (mut by_x, mut by_y, mut slip, mut slipping) = (NONE, NONE, NONE, NONE);
+            for j in 0..ELEMENTS {
+                let (share, share_slope) = (self.shares[j], self.share_slopes[j]);
+                let k_slope = share_slope * stiffness + share * stiffness_slope;
+                let limit_slope = KNOTS[j] * (share_slope * strength + share * strength_slope);
+                let slips = nx[j] != 0.0 || ny[j] != 0.0;
+                let across = (ny[j] * dx - nx[j] * dy) * part[j] * k_slope;
+                by_x[j] = if slips { limit_slope * nx[j] + across * ny[j] } else { k_slope * dx };
+                by_y[j] = if slips { limit_slope * ny[j] - across * nx[j] } else { k_slope * dy };
+                slip[j] = KNOTS[j] * excess[j];
+                slipping[j] = if slips { share * KNOTS[j] } else { 0.0 };
+            }
+            response.by_load = [&by_x, &by_y].map(|slopes| at_most(sum(slopes) * unit, f64::MAX));
+            response.dissipated = at_most(sum(&slip) * length * unit, f64::MAX);
+            response.slipping = sum(&slipping).min(1.0);
+        }
+        response
     }
 
     /// The same of elements without strength: their force is 0, and rises with load until they slip.
@@ -167,6 +180,11 @@ fn at_most(x: f64, largest: f64) -> f64 {
 /// In an order that vectors of any width keep.
 #[inline(always)]
 fn sum(lane: &PerElement) -> f64 {
-    let four: [f64; 4] = std::array::from_fn(|i| (lane[i] + lane[i + 8]) + (lane[i + 4] + lane[i + 12]));
+    let mut four = [lane[0], lane[1], lane[2], lane[3]];
+    for more in lane[4..].chunks_exact(4) {
+        for i in 0..4 {
+            four[i] += more[i];
+        }
+    }
     (four[0] + four[2]) + (four[1] + four[3])
 }

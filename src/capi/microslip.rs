@@ -1,12 +1,13 @@
 //! A contact that remembers: one step of one contact or of many, with the state in the caller's arrays.
 
-use super::boundary::{self, not_null, write, Failure};
+use super::boundary::{self, not_null, Failure};
 use super::model::{self, asperity_model};
 use super::output::{fill, same_fields};
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::jenkins::STATE;
-use crate::model::MicroslipStep;
+use crate::float_bits::nan;
+use crate::jenkins::{Elements, STATE};
+use crate::model::{MicroslipStep, Model};
 
 /// What resists a displacement of the surfaces along each other.
 #[repr(C)]
@@ -87,7 +88,7 @@ pub unsafe extern "C" fn asperity_microslip_step(
         let mut state = read(before);
         let mut separated = None;
         fill(out, "out", || {
-            let step = match model.microslip_step(load, read(increment), &mut state) {
+            let step = match one(model, load, read(increment), &mut state) {
                 Err(error @ Error::Separated { .. }) => {
                     separated = Some(error);
                     MicroslipStep::default()
@@ -139,24 +140,107 @@ pub unsafe extern "C" fn asperity_microslip_steps(
             not_null(increment, "increment")?;
             not_null(before, "before")?;
         }
-        let mut first_invalid: Option<(usize, Error)> = None;
-        for i in 0..n {
-            let mut state: [f64; STATE] = read(before.add(STATE * i));
-            let taken = model.microslip_step(load.add(i).read_unaligned(), read(increment.add(2 * i)), &mut state);
-            let is_apart = matches!(taken, Err(Error::Separated { .. }));
-            if taken.is_ok() || is_apart {
-                write_all(after, STATE * i, &state);
-            }
-            let step = taken.unwrap_or_else(|error| {
-                first_invalid.get_or_insert((i, error));
-                let number = if is_apart { 0.0 } else { f64::NAN };
-                MicroslipStep { force: [number; 2], stiffness: [number; 4], ..MicroslipStep::default() }
-            });
-            write_all(force, 2 * i, &step.force);
-            write_all(stiffness, 4 * i, &step.stiffness);
-        }
+        let first_invalid = many(model, Arrays { n, load, increment, before, after, force, stiffness });
         first_invalid.map_or(Ok(()), |(index, error)| Err(Failure::of_element(index, &error)))
     })
+}
+
+/// [`Model::microslip_step`], compiled for the instructions that its caller has.
+#[inline(always)]
+fn step<const DETAILS: bool>(
+    model: &Model,
+    load: f64,
+    increment: [f64; 2],
+    state: &mut [f64; STATE],
+    elements: &mut Elements,
+) -> Result<MicroslipStep, Error> {
+    model.elements_at::<DETAILS>(load, increment, state, elements)?;
+    Ok(MicroslipStep::new(&elements.step::<DETAILS>(increment, state)))
+}
+
+/// One step by the instructions that this processor has.
+fn one(model: &Model, load: f64, increment: [f64; 2], state: &mut [f64; STATE]) -> Result<MicroslipStep, Error> {
+    #[cfg(target_arch = "x86_64")]
+    if is_x86_feature_detected!("avx2") {
+        // SAFETY: the processor has the instructions.
+        return unsafe { one_avx2(model, load, increment, state) };
+    }
+    step::<true>(model, load, increment, state, &mut Elements::default())
+}
+
+/// The caller's arrays of many contacts.
+#[derive(Clone, Copy)]
+struct Arrays {
+    n: usize,
+    load: *const f64,
+    increment: *const f64,
+    before: *const f64,
+    /// May be NULL, as those that follow.
+    after: *mut f64,
+    force: *mut f64,
+    stiffness: *mut f64,
+}
+
+/// Steps of all, by the instructions that this processor has; the first that is not in order.
+///
+/// # Safety
+/// The arrays have the elements that the entry point asks for.
+unsafe fn many(model: &Model, arrays: Arrays) -> Option<(usize, Error)> {
+    #[cfg(target_arch = "x86_64")]
+    if is_x86_feature_detected!("avx2") {
+        return many_avx2(model, arrays);
+    }
+    steps(model, arrays)
+}
+
+#[inline(always)]
+unsafe fn steps(model: &Model, arrays: Arrays) -> Option<(usize, Error)> {
+    let mut first_invalid = None;
+    let mut elements = Elements::default();
+    for i in 0..arrays.n {
+        let mut state: [f64; STATE] = read(arrays.before.add(STATE * i));
+        let (load, increment) = (arrays.load.add(i).read_unaligned(), read(arrays.increment.add(2 * i)));
+        let step = match step::<false>(model, load, increment, &mut state, &mut elements) {
+            Ok(step) => step,
+            Err(error) => {
+                let step = of_error(&error);
+                first_invalid.get_or_insert((i, error));
+                step
+            }
+        };
+        if !nan(step.force[0]) {
+            write_all(arrays.after, STATE * i, &state);
+        }
+        write_all(arrays.force, 2 * i, &step.force);
+        write_all(arrays.stiffness, 4 * i, &step.stiffness);
+    }
+    first_invalid
+}
+
+/// What the arrays get where there is no answer: an open contact resists nothing.
+#[cold]
+fn of_error(error: &Error) -> MicroslipStep {
+    let number = if matches!(error, Error::Separated { .. }) { 0.0 } else { f64::NAN };
+    MicroslipStep { force: [number; 2], stiffness: [number; 4], ..MicroslipStep::default() }
+}
+
+/// # Safety
+/// The processor has the instructions; the same of the next.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+unsafe fn one_avx2(
+    model: &Model,
+    load: f64,
+    increment: [f64; 2],
+    state: &mut [f64; STATE],
+) -> Result<MicroslipStep, Error> {
+    step::<true>(model, load, increment, state, &mut Elements::default())
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+unsafe fn many_avx2(model: &Model, arrays: Arrays) -> Option<(usize, Error)> {
+    steps(model, arrays)
 }
 
 /// Numbers of the caller, which need not be aligned.
@@ -164,8 +248,8 @@ unsafe fn read<const N: usize>(from: *const f64) -> [f64; N] {
     from.cast::<[f64; N]>().read_unaligned()
 }
 
-unsafe fn write_all(out: *mut f64, index: usize, values: &[f64]) {
-    for (i, value) in values.iter().enumerate() {
-        write(out, index + i, *value);
+unsafe fn write_all<const N: usize>(out: *mut f64, index: usize, values: &[f64; N]) {
+    if !out.is_null() {
+        out.add(index).cast::<[f64; N]>().write_unaligned(*values);
     }
 }

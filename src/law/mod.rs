@@ -21,7 +21,6 @@ mod table;
 
 use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
-use crate::jenkins::PerElement;
 use crate::population::Sums;
 use curve::Curve;
 use fill::{Filling, Source};
@@ -155,10 +154,10 @@ impl Law {
         Some((value, value / x * log_slope))
     }
 
-    /// The shares of the elements that follow the contacts before gross slip, at load - pull-off, and their slopes by load.
+    /// The shares of the elements that follow the contacts before gross slip.
     #[inline]
-    pub fn shares_at_excess(&self, x: f64) -> (PerElement, PerElement) {
-        self.shares.at_excess(x)
+    pub fn shares(&self) -> &Shares {
+        &self.shares
     }
 
     /// Load against separation: a table of minus the separation.

@@ -46,18 +46,19 @@ impl Shares {
         Self { first, rows }
     }
 
-    /// The shares at load - pull-off, and their slopes.
-    #[inline]
-    pub fn at_excess(&self, x: f64) -> (PerElement, PerElement) {
-        const NONE: PerElement = [0.0; ELEMENTS];
+    /// The shares at load - pull-off and, with `SLOPES`, their slopes, where they are to be.
+    #[inline(always)] // so that it is compiled for the instructions that its caller has
+    pub fn at_excess<const SLOPES: bool>(&self, x: f64, shares: &mut PerElement, slopes: &mut PerElement) {
         let end = self.rows.len() - 1;
         if x < of_exponent(self.first) {
-            return (self.rows[0], NONE);
+            (*shares, *slopes) = (self.rows[0], [0.0; ELEMENTS]);
+            return;
         }
         let binades = (x.to_bits() >> MANTISSA_BITS) - self.first;
         let row = (binades >> LOG_STRIDE) as usize;
         if row >= end {
-            return (self.rows[end], NONE);
+            (*shares, *slopes) = (self.rows[end], [0.0; ELEMENTS]);
+            return;
         }
         let unit = of_exponent(self.first + binades);
         // Close to log2(x), with a slope that does not jump where binades meet.
@@ -68,8 +69,13 @@ impl Shares {
         let place_slope = (4.0 - 2.0 * t) * (PER_BINADE / 3.0) / unit;
         let (part, part_slope) = (place * place * (3.0 - 2.0 * place), 6.0 * place * (1.0 - place) * place_slope);
         let (before, after) = (&self.rows[row], &self.rows[row + 1]);
-        let change: PerElement = std::array::from_fn(|j| after[j] - before[j]);
-        (std::array::from_fn(|j| before[j] + part * change[j]), change.map(|change| part_slope * change))
+        for j in 0..ELEMENTS {
+            let change = after[j] - before[j];
+            shares[j] = before[j] + part * change;
+            if SLOPES {
+                slopes[j] = part_slope * change;
+            }
+        }
     }
 }
 

@@ -37,18 +37,20 @@ impl Model {
         increment: [f64; 2],
         state: &mut [f64; STATE],
     ) -> Result<MicroslipStep, Error> {
-        let elements = self.elements_at(load, increment, state)?;
-        Ok(MicroslipStep::new(&elements.step(increment, state)))
+        let mut elements = Elements::default();
+        self.elements_at::<true>(load, increment, state, &mut elements)?;
+        Ok(MicroslipStep::new(&elements.step::<true>(increment, state)))
     }
 
-    /// The elements at a load, if that and all else is in order.
-    #[inline]
-    pub(crate) fn elements_at(
+    /// Makes the elements those at a load, with their slopes if `DETAILS` are asked for, if all is in order.
+    #[inline(always)] // so that it is compiled for the instructions that its caller has
+    pub(crate) fn elements_at<const DETAILS: bool>(
         &self,
         load: f64,
         increment: [f64; 2],
         state: &mut [f64; STATE],
-    ) -> Result<Elements, Error> {
+        elements: &mut Elements,
+    ) -> Result<(), Error> {
         const FINITE: &str = "must be finite";
         if !finite(load) {
             return Err(Error::InvalidLoad { name: LOAD, value: load });
@@ -57,7 +59,13 @@ impl Model {
             return Err(Error::InvalidEntry { name: "increment", index, value, allowed: FINITE });
         }
         // What is not finite is no number when it is multiplied by 0.
-        if state.iter().fold(0.0, |sum, value| sum + 0.0 * value) != 0.0 {
+        let mut nothing = [0.0; 4];
+        for four in state.chunks_exact(4) {
+            for i in 0..4 {
+                nothing[i] += 0.0 * four[i];
+            }
+        }
+        if nothing != [0.0; 4] {
             let found = state.iter().copied().enumerate().find(|(_, value)| !finite(*value));
             let (index, value) = found.unwrap_or_default();
             return Err(Error::InvalidEntry { name: "before", index, value, allowed: FINITE });
@@ -74,8 +82,10 @@ impl Model {
             })?;
             return Err(Self::not_evaluated(load));
         }
-        let (shares, share_slopes) = self.law.shares_at_excess(load - pull_off);
-        Ok(Elements { strength, stiffness, shares, share_slopes })
+        (elements.strength, elements.stiffness) = (strength, stiffness);
+        let (shares, slopes) = (&mut elements.shares, &mut elements.share_slopes);
+        self.law.shares().at_excess::<DETAILS>(load - pull_off, shares, slopes);
+        Ok(())
     }
 
     /// A quantity and its slope; at the pull-off load, where that is infinite, the slope at the next load.
