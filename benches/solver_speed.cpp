@@ -6,6 +6,7 @@
 //        solver_speed --list                what can be counted: name, calls per pass, passes to add
 //        solver_speed --only NAME PASSES    so many passes of one of them
 
+#include "gap.hpp"
 #include "interleaved.hpp"
 #include "kinds_of_load.hpp"
 #include "log_log_plot.hpp"
@@ -562,6 +563,7 @@ int measure(const std::string &plot) {
     const double exp_ns = report_times(surfaces);
     KindsOfLoad::report();
     MicroslipBench::report(surfaces);
+    Gap::report();
     report_accuracy(surfaces, 3000);
     report_memory(surfaces);
     Panel contacts = report_growth_with_contacts(10000000), models = report_growth_with_models(10000);

@@ -1986,6 +1986,21 @@ asperity_status asperity_table_of(const struct asperity_model *model,
                                   struct asperity_table *table);
 
 /**
+ * Gives a view of the compiled load against separation, for the evaluators of `asperity_table_of`.
+ *
+ * In its rows minus the separation stands in place of a load and the load in place of the friction force: F at -separation is
+ * the load, and minus dF/d(load) there its slope by separation. Between the lightest load of the rows and the end it is 0.
+ *
+ * @param model  must not be NULL
+ * @param table  as for `asperity_table_of`
+ * @return as `asperity_table_of`
+ *
+ * Threads: may share the model and the view.
+ */
+asperity_status asperity_load_table_of(const struct asperity_model *model,
+                                       struct asperity_table *table);
+
+/**
  * The sensitivities of the friction force at a load, by integration over the summits, without the table. Takes longer than
  * an exact state, but far less than a model.
  *

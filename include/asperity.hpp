@@ -673,6 +673,105 @@ public:
         return force;
     }
 
+    /// Friction coefficients at many pressures, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as friction_at_pressure gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param pressures      nominal contact pressures [stress]
+    /// @param nominal_area   as for one pressure, the same for all
+    /// @param mu             receives as many coefficients; may be `pressures` itself
+    /// @param dmu_dpressure  receives as many slopes [1/stress]; none by default
+    /// @return ASPERITY_OK, or what is wrong with the first pressure that has no friction, or with the area; last_error() tells
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    Status friction_at_pressure(Span<const double> pressures, double nominal_area, Span<double> mu,
+                                Span<double> dmu_dpressure = {}) const {
+        return at_pressures(asperity_friction_at_pressures, pressures, nominal_area, mu, dmu_dpressure);
+    }
+
+    /// Shear stresses at many pressures, into memory of the caller; as coefficients at many pressures.
+    ///
+    /// @param pressures          nominal contact pressures [stress]
+    /// @param nominal_area       as for one pressure, the same for all
+    /// @param stress             receives as many stresses [stress]; may be `pressures` itself
+    /// @param dstress_dpressure  receives as many slopes; none by default
+    Status shear_stress_at_pressure(Span<const double> pressures, double nominal_area, Span<double> stress,
+                                    Span<double> dstress_dpressure = {}) const {
+        return at_pressures(asperity_shear_stresses_at_pressures, pressures, nominal_area, stress, dstress_dpressure);
+    }
+
+    /// Friction forces of many sliding contacts, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as slip_force gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param loads              normal loads [force]
+    /// @param slip_rates         as many slip rates [length/time], signed
+    /// @param transition_rate    as for one contact, the same for all
+    /// @param force              receives as many forces [force]; may be an input itself
+    /// @param dforce_dload       receives as many derivatives by load; none by default
+    /// @param dforce_dslip_rate  receives as many derivatives by slip rate [force time/length]; none by default
+    /// @return ASPERITY_OK, or what is wrong with the first contact that has no friction, or with the rate; last_error() tells
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    Status slip_force(Span<const double> loads, Span<const double> slip_rates, double transition_rate,
+                      Span<double> force, Span<double> dforce_dload = {}, Span<double> dforce_dslip_rate = {}) const {
+        require_size("slip rates", slip_rates.size(), loads.size());
+        require_sizes(loads, force, dforce_dload);
+        require_sizes(loads, force, dforce_dslip_rate);
+        return usable(asperity_slip_forces(handle_.get(), loads.size(), loads.data(), slip_rates.data(),
+                                           transition_rate, force.data(), dforce_dload.data(),
+                                           dforce_dslip_rate.data()));
+    }
+
+    /// Load [force] at a separation [length] of the mean planes, from the compiled law.
+    ///
+    /// Negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a NaN or infinite separation.
+    double load_at_separation(double separation) const noexcept {
+        return asperity_load_at_separation(handle_.get(), separation);
+    }
+
+    /// Load as load_at_separation, and its slope d(load)/d(separation) [force/length]: minus the normal stiffness.
+    ValueAndSlope load_and_slope_at_separation(double separation) const noexcept {
+        ValueAndSlope load;
+        load.value = asperity_load_and_slope_at_separation(handle_.get(), separation, &load.slope);
+        return load;
+    }
+
+    /// Loads at many separations, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as load_at_separation gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param separations        separations [length]
+    /// @param load               receives as many loads [force]; may be `separations` itself
+    /// @param dload_dseparation  receives as many slopes [force/length]; none by default
+    /// @return ASPERITY_OK, or what is wrong with the first separation that has no load: ASPERITY_SEPARATED (at pull-off or
+    ///         beyond, the load is 0), ASPERITY_INVALID_PARAMETER (NaN, infinite) or ASPERITY_OUT_OF_RANGE; last_error()
+    ///         names its index
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    Status load_at_separation(Span<const double> separations, Span<double> load,
+                              Span<double> dload_dseparation = {}) const {
+        return many(asperity_loads_at_separations, separations, load, dload_dseparation);
+    }
+
+    /// Loads [force] at many separations.
+    ///
+    /// 0 at pull-off and beyond. Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE) that names the first
+    /// separation that has no answer.
+    std::vector<double> load_at_separation(Span<const double> separations) const {
+        std::vector<double> load(separations.size());
+        const Status status = many(asperity_loads_at_separations, separations, load, {});
+        // An open contact is an answer, but may hide a separation without one.
+        for (std::size_t i = 0; status == ASPERITY_SEPARATED && i < load.size(); ++i) {
+            double value;
+            if (is_nan(load[i])) {
+                const Status why = asperity_loads_at_separations(handle_.get(), 1, separations.data() + i, &value, nullptr);
+                throw Error(why, "element " + std::to_string(i) + " of the separations: " + last_error());
+            }
+        }
+        if (status != ASPERITY_SEPARATED) {
+            check(status);
+        }
+        return load;
+    }
+
     /// Friction coefficients at many loads, into memory of the caller; for the inner loop: allocates nothing.
     ///
     /// Every element is as friction_at_load gives it, also when the status is not ASPERITY_OK.
@@ -945,16 +1044,33 @@ private:
         return asperity_tangential_stiffness_at_loads(model, n, load, stiffness);
     }
 
-    Status many(Batch batch, Span<const double> loads, Span<double> value, Span<double> slope) const {
+    static void require_sizes(Span<const double> loads, Span<double> value, Span<double> slope) {
         require_size("values", value.size(), loads.size());
         if (slope.data() != nullptr) {
             require_size("slopes", slope.size(), loads.size());
         }
-        const Status status = batch(handle_.get(), loads.size(), loads.data(), value.data(), slope.data());
+    }
+
+    /// The status of a batch that a caller has to look at.
+    static Status usable(Status status) {
         if (status == ASPERITY_NULL_POINTER) {
             check(status);
         }
         return status;
+    }
+
+    Status many(Batch batch, Span<const double> loads, Span<double> value, Span<double> slope) const {
+        require_sizes(loads, value, slope);
+        return usable(batch(handle_.get(), loads.size(), loads.data(), value.data(), slope.data()));
+    }
+
+    using BatchAtPressures = asperity_status (*)(const asperity_model *, std::size_t, const double *, double, double *,
+                                                 double *);
+
+    Status at_pressures(BatchAtPressures batch, Span<const double> pressures, double nominal_area, Span<double> value,
+                        Span<double> slope) const {
+        require_sizes(pressures, value, slope);
+        return usable(batch(handle_.get(), pressures.size(), pressures.data(), nominal_area, value.data(), slope.data()));
     }
 
     /// An open contact is an answer. The library reports the first invalid load alone, so that one may hide a load that has none.
@@ -985,6 +1101,9 @@ private:
         require_size(name, size, contacts * microslip_length(), "doubles in the states, microslip_length() for each");
     }
 
+    friend Status friction_force_at_load(Span<const Model *const>, Span<const std::uint32_t>, Span<const double>,
+                                         Span<double>, Span<double>);
+
     static void require_size(const char *name, std::size_t size, std::size_t count, const char *of = "loads") {
         if (size != count) {
             throw Error(ASPERITY_INVALID_PARAMETER, std::string("size of ") + name + " = " + std::to_string(size) +
@@ -995,6 +1114,34 @@ private:
 
     std::unique_ptr<asperity_model, Free> handle_;
 };
+
+/// Friction forces of contacts that belong to several models, into memory of the caller.
+///
+/// Every element is as Model::friction_force_at_load of its model gives it. For the inner loop: allocates nothing where the
+/// models are 64 or fewer.
+///
+/// @param models        the models; none may be null
+/// @param which         for each contact, the index of its model
+/// @param loads         as many normal loads [force]
+/// @param force         receives as many forces [force]; may be `loads` itself
+/// @param dforce_dload  receives as many slopes; none by default
+/// @return as Model::friction_force_at_load, and ASPERITY_INVALID_PARAMETER where `which` is not the index of a model
+/// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, ASPERITY_NULL_POINTER for a model that is null, before
+/// anything is written.
+inline Status friction_force_at_load(Span<const Model *const> models, Span<const std::uint32_t> which,
+                                     Span<const double> loads, Span<double> force, Span<double> dforce_dload = {}) {
+    Model::require_size("which", which.size(), loads.size());
+    Model::require_sizes(loads, force, dforce_dload);
+    constexpr std::size_t FEW = 64;
+    const asperity_model *few[FEW];
+    std::vector<const asperity_model *> more(models.size() > FEW ? models.size() : 0);
+    const asperity_model **const handles = models.size() > FEW ? more.data() : few;
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        handles[i] = models.data()[i] == nullptr ? nullptr : models.data()[i]->c();
+    }
+    return Model::usable(asperity_friction_force_at_loads_of(handles, models.size(), loads.size(), which.data(),
+                                                             loads.data(), force.data(), dforce_dload.data()));
+}
 
 } // namespace asperity
 

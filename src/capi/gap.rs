@@ -4,7 +4,7 @@ use super::batch::{self, Arrays, FirstInvalid, Quantity};
 use super::boundary::{self, not_null, write};
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
-use crate::model::Model;
+use crate::model::{by_separation, Model};
 
 /// So many separations are turned into arguments of the table at a time.
 const BLOCK: usize = 128;
@@ -47,7 +47,7 @@ pub unsafe extern "C" fn asperity_load_and_slope_at_separation(
     boundary::fast!(contained_value, {
         let at = |handle: &asperity_model| Quantity::Load.at(&handle.model, -separation);
         let (load, slope) = model.as_ref().map_or((f64::NAN, f64::NAN), at);
-        write(dload_dseparation, 0, 0.0 - slope);
+        write(dload_dseparation, 0, by_separation(slope));
         load
     })
 }
@@ -113,7 +113,7 @@ unsafe fn block(
     };
     let first_invalid = batch::fill(model, Quantity::Load, arrays);
     for (i, slope_by_argument) in slopes[..count].iter().enumerate() {
-        write(slope, begin + i, 0.0 - slope_by_argument);
+        write(slope, begin + i, by_separation(*slope_by_argument));
     }
     first_invalid
 }

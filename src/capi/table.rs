@@ -97,4 +97,47 @@ pub unsafe extern "C" fn asperity_table_of(
     })
 }
 
+/// Gives a view of the compiled load against separation, for the evaluators of `asperity_table_of`.
+///
+/// In its rows minus the separation stands in place of a load and the load in place of the friction force: F at -separation is
+/// the load, and minus dF/d(load) there its slope by separation. Between the lightest load of the rows and the end it is 0.
+///
+/// @param model  must not be NULL
+/// @param table  as for `asperity_table_of`
+/// @return as `asperity_table_of`
+///
+/// Threads: may share the model and the view.
+#[no_mangle]
+pub unsafe extern "C" fn asperity_load_table_of(
+    model: *const asperity_model,
+    table: *mut asperity_table,
+) -> asperity_status {
+    boundary::status(|| {
+        let model = model::of(model)?;
+        let view = model.load_table();
+        fill(table, "table", || {
+            let heaviest = view.pull_off + view.begin_of(view.row_count);
+            let (at_zero, zero_slope) = model.load_and_slope_at(0.0);
+            Ok(asperity_table {
+                struct_size: size_of::<asperity_table>() as u64,
+                rows: view.rows.as_ptr().cast(),
+                row_count: view.row_count as u64,
+                base: view.base,
+                shift: view.shift,
+                layout_version: ASPERITY_TABLE_LAYOUT,
+                pull_off_load: view.pull_off,
+                max_friction_coefficient: 0.0,
+                inverse_cap: 0.0,
+                total_count: view.rows.len() as u64,
+                pull_off_force: 0.0,
+                light_slope: 0.0,
+                zero_force: at_zero,
+                zero_slope: 0.0 - zero_slope,
+                separated_slope: 0.0,
+                heavy_force: model.load_at_separation(-heaviest),
+            })
+        })
+    })
+}
+
 const _: () = assert!(size_of::<crate::law::Row>() == 64);

@@ -4,6 +4,7 @@
 //! stiffness. Panels of exact states, each with its slopes, are joined by Hermite interpolation (`panel`); a panel that misses
 //! the exact states between its nodes is tried again shorter.
 
+use super::by_separation::BySeparation;
 use super::coordinate::Coordinate;
 use super::non_integer_power::NonIntegerPower;
 use super::panel::{larger, Panel, PerQuantity, Sample, NODES};
@@ -25,6 +26,8 @@ const MOST_SAMPLES: usize = 1000;
 /// many times their tolerance.
 const NEXT_TO_NON_INTEGER_POWER: f64 = 0.8;
 const SLACK_AT_NON_INTEGER_POWER: f64 = 10.0;
+/// How often a panel is halved whose load by separation misses exact states, though friction by load does not.
+const MOST_HALVINGS: u32 = 3;
 
 /// At this separation the load rises already, or cannot be had: the branch ends before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,6 +38,7 @@ pub struct Unfollowed {
 /// A panel with the exact states that it was compared with.
 struct Attempt {
     panel: Panel,
+    by_separation: BySeparation,
     between: [Sample; 2],
     end: Sample,
     /// The largest error over its tolerance of any quantity.
@@ -49,6 +53,8 @@ pub struct Curve {
     /// What logarithms are taken relative to: the quantities at pull-off, where small changes must be resolved.
     reference: PerQuantity,
     panels: Vec<Panel>,
+    /// The same read the other way; where one of them misses, there are several for a panel.
+    by_separation: Vec<BySeparation>,
     /// Exact states spent.
     samples: usize,
 }
@@ -62,7 +68,8 @@ impl Curve {
         let mut steps = Steps::new(branch);
         let positions = steps.positions;
         let coordinate = Coordinate { log_pull_off };
-        let mut curve = Self { coordinate, positions, reference, panels: Vec::new(), samples: 0 };
+        let mut curve =
+            Self { coordinate, positions, reference, panels: Vec::new(), by_separation: Vec::new(), samples: 0 };
         let closest = CLOSEST + positions.middle;
         let mut from = curve.sample(branch, closest.min(steps.end - 10.0))?;
         // Adhesion that is strong beside the roughness: on to loads well above pull-off.
@@ -92,6 +99,8 @@ impl Curve {
                 continue;
             }
             curve.panels.push(attempt.panel);
+            let halvings = if stretch.is_bridge { 0 } else { MOST_HALVINGS };
+            curve.follow_separation(branch, attempt.by_separation, halvings)?;
             check.extend(attempt.between);
             if attempt.end.slope[0].is_finite() {
                 check.push(attempt.end);
@@ -99,7 +108,38 @@ impl Curve {
             from = attempt.end;
         }
         curve.panels.shrink_to_fit();
+        curve.by_separation.shrink_to_fit();
         Ok(curve)
+    }
+
+    /// Keeps s against separation, in shorter pieces where it misses exact states.
+    fn follow_separation(&mut self, branch: &Branch, piece: BySeparation, halvings: u32) -> Result<(), Unfollowed> {
+        if piece.is_good() || halvings == 0 {
+            self.by_separation.push(piece);
+            return Ok(());
+        }
+        for half in piece.halves(|ends, power| self.half(branch, ends, power))? {
+            self.follow_separation(branch, half, halvings - 1)?;
+        }
+        Ok(())
+    }
+
+    /// s against separation between two separations, and whether it meets exact states that are not its nodes.
+    fn half(
+        &self,
+        branch: &Branch,
+        (begin, end): (f64, f64),
+        non_integer_power: NonIntegerPower,
+    ) -> Result<BySeparation, Unfollowed> {
+        let at = |part: f64| self.sample(branch, self.positions.between(begin, end, non_integer_power.part(part)));
+        let mut nodes = [at(0.1)?; NODES];
+        for (j, node) in nodes.iter_mut().enumerate() {
+            *node = at(-cos(std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64))?;
+        }
+        let mut half = BySeparation::new((begin, end), self.positions, non_integer_power, &nodes, false);
+        let slack = SLACK_AT_NON_INTEGER_POWER;
+        half.keep_good(&[(&at(0.1)?, 1.0), (&at(-0.96)?, slack), (&at(0.96)?, slack)]);
+        Ok(half)
     }
 
     /// A panel between two separations, and how well it meets the exact states that are not its nodes.
@@ -113,13 +153,7 @@ impl Curve {
             *node = self.sample(branch, at(-cos(angle)))?;
         }
         let end = self.end(branch, stretch.to)?;
-        let mut panel = Panel::new(
-            (end.s, from.s),
-            (from.separation, end.separation),
-            positions,
-            stretch.non_integer_power,
-            &nodes,
-        );
+        let mut panel = Panel::new((end.s, from.s), stretch.non_integer_power, &nodes);
         // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
         let between = self.sample(branch, at(0.1))?;
         let (first, last) = (nodes[0].separation, nodes[NODES - 1].separation);
@@ -145,16 +179,18 @@ impl Curve {
                 .into_iter()
                 .fold(0.0, larger)
         });
+        let mut by_separation = BySeparation::new(
+            (from.separation, end.separation),
+            positions,
+            stretch.non_integer_power,
+            &nodes,
+            panel.is_narrow(),
+        );
         let slack = SLACK_AT_NON_INTEGER_POWER;
         let within = if panel.is_narrow() { slack } else { 1.0 };
-        panel.by_separation.keep_good(&[
-            (&from, slack),
-            (&between, within),
-            (&sparse, within),
-            (&next_to_it, slack),
-            (&end, slack),
-        ]);
-        Ok(Attempt { panel, between: [between, sparse], end, error })
+        by_separation.keep_good(&[(&from, slack), (&between, within), (&sparse, within), (&next_to_it, slack)]);
+        by_separation.keep_good(&[(&end, slack)]);
+        Ok(Attempt { panel, by_separation, between: [between, sparse], end, error })
     }
 
     /// A cubic between two kinks that are near to each other.
@@ -164,8 +200,9 @@ impl Curve {
         let mut panel = Panel::bridge(&from, &end);
         self.samples += 2;
         panel.keep_good(|panel, quantity| panel.error_over_tolerance(quantity, &between, quantity.slope_slack()));
-        panel.by_separation.keep_good(&[(&between, SLACK_AT_NON_INTEGER_POWER)]);
-        Ok(Attempt { panel, between: [between, between], end, error: 0.0 })
+        let mut by_separation = BySeparation::bridge(&from, &end);
+        by_separation.keep_good(&[(&between, SLACK_AT_NON_INTEGER_POWER)]);
+        Ok(Attempt { panel, by_separation, between: [between, between], end, error: 0.0 })
     }
 
     /// The state where a panel ends, which may be pull-off itself.
@@ -266,21 +303,23 @@ impl Curve {
         if !(begin..=end).contains(&separation) {
             return (f64::NAN, f64::NAN);
         }
-        let index = self.panels.partition_point(|panel| panel.by_separation.end < separation);
-        let panel = &self.panels[index.min(self.panels.len() - 1)].by_separation;
-        // Between two panels there may be a stretch that was not followed.
-        if separation < panel.begin {
+        let index = self.by_separation.partition_point(|piece| piece.end < separation);
+        let piece = &self.by_separation[index.min(self.by_separation.len() - 1)];
+        // Between two of them there may be a stretch that was not followed.
+        if separation < piece.begin {
             return (f64::NAN, f64::NAN);
         }
-        let (s, rate) = panel.at(separation);
+        let (s, rate) = piece.at(separation);
         let (load, by_s) = self.coordinate.load(s);
         (load, by_s * rate)
     }
 
     /// The separations between which it is followed.
     pub fn separation_range(&self) -> (f64, f64) {
-        let (Some(first), Some(last)) = (self.panels.first(), self.panels.last()) else { return (0.0, 0.0) };
-        (first.by_separation.begin, last.by_separation.end)
+        let (Some(first), Some(last)) = (self.by_separation.first(), self.by_separation.last()) else {
+            return (0.0, 0.0);
+        };
+        (first.begin, last.end)
     }
 
     /// ln x between two of them where one panel ends and another begins, rising.
@@ -289,9 +328,9 @@ impl Curve {
         joints.filter(|&joint| joint > lower && joint < upper).collect()
     }
 
-    /// The separations at which one panel ends and another begins, in ascending order.
+    /// The separations at which one piece of the load ends and another begins, in ascending order.
     pub fn joints(&self) -> impl DoubleEndedIterator<Item = f64> + '_ {
-        self.panels.iter().map(|panel| panel.by_separation.end)
+        self.by_separation.iter().map(|piece| piece.end)
     }
 
     /// The separation at which the load is 0, to a few digits, where adhesion makes it negative at the end.

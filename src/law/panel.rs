@@ -1,8 +1,6 @@
 //! A panel of the curve: the polynomial through exact states, with their slopes.
 
-use super::by_separation::BySeparation;
 use super::non_integer_power::NonIntegerPower;
-use super::position::Positions;
 use super::Quantity;
 use super::CONDITIONS;
 use crate::elementary::log;
@@ -11,8 +9,8 @@ use crate::numerics::quadrature;
 /// Exact states per panel.
 pub const NODES: usize = CONDITIONS / 2;
 /// Largest error of a logarithm, and of its slope relative to the slope, at which a panel is good.
-pub const VALUE_TOLERANCE: f64 = 1e-11;
-pub const SLOPE_TOLERANCE: f64 = 1e-9;
+const VALUE_TOLERANCE: f64 = 1e-11;
+const SLOPE_TOLERANCE: f64 = 1e-9;
 /// Up to this s the slope of the load is a difference of integrals that nearly cancel, and so many times the tolerance is
 /// what slopes are known to.
 const NEAR_PULL_OFF: f64 = 1.0;
@@ -60,18 +58,10 @@ pub struct Panel {
     log_value: [[f64; CONDITIONS]; Quantity::COUNT],
     /// The position of the separation in Newton's form, each node once.
     pub position: [f64; NODES],
-    /// s against separation.
-    pub by_separation: BySeparation,
 }
 
 impl Panel {
-    pub fn new(
-        (lowest, highest): (f64, f64),
-        (begin, end): (f64, f64),
-        positions: Positions,
-        non_integer_power: NonIntegerPower,
-        samples: &[Sample; NODES],
-    ) -> Self {
+    pub fn new((lowest, highest): (f64, f64), non_integer_power: NonIntegerPower, samples: &[Sample; NODES]) -> Self {
         let places = samples.map(|sample| non_integer_power.place((lowest, highest), sample.s));
         let nodes = places.map(|(place, _)| place);
         let is_narrow = highest - lowest < NARROW;
@@ -84,9 +74,8 @@ impl Panel {
             hermite(&nodes, values, slopes)
         });
         let position = differences(&nodes, samples.map(|sample| sample.position));
-        let by_separation = BySeparation::new((begin, end), positions, non_integer_power, samples, is_narrow);
         let reference = samples[0].log_value;
-        Self { lowest, highest, non_integer_power, reference, nodes, log_value, position, by_separation }
+        Self { lowest, highest, non_integer_power, reference, nodes, log_value, position }
     }
 
     /// The cubic between two states.
@@ -110,7 +99,6 @@ impl Panel {
             nodes,
             log_value,
             position: line,
-            by_separation: BySeparation::bridge(from, to),
         }
     }
 
@@ -278,14 +266,7 @@ mod tests {
 
     fn parabola() -> Panel {
         let node = |j: usize| 0.1 + (1.0 + (std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64).cos()).powf(1.2);
-        let positions = Positions { middle: 0.0 };
-        Panel::new(
-            (0.1, 2.5),
-            (-1.5, 0.9),
-            positions,
-            NonIntegerPower::Nowhere,
-            &std::array::from_fn(|j| sample(node(j))),
-        )
+        Panel::new((0.1, 2.5), NonIntegerPower::Nowhere, &std::array::from_fn(|j| sample(node(j))))
     }
 
     #[test]

@@ -4,7 +4,7 @@
 
 use super::{Known, Model};
 use crate::error::Error;
-use crate::float_bits::finite;
+use crate::float_bits::{finite, nan};
 use crate::law::Table;
 
 impl Model {
@@ -18,7 +18,7 @@ impl Model {
     pub fn load_and_slope_at(&self, separation: f64) -> (f64, f64) {
         let answer = self.tabulated_load(-separation).or_else(|| self.known_load(-separation));
         let (load, slope) = answer.unwrap_or_else(|| self.computed_load(-separation));
-        (load, 0.0 - slope)
+        (load, by_separation(slope))
     }
 
     /// Load and slope at minus the separation, where the compiled law answers.
@@ -84,5 +84,14 @@ impl Model {
             return Err(Error::Open { separation, end: self.law.end() });
         }
         self.dimensionless("separation", separation).map(|_| ())
+    }
+}
+
+/// The slope by separation from that by minus the separation, which rounding may have made negative at pull-off itself.
+pub fn by_separation(slope: f64) -> f64 {
+    if slope.is_sign_negative() && !nan(slope) {
+        0.0
+    } else {
+        0.0 - slope
     }
 }

@@ -21,6 +21,7 @@ use crate::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
 pub use exact::{State, SummitState};
+pub(crate) use gap::by_separation;
 pub use microslip::MicroslipStep;
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.

@@ -555,6 +555,61 @@ void a_contact_remembers() {
            ASPERITY_INVALID_PARAMETER);
 }
 
+void a_gap_has_a_load() {
+    const Model model;
+    const asperity::State state = model.state_at_load(REFERENCE_LOAD);
+    const asperity::ValueAndSlope load = model.load_and_slope_at_separation(state.separation);
+    EXPECT(close(load.value, REFERENCE_LOAD, 1e-9) && close(load.slope, state.dload_dseparation, 1e-7));
+    EXPECT(model.load_at_separation(state.separation) == load.value);
+    const std::vector<double> separations{state.separation, 1e6, 0.0};
+    const std::vector<double> loads = model.load_at_separation(separations);
+    EXPECT(loads[0] == load.value && loads[1] == 0.0 && loads[2] > loads[0]);
+    std::vector<double> into(3), slopes(3);
+    EXPECT(model.load_at_separation(separations, into, slopes) == ASPERITY_SEPARATED && into == loads);
+    EXPECT(slopes[0] == load.slope && slopes[1] == 0.0);
+    const std::vector<double> wrong{1e6, NAN};
+    EXPECT(thrown_by([&] { model.load_at_separation(wrong); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { model.load_at_separation(std::vector<double>{INF}); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
+void batches_have_the_answers_of_one_contact() {
+    const Model model;
+    const std::vector<double> pressures{1.0, REFERENCE_LOAD}, rates{0.3, -0.2};
+    std::vector<double> value(2), slope(2), by_rate(2);
+    EXPECT(model.friction_at_pressure(pressures, 2.0, value, slope) == ASPERITY_OK);
+    EXPECT(value[1] == model.friction_at_pressure(REFERENCE_LOAD, 2.0));
+    EXPECT(slope[1] == model.friction_and_slope_at_pressure(REFERENCE_LOAD, 2.0).slope);
+    EXPECT(model.shear_stress_at_pressure(pressures, 2.0, value, slope) == ASPERITY_OK);
+    EXPECT(value[1] == model.shear_stress_at_pressure(REFERENCE_LOAD, 2.0));
+    EXPECT(model.shear_stress_at_pressure(pressures, -1.0, value) == ASPERITY_INVALID_PARAMETER && std::isnan(value[0]));
+    EXPECT(model.slip_force(pressures, rates, 0.5, value, slope, by_rate) == ASPERITY_OK);
+    const asperity::SlipForce one = model.slip_force_and_slopes(REFERENCE_LOAD, -0.2, 0.5);
+    EXPECT(value[1] == one.value && slope[1] == one.dforce_dload && by_rate[1] == one.dforce_dslip_rate);
+    std::vector<double> few(1);
+    EXPECT(thrown_by([&] { model.slip_force(pressures, few, 0.5, value); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
+void contacts_of_several_models_in_one_call() {
+    asperity::Params other;
+    other.work_of_adhesion(0.0);
+    const Model first, second(other);
+    const std::vector<const Model *> models{&first, &second};
+    const std::vector<std::uint32_t> which{1, 0, 1};
+    const std::vector<double> loads{1.0, REFERENCE_LOAD, REFERENCE_LOAD};
+    std::vector<double> force(3), slope(3);
+    EXPECT(asperity::friction_force_at_load(models, which, loads, force, slope) == ASPERITY_OK);
+    EXPECT(force[1] == first.friction_force_at_load(REFERENCE_LOAD));
+    EXPECT(force[2] == second.friction_force_at_load(REFERENCE_LOAD));
+    EXPECT(slope[0] == second.friction_force_and_slope_at_load(1.0).slope);
+    const std::vector<std::uint32_t> unknown{0, 2, 1};
+    EXPECT(asperity::friction_force_at_load(models, unknown, loads, force) == ASPERITY_INVALID_PARAMETER);
+    EXPECT(std::isnan(force[1]));
+    const std::vector<const Model *> none{&first, nullptr};
+    EXPECT(thrown_by([&] { asperity::friction_force_at_load(none, which, loads, force); }).status() == ASPERITY_NULL_POINTER);
+    const std::vector<const Model *> many(65, &second);
+    EXPECT(asperity::friction_force_at_load(many, which, loads, force) == ASPERITY_OK && force[0] == second.friction_force_at_load(1.0));
+}
+
 void summits_that_yield_need_a_hardness_and_no_adhesion() {
     asperity::Params params;
     params.work_of_adhesion(0.0).contact_law(asperity::ContactLaw::elastic_plastic);
@@ -734,6 +789,9 @@ int main() {
     slip_gives_the_force_a_smooth_sign();
     contacts_stick_before_they_slip();
     a_contact_remembers();
+    a_gap_has_a_load();
+    batches_have_the_answers_of_one_contact();
+    contacts_of_several_models_in_one_call();
     summits_that_yield_need_a_hardness_and_no_adhesion();
     the_table_answers_as_the_model();
     every_contiguous_range_will_do();

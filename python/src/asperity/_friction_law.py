@@ -169,21 +169,53 @@ class FrictionLaw:
         rate = _number("transition_rate", transition_rate, "slip_force")
         if not 1e-60 <= rate <= 1e60:
             raise Error(f"transition_rate = {rate:g}: must be from 1e-60 to 1e60", Status.INVALID_PARAMETER)
-        pairs = np.broadcast(as_array("load", load), as_array("slip_rate", slip_rate))
-        found = np.empty((3, pairs.size))
-        by_load, by_rate = ctypes.c_double(), ctypes.c_double()
-        for i, (at, slip) in enumerate(pairs):
-            if not math.isfinite(slip):
-                raise Error(f"element {i}: slip_rate = {slip}: must be finite", Status.INVALID_PARAMETER)
-            force = LIBRARY.asperity_slip_force(
-                handle.pointer, at, slip, rate, ctypes.byref(by_load), ctypes.byref(by_rate)
-            )
-            if math.isnan(force):
-                _refuse(handle, float(at), () if pairs.ndim == 0 else (i,))
-            found[:, i] = force, by_load.value, by_rate.value
+        pairs = np.broadcast_arrays(as_array("load", load), as_array("slip_rate", slip_rate))
+        loads, rates = (np.ascontiguousarray(of.ravel()) for of in pairs)
+        still = ~np.isfinite(rates)
+        if still.any():
+            i = int(np.argmax(still))
+            raise Error(f"element {i}: slip_rate = {rates[i]}: must be finite", Status.INVALID_PARAMETER)
+        found = np.empty((3, loads.size))
+        LIBRARY.asperity_slip_forces(handle.pointer, loads.size, _data(loads), _data(rates), rate, *map(_data, found))
+        refused = np.isnan(found[0])
+        if refused.any():
+            i = int(np.argmax(refused))
+            _refuse(handle, float(loads[i]), () if pairs[0].ndim == 0 else (i,))
         given = load if np.ndim(load) >= np.ndim(slip_rate) else slip_rate
-        values = tuple(_shaped(given, row, pairs.shape, name) for row, name in zip(found, _SLIP_NAMES))
+        values = tuple(_shaped(given, row, pairs[0].shape, name) for row, name in zip(found, _SLIP_NAMES))
         return values if slope else values[0]
+
+    @overload
+    def load_at_separation(self, separation: float, *, slope: Literal[False] = ...) -> float: ...
+    @overload
+    def load_at_separation(self, separation: float, *, slope: Literal[True]) -> tuple[float, float]: ...
+    @overload
+    def load_at_separation(self, separation: Loads, *, slope: Literal[False] = ...) -> Array: ...
+    @overload
+    def load_at_separation(self, separation: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
+    @overload
+    def load_at_separation(self, separation: Labelled, *, slope: Literal[False] = ...) -> Labelled: ...
+    @overload
+    def load_at_separation(self, separation: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
+
+    def load_at_separation(self, separation: Any, *, slope: bool = False) -> Any:
+        """Normal load at a separation of the mean planes, or at many, from the compiled law.
+
+        Args:
+            separation: of the mean planes of asperity heights and flat [length], as `state_at_separation` has it: a number, or an
+                array of any shape.
+            slope: whether to return d(load)/d(separation) [force/length] too: minus the normal stiffness.
+
+        Returns:
+            The load [force], or (load, slope): negative where adhesion pulls, 0 at pull-off and beyond; a float for a number,
+            an array of the same shape for an array.
+
+        Raises:
+            Error: a separation that is NaN, infinite, or out of range; the message names it.
+        """
+        one, one_with_slope = LIBRARY.asperity_load_at_separation, LIBRARY.asperity_load_and_slope_at_separation
+        many = LIBRARY.asperity_loads_at_separations
+        return self._evaluate("load", one, one_with_slope, many, separation, slope, "separation")
 
     @overload
     def tangential_stiffness_at_load(self, load: float) -> float: ...
@@ -376,6 +408,10 @@ class FrictionLaw:
             return _table.of_floats(found)
         raise ValueError(f"dtype = {np.dtype(dtype)}: must be float64 or float32")
 
+    def load_table(self) -> _table.Table:
+        """Load against separation as arrays: minus the separation stands in place of a load, and the load in place of F."""
+        return _table.of_doubles(self._open(), LIBRARY.asperity_load_table_of)
+
     def warn(self, lightest: float, heaviest: float) -> None:
         """Issues a `ValidityWarning` for each assumption that fails between two loads, once per model and assumption.
 
@@ -475,10 +511,12 @@ class FrictionLaw:
         values, slopes = call(load, slope=True)
         return _relabelled(pressure, scaled(values, area)), _relabelled(pressure, scaled(slopes, area) * area)
 
-    def _evaluate(self, name: str, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool) -> Any:
+    def _evaluate(
+        self, name: str, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool, argument: str = "load"
+    ) -> Any:
         handle = self._open()
         if not isinstance(load, numbers.Real):
-            arrays = _evaluate_array(handle, many, as_array("load", load), slope)
+            arrays = _evaluate_array(handle, many, as_array(argument, load), slope, argument)
             found_there = tuple(like(load, array, name) for array in arrays)
             return found_there if slope else found_there[0]
         found = ctypes.c_double()
@@ -488,7 +526,7 @@ class FrictionLaw:
         else:
             value = one(handle.pointer, float(load))
         if math.isnan(value):  # quiet, where a comparison of Python's may raise a floating-point exception
-            _refuse(handle, float(load))
+            _refuse(handle, float(load), (), argument)
         return (value, found.value) if slope else value
 
 
@@ -505,7 +543,9 @@ def as_array(name: str, values: Any) -> Array:
     return np.asarray(array, dtype=np.float64, order="C")
 
 
-def _evaluate_array(handle: Handle, many: Any, load: Array, slope: bool) -> tuple[Array, ...]:
+def _evaluate_array(
+    handle: Handle, many: Any, load: Array, slope: bool, argument: str = "load"
+) -> tuple[Array, ...]:
     values = np.empty(load.shape)
     slopes = np.empty(load.shape) if slope else None
     status = many(handle.pointer, load.size, _data(load), _data(values), None if slopes is None else _data(slopes))
@@ -520,19 +560,20 @@ def _evaluate_array(handle: Handle, many: Any, load: Array, slope: bool) -> tupl
     refused = np.isnan(values)
     if refused.any():
         index = np.unravel_index(int(np.argmax(refused)), load.shape)
-        _refuse(handle, float(load[index]), index)
+        _refuse(handle, float(load[index]), index, argument)
     return (values,) if slopes is None else (values, slopes)
 
 
-def _refuse(handle: Handle, load: float, index: tuple[Any, ...] = ()) -> None:
-    """Raises the library's own message about a load that it answered with NaN."""
+def _refuse(handle: Handle, load: float, index: tuple[Any, ...] = (), argument: str = "load") -> None:
+    """Raises the library's own message about a load, or a separation, that it answered with NaN."""
+    by_load = argument == "load"
     try:
-        _state(handle, LIBRARY.asperity_state_at_load, load)
+        _state(handle, LIBRARY.asperity_state_at_load if by_load else LIBRARY.asperity_state_at_separation, load)
     except Error as error:
         if not index:
             raise
         raise Error(f"element {_place(index)}: {error}", error.status) from None
-    raise Error(f"load = {load}: no friction was found; a bug in asperity, please report it", Status.INTERNAL)
+    raise Error(f"{argument} = {load}: no answer was found; a bug in asperity, please report it", Status.INTERNAL)
 
 
 def _place(index: tuple[Any, ...]) -> Any:

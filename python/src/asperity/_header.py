@@ -296,6 +296,16 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_friction_at_pressure": (c_double, [_model, c_double, c_double, _doubles]),
     "asperity_shear_stress_at_pressure": (c_double, [_model, c_double, c_double, _doubles]),
     "asperity_slip_force": (c_double, [_model, c_double, c_double, c_double, _doubles, _doubles]),
+    "asperity_friction_at_pressures": (asperity_status, [_model, c_size_t, _doubles, c_double, _doubles, _doubles]),
+    "asperity_shear_stresses_at_pressures": (asperity_status, [_model, c_size_t, _doubles, c_double, _doubles, _doubles]),
+    "asperity_slip_forces": (asperity_status, [_model, c_size_t, _doubles, _doubles, c_double, _doubles, _doubles, _doubles]),
+    "asperity_load_at_separation": (c_double, [_model, c_double]),
+    "asperity_load_and_slope_at_separation": (c_double, [_model, c_double, _doubles]),
+    "asperity_loads_at_separations": (asperity_status, [_model, c_size_t, _doubles, _doubles, _doubles]),
+    "asperity_friction_force_at_loads_of": (
+        asperity_status,
+        [POINTER(_model), c_size_t, c_size_t, POINTER(c_uint32), _doubles, _doubles, _doubles],
+    ),
     "asperity_tangential_stiffness_at_load": (c_double, [_model, c_double]),
     "asperity_tangential_stiffness_at_loads": (asperity_status, [_model, c_size_t, _doubles, _doubles]),
     "asperity_tangential_at_load": (asperity_status, [_model, c_double, c_double, _doubles, _doubles]),
@@ -311,5 +321,6 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_warnings_text": (c_size_t, [c_uint64, POINTER(c_char), c_size_t]),
     "asperity_summits_at_overlaps": (asperity_status, [_model, c_size_t, *5 * [_doubles]]),
     "asperity_table_of": (asperity_status, [_model, _table]),
+    "asperity_load_table_of": (asperity_status, [_model, _table]),
     "asperity_sensitivities_at_load": (asperity_status, [_model, c_double, _sensitivities]),
 }

@@ -31,7 +31,7 @@ try:
 except ImportError as error:
     raise ImportError(f"asperity.jax needs JAX ({error}): pip install 'asperity[jax]'") from None
 
-__all__ = ["friction", "friction_force"]
+__all__ = ["friction", "friction_force", "load_at_separation"]
 
 Law = Callable[[Any], Any]
 
@@ -47,6 +47,19 @@ def friction_force(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:
         ValueError: another type; float64 without `jax_enable_x64`.
     """
     return _Law(_table(model, dtype)).derivative(0)
+
+
+def load_at_separation(model: Model) -> Law:
+    """Load [force] as a function of separation [length], a scalar or an array of any shape; 0 at pull-off and beyond.
+
+    In float64, with the derivatives of the table: minus the first one is the normal stiffness.
+
+    Raises:
+        ValueError: without `jax_enable_x64`.
+    """
+    _check_doubles()
+    law = _Law(model.load_table()).derivative(0)
+    return lambda separation: law(-jnp.asarray(separation, np.float64))
 
 
 def friction(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:
@@ -81,10 +94,15 @@ def friction(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:
 
 
 def _table(model: Model, dtype: npt.DTypeLike) -> Table:
-    if np.dtype(dtype) == np.float64 and not jax.config.read("jax_enable_x64"):
+    if np.dtype(dtype) == np.float64:
+        _check_doubles()
+    return model.table(dtype)
+
+
+def _check_doubles() -> None:
+    if not jax.config.read("jax_enable_x64"):
         how = 'jax.config.update("jax_enable_x64", True) at the start of the program'
         raise ValueError(f'float64 needs {how}; or take dtype="float32"')
-    return model.table(dtype)
 
 
 class _Law:

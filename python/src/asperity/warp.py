@@ -23,13 +23,14 @@ import numpy as np
 import numpy.typing as npt
 
 from .model import Model
+from .table import Table
 
 try:
     import warp as wp
 except ImportError as error:
     raise ImportError(f"asperity.warp needs Warp ({error}): pip install 'asperity[warp]'") from None
 
-__all__ = ["Law32", "Law64", "friction", "friction_force", "law"]
+__all__ = ["Law32", "Law64", "friction", "friction_force", "law", "load_at_separation", "load_law"]
 
 
 @wp.struct
@@ -82,7 +83,20 @@ def law(model: Model, dtype: npt.DTypeLike = np.float64, device: Any = None) -> 
     Raises:
         ValueError: another type.
     """
-    table = model.table(dtype)
+    return _made(model.table(dtype), device)
+
+
+def load_law(model: Model, device: Any = None) -> Any:
+    """Load against separation of a model for kernels: a `Law64` for `load_at_separation` alone.
+
+    Args:
+        model: the law; later changes of the model do not change what is returned.
+        device: of the kernels, as Warp names it; Warp's default without.
+    """
+    return _made(model.load_table(), device)
+
+
+def _made(table: Table, device: Any) -> Any:
     single = table.dtype == np.float32
     kind: Any = Law32 if single else Law64
     made = kind()
@@ -193,6 +207,17 @@ def friction_force(law: Law64, load: wp.float64) -> wp.float64:
 @wp.func_grad(friction_force)
 def _adjoint(law: Law64, load: wp.float64, adjoint: wp.float64) -> None:
     wp.adjoint[load] += adjoint * _evaluated(law, load)[1]
+
+
+@wp.func
+def load_at_separation(law: Law64, separation: wp.float64) -> wp.float64:
+    """Load [force] at a separation [length], by a law of `load_law`; 0 at pull-off and beyond."""
+    return _evaluated(law, -separation)[0]
+
+
+@wp.func_grad(load_at_separation)
+def _adjoint_of_load(law: Law64, separation: wp.float64, adjoint: wp.float64) -> None:
+    wp.adjoint[separation] += -adjoint * _evaluated(law, -separation)[1]
 
 
 @wp.func

@@ -1,0 +1,155 @@
+// What the calls beside friction by load cost: load against separation, contacts of many models in one call, batches by
+// pressure and of slip forces; each against the scalar call that it stands for or beside, in the same run.
+#pragma once
+
+#include "asperity.h"
+#include "interleaved.hpp"
+#include "surfaces.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
+class Gap {
+public:
+    static void report() {
+        std::printf("\n### Load against separation, many pairs, pressures and slip\n\n"
+                    "Time per contact over that of the call named, median (least to most), of %zu contacts in random order. "
+                    "Separations are from where the load is 1e-8 of that at half touch to 6 height_std of compression, *all kinds* are "
+                    "those and open gaps and up to 9e3 height_std of compression in equal parts.\n\n"
+                    "| call | surface | time | over | ratio | limit | |\n|---|---|---|---|---|---|---|\n", kCount);
+        for (const Surface &surface : all_surfaces()) Gap(surface).separations();
+        pairs();
+        Gap({"default", default_surface()}).batches();
+    }
+
+private:
+    static constexpr size_t kCount = 4096;
+    static constexpr size_t kModels = 16;
+    static constexpr Schedule kSchedule = {7, 9, 1e-4};
+
+    struct Row {
+        const char *call, *over;
+        double limit;
+    };
+
+    explicit Gap(const Surface &surface)
+        : surface_(surface), model_(make_model(surface.params)), load_(kCount), close_(kCount), all_(kCount) {
+        const double sigma = surface.params.height_std;
+        asperity_state far, half;
+        far.struct_size = half.struct_size = sizeof far;
+        require(asperity_state_at_separation(model_.get(), 0.0, &half));
+        require(asperity_state_at_load(model_.get(), 1e-8 * std::fabs(half.load), &far));
+        for (size_t i = 0; i < kCount; ++i) {
+            close_[i] = uniform(-6.0 * sigma, far.separation);
+            const double kinds[] = {close_[i], uniform(10.0, 100.0) * sigma, -sigma * std::exp(uniform(1.0, 9.1))};
+            all_[i] = kinds[i % 3];
+            load_[i] = std::exp(uniform(std::log(1e-3), std::log(1e3)));
+        }
+    }
+
+    double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(engine_); }
+
+    // The statuses are not looked at: open gaps are separated.
+    static Contestant call(const std::string &name, std::function<void()> pass) { return {name, double(kCount), pass}; }
+
+    template <class Function>
+    static Contestant each(const std::string &name, const Function &one) {
+        return call(name, [one] {
+            static double out[kCount];
+            for (size_t i = 0; i < kCount; ++i) out[i] = one(i);
+            asm volatile("" : : "r"(out) : "memory");
+        });
+    }
+
+    static void rows(const std::string &surface, const Interleaved &times, std::initializer_list<Row> rows) {
+        for (const Row &row : rows) {
+            const Spread ratio = times.ratio(row.call, row.over);
+            std::printf("| %s | %s | %.2f ns | %s | %.2f (%.2f to %.2f) | %.2f | %s |\n", row.call, surface.c_str(),
+                        1e9 * times.seconds(row.call).median, row.over, ratio.median, ratio.least, ratio.most, row.limit,
+                        ratio.median <= row.limit ? "met" : "**MISSED**");
+        }
+    }
+
+    void separations() {
+        const asperity_model *model = model_.get();
+        static double value[kCount], slope[kCount];
+        const auto batch = [model](const std::vector<double> &at, double *slopes) {
+            asperity_loads_at_separations(model, kCount, at.data(), value, slopes);
+            asm volatile("" : : "r"(value), "r"(slope) : "memory");
+        };
+        const Interleaved times({
+            each("scalar F", [this, model](size_t i) { return asperity_friction_force_at_load(model, load_[i]); }),
+            each("load at separation", [this, model](size_t i) { return asperity_load_at_separation(model, close_[i]); }),
+            each("load at separation, all kinds", [this, model](size_t i) { return asperity_load_at_separation(model, all_[i]); }),
+            call("loads at separations", [this, batch] { batch(close_, nullptr); }),
+            call("loads at separations and slopes", [this, batch] { batch(close_, slope); }),
+            call("loads at separations, all kinds", [this, batch] { batch(all_, nullptr); }),
+        }, kSchedule);
+        rows(surface_.name, times, {
+            {"load at separation", "scalar F", 3.0},
+            {"load at separation, all kinds", "scalar F", 3.0},
+            {"loads at separations", "scalar F", 2.0},
+            {"loads at separations and slopes", "scalar F", 2.0},
+            {"loads at separations, all kinds", "scalar F", 3.0},
+        });
+    }
+
+    // Contacts of models in random order, as a solver has them.
+    static void pairs() {
+        std::vector<Model> owners;
+        std::vector<const asperity_model *> models;
+        for (size_t i = 0; i < kModels; ++i) {
+            owners.push_back(make_model(surface_of(0.01, 1000.0 * (1.0 + 0.1 * double(i)), 0.001)));
+            models.push_back(owners.back().get());
+        }
+        Gap loads({"default", default_surface()});
+        std::vector<uint32_t> which(kCount);
+        for (uint32_t &index : which) index = uint32_t(loads.uniform(0.0, double(kModels)));
+        static double force[kCount], slope[kCount];
+        const auto batch = [&](double *slopes) {
+            asperity_friction_force_at_loads_of(models.data(), kModels, kCount, which.data(), loads.load_.data(), force, slopes);
+            asm volatile("" : : "r"(force), "r"(slope) : "memory");
+        };
+        const Interleaved times({
+            each("a call each", [&](size_t i) { return asperity_friction_force_at_load(models[which[i]], loads.load_[i]); }),
+            each("a call each, with its slope", [&](size_t i) {
+                return asperity_friction_force_and_slope_at_load(models[which[i]], loads.load_[i], &slope[i]);
+            }),
+            call("forces of 16 models", [&] { batch(nullptr); }),
+            call("forces and slopes of 16 models", [&] { batch(slope); }),
+        }, kSchedule);
+        rows("16 of them", times, {
+            {"forces of 16 models", "a call each", 1.0},
+            {"forces and slopes of 16 models", "a call each, with its slope", 1.0},
+        });
+    }
+
+    void batches() {
+        const asperity_model *model = model_.get();
+        static double value[kCount], slope[kCount], by_rate[kCount];
+        const auto kept = [] { asm volatile("" : : "r"(value), "r"(slope), "r"(by_rate) : "memory"); };
+        const size_t n = kCount;
+        const Interleaved times({
+            each("mu at a pressure", [&](size_t i) { return asperity_friction_at_pressure(model, load_[i], 0.7, &slope[i]); }),
+            each("stress at a pressure", [&](size_t i) { return asperity_shear_stress_at_pressure(model, load_[i], 0.7, &slope[i]); }),
+            each("slip force", [&](size_t i) { return asperity_slip_force(model, load_[i], close_[i], 0.5, &slope[i], &by_rate[i]); }),
+            call("mu at pressures", [&] { asperity_friction_at_pressures(model, n, load_.data(), 0.7, value, slope), kept(); }),
+            call("stresses at pressures", [&] { asperity_shear_stresses_at_pressures(model, n, load_.data(), 0.7, value, slope), kept(); }),
+            call("slip forces", [&] { asperity_slip_forces(model, n, load_.data(), close_.data(), 0.5, value, slope, by_rate), kept(); }),
+        }, kSchedule);
+        rows(surface_.name, times, {
+            {"mu at pressures", "mu at a pressure", 0.7},
+            {"stresses at pressures", "stress at a pressure", 0.7},
+            {"slip forces", "slip force", 0.8},
+        });
+    }
+
+    Surface surface_;
+    Model model_;
+    std::vector<double> load_, close_, all_;
+    std::mt19937_64 engine_{20051};
+};
