@@ -30,7 +30,7 @@ if CRATE is None:
 # What cargo needs to build the library, and the licences.
 CRATE_FILES = ("Cargo.toml", "Cargo.lock", "build.rs", "src", "include", "LICENSE*")
 # C that goes into the package: asperity.mujoco compiles its plugin, whose sources are also those of other languages.
-PLUGIN_FILES = ("hosts/mujoco/plugin.c", "hosts/mujoco/asperity_mujoco.h")
+PLUGIN_FILES = ("hosts/mujoco/plugin.c", "hosts/mujoco/microslip.h", "hosts/mujoco/asperity_mujoco.h")
 PACKAGE_FILES = ("include/asperity.h", "include/asperity_loads.h", *PLUGIN_FILES)
 
 

@@ -4,7 +4,7 @@
  * sets the friction coefficients of its contacts: with elliptic cones nothing that was made before depends on them, if
  * the coefficients of a contact keep their ratios. The normal force of the step is not known yet; what the steps before
  * tell of it (asperity_loads.h), for each pair of geometries, is in the plugin's state, which MuJoCo copies, saves and
- * resets.
+ * resets. With `microslip` pairs that stick stay where they are (microslip.h), in the same way.
  */
 #include <math.h>
 #include <stdarg.h>
@@ -19,6 +19,7 @@
 #include "asperity.h"
 #include "asperity_loads.h"
 #include "asperity_mujoco.h"
+#include "microslip.h"
 
 #ifdef mjUSESINGLE
 #error "asperity.friction is for MuJoCo in double precision"
@@ -32,7 +33,7 @@
 static const char *const OTHER_NAMES[] = {"E1", "nu1", "E2", "nu2", "m0", "m2", "m4", "Ra",
                                           "calibration_load", "calibration_friction_coefficient",
                                           "calibration_friction_force",
-                                          "time_constant", "most_pairs", "pairs"};
+                                          "time_constant", "most_pairs", "pairs", "microslip"};
 enum { OTHERS = sizeof OTHER_NAMES / sizeof OTHER_NAMES[0], MADE = 11, MOST_NAMES = 64 };
 
 /* Two geometries that an instance names in its configuration. */
@@ -45,13 +46,15 @@ typedef struct surface {
     asperity_model *model;
     double time_constant;
     size_t most_pairs;
+    size_t held_width; /* doubles that a pair has in microslip; 0 without */
     named_pair *named; /* those of all instances */
     size_t named_count;
     asperity_told told;      /* warnings that were seen */
     _Atomic uint64_t *said; /* those in MuJoCo's log, of this surface in all mjData; NULL if there is no room for it */
 } surface;
 
-/* What mj_getState and the like carry: the time of the forces at hand, and the pairs. */
+/* What mj_getState and the like carry: the time of the forces at hand, the pairs, and after them the same number of places for
+ * microslip. */
 typedef struct memory {
     double time;
     asperity_body_pair pairs[];
@@ -109,6 +112,13 @@ static double time_constant(const mjModel *m, int instance) {
     if (!(time >= 0 && isfinite(time)))
         refuse(m, instance, "time_constant = %g: must be finite and not negative", time);
     return time;
+}
+
+static int has_microslip(const mjModel *m, int instance) {
+    const char *text = mj_getPluginConfig(m, instance, "microslip");
+    if (!text || !*text || strcmp(text, "false") == 0) return 0;
+    if (strcmp(text, "true") != 0) refuse(m, instance, "microslip = '%s': must be true or false", text);
+    return 1;
 }
 
 static void read_params(const mjModel *m, int instance, asperity_params *params) {
@@ -274,6 +284,67 @@ static void tell_warnings(const mjModel *m, const mjData *d, int instance) {
     }
 }
 
+/* ---- Microslip ---- */
+
+static held_pairs held_of(const mjModel *m, const mjData *d, int instance) {
+    const surface *here = surface_of(d, instance);
+    double *places = (double *)(memory_of(m, d, instance)->pairs + here->most_pairs);
+    return (held_pairs){places, here->most_pairs, here->held_width};
+}
+
+/* How many contacts from this one on are points of the same two geometries: they follow one another. */
+static int points_of_pair(const mjData *d, int first) {
+    int count = 1;
+    while (first + count < d->ncon && d->contact[first + count].geom[0] == d->contact[first].geom[0] &&
+           d->contact[first + count].geom[1] == d->contact[first].geom[1])
+        count++;
+    return count;
+}
+
+static int any_has_surface(const mjModel *m, const mjData *d, int instance, int first, int count) {
+    for (int i = first; i < first + count; i++)
+        if (has_surface(m, surface_of(d, instance), instance, &d->contact[i])) return 1;
+    return 0;
+}
+
+static void hold_pairs(const mjModel *m, mjData *d, int instance) {
+    const held_pairs pairs = held_of(m, d, instance);
+    for (int i = 0, count; i < d->ncon; i += count) {
+        count = points_of_pair(d, i);
+        if (!any_has_surface(m, d, instance, i, count)) continue;
+        const held_pair *held = held_place(pairs, &d->contact[i]);
+        if (held && held->taken != 0) hold(m, d, held, &d->contact[i], count);
+    }
+}
+
+/* Writes the places anew, with those that touch: an open pair forgets. */
+static void slide_pairs(const mjModel *m, mjData *d, int instance) {
+    const surface *here = surface_of(d, instance);
+    const held_pairs pairs = held_of(m, d, instance);
+    const size_t all = pairs.count * pairs.width;
+    mj_markStack(d);
+    mjtNum *velocity = mj_stackAllocNum(d, (size_t)d->nefc);
+    held_pairs before = pairs;
+    before.places = mj_stackAllocNum(d, all);
+    mju_copy(before.places, pairs.places, (int)all);
+    mju_zero(pairs.places, (int)all);
+    if (d->nefc > 0) mj_mulJacVec(m, d, velocity, d->qvel);
+    for (int i = 0, count; i < d->ncon; i += count) {
+        count = points_of_pair(d, i);
+        if (!any_has_surface(m, d, instance, i, count)) continue;
+        double load = 0;
+        for (int k = i; k < i + count; k++)
+            if (d->contact[k].efc_address >= 0) load += d->efc_force[d->contact[k].efc_address];
+        const held_pair *old = held_place(before, &d->contact[i]);
+        held_pair *held = held_place(pairs, &d->contact[i]);
+        if (!held) continue; /* add_loads refuses */
+        if (old && old->taken != 0) mju_copy((double *)held, (const double *)old, (int)pairs.width);
+        if (!slide(m, d, here->model, velocity, &d->contact[i], count, load, held))
+            mju_zero((double *)held, (int)pairs.width);
+    }
+    mj_freeStack(d);
+}
+
 /* ---- The current force ---- */
 
 /* Gives the contacts of an instance the law at the forces just found. Returns by how much a coefficient changed at
@@ -326,8 +397,10 @@ static int state_size(const mjModel *m, int instance) {
     named_by(m, instance, NULL);
     read_params(m, instance, &params);
     if (asperity_create(&params, &model) != ASPERITY_OK) refuse_as_library(m, instance);
+    const size_t held = has_microslip(m, instance) ? held_width(model) : 0;
     asperity_free(model);
-    return (int)((offsetof(memory, pairs) + most_pairs(m, instance) * sizeof(asperity_body_pair)) / sizeof(mjtNum));
+    return (int)(offsetof(memory, pairs) / sizeof(mjtNum) +
+                 most_pairs(m, instance) * (sizeof(asperity_body_pair) / sizeof(mjtNum) + held));
 }
 
 static int make(const mjModel *m, mjData *d, int instance) {
@@ -339,6 +412,7 @@ static int make(const mjModel *m, mjData *d, int instance) {
     read_named_pairs(m, made);
     d->plugin_data[instance] = (uintptr_t)made;
     if (asperity_create(&params, &made->model) != ASPERITY_OK) refuse_as_library(m, instance);
+    made->held_width = has_microslip(m, instance) ? held_width(made->model) : 0;
     return 0;
 }
 
@@ -360,6 +434,7 @@ static void compute(const mjModel *m, mjData *d, int instance, int capability) {
     (void)capability;
     refuse_options(m, instance);
     set_coefficients(m, d, instance);
+    if (surface_of(d, instance)->held_width > 0) hold_pairs(m, d, instance);
 }
 
 static void advance(const mjModel *m, mjData *d, int instance) {
@@ -367,6 +442,7 @@ static void advance(const mjModel *m, mjData *d, int instance) {
     memory *known = memory_of(m, d, instance);
     refuse_options(m, instance);
     add_loads(m, d, instance);
+    if (here->held_width > 0) slide_pairs(m, d, instance);
     asperity_pairs_end_step(known->pairs, here->most_pairs, known->time, here->time_constant);
     tell_warnings(m, d, instance);
 }

@@ -70,7 +70,7 @@ def _plugin() -> Path:
     engine = next(installed.glob("libmujoco.so.*"), None)
     if engine is None:
         raise ImportError(f"asperity.mujoco is for Linux: there is no libmujoco.so in {installed}")
-    sources = [_source(name) for name in ("plugin.c", "asperity_mujoco.h", "asperity.h", "asperity_loads.h")]
+    sources = [_source(name) for name in ("plugin.c", "microslip.h", "asperity_mujoco.h", "asperity.h", "asperity_loads.h")]
     made_of = [mujoco.__version__, str(engine), _library.PATH, *(path.read_text(encoding="utf-8") for path in sources)]
     digest = hashlib.sha256("\0".join(made_of).encode()).hexdigest()[:16]
     cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "asperity")

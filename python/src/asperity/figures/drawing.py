@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Iterable
 import numpy as np
 
 from .._style import COLOURS, DASHES, label_ends, saved, style
-from . import curves, front, validity
+from . import curves, damping, front, validity
 from .curves import Array, Curve, CurveFigure
 
 if TYPE_CHECKING:
@@ -38,6 +38,7 @@ def draw_all(directory: Path) -> list[Path]:
             pictures[f"figure-{figure.number}"] = _curve_figure(figure)
         pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes(), "yield": _yield(), "microslip": _microslip()}
         pictures |= {"sensitivities": _sensitivities(), **validity.pictures(), **front.pictures()}
+        pictures["joint-damping"] = damping.picture()
         files = [directory / f"{name}.svg" for name in pictures]
         for picture, file in zip(pictures.values(), files):
             saved(picture, file)
