@@ -51,6 +51,9 @@ const NEAREST_TO_PULL_OFF: f64 = 5e-10;
 /// load, or else what anyone may ask for.
 const LOG_RANGE: f64 = (MOST_ROWS - 8) as f64 / (1 << FRACTION) as f64 * std::f64::consts::LN_2;
 const LOG_RANGE_WITHOUT_PULL_OFF: f64 = 87.0;
+/// The curve goes on to pull-off if that is no lighter than the rows by more than this in ln(load - pull-off), so that load
+/// against separation is known down to it.
+const LOG_RANGE_OF_CURVE: f64 = 110.0;
 /// The largest relative error of a quantity, and of its slope, of a row against an exact state.
 const VALUE_TOLERANCE: f64 = 1e-10;
 const SLOPE_TOLERANCE: f64 = 1e-8;
@@ -121,7 +124,7 @@ impl Law {
     pub fn new(branch: &Branch, load: f64, units: [f64; Quantity::COUNT], length: f64) -> Result<Self, Unfollowed> {
         let mut samples = Vec::new();
         let nearest = log(-branch.pull_off_load() * NEAREST_TO_PULL_OFF);
-        let reaches_pull_off = |heaviest: f64| heaviest - nearest <= LOG_RANGE;
+        let reaches_pull_off = |heaviest: f64| heaviest - nearest <= LOG_RANGE + LOG_RANGE_OF_CURVE;
         let log_range = |heaviest: f64| if reaches_pull_off(heaviest) { f64::MAX } else { LOG_RANGE_WITHOUT_PULL_OFF };
         let curve = Curve::new(branch, log_range, &mut samples)?;
         let (lower, upper) = curve.log_range();
