@@ -16,8 +16,8 @@ import pytest
 from asperity import Model, Params
 from asperity.figures import calibrated, curves, drawing, page
 
-# Of other pages than the gallery: the contacts of the map, the rows of the measurements, a film measured and predicted, a bar for
-# each comparison.
+# Of other pages than the gallery: the contacts of the map, the rows of the measurements, a film measured and predicted, a
+# bar for each comparison.
 ELSEWHERE = {"contacts.svg": [7], "measurements.svg": [6], "measured-points.svg": [2], "comparisons.svg": [6]}
 # The width of every picture [pt].
 WIDTH = 5.0 * 72
