@@ -1,5 +1,5 @@
-// Draws curves on logarithmic axes, one below the other so that a telephone shows them, as an SVG file that reads on light and dark
-// pages.
+// Draws curves on logarithmic axes as an SVG file that reads on light and dark pages; one below the other, so that a
+// telephone shows them.
 #pragma once
 
 #include <algorithm>

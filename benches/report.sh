@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures, counts instructions, and puts the results between the marks in docs/performance-tables.md, with date and machine, and
-# the most important of them between those in docs/performance.md.
+# Measures, counts instructions, and puts the results between the marks in docs/performance-tables.md, with date and
+# machine, and the most important of them between those in docs/performance.md.
 #
 # usage: benches/report.sh PROGRAM      (make bench builds the program and calls this)
 set -euo pipefail

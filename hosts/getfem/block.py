@@ -205,7 +205,7 @@ def compare(law, constant):
 
 
 def draw(law, constant, path):
-    """Traction of the law and of a constant coefficient, when part of the floor has slipped and when all has; the coefficients."""
+    """Traction of the law and of a constant coefficient when part of the floor has slipped and when all has, and mu."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -222,7 +222,8 @@ def draw(law, constant, path):
             axis.set_ylabel("shear stress [MPa]")
         axes[2].plot(states[-1]["x"], states[-1]["mu"], line, label=name)
     for axis, step in zip(axes, (PARTIAL, -1)):
-        axis.fill_between(law[step]["x"], law[step]["mu"] * law[step]["pressure"], color="0.9", label="what the law allows, µ p")
+        allowed = law[step]["mu"] * law[step]["pressure"]
+        axis.fill_between(law[step]["x"], allowed, color="0.9", label="what the law allows, µ p")
     axes[2].set(xlabel="place along the floor [mm]", ylabel="coefficient µ while sliding [–]")
     axes[0].legend(loc="upper left", fontsize=9)
     axes[2].legend(loc="upper right", fontsize=9)

@@ -79,7 +79,8 @@ static double x_of(int step) { return 62 + 340.0 * step / (STEPS - 1); }
 
 static double y_of(double error) { return 44 + 250.0 * (1 - log10(fmax(error, 1e-12))) / 13; }
 
-/* A line with its label next to the error after the step label_step, raised by some points; it ends where the arm has left the belt. */
+/* A line with its label next to the error after the step label_step, raised by some points. It ends where the arm has left
+ * the belt. */
 static void draw_line(FILE *svg, const double *error, const char *colour, const char *dash, int label_step,
                       int rise, const char *label) {
     int last = 0;

@@ -126,8 +126,9 @@ pub static MATERIALS: &[Material] = bodies! {
         hardness on (001) by direction: MatWeb; <110>/2 with a = 0.357 nm";
     "WC" or "tungsten carbide": E 534e9 in [530e9, 700e9], nu 0.22, b 0.291e-9,
         from "E and Poisson's ratio: Kaye and Laby, section 2.2.2; the range: Cardarelli, Materials Handbook (2018), and CRC \
-        Handbook of Chemistry and Physics, as matmake.com has it; the upper end is quoted for carbide without a binder; hardness is left \
-        out, since that of cemented carbide depends on the binder; <11-20>/3, a = 0.2906 nm";
+        Handbook of Chemistry and Physics, as matmake.com has it; the upper end is quoted for carbide \
+        without a binder; hardness is left out, since that of cemented carbide depends on the binder; <11-20>/3, \
+        a = 0.2906 nm";
     "GaAs" or "gallium arsenide": E 116.5e9, nu 0.242, b 0.4e-9,
         from "Voigt, Reuss and Hill's mean of C11 = 119, C12 = 53.4, C44 = 59.6 GPa: Goldberg and Schmidt, Handbook \
         Series on Semiconductor Parameters 2 (1999); <110>/2 with a = 0.5653 nm";

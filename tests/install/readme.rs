@@ -1,5 +1,5 @@
-//! The programs in README.md, on the front page of the site, in docs/fit.md and on the starting points' pages print what stands
-//! there.
+//! The programs in README.md, on the front page of the site, in docs/fit.md and on the starting points' pages print what
+//! stands there.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
 

@@ -142,7 +142,8 @@ def _microslip() -> Figure:
         displacement, force, _ = curves.loop(first.params, amplitude)
         gid = len(curves.MICROSLIP_SURFACES) + number
         _line(below, gid, number, displacement, force, rf"$\pm {amplitude:g}\,F/K_t$")
-    below.set(xlabel=r"displacement $\delta K_t/F$ [–]", ylabel=r"tangential force $T/F$ [–]", xlim=(-2.2, 2.2), ylim=(-1.1, 1.1))
+    below.set(xlabel=r"displacement $\delta K_t/F$ [–]", ylabel=r"tangential force $T/F$ [–]")
+    below.set(xlim=(-2.2, 2.2), ylim=(-1.1, 1.1))
     for axes in (above, below):
         axes.legend(handlelength=3.5, fontsize=9, loc="lower right")
     return picture
@@ -167,8 +168,8 @@ def _shares(title: str, shares: list[tuple[str, Array]], labels: tuple[str, str,
             axes.tick_params(labelbottom=False)
     panels[2].set_xlabel(r"normal load $P/(N\,G\,b^2\,\alpha\beta^2)$ [–]")
     picture.legend(
-        *panels[0].get_legend_handles_labels(), loc="center left", bbox_to_anchor=(0.1, 0.93), ncol=3, frameon=False, fontsize=8.5,
-        columnspacing=1.0, handlelength=1.5,
+        *panels[0].get_legend_handles_labels(), loc="center left", bbox_to_anchor=(0.1, 0.93), ncol=3, frameon=False,
+        fontsize=8.5, columnspacing=1.0, handlelength=1.5,
     )  # fmt: skip
     return picture
 
