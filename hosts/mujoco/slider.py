@@ -186,7 +186,7 @@ def check_measured_point_and_warnings(laws):
         law = asperity.Model(params.calibrated(load=load, mu=mu) if key else params)
         if not abs(friction / law.friction_at_load(normal) - 1) < PLAIN_LIMIT:
             raise RuntimeError(f"{key}: mu = {friction} at {normal} N, not {law.friction_at_load(normal)}")
-        said = [line for line in log.splitlines() if "the strength of the interface is a default" in line]
+        said = [line for line in log.splitlines() if "the strength of the interface is the default" in line]
         instances = ["4 cm2"] if key else ["1 cm2", "4 cm2"]
         if sorted(line.split("cm2")[0][-2:] + "cm2" for line in said) != instances:
             raise RuntimeError(f"{key}: {instances} are not calibrated, and the log must say so once of each: {log}")

@@ -173,7 +173,7 @@ def test_without_a_file_the_table_is_printed(surface: Path, capsys: pytest.Captu
     printed = capsys.readouterr()
     assert read_csv(printed.out)[0][0] == 1e6
     assert re.match(r"asperity: \d+ rows, largest error between them \d\.\de-0\d\n", printed.err)
-    assert "UNCALIBRATED: the strength of the interface is a default" in printed.err
+    assert "UNCALIBRATED: the strength of the interface is the default" in printed.err
 
 
 def test_a_measured_point_of_the_file_is_met(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:

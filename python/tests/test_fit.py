@@ -469,6 +469,6 @@ def test_it_says_what_it_calibrated(params: Params) -> None:
     assert found.params.slip_stress_2 == pytest.approx(truth.slip_stress_2, rel=1e-6)
     assert f"calibrated by the data: slip_stress; slip_stress_1 = {truth.slip_stress_1:.6g}" in found.message
     other = fit(load, mu, free=("gamma",), params=many)
-    assert other.calibrated == () and "not calibrated: the strength of the interface is a default" in other.message
+    assert other.calibrated == () and "not calibrated: the strength of the interface is the default" in other.message
     with pytest.raises(ValueError, match="slip_stress and slip_stress_2 both vary slip_stress_2"):
         fit(load, mu, free=("slip_stress", "slip_stress_2"), params=many)

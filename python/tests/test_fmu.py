@@ -209,13 +209,13 @@ def test_each_warning_is_logged_once_in_a_run(instance: Any, references: dict[st
     # The strength is given: nothing of it is told.
     instance.setReal([references["slip_stress_1"], references["slip_stress_2"]], [0.01, 0.001])
     instance.getReal([FORCE])
-    assert not any("strength of the interface is a default" in line for line in instance.log)
+    assert not any("strength of the interface is the default" in line for line in instance.log)
 
 
 @pytest.mark.parametrize("fmi", ["2.0", "3.0"])
 def test_a_measured_point_of_the_file_is_met(tmp_path: Path, capsys: pytest.CaptureFixture[str], fmi: str) -> None:
     made(PARAMS, tmp_path, fmi)
-    assert "asperity: at a load of 0.5: UNCALIBRATED: the strength of the interface is a default" in capsys.readouterr().err
+    assert "asperity: at a load of 0.5: UNCALIBRATED: the strength of the interface is the default" in capsys.readouterr().err
     text = (tmp_path / "surface.toml").read_text(encoding="utf-8")
     file = tmp_path / "measured.toml"
     file.write_text(f"calibration_load = 2.0\ncalibration_friction_coefficient = 0.15\n{text}", encoding="utf-8")

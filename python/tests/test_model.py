@@ -219,7 +219,7 @@ def test_a_strength_that_nobody_measured_is_warned_of(params: Params) -> None:
     with Model(rough) as default, Model(rough.calibrated(load=1e6, mu=0.3)) as measured:
         assert default.check(1e6, 2e6) == Warnings.UNCALIBRATED and measured.check(1e6, 2e6) == 0
         assert measured.friction_at_load(1e6) == pytest.approx(0.3, rel=1e-9)
-        with pytest.warns(ValidityWarning, match="UNCALIBRATED: the strength of the interface is a default"):
+        with pytest.warns(ValidityWarning, match="UNCALIBRATED: the strength of the interface is the default"):
             default.warn(1e6, 2e6)
 
 

@@ -177,7 +177,7 @@ def test_a_measurement_tells_of_every_parameter_that_it_depends_on(rough: Params
 
 
 def test_a_measured_point_that_cannot_be_used_is_refused(rough: Params) -> None:
-    with pytest.raises(ValueError, match=r"is a default that no measurement gave; give params.calibrated\(load=measured_load"):
+    with pytest.raises(ValueError, match=r"is the default, not a measured one; give params.calibrated\(load=measured_load"):
         uncertainty(rough, loads=[1e6], measured_load=1e6)
     known = rough.calibrated(load=1e6, mu=0.3)
     for arguments, message in (

@@ -53,7 +53,7 @@ def friction(summits: surface.Summits) -> float:
 
 def test_spikes_are_replaced_and_friction_is_that_of_the_surface(plain: Array) -> None:
     bad, where = spiked(plain)
-    with pytest.warns(surface.MapWarning, match=r"points \(.* of all\) stand out .*: surface.clean replaces them"):
+    with pytest.warns(surface.MapWarning, match=r"points \(.* of all\) stand out .*: call surface.clean, which replaces them"):
         spoilt = surface.summits(bad, PIXEL)
     cleaned = surface.clean(bad, PIXEL)
     assert (cleaned.missing, cleaned.spikes) == (0, 30) and np.array_equal(cleaned.filled, where)

@@ -284,7 +284,7 @@ def _strength(
         return (prior, NOT_MEASURED) if uncalibrated and prior else ({}, AS_GIVEN)
     if uncalibrated:
         raise ValueError(
-            f"measured_load = {measured_load!r}: the strength of these params is a default that no measurement gave; give "
+            f"measured_load = {measured_load!r}: the strength of these params is the default, not a measured one; give "
             "params.calibrated(load=measured_load, mu=...)"
         )
     return prior, measured_at(measured_load, measured_error)

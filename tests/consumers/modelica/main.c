@@ -99,7 +99,7 @@ static void warnings_are_told_once(void)
     told[0] = '\0';
     for (int i = 0; i < 100; i++)
         asperity_modelica_force(law, 1e-3 + 1e-5 * i);
-    expect(times_told("asperity: warning at a load of 0.001 N: the strength of the interface is a default") == 1, told);
+    expect(times_told("asperity: warning at a load of 0.001 N: the strength of the interface is the default") == 1, told);
     expect(times_told("fewer than 20 summits") == 0, told);
     asperity_modelica_force(law, 1e-6);
     expect(times_told("warning at a load of 1e-06 N: fewer than 20 summits") == 1, told);
