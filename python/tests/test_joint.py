@@ -117,7 +117,7 @@ def test_iwan_is_that_of_tmdsimpy(chi: float, beta: float, slip: float, force: f
 def test_steps_with_the_contact_that_remembers_close_the_same_loops() -> None:
     """Elements in place of the exact curve, steps in place of Masing's rule: the same joint, as a solver sees it."""
     loading = joint.first_loading()
-    for part in (0.9, 0.5, 0.2):
+    for part in (0.9, 0.5, 0.2, 0.1):
         stepped, points = Stepped(), []
         for begin, end in ((0.0, part), (part, -part), (-part, part)):
             for share in np.linspace(begin, end, 25)[1:]:
@@ -126,6 +126,6 @@ def test_steps_with_the_contact_that_remembers_close_the_same_loops() -> None:
         displacement, pull = np.array(points[23:]).T
         work = float(np.sum(0.5 * (pull[1:] + pull[:-1]) * np.diff(displacement)))
         expected = np.exp(np.interp(np.log(part * loading.slip_pull), np.log(loading.pull), np.log(loading.work)))
-        assert abs(work) == pytest.approx(expected, rel=5e-3)
+        assert abs(work) == pytest.approx(expected, rel=3e-3)
         assert displacement[-1] == pytest.approx(displacement[0], rel=1e-9)
         assert stepped.iterations <= 6
