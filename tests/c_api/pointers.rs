@@ -310,6 +310,7 @@ fn null_is_refused_or_skipped() {
         assert!(asperity_friction_at_load(null(), 1.0).is_nan());
         assert!(asperity_friction_force_at_load(null(), 1.0).is_nan());
         assert!(asperity_tangential_stiffness_at_load(null(), 1.0).is_nan());
+        assert_eq!(asperity_microslip_length(null()), 0);
         for (batch, one) in LAWS {
             assert_eq!(batch(null(), 1, &1.0, &mut slope, null_mut()), NULL_POINTER);
             assert!(slope == 7.0 && one(null(), 1.0, null_mut()).is_nan());
