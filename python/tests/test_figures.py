@@ -17,13 +17,14 @@ from asperity import Model, Params
 from asperity.figures import calibrated, curves, drawing, page
 
 # Of other pages than the gallery: the contacts of the map, the rows of the measurements, a film measured and predicted, a bar
-# for each comparison, loops and powers of a joint.
+# for each comparison, loops and powers of a joint, loops of a contact that remembers.
 ELSEWHERE = {
     "contacts.svg": [7],
     "measurements.svg": [6],
     "measured-points.svg": [2],
     "comparisons.svg": [6],
     "joint-damping.svg": [4, 4],
+    "remembered.svg": [3],
 }
 # The width of every picture [pt].
 WIDTH = 5.0 * 72

@@ -38,7 +38,7 @@ def draw_all(directory: Path) -> list[Path]:
             pictures[f"figure-{figure.number}"] = _curve_figure(figure)
         pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes(), "yield": _yield(), "microslip": _microslip()}
         pictures |= {"sensitivities": _sensitivities(), **validity.pictures(), **front.pictures()}
-        pictures["joint-damping"] = damping.picture()
+        pictures |= {"joint-damping": damping.picture(), "remembered": _remembered()}
         files = [directory / f"{name}.svg" for name in pictures]
         for picture, file in zip(pictures.values(), files):
             saved(picture, file)
@@ -146,6 +146,25 @@ def _microslip() -> Figure:
     below.set(xlim=(-2.2, 2.2), ylim=(-1.1, 1.1))
     for axes in (above, below):
         axes.legend(handlelength=3.5, fontsize=9, loc="lower right")
+    return picture
+
+
+def _remembered() -> Figure:
+    """A loop of a contact that remembers next to the exact one, and the loop that follows when the load falls."""
+    picture, (axes,) = _picture(4.4, [(0.14, 0.13, 0.82, 0.74)])
+    _entitle(axes, "A contact that remembers follows the exact loop", "and the next loop when the load falls")
+    axes.set_xscale("linear")
+    first, *_ = curves.MICROSLIP_SURFACES
+    amplitude = 1.5
+    displacement, force, _ = curves.loop(first.params, amplitude)
+    _line(axes, 0, 0, displacement, force, "summed over the contacts, constant load")
+    labels = ("a contact that remembers", "the same, at 0.3 times the load")
+    for number, ((displacement, force), label) in enumerate(zip(curves.remembered(first.params, amplitude), labels), 1):
+        _line(axes, number, number, displacement, force, label)
+    axes.set(
+        xlabel=r"displacement $\delta K_t/F$ [–]", ylabel=r"tangential force $T/F$ [–]", xlim=(-1.7, 1.7), ylim=(-1.1, 1.1)
+    )
+    axes.legend(handlelength=4, loc="lower right", fontsize=9)
     return picture
 
 
