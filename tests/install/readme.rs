@@ -1,4 +1,4 @@
-//! The programs in README.md, in docs/fit.md and on the front page of the site print what stands there.
+//! The programs in README.md, docs/fit.md, docs/normal-contact.md and on the front page of the site print what stands there.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
 
@@ -43,4 +43,11 @@ fn the_lines_of_the_front_page_print_what_stands_below_them() {
 fn the_calibrated_program_prints_what_stands_below_it() {
     let guide = page("docs/fit.md");
     prints("calibrate.c", between(&guide, "```c\n", "```"), between(&guide, "```text\n", "```"));
+}
+
+#[test]
+fn the_program_of_normal_contact_prints_what_stands_below_it() {
+    let guide = page("docs/normal-contact.md");
+    let (program, printed) = guide.split_once("## In C").expect("the part in C").1.split_once("```text\n").expect("text");
+    prints("normal_contact.c", between(program, "```c\n", "```"), printed.split("```").next().expect("what it prints"));
 }
