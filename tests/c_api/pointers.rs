@@ -300,6 +300,12 @@ fn null_is_refused_or_skipped() {
             asperity_summary_of(null(), &mut summary),
             asperity_table_of(null(), null_mut()),
             asperity_tangential_stiffness_at_loads(null(), 1, &1.0, &mut slope),
+            asperity_loads_at_separations(null(), 1, &1.0, &mut slope, null_mut()),
+            asperity_friction_at_pressures(null(), 1, &1.0, 1.0, &mut slope, null_mut()),
+            asperity_shear_stresses_at_pressures(null(), 1, &1.0, 1.0, &mut slope, null_mut()),
+            asperity_slip_forces(null(), 1, &1.0, &1.0, 1.0, &mut slope, null_mut(), null_mut()),
+            asperity_friction_force_at_loads_of(null(), 1, 1, &0, &1.0, &mut slope, null_mut()),
+            asperity_load_table_of(null(), null_mut()),
             asperity_tangential_at_load(null(), 1.0, 1.0, &mut slope, null_mut()),
             asperity_sensitivities_at_load(null(), 1.0, &mut asperity_sensitivities::empty()),
         ] {
@@ -308,6 +314,7 @@ fn null_is_refused_or_skipped() {
         assert!(asperity_friction_at_load(null(), 1.0).is_nan());
         assert!(asperity_friction_force_at_load(null(), 1.0).is_nan());
         assert!(asperity_tangential_stiffness_at_load(null(), 1.0).is_nan());
+        assert!(asperity_load_at_separation(null(), 1.0).is_nan());
         for (batch, one) in LAWS {
             assert_eq!(batch(null(), 1, &1.0, &mut slope, null_mut()), NULL_POINTER);
             assert!(slope == 7.0 && one(null(), 1.0, null_mut()).is_nan());

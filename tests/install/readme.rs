@@ -48,6 +48,7 @@ fn the_calibrated_program_prints_what_stands_below_it() {
 #[test]
 fn the_program_of_normal_contact_prints_what_stands_below_it() {
     let guide = page("docs/normal-contact.md");
-    let (program, printed) = guide.split_once("## In C").expect("the part in C").1.split_once("```text\n").expect("text");
+    let (program, printed) =
+        guide.split_once("## In C").expect("the part in C").1.split_once("```text\n").expect("text");
     prints("normal_contact.c", between(program, "```c\n", "```"), printed.split("```").next().expect("what it prints"));
 }

@@ -225,7 +225,9 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
             calls.batches(model, &loads, bytes.below(8));
         }
         145..=169 => calls.exact(model, bytes.load(summary)),
-        170..=179 => calls.separation(model, bytes.separation(model.params.height_std)),
+        170..=174 => calls.separation(model, bytes.separation(model.params.height_std)),
+        175..=177 => calls.at_gap(model, bytes.separation(model.params.height_std)),
+        178..=179 => calls.at_gap(model, bytes.any_float()),
         180..=199 => calls.secant(model, bytes.part()),
         200..=219 => calls.order(model, bytes.load(summary), bytes.load(summary)),
         220..=239 => {
