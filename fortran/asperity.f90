@@ -727,6 +727,96 @@ module asperity
       real(c_double) :: force
     end function asperity_slip_force
 
+    ! Friction coefficients at many pressures, and their slopes. Every element is filled, then the first invalid one reported.
+    function asperity_friction_at_pressures(model, n, pressure, nominal_area, mu, dmu_dpressure) result(status) bind(c)
+      import :: c_double, c_int32_t, c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: pressure          ! n real(c_double) [stress], positive in compression
+      real(c_double), intent(in), value :: nominal_area   ! that carries asperity_count summits [length^2]
+      type(c_ptr), intent(in), value :: mu                ! receives n real(c_double) [-]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: dmu_dpressure     ! receives n real(c_double) [1/stress]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_friction_at_pressures
+
+    ! Shear stresses at many pressures, and their slopes, likewise.
+    function asperity_shear_stresses_at_pressures(model, n, pressure, nominal_area, stress, dstress_dpressure) &
+        result(status) bind(c)
+      import :: c_double, c_int32_t, c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: pressure          ! n real(c_double) [stress], positive in compression
+      real(c_double), intent(in), value :: nominal_area   ! that carries asperity_count summits [length^2]
+      type(c_ptr), intent(in), value :: stress            ! receives n real(c_double) [stress]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: dstress_dpressure ! receives n real(c_double) [-]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_shear_stresses_at_pressures
+
+    ! Friction forces of many sliding contacts, and their slopes, likewise.
+    function asperity_slip_forces(model, n, load, slip_rate, transition_rate, force, dforce_dload, dforce_dslip_rate) &
+        result(status) bind(c)
+      import :: c_double, c_int32_t, c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: load              ! n real(c_double) [force]
+      type(c_ptr), intent(in), value :: slip_rate         ! n real(c_double) [length/time], signed
+      real(c_double), intent(in), value :: transition_rate ! [length/time], 1e-60 to 1e60
+      type(c_ptr), intent(in), value :: force             ! receives n real(c_double) [force]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: dforce_dload      ! receives n real(c_double) [-]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: dforce_dslip_rate ! receives n [force time/length]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_slip_forces
+
+    ! Load [force] at a separation [length] of the mean planes; 0 at pull-off and beyond.
+    function asperity_load_at_separation(model, separation) result(load) bind(c)
+      import :: c_double, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: separation
+      real(c_double) :: load
+    end function asperity_load_at_separation
+
+    ! Load [force] at a separation [length], and its slope: minus the normal stiffness.
+    function asperity_load_and_slope_at_separation(model, separation, dload_dseparation) result(load) bind(c)
+      import :: c_double, c_ptr
+      type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: separation
+      type(c_ptr), intent(in), value :: dload_dseparation ! receives a real(c_double) [force/length]; c_null_ptr: none
+      real(c_double) :: load
+    end function asperity_load_and_slope_at_separation
+
+    ! Loads at many separations, and their slopes. Every element is filled, then the first invalid one reported.
+    function asperity_loads_at_separations(model, n, separation, load, dload_dseparation) result(status) bind(c)
+      import :: c_int32_t, c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: separation        ! n real(c_double) [length]
+      type(c_ptr), intent(in), value :: load              ! receives n real(c_double) [force]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: dload_dseparation ! receives n real(c_double) [force/length]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_loads_at_separations
+
+    ! Friction forces of contacts that belong to several models. Every element is filled, then the first invalid one reported.
+    function asperity_friction_force_at_loads_of(models, models_length, n, which, load, force, dforce_dload) &
+        result(status) bind(c)
+      import :: c_int32_t, c_ptr, c_size_t
+      type(c_ptr), intent(in), value :: models            ! models_length type(c_ptr), none of them c_null_ptr
+      integer(c_size_t), intent(in), value :: models_length
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: which             ! n integer(c_int32_t): the index of the model, from 0
+      type(c_ptr), intent(in), value :: load              ! n real(c_double) [force]
+      type(c_ptr), intent(in), value :: force             ! receives n real(c_double) [force]; c_null_ptr: none
+      type(c_ptr), intent(in), value :: dforce_dload      ! receives n real(c_double) [-]; c_null_ptr: none
+      integer(c_int32_t) :: status
+    end function asperity_friction_force_at_loads_of
+
+    ! The compiled load against separation for other evaluators: minus the separation in place of a load.
+    function asperity_load_table_of(model, table) result(status) bind(c)
+      import :: asperity_table, c_int32_t, c_ptr
+      type(c_ptr), intent(in), value :: model
+      type(asperity_table), intent(inout) :: table
+      integer(c_int32_t) :: status
+    end function asperity_load_table_of
+
     ! ---- Second names: the same functions, under names of one pattern ----
 
     ! The same as asperity_summary_of.
@@ -810,6 +900,9 @@ module asperity
   public :: asperity_summits_at_overlaps
   public :: asperity_table_of, asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
   public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
+  public :: asperity_friction_at_pressures, asperity_shear_stresses_at_pressures, asperity_slip_forces
+  public :: asperity_load_at_separation, asperity_load_and_slope_at_separation, asperity_loads_at_separations
+  public :: asperity_friction_force_at_loads_of, asperity_load_table_of
   public :: asperity_get_summary, asperity_get_table, asperity_get_material, asperity_get_pair, asperity_get_interface
   public :: asperity_friction_force_at_slip_rate, asperity_tangential_force_at_displacement
   public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
@@ -919,6 +1012,13 @@ module asperity
     procedure, public :: microslip_length => model_microslip_length
     procedure, public :: microslip_step => model_microslip_step
     procedure, public :: microslip_steps => model_microslip_steps
+
+    ! load = law%load_at_separation(separation [, slope] [, stat] [, errmsg])
+    !   separation  real(c_double), intent(in) [length] of the mean planes, as for state_at_separation
+    !   load        real(c_double) [force]: negative where adhesion pulls, 0 at pull-off and beyond
+    !   slope       real(c_double), intent(out), optional: d(load)/d(separation) [force/length], minus the normal stiffness
+    ! A separation that is not finite gives NaN, with a slope of NaN, and ASPERITY_INVALID_PARAMETER.
+    procedure, public :: load_at_separation => model_load_at_separation
 
     ! call law%state_at_load(load, state [, stat] [, errmsg])                the exact state at a load [force]
     ! call law%state_at_separation(separation, state [, stat] [, errmsg])    the same at a separation [length]
@@ -1485,6 +1585,28 @@ contains
       call report_at_load(self, load, stat, errmsg)
     end if
   end function model_slip_force
+
+  function model_load_at_separation(self, separation, slope, stat, errmsg) result(load)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in) :: separation
+    real(c_double), intent(out), optional, target :: slope
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double) :: load
+    real(c_double), target :: at(1)
+    load = asperity_load_and_slope_at_separation(c_model(self), separation, scalar_address(slope))
+    if (.not. is_created(self, stat, errmsg)) return
+    at(1) = separation
+    call report(open_is_an_answer(asperity_loads_at_separations(self%handle, 1_c_size_t, c_loc(at), c_null_ptr, &
+                                                                c_null_ptr)), stat, errmsg)
+  end function model_load_at_separation
+
+  ! Surfaces apart carry no load: that is no failure.
+  pure function open_is_an_answer(status) result(found)
+    integer(c_int32_t), intent(in) :: status
+    integer(c_int32_t) :: found
+    found = merge(int(ASPERITY_OK, c_int32_t), status, status == ASPERITY_SEPARATED)
+  end function open_is_an_answer
 
   function friction_rank_0(self, load, slope, stat, errmsg) result(mu)
     class(friction_model), intent(in), target :: self

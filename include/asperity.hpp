@@ -1054,6 +1054,15 @@ public:
         return table;
     }
 
+    /// The compiled load against separation, for code that cannot call out of a kernel: minus the separation stands in place
+    /// of a load, and the load in place of the friction force. Valid as `table` is.
+    Table load_table() const {
+        Table table;
+        table.struct_size = sizeof table;
+        check(asperity_load_table_of(handle_.get(), &table));
+        return table;
+    }
+
     /// The C model, to pass to the C interface; still owned by this object, null if that was moved from.
     const asperity_model *c() const noexcept { return handle_.get(); }
 

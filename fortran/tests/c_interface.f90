@@ -29,6 +29,8 @@ program c_interface
   call values_with_slopes
   call pressures
   call slip_forces
+  call batches_beside_friction
+  call gaps
   call compiled_table
   call hertzian_states
   call adhesive_summary
@@ -667,6 +669,67 @@ contains
                asperity_slip_force(model, 5.0_c_double, 1.0_c_double, 0.0_c_double, c_null_ptr, c_null_ptr)))
     call asperity_free(model)
   end subroutine slip_forces
+
+  ! Batches by pressure, of slip forces and of several models have the numbers of one call a contact.
+  subroutine batches_beside_friction
+    real(c_double), target :: p(3) = [0.5_c_double, 2.0_c_double, 40.0_c_double]
+    real(c_double), target :: v(3) = [-0.1_c_double, 0.0_c_double, 0.3_c_double]
+    real(c_double), target :: value(3), slope(3), by_rate(3), by_load, by_slip
+    integer(c_int32_t), target :: which(3) = [1_c_int32_t, 0_c_int32_t, 2_c_int32_t]
+    type(c_ptr), target :: models(2)
+    type(c_ptr) :: model
+    real(c_double) :: one
+    integer :: i
+    model = default_model()
+    call asperity_check(asperity_friction_at_pressures(model, 3_c_size_t, c_loc(p), 2.0_c_double, c_loc(value), &
+                                                       c_loc(slope)))
+    do i = 1, 3
+      one = asperity_friction_at_pressure(model, p(i), 2.0_c_double, c_loc(by_load))
+      call check('mu at a pressure of many', identical(value(i), one) .and. identical(slope(i), by_load))
+    end do
+    call asperity_check(asperity_shear_stresses_at_pressures(model, 3_c_size_t, c_loc(p), 2.0_c_double, c_loc(value), &
+                                                             c_loc(slope)))
+    do i = 1, 3
+      one = asperity_shear_stress_at_pressure(model, p(i), 2.0_c_double, c_loc(by_load))
+      call check('a stress of many', identical(value(i), one) .and. identical(slope(i), by_load))
+    end do
+    call asperity_check(asperity_slip_forces(model, 3_c_size_t, c_loc(p), c_loc(v), 0.5_c_double, c_loc(value), &
+                                             c_loc(slope), c_loc(by_rate)))
+    do i = 1, 3
+      one = asperity_slip_force(model, p(i), v(i), 0.5_c_double, c_loc(by_load), c_loc(by_slip))
+      call check('a slip force of many', identical(value(i), one) .and. identical(slope(i), by_load) .and. &
+                 identical(by_rate(i), by_slip))
+    end do
+    models = model
+    call check('an index of no model is refused', &
+               asperity_friction_force_at_loads_of(c_loc(models), 2_c_size_t, 3_c_size_t, c_loc(which), c_loc(p), &
+                                                   c_loc(value), c_loc(slope)) == ASPERITY_INVALID_PARAMETER)
+    call check('... and its force is NaN', ieee_is_nan(value(3)))
+    call check('the others have theirs', identical(value(1), asperity_friction_force_at_load(model, p(1))))
+    call asperity_free(model)
+  end subroutine batches_beside_friction
+
+  ! The load at a separation, of one and of many, and by the table.
+  subroutine gaps
+    real(c_double), target :: at(2), load(2), slope(2), one
+    type(asperity_state) :: state
+    type(asperity_table) :: table
+    type(c_ptr) :: model
+    model = default_model()
+    call asperity_check(asperity_state_at_load(model, 3.0_c_double, state))
+    at = [state%separation, 1e6_c_double]
+    call check('surfaces apart are reported', &
+               asperity_loads_at_separations(model, 2_c_size_t, c_loc(at), c_loc(load), c_loc(slope)) == ASPERITY_SEPARATED)
+    call check_close('the load at a separation', load(1), 3.0_c_double, 1e-9_c_double)
+    call check_close('its slope', slope(1), state%dload_dseparation, 1e-7_c_double)
+    call check('apart there is none', identical(load(2), 0.0_c_double))
+    call check('one as many', identical(asperity_load_at_separation(model, at(1)), load(1)))
+    call check('with its slope', identical(asperity_load_and_slope_at_separation(model, at(1), c_loc(one)), load(1)))
+    call check('... too', identical(one, slope(1)))
+    call asperity_check(asperity_load_table_of(model, table))
+    call check('the table has rows', table%row_count > 50 .and. -table%pull_off_load > at(1))
+    call asperity_free(model)
+  end subroutine gaps
 
   pure function difference(value, step)
     real(c_double), intent(in) :: value(4), step  ! values at -2, -1, 1 and 2 steps

@@ -42,6 +42,8 @@ VALUE_TYPES = {
     "char *": "type(c_ptr), value",
     "const char *": "type(c_ptr), value",
     "const char *const *": "type(c_ptr), value",
+    "const uint32_t *": "type(c_ptr), value",
+    "const struct asperity_model *const *": "type(c_ptr), value",
     "const struct asperity_model *": "type(c_ptr), value",
     "struct asperity_model *": "type(c_ptr), value",
     "struct asperity_model **": "type(c_ptr)",

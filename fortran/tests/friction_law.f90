@@ -17,6 +17,7 @@ program friction_law
   call the_ends_of_the_law
   call at_pressures
   call sliding
+  call gap
   call sticking
   call tables
   call states
@@ -244,6 +245,22 @@ contains
     call missing%microslip_step(P(1), increment(:, 1), state, after, out, stat)
     call check('a law that was never created has none', stat == ASPERITY_NULL_POINTER)
   end subroutine remembering
+
+  subroutine gap
+    type(friction_model) :: law
+    type(asperity_state) :: state
+    real(c_double) :: load, slope
+    integer :: stat
+    call law%create(default_parameters())
+    call law%state_at_load(3.0_c_double, state)
+    load = law%load_at_separation(state%separation, slope, stat)
+    call check_close('the load at a separation', load, 3.0_c_double, 1e-9_c_double)
+    call check_close('minus the normal stiffness', slope, state%dload_dseparation, 1e-7_c_double)
+    call check('surfaces apart are no failure', stat == 0 .and. &
+               identical(law%load_at_separation(1e6_c_double), 0.0_c_double))
+    load = law%load_at_separation(nan(), slope, stat)
+    call check('a separation that is NaN is', stat == ASPERITY_INVALID_PARAMETER .and. ieee_is_nan(load))
+  end subroutine gap
 
   subroutine sticking
     real(c_double), parameter :: P(3) = [0.1_c_double, 3.0_c_double, 1e4_c_double]

@@ -120,6 +120,26 @@ export class Model {
   }
 
   /**
+   * Normal load at a separation of the mean planes, or at many: 0 at pull-off and beyond.
+   * @template {number | Loads} T
+   * @param {T} separation of the flat from the mean of the summit heights [length]
+   * @returns {T extends number ? number : Float64Array}
+   */
+  loadAtSeparation(separation) {
+    return this.#values("loads_at_separations", separation);
+  }
+
+  /**
+   * Normal load at a separation, or at many, and its slope d(load)/d(separation): minus the normal stiffness.
+   * @template {number | Loads} T
+   * @param {T} separation of the flat from the mean of the summit heights [length]
+   * @returns {{ value: T extends number ? number : Float64Array, slope: T extends number ? number : Float64Array }}
+   */
+  loadAndSlopeAtSeparation(separation) {
+    return this.#valuesAndSlopes("loads_at_separations", separation);
+  }
+
+  /**
    * The tangential force [force] at a load and a displacement, and its slope by displacement [force/length], by integration
    * over the summits. `tangentialForceAtDisplacement` is the same.
    * @param {number} load normal load [force]
@@ -238,23 +258,25 @@ export class Model {
       outputs.forEach((output, i) => found[i].set(new Float64Array(this.library.memory.buffer, output, count), from));
     }
     const refused = found[0].findIndex(Number.isNaN);
-    if (refused >= 0) this.#refuse(loads[refused], typeof load === "number" ? "" : `element ${refused}: `);
+    if (refused >= 0) this.#refuse(name, loads[refused], typeof load === "number" ? "" : `element ${refused}: `);
     return found;
   }
 
   /**
-   * Throws the library's message about a load that it answered with NaN.
-   * @param {number} load
+   * Throws the library's message about a load, or a separation, that it answered with NaN.
+   * @param {string} name of the call
+   * @param {number} argument
    * @param {string} place
    */
-  #refuse(load, place) {
+  #refuse(name, argument, place) {
     try {
-      this.stateAtLoad(load);
+      if (name === "loads_at_separations") this.stateAtSeparation(argument);
+      else this.stateAtLoad(argument);
     } catch (error) {
       if (error instanceof AsperityError) throw new AsperityError(place + error.message, error.status);
       throw error;
     }
-    throw new AsperityError(`load = ${load}: no friction was found; a bug in asperity, please report it`, CONSTANTS.INTERNAL);
+    throw new AsperityError(`${argument}: no answer was found; a bug in asperity, please report it`, CONSTANTS.INTERNAL);
   }
 }
 

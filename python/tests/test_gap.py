@@ -2,12 +2,28 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
+import numpy.typing as npt
 import pytest
+import warp as wp
 
 import asperity
+import asperity.warp
 
-MODELS = {"default": asperity.Params(), "no adhesion": asperity.Params(work_of_adhesion=0.0)}
+wp.config.quiet = True
+
+MODELS = {
+    name: asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=gamma)
+    for name, gamma in (("default", 0.001), ("no adhesion", 0.0))
+}
+
+
+@wp.kernel
+def loads(law: asperity.warp.Law64, at: wp.array(dtype=wp.float64), load: wp.array(dtype=wp.float64)) -> None:
+    i = wp.tid()
+    load[i] = asperity.warp.load_at_separation(law, at[i])
 
 
 @pytest.fixture(params=MODELS)
@@ -15,7 +31,7 @@ def model(request: pytest.FixtureRequest) -> asperity.Model:
     return asperity.Model(MODELS[request.param])
 
 
-def separations(model: asperity.Model) -> np.ndarray:
+def separations(model: asperity.Model) -> npt.NDArray[Any]:
     """From heavy load to one that is 1e-12 of it, or to pull-off."""
     pull_off = model.summary().pull_off_load
     nearest = model.state_at_load(1e3).separation
@@ -49,8 +65,8 @@ def test_a_separation_without_an_answer_is_named(model: asperity.Model, wrong: f
 
 
 def test_in_jax_with_derivatives(model: asperity.Model) -> None:
-    jax = pytest.importorskip("jax")
     import asperity.jax
+    import jax
 
     jax.config.update("jax_enable_x64", True)
     at = separations(model)
@@ -67,16 +83,7 @@ def test_in_jax_with_derivatives(model: asperity.Model) -> None:
 
 
 def test_in_warp_with_a_gradient(model: asperity.Model) -> None:
-    wp = pytest.importorskip("warp")
-    import asperity.warp
-
     law = asperity.warp.load_law(model, device="cpu")
-
-    @wp.kernel
-    def loads(law: asperity.warp.Law64, at: wp.array(dtype=wp.float64), load: wp.array(dtype=wp.float64)):
-        i = wp.tid()
-        load[i] = asperity.warp.load_at_separation(law, at[i])
-
     places = np.append(separations(model), 1e9)
     at = wp.array(places, dtype=wp.float64, device="cpu", requires_grad=True)
     load = wp.zeros(len(places), dtype=wp.float64, device="cpu", requires_grad=True)

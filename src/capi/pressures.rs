@@ -1,8 +1,8 @@
-//! Many contacts by pressure, or with a smooth sign of the slip rate: the calls of `slope`, a block at a time.
+//! Many contacts by pressure, or with a smooth sign of the slip rate: the calls of `slope`, a block at a time. All of it runs in the
+//! library's floating-point environment: what vectors evaluate ahead of a condition would raise exceptions.
 
 use super::batch::{self, Arrays, Quantity};
 use super::boundary::{self, not_null, write, Failure};
-use super::fp_environment;
 use super::model::{self, asperity_model};
 use super::slope::{by_pressure, is_allowed, load_of, slipping, stress, ALLOWED};
 use super::status::asperity_status;
@@ -75,7 +75,7 @@ unsafe fn at_pressures(
     value: *mut f64,
     slope: *mut f64,
 ) -> asperity_status {
-    boundary::fast!(contained_status, {
+    boundary::status(|| {
         let model = model::of(model)?;
         if n > 0 {
             not_null(pressure, "pressure")?;
@@ -151,7 +151,7 @@ pub unsafe extern "C" fn asperity_slip_forces(
     dforce_dload: *mut f64,
     dforce_dslip_rate: *mut f64,
 ) -> asperity_status {
-    boundary::fast!(contained_status, {
+    boundary::status(|| {
         let model = model::of(model)?;
         if n > 0 {
             not_null(load, "load")?;
@@ -198,11 +198,9 @@ pub unsafe extern "C" fn asperity_slip_forces(
 fn signs(rates: &[f64; BLOCK], transition_rate: f64, count: usize) -> [(f64, f64); BLOCK] {
     let mut signs = [(0.0, 0.0); BLOCK];
     if is_allowed(transition_rate) {
-        fp_environment::held(|| {
-            for (sign, &rate) in signs[..count].iter_mut().zip(rates).filter(|(_, rate)| finite(**rate)) {
-                *sign = smooth_sign(rate, transition_rate);
-            }
-        });
+        for (sign, &rate) in signs[..count].iter_mut().zip(rates).filter(|(_, rate)| finite(**rate)) {
+            *sign = smooth_sign(rate, transition_rate);
+        }
     }
     signs
 }

@@ -124,16 +124,17 @@ typedef struct answers {
     asperity_table table;
     double mu[LOADS], force[LOADS], stiffness[LOADS], slopes[4][LOADS], sliding[3][LOADS], stress[LOADS];
     double batch[3][LOADS], batch_slopes[2][LOADS];
+    double gap[3][LOADS], gaps[2][LOADS], of[2][LOADS], pressed[4][LOADS], slipping[3][LOADS];
     asperity_state at_load[EXACT], at_separation[EXACT];
     asperity_sensitivities sensitivities;
     double tangential[2][EXACT], summits[3][EXACT];
     asperity_microslip slipped[EXACT];
     double states[EXACT][32], batch_states[EXACT][32], forces[EXACT][2], tangents[EXACT][4];
-    int status[16];
+    int status[24];
 } answers;
 
 typedef struct questions {
-    double load[LOADS], exact[EXACT], displacement, overlap[EXACT], increments[EXACT][2];
+    double load[LOADS], separation[LOADS], exact[EXACT], displacement, overlap[EXACT], increments[EXACT][2];
 } questions;
 
 /* Loads of every kind, made in the environment of the start; but none below 2.2e-308, which a host that flushes takes
@@ -146,8 +147,12 @@ static void prepare(const asperity_model *model, questions *q)
     asperity_state state = {.struct_size = sizeof state};
 
     asperity_summary_of(model, &s);
+    asperity_state_at_load(model, s.pull_off_load < 0 ? s.pull_off_load : 1e-9 * s.max_table_load, &state);
     for (int i = 0; i < LOADS; i++)
         q->load[i] = i < specials ? special[i] : ldexp(0.7 + 0.1 * (i % 3), 5 - 2 * (LOADS - i)) * s.max_table_load;
+    /* From compression beyond the table over all heights to surfaces apart. */
+    for (int i = 0; i < LOADS; i++)
+        q->separation[i] = i < specials ? special[i] : state.separation * (1.5 - ldexp(0.1 * i, i % 4 == 0 ? 40 - i : -2));
     q->load[specials] = s.pull_off_load;
     q->load[specials + 1] = 0.4 * s.pull_off_load;
     q->load[specials + 2] = 3 * s.pull_off_load;
@@ -191,6 +196,20 @@ static asperity_model *ask(const asperity_params *p, const questions *q, answers
         asperity_friction_at_pressure(model, q->load[i], 1.3, &a->slopes[2][i]);
         a->stress[i] = asperity_shear_stress_at_pressure(model, q->load[i], 1.3, &a->slopes[3][i]);
         a->sliding[0][i] = asperity_slip_force(model, q->load[i], -0.31, 0.7, &a->sliding[1][i], &a->sliding[2][i]);
+        a->gap[0][i] = asperity_load_at_separation(model, q->separation[i]);
+        a->gap[1][i] = asperity_load_and_slope_at_separation(model, q->separation[i], &a->gap[2][i]);
+    }
+    {
+        const asperity_model *const models[] = {model, model};
+        uint32_t which[LOADS];
+        for (int i = 0; i < LOADS; i++)
+            which[i] = (uint32_t)(i % 2);
+        *status++ = asperity_loads_at_separations(model, LOADS, q->separation, a->gaps[0], a->gaps[1]);
+        *status++ = asperity_friction_force_at_loads_of(models, 2, LOADS, which, q->load, a->of[0], a->of[1]);
+        *status++ = asperity_friction_at_pressures(model, LOADS, q->load, 1.3, a->pressed[0], a->pressed[1]);
+        *status++ = asperity_shear_stresses_at_pressures(model, LOADS, q->load, 1.3, a->pressed[2], a->pressed[3]);
+        *status++ = asperity_slip_forces(model, LOADS, q->load, q->separation, 0.7, a->slipping[0], a->slipping[1],
+                                         a->slipping[2]);
     }
     *status++ = asperity_friction_at_loads(model, LOADS, q->load, a->batch[0], a->batch_slopes[0]);
     *status++ = asperity_friction_force_at_loads(model, LOADS, q->load, a->batch[1], a->batch_slopes[1]);

@@ -103,6 +103,26 @@ static void evaluate_at(const asperity_model *model, double x)
     doing = "asperity_summits_at_overlaps";
     asperity_summits_at_overlaps(model, 2, in, in, out, slope, radius);
     microslip_at(model, x);
+    doing = "asperity_load_at_separation";
+    asperity_load_at_separation(model, x);
+    doing = "asperity_load_and_slope_at_separation";
+    asperity_load_and_slope_at_separation(model, x, slope);
+    doing = "asperity_loads_at_separations";
+    asperity_loads_at_separations(model, 2, in, out, slope);
+    doing = "asperity_friction_force_at_loads_of";
+    {
+        const uint32_t which[] = {0, 1};
+        asperity_friction_force_at_loads_of(&model, 1, 2, which, in, out, slope);
+        asperity_friction_force_at_loads_of(&model, 1, 2, which, in, out, NULL);
+    }
+    doing = "asperity_friction_at_pressures";
+    asperity_friction_at_pressures(model, 2, in, 0.7, out, slope);
+    asperity_friction_at_pressures(model, 2, in, x, out, slope);
+    doing = "asperity_shear_stresses_at_pressures";
+    asperity_shear_stresses_at_pressures(model, 2, in, 0.7, out, slope);
+    doing = "asperity_slip_forces";
+    asperity_slip_forces(model, 2, in, in, 0.7, out, slope, radius);
+    asperity_slip_forces(model, 2, in, in, x, out, slope, radius);
     doing = "between calls";
 }
 

@@ -300,6 +300,12 @@ fn null_is_refused_or_skipped() {
             asperity_summary_of(null(), &mut summary),
             asperity_table_of(null(), null_mut()),
             asperity_tangential_stiffness_at_loads(null(), 1, &1.0, &mut slope),
+            asperity_loads_at_separations(null(), 1, &1.0, &mut slope, null_mut()),
+            asperity_friction_at_pressures(null(), 1, &1.0, 1.0, &mut slope, null_mut()),
+            asperity_shear_stresses_at_pressures(null(), 1, &1.0, 1.0, &mut slope, null_mut()),
+            asperity_slip_forces(null(), 1, &1.0, &1.0, 1.0, &mut slope, null_mut(), null_mut()),
+            asperity_friction_force_at_loads_of(null(), 1, 1, &0, &1.0, &mut slope, null_mut()),
+            asperity_load_table_of(null(), null_mut()),
             asperity_tangential_at_load(null(), 1.0, 1.0, &mut slope, null_mut()),
             asperity_microslip_step(null(), 1.0, &0.0, &0.0, null_mut(), &mut asperity_microslip::empty()),
             asperity_microslip_steps(null(), 1, &1.0, &0.0, &0.0, null_mut(), null_mut(), null_mut()),
@@ -311,6 +317,7 @@ fn null_is_refused_or_skipped() {
         assert!(asperity_friction_force_at_load(null(), 1.0).is_nan());
         assert!(asperity_tangential_stiffness_at_load(null(), 1.0).is_nan());
         assert_eq!(asperity_microslip_length(null()), 0);
+        assert!(asperity_load_at_separation(null(), 1.0).is_nan());
         for (batch, one) in LAWS {
             assert_eq!(batch(null(), 1, &1.0, &mut slope, null_mut()), NULL_POINTER);
             assert!(slope == 7.0 && one(null(), 1.0, null_mut()).is_nan());
@@ -384,6 +391,30 @@ fn one_contact(handle: &Handle) {
         assert!(force > 0.0 && [&one, &other].iter().all(|place| f64::from_bits(place.word(0)) > 0.0));
         assert_eq!(asperity_slip_force(handle.0, load, 0.5, 1.0, null_mut(), null_mut()), force);
         assert!(asperity_slip_force(handle.0, load, 0.5, 0.0, one.pointer(), other.pointer()).is_nan());
+        let (found, value) = (f64::from_bits, load);
+        assert_eq!(asperity_friction_at_pressures(handle.0, 1, &value, 1.0, one.pointer(), other.pointer()), OK);
+        assert_eq!(found(one.word(0)), asperity_friction_at_pressure(handle.0, load, 1.0, null_mut()));
+        assert_eq!(asperity_shear_stresses_at_pressures(handle.0, 1, &value, 1.0, one.pointer(), null_mut()), OK);
+        assert_eq!(found(one.word(0)), asperity_shear_stress_at_pressure(handle.0, load, 1.0, null_mut()));
+        let third = Place::numbers(1, 1);
+        let (sliding, slopes) = (one.pointer(), [other.pointer(), third.pointer()]);
+        assert_eq!(asperity_slip_forces(handle.0, 1, &value, &0.5, 1.0, sliding, slopes[0], slopes[1]), OK);
+        assert_eq!(found(one.word(0)), force);
+        let models = [handle.0.cast_const()];
+        let (which, force) = (0_u32, asperity_friction_force_at_load(handle.0, load));
+        let forces = |to, slope| asperity_friction_force_at_loads_of(models.as_ptr(), 1, 1, &which, &value, to, slope);
+        assert_eq!(forces(one.pointer(), other.pointer()), OK);
+        assert_eq!((found(one.word(0)), forces(null_mut(), null_mut())), (force, OK));
+        let separation = 0.0;
+        let pressed = asperity_load_and_slope_at_separation(handle.0, separation, one.pointer());
+        assert!(pressed > 0.0 && found(one.word(0)) < 0.0);
+        assert_eq!(asperity_load_at_separation(handle.0, separation), pressed);
+        assert_eq!(asperity_loads_at_separations(handle.0, 1, &separation, other.pointer(), third.pointer()), OK);
+        assert_eq!((found(other.word(0)), third.word(0)), (pressed, one.word(0)));
+        let mut table: asperity_table = std::mem::zeroed();
+        table.struct_size = size_of::<asperity_table>() as u64;
+        assert_eq!(asperity_load_table_of(handle.0, &mut table), OK);
+        assert!(table.row_count > 0 && !table.rows.is_null());
         let stiffness = asperity_tangential_stiffness_at_load(handle.0, load);
         assert_eq!(asperity_tangential_stiffness_at_loads(handle.0, 1, &load, one.pointer()), OK);
         assert_eq!(one.word(0), stiffness.to_bits());

@@ -636,6 +636,7 @@ void a_gap_has_a_load() {
     std::vector<double> into(3), slopes(3);
     EXPECT(model.load_at_separation(separations, into, slopes) == ASPERITY_SEPARATED && into == loads);
     EXPECT(slopes[0] == load.slope && slopes[1] == 0.0);
+    EXPECT(model.load_table().row_count > 0);
     const std::vector<double> wrong{1e6, NAN};
     EXPECT(thrown_by([&] { model.load_at_separation(wrong); }).status() == ASPERITY_INVALID_PARAMETER);
     EXPECT(thrown_by([&] { model.load_at_separation(std::vector<double>{INF}); }).status() == ASPERITY_INVALID_PARAMETER);

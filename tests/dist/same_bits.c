@@ -113,6 +113,25 @@ static void list_table(const char *name, const asperity_model *model)
     }
 }
 
+/* Load against separation, and its table. */
+static void list_gaps(const char *name, const asperity_model *model, const answers *of)
+{
+    static double separation[LOADS], load[LOADS], slope[LOADS];
+    asperity_table t = {.struct_size = sizeof t};
+
+    CHECK(asperity_load_table_of(model, &t) == ASPERITY_OK, "surface %s", name);
+    for (int i = 0; i < LOADS; i++)
+        separation[i] = of->exact[0].separation + (1 - 0.04 * i) * fabs(of->exact[0].separation);
+    asperity_loads_at_separations(model, LOADS, separation, load, slope);
+    for (int i = 0; i < LOADS; i++) {
+        const double one = asperity_load_at_separation(model, separation[i]);
+        CHECK(SAME(one, load[i]), "%s: %a alone, %a in a batch", name, one, load[i]);
+    }
+    line(name, "load table", t.rows, (size_t)t.total_count * 8 * sizeof *t.rows);
+    LINE(name, "loads at", load);
+    LINE(name, "stiffness at", slope);
+}
+
 /* One contact at a time, and many: the vectors of the processor against the scalar call. */
 static void list_calls(const char *name, const asperity_model *model, const answers *of)
 {
@@ -137,6 +156,7 @@ static void list_calls(const char *name, const asperity_model *model, const answ
     LINE(name, "slopes", slopes);
     LINE(name, "stiffness", stiffness);
     LINE(name, "sliding", sliding);
+    list_gaps(name, model, of);
 }
 
 /* A contact that goes round under changing loads, then all its loads in a batch. */

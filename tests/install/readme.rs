@@ -1,5 +1,5 @@
-//! The programs in README.md, on the front page of the site, in docs/fit.md, in docs/microslip.md and on the starting points'
-//! pages print what stands there.
+//! The programs in README.md, on the front page of the site, in docs/fit.md, docs/microslip.md, docs/normal-contact.md and on
+//! the starting points' pages print what stands there.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
 
@@ -77,4 +77,12 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
         }
     }
     assert_eq!(pages, 5, "starting points");
+}
+
+#[test]
+fn the_program_of_normal_contact_prints_what_stands_below_it() {
+    let guide = page("docs/normal-contact.md");
+    let (program, printed) =
+        guide.split_once("## In C").expect("the part in C").1.split_once("```text\n").expect("text");
+    prints("normal_contact.c", between(program, "```c\n", "```"), printed.split("```").next().expect("what it prints"));
 }

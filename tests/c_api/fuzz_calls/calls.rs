@@ -278,6 +278,45 @@ impl<'a> Calls<'a> {
         self.before_slip(model, load, force);
     }
 
+    /// The loads at a number taken for a separation, by each call; and the batches beside friction by load.
+    pub fn at_gap(&mut self, model: &Model, separation: f64) {
+        let (at, p): (Shared, _) = (model.handle.0, model.params);
+        let (mut slope, mut load_of_batch, mut slope_of_batch, mut third) = (BEFORE, BEFORE, BEFORE, BEFORE);
+        let (one, unit): (usize, f64) = (1, 0.7);
+        let (from, slope_at): (*const f64, *mut f64) = (&separation, &mut slope);
+        let (load_at, slopes_at, third_at): (*mut f64, *mut f64, *mut f64) =
+            (&mut load_of_batch, &mut slope_of_batch, &mut third);
+        let load: f64 = call!(self, p, asperity_load_at_separation(at, separation));
+        let again: f64 = call!(self, p, asperity_load_and_slope_at_separation(at, separation, slope_at));
+        let status: i32 = call!(self, p, asperity_loads_at_separations(at, one, from, load_at, slopes_at));
+        let what = || format!("separation {separation:e}: {load:e} {slope:e}, status {status}; {p:?}");
+        let same = [load, again, load_of_batch].map(f64::to_bits);
+        assert!(same[0] == same[1] && same[0] == same[2] && slope.to_bits() == slope_of_batch.to_bits(), "{}", what());
+        self.documented(status, &[INVALID_PARAMETER, SEPARATED, OUT_OF_RANGE], &what);
+        assert_eq!(status == OUT_OF_RANGE || status == INVALID_PARAMETER, load.is_nan(), "{}", what());
+        assert!(load.is_nan() || (is_finite(load) && slope <= 0.0), "{}", what());
+        assert!(status != SEPARATED || (load == 0.0 && slope == 0.0), "{}", what());
+        let pull_off = model.summary.pull_off_load;
+        assert!(load.is_nan() || load >= pull_off * (1.0 + 1e-9), "{}", what());
+        // The number as pressure and load, among others.
+        let friction = [INVALID_PARAMETER, INVALID_LOAD, SEPARATED, OUT_OF_RANGE];
+        let status: i32 = call!(self, p, asperity_friction_at_pressures(at, one, from, unit, load_at, slopes_at));
+        self.documented(status, &friction, &what);
+        let status: i32 = call!(self, p, asperity_shear_stresses_at_pressures(at, one, from, unit, load_at, slopes_at));
+        self.documented(status, &friction, &what);
+        let status: i32 = call!(self, p, asperity_slip_forces(at, one, from, from, unit, load_at, slopes_at, third_at));
+        self.documented(status, &friction, &what);
+        let (models, which): ([Shared; 1], u32) = ([at], (separation.to_bits() & 1) as u32);
+        let (models_at, which_at): (*const Shared, *const u32) = (models.as_ptr(), &which);
+        let status: i32 = call!(
+            self,
+            p,
+            asperity_friction_force_at_loads_of(models_at, one, one, which_at, from, load_at, slopes_at)
+        );
+        self.documented(status, &friction, &what);
+        assert!(which == 0 || is_quiet_nan(load_of_batch), "{}", what());
+    }
+
     /// Tangential stiffness and force at a load, of which the friction force is known.
     fn before_slip(&mut self, model: &Model, load: f64, friction: f64) {
         let (at, p): (Shared, _) = (model.handle.0, model.params);

@@ -239,7 +239,9 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
                 .collect();
             calls.path(model, &steps);
         }
-        170..=179 => calls.separation(model, bytes.separation(model.params.height_std)),
+        170..=174 => calls.separation(model, bytes.separation(model.params.height_std)),
+        175..=177 => calls.at_gap(model, bytes.separation(model.params.height_std)),
+        178..=179 => calls.at_gap(model, bytes.any_float()),
         180..=199 => calls.secant(model, bytes.part()),
         200..=219 => calls.order(model, bytes.load(summary), bytes.load(summary)),
         220..=239 => {
