@@ -300,7 +300,8 @@ public:
         return *this;
     }
 
-    /// Sets E*, G* and the tangential modulus from Young's moduli [stress] and Poisson's ratios of the two bodies; infinity is a rigid body.
+    /// Sets E*, G* and the tangential modulus from Young's moduli [stress] and Poisson's ratios of the two bodies; infinity is
+    /// a rigid body.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_materials(double E1, double nu1, double E2, double nu2) {

@@ -6,7 +6,8 @@ use std::path::PathBuf;
 /// Set to write the header instead of comparing it: `make header`.
 const WRITE: &str = "ASPERITY_WRITE_HEADER";
 
-/// The groups of functions in the order in which a reader needs them: a heading, and the files of `src/capi/` whose functions follow.
+/// The groups of functions in the order in which a reader needs them: a heading, and the files of `src/capi/` whose functions
+/// follow.
 const GROUPS: [(&str, &[&str]); 7] = [
     (
         "Make: parameters from what you know of the surfaces, then a model.",
@@ -111,7 +112,8 @@ fn examples_of_the_header_run() {
     assert!(others.len() > 8, "{}", others.len());
     let mut all = String::from("#include <asperity.h>\n#include <stdio.h>\n\n");
     for (i, block) in others.iter().enumerate() {
-        all += &format!("static void example_{i}(asperity_params params, asperity_model *model)\n{{\n{block}    (void)params, (void)model;\n}}\n");
+        let head = format!("static void example_{i}(asperity_params params, asperity_model *model)");
+        all += &format!("{head}\n{{\n{block}    (void)params, (void)model;\n}}\n");
     }
     // A model in SI units, and what a failure left.
     all += "int main(void)\n{\n    asperity_params params;\n    asperity_model *model;\n    asperity_params_init_unset(&params);\n\

@@ -496,7 +496,7 @@ class Params:
         return values
 
     def replace(self, **changes: Any) -> Params:
-        """A copy with some fields changed, which are understood as the options of `si`; Johnson's heights stay so with a new `skew`."""
+        """A copy with some fields changed, as the options of `si`; Johnson's heights stay Johnson's with a new `skew`."""
         kept = {field.name: getattr(self, field.name) for field in fields(self)}
         if "skew" in changes and self.height_distribution == "johnson":
             changes.setdefault("height_distribution", "johnson")
