@@ -5,7 +5,6 @@ use super::batch::{self, Arrays, Quantity};
 use super::boundary::{self, not_null, write, Failure};
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
-use crate::float_bits::nan;
 use crate::model::Model;
 
 /// Contacts that are sorted at a time, and the most models by which they are: of more, each has few contacts in a block, and all are
@@ -78,11 +77,6 @@ impl Models {
             Some(index) => Err(Failure::null_element("models", index)),
             None => Ok(()),
         }
-    }
-
-    /// Whether a force is an answer of that model.
-    unsafe fn answers(&self, index: usize, load: f64, force: f64) -> bool {
-        !nan(force) && index < self.count && self.get(index).validate_load(load).is_ok()
     }
 
     unsafe fn get(&self, index: usize) -> &Model {
@@ -192,23 +186,37 @@ unsafe fn sorted(models: &Models, contacts: &Contacts) -> Option<Invalid> {
 
 /// Asks for each contact alone.
 unsafe fn one_by_one(models: &Models, contacts: &Contacts) -> Option<Invalid> {
-    let mut invalid = None;
-    for i in 0..contacts.count {
+    // What may be overwritten.
+    let mut loads = [0.0; BLOCK];
+    let mut suspects = 0_u64;
+    for (i, kept) in loads[..contacts.count].iter_mut().enumerate() {
         let (which, load) = (contacts.which(i), contacts.load(i));
-        let (mut force, mut slope) = (f64::NAN, f64::NAN);
+        *kept = load;
+        let mut force = f64::NAN;
         if which < models.count {
             let handle = models.first.add(which).read_unaligned();
-            match contacts.slope.is_null() {
-                true => force = model::value_at(handle, Quantity::Force, load),
-                false => (force, slope) = Quantity::Force.at(models.get(which), load),
-            }
+            force = match contacts.slope.is_null() {
+                true => model::value_at(handle, Quantity::Force, load),
+                false => {
+                    let (force, slope) = Quantity::Force.at(models.get(which), load);
+                    write(contacts.slope, contacts.begin + i, slope);
+                    force
+                }
+            };
+        } else {
+            write(contacts.slope, contacts.begin + i, f64::NAN);
         }
-        // All others are in order. By bits: comparing a NaN may raise a flag.
-        let is_suspect = force.to_bits() == 0 || nan(force);
-        if is_suspect && invalid.is_none() && !models.answers(which, load, force) {
-            invalid = Some(Invalid { index: contacts.begin + i, which, load });
-        }
-        contacts.write(i, force, slope);
+        write(contacts.force, contacts.begin + i, force);
+        // All others are in order: 0 and NaN are below and above them. By bits: comparing a NaN may raise a flag.
+        suspects |= u64::from(force.to_bits().wrapping_sub(1) >= f64::INFINITY.to_bits() - 1);
     }
-    invalid
+    if suspects == 0 {
+        return None;
+    }
+    let is_invalid = |i: &usize| {
+        let which = contacts.which(*i);
+        which >= models.count || Quantity::Force.is_invalid(models.get(which), loads[*i])
+    };
+    let i = (0..contacts.count).find(is_invalid)?;
+    Some(Invalid { index: contacts.begin + i, which: contacts.which(i), load: loads[i] })
 }

@@ -87,6 +87,11 @@ impl Quantity {
         }
     }
 
+    /// Whether an argument has no answer.
+    pub fn is_invalid(self, model: &Model, load: f64) -> bool {
+        nan(self.at(model, load).0) || self.validate(model, load).is_err()
+    }
+
     /// What is said of an element without an answer.
     pub fn failure(self, model: &Model, index: usize, load: f64) -> Failure {
         let error = self.validate(model, load).err().unwrap_or_else(|| match self {
