@@ -79,14 +79,15 @@ static fmiStatus refused(const unit *u, fmiStatus status)
 /* fmiOK in one of the modes: elsewhere the function must not be called. */
 static fmiStatus called_in(const unit *u, int modes, const char *function)
 {
-    const char *name = u->state.mode == INSTANTIATED      ? "before initialization mode"
-                       : u->state.mode == INITIALIZATION  ? "in initialization mode"
-                       : u->state.mode == EVENT           ? "in event mode"
-                       : u->state.mode == CONTINUOUS_TIME ? "in continuous-time mode"
-                       : u->state.mode == STEP            ? "in co-simulation"
-                                                    : "after the end";
+    const int mode = u->state.mode;
+    const char *name = mode == INSTANTIATED      ? "before initialization mode"
+                       : mode == INITIALIZATION  ? "in initialization mode"
+                       : mode == EVENT           ? "in event mode"
+                       : mode == CONTINUOUS_TIME ? "in continuous-time mode"
+                       : mode == STEP            ? "in co-simulation"
+                                                 : "after the end";
     char message[128];
-    if (u->state.mode & modes)
+    if (mode & modes)
         return fmiOK;
     snprintf(message, sizeof message, "%s must not be called %s", function, name);
     return failed(u, fmiError, message);
@@ -192,11 +193,12 @@ static fmiStatus evaluate(unit *u, int coefficient, double load, double *value, 
 /* Initialization is over: what was set in it is where the unit begins. */
 static fmiStatus exit_initialization(unit *u, const char *function)
 {
-    const fmiStatus status = called_in(u, INITIALIZATION, function);
-    if (status != fmiOK)
-        return status;
-    u->state.mode = u->exchange ? EVENT : STEP;
-    return accept_step(u);
+    fmiStatus status = called_in(u, INITIALIZATION, function);
+    if (status == fmiOK)
+        status = accept_step(u);
+    if (status == fmiOK)
+        u->state.mode = u->exchange ? EVENT : STEP;
+    return status;
 }
 
 /* In model exchange the solver has accepted a step; in co-simulation it is the step. */
