@@ -22,8 +22,8 @@ function layout(struct, body) {
   let end = 0;
   let alignment = 1;
   let comment = "";
-  for (const part of body.matchAll(/\/\*\*([\s\S]*?)\*\/|(const )?(\w+) (\*?)(\w+);/g)) {
-    const [, text, , type, star, name] = part;
+  for (const part of body.matchAll(/\/\*\*([\s\S]*?)\*\/|(const )?(\w+) (\*?)(\w+)(?:\[(\d+)\])?;/g)) {
+    const [, text, , type, star, name, count] = part;
     if (text !== undefined) {
       comment = text.replace(/^\s*\* ?/gm, "").trim().replace(/\s*\n\s*/g, " ");
       continue;
@@ -33,7 +33,7 @@ function layout(struct, body) {
     if (!size) throw new Error(`${struct}.${name}: the type ${type} is not known to js/tools/header.mjs`);
     const offset = Math.ceil(end / size) * size;
     fields.push({ name, type: kind, offset, comment });
-    end = offset + size;
+    end = offset + size * Number(count ?? 1);
     alignment = Math.max(alignment, size);
   }
   return { size: Math.ceil(end / alignment) * alignment, fields };

@@ -447,7 +447,7 @@ static void names_are_those_of_the_fields(void)
 
     while (asperity_params_name(count) != NULL)
         count++;
-    CHECK(count == 26, "%d names", (int)count);
+    CHECK(count == 27, "%d names", (int)count);
     CHECK(asperity_params_name(count + 1) == NULL && asperity_params_name(SIZE_MAX) == NULL, "names after the last");
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < i; k++)
@@ -492,15 +492,15 @@ static void setting_all_names_in_their_order_copies_a_surface(void)
         for (int to = 0; to < SURFACES; to++) {
             const asperity_params source = surface(from);
             asperity_params one_by_one = surface(to), at_once = one_by_one;
-            const char *names[26];
-            double values[26];
-            for (int i = 0; i < 26; i++) {
-                names[25 - i] = asperity_params_name((size_t)i);
-                values[25 - i] = value_of(&source, names[25 - i]);
-                CHECK(asperity_params_set_value(&one_by_one, names[25 - i], values[25 - i]) == ASPERITY_OK, "%s",
+            const char *names[27];
+            double values[27];
+            for (int i = 0; i < 27; i++) {
+                names[26 - i] = asperity_params_name((size_t)i);
+                values[26 - i] = value_of(&source, names[26 - i]);
+                CHECK(asperity_params_set_value(&one_by_one, names[26 - i], values[26 - i]) == ASPERITY_OK, "%s",
                       last_message());
             }
-            CHECK(asperity_params_set_values(&at_once, 26, names, values) == ASPERITY_OK, "%s", last_message());
+            CHECK(asperity_params_set_values(&at_once, 27, names, values) == ASPERITY_OK, "%s", last_message());
             CHECK(SAME(one_by_one, source) && SAME(at_once, source), "%d is not copied to %d", from, to);
         }
     }

@@ -127,11 +127,13 @@ typedef struct answers {
     asperity_state at_load[EXACT], at_separation[EXACT];
     asperity_sensitivities sensitivities;
     double tangential[2][EXACT], summits[3][EXACT];
+    asperity_microslip slipped[EXACT];
+    double states[EXACT][32], batch_states[EXACT][32], forces[EXACT][2], tangents[EXACT][4];
     int status[16];
 } answers;
 
 typedef struct questions {
-    double load[LOADS], exact[EXACT], displacement, overlap[EXACT];
+    double load[LOADS], exact[EXACT], displacement, overlap[EXACT], increments[EXACT][2];
 } questions;
 
 /* Loads of every kind, made in the environment of the start; but none below 2.2e-308, which a host that flushes takes
@@ -154,6 +156,10 @@ static void prepare(const asperity_model *model, questions *q)
         q->exact[i] = s.max_table_load * ldexp(0.3, -12 * i - 4);
     asperity_state_at_load(model, q->exact[1], &state);
     q->displacement = 0.6 * state.friction_force / state.tangential_stiffness;
+    for (int i = 0; i < EXACT; i++) {
+        q->increments[i][0] = (i - 1) * q->displacement;
+        q->increments[i][1] = 0.3 * q->displacement;
+    }
     for (int i = 0; i < EXACT; i++)
         q->overlap[i] = 0.2 * (i - 1) * state.mean_contact_radius;
 }
@@ -194,7 +200,11 @@ static asperity_model *ask(const asperity_params *p, const questions *q, answers
         asperity_state_at_load(model, q->exact[i], &a->at_load[i]);
         asperity_state_at_separation(model, q->overlap[i], &a->at_separation[i]);
         asperity_tangential_at_load(model, q->exact[i], q->displacement, &a->tangential[0][i], &a->tangential[1][i]);
+        a->slipped[i].struct_size = sizeof(asperity_microslip);
+        asperity_microslip_step(model, q->exact[i], q->increments[i], a->states[i], a->states[i], &a->slipped[i]);
     }
+    *status++ = asperity_microslip_steps(model, EXACT, q->exact, q->increments[0], a->states[0], a->batch_states[0],
+                                         a->forces[0], a->tangents[0]);
     *status++ =
         asperity_summits_at_overlaps(model, EXACT, q->overlap, NULL, a->summits[0], a->summits[1], a->summits[2]);
     a->sensitivities.struct_size = sizeof a->sensitivities;
@@ -248,6 +258,7 @@ static void compare(int which, int environment, const asperity_params *p, const 
 #define PART(field) CHECK(SAME(found.field, expected->field), "%s, %s: other " #field, name, NAMES[environment])
     PART(set); PART(summary); PART(table); PART(stiffness); PART(slopes); PART(sliding); PART(stress); PART(batch);
     PART(batch_slopes); PART(at_load); PART(at_separation); PART(sensitivities); PART(tangential); PART(summits);
+    PART(slipped); PART(states); PART(batch_states); PART(forces); PART(tangents);
     PART(status);
 #undef PART
     asperity_free(model);

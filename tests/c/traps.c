@@ -54,6 +54,25 @@ static void list_specials(void)
 }
 
 /* Every evaluation at one number, taken as a load and as a separation. */
+/* A special value as load, as displacement and in the state. */
+static void microslip_at(const asperity_model *model, double x)
+{
+    asperity_microslip out;
+    double loads[2] = { 1.0, 1.0 }, by[4] = { 1e-3, -2e-3, 1.0, 2.0 }, states[64] = { 0.0 }, after[64], force[4], slope[8];
+
+    out.struct_size = sizeof out;
+    CHECK(asperity_microslip_length(model) == 32, "a state of another length");
+    for (int which = 0; which < 3; which++) {
+        double *where = which == 0 ? &loads[0] : which == 1 ? &by[1] : &states[5], before = *where;
+        memcpy(where, &x, sizeof x);
+        doing = "asperity_microslip_step";
+        asperity_microslip_step(model, loads[0], by, states, after, &out);
+        doing = "asperity_microslip_steps";
+        asperity_microslip_steps(model, 2, loads, by, states, after, force, slope);
+        *where = before;
+    }
+}
+
 static void evaluate_at(const asperity_model *model, double x)
 {
     asperity_state state;
@@ -83,6 +102,7 @@ static void evaluate_at(const asperity_model *model, double x)
     asperity_check_loads(model, x, x, &warnings);
     doing = "asperity_summits_at_overlaps";
     asperity_summits_at_overlaps(model, 2, in, in, out, slope, radius);
+    microslip_at(model, x);
     doing = "between calls";
 }
 

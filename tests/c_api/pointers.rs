@@ -301,6 +301,8 @@ fn null_is_refused_or_skipped() {
             asperity_table_of(null(), null_mut()),
             asperity_tangential_stiffness_at_loads(null(), 1, &1.0, &mut slope),
             asperity_tangential_at_load(null(), 1.0, 1.0, &mut slope, null_mut()),
+            asperity_microslip_step(null(), 1.0, &0.0, &0.0, null_mut(), &mut asperity_microslip::empty()),
+            asperity_microslip_steps(null(), 1, &1.0, &0.0, &0.0, null_mut(), null_mut(), null_mut()),
             asperity_sensitivities_at_load(null(), 1.0, &mut asperity_sensitivities::empty()),
         ] {
             assert_eq!(refused, NULL_POINTER);
@@ -308,6 +310,7 @@ fn null_is_refused_or_skipped() {
         assert!(asperity_friction_at_load(null(), 1.0).is_nan());
         assert!(asperity_friction_force_at_load(null(), 1.0).is_nan());
         assert!(asperity_tangential_stiffness_at_load(null(), 1.0).is_nan());
+        assert_eq!(asperity_microslip_length(null()), 0);
         for (batch, one) in LAWS {
             assert_eq!(batch(null(), 1, &1.0, &mut slope, null_mut()), NULL_POINTER);
             assert!(slope == 7.0 && one(null(), 1.0, null_mut()).is_nan());

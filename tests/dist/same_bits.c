@@ -139,6 +139,29 @@ static void list_calls(const char *name, const asperity_model *model, const answ
     LINE(name, "sliding", sliding);
 }
 
+/* A contact that goes round under changing loads, then all its loads in a batch. */
+static void list_microslip(const char *name, const asperity_model *model, const answers *of)
+{
+    static asperity_microslip steps[LOADS];
+    static double states[LOADS][32], increments[LOADS][2], after[LOADS][32], force[LOADS][2], stiffness[LOADS][4];
+    static const double around[5][2] = {{1, 0}, {0.25, 0.5}, {-2, 0.125}, {0, -0.75}, {0.5, 0.5}};
+
+    memset(states, 0, sizeof states);
+    for (int i = 0; i < LOADS; i++) {
+        const double stiff = asperity_tangential_stiffness_at_load(model, of->load[i]);
+        const double length = stiff > 0 ? asperity_friction_force_at_load(model, of->load[i]) / stiff : 1;
+        steps[i].struct_size = sizeof steps[i];
+        for (int k = 0; k < 2; k++)
+            increments[i][k] = around[i % 5][k] * length;
+        asperity_microslip_step(model, of->load[i], increments[i], states[i], states[(i + 1) % LOADS], &steps[i]);
+    }
+    asperity_microslip_steps(model, LOADS, of->load, increments[0], states[0], after[0], force[0], stiffness[0]);
+    LINE(name, "microslip", steps);
+    LINE(name, "microslip forces", force);
+    LINE(name, "microslip tangents", stiffness);
+    LINE(name, "microslip states", after);
+}
+
 /* What is integrated over the summits at each call. */
 static void list_exact(const char *name, const asperity_model *model, const answers *of)
 {
@@ -166,6 +189,7 @@ static void list_exact(const char *name, const asperity_model *model, const answ
     for (int i = 0; i < 4; i++)
         overlap[i] = (i - 1) * 0.3 * of->exact[0].mean_contact_radius;
     asperity_summits_at_overlaps(model, 4, overlap, NULL, summits[0], summits[1], summits[2]);
+    list_microslip(name, model, of);
     LINE(name, "separations", apart);
     LINE(name, "tangential", tangential);
     LINE(name, "sensitivity", sensitivities);

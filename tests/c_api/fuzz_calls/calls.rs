@@ -295,6 +295,48 @@ impl<'a> Calls<'a> {
         }
     }
 
+    /// A path of a contact that remembers, and each of its steps in a batch of one.
+    pub fn path(&mut self, model: &Model, steps: &[(f64, [f64; 2])]) {
+        const LENGTH: usize = 32;
+        let (at, p): (Shared, _) = (model.handle.0, model.params);
+        let length: usize = call!(self, p, asperity_microslip_length(at));
+        assert_eq!(length, LENGTH);
+        let mut state = [0.0; LENGTH];
+        for &(load, increment) in steps {
+            let friction: f64 = call!(self, p, asperity_friction_force_at_load(at, load));
+            let (before, one): ([f64; LENGTH], usize) = (state, 1);
+            let mut out = asperity_microslip::empty();
+            let (by, from, to): (*const f64, *const f64, *mut f64) =
+                (increment.as_ptr(), before.as_ptr(), state.as_mut_ptr());
+            let to_out: *mut asperity_microslip = &mut out;
+            let status: i32 = call!(self, p, asperity_microslip_step(at, load, by, from, to, to_out));
+            let what = || format!("load {load:e}, {increment:?}, F {friction:e}, status {status}: {out:?}; {p:?}");
+            let (mut batch, mut force, mut stiffness) = ([BEFORE; LENGTH], [BEFORE; 2], [BEFORE; 4]);
+            let (to, force_at, stiffness_at): (*mut f64, *mut f64, *mut f64) =
+                (batch.as_mut_ptr(), force.as_mut_ptr(), stiffness.as_mut_ptr());
+            let load_at: *const f64 = &load;
+            let told: i32 =
+                call!(self, p, asperity_microslip_steps(at, one, load_at, by, from, to, force_at, stiffness_at));
+            assert_eq!(told, status, "{}", what());
+            if status == OK || status == SEPARATED {
+                let same = bytes(&batch) == bytes(&state)
+                    && bytes(&force) == bytes(&out.force)
+                    && bytes(&stiffness) == bytes(&out.stiffness);
+                let numbers = [out.dforce_dload, [out.dissipated, out.slipping]].concat();
+                let finite = numbers.iter().chain(&out.stiffness).chain(&state).all(|&x| is_finite(x));
+                let bounded = out.force[0].hypot(out.force[1]) <= friction * (1.0 + 1e-14);
+                assert!(same && finite && bounded && out.dissipated >= 0.0, "{}", what());
+                assert!((0.0..=1.0).contains(&out.slipping), "{}", what());
+            } else {
+                assert!(
+                    bytes(&before) == bytes(&state) && is_quiet_nan(force[0]) && is_quiet_nan(stiffness[3]),
+                    "{}",
+                    what()
+                );
+            }
+        }
+    }
+
     /// Batches of loads: the bits of single calls, whatever outputs are asked for, also in place.
     pub fn batches(&mut self, model: &Model, loads: &[f64], kind: usize) {
         type Batch = unsafe extern "C" fn(Shared, usize, *const f64, *mut f64, *mut f64) -> i32;

@@ -135,6 +135,7 @@ impl Bytes<'_> {
             params = params.radii(amplitude, self.log_between(1e-3, 100.0));
         }
         params.attraction = i32::from(self.below(8) != 0);
+        params.slip_onset = i32::from(self.below(8) == 0);
         match self.below(16) {
             0 => params.cap(f64::INFINITY),
             1 => params.cap(self.log_between(1e-6, 1e6)),
@@ -224,7 +225,20 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
             let loads: Vec<f64> = (0..bytes.below(40)).map(|_| bytes.load(summary)).collect();
             calls.batches(model, &loads, bytes.below(8));
         }
-        145..=169 => calls.exact(model, bytes.load(summary)),
+        145..=159 => calls.exact(model, bytes.load(summary)),
+        160..=169 => {
+            let length = model.params.height_std * bytes.log_between(1e-9, 1e3);
+            let steps: Vec<(f64, [f64; 2])> = (0..1 + bytes.below(12))
+                .map(|_| {
+                    let by = match bytes.below(16) {
+                        0 => [bytes.any_float(), bytes.any_float()],
+                        _ => [0, 1].map(|_| (2.0 * bytes.part() - 1.0) * length),
+                    };
+                    (bytes.load(summary), by)
+                })
+                .collect();
+            calls.path(model, &steps);
+        }
         170..=179 => calls.separation(model, bytes.separation(model.params.height_std)),
         180..=199 => calls.secant(model, bytes.part()),
         200..=219 => calls.order(model, bytes.load(summary), bytes.load(summary)),

@@ -197,6 +197,27 @@ def loop(params: Params, amplitude: float) -> tuple[Array, Array, float]:
     return found.displacement / length, found.force / force, found.work / (force * length)
 
 
+REMEMBERED_LOADS = (MICROSLIP_LOAD, 0.3 * MICROSLIP_LOAD)
+
+
+def remembered(params: Params, amplitude: float) -> list[tuple[Array, Array]]:
+    """Displacement in F/K_t and force over F, both at the first load, of a contact that remembers: loops at each of the loads, one
+    after the other."""
+    law, length = model(params), microslip_length(params)
+    force = law.friction_force_at_load(MICROSLIP_LOAD)
+    contact = law.microslip()
+    way = amplitude * np.concatenate([np.linspace(0, 1, 61), np.linspace(1, -1, 121)[1:], np.linspace(-1, 1, 121)[1:]])
+    found = []
+    last = 0.0
+    for load in REMEMBERED_LOADS:
+        steps = np.diff(way, prepend=last)
+        last = way[-1]
+        forces = [contact.step(load, [float(step) * length, 0.0]).force[0] / force for step in steps]
+        found.append((way, np.array(forces)))
+        way = way[60:]
+    return found
+
+
 # Those that the measurement of a surface or the choice of materials leaves open, with their symbols.
 SENSITIVE = {
     "composite_modulus": "E*",

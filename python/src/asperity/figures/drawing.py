@@ -33,7 +33,7 @@ def draw_all(directory: Path) -> list[Path]:
         pictures = {"figure-3": _figure_3()}
         for figure in (*curves.SKEW_FIGURES, *curves.RADIUS_FIGURES):
             pictures[f"figure-{figure.number}"] = _curve_figure(figure)
-        pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes(), "yield": _yield(), "microslip": _microslip()}
+        pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes(), "yield": _yield(), "microslip": _microslip(), "remembered": _remembered()}
         pictures |= {"sensitivities": _sensitivities(), **validity.pictures(), "measured-points": front.picture()}
         files = [directory / f"{name}.svg" for name in pictures]
         for picture, file in zip(pictures.values(), files):
@@ -139,6 +139,22 @@ def _microslip() -> Figure:
     right.set(xlabel=r"displacement $\delta K_t/F$ [–]", xlim=(-2.2, 2.2), ylim=(-1.1, 1.1))
     for axes in (left, right):
         axes.legend(handlelength=4, loc="lower right")
+    return picture
+
+
+def _remembered() -> Figure:
+    """A loop of a contact that remembers beside the exact one, and the loop that follows when the load falls."""
+    picture, (axes,) = _picture((6.4, 4.4), [(0.12, 0.13, 0.84, 0.79)])
+    axes.set_xscale("linear")
+    first, *_ = curves.MICROSLIP_SURFACES
+    amplitude = 1.5
+    displacement, force, _ = curves.loop(first.params, amplitude)
+    _line(axes, 0, 0, displacement, force, "summed over the contacts, constant load")
+    labels = ("a contact that remembers", "the same, at 0.3 times the load")
+    for number, ((displacement, force), label) in enumerate(zip(curves.remembered(first.params, amplitude), labels), 1):
+        _line(axes, number, number, displacement, force, label)
+    axes.set(xlabel=r"displacement $\delta K_t/F$ [–]", ylabel=r"tangential force $T/F$ [–]", xlim=(-1.7, 1.7), ylim=(-1.1, 1.1))
+    axes.legend(handlelength=4, loc="lower right")
     return picture
 
 

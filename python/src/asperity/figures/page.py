@@ -374,18 +374,18 @@ def _microslip() -> str:
 
 ![Tangential force over the displacement, and loops of hysteresis](figures/microslip.svg)
 
-Contacts stick with the stiffness 8 Ĝ a until their force is their strength: those whose strength over radius is least, small
-ones, slip first ([theory.md](theory.md#before-a-contact-slips-stiffness-and-microslip)). T/F at displacements in F/K_t, at load
+Contacts begin with the stiffness 8 Ĝ a and slip from their rims inwards until their force is their strength: those whose strength
+over radius is least, small ones, slip first ([theory.md](theory.md#before-a-contact-slips-stiffness-and-microslip)). T/F at displacements in F/K_t, at load
 {curves.MICROSLIP_LOAD:g}:
 
 | T/F | {heads} |
 |---|{'---|' * shown.size}
 {chr(10).join(forces)}
 
-On the right, loops between the displacements ±A of the first surface. The work of a cycle in F²/K_t, beside that of summits that
-all slip at once, 4 (A − 1) where A > 1:
+On the right, loops between the displacements ±A of the first surface. The work of a cycle in F²/K_t, beside that of equal summits,
+each of which slips at once, 4 (A − 1) where A > 1:
 
-| A | Work | Of equal summits |
+| A | Work | Of equal summits that slip as a whole |
 |---|---|---|
 {chr(10).join(works)}"""
 
