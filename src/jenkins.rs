@@ -188,3 +188,81 @@ fn sum(lane: &PerElement) -> f64 {
     }
     (four[0] + four[2]) + (four[1] + four[3])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn elements(strength: f64, stiffness: f64) -> Elements {
+        // Two shares, and two more that make good what is left of each sum.
+        let mut shares = NONE;
+        (shares[2], shares[9]) = (0.3, 0.25);
+        let (left, strength_left) = (1.0 - 0.3 - 0.25, 1.0 - 0.3 * KNOTS[2] - 0.25 * KNOTS[9]);
+        shares[15] = (strength_left - left * KNOTS[11]) / (KNOTS[15] - KNOTS[11]);
+        shares[11] = left - shares[15];
+        assert!(shares.iter().all(|&share| share >= 0.0));
+        let sloped = |value: f64| Sloped { value, slope: 0.1 * value };
+        Elements { strength: sloped(strength), stiffness: sloped(stiffness), shares, share_slopes: NONE }
+    }
+
+    /// What the springs hold at this stiffness.
+    fn stored(elements: &Elements, state: &[f64; STATE]) -> f64 {
+        let of = |j: usize| state[j] * state[j] + state[ELEMENTS + j] * state[ELEMENTS + j];
+        let held = (0..ELEMENTS).filter(|&j| elements.shares[j] > 0.0);
+        held.map(|j| of(j) / (2.0 * elements.shares[j] * elements.stiffness.value)).sum()
+    }
+
+    /// In the plane, with strength and stiffness that jump over decades: the force after a step times the displacement is what the
+    /// springs gain, what slip dissipates, and the energy of the change of force, which a step counts on top.
+    #[test]
+    fn work_is_stored_or_dissipated() {
+        let mut bits = 7_u64;
+        let mut random = || {
+            bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (bits >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let mut state = [0.0; STATE];
+        let mut slipped = 0;
+        for _ in 0..3000 {
+            let strength = 10_f64.powf(6.0 * random() - 3.0);
+            let now = elements(strength, strength * (1.0 + random()));
+            let displacement = [0, 1].map(|_| 4.0 * random() - 2.0);
+            let before = state;
+            let response = now.step::<true>(displacement, &mut state);
+            let work = response.force[0] * displacement[0] + response.force[1] * displacement[1];
+            let change: [f64; STATE] = std::array::from_fn(|j| state[j] - before[j]);
+            let gained = stored(&now, &state) - stored(&now, &before) + stored(&now, &change);
+            let scale = strength + stored(&now, &before) + response.dissipated;
+            assert!((work - gained - response.dissipated).abs() < 1e-12 * scale, "{response:?}, {work}, {gained}");
+            assert!(response.dissipated >= 0.0 && hypot(response.force) <= strength * (1.0 + 1e-14));
+            slipped += usize::from(response.slipping > 0.0);
+        }
+        assert!(slipped > 1000, "{slipped}");
+    }
+
+    fn hypot([x, y]: [f64; 2]) -> f64 {
+        x.hypot(y)
+    }
+
+    /// Each element has its own limit; nothing is lost that is held.
+    #[test]
+    fn an_element_sticks_up_to_its_knot() {
+        let all = elements(3.0, 6.0);
+        for (part, slipping) in [(0.9, 0.0), (1.1, 0.3 * KNOTS[2])] {
+            let mut state = [0.0; STATE];
+            let response = all.step::<true>([0.0, -0.5 * KNOTS[2] * part], &mut state);
+            assert!((response.slipping - slipping).abs() < 1e-15, "{response:?}");
+            assert!((response.stiffness[0] - 6.0).abs() < 1e-13 || slipping > 0.0, "{response:?}");
+            let held = [0.3 * 6.0 * 0.5 * KNOTS[2] * part, 0.3 * 3.0 * KNOTS[2]];
+            assert!((state[ELEMENTS + 2] + held[0].min(held[1])).abs() < 1e-15, "{}", state[ELEMENTS + 2]);
+        }
+    }
+
+    #[test]
+    fn powers_of_two_are_not_above_and_their_inverses_are_numbers() {
+        for x in [1.0, 1.999, 2.0, 3e-300, 5e-324, f64::MAX] {
+            let unit = power_of_two_below(x);
+            assert!((unit <= x || x < 1e-306) && unit * 2.0 > x && (1.0 / unit).is_finite(), "{x}: {unit}");
+        }
+    }
+}

@@ -1,4 +1,4 @@
-//! Contacts before they slip: tangential stiffness and microslip.
+//! Contacts before they slip: tangential stiffness, and the exact force at constant load.
 
 use super::batch::Quantity;
 use super::boundary::{self, write};
@@ -45,10 +45,10 @@ pub unsafe extern "C" fn asperity_tangential_stiffness_at_loads(
 
 /// The tangential force T at a load and a displacement, by integration over the summits, without the table.
 ///
-/// Each contact sticks with its stiffness until its force is its strength, then slips: T rises from K_t times the
-/// displacement to the friction force F, with small contacts slipping first. From a surface pair without tangential force,
-/// at constant load. After a reversal at displacement r, where the force is T_r, Masing's rule gives
-/// T = T_r - 2 T((r - displacement)/2).
+/// Each contact slips from its rim inwards, or as a whole (`slip_onset`), until its force is its strength: T rises from K_t
+/// times the displacement to the friction force F, with small contacts slipping first. From a surface pair without
+/// tangential force, at constant load. After a reversal at displacement r, where the force is T_r, Masing's rule gives
+/// T = T_r - 2 T((r - displacement)/2). Any path under changing load: `asperity_microslip_step`.
 ///
 /// @param model         must not be NULL
 /// @param load          normal load [force], from the pull-off load upwards

@@ -171,3 +171,57 @@ fn normalised(mut shares: PerElement) -> PerElement {
     }
     shares
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn force(shares: &PerElement, x: f64) -> f64 {
+        shares.iter().zip(KNOTS).map(|(share, knot)| share * x.min(knot)).sum()
+    }
+
+    #[test]
+    fn shares_are_those_of_a_polygon_through_the_curve() {
+        let curves: [(&str, fn(f64) -> f64); 4] = [
+            ("exponential", |x| 1.0 - (-x).exp()),
+            ("one size, in part", |x| 1.0 - (1.0 - x / 1.5).max(0.0).powf(1.5)),
+            ("one size, as a whole", |x| x.min(1.0)),
+            ("none", |_| 0.0),
+        ];
+        for (name, curve) in curves {
+            let shares = polygon(KNOTS.map(curve));
+            assert!(shares.iter().all(|&share| share >= 0.0), "{name}: {shares:?}");
+            assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-15, "{name}: {shares:?}");
+            assert!((force(&shares, 10.0) - 1.0).abs() < 1e-15, "{name}: {shares:?}");
+            // The last knot lies where hardly any strength is left.
+            for i in (0..160).filter(|_| name != "none") {
+                let x = 0.03 * f64::from(i);
+                assert!((force(&shares, x) - curve(x)).abs() < 0.017, "{name} at {x}: {}", force(&shares, x));
+            }
+        }
+    }
+
+    #[test]
+    fn shares_and_their_slopes_do_not_jump() {
+        let rows = (0..4).map(|i| polygon(KNOTS.map(|x| 1.0 - (-x * (1.0 + 0.1 * f64::from(i))).exp()))).collect();
+        let shares = Shares { first: 1000, rows };
+        let at = |x: f64| {
+            let (mut found, mut slopes) = ([0.0; ELEMENTS], [0.0; ELEMENTS]);
+            shares.at_excess::<true>(x, &mut found, &mut slopes);
+            (found, slopes)
+        };
+        let first = of_exponent(1000);
+        for i in 0..300 {
+            let x = first * 0.8 * 1.025_f64.powi(i);
+            let (found, slopes) = at(x);
+            let ((less, _), (more, _)) = (at(x * (1.0 - 1e-5)), at(x * (1.0 + 1e-5)));
+            for j in 0..ELEMENTS {
+                let slope = (more[j] - less[j]) / (2e-5 * x);
+                assert!((slope - slopes[j]).abs() * x < 3e-6, "{i}, {j}: {slope:e}, {:e}", slopes[j]);
+            }
+            assert!((found.iter().sum::<f64>() - 1.0).abs() < 1e-14);
+        }
+        assert_eq!(at(0.0).0, shares.rows[0]);
+        assert_eq!(at(f64::MAX).0, shares.rows[3]);
+    }
+}
