@@ -19,9 +19,7 @@ subroutine fric(lm, tau, ddtddg, ddtddp, dslip, sed, sfd, ddtddt, pnewdt, statev
             props(nprops)
   integer, parameter :: RELATIVE_MOTION = 0, FRICTIONLESS = 2
   double precision :: trial(nfdir), direction(nfdir), stiffness, trial_size, strength, slope
-  type(microslip) :: step
-  character(120) :: wanted
-  integer :: i, length
+  integer :: i
   interface
     subroutine stop_analysis(message)
       character(*), intent(in) :: message
@@ -30,29 +28,7 @@ subroutine fric(lm, tau, ddtddg, ddtddp, dslip, sed, sfd, ddtddt, pnewdt, statev
 
   if (nprops < 1) call stop_analysis('*FRICTION, USER needs PROPERTIES=1, the number of the surface')
   if (nprops == 1) then
-    length = microslip_length(props(1))
-    if (nstatv < length) then
-      write (wanted, '(a, i0, a, i0)') '*FRICTION, USER, PROPERTIES=1 computes microslip and needs DEPVAR=', length, &
-        '; it has ', nstatv
-      call stop_analysis(wanted)
-    end if
-    if (lm == FRICTIONLESS) then  ! open when the increment began: it has forgotten what it carried
-      statev(:length) = 0
-      return
-    end if
-    step = microslip_step(props(1), press, dgam, drot, statev(:length))
-    if (step%invalid) then        ! a pressure that Newton's method will not keep: try a shorter increment
-      pnewdt = 0.25d0
-      return
-    end if
-    lm = merge(FRICTIONLESS, RELATIVE_MOTION, step%apart)
-    if (step%apart) return
-    dslip = dgam - (step%stress(:nfdir) - tau) / step%stick_stiffness
-    tau = step%stress(:nfdir)
-    ddtddg = step%by_slip(:nfdir, :nfdir)
-    ddtddp = step%by_pressure(:nfdir)
-    sed = dot_product(tau, tau) / (2 * step%stick_stiffness)
-    sfd = step%dissipated
+    call remembered_step
     return
   end if
   stiffness = props(2)
@@ -90,4 +66,37 @@ subroutine fric(lm, tau, ddtddg, ddtddp, dslip, sed, sfd, ddtddt, pnewdt, statev
     sed = strength**2 / (2 * stiffness)
     sfd = strength * (trial_size - strength) / stiffness
   end if
+
+contains
+
+  ! Microslip: from the state when the increment began.
+  subroutine remembered_step
+    type(microslip) :: step
+    character(120) :: wanted
+    integer :: length
+    length = microslip_length(props(1))
+    if (nstatv < length) then
+      write (wanted, '(a, i0, a, i0)') '*FRICTION, USER, PROPERTIES=1 computes microslip and needs DEPVAR=', length, &
+        '; it has ', nstatv
+      call stop_analysis(wanted)
+    end if
+    if (lm == FRICTIONLESS) then  ! open when the increment began: it has forgotten what it carried
+      statev(:length) = 0
+      return
+    end if
+    step = microslip_step(props(1), press, dgam, drot, statev(:length))
+    if (step%invalid) then        ! a pressure that Newton's method will not keep: try a shorter increment
+      pnewdt = 0.25d0
+      return
+    end if
+    lm = merge(FRICTIONLESS, RELATIVE_MOTION, step%apart)
+    if (step%apart) return
+    dslip = dgam - (step%stress(:nfdir) - tau) / step%stick_stiffness
+    tau = step%stress(:nfdir)
+    ddtddg = step%by_slip(:nfdir, :nfdir)
+    ddtddp = step%by_pressure(:nfdir)
+    sed = dot_product(tau, tau) / (2 * step%stick_stiffness)
+    sfd = step%dissipated
+  end subroutine remembered_step
+
 end subroutine fric

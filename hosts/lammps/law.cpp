@@ -151,7 +151,8 @@ void Law::make_model(const std::vector<std::string> &names, const std::vector<do
     find_where_it_holds(params.composite_modulus);
     const std::size_t remembered = asperity_microslip_length(model);
     if (microslip_ && remembered > MOST_REMEMBERED)
-        refuse("microslip: this library keeps " + std::to_string(remembered) + " numbers of a contact; build the plugin with its own");
+        refuse("microslip: this library keeps " + std::to_string(remembered) + " numbers of a contact, the plugin " +
+               std::to_string(+MOST_REMEMBERED) + " at most");
     remembered_ = static_cast<int>(remembered);
 }
 

@@ -52,98 +52,123 @@ Frame frame_of(const Contact &c, bool remembers) {
     return f;
 }
 
+enum { BATCH = Law::BATCH, MOST = Law::MOST_REMEMBERED };
+
+// What is solved for a contact: forces and displacements in the directions of its frame.
+struct Step {
+    Frame frame;
+    double moved[2], part[2];           // D, and d
+    double earlier[2], force[2];        // T before and now
+    double tangent[3];                  // dT/dd: xx, xy, yy
+    double correction[2], left_over;    // of the iteration before
+};
+
+// The displacement of the step, and a first guess of the summits' part of it.
+void begin(const Contact &c, const Forces &r, double kept, double dt, double grain, double summits, Step &step) {
+    double slip[3];
+    for (int a = 0; a < 3; a++) slip[a] = c.velocity[a] + r.approach * c.normal[a];
+    step.frame = frame_of(c, c.history[STIFFNESS] != 0);
+    std::copy_n(c.history + TANGENT, 3, step.tangent);
+    double taken[2];
+    for (int axis = 0; axis < 2; axis++) {
+        step.moved[axis] = -dt * step.frame.along(slip, axis);
+        step.earlier[axis] = kept > 0 ? kept * c.history[FORCE + axis] : 0;
+        step.force[axis] = 0;
+        taken[axis] = grain * step.moved[axis];
+    }
+    const bool onwards = step.moved[0] * step.earlier[0] + step.moved[1] * step.earlier[1] > 0;
+    if (onwards) solve(grain + step.tangent[0], step.tangent[1], grain + step.tangent[2], taken, step.part);
+    else for (int axis = 0; axis < 2; axis++) step.part[axis] = taken[axis] / (grain + summits);
+}
+
+// Displaces the summits of some contacts of a batch, all with the states `before`, by the parts of their steps.
+void displace(const asperity_model *model, double softening, int numbers, int count, const int *which, const double *area,
+              const Forces *r, const double *before, Step *step, double *after) {
+    double pressure[BATCH], increment[2 * BATCH], from[BATCH * MOST], to[BATCH * MOST] = {}, stress[2 * BATCH], slope[4 * BATCH];
+    for (int w = 0; w < count; w++) {
+        const int k = which[w];
+        pressure[w] = r[k].pressure;
+        for (int axis = 0; axis < 2; axis++) increment[2 * w + axis] = softening * step[k].part[axis];
+        std::copy_n(before + k * numbers, numbers, from + w * numbers);
+    }
+    // It fails for what is not finite only, and then gives NaN, as the positions of the grains are.
+    asperity_microslip_steps(model, count, pressure, increment, from, to, stress, slope);
+    for (int w = 0; w < count; w++) {
+        const int k = which[w];
+        const double *s = slope + 4 * w, scale = softening * area[k];
+        for (int axis = 0; axis < 2; axis++) step[k].force[axis] = area[k] * stress[2 * w + axis];
+        step[k].tangent[0] = scale * s[0];
+        step[k].tangent[1] = scale * s[1];
+        step[k].tangent[2] = scale * s[3];
+        std::copy_n(to + w * numbers, numbers, after + k * numbers);
+    }
+}
+
+// After a call that gave the force and the tangent: true if both bodies carry the same, else with a better part.
+bool balanced(double grain, double allowed, bool first, Step &step) {
+    double missing[2];
+    for (int axis = 0; axis < 2; axis++)
+        missing[axis] = step.earlier[axis] + grain * (step.moved[axis] - step.part[axis]) - step.force[axis];
+    const double size = std::hypot(missing[0], missing[1]);
+    if (size <= allowed) return true;
+    if (!first && size >= step.left_over) {    // too far, over several pieces: half as far
+        for (int axis = 0; axis < 2; axis++) step.part[axis] -= step.correction[axis] *= 0.5;
+        return false;
+    }
+    step.left_over = size;
+    solve(grain + step.tangent[0], step.tangent[1], grain + step.tangent[2], missing, step.correction);
+    for (int axis = 0; axis < 2; axis++) step.part[axis] += step.correction[axis];
+    return false;
+}
+
+void finish(const Contact &c, const Step &step, double dt, Forces &r) {
+    const double *force = step.force;
+    for (int a = 0; a < 3; a++) r.spring[a] = force[0] * step.frame.one[a] + force[1] * step.frame.other[a];
+    r.slips = std::hypot(force[0], force[1]) >= r.limit * (1 - 1e-9);
+    r.friction_work = 0;
+    for (int axis = 0; axis < 2; axis++) {
+        const double had = c.history[STIFFNESS] == 0 ? 0 : c.history[FORCE + axis];
+        r.friction_work += 0.5 * (had + force[axis]) * step.moved[axis];
+    }
+    if (!(dt > 0)) return;
+    std::copy_n(step.frame.one, 3, c.history + SPRING);
+    c.history[STIFFNESS] = r.stiffness;
+    c.history[SIDE] = step.frame.side;
+    std::copy_n(force, 2, c.history + FORCE);
+    std::copy_n(step.tangent, 3, c.history + TANGENT);
+}
+
 }    // namespace
 
 void Law::microslip(int count, const Contact *contact, double dt, const Bodies &bodies, Forces *result) const {
-    Frame frame[BATCH];
-    double pressure[BATCH], moved[BATCH][2], part[BATCH][2], earlier[BATCH][2], force[BATCH][2], tangent[BATCH][3];
-    double correction[BATCH][2], left_over[BATCH];    // of the iteration before
-    double before[BATCH * MOST_REMEMBERED], after[BATCH * MOST_REMEMBERED];
-    double increments[2 * BATCH], pressures[BATCH], befores[BATCH * MOST_REMEMBERED], afters[BATCH * MOST_REMEMBERED];
-    double stresses[2 * BATCH], slopes[4 * BATCH];
+    Step step[BATCH];
+    double before[BATCH * MOST] = {}, after[BATCH * MOST] = {};
+    const int numbers = remembered_;
     int waiting[BATCH], open = 0;
-    const auto numbers = static_cast<std::size_t>(remembered_);
-
     for (int k = 0; k < count; k++) {
         const Contact &c = contact[k];
-        Forces &r = result[k];
-        const double had = c.history[STIFFNESS];
-        frame[k] = frame_of(c, had != 0);
+        const double had = c.history[STIFFNESS], now = result[k].stiffness;
         // What is unloaded loses the force of the part that opens: see spring().
-        const double kept = had == 0 ? 0 : r.stiffness < had ? r.stiffness / had : 1;
-        double slip[3];
-        for (int a = 0; a < 3; a++) slip[a] = c.velocity[a] + r.approach * c.normal[a];
-        for (int axis = 0; axis < 2; axis++) {
-            moved[k][axis] = -dt * frame[k].along(slip, axis);
-            earlier[k][axis] = had == 0 ? 0 : kept * c.history[FORCE + axis];
-            force[k][axis] = 0;
-        }
-        const double grain = bodies.grain[k], taken[2] = {grain * moved[k][0], grain * moved[k][1]};
-        const bool onwards = had != 0 && moved[k][0] * earlier[k][0] + moved[k][1] * earlier[k][1] > 0;
-        std::copy_n(c.history + TANGENT, 3, tangent[k]);
-        if (onwards) solve(grain + tangent[k][0], tangent[k][1], grain + tangent[k][2], taken, part[k]);
-        else for (int axis = 0; axis < 2; axis++) part[k][axis] = taken[axis] / (grain + bodies.summits[k]);
-        pressure[k] = r.pressure;
-        const bool holds = !(r.limit <= 0);    // without load there is neither friction nor memory
-        const double per_area = holds ? kept / bodies.area[k] : 0;
-        for (std::size_t m = 0; m < numbers; m++)
-            before[k * numbers + m] = had == 0 ? 0 : per_area * c.history[SUMMITS + m], after[k * numbers + m] = 0;
-        if (holds) waiting[open++] = k;
+        const double kept = had == 0 ? 0 : now < had ? now / had : 1;
+        begin(c, result[k], kept, dt, bodies.grain[k], bodies.summits[k], step[k]);
+        if (result[k].limit <= 0) continue;    // without load there is neither friction nor memory
+        waiting[open++] = k;
+        if (kept > 0)
+            for (int m = 0; m < numbers; m++) before[k * numbers + m] = kept * c.history[SUMMITS + m] / bodies.area[k];
     }
     for (int call = 0; call < most_calls && open > 0; call++) {
-        for (int w = 0; w < open; w++) {
-            const int k = waiting[w];
-            pressures[w] = pressure[k];
-            for (int axis = 0; axis < 2; axis++) increments[2 * w + axis] = softening_ * part[k][axis];
-            std::copy_n(before + k * numbers, numbers, befores + w * numbers);
-        }
-        // It fails for a pressure that is not finite only, and then gives NaN, as the positions of the grains are.
-        asperity_microslip_steps(model_.get(), open, pressures, increments, befores, afters, stresses, slopes);
+        displace(model_.get(), softening_, numbers, open, waiting, bodies.area, result, before, step, after);
         int left = 0;
         for (int w = 0; w < open; w++) {
             const int k = waiting[w];
-            const double grain = bodies.grain[k], area = bodies.area[k], *s = slopes + 4 * w;
-            double residual[2];
-            for (int axis = 0; axis < 2; axis++) {
-                force[k][axis] = area * stresses[2 * w + axis];
-                residual[axis] = force[k][axis] - earlier[k][axis] - grain * (moved[k][axis] - part[k][axis]);
-            }
-            std::copy_n(afters + w * numbers, numbers, after + k * numbers);
-            const double scale = softening_ * area;
-            tangent[k][0] = scale * s[0];
-            tangent[k][1] = scale * s[1];
-            tangent[k][2] = scale * s[3];
-            const double size = std::hypot(residual[0], residual[1]);
-            if (size <= tolerance * result[k].limit) continue;
-            if (call > 0 && size >= left_over[k]) {    // too far, over several pieces: half as far
-                for (int axis = 0; axis < 2; axis++) part[k][axis] -= correction[k][axis] *= 0.5;
-            } else {
-                left_over[k] = size;
-                for (double &component : residual) component = -component;
-                solve(grain + tangent[k][0], tangent[k][1], grain + tangent[k][2], residual, correction[k]);
-                for (int axis = 0; axis < 2; axis++) part[k][axis] += correction[k][axis];
-            }
-            waiting[left++] = k;
+            if (!balanced(bodies.grain[k], tolerance * result[k].limit, call == 0, step[k])) waiting[left++] = k;
         }
         open = left;
     }
     for (int k = 0; k < count; k++) {
-        const Contact &c = contact[k];
-        Forces &r = result[k];
-        for (int a = 0; a < 3; a++) r.spring[a] = force[k][0] * frame[k].one[a] + force[k][1] * frame[k].other[a];
-        r.slips = std::hypot(force[k][0], force[k][1]) >= r.limit * (1 - 1e-9);
-        r.friction_work = 0;
-        for (int axis = 0; axis < 2; axis++) {
-            const double had = c.history[STIFFNESS] == 0 ? 0 : c.history[FORCE + axis];
-            r.friction_work += 0.5 * (had + force[k][axis]) * moved[k][axis];
-        }
-        if (!(dt > 0)) continue;
-        std::copy_n(frame[k].one, 3, c.history + SPRING);
-        c.history[STIFFNESS] = r.stiffness;
-        c.history[SIDE] = frame[k].side;
-        std::copy_n(force[k], 2, c.history + FORCE);
-        std::copy_n(tangent[k], 3, c.history + TANGENT);
-        for (std::size_t m = 0; m < numbers; m++) c.history[SUMMITS + m] = bodies.area[k] * after[k * numbers + m];
+        finish(contact[k], step[k], dt, result[k]);
+        if (dt > 0)
+            for (int m = 0; m < numbers; m++) contact[k].history[SUMMITS + m] = bodies.area[k] * after[k * numbers + m];
     }
 }
 

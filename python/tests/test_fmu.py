@@ -410,7 +410,13 @@ def test_directional_derivatives_of_microslip_are_those_of_the_step(contact: Any
         pytest.approx(2 * law(load)[2], rel=1e-12),
     ]
     assert derivatives([STIFFNESS, FORCE], [DISPLACEMENT], [1.0]) == [0.0, 0.0]
-    assert derivatives([STIFFNESS], [LOAD], [1.0])[0] > 0
+    # What sticks stiffens as all of the contact does, also in a state whose parts are about to slip.
+    with Model(PARAMS) as model:
+        low, middle, high = (model.tangential_stiffness_at_load(load * (1 + part)) for part in (-1e-4, 0, 1e-4))
+    assert derivatives([STIFFNESS], [LOAD], [1.0])[0] == pytest.approx(stiffness / middle * (high - low) / (2e-4 * load), rel=1e-3)
+    contact.move(here, load)
+    stiffness = contact.getReal([STIFFNESS])[0]
+    assert derivatives([STIFFNESS], [LOAD], [1.0])[0] == pytest.approx(stiffness / middle * (high - low) / (2e-4 * load), rel=1e-3)
 
 
 @pytest.mark.parametrize("fmi", ["2.0", "3.0"])

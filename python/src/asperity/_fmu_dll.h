@@ -14,6 +14,7 @@
     F(asperity_friction_force_at_loads)                                                                                \
     F(asperity_microslip_length)                                                                                       \
     F(asperity_microslip_step)                                                                                         \
+    F(asperity_tangential_stiffness_at_load)                                                                           \
     F(asperity_last_error)                                                                                             \
     F(asperity_free)
 
@@ -62,5 +63,6 @@ static int load_asperity(void)
 #define asperity_friction_force_at_loads dll_asperity_friction_force_at_loads
 #define asperity_microslip_length dll_asperity_microslip_length
 #define asperity_microslip_step dll_asperity_microslip_step
+#define asperity_tangential_stiffness_at_load dll_asperity_tangential_stiffness_at_load
 #define asperity_last_error dll_asperity_last_error
 #define asperity_free dll_asperity_free

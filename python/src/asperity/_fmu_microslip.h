@@ -36,6 +36,23 @@ static fmiStatus resistance(unit *u, double load, unsigned output, double *value
         *by_displacement = out.stiffness[0];
     return fmiOK;
 }
+
+/* d(tangential stiffness)/d(load): what sticks stiffens as the whole contact does. A difference of the tangential stiffness itself
+ * would see parts begin to slip, at a state in which they are about to. */
+static fmiStatus stiffening(unit *u, double *value)
+{
+    const double load = u->state.load, step = 1e-5 * (load < 0 ? -load : load);
+    double now, all;
+    const fmiStatus status = resistance(u, load, TANGENTIAL_STIFFNESS, &now, NULL, NULL);
+    *value = 0;
+    if (status != fmiOK || !(step > 0))
+        return status;
+    all = asperity_tangential_stiffness_at_load(u->model, load);
+    if (all > 0)
+        *value = now / all * (asperity_tangential_stiffness_at_load(u->model, load + step) -
+                              asperity_tangential_stiffness_at_load(u->model, load - step)) / (2 * step);
+    return fmiOK;
+}
 #endif
 
 /* The contact is where it is now. */

@@ -79,14 +79,15 @@ static fmiStatus refused(const unit *u, fmiStatus status)
 /* fmiOK in one of the modes: elsewhere the function must not be called. */
 static fmiStatus called_in(const unit *u, int modes, const char *function)
 {
-    const char *name = u->state.mode == INSTANTIATED      ? "before initialization mode"
-                       : u->state.mode == INITIALIZATION  ? "in initialization mode"
-                       : u->state.mode == EVENT           ? "in event mode"
-                       : u->state.mode == CONTINUOUS_TIME ? "in continuous-time mode"
-                       : u->state.mode == STEP            ? "in co-simulation"
-                                                    : "after the end";
+    const int mode = u->state.mode;
+    const char *name = mode == INSTANTIATED      ? "before initialization mode"
+                       : mode == INITIALIZATION  ? "in initialization mode"
+                       : mode == EVENT           ? "in event mode"
+                       : mode == CONTINUOUS_TIME ? "in continuous-time mode"
+                       : mode == STEP            ? "in co-simulation"
+                                                 : "after the end";
     char message[128];
-    if (u->state.mode & modes)
+    if (mode & modes)
         return fmiOK;
     snprintf(message, sizeof message, "%s must not be called %s", function, name);
     return failed(u, fmiError, message);
@@ -192,11 +193,12 @@ static fmiStatus evaluate(unit *u, int coefficient, double load, double *value, 
 /* Initialization is over: what was set in it is where the unit begins. */
 static fmiStatus exit_initialization(unit *u, const char *function)
 {
-    const fmiStatus status = called_in(u, INITIALIZATION, function);
-    if (status != fmiOK)
-        return status;
-    u->state.mode = u->exchange ? EVENT : STEP;
-    return accept_step(u);
+    fmiStatus status = called_in(u, INITIALIZATION, function);
+    if (status == fmiOK)
+        status = accept_step(u);
+    if (status == fmiOK)
+        u->state.mode = u->exchange ? EVENT : STEP;
+    return status;
 }
 
 /* In model exchange the solver has accepted a step; in co-simulation it is the step. */
@@ -250,43 +252,32 @@ static fmiStatus set_one(unit *u, unsigned reference, double value)
     return fmiOK;
 }
 
-/* The output at a load, for a central difference: of the slope, and of the tangential stiffness. */
-static fmiStatus output_at(unit *u, unsigned output, double load, double *value)
+/* d(slope)/d(load), a central difference: the law tells no second derivative. */
+static fmiStatus curvature(unit *u, double *value)
 {
-    double other;
-#if MICROSLIP
-    if (output == TANGENTIAL_STIFFNESS)
-        return resistance(u, load, output, value, NULL, NULL);
-#endif
-    (void)output;
-    return evaluate(u, 0, load, &other, value);
-}
-
-static fmiStatus difference(unit *u, unsigned output, double *value)
-{
-    double below, above, step = 1e-5 * (u->state.load < 0 ? -u->state.load : u->state.load);
+    double other, below, above, step = 1e-5 * (u->state.load < 0 ? -u->state.load : u->state.load);
     fmiStatus status;
     *value = 0;
     if (!(step > 0))
         return fmiOK;
-    if ((status = output_at(u, output, u->state.load - step, &below)) != fmiOK ||
-        (status = output_at(u, output, u->state.load + step, &above)) != fmiOK)
+    if ((status = evaluate(u, 0, u->state.load - step, &other, &below)) != fmiOK ||
+        (status = evaluate(u, 0, u->state.load + step, &other, &above)) != fmiOK)
         return status;
     *value = (above - below) / (2 * step);
     return fmiOK;
 }
 
-/* d(output)/d(load). Those of the slope and the tangential stiffness are differences: the law tells no second derivative. */
+/* d(output)/d(load). */
 static fmiStatus derivative(unit *u, unsigned output, double *value)
 {
     double other;
     switch (output) {
     case FORCE: return evaluate(u, 0, u->state.load, &other, value);
     case COEFFICIENT: return evaluate(u, 1, u->state.load, &other, value);
-    case SLOPE: return difference(u, output, value);
+    case SLOPE: return curvature(u, value);
 #if MICROSLIP
     case TANGENTIAL_FORCE: return resistance(u, u->state.load, output, &other, value, NULL);
-    case TANGENTIAL_STIFFNESS: return difference(u, output, value);
+    case TANGENTIAL_STIFFNESS: return stiffening(u, value);
 #endif
     default: return failed(u, fmiError, "only outputs have directional derivatives");
     }
