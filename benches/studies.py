@@ -26,7 +26,7 @@ from asperity.study import study
 PARAMS = Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
 LOADS = np.geomspace(1e-3, 1e3, 100)
 VARY = {"height_std": 0.2, "summit_radius": 0.2, "work_of_adhesion": 0.3, "slip_stress": 0.5}
-FEW = 1000
+FEW = 400
 
 
 def loop(surfaces: int, warnings: bool) -> None:
