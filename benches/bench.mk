@@ -11,3 +11,12 @@ bench:
 	$(CXX) -std=c++17 -O2 -Wall -Wextra -Iinclude benches/solver_speed.cpp -o $(bench_program) \
 	    -L$(bench_target)/release -Wl,-rpath,$(bench_target)/release -lasperity -lgsl -lgslcblas -lm -pthread
 	CXX="$(CXX)" benches/report.sh $(bench_program)
+
+# Speed and memory of studies of many surfaces, as tables for docs/studies.md; half an hour on two idle cores.
+.PHONY: bench-studies
+bench-studies:
+	cargo build --release --locked
+	mkdir -p $(bench_target)/bench
+	$(CC) -std=c11 -O2 -Wall -Wextra -Wpedantic -D_POSIX_C_SOURCE=200809L -Iinclude benches/creation_threads.c \
+	    -o $(bench_target)/bench/creation_threads -L$(bench_target)/release -Wl,-rpath,$(bench_target)/release -lasperity -pthread
+	$$(python/environment.sh)/bin/python benches/studies.py $(bench_target)/bench/creation_threads $(SURFACES)

@@ -98,7 +98,8 @@ EXPLORER = """# Explorer
 """
 
 MODULES = (
-    "", ".materials", ".surface", ".pads", ".fit", ".uncertainty", ".loads", ".table", ".jax", ".warp", ".mujoco", ".kratos",
+    "", ".materials", ".surface", ".pads", ".fit", ".uncertainty", ".study", ".loads", ".table", ".jax", ".warp",
+    ".mujoco", ".kratos",
 )
 PYTHON = "# Python reference\n\n[python.md](../guide/docs/python.md) is the guide.\n\n" + "".join(
     f"::: asperity{module}\n\n" for module in MODULES

@@ -19,7 +19,7 @@ import study_workers
 import xarray
 from study_workers import LOADS, PARAMS, SMALL
 
-from asperity import _blocks, pads, uncertainty
+from asperity import Model, _blocks, pads, uncertainty
 from asperity.study import study
 
 
@@ -76,8 +76,10 @@ def test_bands_and_pads_are_the_same_on_an_executor() -> None:
     with ProcessPoolExecutor(2) as executor:
         band = uncertainty(PARAMS, {"height_std": 0.3, "w": 0.5}, LOADS, samples=40, executor=executor)
         pads_there = pads(few, [1.0, 10.0], 20, executor=executor)
+        curve = Model(PARAMS).curve(LOADS, spread={"height_std": 0.3, "w": 0.5}, samples=40, executor=executor)
     assert alone.samples is not None and band.samples is not None
     assert band.samples.tobytes() == alone.samples.tobytes() and band.refused == alone.refused
+    assert curve.low is not None and np.array_equal(curve.low, alone.low)
     assert pads_there.friction_force.tobytes() == pads_alone.friction_force.tobytes()
     assert np.array_equal(pads_there.contacting, pads_alone.contacting)
 

@@ -118,8 +118,8 @@ class _Engine:
         finally:
             for future in self._sent:
                 future.cancel()
-            if self._given is None:
-                self._pool.shutdown(wait=False, cancel_futures=True)
+            if self._given is None:  # not waiting for blocks that nobody wants any more
+                self._pool.shutdown(wait=not self._sent, cancel_futures=True)
 
     def _fill(self, tasks: Iterator[tuple[int, Any]]) -> bool:
         """Sends blocks while there is room; whether any is under way."""

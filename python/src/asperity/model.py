@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from concurrent.futures import Executor
 from typing import Any, Mapping
 
 import numpy as np
@@ -51,6 +52,7 @@ class Model(FrictionLaw):
         seed: int = 0,
         measured_load: float | None = None,
         measured_error: float = 0.05,
+        executor: Executor | None = None,
     ) -> Curve:
         """Friction over a range of loads, to look at: `model.curve().plot()`; a notebook shows it by itself.
 
@@ -66,6 +68,7 @@ class Model(FrictionLaw):
             measured_load: normal load [force] of the one measured friction force that the model was calibrated with, which
                 gives the curve a band too.
             measured_error: relative standard deviation of that force.
+            executor: where the samples of the band are evaluated, by default here; see `asperity.uncertainty`.
 
         Raises:
             ValueError: loads or a spread that cannot be used.
@@ -84,7 +87,7 @@ class Model(FrictionLaw):
         if spread is not None or measured_load is not None or self.uncalibrated:
             band = uncertainty(
                 params, spread, load, coverage=coverage, samples=samples, seed=seed,
-                measured_load=measured_load, measured_error=measured_error,
+                measured_load=measured_load, measured_error=measured_error, executor=executor,
             )  # fmt: skip
         self.warn(float(load[0]), float(load[-1]))
         return Curve(

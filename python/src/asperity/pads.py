@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 import operator
 from concurrent.futures import Executor
+from functools import lru_cache
 from typing import Any, Iterator, NamedTuple
 
 import numpy as np
@@ -39,7 +40,7 @@ _DRAWN_WHOLE = 1000
 _FIRST_CONTACTS, _DEVIATIONS = 40, 8.0
 # States of pads; more take more than some seconds.
 _MANY = 5000
-# Pads that a worker is given at a time: the law of one summit, which each block needs anew, takes as long as a few of them.
+# Pads that a worker is given at a time, some tenths of a second of work.
 _BLOCK = 16
 
 
@@ -99,7 +100,7 @@ def pads(
     heights = TailHeights(params)
     with Model(params) as model:
         model_force = model.friction_force_at_load(load)
-        law = OneSummitLaw(model, heights.highest)
+        law = _law(params, heights.highest)
         heaviest, whole = float(load.max()), heights.count <= _DRAWN_WHOLE
         start = math.nan if whole else _start(model, law, heights, heaviest)
         lowest = -math.inf if whole else start - law.farthest
@@ -124,15 +125,18 @@ def pads(
 
 def _unloaded(block: _Pads) -> list[tuple[Array, Counts, Mask]]:
     """Friction force, contacts and whether it is apart, of each pad at each load."""
-    heaviest = float(block.loads[0])
-    with Model(block.params) as model:
-        law = OneSummitLaw(model, block.highest)
-        found = []
-        for heights in block.heights:
-            whole = math.isnan(block.start)
-            start = _start_of(law, heights, heaviest, block.params.height_std) if whole else block.start
-            found.append(descend(law, heights, start, block.loads))
-        return found
+    law, heaviest, found = _law(block.params, block.highest), float(block.loads[0]), []
+    for heights in block.heights:
+        whole = math.isnan(block.start)
+        start = _start_of(law, heights, heaviest, block.params.height_std) if whole else block.start
+        found.append(descend(law, heights, start, block.loads))
+    return found
+
+
+@lru_cache(maxsize=1)
+def _law(params: Params, highest: float) -> OneSummitLaw:
+    """Made once in each process: it takes as long as some pads."""
+    return OneSummitLaw(Model(params), highest)
 
 
 def _start(model: Model, law: OneSummitLaw, heights: TailHeights, heaviest: float) -> float:
