@@ -71,7 +71,8 @@ def test_the_guide_runs_and_prints_what_it_says(root: Path, checkout: Path, envi
     check_page(root / "docs" / "python.md", checkout, environment)
     assert len(list((checkout / "wheels").glob("asperity-*-py3-none-*.whl"))) == 1
     assert (checkout / "friction_curve.svg").read_text(encoding="utf-8").startswith("<?xml")
-    for page in ("python/README.md", "docs/roughness.md", "docs/materials.md", "docs/metals.md", "docs/microslip.md"):  # in what the guide installed
+    # In what the guide installed.
+    for page in ("python/README.md", "docs/roughness.md", "docs/materials.md", "docs/metals.md", "docs/microslip.md"):
         check_page(root / page, checkout, environment)
 
 

@@ -18,7 +18,7 @@ from asperity.figures import calibrated, curves, drawing, page
 
 # Of other pages than the gallery: the contacts of the map, the rows of the measurements, a film measured and predicted with a
 # bar for each comparison.
-ELSEWHERE = {"contacts.svg": [7], "measurements.svg": [6], "measured-points.svg": [2, 6]}
+ELSEWHERE = {"remembered.svg": [3], "contacts.svg": [7], "measurements.svg": [6], "measured-points.svg": [2, 6]}
 
 SVG = "{http://www.w3.org/2000/svg}"
 # Each picture with the number of curves in each of its panels.
