@@ -253,3 +253,38 @@ unsafe fn write_all<const N: usize>(out: *mut f64, index: usize, values: &[f64; 
         out.add(index).cast::<[f64; N]>().write_unaligned(*values);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Params;
+
+    /// The functions of this processor and those of any, over a path that turns while the load changes.
+    #[test]
+    fn every_processor_gives_the_same_bits() {
+        let model = Model::new(&Params::default()).expect("a model");
+        let (mut state, mut portable) = ([0.0; STATE], [0.0; STATE]);
+        for i in 0..2000 {
+            let load = 1e-3 * 10_f64.powf(f64::from(i * 37 % 60) / 10.0);
+            let length = model.friction_force_at_load(load) / model.tangential_stiffness_at_load(load);
+            let increment = [7, 11].map(|k| (f64::from(i * k % 23) / 11.0 - 1.0) * length);
+            let before = state;
+            let found = one(&model, load, increment, &mut state).expect("a step");
+            let expected = step::<true>(&model, load, increment, &mut portable, &mut Elements::default());
+            assert_eq!((Ok(found), state), (expected, portable), "{i}");
+            let (mut after, mut force, mut stiffness) = ([0.0; STATE], [0.0; 2], [0.0; 4]);
+            let arrays = Arrays {
+                n: 1,
+                load: &load,
+                increment: increment.as_ptr(),
+                before: before.as_ptr(),
+                after: after.as_mut_ptr(),
+                force: force.as_mut_ptr(),
+                stiffness: stiffness.as_mut_ptr(),
+            };
+            // SAFETY: arrays of one contact.
+            assert!(unsafe { many(&model, arrays) }.is_none());
+            assert_eq!((after, force, stiffness), (state, found.force, found.stiffness), "{i}");
+        }
+    }
+}

@@ -182,7 +182,8 @@ mod tests {
 
     #[test]
     fn shares_are_those_of_a_polygon_through_the_curve() {
-        let curves: [(&str, fn(f64) -> f64); 4] = [
+        type Named = (&'static str, fn(f64) -> f64);
+        let curves: [Named; 4] = [
             ("exponential", |x| 1.0 - (-x).exp()),
             ("one size, in part", |x| 1.0 - (1.0 - x / 1.5).max(0.0).powf(1.5)),
             ("one size, as a whole", |x| x.min(1.0)),

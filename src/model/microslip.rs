@@ -55,7 +55,7 @@ impl Model {
         if !finite(load) {
             return Err(Error::InvalidLoad { name: LOAD, value: load });
         }
-        for (index, value) in increment.into_iter().enumerate().filter(|(_, value)| !finite(*value)) {
+        if let Some((index, value)) = increment.into_iter().enumerate().find(|(_, value)| !finite(*value)) {
             return Err(Error::InvalidEntry { name: "increment", index, value, allowed: FINITE });
         }
         // What is not finite is no number when it is multiplied by 0.

@@ -118,15 +118,17 @@ fn bad_input_has_a_status_and_a_message_and_touches_no_output() {
 }
 
 #[test]
-fn what_yielding_summits_cannot_have_is_refused() {
+fn what_summits_cannot_have_is_refused() {
     type Change = fn(&mut asperity_params);
-    let changes: [(Change, &str); 6] = [
+    let changes: [(Change, &str); 8] = [
         (|params| params.hardness = 0.0, "hardness = 0: must be > 0 where contact_law is"),
         (|params| params.hardness = -1.0, "hardness = -1: must be finite and >= 0"),
         (|params| params.hardness = f64::NAN, "hardness = NaN: must be finite and >= 0"),
         (|params| params.work_of_adhesion = 1e-3, "work_of_adhesion = 0.001: must be 0 where contact_law is"),
         (|params| params.tangential_modulus = -1.0, "tangential_modulus = -1: must be finite and >= 0"),
         (|params| params.contact_law = 2, "contact_law = 2: must be one of"),
+        (|params| params.slip_onset = 2, "slip_onset = 2: must be one of ASPERITY_SLIP_: PARTIAL (0), WHOLE (1)"),
+        (|params| params.slip_onset = -1, "slip_onset = -1: must be one of ASPERITY_SLIP_"),
     ];
     for (change, says) in changes {
         let mut params = yielding();
