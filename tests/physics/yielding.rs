@@ -376,6 +376,7 @@ fn sums_are_those_of_an_integration_over_heights() {
                 radius_rate: radii[1],
                 slip,
                 tangential_modulus: 0.25,
+                slip_onset: SlipOnset::Whole,
                 ..in_units_of_one(alpha, beta)
             };
             let model = model(&params);
