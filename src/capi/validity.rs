@@ -167,9 +167,9 @@ fn string(warning: u64) -> &'static CStr {
               nominal_area; use lighter loads, or check height_std and asperity_count, which are usually too small"
         }
         ASPERITY_WARNING_STEEP => {
-            c"contacts are too large for their summits: contact radii are above a tenth of summit radii on average; \
-              use lighter loads, or check summit_radius: a height map that is noisy, or finer than the contacts, gives \
-              too small a radius"
+            c"contacts are too large for their summits: contact radii are above a tenth of summit radii on \
+              average; use lighter loads, or check summit_radius: a height map that is noisy, or finer than the contacts, \
+              gives too small a radius"
         }
         ASPERITY_WARNING_ATOMIC => {
             c"contacts are too small for continuum mechanics: their mean radius is below burgers_vector; use heavier \

@@ -48,7 +48,7 @@ pub struct Model {
     inverse_cap: f64,
     known: [Known; Quantity::COUNT],
     /// Each quantity at loads lighter and heavier than its table's, where that reaches as far as is promised.
-    beyond: [[Option<Continuation>; 2]; Quantity::COUNT],
+    beyond: [Beyond; Quantity::COUNT],
     /// The heaviest load that can be evaluated.
     heaviest: f64,
 }
@@ -66,6 +66,17 @@ pub(crate) struct Known {
     pub light_slope: f64,
     /// Value at the heavy end of the table.
     pub heavy: f64,
+}
+
+/// Friction force or tangential stiffness at loads beyond the ends of its table, where that reaches as far as is promised.
+#[derive(Debug, Clone)]
+struct Beyond {
+    /// At lighter loads: of load - pull-off, or of the load where zero load is lighter than the table's too.
+    light: Option<Continuation>,
+    /// At zero load and below, of load - pull-off, where these are lighter.
+    pulling: Option<Continuation>,
+    /// At heavier loads, of load - pull-off.
+    heavy: Option<Continuation>,
 }
 
 /// Factors from sums per summit to the caller's units.
@@ -144,7 +155,7 @@ impl Model {
         let heaviest = (HEAVIEST_LOAD * units.load).min(f64::MAX);
         let params = params.clone();
         let known = [Known::default(); Quantity::COUNT];
-        let beyond = Quantity::ALL.map(|quantity| beyond(quantity, &branch, &law, &units));
+        let beyond = Quantity::ALL.map(|quantity| Beyond::new(quantity, &branch, &law, &units));
         let mut model = Self { params, groups, branch, law, units, inverse_cap, known, beyond, heaviest };
         model.known = Quantity::ALL.map(|quantity| model.find_known(quantity));
         Ok(model)
@@ -258,17 +269,8 @@ impl Model {
     /// Friction force or stiffness and slope at a finite load above pull-off that has no row: beyond the table as a power of
     /// the load, within it from the curve, or else exactly.
     pub(crate) fn computed(&self, quantity: Quantity, load: f64) -> (f64, f64) {
-        let (table, [light, heavy]) = (self.law.table(quantity), &self.beyond[quantity as usize]);
-        let x = load - table.pull_off;
-        let beyond = match x {
-            x if x < table.begin_of(0) => light.as_ref(),
-            x if x >= table.begin_of(table.row_count) => heavy.as_ref(),
-            _ => None,
-        };
-        beyond
-            .map(|beyond| beyond.at(x))
-            .or_else(|| self.law.interpolated(quantity, load))
-            .unwrap_or_else(|| self.exact(quantity, load))
+        let beyond = self.beyond[quantity as usize].at(self.law.table(quantity), load);
+        beyond.or_else(|| self.law.interpolated(quantity, load)).unwrap_or_else(|| self.exact(quantity, load))
     }
 
     /// Friction coefficient and slope at such a load.
@@ -360,29 +362,58 @@ impl Model {
     }
 }
 
-/// A quantity at lighter and at heavier loads than its table's, where that reaches as far as is promised.
-fn beyond(quantity: Quantity, branch: &Branch, law: &Law, units: &Units) -> [Option<Continuation>; 2] {
-    let (table, unit) = (law.table(quantity), units.of(quantity));
-    let half = branch.population().at_separation(-branch.population().heights().origin()).load().abs() * units.load;
-    let lightest = (LIGHTEST_OF_PULL_OFF * -table.pull_off).max(LIGHTEST_OF_HALF * half);
-    let at = |x: f64| {
-        let tabulated = table.at_excess(x).or_else(|| law.interpolated(quantity, table.pull_off + x));
-        tabulated.unwrap_or_else(|| {
-            let state = branch.at_log_excess(log(x) - log(units.load), None);
-            state.map_or((f64::NAN, f64::NAN), |(_, sums)| {
-                let (value, slope) = quantity.of(&sums);
-                (value * unit, slope * unit / (sums.load_slope * units.load))
+impl Beyond {
+    fn new(quantity: Quantity, branch: &Branch, law: &Law, units: &Units) -> Self {
+        let (table, unit) = (law.table(quantity), units.of(quantity));
+        let at = |x: f64| {
+            let tabulated = table.at_excess(x).or_else(|| law.interpolated(quantity, table.pull_off + x));
+            tabulated.unwrap_or_else(|| {
+                let state = branch.at_log_excess(log(x) - log(units.load), None);
+                state.map_or((f64::NAN, f64::NAN), |(_, sums)| {
+                    let (value, slope) = quantity.of(&sums);
+                    (value * unit, slope * unit / (sums.load_slope * units.load))
+                })
             })
-        })
-    };
-    let (first, end) = (table.begin_of(0), table.begin_of(table.row_count));
-    let at_pull_off = branch.pull_off().map_or(0.0, |point| quantity.of(&point.sums).0 * unit);
-    // The next number below: the table's end is not of it.
-    let last = end.below();
-    [
-        (first <= lightest).then(|| Continuation::new(first, at(first), at_pull_off, false)),
-        (last >= HEAVIEST_OF_HALF * half).then(|| Continuation::new(last, at(last), 0.0, true)),
-    ]
+        };
+        let half = branch.population().at_separation(-branch.population().heights().origin()).load().abs() * units.load;
+        let pull_off = -table.pull_off;
+        // The next number below: the table's end is not of it.
+        let (first, last) = (table.begin_of(0), table.begin_of(table.row_count).below());
+        let is_reached = first <= (LIGHTEST_OF_PULL_OFF * pull_off).max(LIGHTEST_OF_HALF * half);
+        let at_pull_off = branch.pull_off().map_or(0.0, |point| quantity.of(&point.sums).0 * unit);
+        // A surface that hardly adheres: zero load is lighter than the table, and known by itself.
+        let at_zero = (first > pull_off && pull_off > 0.0).then(|| at(pull_off).0);
+        let light = || match at_zero {
+            Some(at_zero) => Continuation::new(first - pull_off, at(first), at_zero, false),
+            None => Continuation::new(first, at(first), at_pull_off, false),
+        };
+        // As the root of the distance.
+        let pulling = |at_zero: f64| {
+            let slope = 0.5 * (at_zero - at_pull_off) / pull_off;
+            Continuation::new(pull_off, (at_zero, slope), at_pull_off, false)
+        };
+        Self {
+            light: is_reached.then(light),
+            pulling: at_zero.filter(|_| is_reached).map(pulling),
+            heavy: (last >= HEAVIEST_OF_HALF * half).then(|| Continuation::new(last, at(last), 0.0, true)),
+        }
+    }
+
+    /// Value and slope at a load above pull-off; `None` within the table, and where that does not reach so far.
+    fn at(&self, table: &Table, load: f64) -> Option<(f64, f64)> {
+        let x = load - table.pull_off;
+        if x >= table.begin_of(table.row_count) {
+            return self.heavy.as_ref().map(|heavy| heavy.at(x));
+        }
+        if x >= table.begin_of(0) {
+            return None;
+        }
+        match &self.pulling {
+            Some(pulling) if load <= 0.0 => Some(pulling.at(x)),
+            Some(_) => self.light.as_ref().map(|light| light.at(load)),
+            None => self.light.as_ref().map(|light| light.at(x)),
+        }
+    }
 }
 
 /// a/b for b > 0, saturating where it would overflow.

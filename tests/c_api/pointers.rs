@@ -114,7 +114,9 @@ fn bits(numbers: &[f64]) -> Vec<u64> {
 #[test]
 #[cfg_attr(miri, ignore = "reads text, which takes half a minute there")]
 fn every_function_of_the_header_is_called_here() {
-    let (header, here) = (include_str!("../../include/asperity.h"), include_str!("pointers.rs"));
+    let header = include_str!("../../include/asperity.h");
+    // Second names, of the same functions, are called in a file of their own.
+    let here = concat!(include_str!("pointers.rs"), include_str!("aliases.rs"));
     let mut functions = 0;
     for line in header.lines().filter(|line| !line.starts_with([' ', '#', '/', '*', '}'])) {
         let Some((before, _)) = line.split_once('(') else { continue };
