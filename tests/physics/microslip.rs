@@ -47,8 +47,13 @@ fn surfaces() -> Vec<Params> {
 fn loads(model: &Model) -> Vec<f64> {
     let half = model.state_at_separation(0.0).expect("a state").load;
     let mut loads: Vec<f64> = (-5..=2).map(|decade| 0.3 * half * 10_f64.powi(decade)).collect();
-    if model.summary().pull_off_load < 0.0 {
-        loads.extend([0.0, 0.5 * model.summary().pull_off_load]);
+    let pulling = 0.5 * model.summary().pull_off_load;
+    if pulling < 0.0 {
+        loads.push(0.0);
+    }
+    // Of a surface that hardly adheres the law between pull-off and zero is that of neither end.
+    if pulling < 0.0 && pulling >= model.summary().min_table_load {
+        loads.push(pulling);
     }
     loads
 }
