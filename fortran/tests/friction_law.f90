@@ -26,6 +26,7 @@ program friction_law
   call error_reports
   call many_contacts
   call parameters
+  call ground_steel
   call other_units
   call copies
   call freeing
@@ -525,6 +526,21 @@ contains
     call check('what was never set is refused', stat == ASPERITY_INVALID_PARAMETER)
     call check_text('... by name', trim(errmsg), 'composite_modulus: must be set')
   end subroutine parameters
+
+  ! The surface of docs/fortran.md of which only Ra is known, with the number of docs/start-ra.md.
+  subroutine ground_steel
+    real(c_double), parameter :: Rq = 1.2533_c_double * 0.4e-6_c_double, slope = 0.14_c_double * sqrt(Rq / 1e-6_c_double)
+    real(c_double), parameter :: m0 = Rq**2, m2 = slope**2, bandwidth = 9.5_c_double
+    type(friction_model) :: law
+    type(asperity_params) :: p
+    call asperity_check(asperity_params_init_unset(p))
+    call asperity_params_use_pair(p, 'steel/steel')
+    call asperity_check(asperity_params_set_spectral_moments(p, m0, m2, bandwidth * m2**2 / m0, 1e-4_c_double))
+    p%contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC
+    p%work_of_adhesion = 0
+    call law%create(p)
+    call check_close('ground steel from Ra', law%friction_at_load(20.0_c_double), 0.0398_c_double, 2e-3_c_double)
+  end subroutine ground_steel
 
   ! The conversion of docs/fortran.md: the same steel in N and m, and in N and mm.
   subroutine other_units

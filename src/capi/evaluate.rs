@@ -25,8 +25,9 @@ pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model,
 ///
 /// @param model  a model
 /// @param load   normal load [force], a total over `asperity_count`
-/// @return F [force], finite and positive also at zero and negative load down to pull-off; 0 below pull-off; a quiet
-///         NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
+/// @return F [force]. With adhesion it is positive also at zero load, and at negative load down to pull-off; without adhesion
+///         it is 0 at zero load. 0 below pull-off; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated
+///         (1e300), or a NULL model
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
@@ -76,9 +77,10 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
 /// @param n             number of loads; may be 0
 /// @param load          n loads [force]; must not be NULL unless n = 0
 /// @param force         receives n forces [force]; NULL to skip; may be `load` itself
-/// @param dforce_dload  receives n slopes dF/d(load) [-]: INFINITY at the pull-off load itself, 0 below it. Without adhesion
-///                      F has no slope at zero load; there and below, it is that of the lightest load of the table, finite.
-///                      NULL to skip; may be `load` itself
+/// @param dforce_dload  receives n slopes dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the pull-off load
+///                      itself, 0 below it. Without adhesion F has no slope at zero load: at zero load and below, the
+///                      library writes the slope at the lightest load of the table, `min_table_load`. NULL to skip; may be
+///                      `load` itself
 /// @return as `asperity_friction_at_loads`
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.

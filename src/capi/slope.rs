@@ -39,9 +39,9 @@ pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
 ///
 /// @param model         a model
 /// @param load          normal load [force]
-/// @param dforce_dload  receives dF/d(load) [-]: INFINITY at the pull-off load itself, 0 below it. Without adhesion F has no
-///                      slope at zero load; there and below, it is that of the lightest load of the table, finite. NaN where
-///                      F is NaN; NULL to skip
+/// @param dforce_dload  receives dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the pull-off load itself, 0
+///                      below it. Without adhesion F has no slope at zero load: at zero load and below, the library writes
+///                      the slope at the lightest load of the table, `min_table_load`. NaN where F is NaN; NULL to skip
 /// @return as `asperity_friction_force_at_load`
 ///
 /// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
