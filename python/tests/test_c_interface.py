@@ -112,11 +112,24 @@ def test_every_function_of_the_header_works() -> None:
     assert math.isclose(one[0], slope[0] * math.tanh(-1.5), rel_tol=1e-14)
     assert math.isclose(other[0], force[0] / (0.2 * math.cosh(1.5) ** 2), rel_tol=1e-13)
 
+    # The same for many, and for contacts of several models.
+    assert lib.friction_at_pressures(model, 1, doubles(10.0), 5.0, one, None) == Status.OK
+    assert one[0] == lib.friction_at_pressure(model, 10.0, 5.0, None)
+    assert lib.shear_stresses_at_pressures(model, 1, doubles(10.0), 5.0, one, None) == Status.OK
+    assert one[0] == lib.shear_stress_at_pressure(model, 10.0, 5.0, None)
+    assert lib.slip_forces(model, 1, doubles(50.0), doubles(-0.3), 0.2, one, None, None) == Status.OK
+    assert one[0] == lib.slip_force(model, 50.0, -0.3, 0.2, None, None)
+    assert lib.friction_force_at_slip_rate(model, 50.0, -0.3, 0.2, None, None) == one[0]
+    models, which = (ctypes.POINTER(_header.asperity_model) * 1)(model), (ctypes.c_uint32 * 1)(0)
+    assert lib.friction_force_at_loads_of(models, 1, 1, which, doubles(50.0), one, None) == Status.OK and one[0] == force[0]
+
     # Before it slips.
     stiffness = lib.tangential_stiffness_at_load(model, 50.0)
     assert lib.tangential_stiffness_at_loads(model, 1, doubles(50.0), one) == Status.OK and one[0] == stiffness
     assert lib.tangential_at_load(model, 50.0, 1e-9 * force[0] / stiffness, one, other) == Status.OK
     assert math.isclose(one[0], 1e-9 * force[0], rel_tol=1e-6) and math.isclose(other[0], stiffness, rel_tol=1e-6)
+    displacement = 1e-9 * force[0] / stiffness
+    assert lib.tangential_force_at_displacement(model, 50.0, displacement, other, None) == Status.OK and other[0] == one[0]
 
     # A contact that remembers.
     slipped = _header.asperity_microslip(struct_size=ctypes.sizeof(_header.asperity_microslip))
@@ -134,6 +147,11 @@ def test_every_function_of_the_header_works() -> None:
     separation = state.separation
     assert lib.state_at_separation(model, separation, state) == Status.OK
     assert math.isclose(state.load, 50.0, rel_tol=1e-9)
+    assert math.isclose(lib.load_at_separation(model, separation), 50.0, rel_tol=1e-9)
+    assert lib.load_and_slope_at_separation(model, separation, one) == lib.load_at_separation(model, separation)
+    assert math.isclose(one[0], state.dload_dseparation, rel_tol=1e-7)
+    assert lib.loads_at_separations(model, 1, doubles(separation), other, None) == Status.OK
+    assert other[0] == lib.load_at_separation(model, separation)
 
     # What friction depends on, and whether the law holds at these loads.
     by = _header.asperity_sensitivities(struct_size=ctypes.sizeof(_header.asperity_sensitivities))
@@ -152,16 +170,20 @@ def test_every_function_of_the_header_works() -> None:
     summary = _header.asperity_summary(struct_size=ctypes.sizeof(_header.asperity_summary))
     assert lib.summary_of(model, summary) == Status.OK
     assert abs(summary.skew) < 1e-9
+    assert lib.get_summary(model, again := type(summary)(struct_size=summary.struct_size)) == Status.OK
+    assert bytes(again) == bytes(summary)
 
     # Materials, and all that a pair tells.
     material = _header.asperity_material_data(struct_size=ctypes.sizeof(_header.asperity_material_data))
     assert lib.material(lib.material_name(3), material) == Status.OK and material.name == b"steel" and material.young == 205e9
     pair = _header.asperity_pair_data(struct_size=ctypes.sizeof(_header.asperity_pair_data))
     assert lib.pair(b"Au/mica", pair) == Status.OK and pair.name == b"mica/Au" and lib.pair_name(10**6) is None
+    assert lib.get_material(b"steel", material) == Status.OK and lib.get_pair(b"Au/mica", pair) == Status.OK
     assert lib.params_calibrate(params, 50.0, -1.0) == Status.INVALID_PARAMETER
     assert lib.params_set_pair(params, b"mica/Au") == Status.OK and params.slip_stress_1 == pair.slip_stress_1
     film = _header.asperity_interface_data(struct_size=ctypes.sizeof(_header.asperity_interface_data))
     assert lib.interface(lib.interface_name(0), film) == Status.OK and film.shear_strength == 24.8e6 and film.source == b"read"
+    assert lib.get_interface(film.name, film) == Status.OK
     assert lib.params_set_interface(params, film.name) == Status.OK and params.pressure_coefficient == 0.001
 
     table = _header.asperity_table(struct_size=ctypes.sizeof(_header.asperity_table))
@@ -169,6 +191,9 @@ def test_every_function_of_the_header_works() -> None:
     assert table.layout_version == _header.ASPERITY_TABLE_LAYOUT
     assert table.pull_off_load == summary.pull_off_load
     assert math.isclose(table_force(table, 50.0), force[0], rel_tol=1e-14)
+    assert lib.get_table(model, table) == Status.OK and table.pull_off_load == summary.pull_off_load
+    assert lib.load_table_of(model, table) == Status.OK
+    assert math.isclose(table_force(table, -separation), 50.0, rel_tol=1e-9)
     lib.free(model)
     lib.free(None)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import multiprocessing
 import os
 import shutil
 import signal
@@ -21,6 +22,9 @@ from study_workers import LOADS, PARAMS, SMALL
 
 from asperity import Model, _blocks, pads, uncertainty
 from asperity.study import study
+
+# Other tests of this process may have started threads, which a fork does not copy.
+CONTEXT = multiprocessing.get_context("spawn")
 
 
 @pytest.fixture(scope="module")
@@ -48,7 +52,7 @@ def test_processes_give_the_same_bits(small: xarray.Dataset) -> None:
     for workers in (2, 3):
         found = study(PARAMS, **SMALL, workers=workers)
         assert bits(found) == bits(small) and found.attrs == small.attrs
-    with ProcessPoolExecutor(2) as executor:
+    with ProcessPoolExecutor(2, CONTEXT) as executor:
         assert bits(study(PARAMS, **SMALL, executor=executor)) == bits(small)
         assert executor.submit(study_workers.twice, 2).result() == 4  # it is left open
 
@@ -73,7 +77,7 @@ def test_bands_and_pads_are_the_same_on_an_executor() -> None:
     alone = uncertainty(PARAMS, {"height_std": 0.3, "w": 0.5}, LOADS, samples=40)
     few = PARAMS.replace(asperity_count=500.0)
     pads_alone = pads(few, [1.0, 10.0], 20)
-    with ProcessPoolExecutor(2) as executor:
+    with ProcessPoolExecutor(2, CONTEXT) as executor:
         band = uncertainty(PARAMS, {"height_std": 0.3, "w": 0.5}, LOADS, samples=40, executor=executor)
         pads_there = pads(few, [1.0, 10.0], 20, executor=executor)
         curve = Model(PARAMS).curve(LOADS, spread={"height_std": 0.3, "w": 0.5}, samples=40, executor=executor)
@@ -96,7 +100,7 @@ def test_processes_that_die_again_and_again_end_the_work() -> None:
 
 
 def test_a_broken_executor_is_named_with_what_to_do() -> None:
-    with ProcessPoolExecutor(1) as executor:
+    with ProcessPoolExecutor(1, CONTEXT) as executor:
         with pytest.raises(ChildProcessError, match="executor: it is broken .* make a new one and call again, with the same checkp"):
             list(_blocks.completed(study_workers.die, [(0, None)], executor))
 

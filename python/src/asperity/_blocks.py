@@ -68,7 +68,9 @@ def _answer(work: Work, task: Any) -> tuple[str, Any]:
 
 
 def _pool(workers: int) -> Executor:
-    return ProcessPoolExecutor(workers, initializer=_end_with_parent)
+    # Not by fork: a process with threads, as of JAX or BLAS, must not be copied.
+    method = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
+    return ProcessPoolExecutor(workers, multiprocessing.get_context(method), initializer=_end_with_parent)
 
 
 def _end_with_parent() -> None:
