@@ -15,8 +15,9 @@ function compile(layouts) {
     lines.push(`_Static_assert(sizeof(${struct}) == ${size}, "${struct}");`);
     for (const { name, offset, type } of fields) {
       lines.push(`_Static_assert(offsetof(${struct}, ${name}) == ${offset}, "${struct}.${name}");`);
+      // An array of the type decays to a pointer to it.
       if (type !== "pointer")
-        lines.push(`_Static_assert(_Generic(((${struct} *)0)->${name}, ${type}: 1, default: 0), "${struct}.${name}");`);
+        lines.push(`_Static_assert(_Generic(((${struct} *)0)->${name}, ${type}: 1, ${type} *: 1, default: 0), "${struct}.${name}");`);
     }
   }
   const source = resolve(scratch, "layout.c");
