@@ -245,13 +245,14 @@ static void state_fields_hold_their_quantities(void)
     asperity_free(model);
 }
 
-static void force_beyond_the_table(const asperity_model *model, double load)
+/* The law goes on as a power: near to exact states above the table, as the root of the distance to pull-off below it. */
+static void force_beyond_the_table(const asperity_model *model, double load, double tolerance)
 {
     asperity_state state;
 
     state.struct_size = sizeof state;
     require_ok(asperity_state_at_load(model, load, &state), "asperity_state_at_load");
-    expect_near("force beyond the table", asperity_friction_force_at_load(model, load), state.friction_force, 1e-10);
+    expect_near("force beyond the table", asperity_friction_force_at_load(model, load), state.friction_force, tolerance);
 }
 
 static void summary_fields_hold_their_quantities(void)
@@ -283,8 +284,8 @@ static void summary_fields_hold_their_quantities(void)
     expect(s.pull_off_friction_force < s.zero_load_friction_force, "friction grows with load");
     expect(s.pull_off_load < s.min_table_load && s.min_table_load < s.max_table_load, "the table covers a range");
     expect(s.table_error > 0 && s.table_error < 1e-6, "the table's error was measured");
-    force_beyond_the_table(model, s.pull_off_load + 0.5 * (s.min_table_load - s.pull_off_load));
-    force_beyond_the_table(model, 1.5 * s.max_table_load);
+    force_beyond_the_table(model, s.pull_off_load + 0.5 * (s.min_table_load - s.pull_off_load), 0.01);
+    force_beyond_the_table(model, 1.5 * s.max_table_load, 1e-6);
     asperity_free(model);
 }
 
