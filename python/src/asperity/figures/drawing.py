@@ -129,7 +129,7 @@ def _yield() -> Figure:
 def _microslip() -> Figure:
     """Tangential force over the displacement: from rest, and in loops of hysteresis."""
     picture, (above, below) = _picture(8.0, [(0.16, 0.58, 0.8, 0.375), (0.16, 0.065, 0.8, 0.4)])
-    above.set_title("Contacts creep before all of them slip", loc="left", weight="bold", fontsize=11)
+    above.set_title("Contacts slip one after another before gross slip", loc="left", weight="bold", fontsize=11)
     below.set_title("Small cycles dissipate little", loc="left", weight="bold", fontsize=11)
     for axes in (above, below):
         axes.set_xscale("linear")
@@ -151,7 +151,7 @@ def _microslip() -> Figure:
 
 def _remembered() -> Figure:
     """A loop of a contact that remembers next to the exact one, and the loop that follows when the load falls."""
-    picture, (axes,) = _picture(4.4, [(0.14, 0.13, 0.82, 0.74)])
+    picture, (axes,) = _picture(4.6, [(0.16, 0.12, 0.8, 0.75)])
     _entitle(axes, "A contact that remembers follows the exact loop", "and the next loop when the load falls")
     axes.set_xscale("linear")
     first, *_ = curves.MICROSLIP_SURFACES
@@ -162,9 +162,9 @@ def _remembered() -> Figure:
     for number, ((displacement, force), label) in enumerate(zip(curves.remembered(first.params, amplitude), labels), 1):
         _line(axes, number, number, displacement, force, label)
     axes.set(
-        xlabel=r"displacement $\delta K_t/F$ [–]", ylabel=r"tangential force $T/F$ [–]", xlim=(-1.7, 1.7), ylim=(-1.1, 1.1)
+        xlabel=r"displacement $\delta K_t/F$ [–]", ylabel=r"tangential force $T/F$ [–]", xlim=(-1.7, 1.7), ylim=(-1.1, 1.6)
     )
-    axes.legend(handlelength=4, loc="lower right", fontsize=9)
+    axes.legend(handlelength=4, loc="upper left", fontsize=9)
     return picture
 
 
