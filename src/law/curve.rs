@@ -28,6 +28,8 @@ const NEXT_TO_NON_INTEGER_POWER: f64 = 0.8;
 const SLACK_AT_NON_INTEGER_POWER: f64 = 10.0;
 /// How often a panel is halved whose load by separation misses exact states, though friction by load does not.
 const MOST_HALVINGS: u32 = 3;
+/// No more than about this many exact states are spent on that.
+const MOST_HALVED: usize = MOST_SAMPLES / 2;
 
 /// At this separation the load rises already, or cannot be had: the branch ends before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,8 +57,9 @@ pub struct Curve {
     panels: Vec<Panel>,
     /// The same read the other way; where one of them misses, there are several for a panel.
     by_separation: Vec<BySeparation>,
-    /// Exact states spent.
+    /// Exact states spent, and on load by separation alone.
     samples: usize,
+    halved: usize,
 }
 
 impl Curve {
@@ -68,8 +71,15 @@ impl Curve {
         let mut steps = Steps::new(branch);
         let positions = steps.positions;
         let coordinate = Coordinate { log_pull_off };
-        let mut curve =
-            Self { coordinate, positions, reference, panels: Vec::new(), by_separation: Vec::new(), samples: 0 };
+        let mut curve = Self {
+            coordinate,
+            positions,
+            reference,
+            panels: Vec::new(),
+            by_separation: Vec::new(),
+            samples: 0,
+            halved: 0,
+        };
         let closest = CLOSEST + positions.middle;
         let mut from = curve.sample(branch, closest.min(steps.end - 10.0))?;
         // Adhesion that is strong beside the roughness: on to loads well above pull-off.
@@ -114,10 +124,11 @@ impl Curve {
 
     /// Keeps s against separation, in shorter pieces where it misses exact states.
     fn follow_separation(&mut self, branch: &Branch, piece: BySeparation, halvings: u32) -> Result<(), Unfollowed> {
-        if piece.is_good() || halvings == 0 {
+        if piece.is_good() || halvings == 0 || self.halved > MOST_HALVED {
             self.by_separation.push(piece);
             return Ok(());
         }
+        self.halved += 2 * (NODES + 3);
         for half in piece.halves(|ends, power| self.half(branch, ends, power))? {
             self.follow_separation(branch, half, halvings - 1)?;
         }
