@@ -48,7 +48,7 @@ pub struct Model {
     inverse_cap: f64,
     known: [Known; Quantity::COUNT],
     /// Each quantity at loads lighter and heavier than its table's, where that reaches as far as is promised.
-    beyond: [Beyond; Quantity::COUNT],
+    beyond: Vec<Beyond>, // apart, so that models are small on the stack
     /// The heaviest load that can be evaluated.
     heaviest: f64,
 }
@@ -155,7 +155,7 @@ impl Model {
         let heaviest = (HEAVIEST_LOAD * units.load).min(f64::MAX);
         let params = params.clone();
         let known = [Known::default(); Quantity::COUNT];
-        let beyond = Quantity::ALL.map(|quantity| Beyond::new(quantity, &branch, &law, &units));
+        let beyond = Quantity::ALL.iter().map(|&quantity| Beyond::new(quantity, &branch, &law, &units)).collect();
         let mut model = Self { params, groups, branch, law, units, inverse_cap, known, beyond, heaviest };
         model.known = Quantity::ALL.map(|quantity| model.find_known(quantity));
         Ok(model)
