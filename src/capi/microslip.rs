@@ -145,19 +145,6 @@ pub unsafe extern "C" fn asperity_microslip_steps(
     })
 }
 
-/// [`Model::microslip_step`], compiled for the instructions that its caller has.
-#[inline(always)]
-fn step<const DETAILS: bool>(
-    model: &Model,
-    load: f64,
-    increment: [f64; 2],
-    state: &mut [f64; STATE],
-    elements: &mut Elements,
-) -> Result<MicroslipStep, Error> {
-    model.elements_at::<DETAILS>(load, increment, state, elements)?;
-    Ok(MicroslipStep::new(&elements.step::<DETAILS>(increment, state)))
-}
-
 /// One step by the instructions that this processor has.
 fn one(model: &Model, load: f64, increment: [f64; 2], state: &mut [f64; STATE]) -> Result<MicroslipStep, Error> {
     #[cfg(target_arch = "x86_64")]
@@ -165,7 +152,7 @@ fn one(model: &Model, load: f64, increment: [f64; 2], state: &mut [f64; STATE]) 
         // SAFETY: the processor has the instructions.
         return unsafe { one_avx2(model, load, increment, state) };
     }
-    step::<true>(model, load, increment, state, &mut Elements::default())
+    model.microslip_step(load, increment, state)
 }
 
 /// The caller's arrays of many contacts.
@@ -200,7 +187,7 @@ unsafe fn steps(model: &Model, arrays: Arrays) -> Option<(usize, Error)> {
     for i in 0..arrays.n {
         let mut state: [f64; STATE] = read(arrays.before.add(STATE * i));
         let (load, increment) = (arrays.load.add(i).read_unaligned(), read(arrays.increment.add(2 * i)));
-        let step = match step::<false>(model, load, increment, &mut state, &mut elements) {
+        let step = match model.step::<false>(load, increment, &mut state, &mut elements) {
             Ok(step) => step,
             Err(error) => {
                 let step = of_error(&error);
@@ -234,7 +221,7 @@ unsafe fn one_avx2(
     increment: [f64; 2],
     state: &mut [f64; STATE],
 ) -> Result<MicroslipStep, Error> {
-    step::<true>(model, load, increment, state, &mut Elements::default())
+    model.step::<true>(load, increment, state, &mut Elements::default())
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -270,7 +257,7 @@ mod tests {
             let increment = [7, 11].map(|k| (f64::from(i * k % 23) / 11.0 - 1.0) * length);
             let before = state;
             let found = one(&model, load, increment, &mut state).expect("a step");
-            let expected = step::<true>(&model, load, increment, &mut portable, &mut Elements::default());
+            let expected = model.microslip_step(load, increment, &mut portable);
             assert_eq!((Ok(found), state), (expected, portable), "{i}");
             let (mut after, mut force, mut stiffness) = ([0.0; STATE], [0.0; 2], [0.0; 4]);
             let arrays = Arrays {

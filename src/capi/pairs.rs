@@ -134,7 +134,7 @@ fn first(a: Option<Invalid>, b: Invalid) -> Option<Invalid> {
     a.filter(|a| a.index <= b.index).or(Some(b))
 }
 
-/// Sorts the contacts of a block by model; each model answers its own.
+/// Sorts the contacts of a block by model; each model answers its own, with slopes.
 unsafe fn sorted(models: &Models, contacts: &Contacts) -> Option<Invalid> {
     // One place more: those of no model.
     let mut ends = [0_usize; MOST_MODELS + 1];
@@ -162,7 +162,7 @@ unsafe fn sorted(models: &Models, contacts: &Contacts) -> Option<Invalid> {
             n: end - begin,
             load: load[begin..end].as_ptr(),
             value: force[begin..end].as_mut_ptr(),
-            slope: if contacts.slope.is_null() { contacts.slope } else { slope[begin..end].as_mut_ptr() },
+            slope: slope[begin..end].as_mut_ptr(),
         };
         if let Some((at, load)) = batch::fill(models.get(which), Quantity::Force, arrays) {
             let index = contacts.begin + usize::from(order[begin + at]);

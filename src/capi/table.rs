@@ -4,7 +4,7 @@ use super::boundary;
 use super::model::{self, asperity_model};
 use super::output::fill;
 use super::status::asperity_status;
-use crate::law::Quantity;
+use crate::law::{Quantity, Table};
 use std::mem::size_of;
 
 /// Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
@@ -79,22 +79,15 @@ pub unsafe extern "C" fn asperity_table_of(
         let (view, known) = (model.table(Quantity::Friction), model.known(Quantity::Friction));
         fill(table, "table", || {
             Ok(asperity_table {
-                struct_size: size_of::<asperity_table>() as u64,
-                rows: view.rows.as_ptr().cast(),
-                row_count: view.row_count as u64,
-                base: view.base,
-                shift: view.shift,
-                layout_version: ASPERITY_TABLE_LAYOUT,
-                pull_off_load: view.pull_off,
                 max_friction_coefficient: model.params().max_friction_coefficient,
                 inverse_cap: model.inverse_cap(),
-                total_count: view.rows.len() as u64,
                 pull_off_force: known.at_pull_off.0,
                 light_slope: known.light_slope,
                 zero_force: known.at_zero.0,
                 zero_slope: known.at_zero.1,
                 separated_slope: known.apart,
                 heavy_force: known.heavy,
+                ..rows_of(view)
             })
         })
     })
@@ -122,25 +115,35 @@ pub unsafe extern "C" fn asperity_load_table_of(
             let heaviest = view.pull_off + view.begin_of(view.row_count);
             let (at_zero, zero_slope) = model.load_and_slope_at(0.0);
             Ok(asperity_table {
-                struct_size: size_of::<asperity_table>() as u64,
-                rows: view.rows.as_ptr().cast(),
-                row_count: view.row_count as u64,
-                base: view.base,
-                shift: view.shift,
-                layout_version: ASPERITY_TABLE_LAYOUT,
-                pull_off_load: view.pull_off,
-                max_friction_coefficient: 0.0,
-                inverse_cap: 0.0,
-                total_count: view.rows.len() as u64,
-                pull_off_force: 0.0,
-                light_slope: 0.0,
                 zero_force: at_zero,
                 zero_slope: 0.0 - zero_slope,
-                separated_slope: 0.0,
                 heavy_force: model.load_at_separation(-heaviest),
+                ..rows_of(view)
             })
         })
     })
+}
+
+/// The rows of a table, and nothing of what lies beside them.
+fn rows_of(table: &Table) -> asperity_table {
+    asperity_table {
+        struct_size: size_of::<asperity_table>() as u64,
+        rows: table.rows.as_ptr().cast(),
+        row_count: table.row_count as u64,
+        base: table.base,
+        shift: table.shift,
+        layout_version: ASPERITY_TABLE_LAYOUT,
+        pull_off_load: table.pull_off,
+        max_friction_coefficient: 0.0,
+        inverse_cap: 0.0,
+        total_count: table.rows.len() as u64,
+        pull_off_force: 0.0,
+        light_slope: 0.0,
+        zero_force: 0.0,
+        zero_slope: 0.0,
+        separated_slope: 0.0,
+        heavy_force: 0.0,
+    }
 }
 
 const _: () = assert!(size_of::<crate::law::Row>() == 64);

@@ -142,15 +142,24 @@ impl Curve {
         (begin, end): (f64, f64),
         non_integer_power: NonIntegerPower,
     ) -> Result<BySeparation, Unfollowed> {
-        let at = |part: f64| self.sample(branch, self.positions.between(begin, end, non_integer_power.part(part)));
-        let mut nodes = [at(0.1)?; NODES];
-        for (j, node) in nodes.iter_mut().enumerate() {
-            *node = at(-cos(std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64))?;
-        }
+        let at = |part: f64| self.positions.between(begin, end, non_integer_power.part(part));
+        let between = self.sample(branch, at(0.1))?;
+        let nodes = self.nodes(branch, between, at)?;
         let mut half = BySeparation::new((begin, end), self.positions, non_integer_power, &nodes, false);
+        let [first, last] = [self.sample(branch, at(-0.96))?, self.sample(branch, at(0.96))?];
         let slack = SLACK_AT_NON_INTEGER_POWER;
-        half.keep_good(&[(&at(0.1)?, 1.0), (&at(-0.96)?, slack), (&at(0.96)?, slack)]);
+        half.keep_good(&[(&between, 1.0), (&first, slack), (&last, slack)]);
         Ok(half)
+    }
+
+    /// The exact states at the nodes of a panel, whose separations `at` gives from -1 to 1; `any` is a state.
+    fn nodes(&self, branch: &Branch, any: Sample, at: impl Fn(f64) -> f64) -> Result<[Sample; NODES], Unfollowed> {
+        let mut nodes = [any; NODES];
+        for (j, node) in nodes.iter_mut().enumerate() {
+            let angle = std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64;
+            *node = self.sample(branch, at(-cos(angle)))?;
+        }
+        Ok(nodes)
     }
 
     /// A panel between two separations, and how well it meets the exact states that are not its nodes.
@@ -158,11 +167,7 @@ impl Curve {
         let positions = self.positions;
         // Where on the panel, from -1 to 1.
         let at = |part: f64| positions.between(from.separation, stretch.to, stretch.non_integer_power.part(part));
-        let mut nodes = [from; NODES];
-        for (j, node) in nodes.iter_mut().enumerate() {
-            let angle = std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64;
-            *node = self.sample(branch, at(-cos(angle)))?;
-        }
+        let nodes = self.nodes(branch, from, at)?;
         let end = self.end(branch, stretch.to)?;
         let mut panel = Panel::new((end.s, from.s), stretch.non_integer_power, &nodes);
         // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
@@ -199,8 +204,8 @@ impl Curve {
         );
         let slack = SLACK_AT_NON_INTEGER_POWER;
         let within = if panel.is_narrow() { slack } else { 1.0 };
-        by_separation.keep_good(&[(&from, slack), (&between, within), (&sparse, within), (&next_to_it, slack)]);
-        by_separation.keep_good(&[(&end, slack)]);
+        let states = [(&from, slack), (&between, within), (&sparse, within), (&next_to_it, slack), (&end, slack)];
+        by_separation.keep_good(&states);
         Ok(Attempt { panel, by_separation, between: [between, sparse], end, error })
     }
 

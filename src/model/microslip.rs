@@ -37,14 +37,25 @@ impl Model {
         increment: [f64; 2],
         state: &mut [f64; STATE],
     ) -> Result<MicroslipStep, Error> {
-        let mut elements = Elements::default();
-        self.elements_at::<true>(load, increment, state, &mut elements)?;
-        Ok(MicroslipStep::new(&elements.step::<true>(increment, state)))
+        self.step::<true>(load, increment, state, &mut Elements::default())
+    }
+
+    /// The same; without `DETAILS` only force and stiffness are told. `elements` become those at the load.
+    #[inline(always)] // so that it is compiled for the instructions that its caller has
+    pub(crate) fn step<const DETAILS: bool>(
+        &self,
+        load: f64,
+        increment: [f64; 2],
+        state: &mut [f64; STATE],
+        elements: &mut Elements,
+    ) -> Result<MicroslipStep, Error> {
+        self.elements_at::<DETAILS>(load, increment, state, elements)?;
+        Ok(MicroslipStep::new(&elements.step::<DETAILS>(increment, state)))
     }
 
     /// Makes the elements those at a load, with their slopes if `DETAILS` are asked for, if all is in order.
-    #[inline(always)] // so that it is compiled for the instructions that its caller has
-    pub(crate) fn elements_at<const DETAILS: bool>(
+    #[inline(always)]
+    fn elements_at<const DETAILS: bool>(
         &self,
         load: f64,
         increment: [f64; 2],
@@ -98,7 +109,7 @@ impl Model {
 }
 
 impl MicroslipStep {
-    pub(crate) fn new(response: &Response) -> Self {
+    fn new(response: &Response) -> Self {
         let [xx, xy, yy] = response.stiffness;
         Self {
             force: response.force,

@@ -11,6 +11,26 @@ pub fn dimensionless(alpha: f64, beta: f64, gamma: f64, b_over_h: f64) -> Params
     params
 }
 
+/// Those of the benchmark (`benches/surfaces.hpp`).
+pub fn of_the_benchmark() -> Vec<Params> {
+    let default = Params::default();
+    let skewed = |skew: f64| {
+        let mut params = Params::default();
+        params.set_skew(skew).expect("a skew");
+        params
+    };
+    vec![
+        default.clone(),
+        dimensionless(0.01, 1000.0, 0.0, 1.0),
+        dimensionless(0.006, 5e4, 0.01, 1.0),
+        skewed(-1.0),
+        skewed(1.0),
+        Params { heights: HeightFamily::Weibull { shape: 40.74 }, ..default.clone() },
+        Params { radius_amplitude: 0.5, ..default.clone() },
+        Params { radius_amplitude: -0.95, ..default },
+    ]
+}
+
 pub fn johnson(skew: f64, kurtosis: f64) -> HeightFamily {
     HeightFamily::Johnson { skew, kurtosis }
 }

@@ -3,7 +3,7 @@
 use super::compiled::{random_models, Failures};
 use crate::common::neighbours::Neighbours;
 use crate::common::splitmix::SplitMix;
-use crate::common::surfaces::{dimensionless, model};
+use crate::common::surfaces::{dimensionless, model, of_the_benchmark};
 use asperity::{Error, HeightFamily, Model, Params};
 
 const SEED: u64 = 0x6a90;
@@ -12,12 +12,6 @@ const SEPARATIONS: usize = 40;
 
 /// The surfaces of benches/surfaces.hpp, and one in other units.
 fn surfaces() -> Vec<Params> {
-    let default = Params::default();
-    let skewed = |skew: f64| {
-        let mut params = Params::default();
-        params.set_skew(skew).expect("a skew");
-        params
-    };
     let mut polysilicon = Params {
         work_of_adhesion: 0.063,
         adhesion_range: 0.384e-9,
@@ -32,18 +26,14 @@ fn surfaces() -> Vec<Params> {
     let density =
         |&z: &f64| if z.abs() == 3.5 { 0.0 } else { (-0.5 * z * z).exp() * (1.0 + 0.3 * (7.0 * z * z * z).sin()) };
     let density: Vec<f64> = height.iter().map(density).collect();
-    vec![
-        default.clone(),
-        dimensionless(0.01, 1000.0, 0.0, 1.0),
-        dimensionless(0.006, 5e4, 0.01, 1.0),
-        skewed(-1.0),
-        skewed(1.0),
-        Params { heights: HeightFamily::Weibull { shape: 40.74 }, ..default.clone() },
-        Params { radius_amplitude: 0.5, ..default.clone() },
-        Params { radius_amplitude: -0.95, ..default.clone() },
-        Params { heights: HeightFamily::Tabulated { height: height.into(), density: density.into() }, ..default },
+    let others = [
+        Params {
+            heights: HeightFamily::Tabulated { height: height.into(), density: density.into() },
+            ..Params::default()
+        },
         polysilicon,
-    ]
+    ];
+    of_the_benchmark().into_iter().chain(others).collect()
 }
 
 /// The separations between which it is compared: of 1e6 times the load at which half of the summits touch, and of pull-off or a

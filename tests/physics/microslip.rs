@@ -2,10 +2,8 @@
 
 use crate::common::assert_near;
 use crate::common::splitmix::SplitMix;
-use crate::common::surfaces::{dimensionless, johnson, model, table};
-use asperity::{
-    ContactLawKind, HeightFamily, MicroslipStep, Model, Params, SlipConstants, SlipOnset, MICROSLIP_LENGTH,
-};
+use crate::common::surfaces::{dimensionless, johnson, model, of_the_benchmark, table};
+use asperity::{ContactLawKind, MicroslipStep, Model, Params, SlipConstants, SlipOnset, MICROSLIP_LENGTH};
 
 type State = [f64; MICROSLIP_LENGTH];
 
@@ -13,11 +11,6 @@ type State = [f64; MICROSLIP_LENGTH];
 /// other families.
 fn surfaces() -> Vec<Params> {
     let default = Params::default();
-    let skewed = |skew: f64| {
-        let mut params = Params::default();
-        params.set_skew(skew).expect("a skew");
-        params
-    };
     let yielding = |eta: f64| Params {
         contact_law: ContactLawKind::ElasticPlastic,
         hardness: eta * default.composite_modulus,
@@ -25,22 +18,15 @@ fn surfaces() -> Vec<Params> {
     };
     let no_stress = SlipConstants { stress_1: 0.0, stress_2: 0.0, ..SlipConstants::default() };
     let heights = table(&[-2.0, -1.0, 0.3, 1.0, 3.0], &[0.0, 0.4, 0.3, 0.5, 0.0]);
-    vec![
-        default.clone(),
-        dimensionless(0.01, 1000.0, 0.0, 1.0),
-        dimensionless(0.006, 5e4, 0.01, 1.0),
-        skewed(-1.0),
-        skewed(1.0),
-        Params { heights: HeightFamily::Weibull { shape: 40.74 }, ..default.clone() },
-        Params { radius_amplitude: 0.5, ..default.clone() },
-        Params { radius_amplitude: -0.95, ..default.clone() },
+    let others = [
         yielding(0.01),
         yielding(0.05),
         Params { slip: no_stress, pressure_coefficient: 0.2, ..dimensionless(0.01, 1000.0, 0.0, 1.0) },
         Params { pressure_coefficient: 0.1, ..default.clone() },
         Params { heights: johnson(0.5, 4.0), ..dimensionless(0.02, 300.0, 1e-3, 0.5) },
         Params { heights, ..dimensionless(0.01, 1000.0, 0.0, 1.0) },
-    ]
+    ];
+    of_the_benchmark().into_iter().chain(others).collect()
 }
 
 /// Six decades about the load at which half of the summits touch, and loads that adhesion rules.

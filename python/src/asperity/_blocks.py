@@ -7,13 +7,13 @@ answers depends on nothing but its task, so that neither the engine nor the numb
 from __future__ import annotations
 
 import multiprocessing
-import operator
 import os
 import threading
 from collections import deque
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
 from typing import Any, Callable, Iterable, Iterator
 
+from . import _checks
 from ._library import version
 
 Work = Callable[[Any], Any]
@@ -26,10 +26,7 @@ _IN_FLIGHT, _EACH = 256, 4
 
 def checked_workers(workers: Any) -> int:
     """The number of processes, checked: 1 is this process itself."""
-    try:
-        count = operator.index(1 if workers is None else workers)
-    except TypeError:
-        raise TypeError(f"workers = {workers!r}: must be a whole number") from None
+    count = _checks.whole("workers", 1 if workers is None else workers)
     if not 1 <= count <= 1024:
         raise ValueError(f"workers = {count}: must be from 1 to 1024; for more, give an executor of Dask or MPI")
     return count

@@ -10,7 +10,6 @@ import hashlib
 import itertools
 import math
 import numbers
-import operator
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -19,6 +18,7 @@ from typing import Any, Callable
 import numpy as np
 import numpy.typing as npt
 
+from . import _checks
 from ._many_surfaces import names_of
 from .fit_names import FreeName
 from .params import Params
@@ -225,10 +225,7 @@ def _grid(name: str, given: Any) -> Array:
 def _count(samples: int | None, chance: bool) -> int:
     if samples is None:
         return 1024 if chance else 1
-    try:
-        samples = operator.index(samples)
-    except TypeError:
-        raise TypeError(f"samples = {samples!r}: must be a whole number") from None
+    samples = _checks.whole("samples", samples)
     if not 1 <= samples <= MOST:
         raise ValueError(f"samples = {short(samples)}: must be from 1 to {MOST}")
     if not chance and samples != 1:

@@ -14,7 +14,6 @@ Heights at random are in `_pad_heights`, the equilibrium of a pad in `_pad_equil
 from __future__ import annotations
 
 import math
-import operator
 from concurrent.futures import Executor
 from functools import lru_cache
 from typing import Any, Iterator, NamedTuple
@@ -22,7 +21,7 @@ from typing import Any, Iterator, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _blocks
+from . import _blocks, _checks
 from ._pad_equilibrium import Counts, Mask, OneSummitLaw, descend
 from ._pad_heights import TailHeights
 from ._pad_results import Pads
@@ -86,8 +85,8 @@ def pads(
     """
     if not isinstance(params, Params):
         raise TypeError(f"params = {params!r}: must be a Params")
-    load = _checked_loads(loads)
-    count, seed = _checked_whole("count", count, 2), _checked_whole("seed", seed, 0)
+    load = _checks.one_or_more_loads(loads, "a real number or a one-dimensional array of one or more")
+    count, seed = _at_least("count", count, 2), _at_least("seed", seed, 0)
     if params.asperity_count < 2:
         raise ValueError(
             f"asperity_count = {params.asperity_count:g}: pads need the true number of summits, 2 or more: "
@@ -159,22 +158,8 @@ def _start_of(law: OneSummitLaw, heights: Array, heaviest: float, step: float) -
     return separation
 
 
-def _checked_loads(loads: npt.ArrayLike) -> Array:
-    array = np.atleast_1d(np.asarray(loads))
-    if array.ndim != 1 or array.size == 0 or array.dtype.kind not in "iuf":
-        raise ValueError("loads: must be a real number or a one-dimensional array of one or more")
-    load = np.array(array, dtype=np.float64)
-    if not np.isfinite(load).all():
-        index = int(np.argmin(np.isfinite(load)))
-        raise ValueError(f"loads[{index}] = {load[index]}: must be finite")
-    return load
-
-
-def _checked_whole(name: str, value: Any, least: int) -> int:
-    try:
-        whole = operator.index(value)
-    except TypeError:
-        raise TypeError(f"{name} = {value!r}: must be a whole number") from None
+def _at_least(name: str, value: Any, least: int) -> int:
+    whole = _checks.whole(name, value)
     if whole < least:
         raise ValueError(f"{name} = {value}: must be {least} or more")
     return whole

@@ -11,7 +11,6 @@ where they are kept in `_study_store`. Needs xarray, SciPy and netCDF4: pip inst
 
 from __future__ import annotations
 
-import operator
 import os
 import time
 from concurrent.futures import Executor
@@ -20,7 +19,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterator, Mapping, Union
 import numpy as np
 import numpy.typing as npt
 
-from . import _blocks, _study_draws
+from . import _blocks, _checks, _study_draws
 from ._library import version
 from ._many_surfaces import Block, evaluate, names_of
 from ._progress import Progress, teller
@@ -112,7 +111,8 @@ def study(
     if units not in (None, "SI"):
         raise ValueError(f"units = {units!r}: must be 'SI', or None if they are others")
     _blocks.checked_workers(workers)
-    load, seed = _checked_loads(loads), _whole("seed", seed, 0, 2**63 - 1)
+    load = _checks.one_or_more_loads(loads, "one-dimensional, one or more real numbers")
+    seed = _whole("seed", seed, 0, 2**63 - 1)
     draws = _study_draws.drawn(params, vary, samples, seed, sampling)
     surfaces = len(draws.values)
     if surfaces * load.size > _MOST_STATES:
@@ -188,22 +188,8 @@ def _layout(
     return Layout(parameters, load, attributes, identity, block, warnings, units)
 
 
-def _checked_loads(loads: npt.ArrayLike) -> Array:
-    array = np.atleast_1d(np.asarray(loads))
-    if array.ndim != 1 or array.size == 0 or array.dtype.kind not in "iuf":
-        raise ValueError("loads: must be one-dimensional, one or more real numbers")
-    load = np.array(array, dtype=np.float64)
-    if not np.isfinite(load).all():
-        index = int(np.argmin(np.isfinite(load)))
-        raise ValueError(f"loads[{index}] = {load[index]}: must be finite")
-    return load
-
-
 def _whole(name: str, value: Any, least: int, most: int) -> int:
-    try:
-        whole = operator.index(value)
-    except TypeError:
-        raise TypeError(f"{name} = {value!r}: must be a whole number") from None
+    whole = _checks.whole(name, value)
     if not least <= whole <= most:
         raise ValueError(f"{name} = {_study_draws.short(whole)}: must be from {least} to {most}")
     return whole
