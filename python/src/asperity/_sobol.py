@@ -127,7 +127,7 @@ def plot_sobol_indices(indices: xarray.Dataset, file: str | os.PathLike[str] | N
     with style():
         from matplotlib.figure import Figure
 
-        figure = Figure(figsize=(7.5, 4.6), layout="constrained")
+        figure = Figure(figsize=(5.0, 4.8), layout="constrained")
         axes = figure.add_subplot()
         order = np.argsort(indices["load"].values)
         load = indices["load"].values[order]
@@ -142,8 +142,9 @@ def plot_sobol_indices(indices: xarray.Dataset, file: str | os.PathLike[str] | N
             axes.set_xscale("log")
         quantity = str(indices.attrs["quantity"]).replace("_", " ")
         unit = indices["load"].attrs.get("units", "force")
-        axes.set(xlabel=f"normal load $P$ [{unit}]", ylabel=f"part of the variance of the {quantity}")
+        axes.set(xlabel=f"normal load $P$ [{unit}]", ylabel=f"part of the variance of the {quantity} [–]")
         axes.set_ylim(-0.02, max(1.05, 1.05 * float(indices["total_order"].max())))
-        axes.set_title("thick: total index; thin: first order", loc="left")
-        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        figure.suptitle("Which input matters at which load", x=0.02, ha="left", weight="bold", fontsize=11)
+        axes.set_title("thick: total index; thin: first order", loc="left", fontsize=9.5)
+        figure.legend(*axes.get_legend_handles_labels(), loc="outside lower left", ncols=2, handlelength=3.5, fontsize=9)
         return saved(figure, file)

@@ -129,7 +129,7 @@ def _yield() -> Figure:
 def _microslip() -> Figure:
     """Tangential force over the displacement: from rest, and in loops of hysteresis."""
     picture, (above, below) = _picture(8.0, [(0.16, 0.58, 0.8, 0.375), (0.16, 0.065, 0.8, 0.4)])
-    above.set_title("Contacts slip one after another before gross slip", loc="left", weight="bold", fontsize=11)
+    above.set_title("Contacts slip one by one before gross slip", loc="left", weight="bold", fontsize=11)
     below.set_title("Small cycles dissipate little", loc="left", weight="bold", fontsize=11)
     for axes in (above, below):
         axes.set_xscale("linear")
@@ -152,7 +152,7 @@ def _microslip() -> Figure:
 def _remembered() -> Figure:
     """A loop of a contact that remembers next to the exact one, and the loop that follows when the load falls."""
     picture, (axes,) = _picture(4.6, [(0.16, 0.12, 0.8, 0.75)])
-    _entitle(axes, "A contact that remembers follows the exact loop", "and the next loop when the load falls")
+    _entitle(axes, "Remembered slip follows the exact loop", "and the next loop when the load falls")
     axes.set_xscale("linear")
     first, *_ = curves.MICROSLIP_SURFACES
     amplitude = 1.5
