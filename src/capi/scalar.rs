@@ -81,9 +81,7 @@ fn tabulated<const QUANTITY: u8>(model: &Model, load: f64, force: impl FnOnce(&R
 /// What a link leads to.
 #[inline(never)]
 extern "C" fn in_part<const QUANTITY: u8>(model: &Model, load: f64, row: &Row, t: f64) -> f64 {
-    let Some((part, t)) = quantity(QUANTITY).table(model).part_at(row, t) else {
-        return beside_rows::<QUANTITY>(model, load);
-    };
+    let (part, t) = quantity(QUANTITY).table(model).part_at(row, t);
     let force = polynomial(&part.0, t).0;
     if QUANTITY == COEFFICIENT {
         model.coefficient(load, force)

@@ -7,6 +7,7 @@ use super::row::{polynomial, Row, RowBasis, INTERIOR};
 use super::table::Table;
 use super::FRACTION;
 use crate::elementary::{exp, log, log1p};
+use crate::neighbours::Neighbours;
 use std::f64::consts::LN_2;
 
 /// Rows per binade.
@@ -18,6 +19,29 @@ const DIGITS: usize = 3;
 /// Subnormal numbers are multiplied by 2 to this power.
 const SUBNORMAL: u64 = 54;
 const MANTISSA_BITS: u32 = 52;
+
+/// A quantity beyond both ends of its table.
+#[derive(Debug, Clone)]
+pub struct Beyond {
+    light: Continuation,
+    heavy: Continuation,
+}
+
+impl Beyond {
+    /// Of a table of a quantity that has this value at pull-off.
+    pub fn new(table: &Table, at_pull_off: f64) -> Self {
+        // The next number below: the end is not of the last row.
+        let (first, last) = (table.begin_of(0), table.begin_of(table.row_count).below());
+        let at = |x: f64| table.at_excess(x).unwrap_or((f64::NAN, f64::NAN));
+        let light = Continuation::new(first, at(first), at_pull_off, false);
+        Self { light, heavy: Continuation::new(last, at(last), 0.0, true) }
+    }
+
+    /// The value and its slope at x > 0 that the table does not hold.
+    pub fn at(&self, table: &Table, x: f64) -> (f64, f64) {
+        if x < table.begin_of(0) { &self.light } else { &self.heavy }.at(x)
+    }
+}
 
 /// Value and slope of a quantity beyond one end of its table.
 #[derive(Debug, Clone)]

@@ -10,26 +10,18 @@ use super::non_integer_power::NonIntegerPower;
 use super::panel::{larger, Panel, PerQuantity, Sample, NODES};
 use super::position::Positions;
 use super::steps::{Steps, Stretch};
-use super::Quantity;
+use super::{Quantity, Reach};
 use crate::elementary::{cos, exp, exp_each, log};
 use crate::equilibrium::{Branch, BranchPoint};
 
-/// The branch is followed from this separation of the means, in sigma: heights with R and w as they may be carry less
-/// than (1 sigma)^(3/2) when half of them touch, and 1e13 times that here.
-const CLOSEST: f64 = -5e8;
-/// The branch is followed from at least this much above the pull-off load, in ln(load).
-const LOG_ABOVE_PULL_OFF: f64 = 9.0;
-/// No more than about this many exact states are spent where kinks do not ask for more, and no more than half of them
-/// to resolve loads so heavy that all summits are deep in contact; what they do not reach is evaluated exactly.
-const MOST_SAMPLES: usize = 1000;
+/// The heaviest load is looked for from this far below the mean height, in sigma, in steps that double.
+const FIRST_DEPTH: f64 = 8.0;
+/// Once so many exact states are spent, and some for each kink, panels are kept as they are.
+const MOST_SAMPLES: usize = 3000;
 /// Where a panel is compared next to a non-integer power. s has lost digits of the distance there, and slopes may miss by so
 /// many times their tolerance.
 const NEXT_TO_NON_INTEGER_POWER: f64 = 0.8;
 const SLACK_AT_NON_INTEGER_POWER: f64 = 10.0;
-/// How often a panel is halved whose load by separation misses exact states, though friction by load does not.
-const MOST_HALVINGS: u32 = 3;
-/// No more than about this many exact states are spent on that.
-const MOST_HALVED: usize = MOST_SAMPLES / 2;
 
 /// At this separation the load rises already, or cannot be had: the branch ends before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,47 +47,34 @@ pub struct Curve {
     /// What logarithms are taken relative to: the quantities at pull-off, where small changes must be resolved.
     reference: PerQuantity,
     panels: Vec<Panel>,
-    /// The same read the other way; where one of them misses, there are several for a panel.
+    /// The same read the other way.
     by_separation: Vec<BySeparation>,
-    /// Exact states spent, and on load by separation alone.
+    /// Exact states spent.
     samples: usize,
-    halved: usize,
 }
 
 impl Curve {
-    /// Follows the branch from heavy load down to pull-off, but not farther than `log_range` of the heaviest ln(load -
-    /// pull-off). Hands every exact state that is not a node to `check`.
-    pub fn new(branch: &Branch, log_range: impl Fn(f64) -> f64, check: &mut Vec<Sample>) -> Result<Self, Unfollowed> {
+    /// Follows the branch from the heaviest load of a reach to pull-off, or to the lightest load of the reach where that is heavier.
+    /// Hands every exact state that is not a node to `check`.
+    pub fn new(branch: &Branch, reach: Reach, check: &mut Vec<Sample>) -> Result<Self, Unfollowed> {
         let log_pull_off = branch.pull_off().map(|point| log(-point.load));
         let reference = Quantity::ALL.map(|quantity| branch.pull_off().map_or(1.0, |point| quantity.of(&point.sums).0));
         let mut steps = Steps::new(branch);
         let positions = steps.positions;
         let coordinate = Coordinate { log_pull_off };
-        let mut curve = Self {
-            coordinate,
-            positions,
-            reference,
-            panels: Vec::new(),
-            by_separation: Vec::new(),
-            samples: 0,
-            halved: 0,
-        };
-        let closest = CLOSEST + positions.middle;
-        let mut from = curve.sample(branch, closest.min(steps.end - 10.0))?;
-        // Adhesion that is strong beside the roughness: on to loads well above pull-off.
-        while log_pull_off.is_some_and(|pull_off| from.log_excess < pull_off + LOG_ABOVE_PULL_OFF) {
-            from = curve.sample(branch, 1.5 * from.separation.min(closest))?;
+        let (panels, by_separation) = (Vec::new(), Vec::new());
+        let mut curve = Self { coordinate, positions, reference, panels, by_separation, samples: 0 };
+        let mut depth = FIRST_DEPTH.max(positions.middle + FIRST_DEPTH - steps.end);
+        let mut from = curve.sample(branch, positions.middle - depth)?;
+        while from.log_excess < reach.log_heaviest {
+            depth *= 2.0;
+            from = curve.sample(branch, positions.middle - depth)?;
         }
         check.push(from);
-        let lightest = from.log_excess - log_range(from.log_excess);
+        let lightest = if reach.has_pull_off { f64::NEG_INFINITY } else { reach.log_lightest };
         let most_samples = MOST_SAMPLES + 2 * NODES * steps.kinks.len();
-        while from.separation < steps.end && from.log_excess > lightest && curve.samples < most_samples {
-            let is_spent = steps.is_deep(from.separation) && curve.samples > most_samples / 2;
-            let stretch = if is_spent && steps.has_failed() {
-                steps.skip(from.separation)
-            } else {
-                steps.next(from.separation, from.s)
-            };
+        while from.separation < steps.end && from.log_excess > lightest {
+            let stretch = steps.next(from.separation, from.s, curve.samples > most_samples);
             let attempt = if stretch.is_bridge {
                 curve.bridge(branch, from, stretch)?
             } else {
@@ -109,47 +88,14 @@ impl Curve {
                 continue;
             }
             curve.panels.push(attempt.panel);
-            let halvings = if stretch.is_bridge { 0 } else { MOST_HALVINGS };
-            curve.follow_separation(branch, attempt.by_separation, halvings)?;
+            curve.by_separation.push(attempt.by_separation);
             check.extend(attempt.between);
             if attempt.end.slope[0].is_finite() {
                 check.push(attempt.end);
             }
             from = attempt.end;
         }
-        curve.panels.shrink_to_fit();
-        curve.by_separation.shrink_to_fit();
         Ok(curve)
-    }
-
-    /// Keeps s against separation, in shorter pieces where it misses exact states.
-    fn follow_separation(&mut self, branch: &Branch, piece: BySeparation, halvings: u32) -> Result<(), Unfollowed> {
-        if piece.is_good() || halvings == 0 || self.halved > MOST_HALVED {
-            self.by_separation.push(piece);
-            return Ok(());
-        }
-        self.halved += 2 * (NODES + 3);
-        for half in piece.halves(|ends, power| self.half(branch, ends, power))? {
-            self.follow_separation(branch, half, halvings - 1)?;
-        }
-        Ok(())
-    }
-
-    /// s against separation between two separations, and whether it meets exact states that are not its nodes.
-    fn half(
-        &self,
-        branch: &Branch,
-        (begin, end): (f64, f64),
-        non_integer_power: NonIntegerPower,
-    ) -> Result<BySeparation, Unfollowed> {
-        let at = |part: f64| self.positions.between(begin, end, non_integer_power.part(part));
-        let between = self.sample(branch, at(0.1))?;
-        let nodes = self.nodes(branch, between, at)?;
-        let mut half = BySeparation::new((begin, end), self.positions, non_integer_power, &nodes, false);
-        let [first, last] = [self.sample(branch, at(-0.96))?, self.sample(branch, at(0.96))?];
-        let slack = SLACK_AT_NON_INTEGER_POWER;
-        half.keep_good(&[(&between, 1.0), (&first, slack), (&last, slack)]);
-        Ok(half)
     }
 
     /// The exact states at the nodes of a panel, whose separations `at` gives from -1 to 1; `any` is a state.
@@ -169,7 +115,7 @@ impl Curve {
         let at = |part: f64| positions.between(from.separation, stretch.to, stretch.non_integer_power.part(part));
         let nodes = self.nodes(branch, from, at)?;
         let end = self.end(branch, stretch.to)?;
-        let mut panel = Panel::new((end.s, from.s), stretch.non_integer_power, &nodes);
+        let panel = Panel::new((end.s, from.s), stretch.non_integer_power, &nodes);
         // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
         let between = self.sample(branch, at(0.1))?;
         let (first, last) = (nodes[0].separation, nodes[NODES - 1].separation);
@@ -183,7 +129,7 @@ impl Curve {
             NonIntegerPower::AtEnd => self.sample(branch, at(NEXT_TO_NON_INTEGER_POWER))?,
         };
         self.samples += NODES + 3;
-        let error = panel.keep_good(|panel, quantity| {
+        let error = |quantity: Quantity| {
             // Where a panel ends there may be a kink; between the nodes it is slopes that tell how far values are off, but not
             // in a narrow one.
             let slack = quantity.slope_slack();
@@ -194,8 +140,8 @@ impl Curve {
                 .map(|(sample, slack)| panel.error_over_tolerance(quantity, sample, slack))
                 .into_iter()
                 .fold(0.0, larger)
-        });
-        let mut by_separation = BySeparation::new(
+        };
+        let by_separation = BySeparation::new(
             (from.separation, end.separation),
             positions,
             stretch.non_integer_power,
@@ -205,20 +151,21 @@ impl Curve {
         let slack = SLACK_AT_NON_INTEGER_POWER;
         let within = if panel.is_narrow() { slack } else { 1.0 };
         let states = [(&from, slack), (&between, within), (&sparse, within), (&next_to_it, slack), (&end, slack)];
-        by_separation.keep_good(&states);
+        let error = Quantity::ALL.map(error).into_iter().fold(by_separation.error_over_tolerance(&states), larger);
         Ok(Attempt { panel, by_separation, between: [between, sparse], end, error })
     }
 
-    /// A cubic between two kinks that are near to each other.
+    /// A cubic over a short stretch.
     fn bridge(&mut self, branch: &Branch, from: Sample, stretch: Stretch) -> Result<Attempt, Unfollowed> {
         let end = self.end(branch, stretch.to)?;
         let between = self.sample(branch, 0.5 * (from.separation + end.separation))?;
-        let mut panel = Panel::bridge(&from, &end);
+        let panel = Panel::bridge(&from, &end);
         self.samples += 2;
-        panel.keep_good(|panel, quantity| panel.error_over_tolerance(quantity, &between, quantity.slope_slack()));
-        let mut by_separation = BySeparation::bridge(&from, &end);
-        by_separation.keep_good(&[(&between, SLACK_AT_NON_INTEGER_POWER)]);
-        Ok(Attempt { panel, by_separation, between: [between, between], end, error: 0.0 })
+        let by_separation = BySeparation::bridge(&from, &end);
+        let error = |quantity: Quantity| panel.error_over_tolerance(quantity, &between, quantity.slope_slack());
+        let in_separation = by_separation.error_over_tolerance(&[(&between, SLACK_AT_NON_INTEGER_POWER)]);
+        let error = Quantity::ALL.map(error).into_iter().fold(in_separation, larger);
+        Ok(Attempt { panel, by_separation, between: [between, between], end, error })
     }
 
     /// The state where a panel ends, which may be pull-off itself.
@@ -233,7 +180,6 @@ impl Curve {
             log_excess: f64::NEG_INFINITY,
             s: 0.0,
             s_by_separation: unknown,
-            load: (branch.pull_off_load(), 0.0),
             log_value: [0.0; Quantity::COUNT],
             value: self.reference,
             slope: [unknown; Quantity::COUNT],
@@ -252,7 +198,6 @@ impl Curve {
             return Err(Unfollowed { separation });
         }
         let (s, s_rate) = self.coordinate.at(log_excess);
-        let load = (sums.load(), sums.load_slope);
         let sums = Quantity::ALL.map(|quantity| quantity.of(&sums));
         let log_slope = sums.map(|(value, slope)| slope / value / rate);
         Ok(Sample {
@@ -261,7 +206,6 @@ impl Curve {
             log_excess,
             s,
             s_by_separation: s_rate * rate,
-            load,
             log_value: std::array::from_fn(|i| log(sums[i].0 / self.reference[i])),
             value: sums.map(|(value, _)| value),
             slope: log_slope.map(|log_slope| log_slope / s_rate),
@@ -277,7 +221,7 @@ impl Curve {
         (self.coordinate.log_excess(last.lowest), self.coordinate.log_excess(first.highest))
     }
 
-    /// A quantity and the slope of its logarithm by ln x at neighbouring ln x; NaN where the curve is not known to be good.
+    /// A quantity and the slope of its logarithm by ln x at neighbouring ln x.
     pub fn at_each<const N: usize>(&self, quantity: Quantity, log_excess: [f64; N]) -> [(f64, f64); N] {
         let coordinates = self.coordinate.at_each(log_excess);
         let s = coordinates.map(|(s, _)| s);
@@ -290,13 +234,6 @@ impl Curve {
         let value = exp_each(logs.map(|(log_value, _)| log_value));
         let reference = self.reference[quantity as usize];
         std::array::from_fn(|i| (reference * value[i], logs[i].1 * coordinates[i].1))
-    }
-
-    /// The same at one ln x; `None` where the curve does not know it.
-    pub fn within(&self, quantity: Quantity, log_excess: f64) -> Option<(f64, f64)> {
-        let (s, _) = self.coordinate.at(log_excess);
-        let [(value, slope)] = self.at_each(quantity, [log_excess]);
-        (self.panel(s).holds(s) && !value.is_nan()).then_some((value, slope))
     }
 
     /// A quantity of an exact state, and the slope of its logarithm by ln x.
@@ -312,19 +249,10 @@ impl Curve {
         panel.holds(s).then(|| self.positions.separation(panel.position_at(s)))
     }
 
-    /// The load and d(load)/d(separation) at a separation, dimensionless; NaN where the curve is not known to be good, or does
-    /// not reach.
+    /// The load and d(load)/d(separation) at a separation, dimensionless.
     pub fn load_at(&self, separation: f64) -> (f64, f64) {
-        let (begin, end) = self.separation_range();
-        if !(begin..=end).contains(&separation) {
-            return (f64::NAN, f64::NAN);
-        }
         let index = self.by_separation.partition_point(|piece| piece.end < separation);
         let piece = &self.by_separation[index.min(self.by_separation.len() - 1)];
-        // Between two of them there may be a stretch that was not followed.
-        if separation < piece.begin {
-            return (f64::NAN, f64::NAN);
-        }
         let (s, rate) = piece.at(separation);
         let (load, by_s) = self.coordinate.load(s);
         (load, by_s * rate)
@@ -367,20 +295,28 @@ mod tests {
     use crate::numerics::near;
     use crate::params::{HeightFamily, Params};
 
+    /// Loads above pull-off between these logarithms.
+    fn reach(log_lightest: f64, log_heaviest: f64, has_pull_off: bool) -> Reach {
+        Reach { log_lightest, log_heaviest, has_pull_off }
+    }
+
     #[test]
-    fn the_curve_reaches_from_its_heaviest_state_to_pull_off_or_as_light_as_asked_for() {
-        for (gamma, range) in [(0.0, 20.0), (0.001, 20.0), (0.001, 1e3)] {
+    fn the_curve_reaches_from_a_heavy_load_to_pull_off_or_as_light_as_asked_for() {
+        for (gamma, lightest, to_pull_off) in [(0.0, -9.0, false), (0.001, 2.0, false), (0.001, 2.0, true)] {
             let branch = branch(gamma);
             let mut states = Vec::new();
-            let curve = Curve::new(&branch, |_| range, &mut states).expect("a curve");
+            let curve = Curve::new(&branch, reach(lightest, 14.0, to_pull_off), &mut states).expect("a curve");
             let (lower, upper) = curve.log_range();
-            assert!(near(upper, states[0].log_excess, 1e-13), "{upper}");
-            assert!(upper - lower >= range, "{lower} to {upper}");
-            assert!(if range < 100.0 { upper - lower < 3.0 * range } else { lower == f64::NEG_INFINITY }, "{lower}");
+            assert!(near(upper, states[0].log_excess, 1e-13) && upper >= 14.0 && upper < 17.0, "{upper}");
+            assert!(lower <= lightest && (lower == f64::NEG_INFINITY) == to_pull_off, "{lower}");
             for state in &states {
                 let found = curve.separation(state.log_excess).expect("a separation");
                 let known = 1e-4 * (1.0 + state.separation.abs());
                 assert!((found - state.separation).abs() < known, "{found}, not that of {state:?}");
+                let (load, slope) = curve.load_at(state.separation);
+                let exact = branch.population().at_separation(state.separation);
+                assert!((load - exact.load()).abs() < 1e-9 * exact.load().abs().max(1e-3), "{load}");
+                assert!(near(slope, exact.load_slope, 1e-7), "{slope}");
                 for quantity in Quantity::ALL {
                     let [(value, slope)] = curve.at_each(quantity, [state.log_excess]);
                     let (exact, exact_slope) = curve.at_sample(quantity, state);
@@ -389,9 +325,8 @@ mod tests {
                 }
             }
             assert_eq!(curve.separation(upper + 1e-9), None);
-            assert_eq!(curve.separation(lower.max(-1e3) - 1e-9).is_some(), lower == f64::NEG_INFINITY);
             // Side by side as one by one, also where panels meet.
-            let several: [f64; 8] = std::array::from_fn(|i| lower.max(upper - 40.0) + 2.5 * i as f64 + 0.1);
+            let several: [f64; 8] = std::array::from_fn(|i| lower.max(upper - 20.0) + 1.2 * i as f64 + 0.1);
             for quantity in Quantity::ALL {
                 let one_by_one = several.map(|log_excess| curve.at_each(quantity, [log_excess])[0]);
                 assert_eq!(curve.at_each(quantity, several), one_by_one);
@@ -407,29 +342,25 @@ mod tests {
         HeightFamily::Tabulated { height: height.into(), density: density.into() }
     }
 
-    /// Far enough for loads 1e12 times as heavy as when half the summits touch, whatever the heights and radii.
+    /// Whatever the heights and radii, and where adhesion is strong beside little roughness.
     #[test]
-    fn the_curve_begins_where_loads_are_as_heavy_as_no_solver_has_them() {
+    fn the_curve_begins_at_the_heaviest_load_of_the_reach() {
+        let mut strong = Params::default();
+        strong.set_dimensionless(1e-5, 0.2, 1.0, 1.0, 0.3).expect("a surface");
         for params in [
             Params::default(),
             Params { work_of_adhesion: 0.0, radius_amplitude: -1.0, radius_rate: 2.0, ..Params::default() },
             Params { radius_amplitude: 0.9, heights: table(&[7.0, 8.0, 9.0], &[0.0, 1.0, 0.0]), ..Params::default() },
             Params { heights: HeightFamily::Weibull { shape: 1.1 }, ..Params::default() },
+            strong,
         ] {
             let branch = of(&params);
+            let reach = Reach::of(&branch);
             let mut states = Vec::new();
-            Curve::new(&branch, |_| 5.0, &mut states).expect("a curve");
-            let half = branch.population().at_separation(-branch.population().heights().origin());
-            assert!((0.3..0.7).contains(&half.contacting), "{}", half.contacting);
-            assert!(states[0].log_excess > half.load().ln() + 12.0 * 10_f64.ln(), "{params:?}");
+            Curve::new(&branch, reach, &mut states).expect("a curve");
+            let beyond = states[0].log_excess - reach.log_heaviest;
+            assert!((0.0..3.0).contains(&beyond), "{beyond}: {params:?}");
         }
-        // Strong adhesion beside little roughness.
-        let mut strong = Params::default();
-        strong.set_dimensionless(1e-5, 0.2, 1.0, 1.0, 0.3).expect("a surface");
-        let (branch, mut states) = (of(&strong), Vec::new());
-        Curve::new(&branch, |_| 5.0, &mut states).expect("a curve");
-        let above = states[0].log_excess - (-branch.pull_off_load()).ln();
-        assert!(above >= LOG_ABOVE_PULL_OFF, "{above}");
     }
 
     /// Without a pull-off load, of heights that end: down to where contacts have lost their digits.
@@ -440,20 +371,26 @@ mod tests {
             work_of_adhesion: 0.0,
             ..Params::default()
         });
-        let curve = Curve::new(&branch, |_| 1e3, &mut Vec::new()).expect("a curve");
+        let curve = Curve::new(&branch, reach(-1e3, 10.0, false), &mut Vec::new()).expect("a curve");
         let end = curve.separation(curve.log_range().0).expect("a separation");
         let highest = branch.population().heights().support().1;
         assert!((0.0..1e-3).contains(&(highest - end)), "{}", highest - end);
     }
 
-    /// As many kinks as are resolved take more states than a smooth curve may.
     #[test]
     fn the_curve_of_a_table_with_many_kinks_is_followed_to_its_end() {
         let height: Vec<f64> = (0..55).map(f64::from).collect();
         let density: Vec<f64> = height.iter().map(|h| h * (54.0 - h)).collect();
         let branch = of(&Params { heights: table(&height, &density), ..Params::default() });
-        let curve = Curve::new(&branch, |_| 200.0, &mut Vec::new()).expect("a curve");
-        assert!(curve.samples > MOST_SAMPLES, "{} states", curve.samples);
+        let curve = Curve::new(&branch, Reach::of(&branch), &mut Vec::new()).expect("a curve");
+        let (begin, end) = curve.separation_range();
+        let kinks = branch.population().kinks().into_iter().filter(|kink| (begin..end).contains(kink)).count();
+        let panels = curve.panels.len();
+        assert!(
+            panels >= kinks && curve.samples < 20 * panels,
+            "{kinks} kinks, {panels} panels, {} states",
+            curve.samples
+        );
         assert_eq!(curve.log_range().0, f64::NEG_INFINITY);
     }
 }

@@ -4,25 +4,18 @@
 //! a pull-off load, they begin at pull-off. Without one the load decays without end: from the lightest load that is compiled,
 //! it is taken to 0 at the anchor as the seventh power of x, with its value and slope.
 
+use super::continuation::Continuation;
 use super::curve::Curve;
 use super::fill::{Filling, Source};
-use super::panel::Sample;
-use super::row::relative_error;
 use super::table::Table;
-use super::{LOG_RANGE_WITHOUT_PULL_OFF, MOST_ROWS, MOST_ROWS_AND_PARTS};
+use super::MOST_ROWS;
 use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
 use crate::neighbours::Neighbours;
+use crate::numerics::root;
 
 /// Rows per binade of x, as a power of two: the fewest of which nearly all are good.
-const FRACTIONS: [u32; 3] = [3, 4, 5];
-/// No more than this part of the rows may be left out of the fewest.
-const MOST_LEFT_OUT: usize = 4;
-/// The largest relative error of the load of a row, and of its slope, against an exact state.
-const VALUE_TOLERANCE: f64 = 4e-10;
-const SLOPE_TOLERANCE: f64 = 4e-8;
-/// Rows reach from the end of the branch over this many standard deviations of heights, or lengths in which the load rises from pull-off to 0.
-const REACH: f64 = 1e4;
+const FRACTION: u32 = 3;
 /// Without a pull-off load, rows end this far from the highest summit, in sigma: nearer, the separation has few digits of the distance.
 const NEAREST_TO_HIGHEST: f64 = 1e-5;
 /// The power by which the load goes to 0 beyond the lightest that is compiled.
@@ -34,11 +27,9 @@ pub struct Gap {
     /// Rows of x; its "pull-off load" is minus the anchor.
     table: Table,
     tail: Option<Tail>,
+    /// In heavier compression than the table's, of x.
+    heavy: Box<Continuation>,
     lengths: Lengths,
-    unit_load: f64,
-    /// The load from which on the error is relative to the load itself.
-    least: f64,
-    error: f64,
 }
 
 /// The caller's units of length: a separation of the model is `unit` times the separation of the means plus `origin`.
@@ -80,7 +71,7 @@ impl Lengths {
 
 impl Gap {
     /// Fills the table from the curve, in units of load and length.
-    pub fn new(branch: &Branch, curve: &Curve, lengths: Lengths, unit_load: f64, samples: &[Sample]) -> Self {
+    pub fn new(branch: &Branch, curve: &Curve, lengths: Lengths, unit_load: f64) -> Self {
         let (begin, end) = curve.separation_range();
         let pull_off = branch.pull_off().filter(|point| point.separation == end);
         let first = match pull_off {
@@ -103,7 +94,6 @@ impl Gap {
                 anchor = anchor.below();
             }
         }
-        let farthest = (REACH * scale.max(1.0)).min(first - begin);
         let tail = pull_off.is_none().then(|| {
             let (load, slope) = curve.load_at(lengths.dimensionless(anchor - margin));
             let load = load * unit_load;
@@ -112,30 +102,14 @@ impl Gap {
         });
         let least = -branch.pull_off_load() * unit_load;
         let source = Distances { curve, lengths, unit_load, anchor: anchor / lengths.unit, end: first, least };
-        let mut gap = Self { table: Table::new(0, 0, 0.0), tail, lengths, unit_load, least, error: 0.0 };
-        for fraction in FRACTIONS {
-            let shift = Table::shift_of(fraction);
-            let base = margin.to_bits() >> shift;
-            let last = (margin + farthest * lengths.unit).min(f64::MAX).to_bits() >> shift;
-            let count = (last - base) as usize;
-            if count > MOST_ROWS && gap.table.row_count > 0 {
-                break;
-            }
-            let mut table = Table::new(fraction, base, -anchor);
-            let filling = Filling::new(&source, lengths.unit, fraction);
-            let error = filling.rows(&mut table, count.min(MOST_ROWS));
-            let left_out = table.rows.iter().filter(|row| row.is_left_out()).count();
-            (gap.table, gap.error) = (table, error);
-            if left_out * MOST_LEFT_OUT <= count {
-                break;
-            }
-        }
-        let fraction = Table::shift_of(0) - gap.table.shift;
-        let filling = Filling::new(&source, lengths.unit, fraction);
-        gap.error = gap.error.max(filling.divide_left_out(&mut gap.table, MOST_ROWS_AND_PARTS));
-        gap.table.rows.shrink_to_fit();
-        gap.certify(samples);
-        gap
+        let shift = Table::shift_of(FRACTION);
+        let base = margin.to_bits() >> shift;
+        let end = (margin + (first - begin) * lengths.unit).min(f64::MAX).to_bits() >> shift;
+        let mut table = Table::new(FRACTION, base, -anchor);
+        Filling::new(&source, lengths.unit, FRACTION).rows(&mut table, (end - base) as usize, MOST_ROWS);
+        let last = table.begin_of(table.row_count).below();
+        let at_last = table.at_excess(last).unwrap_or((f64::NAN, f64::NAN));
+        Self { heavy: Box::new(Continuation::new(last, at_last, 0.0, true)), table, tail, lengths }
     }
 
     /// The table: its argument is minus the separation, its slope by that.
@@ -157,47 +131,39 @@ impl Gap {
         x <= 0.0 || self.tail.is_none() && x < self.table.begin_of(0)
     }
 
-    /// The load and its slope by minus the separation, where the table does not answer; `None` where the curve does not know them
-    /// either.
-    pub fn interpolated(&self, curve: &Curve, separation: f64) -> Option<(f64, f64)> {
+    /// The load and its slope by minus the separation, where the surfaces are not apart and the table does not answer.
+    pub fn beyond(&self, separation: f64) -> (f64, f64) {
         let x = -self.table.pull_off - separation;
-        if let Some(tail) = self.tail.filter(|tail| x < tail.begin) {
-            return Some(tail.at(x));
+        match self.tail.filter(|tail| x < tail.begin) {
+            Some(tail) => tail.at(x),
+            None => self.heavy.at(x),
         }
-        let (load, slope) = curve.load_at(self.lengths.dimensionless(separation));
-        (!load.is_nan()).then(|| (load * self.unit_load, -slope * self.unit_load / self.lengths.unit))
     }
 
-    /// The largest error found when it was built, relative to the load or the pull-off load, whichever is larger.
-    #[cfg(test)]
-    pub fn error(&self) -> f64 {
-        self.error
-    }
-
-    /// Measures the table against the exact states that did not make it; leaves a row out that misses one.
-    fn certify(&mut self, samples: &[Sample]) {
-        for sample in samples {
-            let x = -self.table.pull_off - self.lengths.separation(sample.separation);
-            let (Some(row), Some((load, slope))) = (self.table.index_of(x), self.table.at_excess(x)) else { continue };
-            let exact = sample.load.0 * self.unit_load;
-            let exact_slope = -sample.load.1 * self.unit_load / self.lengths.unit;
-            let error = relative_error(load, exact, self.least);
-            if error > VALUE_TOLERANCE || relative_error(slope, exact_slope, self.least / x) > SLOPE_TOLERANCE {
-                self.table.rows[row].leave_out();
-            } else {
-                self.error = self.error.max(error);
-            }
+    /// The separation that carries a load, to some digits; dimensionless; `None` beyond the table.
+    pub fn separation_of(&self, load: f64) -> Option<f64> {
+        let begins =
+            |row: usize| self.table.at_excess(self.table.begin_of(row)).map_or(f64::INFINITY, |(load, _)| load);
+        let (mut row, mut next) = (0, self.table.row_count);
+        if load < begins(row) {
+            return None;
         }
+        while next - row > 1 {
+            let middle = (row + next) / 2;
+            *if begins(middle) <= load { &mut row } else { &mut next } = middle;
+        }
+        let (from, to) = (self.table.begin_of(row), self.table.begin_of(next));
+        let excess = |x: f64| self.table.at_excess(x).map_or(f64::INFINITY, |(at, _)| at - load);
+        (next < self.table.row_count)
+            .then(|| self.lengths.dimensionless(-self.table.pull_off - root::bracketed(excess, from, to)))
     }
 }
 
 /// The lightest load that is compiled where the load decays without end, and the separation at which it is carried.
 fn lightest(branch: &Branch, curve: &Curve) -> f64 {
     let (begin, end) = curve.separation_range();
-    let (lower, upper) = curve.log_range();
-    let lightest = curve.separation(lower.max(upper - LOG_RANGE_WITHOUT_PULL_OFF)).unwrap_or(end);
     let highest = branch.farthest() - NEAREST_TO_HIGHEST * (1.0 + branch.farthest().abs());
-    lightest.min(highest).max(begin).min(end)
+    highest.max(begin).min(end)
 }
 
 /// The separation at which the load is 0, where it pulls at the end.
@@ -253,13 +219,20 @@ mod tests {
     fn the_table_is_small_and_nearly_all_of_it_is_whole_rows() {
         for (gamma, most) in [(0.0, 400), (1e-3, 340)] {
             let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], 3e-9).expect("a law");
-            let table = law.load_table();
+            let table = law.gap().table();
             let links = table.rows.iter().filter(|row| row.is_link()).count();
-            let left_out = table.rows.iter().filter(|row| row.is_left_out()).count();
             println!("{} rows, {} with parts, {links} links", table.row_count, table.rows.len());
-            assert!(table.rows.len() <= most && left_out == 0, "{} rows, {left_out} left out", table.rows.len());
-            assert!(links * MOST_LEFT_OUT <= table.row_count, "{links} links");
-            assert!(law.gap.error() > 1e-17 && law.gap.error() < VALUE_TOLERANCE, "{:e}", law.gap.error());
+            assert!(table.rows.len() <= most && 4 * links <= table.row_count, "{} rows", table.rows.len());
+            let branch = branch(gamma);
+            let least = -3.0 * branch.pull_off_load();
+            // From next to the end, or from where the load is more than nothing, to far in compression.
+            for i in 0..200 {
+                let separation = branch.farthest().min(9.0) - 1e-3 * 1.08_f64.powi(i);
+                let (load, _) = table.at_load(-law.gap().lengths.separation(separation)).expect("it is tabulated");
+                let exact = 3.0 * branch.population().at_separation(separation).load();
+                let error = (load - exact).abs() / exact.abs().max(least);
+                assert!(error < 1e-9, "{error:e} at {separation}");
+            }
         }
     }
 

@@ -9,8 +9,8 @@ use crate::numerics::quadrature;
 /// Exact states per panel.
 pub const NODES: usize = CONDITIONS / 2;
 /// Largest error of a logarithm, and of its slope relative to the slope, at which a panel is good.
-const VALUE_TOLERANCE: f64 = 1e-11;
-const SLOPE_TOLERANCE: f64 = 1e-9;
+const VALUE_TOLERANCE: f64 = 1e-10;
+const SLOPE_TOLERANCE: f64 = 1e-8;
 /// Up to this s the slope of the load is a difference of integrals that nearly cancel, and so many times the tolerance is
 /// what slopes are known to.
 const NEAR_PULL_OFF: f64 = 1.0;
@@ -31,8 +31,6 @@ pub struct Sample {
     pub log_excess: f64,
     pub s: f64,
     pub s_by_separation: f64,
-    /// Its load and d(load)/d(separation).
-    pub load: (f64, f64),
     /// ln of the quantities over the references of the curve.
     pub log_value: PerQuantity,
     /// The quantities themselves: differences of logarithms lose fewer digits with them.
@@ -50,7 +48,7 @@ pub struct Panel {
     pub lowest: f64,
     pub highest: f64,
     non_integer_power: NonIntegerPower,
-    /// The logarithms at the first node, to which the others are relative; no number where the panel misses exact states.
+    /// The logarithms at the first node, to which the others are relative.
     reference: PerQuantity,
     /// In s, or in the root of the distance from the non-integer power.
     nodes: [f64; NODES],
@@ -100,15 +98,6 @@ impl Panel {
             log_value,
             position: line,
         }
-    }
-
-    /// Makes quantities no numbers that miss exact states by more than the tolerance; the largest error over it.
-    pub fn keep_good(&mut self, error: impl Fn(&Self, Quantity) -> f64) -> f64 {
-        let errors = Quantity::ALL.map(|quantity| error(self, quantity));
-        for (reference, _) in self.reference.iter_mut().zip(errors).filter(|(_, error)| *error > 1.0) {
-            *reference = f64::NAN;
-        }
-        errors.into_iter().fold(0.0, f64::max)
     }
 
     pub fn holds(&self, s: f64) -> bool {
@@ -256,7 +245,6 @@ mod tests {
             log_excess: 2.0 * s,
             s,
             s_by_separation: -1.0,
-            load: (f64::NAN, f64::NAN),
             log_value,
             value: log_value.map(f64::exp),
             slope,
@@ -286,9 +274,6 @@ mod tests {
             let [(value, slope)] = panel.log_value_at(quantity, [1.2]);
             let (expected, expected_slope) = (exact.log_value[quantity as usize], exact.slope[quantity as usize]);
             assert!(near(value, expected, 1e-13) && near(slope, expected_slope, 1e-11), "{value}, {slope}");
-            let mut missed = panel.clone();
-            assert_eq!(missed.keep_good(|_, of| if of == quantity { 2.0 } else { 0.5 }), 2.0);
-            assert!(Quantity::ALL.iter().all(|&of| missed.log_value_at(of, [1.2])[0].0.is_nan() == (of == quantity)));
         }
         let gaps = panel.nodes.windows(2).map(|pair| (pair[0] - pair[1], 0.5 * (pair[0] + pair[1])));
         let widest = gaps.max_by(|a, b| a.0.total_cmp(&b.0)).expect("gaps");

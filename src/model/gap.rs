@@ -17,7 +17,7 @@ impl Model {
     /// That load, and its slope by separation, <= 0.
     pub fn load_and_slope_at(&self, separation: f64) -> (f64, f64) {
         let answer = self.tabulated_load(-separation).or_else(|| self.known_load(-separation));
-        let (load, slope) = answer.unwrap_or_else(|| self.computed_load(-separation));
+        let (load, slope) = answer.unwrap_or_else(|| self.law.gap().beyond(separation));
         (load, by_separation(slope))
     }
 
@@ -28,7 +28,7 @@ impl Model {
         if !finite(approach) {
             return None;
         }
-        self.law.load_table().at_load(approach)
+        self.law.gap().table().at_load(approach)
     }
 
     /// The same where they are known without a computation.
@@ -37,29 +37,18 @@ impl Model {
         if !finite(approach) || approach > self.deepest_compression() {
             return Some((f64::NAN, f64::NAN));
         }
-        self.law.is_open(-approach).then_some((0.0, 0.0))
+        self.law.gap().is_open(-approach).then_some((0.0, 0.0))
     }
 
-    /// The same where the surfaces are not apart and there is no row: from the curve, or else exactly.
-    pub(crate) fn computed_load(&self, approach: f64) -> (f64, f64) {
-        self.law.interpolated_load(-approach).unwrap_or_else(|| self.exact_load(-approach))
-    }
-
-    /// Load and minus its slope without the compiled law.
-    fn exact_load(&self, separation: f64) -> (f64, f64) {
-        let Ok(dimensionless) = self.dimensionless("separation", separation) else { return (f64::NAN, f64::NAN) };
-        let sums = self.branch.population().at_separation(dimensionless);
-        let load = sums.load() * self.units.load;
-        match finite(load) {
-            true => (load, -sums.load_slope * self.units.load / self.units.length),
-            false => (f64::NAN, f64::NAN),
-        }
+    /// The same where the surfaces are not apart and the table does not answer.
+    pub(crate) fn continued_load(&self, approach: f64) -> (f64, f64) {
+        self.law.gap().beyond(-approach)
     }
 
     /// The table of loads by minus the separation.
     #[inline]
     pub(crate) fn load_table(&self) -> &Table {
-        self.law.load_table()
+        self.law.gap().table()
     }
 
     /// The error of an admissible separation at which there is no load.
@@ -80,8 +69,8 @@ impl Model {
     /// [`Error::InvalidParameter`] if it is not finite, [`Error::OutOfRange`] below -1e50 `height_std`, [`Error::Open`] where
     /// the surfaces are apart.
     pub fn validate_separation(&self, separation: f64) -> Result<(), Error> {
-        if finite(separation) && self.law.is_open(separation) {
-            return Err(Error::Open { separation, end: self.law.end() });
+        if finite(separation) && self.law.gap().is_open(separation) {
+            return Err(Error::Open { separation, end: self.law.gap().end() });
         }
         self.dimensionless("separation", separation).map(|_| ())
     }

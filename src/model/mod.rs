@@ -11,12 +11,12 @@ mod gap;
 mod microslip;
 pub mod validity;
 
-use crate::elementary::{cbrt, log};
+use crate::elementary::cbrt;
 use crate::equilibrium::Branch;
 use crate::error::{Error, LOAD};
 use crate::float_bits::finite;
 use crate::groups::Groups;
-use crate::law::{Continuation, Law, Quantity, Table, Unfollowed};
+use crate::law::{Law, Quantity, Table, Unfollowed};
 use crate::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
@@ -26,11 +26,6 @@ pub use microslip::MicroslipStep;
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
-/// Tables reach from this part of the pull-off load above it, or of the load at which half of the summits touch, to so many
-/// times that load. Few do not; loads beside theirs are computed exactly.
-const LIGHTEST_OF_PULL_OFF: f64 = 1e-9;
-const LIGHTEST_OF_HALF: f64 = 1e-24;
-const HEAVIEST_OF_HALF: f64 = 1e6;
 /// A friction coefficient above this is taken as infinite.
 const LARGEST_COEFFICIENT: f64 = 1e140;
 /// No load curve has more minima than this.
@@ -47,8 +42,6 @@ pub struct Model {
     /// 1 / max_friction_coefficient, of a finite one.
     inverse_cap: f64,
     known: [Known; Quantity::COUNT],
-    /// Each quantity at loads lighter and heavier than its table's, where that reaches as far as is promised.
-    beyond: Vec<Beyond>, // apart, so that models are small on the stack
     /// The heaviest load that can be evaluated.
     heaviest: f64,
 }
@@ -66,17 +59,6 @@ pub(crate) struct Known {
     pub light_slope: f64,
     /// Value at the heavy end of the table.
     pub heavy: f64,
-}
-
-/// Friction force or tangential stiffness at loads beyond the ends of its table, where that reaches as far as is promised.
-#[derive(Debug, Clone)]
-struct Beyond {
-    /// At lighter loads: of load - pull-off, or of the load where zero load is lighter than the table's too.
-    light: Option<Continuation>,
-    /// At zero load and below, of load - pull-off, where these are lighter.
-    pulling: Option<Continuation>,
-    /// At heavier loads, of load - pull-off.
-    heavy: Option<Continuation>,
 }
 
 /// Factors from sums per summit to the caller's units.
@@ -155,15 +137,14 @@ impl Model {
         let heaviest = (HEAVIEST_LOAD * units.load).min(f64::MAX);
         let params = params.clone();
         let known = [Known::default(); Quantity::COUNT];
-        let beyond = Quantity::ALL.iter().map(|&quantity| Beyond::new(quantity, &branch, &law, &units)).collect();
-        let mut model = Self { params, groups, branch, law, units, inverse_cap, known, beyond, heaviest };
+        let mut model = Self { params, groups, branch, law, units, inverse_cap, known, heaviest };
         model.known = Quantity::ALL.map(|quantity| model.find_known(quantity));
         Ok(model)
     }
 
     /// Finds a quantity at loads beside its table.
     fn find_known(&self, quantity: Quantity) -> Known {
-        let at = |load: f64| self.tabulated(quantity, load).unwrap_or_else(|| self.computed(quantity, load));
+        let at = |load: f64| self.tabulated(quantity, load).unwrap_or_else(|| self.continued(quantity, load));
         let table = self.law.table(quantity);
         let (lightest, end) = table.range();
         let (light, lightest_slope) = at(lightest);
@@ -200,7 +181,7 @@ impl Model {
     /// Friction coefficient, as [`Model::friction_at_load`], and its slope, 0 where it is capped.
     pub fn friction_and_slope(&self, load: f64) -> (f64, f64) {
         let answer = self.tabulated_coefficient(load).or_else(|| self.known_coefficient(load));
-        answer.unwrap_or_else(|| self.computed_coefficient(load))
+        answer.unwrap_or_else(|| self.continued_coefficient(load))
     }
 
     /// Friction force and its slope dF/dP, which is infinite at the pull-off load itself and 0 below it. Without
@@ -218,7 +199,7 @@ impl Model {
     /// Friction force or stiffness, and its slope.
     fn value_and_slope(&self, quantity: Quantity, load: f64) -> (f64, f64) {
         let answer = self.tabulated(quantity, load).or_else(|| self.known_value(quantity, load));
-        answer.unwrap_or_else(|| self.computed(quantity, load))
+        answer.unwrap_or_else(|| self.continued(quantity, load))
     }
 
     /// The same where the compiled law answers.
@@ -266,16 +247,14 @@ impl Model {
         }
     }
 
-    /// Friction force or stiffness and slope at a finite load above pull-off that has no row: beyond the table as a power of
-    /// the load, within it from the curve, or else exactly.
-    pub(crate) fn computed(&self, quantity: Quantity, load: f64) -> (f64, f64) {
-        let beyond = self.beyond[quantity as usize].at(self.law.table(quantity), load);
-        beyond.or_else(|| self.law.interpolated(quantity, load)).unwrap_or_else(|| self.exact(quantity, load))
+    /// Friction force or stiffness and slope at a finite load above pull-off that the table does not hold.
+    pub(crate) fn continued(&self, quantity: Quantity, load: f64) -> (f64, f64) {
+        self.law.beyond(quantity, load)
     }
 
     /// Friction coefficient and slope at such a load.
-    pub(crate) fn computed_coefficient(&self, load: f64) -> (f64, f64) {
-        let (force, slope) = self.computed(Quantity::Friction, load);
+    pub(crate) fn continued_coefficient(&self, load: f64) -> (f64, f64) {
+        let (force, slope) = self.continued(Quantity::Friction, load);
         self.coefficient_and_slope(load, force, slope)
     }
 
@@ -359,60 +338,6 @@ impl Model {
     fn coefficient_and_slope(&self, load: f64, force: f64, slope: f64) -> (f64, f64) {
         let mu = self.coefficient(load, force);
         (mu, if load <= force * self.inverse_cap { 0.0 } else { ratio(slope - mu, load) })
-    }
-}
-
-impl Beyond {
-    fn new(quantity: Quantity, branch: &Branch, law: &Law, units: &Units) -> Self {
-        let (table, unit) = (law.table(quantity), units.of(quantity));
-        let at = |x: f64| {
-            let tabulated = table.at_excess(x).or_else(|| law.interpolated(quantity, table.pull_off + x));
-            tabulated.unwrap_or_else(|| {
-                let state = branch.at_log_excess(log(x) - log(units.load), None);
-                state.map_or((f64::NAN, f64::NAN), |(_, sums)| {
-                    let (value, slope) = quantity.of(&sums);
-                    (value * unit, slope * unit / (sums.load_slope * units.load))
-                })
-            })
-        };
-        let half = branch.population().at_separation(-branch.population().heights().origin()).load().abs() * units.load;
-        let pull_off = -table.pull_off;
-        // The next number below: the table's end is not of it.
-        let (first, last) = (table.begin_of(0), table.begin_of(table.row_count).below());
-        let is_reached = first <= (LIGHTEST_OF_PULL_OFF * pull_off).max(LIGHTEST_OF_HALF * half);
-        let at_pull_off = branch.pull_off().map_or(0.0, |point| quantity.of(&point.sums).0 * unit);
-        // A surface that hardly adheres: zero load is lighter than the table, and known by itself.
-        let at_zero = (first > pull_off && pull_off > 0.0).then(|| at(pull_off).0);
-        let light = || match at_zero {
-            Some(at_zero) => Continuation::new(first - pull_off, at(first), at_zero, false),
-            None => Continuation::new(first, at(first), at_pull_off, false),
-        };
-        // As the root of the distance.
-        let pulling = |at_zero: f64| {
-            let slope = 0.5 * (at_zero - at_pull_off) / pull_off;
-            Continuation::new(pull_off, (at_zero, slope), at_pull_off, false)
-        };
-        Self {
-            light: is_reached.then(light),
-            pulling: at_zero.filter(|_| is_reached).map(pulling),
-            heavy: (last >= HEAVIEST_OF_HALF * half).then(|| Continuation::new(last, at(last), 0.0, true)),
-        }
-    }
-
-    /// Value and slope at a load above pull-off; `None` within the table, and where that does not reach so far.
-    fn at(&self, table: &Table, load: f64) -> Option<(f64, f64)> {
-        let x = load - table.pull_off;
-        if x >= table.begin_of(table.row_count) {
-            return self.heavy.as_ref().map(|heavy| heavy.at(x));
-        }
-        if x >= table.begin_of(0) {
-            return None;
-        }
-        match &self.pulling {
-            Some(pulling) if load <= 0.0 => Some(pulling.at(x)),
-            Some(_) => self.light.as_ref().map(|light| light.at(load)),
-            None => self.light.as_ref().map(|light| light.at(x)),
-        }
     }
 }
 

@@ -373,8 +373,7 @@ unsafe fn follow_links<L: Lanes>(table: &Table, found: &mut Found<L>, t: L) -> b
     }
     let c = L::rows(table.rows.as_ptr(), &found.offset);
     let first = L::and_bits(c[0].bits(), L::splat_bits(OFFSET));
-    let is_left_out = L::below(first, 1);
-    let linked = L::and_mask(L::and_mask(c[0].is_nan(), L::not_mask(is_left_out)), inside);
+    let linked = L::and_mask(c[0].is_nan(), inside);
     if L::lanes_of(linked) == 0 {
         return false;
     }

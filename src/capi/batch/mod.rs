@@ -67,15 +67,15 @@ impl Quantity {
             Self::Load => model.tabulated_load(load).or_else(|| model.known_load(load)),
             _ => model.tabulated(self.tabulated(), load).or_else(|| model.known_value(self.tabulated(), load)),
         };
-        answer.unwrap_or_else(|| self.computed(model, load))
+        answer.unwrap_or_else(|| self.continued(model, load))
     }
 
     #[cold]
-    fn computed(self, model: &Model, load: f64) -> (f64, f64) {
+    fn continued(self, model: &Model, load: f64) -> (f64, f64) {
         fp_environment::held(|| match self {
-            Self::Coefficient => model.computed_coefficient(load),
-            Self::Load => model.computed_load(load),
-            _ => model.computed(self.tabulated(), load),
+            Self::Coefficient => model.continued_coefficient(load),
+            Self::Load => model.continued_load(load),
+            _ => model.continued(self.tabulated(), load),
         })
     }
 
