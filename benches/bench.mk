@@ -20,3 +20,12 @@ bench-studies:
 	$(CC) -std=c11 -O2 -Wall -Wextra -Wpedantic -D_POSIX_C_SOURCE=200809L -Iinclude benches/creation_threads.c \
 	    -o $(bench_target)/bench/creation_threads -L$(bench_target)/release -Wl,-rpath,$(bench_target)/release -lasperity -pthread
 	$$(python/environment.sh)/bin/python benches/studies.py $(bench_target)/bench/creation_threads $(SURFACES)
+
+# What the numerical core costs, in lines, constants, instructions and memory; a minute.
+.PHONY: core
+core:
+	cargo build --release --locked
+	mkdir -p $(bench_target)/bench
+	$(CXX) -std=c++17 -O2 -Wall -Wextra -Iinclude benches/core.cpp -o $(bench_target)/bench/core \
+	    -L$(bench_target)/release -Wl,-rpath,$(bench_target)/release -lasperity
+	benches/core.sh $(bench_target)/bench/core

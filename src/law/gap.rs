@@ -8,7 +8,7 @@ use super::continuation::Continuation;
 use super::curve::Curve;
 use super::fill::{Filling, Source};
 use super::table::Table;
-use super::MOST_ROWS;
+use super::{Reach, MOST_ROWS};
 use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
 use crate::neighbours::Neighbours;
@@ -71,9 +71,10 @@ impl Lengths {
 
 impl Gap {
     /// Fills the table from the curve, in units of load and length.
-    pub fn new(branch: &Branch, curve: &Curve, lengths: Lengths, unit_load: f64) -> Self {
+    pub fn new(branch: &Branch, curve: &Curve, reach: Reach, lengths: Lengths, unit_load: f64) -> Self {
         let (begin, end) = curve.separation_range();
-        let pull_off = branch.pull_off().filter(|point| point.separation == end);
+        // Next to pull-off the curve may end a few last bits before.
+        let pull_off = branch.pull_off().filter(|_| reach.has_pull_off);
         let first = match pull_off {
             Some(_) => end,
             None => lightest(branch, curve),

@@ -152,7 +152,7 @@ impl Law {
         });
         let shares = Shares::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
         let lengths = Lengths { unit: length, origin: branch.population().heights().origin() };
-        let gap = Gap::new(branch, &curve, lengths, load);
+        let gap = Gap::new(branch, &curve, reach, lengths, load);
         Ok(Self { compiled, gap, shares })
     }
 
