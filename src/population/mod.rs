@@ -45,12 +45,6 @@ use sums::Summit;
 
 /// Hardly any heights are below this, in sigma from their mean: where they begin is then no kink.
 const LOWEST_END: f64 = -8.0;
-/// Where the logarithm of the density of heights is below this hardly any are...
-const LOG_NOTHING: f64 = -18.9;
-/// ...and the others pass an overlap as large as this, in sigma, within a small part of it...
-const DEEP: f64 = 40.0;
-/// ...in steps of no more than this, in sigma, over which a panel of the law follows the density.
-const LONGEST_DEEP_STEP: f64 = 4.0;
 /// A step of Newton's method for a height, over the length in which radii change, after which derivatives are those of the
 /// solution to rounding.
 const LAST_STEP: f64 = 1e-13;
@@ -226,14 +220,10 @@ impl Population {
     }
 
     /// The separations at which the sums are not smooth, in ascending order: a height where the density is not smooth passes
-    /// an overlap where the law of one summit is not. And those between which all heights but a few pass such an overlap
-    /// within a small part of it: there the sums are smooth on the scale of the heights alone.
+    /// an overlap where the law of one summit is not.
     pub fn kinks(&self) -> Vec<f64> {
         let passed = self.heights.breakpoints().iter().flat_map(|&z| self.kinks_of_height(z));
-        let mut kinks: Vec<f64> = passed.chain(self.kinks_of_lower_end()).chain(self.deep_kinks()).collect();
-        kinks.sort_by(f64::total_cmp);
-        kinks.dedup();
-        kinks
+        passed.chain(self.kinks_of_lower_end()).collect()
     }
 
     /// Those of them about which the sums are a non-integer power of the distance: the lower end of heights whose density
@@ -249,22 +239,6 @@ impl Population {
     pub fn kinks_of_break_away(&self) -> Vec<f64> {
         let edge = |&z: &f64| z - self.law.break_away(self.radius.factor(z)).overlap;
         self.heights.breakpoints().iter().map(edge).collect()
-    }
-
-    /// The separations at which smooth heights, from one end to the other in steps, pass overlaps far larger than heights
-    /// differ by: over each step the sums are smooth.
-    fn deep_kinks(&self) -> Vec<f64> {
-        if !self.heights.breakpoints().is_empty() {
-            return Vec::new();
-        }
-        let middle = -self.heights.origin();
-        let is_empty = |z: f64| self.heights.log_density(z) < LOG_NOTHING;
-        let end = |step: f64| (4..40).map(|k| middle + step * f64::from(k)).find(|&z| is_empty(z));
-        let (Some(lower), Some(upper)) = (end(-1.0), end(1.0)) else { return Vec::new() };
-        let lower = lower.max(self.heights.support().0);
-        let steps = ((upper - lower) / LONGEST_DEEP_STEP).ceil();
-        let heights = (0..=steps as u32).map(|step| lower + (upper - lower) * (f64::from(step) / steps));
-        heights.flat_map(|z| self.kinks_of_height(z)).filter(|&kink| kink < middle - DEEP).collect()
     }
 
     /// The separations at which a height passes the overlaps where the law of one summit is not smooth.
