@@ -4,24 +4,20 @@
 //! stiffness. Panels of exact states, each with its slopes, are joined by Hermite interpolation (`panel`); a panel that misses
 //! the exact states between its nodes is tried again shorter.
 
-use super::by_separation::BySeparation;
 use super::coordinate::Coordinate;
-use super::non_integer_power::NonIntegerPower;
-use super::panel::{larger, Panel, PerQuantity, Sample, NODES};
+use super::panel::{Panel, PerQuantity, Sample, NODES};
 use super::position::Positions;
 use super::steps::{Steps, Stretch};
 use super::{Quantity, Reach};
-use crate::elementary::{cos, exp, exp_each, log};
+use crate::elementary::{cos, exp_each, log};
 use crate::equilibrium::{Branch, BranchPoint};
 
 /// The heaviest load is looked for from this far below the mean height, in sigma, in steps that double.
 const FIRST_DEPTH: f64 = 8.0;
 /// Once so many exact states are spent, and some for each kink, panels are kept as they are.
 const MOST_SAMPLES: usize = 3000;
-/// Where a panel is compared next to a non-integer power. s has lost digits of the distance there, and slopes may miss by so
-/// many times their tolerance.
-const NEXT_TO_NON_INTEGER_POWER: f64 = 0.8;
-const SLACK_AT_NON_INTEGER_POWER: f64 = 10.0;
+/// Where a panel is compared between its nodes, from -1 to 1.
+const BETWEEN: [f64; 2] = [0.1, 0.8];
 
 /// At this separation the load rises already, or cannot be had: the branch ends before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,10 +28,9 @@ pub struct Unfollowed {
 /// A panel with the exact states that it was compared with.
 struct Attempt {
     panel: Panel,
-    by_separation: BySeparation,
     between: [Sample; 2],
     end: Sample,
-    /// The largest error over its tolerance of any quantity.
+    /// The largest error over its tolerance.
     error: f64,
 }
 
@@ -47,8 +42,6 @@ pub struct Curve {
     /// What logarithms are taken relative to: the quantities at pull-off, where small changes must be resolved.
     reference: PerQuantity,
     panels: Vec<Panel>,
-    /// The same read the other way.
-    by_separation: Vec<BySeparation>,
     /// Exact states spent.
     samples: usize,
 }
@@ -62,8 +55,7 @@ impl Curve {
         let mut steps = Steps::new(branch);
         let positions = steps.positions;
         let coordinate = Coordinate { log_pull_off };
-        let (panels, by_separation) = (Vec::new(), Vec::new());
-        let mut curve = Self { coordinate, positions, reference, panels, by_separation, samples: 0 };
+        let mut curve = Self { coordinate, positions, reference, panels: Vec::new(), samples: 0 };
         let mut depth = FIRST_DEPTH.max(positions.middle + FIRST_DEPTH - steps.end);
         let mut from = curve.sample(branch, positions.middle - depth)?;
         while from.log_excess < reach.log_heaviest {
@@ -81,14 +73,13 @@ impl Curve {
                 curve.attempt(branch, from, stretch)?
             };
             // So near to the end separations, of which nodes then coincide, have no digits left.
-            if attempt.end.separation <= from.separation || attempt.panel.position.iter().any(|p| p.is_nan()) {
+            if attempt.end.separation <= from.separation || attempt.error.is_infinite() && stretch.is_shortest {
                 break;
             }
             if !steps.keeps(&stretch, attempt.error) {
                 continue;
             }
             curve.panels.push(attempt.panel);
-            curve.by_separation.push(attempt.by_separation);
             check.extend(attempt.between);
             if attempt.end.slope[0].is_finite() {
                 check.push(attempt.end);
@@ -112,60 +103,24 @@ impl Curve {
     fn attempt(&mut self, branch: &Branch, from: Sample, stretch: Stretch) -> Result<Attempt, Unfollowed> {
         let positions = self.positions;
         // Where on the panel, from -1 to 1.
-        let at = |part: f64| positions.between(from.separation, stretch.to, stretch.non_integer_power.part(part));
+        let at = |part: f64| positions.between(from.separation, stretch.to, part);
         let nodes = self.nodes(branch, from, at)?;
         let end = self.end(branch, stretch.to)?;
-        let panel = Panel::new((end.s, from.s), stretch.non_integer_power, &nodes);
-        // Between the nodes: in the middle of the panel, and where the nodes are farthest apart in s.
-        let between = self.sample(branch, at(0.1))?;
-        let (first, last) = (nodes[0].separation, nodes[NODES - 1].separation);
-        let sparse = positions.separation(panel.position_at(panel.sparsest())).max(first).min(last);
-        let sparse = self.sample(branch, sparse)?;
-        // Slopes have fewer digits next to a non-integer power.
-        let next_to_it = match stretch.non_integer_power {
-            _ if panel.is_narrow() => between,
-            NonIntegerPower::Nowhere => between,
-            NonIntegerPower::AtBegin => self.sample(branch, at(-NEXT_TO_NON_INTEGER_POWER))?,
-            NonIntegerPower::AtEnd => self.sample(branch, at(NEXT_TO_NON_INTEGER_POWER))?,
-        };
+        let between = [self.sample(branch, at(BETWEEN[0]))?, self.sample(branch, at(BETWEEN[1]))?];
         self.samples += NODES + 3;
-        let error = |quantity: Quantity| {
-            // Where a panel ends there may be a kink; between the nodes it is slopes that tell how far values are off, but not
-            // in a narrow one.
-            let slack = quantity.slope_slack();
-            let within = if panel.is_narrow() { slack } else { 1.0 };
-            let next_to_it = (&next_to_it, slack * SLACK_AT_NON_INTEGER_POWER);
-            let compared = [(&from, slack), (&between, within), (&sparse, within), next_to_it, (&end, slack)];
-            compared
-                .map(|(sample, slack)| panel.error_over_tolerance(quantity, sample, slack))
-                .into_iter()
-                .fold(0.0, larger)
-        };
-        let by_separation = BySeparation::new(
-            (from.separation, end.separation),
-            positions,
-            stretch.non_integer_power,
-            &nodes,
-            panel.is_narrow(),
-        );
-        let slack = SLACK_AT_NON_INTEGER_POWER;
-        let within = if panel.is_narrow() { slack } else { 1.0 };
-        let states = [(&from, slack), (&between, within), (&sparse, within), (&next_to_it, slack), (&end, slack)];
-        let error = Quantity::ALL.map(error).into_iter().fold(by_separation.error_over_tolerance(&states), larger);
-        Ok(Attempt { panel, by_separation, between: [between, sparse], end, error })
+        let panel = Panel::new(&from, &end, positions, &nodes);
+        let error = panel.error_over_tolerance(&[&from, &between[0], &between[1], &end]);
+        Ok(Attempt { panel, between, end, error })
     }
 
     /// A cubic over a short stretch.
     fn bridge(&mut self, branch: &Branch, from: Sample, stretch: Stretch) -> Result<Attempt, Unfollowed> {
         let end = self.end(branch, stretch.to)?;
         let between = self.sample(branch, 0.5 * (from.separation + end.separation))?;
-        let panel = Panel::bridge(&from, &end);
         self.samples += 2;
-        let by_separation = BySeparation::bridge(&from, &end);
-        let error = |quantity: Quantity| panel.error_over_tolerance(quantity, &between, quantity.slope_slack());
-        let in_separation = by_separation.error_over_tolerance(&[(&between, SLACK_AT_NON_INTEGER_POWER)]);
-        let error = Quantity::ALL.map(error).into_iter().fold(in_separation, larger);
-        Ok(Attempt { panel, by_separation, between: [between, between], end, error })
+        let panel = Panel::bridge(&from, &end);
+        let error = panel.error_over_tolerance(&[&between]);
+        Ok(Attempt { panel, between: [between, between], end, error })
     }
 
     /// The state where a panel ends, which may be pull-off itself.
@@ -176,14 +131,12 @@ impl Curve {
         let unknown = f64::NAN;
         Ok(Sample {
             separation: to,
-            position: self.positions.position(to),
             log_excess: f64::NEG_INFINITY,
             s: 0.0,
             s_by_separation: unknown,
             log_value: [0.0; Quantity::COUNT],
             value: self.reference,
             slope: [unknown; Quantity::COUNT],
-            log_slope: [unknown; Quantity::COUNT],
         })
     }
 
@@ -199,17 +152,14 @@ impl Curve {
         }
         let (s, s_rate) = self.coordinate.at(log_excess);
         let sums = Quantity::ALL.map(|quantity| quantity.of(&sums));
-        let log_slope = sums.map(|(value, slope)| slope / value / rate);
         Ok(Sample {
             separation,
-            position: self.positions.position(separation),
             log_excess,
             s,
             s_by_separation: s_rate * rate,
             log_value: std::array::from_fn(|i| log(sums[i].0 / self.reference[i])),
             value: sums.map(|(value, _)| value),
-            slope: log_slope.map(|log_slope| log_slope / s_rate),
-            log_slope,
+            slope: sums.map(|(value, slope)| slope / value / rate / s_rate),
         })
     }
 
@@ -236,31 +186,24 @@ impl Curve {
         std::array::from_fn(|i| (reference * value[i], logs[i].1 * coordinates[i].1))
     }
 
-    /// A quantity of an exact state, and the slope of its logarithm by ln x.
-    pub fn at_sample(&self, quantity: Quantity, sample: &Sample) -> (f64, f64) {
-        let i = quantity as usize;
-        (self.reference[i] * exp(sample.log_value[i]), sample.log_slope[i])
-    }
-
     /// The separation at ln x, to a few digits, where the curve covers it.
     pub fn separation(&self, log_excess: f64) -> Option<f64> {
         let (s, _) = self.coordinate.at(log_excess);
         let panel = self.panel(s);
-        panel.holds(s).then(|| self.positions.separation(panel.position_at(s)))
+        panel.holds(s).then(|| panel.separation_at(s))
     }
 
     /// The load and d(load)/d(separation) at a separation, dimensionless.
     pub fn load_at(&self, separation: f64) -> (f64, f64) {
-        let index = self.by_separation.partition_point(|piece| piece.end < separation);
-        let piece = &self.by_separation[index.min(self.by_separation.len() - 1)];
-        let (s, rate) = piece.at(separation);
+        let index = self.panels.partition_point(|panel| panel.end < separation);
+        let (s, rate) = self.panels[index.min(self.panels.len() - 1)].s_at(separation);
         let (load, by_s) = self.coordinate.load(s);
         (load, by_s * rate)
     }
 
     /// The separations between which it is followed.
     pub fn separation_range(&self) -> (f64, f64) {
-        let (Some(first), Some(last)) = (self.by_separation.first(), self.by_separation.last()) else {
+        let (Some(first), Some(last)) = (self.panels.first(), self.panels.last()) else {
             return (0.0, 0.0);
         };
         (first.begin, last.end)
@@ -274,7 +217,7 @@ impl Curve {
 
     /// The separations at which one piece of the load ends and another begins, in ascending order.
     pub fn joints(&self) -> impl DoubleEndedIterator<Item = f64> + '_ {
-        self.by_separation.iter().map(|piece| piece.end)
+        self.panels.iter().map(|panel| panel.end)
     }
 
     /// The separation at which the load is 0, to a few digits, where adhesion makes it negative at the end.
@@ -319,8 +262,9 @@ mod tests {
                 assert!(near(slope, exact.load_slope, 1e-7), "{slope}");
                 for quantity in Quantity::ALL {
                     let [(value, slope)] = curve.at_each(quantity, [state.log_excess]);
-                    let (exact, exact_slope) = curve.at_sample(quantity, state);
-                    let is_near = near(value, exact, 1e-10) && near(slope, exact_slope, 1e-8);
+                    let (_, s_rate) = curve.coordinate.at(state.log_excess);
+                    let exact = (state.value[quantity as usize], state.slope[quantity as usize] * s_rate);
+                    let is_near = near(value, exact.0, 1e-9) && near(slope, exact.1, 1e-7);
                     assert!(is_near, "{quantity:?}: {value}, {slope}");
                 }
             }

@@ -1,22 +1,30 @@
-//! A panel of the curve: the polynomial through exact states, with their slopes.
+//! A panel of the curve: polynomials through exact states with their slopes, of friction and stiffness against s, and of s against
+//! separation, by which the curve is read the other way.
 
-use super::non_integer_power::NonIntegerPower;
+use super::position::Positions;
 use super::Quantity;
-use super::CONDITIONS;
 use crate::elementary::log;
 use crate::numerics::quadrature;
+use crate::numerics::root;
 
 /// Exact states per panel.
-pub const NODES: usize = CONDITIONS / 2;
-/// Largest error of a logarithm, and of its slope relative to the slope, at which a panel is good.
+pub const NODES: usize = 10;
+/// Interpolation conditions per panel: value and slope at each of them.
+const CONDITIONS: usize = 2 * NODES;
+/// Largest error of a logarithm or of s, and of its slope relative to the slope, at which a panel is good.
 const VALUE_TOLERANCE: f64 = 1e-10;
 const SLOPE_TOLERANCE: f64 = 1e-8;
+/// Nobody is told the slope of the stiffness, nor that of s, which next to a kink are harder to resolve than that of friction: they
+/// need only be as good as values ask for.
+const SLACK: f64 = 20.0;
 /// Up to this s the slope of the load is a difference of integrals that nearly cancel, and so many times the tolerance is
 /// what slopes are known to.
 const NEAR_PULL_OFF: f64 = 1.0;
 const NOISE: f64 = 4.0;
 /// In panels that span less than this of s, differences of logarithms have lost the digits that its slopes have.
 const NARROW: f64 = 2e-4;
+/// A panel shorter than this is measured in separations: positions have too few digits.
+const SHORT: f64 = 0.1;
 
 /// A number for each quantity.
 pub type PerQuantity = [f64; Quantity::COUNT];
@@ -25,8 +33,6 @@ pub type PerQuantity = [f64; Quantity::COUNT];
 #[derive(Debug, Clone, Copy)]
 pub struct Sample {
     pub separation: f64,
-    /// As [`Positions`](super::position::Positions) has it.
-    pub position: f64,
     /// ln(load - pull-off load).
     pub log_excess: f64,
     pub s: f64,
@@ -37,8 +43,6 @@ pub struct Sample {
     pub value: PerQuantity,
     /// Slopes of the logarithms by s.
     pub slope: PerQuantity,
-    /// By ln x.
-    pub log_slope: PerQuantity,
 }
 
 /// A stretch of the curve, with s falling as separation grows.
@@ -47,57 +51,69 @@ pub struct Panel {
     /// s at its ends.
     pub lowest: f64,
     pub highest: f64,
-    non_integer_power: NonIntegerPower,
-    /// The logarithms at the first node, to which the others are relative.
-    reference: PerQuantity,
-    /// In s, or in the root of the distance from the non-integer power.
-    nodes: [f64; NODES],
-    /// The logarithms in Newton's form, each node twice.
-    log_value: [[f64; CONDITIONS]; Quantity::COUNT],
-    /// The position of the separation in Newton's form, each node once.
-    pub position: [f64; NODES],
+    /// The separations there.
+    pub begin: f64,
+    pub end: f64,
+    log_value: [Hermite; Quantity::COUNT],
+    length: Length,
+    s: Hermite,
+}
+
+/// What lengths in separation are measured in.
+#[derive(Debug, Clone, Copy)]
+enum Length {
+    Separation,
+    Position(Positions),
+}
+
+impl Length {
+    /// From one separation to another, and its slope by the latter.
+    fn between(self, from: f64, to: f64) -> (f64, f64) {
+        match self {
+            Self::Separation => (to - from, 1.0),
+            Self::Position(positions) => (positions.position(to) - positions.position(from), positions.density(to)),
+        }
+    }
 }
 
 impl Panel {
-    pub fn new((lowest, highest): (f64, f64), non_integer_power: NonIntegerPower, samples: &[Sample; NODES]) -> Self {
-        let places = samples.map(|sample| non_integer_power.place((lowest, highest), sample.s));
-        let nodes = places.map(|(place, _)| place);
-        let is_narrow = highest - lowest < NARROW;
+    /// From one state to another, through the states at its nodes.
+    pub fn new(from: &Sample, to: &Sample, positions: Positions, nodes: &[Sample; NODES]) -> Self {
+        let is_narrow = from.s - to.s < NARROW;
+        let length = match (to.separation - from.separation) * positions.density(from.separation) < SHORT {
+            true => Length::Separation,
+            false => Length::Position(positions),
+        };
         let log_value = std::array::from_fn(|quantity| {
-            let slopes = std::array::from_fn(|i| samples[i].slope[quantity] / places[i].1);
-            let values = match is_narrow {
-                true => integrals(&nodes, slopes),
-                false => samples.map(|sample| log(sample.value[quantity] / samples[0].value[quantity])),
-            };
-            hermite(&nodes, values, slopes)
+            let rise = |node: &Sample| log(node.value[quantity] / nodes[0].value[quantity]);
+            let (places, slopes) =
+                (nodes.each_ref().map(|node| node.s), nodes.each_ref().map(|node| node.slope[quantity]));
+            let values = if is_narrow { integrals(&places, slopes) } else { nodes.each_ref().map(rise) };
+            Hermite::new(nodes[0].log_value[quantity], places, values, slopes)
         });
-        let position = differences(&nodes, samples.map(|sample| sample.position));
-        let reference = samples[0].log_value;
-        Self { lowest, highest, non_integer_power, reference, nodes, log_value, position }
+        let places = nodes.each_ref().map(|node| length.between(from.separation, node.separation));
+        let slopes = std::array::from_fn(|i| nodes[i].s_by_separation / places[i].1);
+        let places = places.map(|(place, _)| place);
+        let values = match is_narrow {
+            true => integrals(&places, slopes),
+            false => nodes.each_ref().map(|node| node.s - nodes[0].s),
+        };
+        let s = Hermite::new(nodes[0].s, places, values, slopes);
+        let (begin, end) = (from.separation, to.separation);
+        Self { lowest: to.s, highest: from.s, begin, end, log_value, length, s }
     }
 
-    /// The cubic between two states.
+    /// Cubics between two states.
     pub fn bridge(from: &Sample, to: &Sample) -> Self {
         let width = to.s - from.s;
-        let mut nodes = [to.s; NODES];
-        nodes[0] = from.s;
         let log_value = std::array::from_fn(|quantity| {
             let (start, end) = (from.slope[quantity], to.slope[quantity]);
-            let mut log_value = [0.0; CONDITIONS];
-            (log_value[1], log_value[2]) = (start, (0.5 * (start + end) - start) / width);
-            log_value
+            Hermite::cubic(from.log_value[quantity], (from.s, start), (to.s, end), 0.5 * (start + end) * width)
         });
-        let mut line = [0.0; NODES];
-        (line[0], line[1]) = (from.position, (to.position - from.position) / width);
-        Self {
-            lowest: to.s,
-            highest: from.s,
-            non_integer_power: NonIntegerPower::Nowhere,
-            reference: from.log_value,
-            nodes,
-            log_value,
-            position: line,
-        }
+        let ends = [(0.0, from.s_by_separation), (to.separation - from.separation, to.s_by_separation)];
+        let s = Hermite::cubic(from.s, ends[0], ends[1], width);
+        let (begin, end) = (from.separation, to.separation);
+        Self { lowest: to.s, highest: from.s, begin, end, log_value, length: Length::Separation, s }
     }
 
     pub fn holds(&self, s: f64) -> bool {
@@ -105,108 +121,123 @@ impl Panel {
     }
 
     /// The logarithm of a quantity and its derivative by s.
-    pub fn log_value_at<const N: usize>(&self, quantity: Quantity, s: [f64; N]) -> [(f64, f64); N] {
-        s.map(|s| self.place(s)).map(|(place, rate)| {
-            let (value, slope) = self.polynomial(quantity, place);
-            (value, slope * rate)
-        })
-    }
-
     #[inline(always)] // so that several are worked out side by side
-    fn polynomial(&self, quantity: Quantity, place: f64) -> (f64, f64) {
-        let (value, slope) = hermite_at(&self.nodes, &self.log_value[quantity as usize], place);
-        (self.reference[quantity as usize] + value, slope)
+    pub fn log_value_at<const N: usize>(&self, quantity: Quantity, s: [f64; N]) -> [(f64, f64); N] {
+        s.map(|s| self.log_value[quantity as usize].at(s))
     }
 
-    /// Where s lies among the nodes, and d(that)/ds.
-    fn place(&self, s: f64) -> (f64, f64) {
-        self.non_integer_power.place((self.lowest, self.highest), s)
+    /// s and ds/d(separation) at a separation.
+    pub fn s_at(&self, separation: f64) -> (f64, f64) {
+        let (place, density) = self.length.between(self.begin, separation);
+        let (s, slope) = self.s.at(place);
+        (s, slope * density)
     }
 
-    pub fn position_at(&self, s: f64) -> f64 {
-        newton(&self.nodes, &self.position, self.place(s).0)
+    /// The separation at s.
+    pub fn separation_at(&self, s: f64) -> f64 {
+        root::bracketed(|separation| self.s_at(separation).0 - s, self.begin, self.end)
     }
 
-    pub fn is_narrow(&self) -> bool {
-        self.highest - self.lowest < NARROW
+    /// How far exact states that are not its nodes lie from it, over the tolerance.
+    pub fn error_over_tolerance(&self, states: &[&Sample]) -> f64 {
+        let errors = states.iter().flat_map(|state| {
+            let friction = self.error_at(Quantity::Friction, state, 1.0);
+            [friction, self.error_at(Quantity::Radius, state, SLACK), self.error_of_s(state, SLACK)]
+        });
+        errors.fold(0.0, larger)
     }
 
-    /// The middle of the widest gap between neighbouring nodes.
-    pub fn sparsest(&self) -> f64 {
-        let gap = |pair: &[f64]| (pair[1] - pair[0]).abs();
-        let widest = self.nodes.windows(2).max_by(|a, b| gap(a).total_cmp(&gap(b)));
-        let place = widest.map_or(self.nodes[0], |pair| 0.5 * (pair[0] + pair[1]));
-        self.non_integer_power.s_at((self.lowest, self.highest), place)
+    /// How far a quantity of a state lies from the curve, over the tolerance, which is so many times larger for slopes.
+    fn error_at(&self, quantity: Quantity, state: &Sample, slack: f64) -> f64 {
+        let [(value, slope)] = self.log_value_at(quantity, [state.s]);
+        let exact = (state.log_value[quantity as usize], state.slope[quantity as usize]);
+        let noise = if state.s < NEAR_PULL_OFF { NOISE } else { 1.0 };
+        error_over_tolerance((value, slope), exact, noise * slack)
     }
 
-    /// How far an exact state lies from the curve, over the tolerance; infinite where either is not a number. The
-    /// slope may miss by so many times its tolerance.
-    pub fn error_over_tolerance(&self, quantity: Quantity, sample: &Sample, slope_slack: f64) -> f64 {
-        let [(value, slope)] = self.log_value_at(quantity, [sample.s]);
-        let exact = sample.slope[quantity as usize];
-        let value_error = (value - sample.log_value[quantity as usize]).abs() / VALUE_TOLERANCE;
-        // Slopes are known neither at pull-off itself nor at a non-integer power.
-        if exact.is_nan() || self.non_integer_power.is_at((self.lowest, self.highest), sample.s) {
-            return value_error;
-        }
-        let tolerance = if sample.s < NEAR_PULL_OFF { NOISE * SLOPE_TOLERANCE } else { SLOPE_TOLERANCE };
-        larger(value_error, (slope / exact - 1.0).abs() / (slope_slack * tolerance))
+    fn error_of_s(&self, state: &Sample, slack: f64) -> f64 {
+        error_over_tolerance(self.s_at(state.separation), (state.s, state.s_by_separation), slack)
     }
 }
 
-/// The coefficients of Newton's form of the polynomial with these values and slopes at the nodes.
-pub fn hermite(nodes: &[f64; NODES], values: [f64; NODES], slopes: [f64; NODES]) -> [f64; CONDITIONS] {
-    // Divided differences; between the two copies of a node they are the slope.
-    let mut coefficients: [f64; CONDITIONS] = std::array::from_fn(|i| values[i / 2]);
-    for order in 1..CONDITIONS {
-        for i in (order..CONDITIONS).rev() {
-            let (a, b) = (nodes[(i - order) / 2], nodes[i / 2]);
-            coefficients[i] = match order == 1 && i % 2 == 1 {
-                true => slopes[i / 2],
-                false => (coefficients[i] - coefficients[i - 1]) / (b - a),
-            };
-        }
-    }
-    coefficients
+/// The error of a value and of its slope over the tolerance, whichever is larger; infinite where either is not a number. Slopes are not
+/// known at pull-off itself.
+fn error_over_tolerance((value, slope): (f64, f64), exact: (f64, f64), slack: f64) -> f64 {
+    let error = (value - exact.0).abs() / VALUE_TOLERANCE;
+    let slope_error = if exact.1.is_nan() { 0.0 } else { (slope / exact.1 - 1.0).abs() / (slack * SLOPE_TOLERANCE) };
+    larger(error, slope_error)
 }
 
-/// That polynomial and its derivative.
-#[inline(always)] // so that several are worked out side by side
-pub fn hermite_at(nodes: &[f64; NODES], coefficients: &[f64; CONDITIONS], at: f64) -> (f64, f64) {
-    let (mut value, mut slope) = (0.0, 0.0);
-    for (node, pair) in nodes.iter().zip(coefficients.chunks_exact(2)).rev() {
-        let distance = at - node;
-        for coefficient in [pair[1], pair[0]] {
-            slope = slope * distance + value;
-            value = value * distance + coefficient;
-        }
-    }
-    (value, slope)
+/// A polynomial with given values and slopes at its nodes.
+#[derive(Debug, Clone)]
+struct Hermite {
+    /// The value at the first node, to which the others are relative.
+    reference: f64,
+    nodes: [f64; NODES],
+    /// Of Newton's form, each node twice.
+    coefficients: [f64; CONDITIONS],
 }
 
-/// The coefficients of Newton's form of the polynomial with these values at the nodes.
-fn differences(nodes: &[f64; NODES], mut values: [f64; NODES]) -> [f64; NODES] {
-    for order in 1..NODES {
-        for i in (order..NODES).rev() {
-            values[i] = (values[i] - values[i - 1]) / (nodes[i] - nodes[i - order]);
+impl Hermite {
+    /// With these values, relative to a reference, and slopes.
+    fn new(reference: f64, nodes: [f64; NODES], values: [f64; NODES], slopes: [f64; NODES]) -> Self {
+        // Divided differences; between the two copies of a node they are the slope.
+        let mut coefficients: [f64; CONDITIONS] = std::array::from_fn(|i| values[i / 2]);
+        for order in 1..CONDITIONS {
+            for i in (order..CONDITIONS).rev() {
+                let (a, b) = (nodes[(i - order) / 2], nodes[i / 2]);
+                coefficients[i] = match order == 1 && i % 2 == 1 {
+                    true => slopes[i / 2],
+                    false => (coefficients[i] - coefficients[i - 1]) / (b - a),
+                };
+            }
         }
+        Self { reference, nodes, coefficients }
     }
-    values
-}
 
-fn newton(nodes: &[f64; NODES], coefficients: &[f64; NODES], at: f64) -> f64 {
-    let higher = coefficients[..NODES - 1].iter().zip(nodes).rev();
-    higher.fold(coefficients[NODES - 1], |value, (coefficient, node)| value * (at - node) + coefficient)
+    /// The cubic between two places, with its slopes there and what it rises by.
+    fn cubic(reference: f64, (from, start): (f64, f64), (to, end): (f64, f64), rise: f64) -> Self {
+        let width = to - from;
+        let mut nodes = [to; NODES];
+        nodes[0] = from;
+        let mut coefficients = [0.0; CONDITIONS];
+        coefficients[1] = start;
+        coefficients[2] = (rise / width - start) / width;
+        coefficients[3] = (start + end - 2.0 * rise / width) / (width * width);
+        Self { reference, nodes, coefficients }
+    }
+
+    /// The value and the slope.
+    #[inline(always)] // so that several are worked out side by side
+    fn at(&self, x: f64) -> (f64, f64) {
+        let (mut value, mut slope) = (0.0, 0.0);
+        for (node, pair) in self.nodes.iter().zip(self.coefficients.chunks_exact(2)).rev() {
+            let distance = x - node;
+            for coefficient in [pair[1], pair[0]] {
+                slope = slope * distance + value;
+                value = value * distance + coefficient;
+            }
+        }
+        (self.reference + value, slope)
+    }
 }
 
 /// What a function rises by from the first node to each, of which these are the slopes.
-pub fn integrals(nodes: &[f64; NODES], slopes: [f64; NODES]) -> [f64; NODES] {
-    let slopes = differences(nodes, slopes);
+fn integrals(nodes: &[f64; NODES], mut slopes: [f64; NODES]) -> [f64; NODES] {
+    // Newton's form of the polynomial through the slopes.
+    for order in 1..NODES {
+        for i in (order..NODES).rev() {
+            slopes[i] = (slopes[i] - slopes[i - 1]) / (nodes[i] - nodes[i - order]);
+        }
+    }
+    let slope = |at: f64| {
+        let higher = slopes[..NODES - 1].iter().zip(nodes).rev();
+        higher.fold(slopes[NODES - 1], |value, (coefficient, node)| value * (at - node) + coefficient)
+    };
     let mut sum = 0.0;
     std::array::from_fn(|i| {
         if i > 0 {
-            let points = quadrature::nodes(nodes[i - 1], nodes[i]);
-            let rise = points.map(|(s, weight)| weight * newton(nodes, &slopes, s)).sum::<f64>();
+            let rise: f64 = quadrature::nodes(nodes[i - 1], nodes[i]).map(|(at, weight)| weight * slope(at)).sum();
             sum += rise * (nodes[i] - nodes[i - 1]).signum();
         }
         sum
@@ -223,38 +254,31 @@ pub fn larger(a: f64, b: f64) -> f64 {
 }
 
 #[cfg(test)]
-impl Sample {
-    /// Another force and slope at the same load.
-    pub fn moved(self, log_value: f64, log_slope: f64) -> Self {
-        let log_value = self.log_value.map(|value| value + log_value);
-        Self { log_value, log_slope: self.log_slope.map(|slope| slope * (1.0 + log_slope)), ..self }
-    }
-}
-
-#[cfg(test)]
 mod tests {
     use super::*;
     use crate::numerics::near;
 
-    /// The logarithms are 2 + 3 s + s^2/2 and s^2 at positions 1 - s.
-    fn sample(s: f64) -> Sample {
+    /// The logarithms are 2 + 3 s + s^2/2 and s^2, s = 6 - d - d^2/8 at separations d.
+    fn sample(separation: f64) -> Sample {
+        let s = 6.0 - separation - separation * separation / 8.0;
         let (log_value, slope) = ([2.0 + 3.0 * s + 0.5 * s * s, s * s], [3.0 + s, 2.0 * s]);
         Sample {
-            separation: 1.0 - s,
-            position: 1.0 - s,
+            separation,
             log_excess: 2.0 * s,
             s,
-            s_by_separation: -1.0,
+            s_by_separation: -1.0 - separation / 4.0,
             log_value,
             value: log_value.map(f64::exp),
             slope,
-            log_slope: [f64::NAN; 2],
         }
     }
 
-    fn parabola() -> Panel {
-        let node = |j: usize| 0.1 + (1.0 + (std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64).cos()).powf(1.2);
-        Panel::new((0.1, 2.5), NonIntegerPower::Nowhere, &std::array::from_fn(|j| sample(node(j))))
+    fn panel(begin: f64, end: f64) -> Panel {
+        let node = |j: usize| {
+            let part = 0.5 - 0.5 * (std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64).cos();
+            sample(begin + (end - begin) * part)
+        };
+        Panel::new(&sample(begin), &sample(end), Positions { middle: 0.0 }, &std::array::from_fn(node))
     }
 
     #[test]
@@ -266,40 +290,74 @@ mod tests {
         }
     }
 
+    /// Measured in positions, in separations, and narrow.
     #[test]
-    fn a_panel_has_the_values_and_slopes_it_is_made_from() {
-        let (panel, exact) = (parabola(), sample(1.2));
-        assert!(near(panel.position_at(1.2), -0.2, 1e-13));
-        for quantity in Quantity::ALL {
-            let [(value, slope)] = panel.log_value_at(quantity, [1.2]);
-            let (expected, expected_slope) = (exact.log_value[quantity as usize], exact.slope[quantity as usize]);
-            assert!(near(value, expected, 1e-13) && near(slope, expected_slope, 1e-11), "{value}, {slope}");
+    fn a_panel_has_the_values_and_slopes_of_exact_states() {
+        for (begin, end) in [(0.5, 2.5), (0.5, 0.55), (0.5, 0.500_1)] {
+            let panel = panel(begin, end);
+            for part in [0.0, 0.01, 0.3, 0.77, 0.99, 1.0] {
+                let exact = sample(begin + part * (end - begin));
+                for quantity in Quantity::ALL {
+                    let [(value, slope)] = panel.log_value_at(quantity, [exact.s]);
+                    let expected = (exact.log_value[quantity as usize], exact.slope[quantity as usize]);
+                    assert!(near(value, expected.0, 1e-13) && near(slope, expected.1, 1e-10), "{value}, {slope}");
+                }
+                let (s, slope) = panel.s_at(exact.separation);
+                assert!(near(s, exact.s, 1e-12) && near(slope, exact.s_by_separation, 1e-9), "{s}, {slope}");
+                assert!(near(panel.separation_at(exact.s), exact.separation, 1e-9) && panel.holds(exact.s));
+            }
+            assert!(!panel.holds(sample(begin - 0.1).s) && !panel.holds(sample(end + 0.1).s));
         }
-        let gaps = panel.nodes.windows(2).map(|pair| (pair[0] - pair[1], 0.5 * (pair[0] + pair[1])));
-        let widest = gaps.max_by(|a, b| a.0.total_cmp(&b.0)).expect("gaps");
-        assert!(near(panel.sparsest(), widest.1, 1e-15), "{}, not {widest:?}", panel.sparsest());
+    }
+
+    #[test]
+    fn a_bridge_has_the_values_and_slopes_of_its_ends() {
+        let (from, to) = (sample(0.5), sample(0.51));
+        let bridge = Panel::bridge(&from, &to);
+        for exact in [from, sample(0.503), to] {
+            let (s, slope) = bridge.s_at(exact.separation);
+            assert!((s - exact.s).abs() < 1e-13 && near(slope, exact.s_by_separation, 1e-10), "{s}, {slope}");
+            let [(value, slope)] = bridge.log_value_at(Quantity::Friction, [exact.s]);
+            assert!(near(value, exact.log_value[0], 1e-13) && near(slope, exact.slope[0], 1e-10), "{value}, {slope}");
+        }
     }
 
     #[test]
     fn a_panel_says_how_far_exact_states_lie_from_it() {
-        let (panel, exact) = (parabola(), sample(1.2));
-        for quantity in Quantity::ALL {
-            let off = |value: f64, slope: f64| {
-                let mut off = exact;
-                off.log_value[quantity as usize] += value * VALUE_TOLERANCE;
-                off.slope[quantity as usize] *= 1.0 + 5.0 * slope * SLOPE_TOLERANCE;
-                panel.error_over_tolerance(quantity, &off, 5.0)
-            };
-            for error in [[20.0, 0.0], [-20.0, 0.0], [0.0, 20.0], [0.0, -20.0]].map(|[value, slope]| off(value, slope))
-            {
-                assert!(near(error, 20.0, 0.1), "{error}");
+        let (panel, exact) = (panel(0.5, 2.5), sample(1.2));
+        assert!(panel.error_over_tolerance(&[&exact]) < 0.1);
+        let off = |value: [f64; 2], slope: [f64; 2], s: [f64; 2]| {
+            let mut off = exact;
+            for i in 0..2 {
+                off.log_value[i] += value[i] * VALUE_TOLERANCE;
+                off.slope[i] *= 1.0 + slope[i] * SLOPE_TOLERANCE;
             }
-            assert!(off(0.0, 0.0) < 0.1 && off(f64::NAN, 0.0) == f64::INFINITY);
-            // At pull-off itself there is no slope.
-            let log_value = exact.log_value.map(|value| value + 5.0 * VALUE_TOLERANCE);
-            let at_pull_off = Sample { slope: [f64::NAN; 2], log_value, ..exact };
-            assert!(near(panel.error_over_tolerance(quantity, &at_pull_off, 1.0), 5.0, 0.1));
+            off.s_by_separation *= 1.0 + s[1] * SLOPE_TOLERANCE;
+            // The logarithms are those of the state, wherever its s is said to be.
+            let moved = panel.s_at(exact.separation).0 + s[0] * VALUE_TOLERANCE;
+            (off.log_value[0], off.log_value[1]) = (
+                off.log_value[0] + exact.slope[0] * (moved - exact.s),
+                off.log_value[1] + exact.slope[1] * (moved - exact.s),
+            );
+            off.s = moved;
+            panel.error_over_tolerance(&[&off])
+        };
+        for sign in [1.0, -1.0] {
+            for (error, expected) in [
+                (off([20.0 * sign, 0.0], [0.0; 2], [0.0; 2]), 20.0),
+                (off([0.0, 20.0 * sign], [0.0; 2], [0.0; 2]), 20.0),
+                (off([0.0; 2], [20.0 * sign, 0.0], [0.0; 2]), 20.0),
+                (off([0.0; 2], [0.0, 20.0 * SLACK * sign], [0.0; 2]), 20.0),
+                (off([0.0; 2], [0.0; 2], [20.0 * sign, 0.0]), 20.0),
+                (off([0.0; 2], [0.0; 2], [0.0, 20.0 * SLACK * sign]), 20.0),
+            ] {
+                assert!(near(error, expected, 0.1), "{error}, not {expected}");
+            }
         }
+        assert_eq!(off([f64::NAN, 0.0], [0.0; 2], [0.0; 2]), f64::INFINITY);
+        // At pull-off itself there is no slope.
+        let at_pull_off = Sample { slope: [f64::NAN; 2], s_by_separation: f64::NAN, ..exact };
+        assert!(panel.error_over_tolerance(&[&at_pull_off]) < 0.1);
         assert_eq!(
             [larger(1.0, f64::NAN), larger(f64::NAN, 1.0), larger(1.0, 2.0)],
             [f64::INFINITY, f64::INFINITY, 2.0]

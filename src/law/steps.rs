@@ -1,7 +1,6 @@
 //! How far the next panel of the curve reaches: not beyond a separation about which the curve is not smooth, and half as far
 //! where a panel misses the curve. Lengths are of `position`s.
 
-use super::non_integer_power::NonIntegerPower;
 use super::position::Positions;
 use crate::equilibrium::Branch;
 
@@ -43,12 +42,11 @@ const SAME_KINK: f64 = 1e-8;
 pub struct Stretch {
     from: f64,
     pub to: f64,
-    pub non_integer_power: NonIntegerPower,
     /// Whether it is to be a cubic.
     pub is_bridge: bool,
     is_short: bool,
     /// Whether no shorter one is tried.
-    is_shortest: bool,
+    pub is_shortest: bool,
 }
 
 /// Tells how far the next panel may reach.
@@ -62,11 +60,6 @@ pub struct Steps {
     at_pull_off: bool,
     /// The separations of the kinks at which panels end.
     pub kinks: Vec<f64>,
-    /// Those of them, among the heights, about which it is a non-integer power of the distance. Far below them loads do not
-    /// tell the distance well enough.
-    non_integer_powers: Vec<f64>,
-    /// Those before which alone it is.
-    powers_before: Vec<f64>,
     /// Where the next panels end, the nearest last: beyond the first are the other halves of those that missed the curve.
     ends: Vec<f64>,
     /// Where the last stretch ends that is no cubic.
@@ -88,9 +81,6 @@ impl Steps {
             end,
             at_pull_off: branch.pull_off().is_some(),
             kinks: apart(population.kinks()),
-            non_integer_powers: apart(population.kinks_of_lower_end()).into_iter().filter(|&at| at >= deep).collect(),
-            // Next to pull-off itself no state is so near to it.
-            powers_before: population.kinks_of_break_away().into_iter().filter(|&at| at < end).collect(),
             ends: Vec::new(),
             not_bridged: f64::NAN,
         }
@@ -99,34 +89,21 @@ impl Steps {
     /// What comes next after a separation, at which the coordinate of the curve is `s`; kept as it is if no more states are to be
     /// spent.
     pub fn next(&mut self, from: f64, s: f64, is_spent: bool) -> Stretch {
-        let begins = self.is_non_integer_power(from);
         let to = match self.ends.last() {
             Some(&half) => half,
             None => {
                 let kink = self.kink_after(from).filter(|&kink| self.end - kink > AT_END * (self.end - from));
-                let ends = kink.is_some_and(|kink| self.is_non_integer_power(kink));
-                // A panel has room for one non-integer power.
-                let halfway = kink.filter(|_| begins && ends).map(|kink| 0.5 * (from + kink));
-                let to = self.longest(from, s, halfway.or(kink));
+                let to = self.longest(from, s, kink);
                 self.ends.push(to);
                 to
             }
         };
-        let non_integer_power = match () {
-            () if begins => NonIntegerPower::AtBegin,
-            () if self.is_non_integer_power(to) || self.powers_before.contains(&to) => NonIntegerPower::AtEnd,
-            () => NonIntegerPower::Nowhere,
-        };
         let length = self.positions.distance(from, to);
-        let is_smooth = non_integer_power == NonIntegerPower::Nowhere && (to < self.end || !self.at_pull_off);
+        let is_at_pull_off = self.at_pull_off && to == self.end;
         let is_short = length < SHORT;
-        let is_bridge = is_smooth && is_short && !is_spent && self.not_bridged != to;
+        let is_bridge = !is_at_pull_off && is_short && !is_spent && self.not_bridged != to;
         let is_shortest = is_spent || (!is_bridge && length < self.shortest(from, s));
-        Stretch { from, to, non_integer_power, is_bridge, is_short, is_shortest }
-    }
-
-    fn is_non_integer_power(&self, separation: f64) -> bool {
-        self.non_integer_powers.contains(&separation)
+        Stretch { from, to, is_bridge, is_short, is_shortest }
     }
 
     /// Whether all summits are deep in contact at a separation.
@@ -207,8 +184,6 @@ mod tests {
             end: 10.0,
             at_pull_off: true,
             kinks: kinks.to_vec(),
-            non_integer_powers: Vec::new(),
-            powers_before: Vec::new(),
             ends: Vec::new(),
             not_bridged: f64::NAN,
         }
@@ -267,41 +242,5 @@ mod tests {
         assert_eq!(ends, [1.0, 9.0, 10.0]);
         let bridge = kinked().next(1.0, 10.0, false);
         assert!(bridge.is_bridge && bridge.to == 1.005);
-    }
-
-    #[test]
-    fn panels_begin_and_end_at_non_integer_powers() {
-        let mut steps = Steps { non_integer_powers: vec![0.9, 1.0], ..steps(&[0.9, 1.0, 5.0]) };
-        let to_lower_end = steps.next(0.0, 10.0, false);
-        assert_eq!((to_lower_end.to, to_lower_end.non_integer_power), (0.9, NonIntegerPower::AtEnd));
-        // One that is not good is tried again from halfway.
-        assert!(!steps.keeps(&to_lower_end, 1.5));
-        let halfway = steps.next(0.0, 10.0, false);
-        let middle = steps.positions.between(0.0, 0.9, 0.0);
-        assert!(halfway.to == middle && halfway.non_integer_power == NonIntegerPower::Nowhere);
-        assert!(steps.keeps(&halfway, 0.9));
-        let to_lower_end = steps.next(halfway.to, 10.0, false);
-        assert_eq!((to_lower_end.to, to_lower_end.non_integer_power), (0.9, NonIntegerPower::AtEnd));
-        assert!(steps.keeps(&to_lower_end, 0.9));
-        // Between two of them there are two panels, however near they are.
-        let first = steps.next(0.9, 10.0, false);
-        assert_eq!((first.to, first.non_integer_power), (0.95, NonIntegerPower::AtBegin));
-        assert!(steps.keeps(&first, 0.9));
-        let second = steps.next(0.95, 10.0, false);
-        assert_eq!((second.to, second.non_integer_power), (1.0, NonIntegerPower::AtEnd));
-        assert!(steps.keeps(&second, 0.9));
-        let beyond = steps.next(1.0, 10.0, false);
-        assert!(beyond.to < 5.0 && beyond.non_integer_power == NonIntegerPower::AtBegin);
-    }
-
-    /// Where a height of a table breaks away.
-    #[test]
-    fn panels_end_but_do_not_begin_at_a_non_integer_power_before_a_kink() {
-        let mut steps = Steps { powers_before: vec![1.0], ..steps(&[1.0, 1.5]) };
-        for (from, expected) in [(0.0, NonIntegerPower::AtEnd), (1.0, NonIntegerPower::Nowhere)] {
-            let panel = steps.next(from, 10.0, false);
-            assert_eq!(panel.non_integer_power, expected);
-            assert!(steps.keeps(&panel, 0.9));
-        }
     }
 }
