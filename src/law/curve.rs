@@ -66,7 +66,7 @@ impl Curve {
         let lightest = if reach.has_pull_off { f64::NEG_INFINITY } else { reach.log_lightest };
         let most_samples = MOST_SAMPLES + 2 * NODES * steps.kinks.len();
         while from.separation < steps.end && from.log_excess > lightest {
-            let stretch = steps.next(from.separation, from.s, curve.samples > most_samples);
+            let stretch = steps.next(from.separation, curve.samples > most_samples);
             let attempt = if stretch.is_bridge {
                 curve.bridge(branch, from, stretch)?
             } else {

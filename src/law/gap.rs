@@ -15,7 +15,7 @@ use crate::neighbours::Neighbours;
 use crate::numerics::root;
 
 /// Rows per binade of x, as a power of two: the fewest of which nearly all are good.
-const FRACTION: u32 = 3;
+const FRACTION: u32 = 4;
 /// Without a pull-off load, rows end this far from the highest summit, in sigma: nearer, the separation has few digits of the distance.
 const NEAREST_TO_HIGHEST: f64 = 1e-5;
 /// The power by which the load goes to 0 beyond the lightest that is compiled.

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Prints what the numerical core costs: its lines of code and constants, the instructions of a model and of an exact state, and
+# the memory of models.
+#
+# usage: benches/core.sh PROGRAM      (make core builds the program and calls this)
+set -euo pipefail
+
+program=$1
+cd "$(dirname "$0")/.."
+folders="src/population src/equilibrium src/law src/distribution"
+
+if ! command -v valgrind >/dev/null; then
+    echo "benches/core.sh: valgrind is missing: tests/setup.sh installs it" >&2
+    exit 1
+fi
+
+# Sources without comments, blank lines and tests, which are the end of a file or a file of their own.
+code() {
+    find "$@" -name '*.rs' ! -name 'tests.rs' -print0 | sort -z | while IFS= read -r -d '' file; do
+        awk '/^#\[cfg\(test\)\]/ { exit } !/^[ \t]*(\/\/|$)/' "$file"
+    done
+}
+
+collected() {
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$@" 2>&1 | awk '/Collected/ { print $NF }'
+}
+
+# Millions of instructions for one, as what more of them add to a run.
+millions() {
+    local what=$1 surface=$2 times=$3
+    awk -v one="$(collected "$what" "$surface" 1)" -v several="$(collected "$what" "$surface" $((times + 1)))" -v times="$times" \
+        'BEGIN { printf "%.2f", (several - one) / times / 1e6 }'
+}
+
+echo "| | |"
+echo "|---|---|"
+echo "| lines of code of $folders, no comments, no tests | $(code $folders | wc -l) |"
+echo "| scalar constants in them | $(code $folders | grep -cE '^ *(pub(\([a-z]+\))? )?const [A-Z_0-9]+: (f64|[ui](8|16|32|64|size))\b') |"
+echo "| lines of src/, all | $(find src -name '*.rs' -exec cat {} + | wc -l) |"
+for surface in "default" "skew 1" "epsilon .5" "histogram"; do
+    echo "| million instructions of a model: $surface | $(millions make "$surface" 1) |"
+done
+for surface in "default" "epsilon .5"; do
+    echo "| million instructions of an exact state at a load: $surface | $(millions state "$surface" 10) |"
+done
+"$program" memory | while IFS=$'\t' read -r surface size; do
+    echo "| KiB of a model: $surface | $size |"
+done
