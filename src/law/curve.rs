@@ -16,6 +16,8 @@ use crate::equilibrium::{Branch, BranchPoint};
 const FIRST_DEPTH: f64 = 8.0;
 /// Once so many exact states are spent, and some for each kink, panels are kept as they are.
 const MOST_SAMPLES: usize = 3000;
+/// What is nearer to the end of the branch than this, relative to 1 or to the separation, is at it.
+const ROUNDING: f64 = 1e-12;
 /// Where a panel is compared between its nodes, from -1 to 1.
 const BETWEEN: [f64; 2] = [0.1, 0.8];
 
@@ -67,10 +69,15 @@ impl Curve {
         let most_samples = MOST_SAMPLES + 2 * NODES * steps.kinks.len();
         while from.separation < steps.end && from.log_excess > lightest {
             let stretch = steps.next(from.separation, curve.samples > most_samples);
-            let attempt = if stretch.is_bridge {
-                curve.bridge(branch, from, stretch)?
-            } else {
-                curve.attempt(branch, from, stretch)?
+            let attempt = match stretch.is_bridge {
+                true => curve.bridge(branch, from, stretch),
+                false => curve.attempt(branch, from, stretch),
+            };
+            let attempt = match attempt {
+                Ok(attempt) => attempt,
+                // So near to pull-off rounding tells whether the load falls.
+                Err(Unfollowed { separation }) if steps.end - separation < ROUNDING * (1.0 + separation.abs()) => break,
+                Err(unfollowed) => return Err(unfollowed),
             };
             // So near to the end separations, of which nodes then coincide, have no digits left.
             if attempt.end.separation <= from.separation || attempt.error.is_infinite() && stretch.is_shortest {
@@ -109,7 +116,7 @@ impl Curve {
         let between = [self.sample(branch, at(BETWEEN[0]))?, self.sample(branch, at(BETWEEN[1]))?];
         self.samples += NODES + 3;
         let panel = Panel::new(&from, &end, positions, &nodes);
-        let error = panel.error_over_tolerance(&[&from, &between[0], &between[1], &end]);
+        let error = panel.error_over_tolerance(stretch.slope_slack, &[&from, &between[0], &between[1], &end]);
         Ok(Attempt { panel, between, end, error })
     }
 
@@ -119,7 +126,7 @@ impl Curve {
         let between = self.sample(branch, 0.5 * (from.separation + end.separation))?;
         self.samples += 2;
         let panel = Panel::bridge(&from, &end);
-        let error = panel.error_over_tolerance(&[&between]);
+        let error = panel.error_over_tolerance(stretch.slope_slack, &[&between]);
         Ok(Attempt { panel, between: [between, between], end, error })
     }
 

@@ -327,17 +327,16 @@ mod tests {
                     let (exact, exact_slope) = quantity.of(&point.sums);
                     let exact = UNITS[quantity as usize] * exact;
                     let exact_slope = UNITS[quantity as usize] * exact_slope / (LOAD * point.sums.load_slope);
-                    assert!((value / exact - 1.0).abs() < 1e-10, "{shape}, {quantity:?}, {separation}: {value:e}");
+                    assert!((value / exact - 1.0).abs() < 1e-9, "{shape}, {quantity:?}, {separation}: {value:e}");
                     let miss = (slope / exact_slope - 1.0).abs();
                     // Next to one the load has lost digits of the distance.
                     let distance = feet.iter().map(|lower_end| (separation - lower_end).abs()).fold(f64::MAX, f64::min);
                     let tolerance = 20.0 * 5e-8 * (1e-4 / distance).max(1.0);
-                    if miss > tolerance {
-                        println!(
-                            "{shape}, {quantity:?}, {separation}, {distance:e}: {miss:e} over {}",
-                            miss / tolerance
-                        );
-                    }
+                    // Nearer than a millionth of sigma pieces of rows are as short as they get.
+                    assert!(
+                        miss < tolerance || distance < 1e-6,
+                        "{shape}, {quantity:?}, {separation}, {distance:e}: {miss:e}"
+                    );
                 }
             }
         }

@@ -138,11 +138,11 @@ impl Panel {
         root::bracketed(|separation| self.s_at(separation).0 - s, self.begin, self.end)
     }
 
-    /// How far exact states that are not its nodes lie from it, over the tolerance.
-    pub fn error_over_tolerance(&self, states: &[&Sample]) -> f64 {
+    /// How far exact states that are not its nodes lie from it, over the tolerance, which is so many times larger for slopes.
+    pub fn error_over_tolerance(&self, slope_slack: f64, states: &[&Sample]) -> f64 {
         let errors = states.iter().flat_map(|state| {
-            let friction = self.error_at(Quantity::Friction, state, 1.0);
-            [friction, self.error_at(Quantity::Radius, state, SLACK), self.error_of_s(state)]
+            let friction = self.error_at(Quantity::Friction, state, slope_slack);
+            [friction, self.error_at(Quantity::Radius, state, SLACK * slope_slack), self.error_of_s(state, slope_slack)]
         });
         errors.fold(0.0, larger)
     }
@@ -155,8 +155,8 @@ impl Panel {
         error_over_tolerance((value, slope), exact, noise * slack)
     }
 
-    fn error_of_s(&self, state: &Sample) -> f64 {
-        error_over_tolerance(self.s_at(state.separation), (state.s, state.s_by_separation), 1.0)
+    fn error_of_s(&self, state: &Sample, slack: f64) -> f64 {
+        error_over_tolerance(self.s_at(state.separation), (state.s, state.s_by_separation), slack)
     }
 }
 
@@ -325,7 +325,7 @@ mod tests {
     #[test]
     fn a_panel_says_how_far_exact_states_lie_from_it() {
         let (panel, exact) = (panel(0.5, 2.5), sample(1.2));
-        assert!(panel.error_over_tolerance(&[&exact]) < 0.1);
+        assert!(panel.error_over_tolerance(1.0, &[&exact]) < 0.1);
         let off = |value: [f64; 2], slope: [f64; 2], s: [f64; 2]| {
             let mut off = exact;
             for i in 0..2 {
@@ -340,7 +340,7 @@ mod tests {
                 off.log_value[1] + exact.slope[1] * (moved - exact.s),
             );
             off.s = moved;
-            panel.error_over_tolerance(&[&off])
+            panel.error_over_tolerance(1.0, &[&off])
         };
         for sign in [1.0, -1.0] {
             for (error, expected) in [
@@ -357,7 +357,7 @@ mod tests {
         assert_eq!(off([f64::NAN, 0.0], [0.0; 2], [0.0; 2]), f64::INFINITY);
         // At pull-off itself there is no slope.
         let at_pull_off = Sample { slope: [f64::NAN; 2], s_by_separation: f64::NAN, ..exact };
-        assert!(panel.error_over_tolerance(&[&at_pull_off]) < 0.1);
+        assert!(panel.error_over_tolerance(1.0, &[&at_pull_off]) < 0.1);
         assert_eq!(
             [larger(1.0, f64::NAN), larger(f64::NAN, 1.0), larger(1.0, 2.0)],
             [f64::INFINITY, f64::INFINITY, 2.0]

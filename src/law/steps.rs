@@ -24,6 +24,10 @@ const SHORTEST_PART: f64 = 0.01;
 /// A panel that misses the curve is halved so often at once, at most, as the error of the last that began there lets expect.
 const MOST_HALVINGS: f64 = 4.0;
 
+/// Halving that makes ln of the error less by no more than this is in vain: it looks for a kink, or what misses is noise. So often it is
+/// tried.
+const LEAST_GAIN: f64 = 0.1;
+const MOST_IN_VAIN: u32 = 80;
 /// Kinks nearer to each other than this, relative to 1 or to the separation, are one.
 const SAME_KINK: f64 = 1e-8;
 
@@ -35,8 +39,17 @@ pub struct Stretch {
     /// Whether it is to be a cubic.
     pub is_bridge: bool,
     is_short: bool,
+    /// How many times their tolerance slopes may miss: over so short a stretch they change values by no more.
+    pub slope_slack: f64,
     /// Whether no shorter one is tried.
     pub is_shortest: bool,
+}
+
+/// Where a panel ends, and ln of the error, as one of slopes, of the longer one that it is a part of.
+#[derive(Debug, Clone, Copy)]
+struct End {
+    to: f64,
+    log_error: f64,
 }
 
 /// Tells how far the next panel may reach.
@@ -49,11 +62,13 @@ pub struct Steps {
     /// The separations of the kinks at which panels end.
     pub kinks: Vec<f64>,
     /// Where the next panels end, the nearest last: beyond the first are the other halves of those that missed the curve.
-    ends: Vec<f64>,
+    ends: Vec<End>,
     /// Where the last stretch ends that is no cubic.
     not_bridged: f64,
     /// Where the last panel that missed the curve begins, ln of its error, and how often it was halved.
     missed: Option<(f64, f64, f64)>,
+    /// How many panels missed the curve by as much as those they are parts of.
+    in_vain: u32,
 }
 
 impl Steps {
@@ -72,17 +87,18 @@ impl Steps {
             ends: Vec::new(),
             not_bridged: f64::NAN,
             missed: None,
+            in_vain: 0,
         }
     }
 
     /// What comes next after a separation; kept as it is if no more states are to be spent.
     pub fn next(&mut self, from: f64, is_spent: bool) -> Stretch {
         let to = match self.ends.last() {
-            Some(&half) => half,
+            Some(end) => end.to,
             None => {
                 let kink = self.kink_after(from).filter(|&kink| self.end - kink > AT_END * (self.end - from));
                 let to = self.longest(from, kink);
-                self.ends.push(to);
+                self.ends.push(End { to, log_error: f64::INFINITY });
                 to
             }
         };
@@ -91,7 +107,7 @@ impl Steps {
         let is_short = length < SHORT;
         let is_bridge = !is_at_pull_off && is_short && !is_spent && self.not_bridged != to;
         let is_shortest = is_spent || (!is_bridge && length < SHORTEST.min(SHORTEST_PART * (self.end - from)));
-        Stretch { from, to, is_bridge, is_short, is_shortest }
+        Stretch { from, to, is_bridge, is_short, slope_slack: (SHORT / length).max(1.0), is_shortest }
     }
 
     fn kink_after(&self, from: f64) -> Option<f64> {
@@ -126,18 +142,25 @@ impl Steps {
     /// shorter; if not, the next is no cubic, or its first half.
     pub fn keeps(&mut self, stretch: &Stretch, error: f64) -> bool {
         let most = if stretch.is_short { MOST_OF_SHORT } else { 1.0 };
-        if error <= most || stretch.is_shortest {
+        let whole = self.ends.last().map_or(f64::INFINITY, |end| end.log_error);
+        let log_error = log(error * stretch.slope_slack);
+        let is_in_vain = !stretch.is_bridge && log_error > whole - LEAST_GAIN;
+        if error <= most || stretch.is_shortest || (is_in_vain && self.in_vain >= MOST_IN_VAIN) {
             self.ends.pop();
             return true;
         }
+        self.in_vain += u32::from(is_in_vain);
         if stretch.is_bridge {
             self.not_bridged = stretch.to;
         } else {
             let halvings = self.halvings(stretch.from, log(error));
+            if let Some(end) = self.ends.last_mut() {
+                end.log_error = log_error;
+            }
             let mut to = stretch.to;
             for _ in 0..halvings as u32 {
                 to = self.positions.between(stretch.from, to, 0.0);
-                self.ends.push(to);
+                self.ends.push(End { to, log_error });
             }
         }
         false
@@ -164,6 +187,7 @@ mod tests {
             ends: Vec::new(),
             not_bridged: f64::NAN,
             missed: None,
+            in_vain: 0,
         }
     }
 
