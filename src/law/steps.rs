@@ -27,7 +27,7 @@ const MOST_HALVINGS: f64 = 4.0;
 /// Halving that makes ln of the error less by no more than this is in vain: it looks for a kink, or what misses is noise. So often it is
 /// tried.
 const LEAST_GAIN: f64 = 0.1;
-const MOST_IN_VAIN: u32 = 80;
+const MOST_IN_VAIN: u32 = 25;
 /// Kinks nearer to each other than this, relative to 1 or to the separation, are one.
 const SAME_KINK: f64 = 1e-8;
 
@@ -39,7 +39,7 @@ pub struct Stretch {
     /// Whether it is to be a cubic.
     pub is_bridge: bool,
     is_short: bool,
-    /// How many times their tolerance slopes may miss: over so short a stretch they change values by no more.
+    /// How many times their tolerance slopes may miss: over so short a stretch they hardly change values.
     pub slope_slack: f64,
     /// Whether no shorter one is tried.
     pub is_shortest: bool,
@@ -107,7 +107,7 @@ impl Steps {
         let is_short = length < SHORT;
         let is_bridge = !is_at_pull_off && is_short && !is_spent && self.not_bridged != to;
         let is_shortest = is_spent || (!is_bridge && length < SHORTEST.min(SHORTEST_PART * (self.end - from)));
-        Stretch { from, to, is_bridge, is_short, slope_slack: (SHORT / length).max(1.0), is_shortest }
+        Stretch { from, to, is_bridge, is_short, slope_slack: (SHORT / length).max(1.0).sqrt(), is_shortest }
     }
 
     fn kink_after(&self, from: f64) -> Option<f64> {
