@@ -35,8 +35,9 @@ pub use row::{polynomial, Row};
 pub use row::{COEFFICIENTS, DIVISIONS, OFFSET};
 pub use table::Table;
 
-/// Rows of one table at most, with the parts of rows: 80 KiB.
+/// Rows of one table at most, with the parts of rows: 80 KiB, and some for each kink of the curve.
 const MOST_ROWS: usize = 1280;
+const MOST_ROWS_PER_KINK: usize = 2;
 /// Rows per binade, as a power of two: so many that nearly all are good.
 const FRACTION: u32 = 2;
 /// ln of the ratio of the ends of a row, at most.
@@ -193,6 +194,11 @@ impl Source for AgainstLoad<'_> {
     }
 }
 
+/// How many rows a table may have.
+fn most_rows(branch: &Branch) -> usize {
+    MOST_ROWS + MOST_ROWS_PER_KINK * branch.population().kinks().len()
+}
+
 impl Compiled {
     /// Fills the table from the curve, as far as both reach.
     fn new(branch: &Branch, curve: &Curve, reach: Reach, quantity: Quantity, scale: Scale) -> Self {
@@ -205,7 +211,8 @@ impl Compiled {
         let base = ((exp(lower.max(-700.0)).to_bits() >> shift) + 1).min(end);
         let mut table = Table::new(FRACTION, base, branch.pull_off_load() * scale.load);
         let source = AgainstLoad { curve, quantity, unit: scale.value };
-        let error = Filling::new(&source, scale.load, FRACTION).rows(&mut table, (end - base) as usize, MOST_ROWS);
+        let error =
+            Filling::new(&source, scale.load, FRACTION).rows(&mut table, (end - base) as usize, most_rows(branch));
         let at_pull_off = branch.pull_off().map_or(0.0, |point| quantity.of(&point.sums).0 * scale.value);
         let beyond = Box::new(Beyond::new(&table, at_pull_off));
         Self { table, beyond, error }

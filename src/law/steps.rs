@@ -25,9 +25,9 @@ const SHORTEST_PART: f64 = 0.01;
 const MOST_HALVINGS: f64 = 4.0;
 
 /// Halving that makes ln of the error less by no more than this is in vain: it looks for a kink, or what misses is noise. So often it is
-/// tried.
+/// tried, and once for each known kink.
 const LEAST_GAIN: f64 = 0.1;
-const MOST_IN_VAIN: u32 = 25;
+const MOST_IN_VAIN: usize = 25;
 /// Kinks nearer to each other than this, relative to 1 or to the separation, are one.
 const SAME_KINK: f64 = 1e-8;
 
@@ -68,7 +68,7 @@ pub struct Steps {
     /// Where the last panel that missed the curve begins, ln of its error, and how often it was halved.
     missed: Option<(f64, f64, f64)>,
     /// How many panels missed the curve by as much as those they are parts of.
-    in_vain: u32,
+    in_vain: usize,
 }
 
 impl Steps {
@@ -145,11 +145,11 @@ impl Steps {
         let whole = self.ends.last().map_or(f64::INFINITY, |end| end.log_error);
         let log_error = log(error * stretch.slope_slack);
         let is_in_vain = !stretch.is_bridge && log_error > whole - LEAST_GAIN;
-        if error <= most || stretch.is_shortest || (is_in_vain && self.in_vain >= MOST_IN_VAIN) {
+        if error <= most || stretch.is_shortest || (is_in_vain && self.in_vain >= MOST_IN_VAIN + self.kinks.len()) {
             self.ends.pop();
             return true;
         }
-        self.in_vain += u32::from(is_in_vain);
+        self.in_vain += usize::from(is_in_vain);
         if stretch.is_bridge {
             self.not_bridged = stretch.to;
         } else {

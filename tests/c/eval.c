@@ -325,7 +325,7 @@ static int near_the_library(const asperity_model *model, const asperity_table *t
         return fabs(a->force - force) <= 1e-4 * force;
     /* The line knows nothing of adhesion far below the table, nor has it digits next to the smallest number. */
     if (fabs(load) < 1e3 * -table->pull_off_load || fabs(load) < 1e-290)
-        return isfinite(a->force) && a->force >= 0.0 && a->force < 1e-20 * table->heavy_force;
+        return isfinite(a->force) && a->force >= 0.0 && a->force < 1e-12 * table->heavy_force;
     return a->force <= 10 * force && a->force >= 0.1 * force;
 }
 

@@ -34,12 +34,9 @@ fn loads(model: &Model) -> Vec<f64> {
     let half = model.state_at_separation(0.0).expect("a state").load;
     let mut loads: Vec<f64> = (-5..=2).map(|decade| 0.3 * half * 10_f64.powi(decade)).collect();
     let pulling = 0.5 * model.summary().pull_off_load;
-    if pulling < 0.0 {
-        loads.push(0.0);
-    }
-    // Of a surface that hardly adheres the law between pull-off and zero is that of neither end.
+    // Of a surface that hardly adheres these are lighter than the law's.
     if pulling < 0.0 && pulling >= model.summary().min_table_load {
-        loads.push(pulling);
+        loads.extend([0.0, pulling]);
     }
     loads
 }

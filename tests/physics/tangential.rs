@@ -272,7 +272,7 @@ fn the_default_of_the_tangential_modulus_is_that_of_one_material_and_of_a_rigid_
 
 /// Compiled against exact, down to pull-off.
 #[test]
-fn compiled_stiffness_is_exact_to_1e_10() {
+fn compiled_stiffness_is_exact_to_1e_9() {
     for params in surfaces() {
         let model = model(&params);
         let summary = model.summary();
@@ -285,7 +285,7 @@ fn compiled_stiffness_is_exact_to_1e_10() {
             let found = model.tangential_stiffness_at_load(load);
             // Next to pull-off a load that is rounded is another.
             let known = f64::EPSILON * load.abs() / (load - pull_off);
-            assert_near(found, state.tangential_stiffness, 1e-10 + known, &format!("{params:?} at {load:e}"));
+            assert_near(found, state.tangential_stiffness, 1e-9 + known, &format!("{params:?} at {load:e}"));
         }
         let at_pull_off = model.tangential_stiffness_at_load(pull_off);
         if pull_off < 0.0 {
