@@ -135,9 +135,12 @@ impl Elements {
     #[inline(never)]
     fn step_of_none(&self, displacement: [f64; 2], state: &mut [f64; STATE]) -> Response {
         let mut response = Response::default();
+        let displacement = within(displacement, LARGEST);
+        let (strength_slope, stiffness_slope) =
+            (at_most(self.strength.slope, LARGEST), at_most(self.stiffness.slope, LARGEST));
         for j in 0..ELEMENTS {
-            let rate = displacement.map(|along| self.shares[j] * self.stiffness.slope * along);
-            let limit = self.shares[j] * KNOTS[j] * self.strength.slope;
+            let rate = displacement.map(|along| self.shares[j] * stiffness_slope * along);
+            let limit = self.shares[j] * KNOTS[j] * strength_slope;
             let (x, y) = (state[j], state[ELEMENTS + j]);
             // A state that is not 0 says which way the slider slips.
             let [x, y] = within(if x == 0.0 && y == 0.0 { rate } else { [x, y] }, LARGEST);
@@ -255,6 +258,21 @@ mod tests {
             assert!((response.stiffness[0] - 6.0).abs() < 1e-13 || slipping > 0.0, "{response:?}");
             let held = [0.3 * 6.0 * 0.5 * KNOTS[2] * part, 0.3 * 3.0 * KNOTS[2]];
             assert!((state[ELEMENTS + 2] + held[0].min(held[1])).abs() < 1e-15, "{}", state[ELEMENTS + 2]);
+        }
+    }
+
+    /// Whatever the displacement and the slopes are.
+    #[test]
+    fn elements_without_strength_answer_with_numbers() {
+        for slope in [1e-300, 1.0, 1e200, f64::INFINITY] {
+            for displacement in [[1e300, -1e300], [f64::MAX, 0.0], [1e-300, 1e-300]] {
+                let sloped = Sloped { value: 0.0, slope };
+                let none = Elements { strength: sloped, stiffness: sloped, ..elements(1.0, 1.0) };
+                let mut state = [0.0; STATE];
+                let response = none.step::<true>(displacement, &mut state);
+                assert!(response.by_load.iter().all(|slope| slope.is_finite()), "{slope:e}, {displacement:?}");
+                assert_eq!((response.force, state), ([0.0; 2], [0.0; STATE]));
+            }
         }
     }
 

@@ -103,7 +103,7 @@ impl Model {
     #[inline]
     fn sloped(&self, quantity: Quantity, load: f64) -> Sloped {
         let (value, slope) = self.value_and_slope(quantity, load);
-        let slope = if infinite(slope) { self.value_and_slope(quantity, load.above()).1 } else { slope };
+        let slope = if infinite(slope) { self.value_and_slope(quantity, load.above()).1.min(f64::MAX) } else { slope };
         Sloped { value, slope }
     }
 }
