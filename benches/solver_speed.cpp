@@ -458,19 +458,14 @@ double bytes_of(const asperity_params &params) {
     return heap_bytes() - before;
 }
 
-// How many of a table's rows are left out, so that their loads are evaluated exactly.
-std::string left_out_of(const asperity_params &params) {
+std::string table_error_of(const asperity_params &params) {
     const Model model = make_model(params);
-    asperity_table table;
-    table.struct_size = sizeof table;
-    require(asperity_table_of(model.get(), &table));
-    size_t count = 0;
-    for (uint64_t row = 0; row < table.row_count; ++row) {
-        uint64_t bits;
-        std::memcpy(&bits, &table.rows[8 * row], sizeof bits);
-        count += std::isnan(table.rows[8 * row]) && (bits & ((uint64_t(1) << 51) - 1)) == 0;
-    }
-    return std::to_string(count) + " of " + std::to_string(table.row_count) + " rows left out";
+    asperity_summary summary;
+    summary.struct_size = sizeof summary;
+    require(asperity_summary_of(model.get(), &summary));
+    char text[64];
+    std::snprintf(text, sizeof text, "table_error %.1e", summary.table_error);
+    return text;
 }
 
 void report_memory(const std::vector<Surface> &surfaces) {
@@ -488,7 +483,7 @@ void report_memory(const std::vector<Surface> &surfaces) {
     for (size_t bins : {20, 56, 100}) {
         const Histogram histogram(bins);
         std::printf("| heights as a histogram of %zu bins | %.1f | | %s |\n", bins, bytes_of(histogram.params()) / 1024.0,
-                    left_out_of(histogram.params()).c_str());
+                    table_error_of(histogram.params()).c_str());
     }
 }
 

@@ -840,7 +840,7 @@ typedef struct asperity_sensitivities {
  * A row whose first coefficient is NaN is a link to its parts. The last 51 bits of that NaN are the offset of the first part
  * in bytes from `rows`. The last six numbers of the row are the t at which the next parts begin. The part in which t lies,
  * which may be a link too, is a row whose variable is t minus the t at which it begins. An offset of 0 means that the row is
- * left out. To use the table in another memory, copy `total_count` rows and change the pointer.
+ * left out, as a few were in earlier versions. To use the table in another memory, copy `total_count` rows and change the pointer.
  */
 typedef struct asperity_table {
   /**
@@ -1839,9 +1839,9 @@ asperity_status asperity_microslip_steps(const struct asperity_model *model,
  * The separation is that of `asperity_state_at_separation`, on the branch of load control: from deep compression to
  * pull-off, where the surfaces part. Without adhesion the load decays with separation: below about 1e-24 of the load at which
  * half of the asperities touch it is taken to 0 smoothly, within about one standard deviation of heights. A pull-off load
- * weaker than that counts as none. Values are within 1e-9 of exact ones, slopes within 1e-7, both relative to the
- * load or to the pull-off load, whichever is larger. In compression beyond the table, at some 1e4 standard deviations of
- * heights, the law is read from the curve behind it or evaluated exactly, which takes longer.
+ * weaker than 1e-30 of that counts as none. Values are within 1e-9 of exact ones, slopes within 1e-7, both relative to the
+ * load or to the pull-off load, whichever is larger. In compression beyond that of 1e6 times the load at which half of the
+ * asperities touch, the load goes on as a power of the compression.
  *
  * @param model       a model
  * @param separation  of the mean planes of asperity heights and flat [length]; negative in deep compression

@@ -1,7 +1,7 @@
-//! Friction or stiffness at one load, or the load at one separation, one number: the table's answer in as few instructions as there are, or else the
-//! exact model's.
+//! Friction or stiffness at one load, or the load at one separation, one number: the table's answer in as few instructions as there are, or else
+//! the power by which the law goes on.
 //!
-//! A table cannot panic and its answer needs no stack frame; exact evaluation is out of line, and guarded. A model keeps
+//! A table cannot panic and its answer needs no stack frame; what lies beside it is out of line, and guarded. A model keeps
 //! the addresses of the functions that suit the processor, so that a call does not look for them.
 
 use super::batch::Quantity;

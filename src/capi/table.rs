@@ -22,7 +22,7 @@ pub const ASPERITY_TABLE_LAYOUT: u32 = 1;
 /// A row whose first coefficient is NaN is a link to its parts. The last 51 bits of that NaN are the offset of the first part
 /// in bytes from `rows`. The last six numbers of the row are the t at which the next parts begin. The part in which t lies,
 /// which may be a link too, is a row whose variable is t minus the t at which it begins. An offset of 0 means that the row is
-/// left out. To use the table in another memory, copy `total_count` rows and change the pointer.
+/// left out, as a few were in earlier versions. To use the table in another memory, copy `total_count` rows and change the pointer.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_table {

@@ -219,7 +219,7 @@ impl Population {
         self.highest + self.range_of_adhesion()
     }
 
-    /// The separations at which the sums are not smooth, in ascending order: a height where the density is not smooth passes
+    /// The separations at which the sums are not smooth: a height where the density is not smooth passes
     /// an overlap where the law of one summit is not.
     pub fn kinks(&self) -> Vec<f64> {
         let passed = self.heights.breakpoints().iter().flat_map(|&z| self.kinks_of_height(z));
@@ -232,13 +232,6 @@ impl Population {
         let lower_end = self.heights.power_at_lower_end().map(|_| self.heights.support().0);
         let lower_end = lower_end.filter(|lower_end| lower_end + self.heights.origin() > LOWEST_END);
         lower_end.map_or(Vec::new(), |lower_end| self.kinks_of_height(lower_end))
-    }
-
-    /// Those before which the sums are a non-integer power of the distance: summits break away where their load and radius
-    /// are a root of the overlap, or its power of 3/2, and breakpoints of the density pass that.
-    pub fn kinks_of_break_away(&self) -> Vec<f64> {
-        let edge = |&z: &f64| z - self.law.break_away(self.radius.factor(z)).overlap;
-        self.heights.breakpoints().iter().map(edge).collect()
     }
 
     /// The separations at which a height passes the overlaps where the law of one summit is not smooth.
