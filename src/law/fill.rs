@@ -90,7 +90,7 @@ impl<'a, S: Source> Filling<'a, S> {
         table.row_count = count;
         // The heaviest first.
         for (row, error) in missed.into_iter().rev() {
-            worst = worst.max(self.divide(table, row, most - table.rows.len()).unwrap_or(error));
+            worst = worst.max(self.divide(table, row, most.saturating_sub(table.rows.len())).unwrap_or(error));
         }
         table.rows.shrink_to_fit();
         worst

@@ -21,12 +21,14 @@ const MOST_OF_SHORT: f64 = 4.0;
 /// matter.
 const SHORTEST: f64 = 1e-6;
 const SHORTEST_PART: f64 = 0.01;
+/// The shortest once no more states are to be spent.
+const SHORTEST_WHEN_SPENT: f64 = 0.25;
 /// A panel that misses the curve is halved so often at once, at most, as the error of the last that began there lets expect.
 const MOST_HALVINGS: f64 = 4.0;
 
 /// Halving that makes ln of the error less by no more than this is in vain: it looks for a kink, or what misses is noise. So often it is
 /// tried, and once for each known kink.
-const LEAST_GAIN: f64 = 0.1;
+const LEAST_GAIN: f64 = 0.5;
 const MOST_IN_VAIN: usize = 25;
 /// Kinks nearer to each other than this, relative to 1 or to the separation, are one.
 const SAME_KINK: f64 = 1e-8;
@@ -91,7 +93,7 @@ impl Steps {
         }
     }
 
-    /// What comes next after a separation; kept as it is if no more states are to be spent.
+    /// What comes next after a separation; if no more states are to be spent, kept as it is where it is not long.
     pub fn next(&mut self, from: f64, is_spent: bool) -> Stretch {
         let to = match self.ends.last() {
             Some(end) => end.to,
@@ -106,7 +108,11 @@ impl Steps {
         let is_at_pull_off = self.at_pull_off && to == self.end;
         let is_short = length < SHORT;
         let is_bridge = !is_at_pull_off && is_short && !is_spent && self.not_bridged != to;
-        let is_shortest = is_spent || (!is_bridge && length < SHORTEST.min(SHORTEST_PART * (self.end - from)));
+        let shortest = match is_spent {
+            true => SHORTEST_WHEN_SPENT,
+            false => SHORTEST.min(SHORTEST_PART * (self.end - from)),
+        };
+        let is_shortest = !is_bridge && length < shortest;
         Stretch { from, to, is_bridge, is_short, slope_slack: (SHORT / length).max(1.0).sqrt(), is_shortest }
     }
 
@@ -228,9 +234,13 @@ mod tests {
         }
         let length = steps.positions.distance(from, panel.to);
         assert!(halved < 40 && length < SHORTEST, "{halved} times to {length}");
-        // Once no more states are to be spent all is kept.
-        let spent = steps.next(panel.to, true);
-        assert!(!spent.is_bridge && steps.keeps(&spent, 1e9));
+        // Once no more states are to be spent what is short is kept.
+        let mut spent = steps.next(panel.to, true);
+        while !steps.keeps(&spent, 1e9) {
+            spent = steps.next(panel.to, true);
+        }
+        let length = steps.positions.distance(panel.to, spent.to);
+        assert!(!spent.is_bridge && length < SHORTEST_WHEN_SPENT, "{length}");
     }
 
     #[test]

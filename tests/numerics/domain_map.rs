@@ -18,6 +18,8 @@ pub struct Answer {
     pub complaint: Option<String>,
     /// States for which the second evaluation did not converge.
     pub unresolved: u32,
+    /// What the compiled law tells of its own error.
+    pub table_error: f64,
 }
 
 impl Answer {
@@ -68,6 +70,13 @@ impl Map {
             Outcome::Answered(answer) => Some((surface, answer)),
             Outcome::Refused { .. } => None,
         })
+    }
+
+    /// What part of the surfaces has a compiled law that tells of a larger error, and the largest told.
+    pub fn table_errors(&self, accuracy: f64) -> (f64, f64) {
+        let told: Vec<f64> = self.answers().map(|(_, answer)| answer.table_error).collect();
+        let over = told.iter().filter(|&&error| !(error <= accuracy)).count();
+        (over as f64 / told.len().max(1) as f64, told.iter().fold(0.0, |worst: f64, &error| worst.max(error)))
     }
 
     /// What is not as promised.
