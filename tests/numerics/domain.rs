@@ -21,6 +21,9 @@ use std::time::{Duration, Instant};
 /// What the library promises against the second evaluation.
 const ACCURACY: f64 = 1e-8;
 const LONGEST_CALL: Duration = Duration::from_secs(1);
+/// No more than this part of the surfaces has a `table_error` above the accuracy, and none has a larger one than this.
+const MOST_COARSE: f64 = 0.015;
+const COARSEST: f64 = 1e-4;
 /// Smaller sums, in E* b^2, G* b^2, b^2 or summits per summit, are not compared: no surface has them, and densities so small
 /// magnify the rounding of what they are computed from.
 const NOTHING: f64 = 1e-60;
@@ -169,6 +172,7 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
     answer.slowest = processor_time() - start;
     answer.create = answer.slowest;
     let summary = model.summary();
+    answer.table_error = summary.table_error;
     let pull_off = summary.pull_off_load;
     let (nearest, farthest) = (summary.min_table_load - pull_off, summary.max_table_load - pull_off);
     // At pull-off, within the table, above it; the middle of heights.
@@ -326,6 +330,9 @@ fn sweep(name: &str, sets: usize, dimensions: usize, surface: fn(&[f64]) -> Surf
         std::fs::write(folder.join(format!("{name}.svg")), map.picture(ACCURACY, LONGEST_CALL))
             .expect("the picture is written");
     }
+    let (part, worst) = map.table_errors(ACCURACY);
+    println!("{name}: table_error above {ACCURACY:e} for {:.2} % of the surfaces, at most {worst:.1e}", 100.0 * part);
+    assert!(part <= MOST_COARSE && worst <= COARSEST, "{part}, {worst:e}");
     let failures = map.failures(ACCURACY, LONGEST_CALL);
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures[..failures.len().min(40)].join("\n"));
 }
