@@ -257,7 +257,7 @@ mod tests {
             let mut states = Vec::new();
             let curve = Curve::new(&branch, reach(lightest, 14.0, to_pull_off), &mut states).expect("a curve");
             let (lower, upper) = curve.log_range();
-            assert!(near(upper, states[0].log_excess, 1e-13) && upper >= 14.0 && upper < 17.0, "{upper}");
+            assert!(near(upper, states[0].log_excess, 1e-13) && (14.0..17.0).contains(&upper), "{upper}");
             assert!(lower <= lightest && (lower == f64::NEG_INFINITY) == to_pull_off, "{lower}");
             for state in &states {
                 let found = curve.separation(state.log_excess).expect("a separation");
