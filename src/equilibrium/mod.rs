@@ -19,7 +19,7 @@ const CLOSEST: f64 = -1e90;
 /// loads would have lost too many digits.
 const NEAR_PULL_OFF: f64 = 1e-4;
 /// How well a load next to the pull-off load is known, relative to it.
-const LOAD_ROUNDING: f64 = 4e-12;
+const LOAD_ROUNDING: f64 = 2e-11;
 /// ln(load - pull-off load) is met as far as rounding lets it, or to this where steps no longer shrink.
 const LOG_TOLERANCE: f64 = 1e-11;
 /// The lightest loads of a highest summit are found by halving the distance from it, hundreds of times.

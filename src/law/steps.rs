@@ -26,8 +26,8 @@ const SHORTEST_WHEN_SPENT: f64 = 0.25;
 /// A panel that misses the curve is halved so often at once, at most, as the error of the last that began there lets expect.
 const MOST_HALVINGS: f64 = 4.0;
 
-/// Halving that makes ln of the error less by no more than this is in vain: it looks for a kink, or what misses is noise. So often it is
-/// tried, and once for each known kink.
+/// Halving of a short panel that makes ln of the error less by no more than this is in vain: it looks for a kink, or what misses is
+/// noise. So often it is tried, and once for each known kink.
 const LEAST_GAIN: f64 = 0.5;
 const MOST_IN_VAIN: usize = 25;
 /// Kinks nearer to each other than this, relative to 1 or to the separation, are one.
@@ -150,7 +150,7 @@ impl Steps {
         let most = if stretch.is_short { MOST_OF_SHORT } else { 1.0 };
         let whole = self.ends.last().map_or(f64::INFINITY, |end| end.log_error);
         let log_error = log(error * stretch.slope_slack);
-        let is_in_vain = !stretch.is_bridge && log_error > whole - LEAST_GAIN;
+        let is_in_vain = stretch.is_short && !stretch.is_bridge && log_error > whole - LEAST_GAIN;
         if error <= most || stretch.is_shortest || (is_in_vain && self.in_vain >= MOST_IN_VAIN + self.kinks.len()) {
             self.ends.pop();
             return true;
