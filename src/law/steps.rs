@@ -22,12 +22,13 @@ const MOST_OF_SHORT: f64 = 4.0;
 const SHORTEST: f64 = 1e-6;
 const SHORTEST_PART: f64 = 0.01;
 /// The shortest once no more states are to be spent.
-const SHORTEST_WHEN_SPENT: f64 = 0.25;
+const SHORTEST_WHEN_SPENT: f64 = 0.02;
 /// A panel that misses the curve is halved so often at once, at most, as the error of the last that began there lets expect.
 const MOST_HALVINGS: f64 = 4.0;
 
-/// Halving of a short panel that makes ln of the error less by no more than this is in vain: it looks for a kink, or what misses is
-/// noise. So often it is tried, and once for each known kink.
+/// Of panels so short that slopes may miss by more than this, halving that makes ln of the error less by no more than the gain is in
+/// vain: it looks for a kink, or what misses is noise. So often it is tried, and once for each known kink.
+const SLACK_OF_NOISE: f64 = 2.0;
 const LEAST_GAIN: f64 = 0.5;
 const MOST_IN_VAIN: usize = 25;
 /// Kinks nearer to each other than this, relative to 1 or to the separation, are one.
@@ -150,7 +151,7 @@ impl Steps {
         let most = if stretch.is_short { MOST_OF_SHORT } else { 1.0 };
         let whole = self.ends.last().map_or(f64::INFINITY, |end| end.log_error);
         let log_error = log(error * stretch.slope_slack);
-        let is_in_vain = stretch.is_short && !stretch.is_bridge && log_error > whole - LEAST_GAIN;
+        let is_in_vain = stretch.slope_slack > SLACK_OF_NOISE && !stretch.is_bridge && log_error > whole - LEAST_GAIN;
         if error <= most || stretch.is_shortest || (is_in_vain && self.in_vain >= MOST_IN_VAIN + self.kinks.len()) {
             self.ends.pop();
             return true;
