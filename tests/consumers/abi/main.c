@@ -252,7 +252,7 @@ static void force_beyond_the_table(const asperity_model *model, double load, dou
 
     state.struct_size = sizeof state;
     require_ok(asperity_state_at_load(model, load, &state), "asperity_state_at_load");
-    expect_near("force beyond the table", asperity_friction_force_at_load(model, load), state.friction_force, 1e-4);
+    expect_near("force beyond the table", asperity_friction_force_at_load(model, load), state.friction_force, tolerance);
 }
 
 static void summary_fields_hold_their_quantities(void)
@@ -285,7 +285,7 @@ static void summary_fields_hold_their_quantities(void)
     expect(s.pull_off_load < s.min_table_load && s.min_table_load < s.max_table_load, "the table covers a range");
     expect(s.table_error > 0 && s.table_error < 1e-6, "the table's error was measured");
     force_beyond_the_table(model, s.pull_off_load + 0.5 * (s.min_table_load - s.pull_off_load), 0.01);
-    force_beyond_the_table(model, 1.5 * s.max_table_load, 1e-6);
+    force_beyond_the_table(model, 1.5 * s.max_table_load, 1e-4);
     asperity_free(model);
 }
 
