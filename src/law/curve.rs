@@ -15,7 +15,7 @@ use crate::equilibrium::{Branch, BranchPoint};
 /// The heaviest load is looked for from this far below the mean height, in sigma, in steps that double.
 const FIRST_DEPTH: f64 = 8.0;
 /// Once so many exact states are spent, and some for each kink, panels are kept as they are.
-const MOST_SAMPLES: usize = 2000;
+const MOST_SAMPLES: usize = 2500;
 /// What is nearer to the end of the branch than this, relative to 1 or to the separation, is at it.
 const ROUNDING: f64 = 1e-12;
 /// Where a panel is compared between its nodes, from -1 to 1.

@@ -22,7 +22,7 @@ const MOST_OF_SHORT: f64 = 4.0;
 const SHORTEST: f64 = 1e-6;
 const SHORTEST_PART: f64 = 0.01;
 /// The shortest once no more states are to be spent.
-const SHORTEST_WHEN_SPENT: f64 = 0.1;
+const SHORTEST_WHEN_SPENT: f64 = 0.02;
 /// A panel that misses the curve is halved so often at once, at most, as the error of the last that began there lets expect.
 const MOST_HALVINGS: f64 = 4.0;
 
