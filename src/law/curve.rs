@@ -14,7 +14,7 @@ use crate::equilibrium::{Branch, BranchPoint};
 
 /// The heaviest load is looked for from this far below the mean height, in sigma, in steps that double.
 const FIRST_DEPTH: f64 = 8.0;
-/// Once so many exact states are spent, and some for each kink, panels are kept as they are.
+/// Once so many exact states are spent, and some for each kink, panels are kept where they are not long.
 const MOST_SAMPLES: usize = 2500;
 /// What is nearer to the end of the branch than this, relative to 1 or to the separation, is at it.
 const ROUNDING: f64 = 1e-12;
@@ -247,7 +247,7 @@ mod tests {
 
     /// Loads above pull-off between these logarithms.
     fn reach(log_lightest: f64, log_heaviest: f64, has_pull_off: bool) -> Reach {
-        Reach { log_lightest, log_heaviest, has_pull_off }
+        Reach { log_lightest, log_heaviest, has_pull_off, most_rows: 0 }
     }
 
     #[test]

@@ -8,7 +8,7 @@ use super::continuation::Continuation;
 use super::curve::Curve;
 use super::fill::{Filling, Source};
 use super::table::Table;
-use super::{most_rows, Reach};
+use super::Reach;
 use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
 use crate::neighbours::Neighbours;
@@ -107,7 +107,7 @@ impl Gap {
         let base = margin.to_bits() >> shift;
         let end = (margin + (first - begin) * lengths.unit).min(f64::MAX).to_bits() >> shift;
         let mut table = Table::new(FRACTION, base, -anchor);
-        Filling::new(&source, lengths.unit, FRACTION).rows(&mut table, (end - base) as usize, most_rows(branch));
+        Filling::new(&source, lengths.unit, FRACTION).rows(&mut table, (end - base) as usize, reach.most_rows);
         let last = table.begin_of(table.row_count).below();
         let at_last = table.at_excess(last).unwrap_or((f64::NAN, f64::NAN));
         Self { heavy: Box::new(Continuation::new(last, at_last, 0.0, true)), table, tail, lengths }

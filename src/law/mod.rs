@@ -98,13 +98,14 @@ pub struct Scale {
     pub value: f64,
 }
 
-/// The loads above pull-off that are compiled, in the model's units.
+/// The loads above pull-off that are compiled, in the model's units, and how many rows a table of them may have.
 #[derive(Debug, Clone, Copy)]
 pub struct Reach {
     log_lightest: f64,
     log_heaviest: f64,
     /// Whether pull-off itself is.
     has_pull_off: bool,
+    most_rows: usize,
 }
 
 impl Reach {
@@ -119,6 +120,7 @@ impl Reach {
             log_lightest: log(lightest) - ROW,
             log_heaviest: log(heaviest) + ROW,
             has_pull_off: pull_off > LIGHTEST_PULL_OFF * half,
+            most_rows: MOST_ROWS + MOST_ROWS_PER_KINK * population.kinks().len(),
         }
     }
 }
@@ -194,11 +196,6 @@ impl Source for AgainstLoad<'_> {
     }
 }
 
-/// How many rows a table may have.
-fn most_rows(branch: &Branch) -> usize {
-    MOST_ROWS + MOST_ROWS_PER_KINK * branch.population().kinks().len()
-}
-
 impl Compiled {
     /// Fills the table from the curve, as far as both reach.
     fn new(branch: &Branch, curve: &Curve, reach: Reach, quantity: Quantity, scale: Scale) -> Self {
@@ -212,7 +209,7 @@ impl Compiled {
         let mut table = Table::new(FRACTION, base, branch.pull_off_load() * scale.load);
         let source = AgainstLoad { curve, quantity, unit: scale.value };
         let error =
-            Filling::new(&source, scale.load, FRACTION).rows(&mut table, (end - base) as usize, most_rows(branch));
+            Filling::new(&source, scale.load, FRACTION).rows(&mut table, (end - base) as usize, reach.most_rows);
         let at_pull_off = branch.pull_off().map_or(0.0, |point| quantity.of(&point.sums).0 * scale.value);
         let beyond = Box::new(Beyond::new(&table, at_pull_off));
         Self { table, beyond, error }

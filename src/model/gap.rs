@@ -17,7 +17,7 @@ impl Model {
     /// That load, and its slope by separation, <= 0.
     pub fn load_and_slope_at(&self, separation: f64) -> (f64, f64) {
         let answer = self.tabulated_load(-separation).or_else(|| self.known_load(-separation));
-        let (load, slope) = answer.unwrap_or_else(|| self.law.gap().beyond(separation));
+        let (load, slope) = answer.unwrap_or_else(|| self.continued_load(-separation));
         (load, by_separation(slope))
     }
 
