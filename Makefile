@@ -3,6 +3,7 @@
 # make hosts     the law inside other people's solvers
 # make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, an hour or two
 # make bench     measures speed and accuracy, and writes docs/performance.md and its tables anew
+# make core      what the numerical core costs: lines, constants, instructions, memory
 # make harden    every instrument of docs/reliability.md, for hours; tests/harden/harden.mk names its parts
 # make dist      the files of a release, in dist/: libraries for every platform, wheels, packages, sources; TARGETS="..." for a part
 # make dist-test proves the files in dist/ as users get them

@@ -27,9 +27,10 @@ collected() {
 
 # Millions of instructions for one, as what more of them add to a run.
 millions() {
-    local what=$1 surface=$2 times=$3
-    awk -v one="$(collected "$what" "$surface" 1)" -v several="$(collected "$what" "$surface" $((times + 1)))" -v times="$times" \
-        'BEGIN { printf "%.2f", (several - one) / times / 1e6 }'
+    local what=$1 surface=$2 times=$3 one several
+    one=$(collected "$what" "$surface" 1)
+    several=$(collected "$what" "$surface" $((times + 1)))
+    awk -v count=$((several - one)) -v times="$times" 'BEGIN { printf "%.2f", count / times / 1e6 }'
 }
 
 echo "| | |"

@@ -14,11 +14,9 @@
 #include "rivals.hpp"
 #include "surfaces.hpp"
 
-#include <malloc.h>
 
 #include <atomic>
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <thread>
 
@@ -445,18 +443,6 @@ void report_threads(const Model &model, int trials, int passes) {
 }
 
 // ---- memory and growth
-
-double heap_bytes() {
-    const struct mallinfo2 heap = mallinfo2();
-    return double(heap.uordblks + heap.hblkhd);
-}
-
-double bytes_of(const asperity_params &params) {
-    make_model(params);  // what a first call leaves behind is no part of the handle
-    const double before = heap_bytes();
-    const Model model = make_model(params);
-    return heap_bytes() - before;
-}
 
 std::string table_error_of(const asperity_params &params) {
     const Model model = make_model(params);

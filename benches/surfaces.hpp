@@ -4,6 +4,8 @@
 
 #include "asperity.h"
 
+#include <malloc.h>
+
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -101,4 +103,17 @@ inline asperity_summary summary_of(const Model &model) {
     summary.struct_size = sizeof summary;
     require(asperity_summary_of(model.get(), &summary));
     return summary;
+}
+
+// What a model adds to the heap.
+inline double heap_bytes() {
+    const struct mallinfo2 heap = mallinfo2();
+    return double(heap.uordblks + heap.hblkhd);
+}
+
+inline double bytes_of(const asperity_params &params) {
+    make_model(params);  // what a first call leaves behind is no part of the handle
+    const double before = heap_bytes();
+    const Model model = make_model(params);
+    return heap_bytes() - before;
 }
