@@ -716,7 +716,8 @@ typedef struct asperity_summary {
    */
   double pull_off_friction_force;
   /**
-   * Friction force at zero load [force].
+   * Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a
+   * continuation of the law.
    */
   double zero_load_friction_force;
   /**

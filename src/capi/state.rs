@@ -100,7 +100,8 @@ pub struct asperity_summary {
     pub pull_off_load: f64,
     /// Friction force at the pull-off load [force].
     pub pull_off_friction_force: f64,
-    /// Friction force at zero load [force].
+    /// Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a
+    /// continuation of the law.
     pub zero_load_friction_force: f64,
     /// Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from
     /// the pull-off load.
