@@ -31,6 +31,7 @@ const SMALLEST_LOG_LOAD: f64 = -690.0;
 #[derive(Debug, Clone)]
 pub struct Branch {
     population: Population,
+    kinks: Vec<f64>,
     end: End,
 }
 
@@ -53,7 +54,8 @@ impl Branch {
     /// not negative.
     pub fn new(population: Population) -> Result<Self, Error> {
         let end = End::of(&population)?;
-        Ok(Self { population, end })
+        let kinks = population.kinks();
+        Ok(Self { population, kinks, end })
     }
 
     /// The branch that ends before a separation at which the load was found to rise already.
@@ -65,6 +67,11 @@ impl Branch {
     /// The summits.
     pub fn population(&self) -> &Population {
         &self.population
+    }
+
+    /// The separations at which the sums are not smooth, in ascending order.
+    pub fn kinks(&self) -> &[f64] {
+        &self.kinks
     }
 
     /// The pull-off point; `None` without adhesion, or where its load is too small for a number.
@@ -91,16 +98,27 @@ impl Branch {
         };
         let mut excess = sums.load() - pull_off.load;
         if excess < NEAR_PULL_OFF * -pull_off.load {
-            let slope = |d: f64| -self.population.at_separation(d).load_slope;
-            let integral = integrate_short(separation, pull_off.separation, slope);
-            // The two differ by rounding, unless the slope has a kink between: the lower end of the heights passes an edge of
-            // contact. The difference is then the better one.
+            let integral = self.fall_of_load(separation, pull_off.separation);
+            // The two differ by rounding, unless the slope is a non-integer power of the distance from a kink between. The
+            // difference is then the better one.
             if (integral - excess).abs() <= LOAD_ROUNDING * -pull_off.load {
                 excess = integral;
             }
         }
         // A logarithm as small as can be stands for that of nothing, but not in its slope.
         BranchPoint { log_excess: log(excess.max(f64::MIN_POSITIVE)), rate: sums.load_slope / excess, sums }
+    }
+
+    /// By how much the load falls from one separation to another so near to it that its slope is smooth between kinks.
+    fn fall_of_load(&self, from: f64, to: f64) -> f64 {
+        let slope = |d: f64| -self.population.at_separation(d).load_slope;
+        let mut fall = 0.0;
+        let mut begin = from;
+        for kink in self.kinks.iter().copied().filter(|&kink| kink > from && kink < to) {
+            fall += integrate_short(begin, kink, slope);
+            begin = kink;
+        }
+        fall + integrate_short(begin, to, slope)
     }
 
     /// The separation at which ln(load - pull-off load) is this, and the sums there, from a guess if there is one: by

@@ -335,7 +335,7 @@ mod tests {
         let branch = of(&Params { heights: table(&height, &density), ..Params::default() });
         let curve = Curve::new(&branch, Reach::of(&branch), &mut Vec::new()).expect("a curve");
         let (begin, end) = curve.separation_range();
-        let kinks = branch.population().kinks().into_iter().filter(|kink| (begin..end).contains(kink)).count();
+        let kinks = branch.kinks().iter().filter(|kink| (begin..end).contains(*kink)).count();
         let panels = curve.panels.len();
         assert!(
             panels >= kinks && curve.samples < 20 * panels,

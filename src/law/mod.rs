@@ -120,7 +120,7 @@ impl Reach {
             log_lightest: log(lightest) - ROW,
             log_heaviest: log(heaviest) + ROW,
             has_pull_off: pull_off > LIGHTEST_PULL_OFF * half,
-            most_rows: MOST_ROWS + MOST_ROWS_PER_KINK * population.kinks().len(),
+            most_rows: MOST_ROWS + MOST_ROWS_PER_KINK * branch.kinks().len(),
         }
     }
 }
@@ -316,7 +316,7 @@ mod tests {
             };
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
             let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
-            let feet: Vec<f64> = branch.population().kinks().into_iter().filter(|&kink| kink > -10.0).collect();
+            let feet: Vec<f64> = branch.kinks().iter().copied().filter(|&kink| kink > -10.0).collect();
             assert!(feet.len() >= 2, "{feet:?}");
             for quantity in Quantity::ALL {
                 let table = law.table(quantity);

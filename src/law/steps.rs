@@ -31,8 +31,6 @@ const MOST_HALVINGS: f64 = 4.0;
 const SLACK_OF_NOISE: f64 = 2.0;
 const LEAST_GAIN: f64 = 0.5;
 const MOST_IN_VAIN: usize = 25;
-/// Kinks nearer to each other than this, relative to 1 or to the separation, are one.
-const SAME_KINK: f64 = 1e-8;
 
 /// From one separation to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,7 +84,7 @@ impl Steps {
             positions,
             end,
             at_pull_off: branch.pull_off().is_some(),
-            kinks: apart(population.kinks()),
+            kinks: branch.kinks().to_vec(),
             ends: Vec::new(),
             not_bridged: f64::NAN,
             missed: None,
@@ -174,13 +172,6 @@ impl Steps {
     }
 }
 
-/// Kinks without those next to the one before.
-fn apart(mut kinks: Vec<f64>) -> Vec<f64> {
-    kinks.sort_by(f64::total_cmp);
-    kinks.dedup_by(|next, kink| *next - *kink < SAME_KINK * (1.0 + kink.abs()));
-    kinks
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -251,7 +242,6 @@ mod tests {
         assert!(cubic.is_bridge && !steps.keeps(&cubic, 1.1 * MOST_OF_SHORT));
         let panel = steps.next(0.0, false);
         assert!(!panel.is_bridge && panel.to == cubic.to && steps.keeps(&panel, 0.9 * MOST_OF_SHORT));
-        assert_eq!(apart(vec![3.0, -1.0, 3.0 + 1e-9]), [-1.0, 3.0]);
     }
 
     /// At kinks and at the end, but over kinks next to each other.

@@ -11,8 +11,6 @@ use crate::numerics::root;
 
 /// d(z - u_break)/dz must be no less than this: next to 0 the number of contacts jumps with the separation.
 const LEAST_RATE: f64 = 0.02;
-/// How finely the rate is looked at, per length in which radii change.
-const LOOKS_PER_RADIUS_CHANGE: f64 = 8.0;
 
 /// Summits break away at this height.
 #[derive(Debug, Clone, Copy)]
@@ -53,8 +51,7 @@ pub fn deepest(law: &dyn ContactLaw, radius: &RadiusProfile, lowest: f64, highes
     if radius.is_constant() {
         return Ok(deepest);
     }
-    let mut z = lowest;
-    while z < highest {
+    for z in radius.looks(lowest, highest) {
         let edge = Edge::at(law, radius, z);
         if edge.rate < LEAST_RATE {
             let allowed = "must be smaller with this radius_amplitude and work_of_adhesion: radii fall so steeply with height \
@@ -62,7 +59,6 @@ pub fn deepest(law: &dyn ContactLaw, radius: &RadiusProfile, lowest: f64, highes
             return Err(Error::out_of_range("radius_rate", radius.rate, allowed));
         }
         deepest = deepest.min(edge.point.contact.overlap);
-        z += radius.smooth_length(z) / LOOKS_PER_RADIUS_CHANGE;
     }
     // Between the heights looked at it is hardly deeper.
     Ok(1.01 * deepest)

@@ -51,8 +51,10 @@ impl DeepRule {
         let (ends, samples) = sampled(&*population.heights, population.lower_cut, population.highest);
         let (many, few) = (Points::new(&ends, &samples, 1.0), Points::new(&ends, &samples, 0.0));
         let break_away = population.law.break_away(1.0).overlap;
-        let kinks =
-            population.slip.kinks().map(|radius| population.overlap_at_radius(radius, 1.0).unwrap_or(break_away));
+        let kinks = population
+            .slip
+            .kinks()
+            .map(|radius| population.contact_of_radius(radius, 1.0).map_or(break_away, |contact| contact.overlap));
         Self { ends, many, few, break_away, kinks, kinks_of_contact: population.kinks_of_contact }
     }
 

@@ -12,6 +12,7 @@ mod attracted;
 mod break_away;
 mod changes;
 mod deep;
+mod kinks;
 mod node_table;
 mod one_summit;
 mod panels;
@@ -34,7 +35,6 @@ use crate::asperity::slip::Slip;
 use crate::distribution::{panel, HeightDistribution};
 use crate::error::Error;
 use crate::groups::Groups;
-use crate::numerics::root;
 use break_away::Edge;
 use deep::DeepRule;
 use node_table::NodeTable;
@@ -43,8 +43,6 @@ use radius::RadiusProfile;
 use std::sync::Arc;
 use sums::Summit;
 
-/// Hardly any heights are below this, in sigma from their mean: where they begin is then no kink.
-const LOWEST_END: f64 = -8.0;
 /// A step of Newton's method for a height, over the length in which radii change, after which derivatives are those of the
 /// solution to rounding.
 const LAST_STEP: f64 = 1e-13;
@@ -217,43 +215,6 @@ impl Population {
     /// A separation beyond which nothing touches or attracts, in any number that can be represented.
     pub fn farthest(&self) -> f64 {
         self.highest + self.range_of_adhesion()
-    }
-
-    /// The separations at which the sums are not smooth: a height where the density is not smooth passes
-    /// an overlap where the law of one summit is not.
-    pub fn kinks(&self) -> Vec<f64> {
-        let passed = self.heights.breakpoints().iter().flat_map(|&z| self.kinks_of_height(z));
-        passed.chain(self.kinks_of_lower_end()).collect()
-    }
-
-    /// Those of them about which the sums are a non-integer power of the distance: the lower end of heights whose density
-    /// there is a power passes.
-    pub fn kinks_of_lower_end(&self) -> Vec<f64> {
-        let lower_end = self.heights.power_at_lower_end().map(|_| self.heights.support().0);
-        let lower_end = lower_end.filter(|lower_end| lower_end + self.heights.origin() > LOWEST_END);
-        lower_end.map_or(Vec::new(), |lower_end| self.kinks_of_height(lower_end))
-    }
-
-    /// The separations at which a height passes the overlaps where the law of one summit is not smooth.
-    fn kinks_of_height(&self, z: f64) -> Vec<f64> {
-        let g = self.radius.factor(z);
-        let edge = self.law.break_away(g);
-        let mut kinks = vec![z - edge.overlap];
-        kinks.extend(self.attraction.as_ref().map(|law| z + law.reach));
-        kinks.extend(self.slip.kinks().iter().filter_map(|&radius| Some(z - self.overlap_at_radius(radius, g)?)));
-        kinks.extend(self.kinks_of_contact.iter().map(|overlap| z - overlap * g).filter(|kink| kink.is_finite()));
-        kinks
-    }
-
-    /// The overlap at which a contact has a radius; `None` if it breaks before it is as small.
-    fn overlap_at_radius(&self, radius: f64, g: f64) -> Option<f64> {
-        let edge = self.law.break_away(g);
-        let residual = |s: f64| self.law.at(s, g).radius - radius;
-        let mut upper = edge.parameter + 1.0;
-        while residual(upper) < 0.0 {
-            upper *= 2.0;
-        }
-        (radius > edge.radius).then(|| self.law.at(root::bracketed(residual, edge.parameter, upper), g).overlap)
     }
 
     /// The sums at a separation; NaN where they take more panels than there may be.

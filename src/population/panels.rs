@@ -51,9 +51,6 @@ pub(super) const PART_AT_LOWER_END: f64 = 0.02;
 const NEGLIGIBLE: f64 = 1e-18;
 /// A slope of ln phi, per sigma, over which rounding errors of heights change the density by no small part.
 const STEEPEST: f64 = 1e9;
-/// To what part of a panel a kink is found, and an extremum: next to that what it is one of hardly changes.
-const LAST_BITS: f64 = 1e-18;
-const NEAR_EXTREMUM: f64 = 1e-2;
 /// The end of a panel takes some three steps to find.
 const MOST_STEPS: u32 = 60;
 
@@ -326,11 +323,13 @@ impl Population {
 
     /// How far a panel in the parameter may reach: as far as the law of contact is smooth.
     fn longest_step(&self, from: &Point) -> f64 {
-        let s = from.contact.parameter;
-        let smooth = PARAMETER_RATIO * self.law.distance_to_singularity(s, self.radius.factor(from.z));
+        let (s, g) = (from.contact.parameter, self.radius.factor(from.z));
+        let smooth = PARAMETER_RATIO * self.law.distance_to_singularity(s, g);
         let smooth = if self.has_onset() { smooth.min((ONSET_RATIO * s).max(SHORTEST)) } else { smooth };
-        if from.contact.radius > 0.999_999 * self.slip.kinks()[0] {
-            smooth.min(POWER_RATIO * s)
+        // Of the shortest panel at a parameter of 0 the end counts.
+        let radius = if s > SHORTEST { from.contact.radius } else { self.law.at(SHORTEST, g).radius };
+        if radius > 0.999_999 * self.slip.kinks()[0] {
+            smooth.min((POWER_RATIO * s).max(SHORTEST))
         } else {
             smooth
         }
@@ -467,8 +466,7 @@ impl Population {
         if (at_from < 0.0) == (at_to < 0.0) || to.is_nan() {
             return;
         }
-        let part = if kink.is_some() { LAST_BITS } else { NEAR_EXTREMUM };
-        let root = root::between(|x| f(&self.on_panel(separation, panel, x)), ends[0], ends[1], part);
+        let root = root::between(|x| f(&self.on_panel(separation, panel, x)), ends[0], ends[1]);
         if is_inside(root, from, to) {
             panel.to = self.on_panel(separation, panel, root);
             panel.kink = kink;

@@ -13,6 +13,8 @@ pub struct RadiusProfile {
     pub origin: f64,
 }
 
+/// How finely heights are looked at, per length in which radii change.
+const LOOKS_PER_CHANGE: f64 = 8.0;
 /// Smaller radius factors are taken as this: such summits carry nothing, and squares stay in range.
 const SMALLEST_FACTOR: f64 = 1e-60;
 
@@ -73,6 +75,12 @@ impl RadiusProfile {
         } else {
             1.1 * hypot(z, pole)
         }
+    }
+
+    /// Heights from one up to another, near enough to each other to see how radii change.
+    pub fn looks(&self, lowest: f64, highest: f64) -> impl Iterator<Item = f64> + '_ {
+        let next = |&z: &f64| Some(z + self.smooth_length(z) / LOOKS_PER_CHANGE);
+        std::iter::successors(Some(lowest), next).take_while(move |&z| z < highest)
     }
 }
 

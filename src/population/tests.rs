@@ -73,3 +73,21 @@ fn contact_begins_where_a_summit_has_just_the_overlap_of_break_away() {
         }
     }
 }
+
+/// Friction is then a power of the contact radius down to contacts of no size.
+#[test]
+fn the_slope_of_friction_is_the_secant_where_the_first_slip_radius_is_next_to_nothing() {
+    for radius_1 in [1e-38, 1e-10, 1e-3] {
+        let mut params = surface(WEAK, HeightFamily::Weibull { shape: 3.0 }, [0.2, 0.7]);
+        params.slip.radius_1 = radius_1;
+        let population = of(&params);
+        for separation in [-2.0, 0.0, 2.0, 3.0] {
+            let friction = |step: f64| population.at_separation(separation + step).friction;
+            let secant = |step: f64| (friction(step) - friction(-step)) / (2.0 * step);
+            let expected = (4.0 * secant(1e-3) - secant(2e-3)) / 3.0;
+            let slope = population.at_separation(separation).friction_slope;
+            let error = (slope / expected - 1.0).abs();
+            assert!(error < 3e-10, "{radius_1:e} at {separation}: {slope:e}, {error:e}");
+        }
+    }
+}

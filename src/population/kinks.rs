@@ -1,0 +1,108 @@
+//! The separations at which the sums are not smooth.
+//!
+//! A summit has kinks: where its contact begins, where its attraction does, at the contact radii of the slip law, at the overlaps of
+//! the law of contact. The height of the summits that are at one moves with the separation. The sums have a kink where that height
+//! passes one at which the density of heights is not smooth; and, where radii vary with height, where it turns back, since there
+//! two heights meet, and where the contact that begins has a radius of the slip law's.
+
+use super::break_away::Edge;
+use super::{Point, Population};
+use crate::asperity::contact::Contact;
+use crate::numerics::root;
+
+/// Hardly any heights are below this, in sigma from their mean: where they begin is then no kink.
+const LOWEST_END: f64 = -8.0;
+/// Kinks nearer to each other than this, relative to 1 or to the separation, are one.
+const SAME_KINK: f64 = 1e-8;
+
+impl Population {
+    /// The separations at which the sums are not smooth, in ascending order.
+    pub fn kinks(&self) -> Vec<f64> {
+        let (lower_end, _) = self.heights.support();
+        let is_power = self.heights.power_at_lower_end().is_some();
+        let lower_end = (is_power && lower_end + self.heights.origin() > LOWEST_END).then_some(lower_end);
+        let heights = self.heights.breakpoints().iter().copied().chain(lower_end);
+        let mut kinks: Vec<f64> = heights.flat_map(|z| self.kinks_of_height(z)).collect();
+        if !self.radius.is_constant() {
+            for radius in self.slip.kinks() {
+                kinks.extend(self.separations_where(|z| {
+                    let contact = self.contact_of_radius(radius, self.radius.factor(z))?;
+                    let point = Point { z, g_rate: self.radius.at(z).1, contact };
+                    Some((point.radius_change(), z - contact.overlap))
+                }));
+                kinks.extend(self.separations_where(|z| {
+                    let edge = Edge::at(&*self.law, &self.radius, z).point.contact;
+                    Some((edge.radius - radius, z - edge.overlap))
+                }));
+            }
+            for overlap in self.kinks_of_contact.into_iter().filter(|kink| kink.is_finite()) {
+                kinks.extend(self.separations_where(|z| {
+                    let (g, g_rate) = self.radius.at(z);
+                    Some((1.0 - overlap * g_rate, z - overlap * g))
+                }));
+            }
+        }
+        kinks.sort_by(f64::total_cmp);
+        kinks.dedup_by(|next, kink| *next - *kink < SAME_KINK * (1.0 + kink.abs()));
+        kinks
+    }
+
+    /// The separations at which a height passes what a summit has a kink at.
+    fn kinks_of_height(&self, z: f64) -> Vec<f64> {
+        let g = self.radius.factor(z);
+        let mut kinks = vec![z - self.law.break_away(g).overlap];
+        kinks.extend(self.attraction.as_ref().map(|law| z + law.reach));
+        kinks.extend(
+            self.slip.kinks().iter().filter_map(|&radius| Some(z - self.contact_of_radius(radius, g)?.overlap)),
+        );
+        kinks.extend(self.kinks_of_contact.iter().map(|overlap| z - overlap * g).filter(|kink| kink.is_finite()));
+        kinks
+    }
+
+    /// The separations, which `at` gives as its second, at the heights where its first changes sign.
+    fn separations_where(&self, at: impl Fn(f64) -> Option<(f64, f64)>) -> Vec<f64> {
+        let heights: Vec<f64> = self.radius.looks(self.lower_cut, self.highest).collect();
+        let changes = heights.windows(2).filter_map(|between| {
+            let (before, after) = (at(between[0])?.0, at(between[1])?.0);
+            ((before < 0.0) != (after < 0.0)).then_some((between[0], between[1]))
+        });
+        let passed = changes.filter_map(|(lower, upper)| {
+            at(root::bracketed(|z| at(z).map_or(f64::NAN, |(value, _)| value), lower, upper))
+        });
+        passed.map(|(_, separation)| separation).collect()
+    }
+
+    /// The contact of a radius; `None` if it breaks before it is as small.
+    pub(super) fn contact_of_radius(&self, radius: f64, g: f64) -> Option<Contact> {
+        let edge = self.law.break_away(g);
+        let residual = |s: f64| self.law.at(s, g).radius - radius;
+        let mut upper = edge.parameter + 1.0;
+        while residual(upper) < 0.0 {
+            upper *= 2.0;
+        }
+        (radius > edge.radius).then(|| self.law.at(root::bracketed(residual, edge.parameter, upper), g))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{of, surface};
+    use crate::params::HeightFamily;
+
+    /// Radii that fall steeply with height, so that at each separation there is a largest contact.
+    #[test]
+    fn where_the_largest_contact_has_a_radius_of_the_slip_law_there_is_a_kink() {
+        let groups = [2.030_566e-3, 9.363_442e4, 2.050_705e-2, 5.229_844];
+        let population = of(&surface(groups, HeightFamily::Gaussian, [-0.971_68, 1.257_087]));
+        let kinks = population.kinks();
+        let kink = kinks.iter().find(|kink| (*kink + 0.1934).abs() < 1e-3).expect("a kink");
+        let friction = |separation: f64| population.at_separation(separation).friction;
+        for distance in [-1e-3, -1e-5, -1e-6, -1e-7, 1e-7, 1e-6, 1e-5, 1e-3] {
+            let (separation, step) = (kink + distance, 2e-2 * f64::abs(distance));
+            let secant = (friction(separation + step) - friction(separation - step)) / (2.0 * step);
+            let slope = population.at_separation(separation).friction_slope;
+            let error = (slope / secant - 1.0).abs();
+            assert!(error < 1e-6, "{distance:e}: {slope:e}, {error:e}");
+        }
+    }
+}
