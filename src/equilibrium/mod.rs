@@ -15,11 +15,13 @@ use pull_off::End;
 
 /// No separation on the branch is smaller, in sigma: the softest summits that flow carry more than the heaviest load there.
 const CLOSEST: f64 = -1e90;
-/// Below this part of the pull-off load, load minus pull-off load is integrated from the slope: the difference of the two
-/// loads would have lost too many digits.
+/// Near pull-off the load minus the pull-off load is integrated from its slope: the difference of two loads has lost too many
+/// digits. No farther from it than where that is this part of the pull-off load,
 const NEAR_PULL_OFF: f64 = 1e-4;
-/// How well a load next to the pull-off load is known, relative to it.
-const LOAD_ROUNDING: f64 = 2e-11;
+/// and only if it agrees with the difference so well,
+const AGREEMENT: f64 = 3e-8;
+/// before the difference has too few digits to tell.
+const FEW_DIGITS: f64 = 1e-8;
 /// ln(load - pull-off load) is met as far as rounding lets it, or to this where steps no longer shrink.
 const LOG_TOLERANCE: f64 = 1e-11;
 /// The lightest loads of a highest summit are found by halving the distance from it, hundreds of times.
@@ -33,6 +35,9 @@ pub struct Branch {
     population: Population,
     kinks: Vec<f64>,
     end: End,
+    /// From this separation on the load is integrated; infinite where its slope is not smooth: a non-integer power of the distance
+    /// from a kink at pull-off.
+    integrated_from: f64,
 }
 
 /// A state on the branch.
@@ -55,13 +60,34 @@ impl Branch {
     pub fn new(population: Population) -> Result<Self, Error> {
         let end = End::of(&population)?;
         let kinks = population.kinks();
-        Ok(Self { population, kinks, end })
+        Ok(Self { population, kinks, end, integrated_from: f64::INFINITY }.with_end_looked_at())
     }
 
     /// The branch that ends before a separation at which the load was found to rise already.
     pub fn ending_near(self, separation: f64) -> Result<Self, Error> {
         let end = End::before(&self.population, separation)?;
-        Ok(Self { end, ..self })
+        Ok(Self { end, integrated_from: f64::INFINITY, ..self }.with_end_looked_at())
+    }
+
+    /// The same branch, knowing where the load is integrated from.
+    fn with_end_looked_at(self) -> Self {
+        let Some(pull_off) = self.end.pull_off else { return self };
+        let mut step = 1.0;
+        loop {
+            step *= 0.5;
+            let separation = pull_off.separation - step;
+            let excess = self.population.at_separation(separation).load() - pull_off.load;
+            if excess > NEAR_PULL_OFF * -pull_off.load {
+                continue;
+            }
+            let error = self.fall_of_load(separation, pull_off.separation) - excess;
+            if error.abs() <= AGREEMENT * excess {
+                return Self { integrated_from: separation, ..self };
+            }
+            if excess.is_nan() || excess <= FEW_DIGITS * -pull_off.load {
+                return self;
+            }
+        }
     }
 
     /// The summits.
@@ -97,13 +123,8 @@ impl Branch {
             return BranchPoint { log_excess: log(load.max(f64::MIN_POSITIVE)), rate: sums.load_slope / load, sums };
         };
         let mut excess = sums.load() - pull_off.load;
-        if excess < NEAR_PULL_OFF * -pull_off.load {
-            let integral = self.fall_of_load(separation, pull_off.separation);
-            // The two differ by rounding, unless the slope is a non-integer power of the distance from a kink between. The
-            // difference is then the better one.
-            if (integral - excess).abs() <= LOAD_ROUNDING * -pull_off.load {
-                excess = integral;
-            }
+        if separation >= self.integrated_from {
+            excess = self.fall_of_load(separation, pull_off.separation);
         }
         // A logarithm as small as can be stands for that of nothing, but not in its slope.
         BranchPoint { log_excess: log(excess.max(f64::MIN_POSITIVE)), rate: sums.load_slope / excess, sums }

@@ -66,7 +66,7 @@ impl Curve {
         }
         check.push(from);
         let lightest = if reach.has_pull_off { f64::NEG_INFINITY } else { reach.log_lightest };
-        let most_samples = MOST_SAMPLES + 4 * NODES * steps.kinks.len();
+        let most_samples = MOST_SAMPLES + 10 * NODES * steps.kinks.len();
         while from.separation < steps.end && from.log_excess > lightest {
             let stretch = steps.next(from.separation, curve.samples > most_samples);
             let attempt = match stretch.is_bridge {

@@ -22,8 +22,8 @@ const HEIGHT_RATIO: f64 = 2.5;
 /// as well as the height: with equal radii, and where overlaps are known to enough digits, in sigma, it needs no solution.
 const SHORT_RATIO: f64 = 0.5;
 const FAR_FROM_BREAK_AWAY: f64 = 6.0;
-/// Where radii vary, dz/ds must not rise by more than this factor over a panel because they do: where the radius of contact
-/// falls with height, the parameter does at last.
+/// Where radii vary, dz/ds must not change by more than this factor over a panel in the parameter because they do: where the radius
+/// of contact falls with height, the parameter does at last.
 const MOST_BEND: f64 = 1.5;
 /// A panel in the parameter is no longer than this many times the distance to where the law is singular.
 const PARAMETER_RATIO: f64 = 3.0;
@@ -235,7 +235,7 @@ impl Population {
         let next = breakpoints.get(next).copied().unwrap_or(f64::INFINITY).min(self.heights.support().1);
         // Where radii change fastest.
         let turn = -self.radius.origin;
-        let is_stop = turn > z && !self.radius.is_constant() && self.kinks_of_contact[0].is_finite();
+        let is_stop = turn > z && !self.radius.is_constant();
         if is_stop {
             next.min(turn)
         } else {
@@ -511,7 +511,8 @@ impl Population {
 impl Point {
     /// Whether heights follow from the parameter between another summit and this one. Not so if this one was not found.
     fn follows(&self, other: &Self) -> bool {
-        !self.z.is_nan() && self.height_share() * MOST_BEND >= other.height_share()
+        let (share, other) = (self.height_share(), other.height_share());
+        !self.z.is_nan() && share.max(other) <= MOST_BEND * share.min(other)
     }
 }
 
