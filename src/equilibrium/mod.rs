@@ -72,7 +72,7 @@ impl Branch {
     /// The same branch, knowing where the load is integrated from.
     fn with_end_looked_at(self) -> Self {
         let Some(pull_off) = self.end.pull_off else { return self };
-        let mut step = 1.0;
+        let mut step = self.population.range_of_adhesion().max(1.0);
         loop {
             step *= 0.5;
             let separation = pull_off.separation - step;

@@ -280,8 +280,8 @@ impl Population {
         let by_parameter = if clearance > PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO {
             None
         } else {
-            // A panel that reaches to where the density changes is one of a polynomial.
-            let reach = if here.z + reach < stop { PART_OF_HEIGHT_PANEL * reach } else { reach };
+            let is_polynomial = self.heights.is_piecewise_polynomial();
+            let reach = if is_polynomial && here.z + reach >= stop { reach } else { PART_OF_HEIGHT_PANEL * reach };
             self.parameter_panel_end(separation, &here, reach, stop)
         };
         let (axis, to) = match by_parameter {
