@@ -26,12 +26,6 @@ const SHORTEST_WHEN_SPENT: f64 = 0.02;
 /// A panel that misses the curve is halved so often at once, at most, as the error of the last that began there lets expect.
 const MOST_HALVINGS: f64 = 4.0;
 
-/// Of panels so short that slopes may miss by more than this, halving that makes ln of the error less by no more than the gain is in
-/// vain: it looks for a kink, or what misses is noise. So often it is tried, and once for each known kink.
-const SLACK_OF_NOISE: f64 = 2.0;
-const LEAST_GAIN: f64 = 0.5;
-const MOST_IN_VAIN: usize = 25;
-
 /// From one separation to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
@@ -46,13 +40,6 @@ pub struct Stretch {
     pub is_shortest: bool,
 }
 
-/// Where a panel ends, and ln of the error, as one of slopes, of the longer one that it is a part of.
-#[derive(Debug, Clone, Copy)]
-struct End {
-    to: f64,
-    log_error: f64,
-}
-
 /// Tells how far the next panel may reach.
 #[derive(Debug, Clone)]
 pub struct Steps {
@@ -63,13 +50,11 @@ pub struct Steps {
     /// The separations of the kinks at which panels end.
     pub kinks: Vec<f64>,
     /// Where the next panels end, the nearest last: beyond the first are the other halves of those that missed the curve.
-    ends: Vec<End>,
+    ends: Vec<f64>,
     /// Where the last stretch ends that is no cubic.
     not_bridged: f64,
     /// Where the last panel that missed the curve begins, ln of its error, and how often it was halved.
     missed: Option<(f64, f64, f64)>,
-    /// How many panels missed the curve by as much as those they are parts of.
-    in_vain: usize,
 }
 
 impl Steps {
@@ -88,18 +73,17 @@ impl Steps {
             ends: Vec::new(),
             not_bridged: f64::NAN,
             missed: None,
-            in_vain: 0,
         }
     }
 
     /// What comes next after a separation; if no more states are to be spent, kept as it is where it is not long.
     pub fn next(&mut self, from: f64, is_spent: bool) -> Stretch {
         let to = match self.ends.last() {
-            Some(end) => end.to,
+            Some(&to) => to,
             None => {
                 let kink = self.kink_after(from).filter(|&kink| self.end - kink > AT_END * (self.end - from));
                 let to = self.longest(from, kink);
-                self.ends.push(End { to, log_error: f64::INFINITY });
+                self.ends.push(to);
                 to
             }
         };
@@ -147,25 +131,18 @@ impl Steps {
     /// shorter; if not, the next is no cubic, or its first half.
     pub fn keeps(&mut self, stretch: &Stretch, error: f64) -> bool {
         let most = if stretch.is_short { MOST_OF_SHORT } else { 1.0 };
-        let whole = self.ends.last().map_or(f64::INFINITY, |end| end.log_error);
-        let log_error = log(error * stretch.slope_slack);
-        let is_in_vain = stretch.slope_slack > SLACK_OF_NOISE && !stretch.is_bridge && log_error > whole - LEAST_GAIN;
-        if error <= most || stretch.is_shortest || (is_in_vain && self.in_vain >= MOST_IN_VAIN + self.kinks.len()) {
+        if error <= most || stretch.is_shortest {
             self.ends.pop();
             return true;
         }
-        self.in_vain += usize::from(is_in_vain);
         if stretch.is_bridge {
             self.not_bridged = stretch.to;
         } else {
             let halvings = self.halvings(stretch.from, log(error));
-            if let Some(end) = self.ends.last_mut() {
-                end.log_error = log_error;
-            }
             let mut to = stretch.to;
             for _ in 0..halvings as u32 {
                 to = self.positions.between(stretch.from, to, 0.0);
-                self.ends.push(End { to, log_error });
+                self.ends.push(to);
             }
         }
         false
@@ -185,7 +162,6 @@ mod tests {
             ends: Vec::new(),
             not_bridged: f64::NAN,
             missed: None,
-            in_vain: 0,
         }
     }
 
