@@ -22,8 +22,8 @@ use std::time::{Duration, Instant};
 const ACCURACY: f64 = 1e-8;
 const LONGEST_CALL: Duration = Duration::from_secs(1);
 /// No more than this part of the surfaces has a `table_error` above the accuracy, and none has a larger one than this.
-const MOST_COARSE: f64 = 0.015;
-const COARSEST: f64 = 1e-4;
+const MOST_COARSE: f64 = 0.002;
+const COARSEST: f64 = 1e-7;
 /// Smaller sums, in E* b^2, G* b^2, b^2 or summits per summit, are not compared: no surface has them, and densities so small
 /// magnify the rounding of what they are computed from.
 const NOTHING: f64 = 1e-60;
@@ -207,8 +207,7 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
         if state.friction_force > NOTHING && is_compiled {
             let table = timed(&mut answer, || model.friction_force_at_load(load));
             let error = (table / state.friction_force - 1.0).abs();
-            // What a table tells of itself is no failure of this load; how many tell much is asked of all.
-            answer.note("table", load, if error <= 4.0 * summary.table_error { error.min(ACCURACY) } else { error });
+            answer.note("table", load, error);
         }
     }
     if pull_off < 0.0 {
