@@ -1,7 +1,7 @@
 //! Where a formula ends: among the heights, so that a sum has to find the place, against the second evaluation state by
 //! state; and next to pull-off, where loads differ by less than they are known to.
 
-use crate::common::second_evaluation::heights::Heights;
+use crate::common::second_evaluation::heights::{Heights, Table};
 use crate::common::second_evaluation::Surface;
 use crate::common::surfaces::params_of;
 use asperity::asperity::contact::ContactLaw;
@@ -120,6 +120,41 @@ fn friction_of_contacts_whose_radius_turns_twice_is_summed_well() {
     };
     let separations: Vec<f64> = (-20..=20).map(|i| -0.0391 + 0.004 * f64::from(i)).collect();
     agree(&surface, &separations);
+}
+
+/// Panels in the parameter of the law of contact, which the height follows: they reached too far where radii fall and then are
+/// level, and had too few points where dz/ds changes.
+#[test]
+fn contacts_whose_radii_fall_with_height_are_summed_well() {
+    let table = Table::new(
+        vec![0.8895449647088878, 2.773862606380649, 3.1757086378524355, 4.09115422933819, 4.356416397143227],
+        vec![0.0, 0.12988249738358382, 0.5576502740440499, 0.04875718654561095, 0.0],
+    );
+    for ([alpha, beta, gamma, b_over_h], heights, [epsilon, rho], separations) in [
+        (
+            [2.0305663643510564e-3, 9.36344249608463e4, 2.0507051057689425e-2, 5.229843984166102],
+            Heights::Gaussian,
+            [-0.9716796870343387, 1.2570867098020932],
+            [1.297304, 1.297308, 1.3, 1.4],
+        ),
+        (
+            [0.5376117480320232, 137.92672947357585, 0.28888200323380414, 3.3573944009554624],
+            Heights::Table(table),
+            [-0.8320312495343387, 0.6278437322850412],
+            [-2.6609, -2.6608, -2.6607, -2.66],
+        ),
+        (
+            [0.00901733336306659, 6574.6266312902135, 0.0035518591066308705, 16.15402636252125],
+            Heights::weibull(38.73599554004636),
+            [-0.2597656245343387, 0.3326386097175347],
+            [-3.5925, -3.5921, -3.5919, -3.5],
+        ),
+    ] {
+        let slip = [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0];
+        let (attraction, pressure) = (true, 0.0);
+        let surface = Surface { alpha, beta, gamma, b_over_h, heights, epsilon, rho, attraction, slip, pressure };
+        agree(&surface, &separations);
+    }
 }
 
 /// Some 2 % of the way before taller summits part first, and beyond.
