@@ -205,7 +205,7 @@ impl<'a> Calls<'a> {
             && s.min_table_load >= s.pull_off_load
             && s.max_table_load > s.min_table_load
             && s.table_error >= 0.0
-            && s.table_error <= 1e-5;
+            && s.table_error <= 1e-7;
         let finite = bytes(s)[8..].chunks(8).all(|word| is_finite(f64::from_ne_bytes(word.try_into().expect("8"))));
         assert!(sound && finite, "{:?}: {s:?}", model.params);
     }
