@@ -17,14 +17,8 @@ const SLOPE_TOLERANCE: f64 = 2e-8;
 /// Nobody is told the slope of the stiffness, which next to a kink is harder to resolve than that of friction: it need only be as good
 /// as values ask for.
 const SLACK: f64 = 20.0;
-/// Up to this s the slope of the load is a difference of integrals that nearly cancel, and so many times the tolerance is
-/// what slopes are known to.
-const NEAR_PULL_OFF: f64 = 1.0;
-const NOISE: f64 = 4.0;
 /// In panels that span less than this of s, differences of logarithms have lost the digits that its slopes have.
 const NARROW: f64 = 2e-4;
-/// A panel shorter than this is measured in separations: positions have too few digits.
-const SHORT: f64 = 0.1;
 
 /// A number for each quantity.
 pub type PerQuantity = [f64; Quantity::COUNT];
@@ -80,7 +74,7 @@ impl Panel {
     /// From one state to another, through the states at its nodes.
     pub fn new(from: &Sample, to: &Sample, positions: Positions, nodes: &[Sample; NODES]) -> Self {
         let is_narrow = from.s - to.s < NARROW;
-        let length = match (to.separation - from.separation) * positions.density(from.separation) < SHORT {
+        let length = match positions.is_short(from.separation, to.separation) {
             true => Length::Separation,
             false => Length::Position(positions),
         };
@@ -151,8 +145,7 @@ impl Panel {
     fn error_at(&self, quantity: Quantity, state: &Sample, slack: f64) -> f64 {
         let [(value, slope)] = self.log_value_at(quantity, [state.s]);
         let exact = (state.log_value[quantity as usize], state.slope[quantity as usize]);
-        let noise = if state.s < NEAR_PULL_OFF { NOISE } else { 1.0 };
-        error_over_tolerance((value, slope), exact, noise * slack)
+        error_over_tolerance((value, slope), exact, slack)
     }
 
     fn error_of_s(&self, state: &Sample, slack: f64) -> f64 {

@@ -29,12 +29,15 @@ impl Positions {
         self.middle + (0.5 * TURN * (growth - 1.0 / growth)).copysign(position)
     }
 
+    /// Whether a panel is so short that positions have too few digits.
+    pub fn is_short(&self, from: f64, to: f64) -> bool {
+        (to - from) * self.density(from) < SHORT
+    }
+
     /// How long a panel between two separations is.
     pub fn distance(&self, from: f64, to: f64) -> f64 {
-        let length = (to - from) * self.density(from);
-        // Of short panels positions have too few digits.
-        if length < SHORT {
-            length
+        if self.is_short(from, to) {
+            (to - from) * self.density(from)
         } else {
             self.position(to) - self.position(from)
         }
@@ -52,7 +55,7 @@ impl Positions {
     /// The separation at a part of a panel, -1 at its beginning and 1 at its end.
     pub fn between(&self, from: f64, to: f64, part: f64) -> f64 {
         let at = |from: f64, to: f64| 0.5 * (from + to) + 0.5 * part * (to - from);
-        if (to - from) * self.density(from) < SHORT {
+        if self.is_short(from, to) {
             at(from, to)
         } else {
             self.separation(at(self.position(from), self.position(to)))

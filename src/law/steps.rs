@@ -13,7 +13,8 @@ const MOST_OF_THE_REST: f64 = 0.7;
 const WHOLE: f64 = 0.99;
 /// A kink nearer to the end than this part of what is left is at the end: contact with the lower end that breaks at once.
 const AT_END: f64 = 1e-9;
-/// A stretch shorter than this is first tried as a cubic, which takes two states in place of thirteen.
+/// A stretch shorter than this is first tried as a cubic, which takes two states in place of thirteen; and is kept as it is once no
+/// more states are to be spent.
 const SHORT: f64 = 0.02;
 /// And may miss by so many times the tolerance, which is then what the compiled law promises: more may be noise.
 const MOST_OF_SHORT: f64 = 4.0;
@@ -21,8 +22,6 @@ const MOST_OF_SHORT: f64 = 4.0;
 /// matter.
 const SHORTEST: f64 = 1e-6;
 const SHORTEST_PART: f64 = 0.01;
-/// The shortest once no more states are to be spent.
-const SHORTEST_WHEN_SPENT: f64 = 0.02;
 /// A panel that misses the curve is halved so often at once, at most, as the error of the last that began there lets expect.
 const MOST_HALVINGS: f64 = 4.0;
 
@@ -92,7 +91,7 @@ impl Steps {
         let is_short = length < SHORT;
         let is_bridge = !is_at_pull_off && is_short && !is_spent && self.not_bridged != to;
         let shortest = match is_spent {
-            true => SHORTEST_WHEN_SPENT,
+            true => SHORT,
             false => SHORTEST.min(SHORTEST_PART * (self.end - from)),
         };
         let is_shortest = !is_bridge && length < shortest;
@@ -208,7 +207,7 @@ mod tests {
             spent = steps.next(panel.to, true);
         }
         let length = steps.positions.distance(panel.to, spent.to);
-        assert!(!spent.is_bridge && length < SHORTEST_WHEN_SPENT, "{length}");
+        assert!(!spent.is_bridge && length < SHORT, "{length}");
     }
 
     #[test]
