@@ -1,10 +1,10 @@
 //! Rows filled from the law: whole, or in as many parts as it takes.
 
-use super::panel::larger;
 use super::row::{
     compared, polynomial, PieceBasis, Row, RowBasis, BETWEEN, BETWEEN_OF_PIECE, DIVISIONS, INTERIOR, OF_PIECE,
 };
 use super::table::Table;
+use super::tolerance::larger;
 use crate::elementary::{exp, log, log1p};
 use std::f64::consts::LN_2;
 use std::ops::Range;

@@ -17,6 +17,7 @@ mod row;
 mod shares;
 mod steps;
 mod table;
+mod tolerance;
 
 use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;

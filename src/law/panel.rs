@@ -2,6 +2,7 @@
 //! separation, by which the curve is read the other way.
 
 use super::position::Positions;
+use super::tolerance::{self, larger};
 use super::Quantity;
 use crate::elementary::log;
 use crate::numerics::quadrature;
@@ -11,9 +12,6 @@ use crate::numerics::root;
 pub const NODES: usize = 10;
 /// Interpolation conditions per panel: value and slope at each of them.
 const CONDITIONS: usize = 2 * NODES;
-/// Largest error of a logarithm or of s, and of its slope relative to the slope, at which a panel is good.
-const VALUE_TOLERANCE: f64 = 2e-10;
-const SLOPE_TOLERANCE: f64 = 2e-8;
 /// Nobody is told the slope of the stiffness, which next to a kink is harder to resolve than that of friction: it need only be as good
 /// as values ask for.
 const SLACK: f64 = 20.0;
@@ -156,8 +154,8 @@ impl Panel {
 /// The error of a value and of its slope over the tolerance, whichever is larger; infinite where either is not a number. Slopes are not
 /// known at pull-off itself.
 fn error_over_tolerance((value, slope): (f64, f64), exact: (f64, f64), slack: f64) -> f64 {
-    let error = (value - exact.0).abs() / VALUE_TOLERANCE;
-    let slope_error = if exact.1.is_nan() { 0.0 } else { (slope / exact.1 - 1.0).abs() / (slack * SLOPE_TOLERANCE) };
+    let error = (value - exact.0).abs() / tolerance::VALUE;
+    let slope_error = if exact.1.is_nan() { 0.0 } else { (slope / exact.1 - 1.0).abs() / (slack * tolerance::SLOPE) };
     larger(error, slope_error)
 }
 
@@ -237,15 +235,6 @@ fn integrals(nodes: &[f64; NODES], mut slopes: [f64; NODES]) -> [f64; NODES] {
     })
 }
 
-/// The larger of two numbers, infinite if either is not one.
-pub fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() {
-        f64::INFINITY
-    } else {
-        a.max(b)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -322,12 +311,12 @@ mod tests {
         let off = |value: [f64; 2], slope: [f64; 2], s: [f64; 2]| {
             let mut off = exact;
             for i in 0..2 {
-                off.log_value[i] += value[i] * VALUE_TOLERANCE;
-                off.slope[i] *= 1.0 + slope[i] * SLOPE_TOLERANCE;
+                off.log_value[i] += value[i] * tolerance::VALUE;
+                off.slope[i] *= 1.0 + slope[i] * tolerance::SLOPE;
             }
-            off.s_by_separation *= 1.0 + s[1] * SLOPE_TOLERANCE;
+            off.s_by_separation *= 1.0 + s[1] * tolerance::SLOPE;
             // The logarithms are those of the state, wherever its s is said to be.
-            let moved = panel.s_at(exact.separation).0 + s[0] * VALUE_TOLERANCE;
+            let moved = panel.s_at(exact.separation).0 + s[0] * tolerance::VALUE;
             (off.log_value[0], off.log_value[1]) = (
                 off.log_value[0] + exact.slope[0] * (moved - exact.s),
                 off.log_value[1] + exact.slope[1] * (moved - exact.s),

@@ -1,15 +1,11 @@
 //! One row of the compiled law: a polynomial in the mantissa of x = load - pull-off, or a link to rows that are parts of
 //! it.
 
-use super::panel::larger;
+use super::tolerance::{self, larger};
 use std::mem::size_of;
 
 /// Coefficients per row: a polynomial of degree 7, one cache line.
 pub const COEFFICIENTS: usize = 8;
-/// The largest relative error of the force of a row that is kept.
-const VALUE_TOLERANCE: f64 = 2e-10;
-/// Of its slope.
-const SLOPE_TOLERANCE: f64 = 2e-8;
 /// The parts of a row at which values determine it, beside values and slopes at its ends; where it is compared.
 pub const INTERIOR: [f64; 4] = [0.125, 0.359_375, 0.640_625, 0.875];
 pub const BETWEEN: [f64; 3] = [0.05, 0.5, 0.95];
@@ -90,7 +86,7 @@ pub fn polynomial(c: &[f64; COEFFICIENTS], t: f64) -> (f64, f64) {
 /// least are relative to that.
 pub fn compared((value, rate): (f64, f64), (exact, slope): (f64, f64), least: (f64, f64)) -> (f64, f64) {
     let error = relative_error(value, exact, least.0);
-    (error, larger(error / VALUE_TOLERANCE, relative_error(rate, slope, least.1) / SLOPE_TOLERANCE))
+    (error, larger(error / tolerance::VALUE, relative_error(rate, slope, least.1) / tolerance::SLOPE))
 }
 
 /// The error of a number relative to the exact one, or to the least, if that is larger.
@@ -217,16 +213,16 @@ mod tests {
             compared((2.0 * (1.0 + error), -3.0 * (1.0 + slope_error)), (2.0, -3.0), (0.0, 0.0))
         };
         for sign in [1.0, -1.0] {
-            let (error, miss) = with(0.8 * sign * VALUE_TOLERANCE, 0.9 * sign * SLOPE_TOLERANCE);
-            assert!(near(miss, 0.9, 1e-4) && near(error, 0.8 * VALUE_TOLERANCE, 1e-4), "{error:e}, {miss}");
-            assert!(near(with(1.1 * sign * VALUE_TOLERANCE, 0.0).1, 1.1, 1e-4));
+            let (error, miss) = with(0.8 * sign * tolerance::VALUE, 0.9 * sign * tolerance::SLOPE);
+            assert!(near(miss, 0.9, 1e-4) && near(error, 0.8 * tolerance::VALUE, 1e-4), "{error:e}, {miss}");
+            assert!(near(with(1.1 * sign * tolerance::VALUE, 0.0).1, 1.1, 1e-4));
         }
         assert!(with(f64::NAN, 0.0).1 == f64::INFINITY && with(0.0, f64::NAN).1 == f64::INFINITY);
         // Next to 0, relative to the least.
         let next_to_zero = |value: f64, rate: f64| compared((value, rate), (0.0, 0.0), (2.0, 3.0));
-        let (error, miss) = next_to_zero(1.8 * VALUE_TOLERANCE, 0.0);
-        assert!(near(miss, 0.9, 1e-14) && near(error, 0.9 * VALUE_TOLERANCE, 1e-14));
-        assert!(near(next_to_zero(0.0, -3.3 * SLOPE_TOLERANCE).1, 1.1, 1e-14));
+        let (error, miss) = next_to_zero(1.8 * tolerance::VALUE, 0.0);
+        assert!(near(miss, 0.9, 1e-14) && near(error, 0.9 * tolerance::VALUE, 1e-14));
+        assert!(near(next_to_zero(0.0, -3.3 * tolerance::SLOPE).1, 1.1, 1e-14));
     }
 
     #[test]
