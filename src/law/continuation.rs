@@ -4,7 +4,7 @@
 //! binade but for a factor, so rows for one binade and powers of that factor answer for all, without exp or log.
 
 use super::row::{polynomial, Row, RowBasis, INTERIOR};
-use super::table::Table;
+use super::table::{Table, MANTISSA_BITS};
 use super::FRACTION;
 use crate::elementary::{exp, log, log1p};
 use crate::neighbours::Neighbours;
@@ -18,7 +18,6 @@ const DIGIT: usize = 1 << DIGIT_BITS;
 const DIGITS: usize = 3;
 /// Subnormal numbers are multiplied by 2 to this power.
 const SUBNORMAL: u64 = 54;
-const MANTISSA_BITS: u32 = 52;
 
 /// A quantity beyond both ends of its table.
 #[derive(Debug, Clone)]

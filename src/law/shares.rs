@@ -4,6 +4,7 @@
 //! rises from 0 with slope 1 ever more slowly to 1, and so does a polygon through it, whose corners are the sliders of the
 //! elements and whose changes of slope are their shares. Phi hardly changes with load: polygons at a few loads are blended.
 
+use super::table::MANTISSA_BITS;
 use super::{Curve, Table};
 use crate::elementary::log;
 use crate::equilibrium::Branch;
@@ -15,7 +16,6 @@ const LOG_STRIDE: u32 = 1;
 const LONGEST: usize = 8;
 /// In between it is asked for where it differs by more than this from the mean of its neighbours.
 const TOLERANCE: f64 = 2e-3;
-const MANTISSA_BITS: u32 = 52;
 
 /// Shares at loads that are powers of two above pull-off.
 #[derive(Debug, Clone)]

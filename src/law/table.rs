@@ -2,7 +2,8 @@
 
 use super::row::{polynomial, Row};
 
-const MANTISSA_BITS: u32 = 52;
+/// Bits of a double below its exponent.
+pub const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
 
 /// Rows, one for each fraction of a binade of x, and after them the parts to which links among them lead.
 ///
