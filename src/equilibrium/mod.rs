@@ -18,10 +18,10 @@ const CLOSEST: f64 = -1e90;
 /// Near pull-off the load minus the pull-off load is integrated from its slope: the difference of two loads has lost too many
 /// digits. No farther from it than where that is this part of the pull-off load,
 const NEAR_PULL_OFF: f64 = 1e-4;
-/// and only if it agrees with the difference so well,
+/// and from where it agrees with the difference so well,
 const AGREEMENT: f64 = 3e-8;
-/// before the difference has too few digits to tell.
-const FEW_DIGITS: f64 = 1e-8;
+/// or where the difference has too few digits to tell.
+const FEW_DIGITS: f64 = 1e-7;
 /// ln(load - pull-off load) is met as far as rounding lets it, or to this where steps no longer shrink.
 const LOG_TOLERANCE: f64 = 1e-11;
 /// The lightest loads of a highest summit are found by halving the distance from it, hundreds of times.
@@ -35,8 +35,7 @@ pub struct Branch {
     population: Population,
     kinks: Vec<f64>,
     end: End,
-    /// From this separation on the load is integrated; infinite where its slope is not smooth: a non-integer power of the distance
-    /// from a kink at pull-off.
+    /// From this separation on the load minus the pull-off load is integrated; infinite without a pull-off load.
     integrated_from: f64,
 }
 
@@ -66,7 +65,7 @@ impl Branch {
     /// The branch that ends before a separation at which the load was found to rise already.
     pub fn ending_near(self, separation: f64) -> Result<Self, Error> {
         let end = End::before(&self.population, separation)?;
-        Ok(Self { end, integrated_from: f64::INFINITY, ..self }.with_end_looked_at())
+        Ok(Self { end, ..self }.with_end_looked_at())
     }
 
     /// The same branch, knowing where the load is integrated from.
@@ -81,11 +80,8 @@ impl Branch {
                 continue;
             }
             let error = self.fall_of_load(separation, pull_off.separation) - excess;
-            if error.abs() <= AGREEMENT * excess {
+            if error.abs() <= AGREEMENT * excess || excess.is_nan() || excess <= FEW_DIGITS * -pull_off.load {
                 return Self { integrated_from: separation, ..self };
-            }
-            if excess.is_nan() || excess <= FEW_DIGITS * -pull_off.load {
-                return self;
             }
         }
     }

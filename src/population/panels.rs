@@ -370,7 +370,11 @@ impl Population {
                 if there.follows(here) {
                     return Some(there);
                 }
-                0.5 * (there.contact.parameter - s)
+                let half = 0.5 * (there.contact.parameter - s);
+                if half <= 0.0 {
+                    return None;
+                }
+                half
             } else {
                 shorter.min(0.9 * step)
             };
