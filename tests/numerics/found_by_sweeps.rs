@@ -7,7 +7,7 @@ use crate::common::second_evaluation::Surface;
 pub fn surfaces() -> Vec<Surface> {
     let table = |height: &[f64], density: &[f64]| Heights::Table(Table::new(height.to_vec(), density.to_vec()));
     // alpha, beta, gamma, b/h; heights; epsilon, rho; attraction.
-    let found: [([f64; 4], Heights, [f64; 2], bool); 15] = [
+    let found: [([f64; 4], Heights, [f64; 2], bool); 17] = [
         // An end of a panel that was not found met a search for a kink: the library panicked.
         ([5.304071568985277e-2, 5.862277965328117e4, 2.2150197609801716e-3, 14.62455047397752],
          Heights::weibull(2.9071728339722447), [-0.9667968745343387, 48.42376957693709], false),
@@ -52,6 +52,21 @@ pub fn surfaces() -> Vec<Surface> {
         // Of two minima of the load, the first was not found from where the load had risen far behind it: refused.
         ([1.0084679716739637e-4, 3.540064959222074, 7.056104378931292e-1, 7.41188656693803e-1],
          Heights::weibull(89.1208460545219), [0.9645996098406613, 9.99859472574255], true),
+        // Next to where radii change fastest a panel led backwards, for ever: refused.
+        ([3.8111381163146635e-2, 6.927494229441821e1, 1.3957335508764695e-2, 1.6657945117624223e1],
+         table(&[0.039588369922771705, 1.0222353020426695, 1.4532801316116215, 1.670514257862249, 2.525457021411562,
+                 2.9695893198302294],
+               &[0.0, 0.7757021276685667, 0.17149539618068327, 0.1278234405493434, 1.7659987496134113, 0.0]),
+         [-0.9482421870343387, 4.329867534084991], true),
+        // Next to pull-off rounding errors of attraction let the load rise: refused.
+        ([2.3927991759937563e-2, 3.5625241192295405e1, 1.9195663401038495e-5, 6.817842083623049e-2],
+         table(&[8.641289722330615, 9.879025203695523, 11.28068659461295, 11.812966686086167, 12.400551025106795,
+                 12.958269156006034, 14.599156713310611, 16.46077210296883, 16.798271329197476, 17.577526951813812,
+                 18.508568104116755],
+               &[0.0, 0.19134880998828255, 1.390219930952797, 2.47826755393868, 0.13039214814055633,
+                 0.6198103026649705, 0.17217303460713804, 0.038509257145531293, 0.04751875031422482,
+                 0.05159396643077373, 0.0]),
+         [0.0, 1.0], true),
         // Refused, wrong by 1e-6, or slow for one of these reasons.
         ([4.4084620834585766e-4, 2.15857668197466e5, 5.652112921818283e-3, 1.8630960734196111e-1],
          Heights::weibull(12.338911759372673), [-0.2697753901593387, 1.639769164822256e1], true),
