@@ -314,10 +314,11 @@ impl Population {
         let rise = panel.to.z - panel.from.z;
         match panel.axis {
             Axis::Height => rise / smooth.min(HEIGHT_RATIO * clearance),
+            // The ends do not tell how dz/ds changes between them.
+            Axis::Parameter if !self.radius.is_constant() => 1.0,
             Axis::Parameter => {
                 let step = panel.to.contact.parameter - panel.from.contact.parameter;
-                let bend = (panel.to.bend_from(&panel.from) - 1.0) / (MOST_BEND - 1.0);
-                (step / self.longest_step(&panel.from)).max(rise / (PART_OF_HEIGHT_PANEL * smooth)).max(bend)
+                (step / self.longest_step(&panel.from)).max(rise / (PART_OF_HEIGHT_PANEL * smooth))
             }
         }
     }
@@ -516,18 +517,8 @@ impl Population {
 impl Point {
     /// Whether heights follow from the parameter between another summit and this one. Not so if this one was not found.
     fn follows(&self, other: &Self) -> bool {
-        !self.z.is_nan() && self.bend_from(other) <= MOST_BEND
-    }
-
-    /// By what factor dz/ds changes between another summit and this one because radii do; infinite where it is not above 0.
-    fn bend_from(&self, other: &Self) -> f64 {
         let (share, other) = (self.height_share(), other.height_share());
-        let least = share.min(other);
-        if least > 0.0 {
-            share.max(other) / least
-        } else {
-            f64::INFINITY
-        }
+        !self.z.is_nan() && share.max(other) <= MOST_BEND * share.min(other)
     }
 }
 
