@@ -125,7 +125,8 @@ impl Elements {
                 slipping[j] = if slips { share * KNOTS[j] } else { 0.0 };
             }
             response.by_load = [&by_x, &by_y].map(|slopes| at_most(sum(slopes) * unit, f64::MAX));
-            response.dissipated = at_most(sum(&slip) * length * unit, f64::MAX);
+            // Rounding errors of what slips by next to nothing are no work.
+            response.dissipated = at_most(sum(&slip) * length * unit, f64::MAX).max(0.0);
             response.slipping = sum(&slipping).min(1.0);
         }
         response

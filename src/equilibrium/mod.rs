@@ -18,10 +18,10 @@ const CLOSEST: f64 = -1e90;
 /// Near pull-off the load minus the pull-off load is integrated from its slope: the difference of two loads has lost too many
 /// digits. No farther from it than where that is this part of the pull-off load,
 const NEAR_PULL_OFF: f64 = 1e-4;
-/// and from where it agrees with the difference so well,
+/// and from where it agrees with the difference so well, rounding apart.
 const AGREEMENT: f64 = 3e-8;
-/// or where the difference has too few digits to tell.
-const FEW_DIGITS: f64 = 1e-7;
+/// How well a load is known, relative to what presses and what pulls.
+const LOAD_ROUNDING: f64 = 3e-14;
 /// ln(load - pull-off load) is met as far as rounding lets it, or to this where steps no longer shrink.
 const LOG_TOLERANCE: f64 = 1e-11;
 /// The lightest loads of a highest summit are found by halving the distance from it, hundreds of times.
@@ -71,6 +71,7 @@ impl Branch {
     /// The same branch, knowing where the load is integrated from.
     fn with_end_looked_at(self) -> Self {
         let Some(pull_off) = self.end.pull_off else { return self };
+        let rounding = LOAD_ROUNDING * (pull_off.sums.hertz_load - pull_off.sums.load_attracted);
         let mut step = self.population.range_of_adhesion().max(1.0);
         loop {
             step *= 0.5;
@@ -80,7 +81,7 @@ impl Branch {
                 continue;
             }
             let error = self.fall_of_load(separation, pull_off.separation) - excess;
-            if error.abs() <= AGREEMENT * excess || excess.is_nan() || excess <= FEW_DIGITS * -pull_off.load {
+            if error.abs() <= AGREEMENT * excess + rounding || excess.is_nan() {
                 return Self { integrated_from: separation, ..self };
             }
         }

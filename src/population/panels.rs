@@ -51,6 +51,9 @@ pub(super) const PART_AT_LOWER_END: f64 = 0.02;
 const NEGLIGIBLE: f64 = 1e-18;
 /// A slope of ln phi, per sigma, over which rounding errors of heights change the density by no small part.
 const STEEPEST: f64 = 1e9;
+/// Between two extrema of the contact radius friction is hardly changed by passing a kink if they are nearer to each other than a panel
+/// halved so often.
+const STEPS_TO_TURN: u32 = 9;
 /// The end of a panel takes some three steps to find.
 const MOST_STEPS: u32 = 60;
 
@@ -164,7 +167,8 @@ impl Population {
                 return Ok(());
             }
             let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z, log_density);
-            let mut reach = reach.min(self.radius.smooth_length(here.z));
+            let env = |n: &str| std::env::var(n).ok().and_then(|v| v.parse::<f64>().ok()).unwrap_or(1.0);
+            let mut reach = reach.min(env("FR") * self.radius.smooth_length(here.z)) * env("FA");
             let lay = |reach: f64| {
                 let panel = self.panel(separation, here, kink, here.z - edge_height, reach, stop);
                 (panel, self.nodes(separation, &panel))
@@ -182,6 +186,23 @@ impl Population {
                 let fraction = weight * density;
                 progress.add(fraction, point.contact.overlap);
                 visitor.contacts(fraction, point, &self.slip);
+            }
+            if std::env::var("DBGP").is_ok() {
+                let n: f64 = nodes.iter().zip(densities).map(|((w, p), d)| w * d * p.contact.load).sum();
+                eprintln!(
+                    "PANEL {separation} {:?} z {}..{} s {:e}..{:e} a {:e}..{:e} part {} kink {:?} share {:e} follow {}",
+                    panel.axis,
+                    panel.from.z,
+                    panel.to.z,
+                    panel.from.contact.parameter,
+                    panel.to.contact.parameter,
+                    panel.from.contact.radius,
+                    panel.to.contact.radius,
+                    panel.part,
+                    panel.kink,
+                    n,
+                    panel.to.height_share()
+                );
             }
             visitor.last_contact(&panel.to);
             (here, kink) = (panel.to, panel.kink);
@@ -277,6 +298,7 @@ impl Population {
         reach: f64,
         stop: f64,
     ) -> Panel {
+        let env = |n: &str| std::env::var(n).ok().and_then(|v| v.parse::<f64>().ok()).unwrap_or(1.0);
         let by_parameter = if clearance > PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO {
             None
         } else {
@@ -288,7 +310,7 @@ impl Population {
             Some(to) => (Axis::Parameter, to),
             None => {
                 let ratio = if self.has_onset() { ONSET_RATIO } else { HEIGHT_RATIO };
-                let z = (here.z + reach.min((ratio * clearance).max(SHORTEST))).min(stop);
+                let z = (here.z + reach.min((env("FH") * ratio * clearance).max(SHORTEST))).min(stop);
                 let to = self.at_height(separation, z, here.contact.parameter);
                 let singular = self.law.distance_to_singularity(here.contact.parameter, self.radius.factor(here.z));
                 let is_short = to.contact.parameter - here.contact.parameter < SHORT_RATIO * singular;
@@ -305,7 +327,11 @@ impl Population {
         // A polynomial density is smooth up to where it ends.
         let smooth = if self.heights.is_piecewise_polynomial() { self.radius.smooth_length(here.z) } else { reach };
         // What contacts about to slip resist asks for all points.
-        let part = if self.has_onset() { 1.0 } else { self.fineness * self.part(&panel, clearance, smooth) };
+        let part = if self.has_onset() || env("FN") != 1.0 {
+            1.0
+        } else {
+            self.fineness * self.part(&panel, clearance, smooth)
+        };
         Panel { part, is_eased: self.is_onset(kink) || self.is_onset(panel.kink), ..panel }
     }
 
@@ -326,7 +352,9 @@ impl Population {
     /// How far a panel in the parameter may reach: as far as the law of contact is smooth.
     fn longest_step(&self, from: &Point) -> f64 {
         let (s, g) = (from.contact.parameter, self.radius.factor(from.z));
-        let smooth = PARAMETER_RATIO * self.law.distance_to_singularity(s, g);
+        let smooth = std::env::var("FP").ok().and_then(|v| v.parse::<f64>().ok()).unwrap_or(1.0)
+            * PARAMETER_RATIO
+            * self.law.distance_to_singularity(s, g);
         let smooth = if self.has_onset() { smooth.min((ONSET_RATIO * s).max(SHORTEST)) } else { smooth };
         // Of the shortest panel at a parameter of 0 the end counts.
         let radius = if s > SHORTEST { from.contact.radius } else { self.law.at(SHORTEST, g).radius };
@@ -388,7 +416,7 @@ impl Population {
     fn cut_at_kink(&self, separation: f64, panel: Panel, start_kink: Option<usize>) -> Panel {
         let mut panel = self.cut_at_kink_of_contact(separation, panel, start_kink);
         if !self.radius.is_constant() {
-            if let Some(turn) = panel.between_extrema() {
+            if let Some(turn) = self.between_extrema(separation, &panel) {
                 panel.to = self.on_panel(separation, &panel, turn);
                 panel.kink = None;
             }
@@ -406,6 +434,40 @@ impl Population {
             }
         }
         panel
+    }
+
+    /// Where within a panel the contact radius falls though it rises at both ends, or the other way: it turns back on either side.
+    /// `None` also where it is far from where friction has a kink, and where radii do not fall with height.
+    fn between_extrema(&self, separation: f64, panel: &Panel) -> Option<f64> {
+        let [start, end] = [panel.from, panel.to].map(|end| panel.radius_change(&end));
+        // A panel that begins at an extremum begins with next to no change, of either sign.
+        if self.radius.amplitude > 0.0 || start * end < 0.0 {
+            return None;
+        }
+        let (a, b) = (panel.from.contact.radius, panel.to.contact.radius);
+        let reach = start.abs() + end.abs();
+        let near = a.min(b) - reach..a.max(b) + reach;
+        if !self.radius_kinks.iter().any(|kink| near.contains(kink)) {
+            return None;
+        }
+        // The smallest change of the radius is looked for on both sides of the best place so far, ever nearer.
+        let change = |x: f64| (start + end).signum() * self.on_panel(separation, panel, x).radius_change();
+        let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
+        let (mut place, mut step) = (0.5 * (from + to), 0.5 * (to - from));
+        let mut least = change(place);
+        for _ in 0..STEPS_TO_TURN {
+            if least < 0.0 {
+                break;
+            }
+            step *= 0.5;
+            for x in [place - step, place + step] {
+                let there = change(x);
+                if there < least {
+                    (place, least) = (x, there);
+                }
+            }
+        }
+        (least < 0.0).then_some(place)
     }
 
     /// Ends a panel where its summits are much farther from the onset of slip, or much nearer, than where it begins: what they
@@ -535,20 +597,13 @@ impl Panel {
         }
     }
 
-    /// Where the contact radius turns back from one extremum to another, by the cubic with its values and slopes at both ends.
-    fn between_extrema(&self) -> Option<f64> {
-        let (from, to) = (self.variable(&self.from), self.variable(&self.to));
-        let slope = |point: &Point| match self.axis {
-            Axis::Parameter => point.radius_change() / point.height_share() * (to - from),
-            Axis::Height => point.radius_change() / point.contact.by_s.overlap * (to - from),
+    /// How the contact radius changes at one of its ends, over the whole panel.
+    fn radius_change(&self, end: &Point) -> f64 {
+        let by_variable = match self.axis {
+            Axis::Parameter => end.height_share(),
+            Axis::Height => end.contact.by_s.overlap,
         };
-        let change = self.to.contact.radius - self.from.contact.radius;
-        let (start, end) = (slope(&self.from), slope(&self.to));
-        // Its slope is start + 2 b t + 3 c t^2.
-        let (b, c) = (3.0 * change - 2.0 * start - end, start + end - 2.0 * change);
-        let turn = -b / (3.0 * c);
-        let turns_back = start * end > 0.0 && start * (start + b * turn) < 0.0 && turn > 0.1 && turn < 0.9;
-        turns_back.then_some(from + turn * (to - from))
+        end.radius_change() / by_variable * (self.variable(&self.to) - self.variable(&self.from))
     }
 
     /// Height by parameter, or parameter by height.

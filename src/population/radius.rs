@@ -13,6 +13,8 @@ pub struct RadiusProfile {
     pub origin: f64,
 }
 
+/// Over one smooth piece the radius changes by no more e-folds.
+const MOST_E_FOLDS: f64 = 7.0;
 /// How finely heights are looked at, per length in which radii change.
 const LOOKS_PER_CHANGE: f64 = 8.0;
 /// Smaller radius factors are taken as this: such summits carry nothing, and squares stay in range.
@@ -63,18 +65,16 @@ impl RadiusProfile {
         [tanh, self.amplitude * y * 4.0 * decay / ((1.0 + decay) * (1.0 + decay))]
     }
 
-    /// How far above z one smooth piece may reach: the poles of tanh lie at +-i pi/(2 rho).
+    /// How far above z one smooth piece may reach: the poles of tanh lie at +-i pi/(2 rho), and where g goes to 0 it is exponential.
     pub fn smooth_length(&self, z: f64) -> f64 {
         if self.is_constant() {
             return f64::MAX;
         }
         let pole = std::f64::consts::FRAC_PI_2 / self.rate;
+        let (g, slope) = self.at(z);
         let z = z + self.origin;
-        if z < 0.0 {
-            (0.65 * -z).max(1.1 * pole)
-        } else {
-            1.1 * hypot(z, pole)
-        }
+        let smooth = if z < 0.0 { (0.65 * -z).max(1.1 * pole) } else { 1.1 * hypot(z, pole) };
+        smooth.min(MOST_E_FOLDS * g / slope.abs())
     }
 
     /// Heights from one up to another, near enough to each other to see how radii change.
