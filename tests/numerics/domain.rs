@@ -355,6 +355,8 @@ fn and_so_is_every_one_that_long_sweeps_found_wrong() {
             map.add(&surface, examine(&surface, part));
         }
     }
+    let (_, worst) = map.table_errors(ACCURACY);
+    assert!(worst <= COARSEST, "{worst:e}");
     let failures = map.failures(ACCURACY, LONGEST_CALL);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

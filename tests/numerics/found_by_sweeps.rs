@@ -7,7 +7,7 @@ use crate::common::second_evaluation::Surface;
 pub fn surfaces() -> Vec<Surface> {
     let table = |height: &[f64], density: &[f64]| Heights::Table(Table::new(height.to_vec(), density.to_vec()));
     // alpha, beta, gamma, b/h; heights; epsilon, rho; attraction.
-    let found: [([f64; 4], Heights, [f64; 2], bool); 17] = [
+    let found: [([f64; 4], Heights, [f64; 2], bool); 18] = [
         // An end of a panel that was not found met a search for a kink: the library panicked.
         ([5.304071568985277e-2, 5.862277965328117e4, 2.2150197609801716e-3, 14.62455047397752],
          Heights::weibull(2.9071728339722447), [-0.9667968745343387, 48.42376957693709], false),
@@ -67,6 +67,11 @@ pub fn surfaces() -> Vec<Surface> {
                  0.6198103026649705, 0.17217303460713804, 0.038509257145531293, 0.04751875031422482,
                  0.05159396643077373, 0.0]),
          [0.0, 1.0], true),
+        // When many states were spent next to kinks, a panel was kept that the curve to pull-off missed by all.
+        ([0.25141467600485445, 2088450.6605921749, 9.677999407471259e-5, 17.532983586241333],
+         table(&[6.764561867463158, 7.413644550327232, 7.61812491898833, 9.473936934319546],
+               &[0.0, 0.09950640504498429, 0.39294820397895347, 0.05252303325260175]),
+         [-0.8144531245343387, 0.5333972617108556], true),
         // Refused, wrong by 1e-6, or slow for one of these reasons.
         ([4.4084620834585766e-4, 2.15857668197466e5, 5.652112921818283e-3, 1.8630960734196111e-1],
          Heights::weibull(12.338911759372673), [-0.2697753901593387, 1.639769164822256e1], true),
