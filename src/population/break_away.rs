@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::numerics::root;
 
 /// d(z - u_break)/dz must be no less than this: next to 0 the number of contacts jumps with the separation.
-const LEAST_RATE: f64 = 0.02;
+pub const LEAST_RATE: f64 = 0.02;
 
 /// Summits break away at this height.
 #[derive(Debug, Clone, Copy)]

@@ -5,6 +5,7 @@
 //! not smooth, and at the kinks of the laws: where a contact radius is one of the slip law's, or an overlap one of the law of
 //! contact's.
 
+use super::break_away::LEAST_RATE;
 use super::sums::{out_of_panels, Summit};
 use super::{Point, Population, ONSET, RADII};
 use crate::asperity::contact::KINKS;
@@ -299,7 +300,9 @@ impl Population {
         stop: f64,
     ) -> Panel {
         let env = |n: &str| std::env::var(n).ok().and_then(|v| v.parse::<f64>().ok()).unwrap_or(1.0);
-        let by_parameter = if clearance > PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO {
+        // Where radii fall so steeply that the parameter turns back, panels in it would become ever shorter; not so at break-away.
+        let turns_back = here.height_share() < LEAST_RATE;
+        let by_parameter = if turns_back || clearance > PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO {
             None
         } else {
             let is_polynomial = self.heights.is_piecewise_polynomial();

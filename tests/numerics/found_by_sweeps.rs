@@ -7,7 +7,7 @@ use crate::common::second_evaluation::Surface;
 pub fn surfaces() -> Vec<Surface> {
     let table = |height: &[f64], density: &[f64]| Heights::Table(Table::new(height.to_vec(), density.to_vec()));
     // alpha, beta, gamma, b/h; heights; epsilon, rho; attraction.
-    let found: [([f64; 4], Heights, [f64; 2], bool); 18] = [
+    let found: [([f64; 4], Heights, [f64; 2], bool); 19] = [
         // An end of a panel that was not found met a search for a kink: the library panicked.
         ([5.304071568985277e-2, 5.862277965328117e4, 2.2150197609801716e-3, 14.62455047397752],
          Heights::weibull(2.9071728339722447), [-0.9667968745343387, 48.42376957693709], false),
@@ -58,6 +58,9 @@ pub fn surfaces() -> Vec<Surface> {
                  2.9695893198302294],
                &[0.0, 0.7757021276685667, 0.17149539618068327, 0.1278234405493434, 1.7659987496134113, 0.0]),
          [-0.9482421870343387, 4.329867534084991], true),
+        // From where the parameter turns back, panels in it became ever shorter: refused.
+        ([4.061089666733446e-3, 9.647972034815727e5, 8.204952369430539e-1, 4.576363128286785],
+         Heights::weibull(6.781771351299224), [-0.4733886714093387, 21.628279497818006], true),
         // Next to pull-off rounding errors of attraction let the load rise: refused.
         ([2.3927991759937563e-2, 3.5625241192295405e1, 1.9195663401038495e-5, 6.817842083623049e-2],
          table(&[8.641289722330615, 9.879025203695523, 11.28068659461295, 11.812966686086167, 12.400551025106795,
