@@ -168,8 +168,7 @@ impl Population {
                 return Ok(());
             }
             let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z, log_density);
-            let env = |n: &str| std::env::var(n).ok().and_then(|v| v.parse::<f64>().ok()).unwrap_or(1.0);
-            let mut reach = reach.min(env("FR") * self.radius.smooth_length(here.z)) * env("FA");
+            let mut reach = reach.min(self.radius.smooth_length(here.z));
             let lay = |reach: f64| {
                 let panel = self.panel(separation, here, kink, here.z - edge_height, reach, stop);
                 (panel, self.nodes(separation, &panel))
@@ -187,23 +186,6 @@ impl Population {
                 let fraction = weight * density;
                 progress.add(fraction, point.contact.overlap);
                 visitor.contacts(fraction, point, &self.slip);
-            }
-            if std::env::var("DBGP").is_ok() {
-                let n: f64 = nodes.iter().zip(densities).map(|((w, p), d)| w * d * p.contact.load).sum();
-                eprintln!(
-                    "PANEL {separation} {:?} z {}..{} s {:e}..{:e} a {:e}..{:e} part {} kink {:?} share {:e} follow {}",
-                    panel.axis,
-                    panel.from.z,
-                    panel.to.z,
-                    panel.from.contact.parameter,
-                    panel.to.contact.parameter,
-                    panel.from.contact.radius,
-                    panel.to.contact.radius,
-                    panel.part,
-                    panel.kink,
-                    n,
-                    panel.to.height_share()
-                );
             }
             visitor.last_contact(&panel.to);
             (here, kink) = (panel.to, panel.kink);
@@ -299,7 +281,6 @@ impl Population {
         reach: f64,
         stop: f64,
     ) -> Panel {
-        let env = |n: &str| std::env::var(n).ok().and_then(|v| v.parse::<f64>().ok()).unwrap_or(1.0);
         // Where radii fall so steeply that the parameter turns back, panels in it would become ever shorter; not so at break-away.
         let turns_back = here.height_share() < LEAST_RATE;
         let by_parameter = if turns_back || clearance > PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO {
@@ -313,7 +294,7 @@ impl Population {
             Some(to) => (Axis::Parameter, to),
             None => {
                 let ratio = if self.has_onset() { ONSET_RATIO } else { HEIGHT_RATIO };
-                let z = (here.z + reach.min((env("FH") * ratio * clearance).max(SHORTEST))).min(stop);
+                let z = (here.z + reach.min((ratio * clearance).max(SHORTEST))).min(stop);
                 let to = self.at_height(separation, z, here.contact.parameter);
                 let singular = self.law.distance_to_singularity(here.contact.parameter, self.radius.factor(here.z));
                 let is_short = to.contact.parameter - here.contact.parameter < SHORT_RATIO * singular;
@@ -330,11 +311,7 @@ impl Population {
         // A polynomial density is smooth up to where it ends.
         let smooth = if self.heights.is_piecewise_polynomial() { self.radius.smooth_length(here.z) } else { reach };
         // What contacts about to slip resist asks for all points.
-        let part = if self.has_onset() || env("FN") != 1.0 {
-            1.0
-        } else {
-            self.fineness * self.part(&panel, clearance, smooth)
-        };
+        let part = if self.has_onset() { 1.0 } else { self.fineness * self.part(&panel, clearance, smooth) };
         Panel { part, is_eased: self.is_onset(kink) || self.is_onset(panel.kink), ..panel }
     }
 
@@ -355,9 +332,7 @@ impl Population {
     /// How far a panel in the parameter may reach: as far as the law of contact is smooth.
     fn longest_step(&self, from: &Point) -> f64 {
         let (s, g) = (from.contact.parameter, self.radius.factor(from.z));
-        let smooth = std::env::var("FP").ok().and_then(|v| v.parse::<f64>().ok()).unwrap_or(1.0)
-            * PARAMETER_RATIO
-            * self.law.distance_to_singularity(s, g);
+        let smooth = PARAMETER_RATIO * self.law.distance_to_singularity(s, g);
         let smooth = if self.has_onset() { smooth.min((ONSET_RATIO * s).max(SHORTEST)) } else { smooth };
         // Of the shortest panel at a parameter of 0 the end counts.
         let radius = if s > SHORTEST { from.contact.radius } else { self.law.at(SHORTEST, g).radius };
