@@ -14,7 +14,6 @@
 #include "rivals.hpp"
 #include "surfaces.hpp"
 
-
 #include <atomic>
 #include <cmath>
 #include <random>

@@ -131,7 +131,6 @@ fn compiled_laws_are_exact_states_to_1e_9() {
     for params in &all {
         let model = model(params);
         let summary = model.summary();
-        // Next to kinks that are not listed, where a largest contact radius passes one of the slip law's.
         assert!(summary.table_error < 2e-9, "{params:?}: {:e}", summary.table_error);
         let (lightest, heaviest) = (summary.min_table_load, summary.max_table_load);
         assert!(heaviest > 1e30 * lightest, "{params:?}: {lightest:e} to {heaviest:e}");

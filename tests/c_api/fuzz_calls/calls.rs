@@ -478,7 +478,7 @@ impl<'a> Calls<'a> {
         }
         self.tally.table_difference = self.tally.table_difference.max(difference);
         // What table_error is made of are samples; between them the difference is a small multiple at most.
-        let allowed = 4.0 * s.table_error.max(1e-10) + model.resolution(load);
+        let allowed = 4.0 * s.table_error + 2e-13 + model.resolution(load);
         assert!(difference <= allowed, "{}: table {force:e}, off by {difference:e}", what());
         if s.table_error > 0.0 && difference > 2e-13 + model.resolution(load) {
             self.tally.table_ratio = self.tally.table_ratio.max(difference / s.table_error);
