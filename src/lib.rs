@@ -32,6 +32,9 @@
 //! caller in C gets a status where memory runs out. A Rust program gains nothing by it. One that sets its own allocator does not
 //! compile with it: depend on the crate with `default-features = false`.
 
+// A library says what it has to say by its answers.
+#![cfg_attr(not(test), deny(clippy::print_stdout, clippy::print_stderr))]
+
 mod c_string;
 #[doc(hidden)]
 pub mod capi;

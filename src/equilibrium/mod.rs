@@ -119,10 +119,10 @@ impl Branch {
             let load = sums.load();
             return BranchPoint { log_excess: log(load.max(f64::MIN_POSITIVE)), rate: sums.load_slope / load, sums };
         };
-        let mut excess = sums.load() - pull_off.load;
-        if separation >= self.integrated_from {
-            excess = self.fall_of_load(separation, pull_off.separation);
-        }
+        let excess = match separation >= self.integrated_from {
+            true => self.fall_of_load(separation, pull_off.separation),
+            false => sums.load() - pull_off.load,
+        };
         // A logarithm as small as can be stands for that of nothing, but not in its slope.
         BranchPoint { log_excess: log(excess.max(f64::MIN_POSITIVE)), rate: sums.load_slope / excess, sums }
     }

@@ -13,12 +13,12 @@ const MOST_OF_THE_REST: f64 = 0.7;
 const WHOLE: f64 = 0.99;
 /// A kink nearer to the end than this part of what is left is at the end: contact with the lower end that breaks at once.
 const AT_END: f64 = 1e-9;
-/// A stretch shorter than this is first tried as a cubic, which takes two states in place of thirteen. Once no more states are to be
-/// spent it is kept, if it misses by no more than so many times the tolerance.
+/// A stretch shorter than this is first tried as a cubic, which takes two states in place of thirteen.
 const SHORT: f64 = 0.02;
-const MOST_WHEN_SPENT: f64 = 1e4;
-/// And may miss by so many times the tolerance, which is then what the compiled law promises: more may be noise.
+/// It may miss by so many times the tolerance, which is then what the compiled law promises: more may be noise.
 const MOST_OF_SHORT: f64 = 4.0;
+/// And by so many once no more states are to be spent.
+const MOST_WHEN_SPENT: f64 = 1e4;
 /// The shortest panels, or this part of what is left of the branch, if that is shorter: what is then not resolved is too short to
 /// matter.
 const SHORTEST: f64 = 1e-6;

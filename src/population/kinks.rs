@@ -26,9 +26,9 @@ impl Population {
         if !self.radius.is_constant() {
             for radius in self.slip.kinks() {
                 kinks.extend(self.separations_where(|z| {
-                    let contact = self.contact_of_radius(radius, self.radius.factor(z))?;
-                    let point = Point { z, g_rate: self.radius.at(z).1, contact };
-                    Some((point.radius_change(), z - contact.overlap))
+                    let (g, g_rate) = self.radius.at(z);
+                    let contact = self.contact_of_radius(radius, g)?;
+                    Some((Point { z, g_rate, contact }.radius_change(), z - contact.overlap))
                 }));
                 kinks.extend(self.separations_where(|z| {
                     let edge = Edge::at(&*self.law, &self.radius, z).point.contact;
@@ -61,26 +61,29 @@ impl Population {
 
     /// The separations, which `at` gives as its second, at the heights where its first changes sign.
     fn separations_where(&self, at: impl Fn(f64) -> Option<(f64, f64)>) -> Vec<f64> {
-        let heights: Vec<f64> = self.radius.looks(self.lower_cut, self.highest).collect();
-        let changes = heights.windows(2).filter_map(|between| {
-            let (before, after) = (at(between[0])?.0, at(between[1])?.0);
-            ((before < 0.0) != (after < 0.0)).then_some((between[0], between[1]))
+        let value = |z: f64| at(z).map(|(value, _)| value);
+        let looks: Vec<_> = self.radius.looks(self.lower_cut, self.highest).map(|z| (z, value(z))).collect();
+        let passed = looks.windows(2).filter_map(|between| {
+            let [(lower, before), (upper, after)] = [between[0], between[1]];
+            ((before? < 0.0) != (after? < 0.0)).then_some((lower, upper))
         });
-        let passed = changes.filter_map(|(lower, upper)| {
-            at(root::bracketed(|z| at(z).map_or(f64::NAN, |(value, _)| value), lower, upper))
-        });
-        passed.map(|(_, separation)| separation).collect()
+        let at_root =
+            passed.filter_map(|(lower, upper)| at(root::bracketed(|z| value(z).unwrap_or(f64::NAN), lower, upper)));
+        at_root.map(|(_, separation)| separation).collect()
     }
 
     /// The contact of a radius; `None` if it breaks before it is as small.
     pub(super) fn contact_of_radius(&self, radius: f64, g: f64) -> Option<Contact> {
         let edge = self.law.break_away(g);
+        if radius <= edge.radius {
+            return None;
+        }
         let residual = |s: f64| self.law.at(s, g).radius - radius;
         let mut upper = edge.parameter + 1.0;
         while residual(upper) < 0.0 {
             upper *= 2.0;
         }
-        (radius > edge.radius).then(|| self.law.at(root::bracketed(residual, edge.parameter, upper), g))
+        Some(self.law.at(root::bracketed(residual, edge.parameter, upper), g))
     }
 }
 
