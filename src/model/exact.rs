@@ -220,7 +220,8 @@ impl Model {
         if lightest > heaviest {
             return Err(Error::invalid("lightest", lightest, "must not be above heaviest"));
         }
-        let ends = self.measures_of(farthest, &light)?.warnings() | self.measures_of(nearest, &heavy)?.warnings();
+        let ends = self.measures_of(lightest, farthest, &light)?.warnings()
+            | self.measures_of(heaviest, nearest, &heavy)?.warnings();
         Ok(ends | warnings_between(nearest, farthest, |d| self.measures_at(d))?)
     }
 
@@ -249,15 +250,16 @@ impl Model {
         Ok(found.map(|(near, far)| (load(far), load(near))))
     }
 
-    /// How far what the model assumes fails at a separation, in sigma, with these sums.
-    fn measures_of(&self, separation: f64, sums: &Sums) -> Result<Measures, Error> {
+    /// How far what the model assumes fails under a load, at a separation in sigma, with these sums.
+    fn measures_of(&self, load: f64, separation: f64, sums: &Sums) -> Result<Measures, Error> {
         // None looks at the largest contact.
         let contacts = self.contacts(separation, sums, (sums.contacting * self.units.count).min(1.0))?;
-        Ok(self.measures(&self.state_of(sums.load() * self.units.load, separation, sums, &contacts)))
+        Ok(self.measures(&self.state_of(load, separation, sums, &contacts)))
     }
 
     fn measures_at(&self, separation: f64) -> Result<Measures, Error> {
-        self.measures_of(separation, &self.branch.population().at_separation(separation))
+        let sums = self.branch.population().at_separation(separation);
+        self.measures_of(sums.load() * self.units.load, separation, &sums)
     }
 
     /// The exact state at a separation, in contact or not, on the branch of load control or beyond it.

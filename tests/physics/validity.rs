@@ -276,6 +276,26 @@ fn one_load_has_the_warnings_of_its_state() {
             assert_eq!(model.check_loads(state.load, state.load), Ok(exact), "{name} at {}", state.load);
         }
     }
+    // A load of next to nothing, which the sums have only to rounding: it is the caller's that is compared with Hertz'.
+    let barely_adheres = Params {
+        composite_modulus: 1.04e22,
+        effective_shear_modulus: 7.29e21,
+        work_of_adhesion: 6.9e11,
+        adhesion_range: 4.9e-9,
+        burgers_vector: 2e-9,
+        height_std: 5.5e-4,
+        summit_radius: 0.31,
+        asperity_count: 1.4e11,
+        hardness: 0.0,
+        heights: johnson(0.248, 17.05),
+        ..in_order()
+    };
+    let lightest = 2.2e-308;
+    let model = model(&barely_adheres);
+    let exact = model.state_at_load(lightest).expect("a state").warnings;
+    assert_eq!(exact & WARNING_ADHESIVE, WARNING_ADHESIVE);
+    let found = model.check_loads(lightest, lightest).expect("warnings");
+    assert_eq!(found & exact, exact);
 }
 
 /// From the pull-off load to the heaviest that can be evaluated.
