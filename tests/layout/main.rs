@@ -1,6 +1,7 @@
-//! Data goes one way through the sources (docs/architecture.md): no file imports, by whatever detour, what imports it.
+//! Data goes one way through the sources (docs/architecture.md): no file imports, by whatever detour, what imports it. A
+//! `mod.rs` is its folder's front: the files beside it may use what it declares.
 //!
-//! A `mod.rs` is its folder's front: the files beside it may use what it declares.
+//! Answers depend on arguments alone: no file asks the system for anything but memory.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -22,9 +23,27 @@ fn no_file_imports_in_a_circle() {
     assert!(imports.is_empty(), "imports in a circle: {imports:#?}");
 }
 
-fn imports() -> Imports {
+#[test]
+fn no_file_reads_environment_files_or_clocks() {
+    const OF_THE_SYSTEM: [&str; 8] = ["env", "fs", "io", "net", "os", "process", "thread", "time"];
+    let asks = |path: &Vec<String>| path.len() > 1 && path[0] == "std" && OF_THE_SYSTEM.contains(&&*path[1]);
+    assert!(
+        paths("", "std::env::var(x)").iter().any(asks) && paths("", "\nuse std::{fmt, fs::File};").iter().any(asks)
+    );
+    for (module, text) in sources() {
+        let found: Vec<_> = paths("", &text).into_iter().filter(asks).collect();
+        assert!(found.is_empty(), "{module}: {found:?}");
+    }
+}
+
+fn sources() -> BTreeMap<String, String> {
     let mut sources = BTreeMap::new();
     read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), "", &mut sources);
+    sources
+}
+
+fn imports() -> Imports {
+    let sources = sources();
     let imports_of = |(module, text): (&String, &String)| {
         let used = paths(module, text).into_iter().filter_map(|path| {
             let is_module = |end: &usize| sources.contains_key(&path[..*end].join("::"));
