@@ -35,6 +35,8 @@ const STEP_NEAR_PULL_OFF: f64 = 1e-3;
 const UNRESOLVED: f64 = 1e5;
 /// Lighter loads, in the same unit or the caller's, may have no friction that is a number.
 const LIGHTEST: f64 = 1e-250;
+/// Nor lighter ones than this part of the lightest of the table, from where the law goes on as a power of the load.
+const FAR_BELOW: f64 = 1e-100;
 /// What outputs hold before a call.
 const BEFORE: f64 = -7.25;
 
@@ -264,8 +266,9 @@ impl<'a> Calls<'a> {
             assert!(if pull_off == 0.0 { slope >= 0.0 && is_finite(slope) } else { slope == 0.0 }, "{}", what());
         } else if model.is_within_range(load) {
             assert!(is_finite(force) && force >= 0.0 && slope >= 0.0, "{}", what());
-            // Nothing is left at zero load without adhesion.
-            assert!(force > 0.0 || load <= LIGHTEST * model.unit_load().max(1.0), "{}", what());
+            // Nothing is left at zero load without adhesion, nor, of a power of the load, far below the table.
+            let lightest = (LIGHTEST * model.unit_load().max(1.0)).max(FAR_BELOW * model.summary.min_table_load);
+            assert!(force > 0.0 || load <= lightest, "{}", what());
             assert!(slope.is_finite() || load == pull_off, "{}", what());
             assert!(!mu_slope.is_nan() && mu >= 0.0 && mu <= cap, "{}", what());
             let close = |a: f64, b: f64| (a - b).abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs());
