@@ -615,7 +615,10 @@ impl<'a> Calls<'a> {
         let (whole, half) = (secant(step), secant(0.5 * step));
         let secant = half + (half - whole) / 3.0;
         let difference = (slope - secant).abs() * x / force;
-        let is_near = difference <= SECANT + 4.0 * model.resolution(load) / step;
+        // Far below the heights all contacts pass a slip radius within one step: secants then depend on their length. A jump
+        // within them is told all the same.
+        let unsettled = (half - whole).abs() * x / force;
+        let is_near = difference <= SECANT + unsettled + 4.0 * model.resolution(load) / step;
         if !is_near && !self.are_resolved(model, ends(step)) {
             self.tally.unresolved += 1;
             return;
