@@ -2,8 +2,8 @@
 //!
 //! Panels are laid in the radius of the circle of interaction, of which the overlap is a quadratic polynomial.
 
-use super::panels::PART_AT_LOWER_END;
 use super::sums::{out_of_panels, Sums};
+use super::walk::PART_AT_LOWER_END;
 use super::{Edge, Population};
 use crate::asperity::attraction::{Attracted, Attraction, ATTRACTION_LAMBDA_CUBED};
 use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS};

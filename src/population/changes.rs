@@ -5,8 +5,8 @@
 //! of contact and past where attraction sets in. Nothing is taken by differences.
 
 use super::break_away::Edge;
-use super::panels::{ContactVisitor, Progress};
 use super::radius::RadiusProfile;
+use super::walk::{ContactVisitor, Progress};
 use super::{Point, Population};
 use crate::asperity::contact::Rates;
 use crate::asperity::slip::Slip;

@@ -1,16 +1,17 @@
 //! The sums over all summits at a given separation, eqs (2), (12), (16), and their slopes.
 //!
 //! Each sum is an integral over height z of an asperity's law times the height density. `break_away` tells where contact
-//! begins, `panels` integrates over the summits in contact, `attracted` over those that attract below; `node_table` keeps
-//! what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells more of the
-//! contacts than their sums, `tangential` what they resist before they slip, `changes` what the sums change by with each
-//! parameter, `one_summit` gives the law of a single one.
+//! begins, `walk` goes over the summits in contact in `panels` that end at `cuts`, `attracted` over those that attract below;
+//! `node_table` keeps what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells
+//! more of the contacts than their sums, `tangential` what they resist before they slip, `changes` what the sums change by with
+//! each parameter, `one_summit` gives the law of a single one.
 //!
 //! Heights, overlaps and separations are in sigma; sums are per summit, loads in E* b^2, friction in G* b^2, areas in b^2.
 
 mod attracted;
 mod break_away;
 mod changes;
+mod cuts;
 mod deep;
 mod kinks;
 mod node_table;
@@ -20,6 +21,7 @@ pub mod radius;
 mod statistics;
 mod sums;
 mod tangential;
+mod walk;
 
 pub use changes::{Change, Changes};
 pub use one_summit::OneSummit;
@@ -38,10 +40,10 @@ use crate::groups::Groups;
 use break_away::Edge;
 use deep::DeepRule;
 use node_table::NodeTable;
-use panels::{Progress, Visitor, Walk};
 use radius::RadiusProfile;
 use std::sync::Arc;
 use sums::Summit;
+use walk::{Progress, Visitor, Walk};
 
 /// A step of Newton's method for a height, over the length in which radii change, after which derivatives are those of the
 /// solution to rounding.

@@ -1,7 +1,7 @@
 //! Quadrature nodes that serve every separation: with equal radii the contacts depend on overlap alone.
 
-use super::panels::{Progress, Visitor, Walk};
 use super::sums::Summit;
+use super::walk::{Progress, Visitor, Walk};
 use super::{Point, Population};
 use crate::distribution::panel;
 use crate::error::Error;

@@ -3,8 +3,8 @@
 //!
 //! For exact states only: the sums that a law is compiled from need none of this.
 
-use super::panels::Visitor;
 use super::sums::Summit;
+use super::walk::Visitor;
 use super::{Point, Population};
 use crate::distribution::panel;
 use crate::elementary::{exp, log};

@@ -3,8 +3,8 @@
 //! A contact sticks with the stiffness 8 G^ a (Mindlin), then slips, in part or as a whole (`asperity::slip`), until its force is
 //! its strength, the friction force of a contact that slips. Small contacts slip first.
 
-use super::panels::Visitor;
 use super::sums::Summit;
+use super::walk::Visitor;
 use super::Population;
 use crate::asperity::slip::{SlipOnset, Tangential};
 use crate::error::Error;

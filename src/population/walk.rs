@@ -1,0 +1,198 @@
+//! Goes over the summits in contact at a separation, from the lowest up to where the rest is negligible, and hands each to whoever sums.
+
+use super::panels::{Axis, Panel};
+use super::sums::{out_of_panels, Summit};
+use super::{Point, Population};
+use crate::asperity::slip::Slip;
+use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS, SHORTEST};
+use crate::elementary::exp;
+use crate::error::Error;
+use crate::numerics::quadrature::POINTS;
+
+/// Where the density has fallen by e-folds since its largest value fewer digits of it count: a panel may be longer by this
+/// for each, up to twice as long.
+const LONGER_PER_FOLD: f64 = 0.02;
+/// The panel at a lower end of the heights takes this part of where the law of contact is smooth: there a power of its variable
+/// is the height.
+pub(super) const PART_AT_LOWER_END: f64 = 0.02;
+/// What is less than this part of all above the last mode of the heights ends the sum.
+const NEGLIGIBLE: f64 = 1e-18;
+/// A slope of ln phi, per sigma, over which rounding errors of heights change the density by no small part.
+const STEEPEST: f64 = 1e9;
+
+/// What the summits in contact are handed to.
+pub trait Visitor {
+    /// So many summits at a height, as a fraction of all.
+    fn summits(&mut self, z: f64, fraction: f64, summit: &Summit);
+    /// The last summit of a panel.
+    fn end_of_panel(&mut self, _end: &Point) {}
+}
+
+/// What the contacts of a walk are handed to, with all that is known of them.
+pub trait ContactVisitor {
+    /// So many contacts, as a fraction of all summits.
+    fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip);
+    /// The last contact of a panel.
+    fn last_contact(&mut self, _end: &Point) {}
+}
+
+impl<V: Visitor> ContactVisitor for V {
+    #[inline]
+    fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip) {
+        self.summits(point.z, fraction, &Summit::new(&point.contact, slip.friction(&point.contact)));
+    }
+
+    #[inline]
+    fn last_contact(&mut self, end: &Point) {
+        self.end_of_panel(end);
+    }
+}
+
+/// The summits in contact to go over, from the lowest up.
+#[derive(Debug, Clone, Copy)]
+pub struct Walk {
+    pub separation: f64,
+    /// The lowest of them.
+    pub start: Point,
+    /// The height at which summits just break away.
+    pub edge_height: f64,
+    /// None of them is higher.
+    pub end: f64,
+}
+
+/// How much has been summed, to know when the rest is negligible.
+#[derive(Debug, Default)]
+pub struct Progress {
+    total: f64,
+}
+
+impl Progress {
+    /// Takes in summits at an overlap. Load, area and friction grow no faster than the square of the overlap.
+    #[inline]
+    pub fn add(&mut self, fraction: f64, overlap: f64) {
+        self.total += fraction * importance(overlap);
+    }
+}
+
+/// What a summit counts beside others.
+#[inline]
+fn importance(overlap: f64) -> f64 {
+    let scale = 1.0 + overlap.max(0.0);
+    scale * scale
+}
+
+impl Population {
+    /// Hands summits in contact to a visitor, up to where the rest is negligible.
+    pub(super) fn walk(
+        &self,
+        walk: &Walk,
+        progress: &mut Progress,
+        visitor: &mut impl ContactVisitor,
+    ) -> Result<(), Error> {
+        let &Walk { separation, start, edge_height, end } = walk;
+        let mut here = self.above_lower_end(walk, progress, visitor);
+        let mut kink = None;
+        let end = end.min(self.highest);
+        let largest = self.heights.log_density(start.z.max(self.heights.last_mode()));
+        for _ in 0..MOST_PANELS {
+            if here.z >= end {
+                return Ok(());
+            }
+            let stop = self.stop_above(here.z).min(end);
+            if stop < end && stop - here.z <= panel::slack(here.z) {
+                here = self.at_height(separation, stop, here.contact.parameter);
+                continue;
+            }
+            let log_density = self.heights.log_density(here.z);
+            if self.is_rest_negligible(progress, &here, log_density) {
+                return Ok(());
+            }
+            let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z, log_density);
+            let mut reach = reach.min(self.radius.smooth_length(here.z));
+            let lay = |reach: f64| {
+                let panel = self.panel(separation, here, kink, here.z - edge_height, reach, stop);
+                (panel, self.nodes(separation, &panel))
+            };
+            let (mut panel, mut nodes) = lay(reach);
+            // Where radii change so fast that the height does not follow from the parameter, a shorter panel serves.
+            while !nodes.iter().all(|(_, point)| panel.follows(point)) && reach > SHORTEST {
+                reach *= 0.25;
+                (panel, nodes) = lay(reach);
+            }
+            let overlaps = nodes.map(|(_, point)| point.contact.overlap);
+            let densities = self.densities(separation, nodes.map(|(_, point)| point.z), overlaps);
+            for ((weight, point), density) in nodes.iter().zip(densities).take_while(|((weight, _), _)| *weight != 0.0)
+            {
+                let fraction = weight * density;
+                progress.add(fraction, point.contact.overlap);
+                visitor.contacts(fraction, point, &self.slip);
+            }
+            visitor.last_contact(&panel.to);
+            (here, kink) = (panel.to, panel.kink);
+        }
+        Err(out_of_panels(separation))
+    }
+
+    /// How much longer a panel may be where the density has fallen from its largest value, both given by their logarithms.
+    pub(super) fn panel_factor(&self, largest: f64, z: f64, log_density: f64) -> f64 {
+        if z < self.heights.last_mode() {
+            return 1.0;
+        }
+        // No number where the density is 0.
+        let fall = (largest - log_density).max(0.0);
+        (1.0 + fall * LONGER_PER_FOLD).min(2.0)
+    }
+
+    /// Whether the summits above one add nothing to what has been summed: above the last mode, where ln of their density
+    /// falls about as fast as there.
+    pub(super) fn is_rest_negligible(&self, progress: &Progress, from: &Point, log_density: f64) -> bool {
+        if from.z < self.heights.last_mode() {
+            return false;
+        }
+        let density = exp(log_density);
+        // Where the density is 0 it has no rate.
+        density == 0.0 || {
+            let rate = -self.heights.log_density_slope(from.z);
+            density * importance(from.contact.overlap) <= NEGLIGIBLE * progress.total * rate
+        }
+    }
+
+    /// The densities at the nodes of a panel, given by their heights and overlaps: of small overlaps far out in a steep tail
+    /// more digits count than heights have.
+    #[inline]
+    pub(super) fn densities(&self, separation: f64, z: [f64; POINTS], overlaps: [f64; POINTS]) -> [f64; POINTS] {
+        let slope = self.heights.log_density_slope(z[POINTS / 2]);
+        // Next to the end of the heights it is no number, or so large that a rounding error is no small change; little lies so near.
+        let slope = if slope.abs() < STEEPEST { slope } else { 0.0 };
+        let mut densities = self.heights.densities(z);
+        for i in 0..POINTS {
+            let rounding = overlaps[i] - (z[i] - separation);
+            densities[i] += densities[i] * (slope * rounding);
+        }
+        densities
+    }
+
+    /// The first panel where the range begins at a lower end of the distribution at which the density is a power; returns where
+    /// it ends.
+    fn above_lower_end(&self, walk: &Walk, progress: &mut Progress, visitor: &mut impl ContactVisitor) -> Point {
+        let &Walk { separation, start, edge_height, end } = walk;
+        let (lower_end, _) = self.heights.support();
+        let smooth = (start.z - edge_height).min(self.radius.smooth_length(lower_end));
+        let longest = (PART_AT_LOWER_END * smooth).min(end - lower_end);
+        let Some(panel) = LowerEndPanel::new(&*self.heights, start.z, longest) else { return start };
+        // A kink of the slip law within so short a panel ends it.
+        let to = self.at_height(separation, lower_end + panel.length, start.contact.parameter);
+        let whole = Panel { axis: Axis::Height, from: start, to, kink: None, part: 1.0, is_eased: false };
+        let cut = self.cut_at_kink(separation, whole, None);
+        // Its nodes do not gather at its end: where contacts are about to slip is left to another.
+        let length = if self.is_onset(cut.kink) { 0.5 } else { 1.0 } * (cut.to.z - lower_end);
+        let panel = panel.shortened(length);
+        let mut here = start;
+        for (rise, fraction) in panel.nodes(&*self.heights) {
+            here = self.at_height(separation, lower_end + rise, here.contact.parameter);
+            progress.add(fraction, here.contact.overlap);
+            visitor.contacts(fraction, &here, &self.slip);
+        }
+        self.at_height(separation, lower_end + panel.length, here.contact.parameter)
+    }
+}
