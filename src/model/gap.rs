@@ -2,7 +2,7 @@
 //!
 //! Inside, the argument is minus the separation, with which the load rises as friction does with load: one table serves both.
 
-use super::{Known, Model};
+use super::Model;
 use crate::error::Error;
 use crate::float_bits::{finite, nan};
 use crate::law::Table;
@@ -55,12 +55,6 @@ impl Model {
     pub(crate) fn no_load_at(separation: f64) -> Error {
         let allowed = "the load at this separation is no number, or cannot be found; please report the parameters";
         Error::out_of_range("separation", separation, allowed)
-    }
-
-    /// What a batch knows beside the table: 0 where the surfaces are apart. Zero is a separation like others.
-    pub(crate) fn known_beside_loads() -> Known {
-        let unknown = (f64::NAN, f64::NAN);
-        Known { at_pull_off: unknown, at_zero: unknown, apart: 0.0, light_slope: 0.0, heavy: f64::NAN }
     }
 
     /// Whether the surfaces touch or attract at a separation.

@@ -111,7 +111,7 @@ build_library() {
         cargo build --release --locked --quiet
         library=$target/release/libasperity.a
     elif [ -z "$library" ]; then
-        cargo rustc --release --locked --quiet --lib --crate-type staticlib --target "$1"
+        cargo rustc --release --locked --quiet --lib --crate-type staticlib --target "$1" -- -D warnings
         library=$target/$1/release/libasperity.a
     fi
 }

@@ -132,6 +132,17 @@ struct Answers<L: Lanes> {
     apart: L::Mask,
 }
 
+/// What is known beside the table. Zero is a separation like others, and there is no load where the surfaces are apart.
+fn known(model: &Model, quantity: Quantity) -> Known {
+    let unknown = (f64::NAN, f64::NAN);
+    match quantity {
+        Quantity::Load => {
+            Known { at_pull_off: unknown, at_zero: unknown, apart: 0.0, light_slope: 0.0, heavy: f64::NAN }
+        }
+        _ => model.known(quantity.tabulated()),
+    }
+}
+
 /// Evaluates all full vectors; returns how many elements they are.
 #[inline(always)]
 pub unsafe fn evaluate<L: Lanes>(
@@ -158,7 +169,7 @@ unsafe fn evaluate_as<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
 ) -> usize {
     let table = quantity.table(model);
     let cap = model.params().max_friction_coefficient;
-    let limits = Limits { table, known: quantity.known(model), cap, inverse_cap: model.inverse_cap() };
+    let limits = Limits { table, known: known(model, quantity), cap, inverse_cap: model.inverse_cap() };
     let vectors = arrays.n / L::COUNT;
     let mut block = [MaybeUninit::<Found<L>>::uninit(); BLOCK];
     // The vectors of the block that no rows answer by themselves, or cap.

@@ -17,7 +17,7 @@ use super::fp_environment;
 use crate::error::Error;
 use crate::float_bits::nan;
 use crate::law::{Quantity as Tabulated, Table};
-use crate::model::{Known, Model};
+use crate::model::Model;
 
 /// Which law is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,14 +48,6 @@ impl Quantity {
         match self {
             Self::Load => model.load_table(),
             _ => model.table(self.tabulated()),
-        }
-    }
-
-    /// What is known beside the table.
-    pub fn known(self, model: &Model) -> Known {
-        match self {
-            Self::Load => Model::known_beside_loads(),
-            _ => model.known(self.tabulated()),
         }
     }
 
