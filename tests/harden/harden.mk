@@ -14,15 +14,15 @@
 #   make supply-chain    licences, bans, sources                          needs cargo-deny
 #   make oldest-rust     the Rust tests with the oldest compiler          needs rustup
 #   make coverage        lines that the tests run                         needs llvm-22
-#   make mutants         changes to the source that no test notices       SHARD (k/n), MUTANTS_FILE (files or patterns of
-#                                                                         files); needs cargo-mutants
+#   make mutants         changes to the source that no test notices       SHARD (k/n), MUTANTS (a regular expression of
+#                                                                         paths); needs cargo-mutants
 
 FUZZ_CALLS ?= 10000000
 FUZZ_SEED ?= 1
 FUZZ_SECONDS ?= 1800
 DOMAIN_SETS ?= 20000
 SHARD ?= 0/1
-MUTANTS_FILE ?=
+MUTANTS ?= .
 LOW := nice -n 19
 # Compilers of a toolchain with nightly options; a stable one takes them with RUSTC_BOOTSTRAP.
 FUZZ_CARGO ?= RUSTC_BOOTSTRAP=1 $(CARGO)
@@ -88,7 +88,5 @@ oldest-rust:
 coverage:
 	$(LOW) tests/harden/coverage.sh
 
-# What is found is in $(TARGET)/mutants/mutants.out.
 mutants:
-	mkdir -p $(TARGET)/mutants
-	$(LOW) $(CARGO) mutants --output $(TARGET)/mutants --shard $(SHARD) $(addprefix --file ,$(MUTANTS_FILE))
+	$(LOW) tests/harden/mutants.sh $(TARGET)/mutants --shard $(SHARD) --re '$(MUTANTS)'
