@@ -93,8 +93,15 @@ impl End {
     /// Within a bracket of separations between which the load stops falling.
     fn within(population: &Population, (lower, upper): (f64, f64)) -> Result<Self, Error> {
         let slope = |separation: f64| population.at_separation(separation).load_slope;
-        let separation = root::bracketed(slope, lower, upper);
-        let sums = sums_at(population, separation)?;
+        let mut separation = root::bracketed(slope, lower, upper);
+        let mut sums = sums_at(population, separation)?;
+        // Out of contact the load rises. Where it falls up to the last contact, the point found may lie beyond it by rounding.
+        let mut step = f64::EPSILON * separation.abs();
+        while sums.contacting == 0.0 && separation > lower {
+            separation = lower.max(separation - step);
+            sums = sums_at(population, separation)?;
+            step *= 2.0;
+        }
         let is_number = sums.load() != 0.0 && log(sums.load().abs()) >= SMALLEST_LOG_LOAD;
         if is_number && sums.load() > 0.0 {
             let allowed = "(in composite_modulus burgers_vector^2 per summit) must be below 0: here most summits part while \

@@ -385,3 +385,28 @@ fn adhesion_may_reach_far_beyond_the_roughness() {
         }
     }
 }
+
+/// Radii vanish towards an end of the heights at which summits gather: the load falls up to where the last contact ends, and the point
+/// that was found lay beyond it by rounding.
+#[test]
+fn surfaces_that_part_with_their_last_contact_have_friction_until_then() {
+    let height: Vec<f64> = (-4..=4).map(|i| 0.5 * f64::from(i)).collect();
+    let density = [1e-9, 2e-9, 3e-9, 4e-9, 6e-9, 8e-9, 9e-9, 1e-8, 1.1e-8];
+    let params = Params {
+        composite_modulus: 31352.790025487546,
+        effective_shear_modulus: 21946.953017841282,
+        work_of_adhesion: 34.425466303937576,
+        adhesion_range: 1.974448970508348e-4,
+        burgers_vector: 3.542802347940057e-3,
+        height_std: 648.4468570965734,
+        summit_radius: 11319.252529521586,
+        heights: HeightFamily::Tabulated { height: height.into(), density: density.into() },
+        radius_amplitude: -1.0,
+        radius_rate: 71.70931294931086,
+        ..Params::default()
+    };
+    let model = Model::new(&params).expect("a model");
+    let summary = model.summary();
+    assert!(summary.pull_off_load < 0.0 && summary.pull_off_friction_force > 0.0, "{summary:?}");
+    assert!(summary.table_error < 1e-8, "{summary:?}");
+}
