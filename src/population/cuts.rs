@@ -19,11 +19,13 @@ impl Population {
     pub(super) fn cut_at_kink(&self, separation: f64, panel: Panel, start_kink: Option<usize>) -> Panel {
         let mut panel = self.cut_at_kink_of_contact(separation, panel, start_kink);
         if !self.radius.is_constant() {
-            if let Some(turn) = self.between_extrema(separation, &panel) {
+            let is_cut = self.cut_where(separation, &mut panel, Point::radius_change, None);
+            let turn = if is_cut { None } else { self.between_extrema(separation, &panel) };
+            if let Some(turn) = turn {
                 panel.to = self.on_panel(separation, &panel, turn);
                 panel.kink = None;
+                self.cut_where(separation, &mut panel, Point::radius_change, None);
             }
-            self.cut_where(separation, &mut panel, Point::radius_change, None);
         }
         for (index, kink) in self.radius_kinks.into_iter().enumerate().filter(|&(index, _)| start_kink != Some(index)) {
             self.cut_where(separation, &mut panel, |point| point.contact.radius - kink, Some(index));
@@ -40,13 +42,13 @@ impl Population {
     }
 
     /// Where within a panel the contact radius falls though it rises at both ends, or the other way: it turns back on either side.
-    /// `None` also where it is far from where friction has a kink, and where radii do not fall with height.
+    /// A panel that begins at an extremum begins with next to no change, of either sign. `None` also where the radius is far from
+    /// where friction has a kink, and where radii do not fall with height.
     fn between_extrema(&self, separation: f64, panel: &Panel) -> Option<f64> {
-        let [start, end] = [panel.from, panel.to].map(|end| panel.radius_change_at(&end));
-        // A panel that begins at an extremum begins with next to no change, of either sign.
-        if self.radius.amplitude > 0.0 || start * end < 0.0 {
+        if self.radius.amplitude > 0.0 {
             return None;
         }
+        let [start, end] = [panel.from, panel.to].map(|end| panel.radius_change_at(&end));
         let (a, b) = (panel.from.contact.radius, panel.to.contact.radius);
         let reach = start.abs() + end.abs();
         let near = a.min(b) - reach..a.max(b) + reach;
@@ -118,19 +120,21 @@ impl Population {
         panel
     }
 
-    /// Ends a panel where a function of its summits changes sign: at a kink, or near enough to an extremum.
-    fn cut_where(&self, separation: f64, panel: &mut Panel, f: impl Fn(&Point) -> f64, kink: Option<usize>) {
+    /// Ends a panel where a function of its summits changes sign: at a kink, or near enough to an extremum. Returns whether it does.
+    fn cut_where(&self, separation: f64, panel: &mut Panel, f: impl Fn(&Point) -> f64, kink: Option<usize>) -> bool {
         let ends = [panel.from, panel.to].map(|end| (panel.variable(&end), f(&end)));
         let [(from, at_from), (to, at_to)] = ends;
         // An end that was not found tells nothing: the panel will be tried again shorter.
         if (at_from < 0.0) == (at_to < 0.0) || to.is_nan() {
-            return;
+            return false;
         }
         let root = root::between(|x| f(&self.on_panel(separation, panel, x)), ends[0], ends[1]);
-        if is_inside(root, from, to) {
+        let is_cut = is_inside(root, from, to);
+        if is_cut {
             panel.to = self.on_panel(separation, panel, root);
             panel.kink = kink;
         }
+        is_cut
     }
 
     /// Whether panels end where contacts are about to slip as a whole, after they have slipped in part.
