@@ -68,7 +68,10 @@ impl Curve {
         let lightest = if reach.has_pull_off { f64::NEG_INFINITY } else { reach.log_lightest };
         let most_samples = MOST_SAMPLES + 10 * NODES * steps.kinks.len();
         while from.separation < steps.end && from.log_excess > lightest {
-            let stretch = steps.next(from.separation, curve.samples > most_samples);
+            let stretch = match from.log_excess > reach.log_lightest {
+                true => steps.next(from.separation, curve.samples > most_samples),
+                false => steps.rest(from.separation),
+            };
             let attempt = match stretch.is_bridge {
                 true => curve.bridge(branch, from, stretch),
                 false => curve.attempt(branch, from, stretch),
@@ -252,7 +255,7 @@ mod tests {
 
     #[test]
     fn the_curve_reaches_from_a_heavy_load_to_pull_off_or_as_light_as_asked_for() {
-        for (gamma, lightest, to_pull_off) in [(0.0, -9.0, false), (0.001, 2.0, false), (0.001, 2.0, true)] {
+        for (gamma, lightest, to_pull_off) in [(0.0, -9.0, false), (0.001, 2.0, false), (0.001, -42.0, true)] {
             let branch = branch(gamma);
             let mut states = Vec::new();
             let curve = Curve::new(&branch, reach(lightest, 14.0, to_pull_off), &mut states).expect("a curve");

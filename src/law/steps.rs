@@ -54,8 +54,23 @@ pub struct Steps {
     ends: Vec<f64>,
     /// Where the last stretch ends that is no cubic.
     not_bridged: f64,
-    /// Where the last panel that missed the curve begins, ln of its error, and how often it was halved.
-    missed: Option<(f64, f64, f64)>,
+    /// The last panel that missed the curve.
+    missed: Option<Missed>,
+    /// How many others that end there are halved before the next is tried.
+    untried: u32,
+}
+
+/// A panel that misses the curve.
+#[derive(Debug, Clone, Copy)]
+struct Missed {
+    from: f64,
+    to: f64,
+    /// ln of its error over the tolerance.
+    log_error: f64,
+    /// How often it is halved.
+    halvings: f64,
+    /// How many in turn missed that ended there, before it.
+    others: i32,
 }
 
 impl Steps {
@@ -74,13 +89,14 @@ impl Steps {
             ends: Vec::new(),
             not_bridged: f64::NAN,
             missed: None,
+            untried: 0,
         }
     }
 
     /// What comes next after a separation; if no more states are to be spent, kept where it is not long and not far off.
     pub fn next(&mut self, from: f64, is_spent: bool) -> Stretch {
         let to = match self.ends.last() {
-            Some(&to) => to,
+            Some(&to) => self.other_half(from, to),
             None => {
                 let kink = self.kink_after(from).filter(|&kink| self.end - kink > AT_END * (self.end - from));
                 let to = self.longest(from, kink);
@@ -101,6 +117,22 @@ impl Steps {
         Stretch { from, to, is_bridge, most, slope_slack: (SHORT / length).max(1.0).sqrt(), is_shortest }
     }
 
+    /// All that is left of the branch, however well a panel meets it: between pull-off and the lightest load that is asked for.
+    pub fn rest(&self, from: f64) -> Stretch {
+        Stretch { from, to: self.end, is_bridge: false, most: f64::INFINITY, slope_slack: 1.0, is_shortest: true }
+    }
+
+    /// Where the other half of a panel that missed the curve ends, or its own half if it would miss too.
+    fn other_half(&mut self, from: f64, to: f64) -> f64 {
+        if self.untried == 0 || self.missed.is_none_or(|missed| missed.to != to) {
+            return to;
+        }
+        self.untried -= 1;
+        let half = self.positions.between(from, to, 0.0);
+        self.ends.push(half);
+        half
+    }
+
     fn kink_after(&self, from: f64) -> Option<f64> {
         self.kinks.get(self.kinks.partition_point(|&kink| kink <= from)).copied()
     }
@@ -119,13 +151,19 @@ impl Steps {
         }
     }
 
-    /// How often to halve a panel that begins at a separation and misses the curve by so many times the tolerance: as often as would
-    /// do if each time the error falls as it did the last time.
-    fn halvings(&mut self, from: f64, log_error: f64) -> f64 {
-        let last = self.missed.filter(|(begin, ..)| *begin == from);
-        let expected = last.map_or(1.0, |(_, last, halvings)| halvings * log_error / (last - log_error));
+    /// How often to halve a panel that misses the curve: as often as would do if each time the error falls as it did the last time that
+    /// one began there. Where one missed that ended there too, a kink may be near, towards which each half would miss: so many are
+    /// halved untried as would do likewise, and no more than twice as many each time.
+    fn halvings(&mut self, stretch: &Stretch, log_error: f64) -> f64 {
+        let last = self.missed.filter(|last| last.from == stretch.from);
+        let expected = last.map_or(1.0, |last| last.halvings * log_error / (last.log_error - log_error));
         let halvings = if expected > 1.0 { expected.ceil().min(MOST_HALVINGS) } else { 1.0 };
-        self.missed = Some((from, log_error, halvings));
+        let last = self.missed.filter(|last| last.to == stretch.to);
+        let others = last.map_or(0, |last| last.others + 1);
+        let expected = last.map_or(0.0, |last| log_error / (last.log_error - log_error));
+        let most = 2_f64.powi(others) - 1.0;
+        self.untried = if expected > 0.0 { expected.min(most) } else { most } as u32;
+        self.missed = Some(Missed { from: stretch.from, to: stretch.to, log_error, halvings, others });
         halvings
     }
 
@@ -139,7 +177,7 @@ impl Steps {
         if stretch.is_bridge {
             self.not_bridged = stretch.to;
         } else {
-            let halvings = self.halvings(stretch.from, log(error));
+            let halvings = self.halvings(stretch, log(error));
             let mut to = stretch.to;
             for _ in 0..halvings as u32 {
                 to = self.positions.between(stretch.from, to, 0.0);
@@ -163,6 +201,7 @@ mod tests {
             ends: Vec::new(),
             not_bridged: f64::NAN,
             missed: None,
+            untried: 0,
         }
     }
 
