@@ -157,7 +157,7 @@ module asperity
     real(c_double) :: zero_load_friction_force    ! F at zero load [force]
     real(c_double) :: min_table_load              ! the lightest load of the compiled law [force]
     real(c_double) :: max_table_load              ! the heaviest load of the compiled law [force]
-    real(c_double) :: table_error                 ! largest relative error found at samples of its force; between, up to 4 times [-]
+    real(c_double) :: table_error                 ! largest relative error at samples; between, up to 4 times that, or 2e-10 [-]
   end type asperity_summary
 
   ! A read-only view of the compiled law, for code that cannot call the library. A row is a polynomial of degree 7 in t

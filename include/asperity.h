@@ -731,7 +731,7 @@ typedef struct asperity_summary {
   double max_table_load;
   /**
    * Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
-   * made; between samples it may be four times as large.
+   * made; between samples it may be four times as large, or 2e-10 where that is more.
    */
   double table_error;
 } asperity_summary;

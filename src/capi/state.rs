@@ -109,7 +109,7 @@ pub struct asperity_summary {
     /// Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load.
     pub max_table_load: f64,
     /// Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
-    /// made; between samples it may be four times as large.
+    /// made; between samples it may be four times as large, or 2e-10 where that is more.
     pub table_error: f64,
 }
 

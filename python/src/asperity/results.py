@@ -245,7 +245,7 @@ class Summary(_WithUnits):
         min_table_load: the lightest load of the compiled table [force]; below it the law goes on with its slope, as a power.
         max_table_load: the heaviest load of the compiled table [force]; above it likewise.
         table_error: largest relative error of the compiled friction force found when it was built, at samples; between
-            them it may be four times as large.
+            them it may be four times as large, or 2e-10 where that is more.
     """
 
     alpha: float
