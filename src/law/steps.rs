@@ -244,6 +244,45 @@ mod tests {
         assert!(halved < 40 && length < SHORTEST, "{halved} times to {length}");
     }
 
+    /// The end of the branch is a kink: the error of a panel that reaches it goes as the root of its length.
+    #[test]
+    fn towards_a_kink_halves_that_would_miss_are_not_tried() {
+        let mut steps = steps(&[]);
+        let (mut from, mut missed, mut kept) = (5.0, 0, 0);
+        while from < 10.0 - 1e-6 {
+            let panel = steps.next(from, false);
+            let error = if panel.to == 10.0 { 1e6 * (10.0 - from).sqrt() } else { 0.5 };
+            if steps.keeps(&panel, error) {
+                (from, kept) = (panel.to, kept + 1);
+            } else {
+                missed += 1;
+            }
+        }
+        assert!((20..30).contains(&kept) && (4..8).contains(&missed), "{kept} panels, {missed} that missed");
+    }
+
+    /// And where the error falls faster, no more are taken than would do.
+    #[test]
+    fn a_half_that_is_expected_to_be_good_is_tried() {
+        let mut steps = steps(&[]);
+        let (mut from, mut kept) = (5.0, 0);
+        while from < 10.0 {
+            let panel = steps.next(from, false);
+            let error = if panel.to == 10.0 { 1e3 * (0.2_f64 * (10.0 - from)).powi(2) } else { 0.5 };
+            if steps.keeps(&panel, error) {
+                (from, kept) = (panel.to, kept + 1);
+            }
+        }
+        assert!(kept < 9, "{kept} panels");
+    }
+
+    #[test]
+    fn below_the_lightest_load_all_that_is_left_is_kept() {
+        let mut steps = steps(&[9.0]);
+        let rest = steps.rest(8.0);
+        assert!(rest.to == 10.0 && steps.keeps(&rest, 1e12));
+    }
+
     #[test]
     fn once_no_more_states_are_to_be_spent_what_is_short_is_kept_but_if_far_off() {
         for (part, is_kept) in [(0.9, true), (1.1, false)] {

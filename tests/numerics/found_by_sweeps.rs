@@ -7,7 +7,7 @@ use crate::common::second_evaluation::Surface;
 pub fn surfaces() -> Vec<Surface> {
     let table = |height: &[f64], density: &[f64]| Heights::Table(Table::new(height.to_vec(), density.to_vec()));
     // alpha, beta, gamma, b/h; heights; epsilon, rho; attraction.
-    let found: [([f64; 4], Heights, [f64; 2], bool); 19] = [
+    let found: [([f64; 4], Heights, [f64; 2], bool); 21] = [
         // An end of a panel that was not found met a search for a kink: the library panicked.
         ([5.304071568985277e-2, 5.862277965328117e4, 2.2150197609801716e-3, 14.62455047397752],
          Heights::weibull(2.9071728339722447), [-0.9667968745343387, 48.42376957693709], false),
@@ -84,6 +84,12 @@ pub fn surfaces() -> Vec<Surface> {
          Heights::weibull(3.183622022996027), [0.9113769535906613, 1.772540602100253e0], false),
         ([2.8756778670488536e-2, 1.718091888888489e5, 1.9511774466711823e-1, 4.533057544911567e0],
          Heights::weibull(85.57692478317134), [-0.9592285151593387, 5.981284142477296e-1], true),
+        // A panel that began at an extremum of the contact radius passed the next: friction was off by 3e-7.
+        ([1.5762744511466711e-3, 205193.83457204167, 5.38107283283323e-6, 17.971154138],
+         Heights::weibull(2.963340259707611), [-0.7957763667218387, 3.1883835311915294], false),
+        // Surfaces that part where the lowest summits break away: 1.2 s.
+        ([5.19488780366486e-4, 7.048285653914581, 1.8055327116728395e-3, 7.064024554613074e-2],
+         Heights::weibull(1.4497158551457616), [-0.4035644526593387, 1.0243232072942617e-2], false),
     ];
     let slip = [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0];
     let surfaces = found.map(|([alpha, beta, gamma, b_over_h], heights, [epsilon, rho], attraction)| {
