@@ -56,6 +56,8 @@ pub struct Steps {
     not_bridged: f64,
     /// The last panel that missed the curve.
     missed: Option<Missed>,
+    /// How many panels were kept since.
+    kept: u32,
     /// How many others that end there are halved before the next is tried.
     untried: u32,
 }
@@ -89,6 +91,7 @@ impl Steps {
             ends: Vec::new(),
             not_bridged: f64::NAN,
             missed: None,
+            kept: 0,
             untried: 0,
         }
     }
@@ -163,6 +166,7 @@ impl Steps {
         let expected = last.map_or(0.0, |last| log_error / (last.log_error - log_error));
         let most = 2_f64.powi(others) - 1.0;
         self.untried = if expected > 0.0 { expected.min(most) } else { most } as u32;
+        self.kept = 0;
         self.missed = Some(Missed { from: stretch.from, to: stretch.to, log_error, halvings, others });
         halvings
     }
@@ -172,6 +176,11 @@ impl Steps {
     pub fn keeps(&mut self, stretch: &Stretch, error: f64) -> bool {
         if error <= stretch.most || stretch.is_shortest {
             self.ends.pop();
+            // Away from a kink halves grow: once two in turn are kept, two are taken at once.
+            self.kept += 1;
+            if self.kept > 1 && self.ends.len() > 1 {
+                self.ends.pop();
+            }
             return true;
         }
         if stretch.is_bridge {
@@ -201,6 +210,7 @@ mod tests {
             ends: Vec::new(),
             not_bridged: f64::NAN,
             missed: None,
+            kept: 0,
             untried: 0,
         }
     }
@@ -259,6 +269,22 @@ mod tests {
             }
         }
         assert!((20..30).contains(&kept) && (4..8).contains(&missed), "{kept} panels, {missed} that missed");
+    }
+
+    /// Halves grow away from a kink: of those that are good only every other one is needed.
+    #[test]
+    fn away_from_a_kink_two_halves_are_taken_at_once() {
+        let mut steps = steps(&[]);
+        let (mut from, mut kept) = (5.0, 0);
+        while from < 10.0 {
+            let panel = steps.next(from, false);
+            // Good where it is no longer than three times its distance from the kink at which the first begins.
+            let error = if panel.to - from <= 3.0 * (from - 5.0) + 1e-5 { 0.5 } else { 1e3 };
+            if steps.keeps(&panel, error) {
+                (from, kept) = (panel.to, kept + 1);
+            }
+        }
+        assert!((8..17).contains(&kept), "{kept} panels");
     }
 
     /// And where the error falls faster, no more are taken than would do.

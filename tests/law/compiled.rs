@@ -172,8 +172,8 @@ fn force_and_slope_are_continuous_where_rows_meet() {
             // The slope of the smooth curve changes by no more than x does.
             let slope_jump = (relative(s, slope) - 2.0 * step / x).max(0.0);
             edges += 1;
-            // Whole rows meet to rounding, and the last part of a divided row meets the next row nearly so.
-            if jump <= 1e-10 && slope_jump <= 1e-7 {
+            // Whole rows meet to rounding, and the last part of a divided row meets the next row as well as parts meet the curve.
+            if jump <= 2e-10 && slope_jump <= 1e-7 {
                 between_parts += usize::from(jump > 1e-12);
                 continue;
             }
