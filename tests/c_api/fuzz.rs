@@ -64,6 +64,7 @@ fn any_bytes_give_answers_as_promised() {
         let mut seen = Tally::default();
         if let Err(panic) = catch_unwind(AssertUnwindSafe(|| run(&bytes, &mut seen))) {
             let text = panic.downcast_ref::<String>().cloned();
+            println!("failed: seed {this:#x}");
             failures.push(format!("seed {this:#x}: {}", text.unwrap_or_else(|| "a panic without text".into())));
         }
         let before = tally.total();
