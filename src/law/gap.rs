@@ -110,7 +110,8 @@ impl Gap {
         Filling::new(&source, lengths.unit, FRACTION).rows(&mut table, (end - base) as usize, reach.most_rows);
         let last = table.begin_of(table.row_count).below();
         let at_last = table.at_excess(last).unwrap_or((f64::NAN, f64::NAN));
-        Self { heavy: Box::new(Continuation::new(last, at_last, 0.0, true)), table, tail, lengths }
+        let heavy = Box::new(Continuation::new(last + table.pull_off, at_last, 0.0, true));
+        Self { heavy, table, tail, lengths }
     }
 
     /// The table: its argument is minus the separation, its slope by that.
@@ -137,7 +138,7 @@ impl Gap {
         let x = -self.table.pull_off - separation;
         match self.tail.filter(|tail| x < tail.begin) {
             Some(tail) => tail.at(x),
-            None => self.heavy.at(x),
+            None => self.heavy.at(-separation),
         }
     }
 
@@ -164,7 +165,9 @@ impl Gap {
 fn lightest(branch: &Branch, curve: &Curve) -> f64 {
     let (begin, end) = curve.separation_range();
     let highest = branch.farthest() - NEAREST_TO_HIGHEST * (1.0 + branch.farthest().abs());
-    highest.max(begin).min(end)
+    // No farther above the mean height than the heaviest load is below: lengths are resolved in proportion to the distance from here.
+    let middle = -branch.population().heights().origin();
+    highest.min(2.0 * middle - begin).max(begin).min(end)
 }
 
 /// The separation at which the load is 0, where it pulls at the end.

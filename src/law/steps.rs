@@ -111,7 +111,7 @@ impl Steps {
         let is_at_pull_off = self.at_pull_off && to == self.end;
         let is_short = length < SHORT;
         let is_bridge = !is_at_pull_off && is_short && !is_spent && self.not_bridged != to;
-        let is_shortest = !is_bridge && length < SHORTEST.min(SHORTEST_PART * (self.end - from));
+        let is_shortest = !is_bridge && length < self.shortest(from);
         let most = match is_short {
             true if is_spent => MOST_WHEN_SPENT,
             true => MOST_OF_SHORT,
@@ -127,13 +127,19 @@ impl Steps {
 
     /// Where the other half of a panel that missed the curve ends, or its own half if it would miss too.
     fn other_half(&mut self, from: f64, to: f64) -> f64 {
-        if self.untried == 0 || self.missed.is_none_or(|missed| missed.to != to) {
+        let is_shortest = self.positions.distance(from, to) < self.shortest(from);
+        if is_shortest || self.untried == 0 || self.missed.is_none_or(|missed| missed.to != to) {
             return to;
         }
         self.untried -= 1;
         let half = self.positions.between(from, to, 0.0);
         self.ends.push(half);
         half
+    }
+
+    /// No shorter panel is halved.
+    fn shortest(&self, from: f64) -> f64 {
+        SHORTEST.min(SHORTEST_PART * (self.end - from))
     }
 
     fn kink_after(&self, from: f64) -> Option<f64> {
@@ -269,6 +275,20 @@ mod tests {
             }
         }
         assert!((20..30).contains(&kept) && (4..8).contains(&missed), "{kept} panels, {missed} that missed");
+    }
+
+    /// Towards a kink within the branch halves end as well.
+    #[test]
+    fn no_half_is_much_shorter_than_the_shortest_panel() {
+        let mut steps = steps(&[7.0]);
+        let mut from = 5.0;
+        while from < 7.0 {
+            let panel = steps.next(from, false);
+            assert!(panel.to - from > 0.1 * SHORTEST, "{from} to {}", panel.to);
+            if steps.keeps(&panel, if panel.to == 7.0 { 1e9 } else { 0.5 }) {
+                from = panel.to;
+            }
+        }
     }
 
     /// Halves grow away from a kink: of those that are good only every other one is needed.
