@@ -3,7 +3,7 @@
 use super::compiled::{random_models, Failures};
 use crate::common::neighbours::Neighbours;
 use crate::common::splitmix::SplitMix;
-use crate::common::surfaces::{dimensionless, model, of_the_benchmark};
+use crate::common::surfaces::{dimensionless, johnson, model, of_the_benchmark};
 use asperity::{Error, HeightFamily, Model, Params};
 
 const SEED: u64 = 0x6a90;
@@ -189,5 +189,22 @@ fn beyond_the_table_and_out_of_range() {
         let (load, slope) = model.load_and_slope_at(separation);
         assert!(load.is_nan() && slope.is_nan(), "{separation}: {load}, {slope}");
         assert!(model.validate_separation(separation).is_err());
+    }
+}
+
+/// Far above the mean height such surfaces touch still: lengths were measured from there, and next to the mean none was resolved.
+#[test]
+fn heights_with_long_tails_are_resolved_next_to_their_mean() {
+    for (skew, kurtosis) in [(0.0, 8.0), (0.25, 17.0), (2.0, 40.0), (0.0, 90.0)] {
+        let params = Params { heights: johnson(skew, kurtosis), ..Params::default() };
+        let model = model(&params);
+        for separation in [3.0, 1.0, 0.0, -1.0, -10.0, -100.0, -3000.0, -8000.0, -1e5].map(|d| d * params.height_std) {
+            let (load, slope) = model.load_and_slope_at(separation);
+            let exact = model.state_at_separation(separation).expect("a state");
+            // The last is beyond the table.
+            let allowed = if separation < -1e4 * params.height_std { [2e-7, 2e-7] } else { [2e-9, 2e-7] };
+            let off = [load / exact.load - 1.0, slope / exact.dload_dseparation - 1.0].map(f64::abs);
+            assert!(off[0] < allowed[0] && off[1] < allowed[1], "{skew}, {kurtosis} at {separation}: {off:?}");
+        }
     }
 }
