@@ -97,7 +97,7 @@ impl End {
         let mut sums = sums_at(population, separation)?;
         // Out of contact the load rises. Where it falls up to the last contact, the point found may lie beyond it by rounding.
         let mut step = f64::EPSILON * separation.abs();
-        while sums.contacting == 0.0 && separation > lower {
+        while sums.load() < 0.0 && sums.contacting == 0.0 && separation > lower {
             separation = lower.max(separation - step);
             sums = sums_at(population, separation)?;
             step *= 2.0;
