@@ -346,8 +346,9 @@ Accuracy accuracy_over(const asperity_model *model, double pull_off, double near
 
 void report_accuracy(const std::vector<Surface> &surfaces, size_t count) {
     std::printf("\n### Accuracy of the compiled law\n\n"
-                "Largest relative error against `asperity_state_at_load`, of %zu loads of the table. Where dF/dP is off by more than its limit, exact states at 25 loads next to it, 2e-4 "
-                "apart in ln(load - pull-off), tell why: *scatter* is the standard deviation of their dF/dP from a smooth "
+                "Largest relative error against `asperity_state_at_load`, of %zu loads of the table. Where dF/dP is off by "
+                "more than its limit, exact states at 25 loads next to it, 2e-4 apart in "
+                "ln(load - pull-off), tell why: *scatter* is the standard deviation of their dF/dP from a smooth "
                 "curve, by fourth differences, *mean* the error of the law's dF/dP averaged over them, which is then what the "
                 "limit is for. Of several such loads the largest is given.\n\n"
                 "| surfaces | pull-off load | the table's loads | error of F | limit | "

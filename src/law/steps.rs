@@ -260,66 +260,52 @@ mod tests {
         assert!(halved < 40 && length < SHORTEST, "{halved} times to {length}");
     }
 
-    /// The end of the branch is a kink: the error of a panel that reaches it goes as the root of its length.
-    #[test]
-    fn towards_a_kink_halves_that_would_miss_are_not_tried() {
-        let mut steps = steps(&[]);
-        let (mut from, mut missed, mut kept) = (5.0, 0, 0);
-        while from < 10.0 - 1e-6 {
+    /// The panels kept from 5 to a separation, and how many missed, of such errors.
+    fn followed(kinks: &[f64], to: f64, error: impl Fn(&Stretch) -> f64) -> (Vec<Stretch>, usize) {
+        let mut steps = steps(kinks);
+        let (mut from, mut kept, mut missed) = (5.0, Vec::new(), 0);
+        while from < to {
             let panel = steps.next(from, false);
-            let error = if panel.to == 10.0 { 1e6 * (10.0 - from).sqrt() } else { 0.5 };
-            if steps.keeps(&panel, error) {
-                (from, kept) = (panel.to, kept + 1);
+            if steps.keeps(&panel, error(&panel)) {
+                from = panel.to;
+                kept.push(panel);
             } else {
                 missed += 1;
             }
         }
-        assert!((20..30).contains(&kept) && (4..8).contains(&missed), "{kept} panels, {missed} that missed");
+        (kept, missed)
+    }
+
+    /// The end of the branch is a kink: the error of a panel that reaches it goes as the root of its length.
+    #[test]
+    fn towards_a_kink_halves_that_would_miss_are_not_tried() {
+        let error = |panel: &Stretch| if panel.to == 10.0 { 1e6 * (10.0 - panel.from).sqrt() } else { 0.5 };
+        let (kept, missed) = followed(&[], 10.0 - 1e-6, error);
+        assert!((20..30).contains(&kept.len()) && (4..8).contains(&missed), "{} panels, {missed} missed", kept.len());
     }
 
     /// Towards a kink within the branch halves end as well.
     #[test]
     fn no_half_is_much_shorter_than_the_shortest_panel() {
-        let mut steps = steps(&[7.0]);
-        let mut from = 5.0;
-        while from < 7.0 {
-            let panel = steps.next(from, false);
-            assert!(panel.to - from > 0.1 * SHORTEST, "{from} to {}", panel.to);
-            if steps.keeps(&panel, if panel.to == 7.0 { 1e9 } else { 0.5 }) {
-                from = panel.to;
-            }
-        }
+        let (kept, _) = followed(&[7.0], 7.0, |panel| if panel.to == 7.0 { 1e9 } else { 0.5 });
+        assert!(kept.iter().all(|panel| panel.to - panel.from > 0.1 * SHORTEST), "{kept:?}");
     }
 
     /// Halves grow away from a kink: of those that are good only every other one is needed.
     #[test]
     fn away_from_a_kink_two_halves_are_taken_at_once() {
-        let mut steps = steps(&[]);
-        let (mut from, mut kept) = (5.0, 0);
-        while from < 10.0 {
-            let panel = steps.next(from, false);
-            // Good where it is no longer than three times its distance from the kink at which the first begins.
-            let error = if panel.to - from <= 3.0 * (from - 5.0) + 1e-5 { 0.5 } else { 1e3 };
-            if steps.keeps(&panel, error) {
-                (from, kept) = (panel.to, kept + 1);
-            }
-        }
-        assert!((8..17).contains(&kept), "{kept} panels");
+        // Good where it is no longer than three times its distance from the kink at which the first begins.
+        let is_good = |panel: &Stretch| panel.to - panel.from <= 3.0 * (panel.from - 5.0) + 1e-5;
+        let (kept, _) = followed(&[], 10.0, |panel| if is_good(panel) { 0.5 } else { 1e3 });
+        assert!((8..17).contains(&kept.len()), "{} panels", kept.len());
     }
 
     /// And where the error falls faster, no more are taken than would do.
     #[test]
     fn a_half_that_is_expected_to_be_good_is_tried() {
-        let mut steps = steps(&[]);
-        let (mut from, mut kept) = (5.0, 0);
-        while from < 10.0 {
-            let panel = steps.next(from, false);
-            let error = if panel.to == 10.0 { 1e3 * (0.2_f64 * (10.0 - from)).powi(2) } else { 0.5 };
-            if steps.keeps(&panel, error) {
-                (from, kept) = (panel.to, kept + 1);
-            }
-        }
-        assert!(kept < 9, "{kept} panels");
+        let error = |panel: &Stretch| if panel.to == 10.0 { 1e3 * (0.2 * (10.0 - panel.from)).powi(2) } else { 0.5 };
+        let (kept, _) = followed(&[], 10.0, error);
+        assert!(kept.len() < 9, "{} panels", kept.len());
     }
 
     #[test]

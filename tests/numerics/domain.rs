@@ -365,7 +365,8 @@ fn and_so_is_every_one_that_long_sweeps_found_wrong() {
 /// contact law turns back: within one panel, whose ends showed neither.
 #[test]
 fn friction_is_summed_from_kink_to_kink_where_contact_radii_rise_and_fall() {
-    let surface = found_by_sweeps::surfaces().pop().expect("the last one, with Weibull heights of shape 86");
+    let found = found_by_sweeps::surfaces().into_iter().find(|surface| surface.alpha == 2.8756778670488536e-2);
+    let surface = found.expect("it is one of those that sweeps found");
     let params = params_of(&surface);
     let model = Model::new(&params).expect("a model");
     for step in -5..=5 {
