@@ -5,6 +5,13 @@ pub fn finite(x: f64) -> bool {
     x.to_bits() << 1 < 0x7ff << 53
 }
 
+/// Positive numbers between these are moderate: 2^-300 and 2^300. Products and quotients of three neither overflow nor underflow.
+pub const MODERATE: [f64; 2] = [f64::from_bits((1023 - 300) << 52), f64::from_bits((1023 + 300) << 52)];
+
+pub fn moderate(x: f64) -> bool {
+    (MODERATE[0].to_bits()..=MODERATE[1].to_bits()).contains(&x.to_bits())
+}
+
 /// Plus infinity.
 pub fn infinite(x: f64) -> bool {
     x.to_bits() == f64::INFINITY.to_bits()
@@ -18,6 +25,15 @@ pub fn nan(x: f64) -> bool {
 mod tests {
     use super::*;
     use crate::neighbours::Neighbours;
+
+    #[test]
+    fn moderate_numbers_are_positive_and_far_from_overflow() {
+        let [least, most] = [2.0_f64.powi(-300), 2.0_f64.powi(300)];
+        for (x, is_moderate) in [(least, true), (1.0, true), (most, true), (least.below(), false), (most.above(), false)] {
+            assert!(moderate(x) == is_moderate && !moderate(-x), "{x:e}");
+        }
+        assert!(![0.0, -0.0, f64::INFINITY, f64::NAN].into_iter().any(moderate));
+    }
 
     #[test]
     fn neighbours_are_one_bit_away() {

@@ -55,7 +55,7 @@ fn tabulated<const QUANTITY: u8>(model: &Model, load: f64, force: impl FnOnce(&R
     }
     let x = load - table.pull_off;
     let Some(index) = table.index_of(x) else {
-        return beside_rows::<QUANTITY>(model, load);
+        return beside_table::<QUANTITY>(model, load);
     };
     // SAFETY: a table has at least as many rows as are found from x.
     let row = unsafe { table.rows.get_unchecked(index) };
@@ -90,7 +90,13 @@ extern "C" fn in_part<const QUANTITY: u8>(model: &Model, load: f64, row: &Row, t
     }
 }
 
-/// What no row answers by itself.
+/// What the table does not answer, where results are rounded to nearest.
+#[inline(never)]
+extern "C" fn beside_table<const QUANTITY: u8>(model: &Model, load: f64) -> f64 {
+    boundary::contained_value(|| quantity(QUANTITY).beside_table(model, load).0)
+}
+
+/// What may not be asked of a row.
 #[cold]
 #[inline(never)]
 extern "C" fn beside_rows<const QUANTITY: u8>(model: &Model, load: f64) -> f64 {

@@ -7,23 +7,27 @@ use super::row::{polynomial, Row, RowBasis, INTERIOR};
 use super::table::{Table, MANTISSA_BITS};
 use super::FRACTION;
 use crate::elementary::{exp, log, log1p};
+use crate::float_bits::{moderate, MODERATE};
 use crate::neighbours::Neighbours;
 use std::f64::consts::LN_2;
+use std::ops::RangeInclusive;
 
 /// Rows per binade.
 const ROWS: usize = 1 << FRACTION;
 /// The number of binades from a row's end to x has three digits of this base: 4096 binades are more than doubles have.
-const DIGIT_BITS: u32 = 4;
-const DIGIT: usize = 1 << DIGIT_BITS;
+pub const DIGIT_BITS: u32 = 4;
+pub const DIGIT: usize = 1 << DIGIT_BITS;
 const DIGITS: usize = 3;
 /// Subnormal numbers are multiplied by 2 to this power.
 const SUBNORMAL: u64 = 54;
+/// No number has these exponent bits.
+const NONE: RangeInclusive<u64> = 1 << 12..=1 << 12;
 
 /// A quantity beyond both ends of its table.
 #[derive(Debug, Clone)]
 pub struct Beyond {
-    light: Continuation,
-    heavy: Continuation,
+    /// At its light end, and at its heavy one.
+    pub ends: [Continuation; 2],
 }
 
 impl Beyond {
@@ -33,25 +37,39 @@ impl Beyond {
         let (first, last) = (table.begin_of(0), table.begin_of(table.row_count).below());
         let at = |x: f64| table.at_excess(x).unwrap_or((f64::NAN, f64::NAN));
         let light = Continuation::new(first, at(first), at_pull_off, false);
-        Self { light, heavy: Continuation::new(last, at(last), 0.0, true) }
+        Self { ends: [light, Continuation::new(last, at(last), 0.0, true)] }
     }
 
     /// The value and its slope at x > 0 that the table does not hold.
+    #[inline]
     pub fn at(&self, table: &Table, x: f64) -> (f64, f64) {
-        if x < table.begin_of(0) { &self.light } else { &self.heavy }.at(x)
+        self.end(table, x).at(x)
+    }
+
+    /// Whether finding them there can raise no floating-point exception.
+    #[inline]
+    pub fn is_moderate(&self, table: &Table, x: f64) -> bool {
+        self.end(table, x).is_moderate(x)
+    }
+
+    #[inline]
+    fn end(&self, table: &Table, x: f64) -> &Continuation {
+        &self.ends[usize::from(x >= table.begin_of(0))]
     }
 }
 
 /// Value and slope of a quantity beyond one end of its table.
 #[derive(Debug, Clone)]
 pub struct Continuation {
-    base: f64,
+    pub base: f64,
     /// G x^p over the first binade beyond, as in a table.
-    rows: [Row; ROWS],
+    pub rows: [Row; ROWS],
     /// The exponent bits of that binade.
-    binade: u64,
+    pub binade: u64,
     /// What G x^p changes by over 1, 2, ... binades, over DIGIT, 2 DIGIT, ... and so on.
-    factors: [[f64; DIGIT]; DIGITS],
+    pub factors: [[f64; DIGIT]; DIGITS],
+    /// The exponent bits of x of which value and slope are moderate.
+    pub moderate: RangeInclusive<u64>,
 }
 
 impl Continuation {
@@ -82,25 +100,62 @@ impl Continuation {
         // What no load asks for overflows.
         let factor = |binades: usize| exp((sign * power * binades as f64 * LN_2).clamp(-740.0, 700.0));
         let factors = std::array::from_fn(|digit| std::array::from_fn(|i| factor(i << (DIGIT_BITS as usize * digit))));
-        Self { base, rows, binade, factors }
+        Self { base, rows, binade, factors, moderate: moderate_binades(binade, gain, base, power) }
+    }
+
+    /// Whether finding the value and slope at x > 0 can raise no floating-point exception but "inexact".
+    #[inline]
+    pub fn is_moderate(&self, x: f64) -> bool {
+        self.moderate.contains(&(x.to_bits() >> MANTISSA_BITS))
     }
 
     /// The value and its slope by x > 0.
     pub fn at(&self, x: f64) -> (f64, f64) {
-        let is_subnormal = x < f64::MIN_POSITIVE;
-        let (x_normal, shift) = if is_subnormal { (x * (1_u64 << SUBNORMAL) as f64, SUBNORMAL) } else { (x, 0) };
-        let binades = (self.binade + shift).abs_diff(x_normal.to_bits() >> MANTISSA_BITS) as usize;
+        if x >= f64::MIN_POSITIVE {
+            return self.at_normal(x, 0);
+        }
+        let scale = (1_u64 << SUBNORMAL) as f64;
+        let (value, slope) = self.at_normal(x * scale, SUBNORMAL);
+        (value, slope * scale)
+    }
+
+    /// The value and its slope by a normal number, which is 2^`shift` times what is meant.
+    #[inline]
+    pub fn at_normal(&self, x: f64, shift: u64) -> (f64, f64) {
+        let binades = (self.binade + shift).abs_diff(x.to_bits() >> MANTISSA_BITS) as usize;
         let factor = (0..DIGITS).fold(1.0, |factor, digit| {
             factor * self.factors[digit][binades >> (DIGIT_BITS as usize * digit) & (DIGIT - 1)]
         });
-        let mantissa = Self::mantissa(x_normal);
-        let row = ((mantissa - 1.0) * ROWS as f64) as usize;
-        let (value, rate) = polynomial(&self.rows[row].0, mantissa - 1.0 - row as f64 / ROWS as f64);
-        (self.base + factor * value, factor * rate * mantissa / x)
+        // As in a table of so many rows per binade.
+        let of_mantissa = x.to_bits() & Table::MANTISSA;
+        let shift = Table::shift_of(FRACTION);
+        let within_row = of_mantissa & !(u64::MAX << shift);
+        let t = f64::from_bits(within_row | Table::ONE) - 1.0;
+        let (value, rate) = polynomial(&self.rows[(of_mantissa >> shift) as usize].0, t);
+        let begin_of_binade = f64::from_bits(x.to_bits() - of_mantissa);
+        (self.base + factor * value, factor * rate / begin_of_binade)
     }
 
     fn mantissa(x: f64) -> f64 {
         f64::from_bits(x.to_bits() & Table::MANTISSA | Table::ONE)
+    }
+}
+
+/// The exponent bits of x of which base + G x^p and its slope are moderate, from the binade in which G x^p is `gain`; none if the
+/// gain, the base or the power is not moderate.
+fn moderate_binades(binade: u64, gain: f64, base: f64, power: f64) -> RangeInclusive<u64> {
+    let is_zero_or_moderate = |number: f64| number == 0.0 || moderate(number);
+    if !moderate(gain) || !is_zero_or_moderate(base) || !is_zero_or_moderate(power) {
+        return NONE;
+    }
+    let [least, most] = MODERATE.map(|end| end.to_bits() >> MANTISSA_BITS);
+    let left = log(MODERATE[1]) - log(gain).abs();
+    let binades = (left / (power.max(1.0) * LN_2)) as u64;
+    let (first, last) = (binade.saturating_sub(binades).max(least), (binade + binades).min(most));
+    if first <= last {
+        first..=last
+    } else {
+        NONE
     }
 }
 

@@ -142,6 +142,12 @@ impl Gap {
         }
     }
 
+    /// Whether finding them raises no floating-point exception but "inexact".
+    pub fn is_moderate_beyond(&self, separation: f64) -> bool {
+        let x = -self.table.pull_off - separation;
+        !self.tail.is_some_and(|tail| x < tail.begin) && self.heavy.is_moderate(-separation)
+    }
+
     /// The separation that carries a load, to some digits; dimensionless; `None` beyond the table.
     pub fn separation_of(&self, load: f64) -> Option<f64> {
         let begins =

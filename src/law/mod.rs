@@ -23,6 +23,8 @@ use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
 use crate::population::Sums;
 use continuation::Beyond;
+#[cfg(target_arch = "x86_64")]
+pub use continuation::{Continuation, DIGIT, DIGIT_BITS};
 use curve::Curve;
 use fill::{Filling, Source};
 pub use gap::Gap;
@@ -35,6 +37,8 @@ pub use row::{polynomial, Row};
 #[cfg(target_arch = "x86_64")]
 pub use row::{COEFFICIENTS, DIVISIONS, OFFSET};
 pub use table::Table;
+#[cfg(target_arch = "x86_64")]
+pub use table::MANTISSA_BITS;
 
 /// Rows of one table at most, with the parts of rows: 80 KiB, and some for each kink of the curve.
 const MOST_ROWS: usize = 1280;
@@ -154,9 +158,23 @@ impl Law {
     }
 
     /// A quantity and its slope at a load above pull-off that its table does not hold.
+    #[inline]
     pub fn beyond(&self, quantity: Quantity, load: f64) -> (f64, f64) {
         let Compiled { table, beyond, .. } = &self.compiled[quantity as usize];
         beyond.at(table, load - table.pull_off)
+    }
+
+    /// Its continuations beyond the light and the heavy end of the table.
+    #[cfg(target_arch = "x86_64")]
+    pub fn continuations(&self, quantity: Quantity) -> &[Continuation; 2] {
+        &self.compiled[quantity as usize].beyond.ends
+    }
+
+    /// Whether finding them raises no floating-point exception but "inexact".
+    #[inline]
+    pub fn is_moderate_beyond(&self, quantity: Quantity, load: f64) -> bool {
+        let Compiled { table, beyond, .. } = &self.compiled[quantity as usize];
+        beyond.is_moderate(table, load - table.pull_off)
     }
 
     /// The shares of the elements that follow the contacts before gross slip.

@@ -45,6 +45,11 @@ impl Model {
         self.law.gap().beyond(-approach)
     }
 
+    /// Whether finding that raises no floating-point exception but "inexact".
+    pub(crate) fn load_continues_moderately(&self, approach: f64) -> bool {
+        self.law.gap().is_moderate_beyond(-approach)
+    }
+
     /// The table of loads by minus the separation.
     #[inline]
     pub(crate) fn load_table(&self) -> &Table {

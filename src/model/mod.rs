@@ -16,6 +16,8 @@ use crate::equilibrium::Branch;
 use crate::error::{Error, LOAD};
 use crate::float_bits::finite;
 use crate::groups::Groups;
+#[cfg(target_arch = "x86_64")]
+use crate::law::Continuation;
 use crate::law::{Law, Quantity, Table, Unfollowed};
 use crate::neighbours::Neighbours;
 use crate::params::Params;
@@ -248,14 +250,22 @@ impl Model {
     }
 
     /// Friction force or stiffness and slope at a finite load above pull-off that the table does not hold.
+    #[inline]
     pub(crate) fn continued(&self, quantity: Quantity, load: f64) -> (f64, f64) {
         self.law.beyond(quantity, load)
     }
 
     /// Friction coefficient and slope at such a load.
+    #[inline]
     pub(crate) fn continued_coefficient(&self, load: f64) -> (f64, f64) {
         let (force, slope) = self.continued(Quantity::Friction, load);
         self.coefficient_and_slope(load, force, slope)
+    }
+
+    /// Whether finding [`Model::continued`] raises no floating-point exception but "inexact".
+    #[inline]
+    pub(crate) fn continues_moderately(&self, quantity: Quantity, load: f64) -> bool {
+        self.law.is_moderate_beyond(quantity, load)
     }
 
     /// Whether the surfaces can carry a load.
@@ -315,6 +325,12 @@ impl Model {
     /// The inverse of the cap on friction coefficients: at loads up to this times the force the coefficient is capped.
     pub(crate) fn inverse_cap(&self) -> f64 {
         self.inverse_cap
+    }
+
+    /// Beyond the light and the heavy end of its table, and the heaviest load that is allowed.
+    #[cfg(target_arch = "x86_64")]
+    pub(crate) fn continuations(&self, quantity: Quantity) -> (&[Continuation; 2], f64) {
+        (self.law.continuations(quantity), self.heaviest)
     }
 
     /// The compiled law of a quantity.

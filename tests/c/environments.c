@@ -12,7 +12,7 @@
 #include "check.h"
 #include "surfaces.h"
 
-enum { LOADS = 48, EXACT = 3, KINDS = 3, FLAGS = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW };
+enum { LOADS = 80, FAR = 32, EXACT = 3, KINDS = 3, FLAGS = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW };
 
 /* ---- The host's environments ---- */
 
@@ -149,7 +149,10 @@ static void prepare(const asperity_model *model, questions *q)
     asperity_summary_of(model, &s);
     asperity_state_at_load(model, s.pull_off_load < 0 ? s.pull_off_load : 1e-9 * s.max_table_load, &state);
     for (int i = 0; i < LOADS; i++)
-        q->load[i] = i < specials ? special[i] : ldexp(0.7 + 0.1 * (i % 3), 5 - 2 * (LOADS - i)) * s.max_table_load;
+        q->load[i] = i < specials ? special[i] : ldexp(0.7 + 0.1 * (i % 3), 5 - 2 * (LOADS - FAR - i)) * s.max_table_load;
+    /* Far beyond both ends of the table, where numbers are still moderate and where they are not. */
+    for (int i = 0; i < FAR; i++)
+        q->load[LOADS - FAR + i] = ldexp(0.7 + 0.1 * (i % 3), (i % 2 == 0 ? 27 : -27) * i) * s.max_table_load;
     /* From compression beyond the table over all heights to surfaces apart. */
     for (int i = 0; i < LOADS; i++)
         q->separation[i] = i < specials ? special[i] : state.separation * (1.5 - ldexp(0.1 * i, i % 4 == 0 ? 40 - i : -2));

@@ -1,7 +1,7 @@
 //! The vector form of the law, written once for any number of lanes.
 
 use super::{one, Arrays, FirstInvalid, Quantity};
-use crate::law::{Row, Table, COEFFICIENTS, DIVISIONS, OFFSET};
+use crate::law::{Continuation, Row, Table, COEFFICIENTS, DIGIT, DIGIT_BITS, DIVISIONS, MANTISSA_BITS, OFFSET};
 use crate::model::{Known, Model};
 use std::mem::{size_of, MaybeUninit};
 
@@ -43,6 +43,8 @@ pub unsafe trait Lanes: Copy {
     unsafe fn or_where(self, mask: Self::Mask, other: Self) -> Self;
     unsafe fn bits(self) -> Self::Bits;
     unsafe fn from_bits(bits: Self::Bits) -> Self;
+    /// The number of each lane, by index.
+    unsafe fn gather(numbers: *const f64, index: Self::Bits) -> Self;
     /// Coefficients `from` to `from` + 3 of the row of each lane, at an offset in bytes, transposed: a vector each.
     unsafe fn half_rows(rows: *const Row, offset: &Self::Bits, from: usize) -> [Self; 4];
 
@@ -119,6 +121,8 @@ struct Limits<'a> {
     known: Known,
     cap: f64,
     inverse_cap: f64,
+    /// Beyond the light and the heavy end of the table, and the heaviest load that is allowed.
+    beyond: Option<(&'a [Continuation; 2], f64)>,
 }
 
 /// The answers to a vector of loads.
@@ -169,7 +173,9 @@ unsafe fn evaluate_as<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
 ) -> usize {
     let table = quantity.table(model);
     let cap = model.params().max_friction_coefficient;
-    let limits = Limits { table, known: known(model, quantity), cap, inverse_cap: model.inverse_cap() };
+    // A load by separation goes on as a power of the separation, which is left to the scalar call.
+    let beyond = (quantity != Quantity::Load).then(|| model.continuations(quantity.tabulated()));
+    let limits = Limits { table, known: known(model, quantity), cap, inverse_cap: model.inverse_cap(), beyond };
     let vectors = arrays.n / L::COUNT;
     let mut block = [MaybeUninit::<Found<L>>::uninit(); BLOCK];
     // The vectors of the block that no rows answer by themselves, or cap.
@@ -212,6 +218,12 @@ unsafe fn evaluate_as<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
                 Some(values) => values,
                 None if L::lanes_of(found.t.is_nan()) == L::ALL => (found.t, found.t),
                 None => polynomial::<L, SLOPE>(&L::rows(table.rows.as_ptr(), &found.offset), found.t),
+            };
+            let (value, rate) = match limits.beyond {
+                Some(beyond) if L::lanes_of(found.t.is_nan()) != 0 => {
+                    or_beyond::<L, SLOPE>(table, beyond, found, (value, rate))
+                }
+                _ => (value, rate),
             };
             let loads = L::read(arrays.load.add(i));
             let answers = beside_rows::<L, COEFFICIENT, SLOPE>(&limits, loads, value, rate);
@@ -298,14 +310,19 @@ unsafe fn find<L: Lanes>(table: &Table, loads: L) -> Found<L> {
     let shifted = L::and_bits(L::shift_right(x, table.shift - ROW_SHIFT), L::splat_bits(u64::MAX << ROW_SHIFT));
     let offset = L::sub_bits(shifted, L::splat_bits(table.base << ROW_SHIFT));
     let inside = L::below(offset, (table.row_count as u64) << ROW_SHIFT);
-    // The bits of 1 and what follows them.
-    let within_row = L::and_bits(x, L::splat_bits(table.within_row()));
-    let t = L::from_bits(L::add_bits(within_row, L::splat_bits(Table::ONE))).sub(L::splat(1.0));
     Found {
         load,
-        t: L::splat(f64::NAN).or_where(inside, t),
+        t: L::splat(f64::NAN).or_where(inside, within::<L>(table, x)),
         offset: L::or_bits_where(L::splat_bits(0), inside, offset),
     }
+}
+
+/// Where in its row x of these bits lies.
+#[inline(always)]
+unsafe fn within<L: Lanes>(table: &Table, x: L::Bits) -> L {
+    // The bits of 1 and what follows them.
+    let within_row = L::and_bits(x, L::splat_bits(table.within_row()));
+    L::from_bits(L::add_bits(within_row, L::splat_bits(Table::ONE))).sub(L::splat(1.0))
 }
 
 /// Values from the rows and their slopes by t; NaN outside the table, at links and rows that are left out.
@@ -403,6 +420,52 @@ unsafe fn follow_links<L: Lanes>(table: &Table, found: &mut Found<L>, t: L) -> b
     found.t = found.t.or_where(linked, within);
     found.offset = L::or_bits_where(found.offset, linked, part);
     true
+}
+
+/// Values and their slopes by t; where the table does not reach and nothing overflows or underflows, those of the power with which
+/// it goes on.
+#[inline(always)]
+unsafe fn or_beyond<L: Lanes, const SLOPE: bool>(
+    table: &Table,
+    (ends, heaviest): (&[Continuation; 2], f64),
+    found: &Found<L>,
+    (mut value, mut rate): (L, L),
+) -> (L, L) {
+    let x = found.load.sub(L::splat(table.pull_off));
+    let is_light = x.lt(L::splat(table.begin_of(0)));
+    let is_allowed = L::not_mask(L::splat(heaviest).lt(found.load));
+    let is_asked = L::and_mask(found.t.is_nan(), is_allowed);
+    let exponent = L::shift_right(x.bits(), MANTISSA_BITS);
+    for (is_heavy, end) in ends.iter().enumerate() {
+        let is_here = if is_heavy == 1 { L::not_mask(is_light) } else { is_light };
+        let (first, last) = (*end.moderate.start(), *end.moderate.end());
+        let is_moderate = L::below(L::sub_bits(exponent, L::splat_bits(first)), last + 1 - first);
+        let is_answered = L::and_mask(is_asked, L::and_mask(is_here, is_moderate));
+        if L::lanes_of(is_answered) == 0 {
+            continue;
+        }
+        let binade = L::splat_bits(end.binade);
+        let exponent = L::or_bits_where(binade, is_answered, exponent);
+        let mut binades = if is_heavy == 1 { L::sub_bits(exponent, binade) } else { L::sub_bits(binade, exponent) };
+        let mut factor = L::splat(1.0);
+        for factors in &end.factors {
+            let digit = L::and_bits(binades, L::splat_bits(DIGIT as u64 - 1));
+            factor = factor.mul(L::gather(factors.as_ptr(), digit));
+            binades = L::shift_right(binades, DIGIT_BITS);
+            // The factors of no binade are 1.
+            if L::lanes_of(L::below(binades, 1)) == L::ALL {
+                break;
+            }
+        }
+        // The row's offset in bytes, as in the table, within a binade.
+        let shifted = L::shift_right(x.bits(), table.shift - ROW_SHIFT);
+        let offset = L::and_bits(shifted, L::splat_bits((end.rows.len() as u64 - 1) << ROW_SHIFT));
+        let c = L::rows(end.rows.as_ptr(), &offset);
+        let (power, power_rate) = polynomial::<L, SLOPE>(&c, within::<L>(table, x.bits()));
+        value = value.or_where(is_answered, L::splat(end.base).add(factor.mul(power)));
+        rate = rate.or_where(is_answered, factor.mul(power_rate));
+    }
+    (value, rate)
 }
 
 /// Where the coefficient is not capped, nor the load so light that the slope may overflow; not where the force is NaN.

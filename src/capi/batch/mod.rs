@@ -15,7 +15,7 @@ mod lanes;
 use super::boundary::{write, Failure};
 use super::fp_environment;
 use crate::error::Error;
-use crate::float_bits::nan;
+use crate::float_bits::{moderate, nan};
 use crate::law::{Quantity as Tabulated, Table};
 use crate::model::Model;
 
@@ -55,20 +55,41 @@ impl Quantity {
     #[inline]
     pub fn at(self, model: &Model, load: f64) -> (f64, f64) {
         let answer = match self {
-            Self::Coefficient => model.tabulated_coefficient(load).or_else(|| model.known_coefficient(load)),
-            Self::Load => model.tabulated_load(load).or_else(|| model.known_load(load)),
-            _ => model.tabulated(self.tabulated(), load).or_else(|| model.known_value(self.tabulated(), load)),
+            Self::Coefficient => model.tabulated_coefficient(load),
+            Self::Load => model.tabulated_load(load),
+            _ => model.tabulated(self.tabulated(), load),
+        };
+        answer.unwrap_or_else(|| self.beside_table(model, load))
+    }
+
+    /// The same where the table does not answer.
+    #[inline]
+    pub fn beside_table(self, model: &Model, load: f64) -> (f64, f64) {
+        let answer = match self {
+            Self::Coefficient => model.known_coefficient(load),
+            Self::Load => model.known_load(load),
+            _ => model.known_value(self.tabulated(), load),
         };
         answer.unwrap_or_else(|| self.continued(model, load))
     }
 
-    #[cold]
+    #[inline]
     fn continued(self, model: &Model, load: f64) -> (f64, f64) {
-        fp_environment::held(|| match self {
+        let continued = || match self {
             Self::Coefficient => model.continued_coefficient(load),
             Self::Load => model.continued_load(load),
             _ => model.continued(self.tabulated(), load),
-        })
+        };
+        let is_moderate = match self {
+            Self::Coefficient => moderate(load) && model.continues_moderately(self.tabulated(), load),
+            Self::Load => model.load_continues_moderately(load),
+            _ => model.continues_moderately(self.tabulated(), load),
+        };
+        if is_moderate {
+            continued()
+        } else {
+            fp_environment::held(continued)
+        }
     }
 
     /// Whether there is a contact at an argument.
@@ -201,6 +222,13 @@ mod tests {
             let (begin, end) = (table.begin_of(row), table.begin_of(row + 1));
             loads.extend((0..200).map(|i| pull_off + begin + (end - begin) * f64::from(i) / 200.0));
             loads.extend(table.rows[row].0[2..].iter().map(|t| pull_off + begin + t * (end - begin) * 4.0));
+        }
+        // Beyond both ends, in turn with ordinary ones, to numbers that overflow or underflow.
+        let lightest = summary.min_table_load - pull_off;
+        for i in 0..1100 {
+            let binades = f64::from(i) * 0.97;
+            let beyond = [heaviest * binades.exp2(), pull_off + lightest * (-binades).exp2()];
+            loads.extend([beyond[0], beyond[usize::from(i % 3 == 0)], beyond[1], heaviest * 1e-9]);
         }
         let others = [
             [f64::NAN, f64::INFINITY, f64::from_bits(0x7ff << 52 | 1), 0.0],
