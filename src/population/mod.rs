@@ -56,7 +56,7 @@ const RADII: usize = 5;
 /// The first of those.
 const ONSET: usize = 2;
 /// The fineness of sums of which the sign is asked: every panel has as few points as there are.
-const COARSE: f64 = 0.05;
+const COARSE: f64 = 0.01;
 
 /// A population of summits pressed against a flat.
 #[derive(Debug, Clone)]
