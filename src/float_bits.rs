@@ -29,7 +29,9 @@ mod tests {
     #[test]
     fn moderate_numbers_are_positive_and_far_from_overflow() {
         let [least, most] = [2.0_f64.powi(-300), 2.0_f64.powi(300)];
-        for (x, is_moderate) in [(least, true), (1.0, true), (most, true), (least.below(), false), (most.above(), false)] {
+        for (x, is_moderate) in
+            [(least, true), (1.0, true), (most, true), (least.below(), false), (most.above(), false)]
+        {
             assert!(moderate(x) == is_moderate && !moderate(-x), "{x:e}");
         }
         assert!(![0.0, -0.0, f64::INFINITY, f64::NAN].into_iter().any(moderate));

@@ -52,7 +52,7 @@ pub fn panel(a: f64, b: f64) -> [(f64, f64); POINTS] {
 pub fn nodes_of_part(part: f64, a: f64, b: f64) -> impl Iterator<Item = (f64, f64)> {
     let half: &[(f64, f64)] = match part {
         _ if part < 0.02 => &HALF_OF_6,
-        _ if part < 0.3 => &HALF_OF_10,
+        _ if part < 0.35 => &HALF_OF_10,
         _ => &HALF,
     };
     on(half, a, b)

@@ -18,7 +18,7 @@ const SHORT_RATIO: f64 = 0.5;
 const FAR_FROM_BREAK_AWAY: f64 = 6.0;
 /// Where radii vary, dz/ds must not change by more than this factor over a panel in the parameter because they do: where the radius
 /// of contact falls with height, the parameter does at last.
-const MOST_BEND: f64 = 1.5;
+const MOST_BEND: f64 = 1.2;
 /// A panel in the parameter is no longer than this many times the distance to where the law is singular.
 const PARAMETER_RATIO: f64 = 3.0;
 /// Between the slip law's radii friction is a power of the contact radius of about 3/2, which the rule follows closely: no
@@ -180,13 +180,10 @@ impl Population {
                 if there.follows(here) {
                     return Some(there);
                 }
-                let half = 0.5 * (there.contact.parameter - s);
-                if half <= 0.0 {
-                    return None;
-                }
-                half
+                0.5 * step
             } else {
-                shorter.min(0.9 * step)
+                // A rise beyond where radii fall says little of what is near.
+                shorter.clamp(0.25 * step, 0.9 * step)
             };
         }
         None

@@ -91,3 +91,53 @@ fn the_slope_of_friction_is_the_secant_where_the_first_slip_radius_is_next_to_no
         }
     }
 }
+
+/// Adhesive summits of which the taller have smaller radii, down to nothing.
+fn falling_radii() -> [Params; 2] {
+    let surface = |groups, rate, density: [f64; 9]| {
+        let height = [-2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0];
+        surface(groups, HeightFamily::Tabulated { height: height.into(), density: density.into() }, [-1.0, rate])
+    };
+    [
+        surface([1.9e-3, 8870.0, 1.9e-3, 8.7], 2.5, [0.001, 2.0, 0.001, 2.0, 0.001, 2.0, 0.001, 2.0, 0.001]),
+        surface([3.6e-3, 3.95e6, 0.71, 0.29], 15.2, [1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 9.0, 10.0, 11.0]),
+    ]
+}
+
+/// There the parameter of contact turns back within a stretch of heights.
+#[test]
+fn slopes_are_secants_where_radii_fall_to_nothing() {
+    for params in falling_radii() {
+        let population = of(&params);
+        let kinks = population.kinks();
+        let separations = (1..120).map(|i| -0.02 * f64::from(i));
+        // Not across a kink.
+        for separation in separations.filter(|at| kinks.iter().all(|kink| (kink - at).abs() > 1e-3)) {
+            let sums = |step: f64| population.at_separation(separation + step);
+            let secant = |step: f64, of: fn(&Sums) -> f64| (of(&sums(step)) - of(&sums(-step))) / (2.0 * step);
+            let slope = |of| (4.0 * secant(1e-4, of) - secant(2e-4, of)) / 3.0;
+            let exact = population.at_separation(separation);
+            let load = exact.load_slope / slope(Sums::load);
+            let friction = exact.friction_slope / slope(|sums| sums.friction);
+            let error = (load - 1.0).abs().max((friction - 1.0).abs());
+            assert!(error < 3e-8, "{params:?} at {separation}: {:e}, {:e}", load - 1.0, friction - 1.0);
+        }
+    }
+}
+
+/// Few are in contact, and their load begins as a power of their distance from break-away.
+#[test]
+fn the_last_contacts_before_the_highest_summit_are_summed_with_all_digits() {
+    let heights = HeightFamily::Tabulated { height: [-1.0, 0.0, 1.0].into(), density: [0.001, 2.0, 0.001].into() };
+    for groups in [WEAK, FOLD, HERTZ, [0.15, 79.0, 1.2e-6, 0.66]] {
+        let population = of(&surface(groups, heights.clone(), [0.0, 1.0])).without_tables();
+        let all_points = Population { fineness: 1e3, ..population.clone() };
+        for i in 0..40 {
+            let separation = population.highest - 10_f64.powf(-4.0 * f64::from(i) / 40.0);
+            let [sums, exact] = [&population, &all_points].map(|population| population.at_separation(separation));
+            for (of, exact) in [(sums.friction, exact.friction), (sums.load_contacting, exact.load_contacting)] {
+                assert!((of - exact).abs() <= 1e-12 * exact.abs(), "{groups:?} at {separation}: {of:e}, not {exact:e}");
+            }
+        }
+    }
+}
