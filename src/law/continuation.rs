@@ -46,7 +46,7 @@ impl Beyond {
         self.end(table, x).at(x)
     }
 
-    /// Whether finding them there can raise no floating-point exception.
+    /// Whether finding them there can raise no floating-point exception but "inexact".
     #[inline]
     pub fn is_moderate(&self, table: &Table, x: f64) -> bool {
         self.end(table, x).is_moderate(x)
@@ -121,17 +121,17 @@ impl Continuation {
 
     /// The value and its slope by a normal number, which is 2^`shift` times what is meant.
     #[inline]
-    pub fn at_normal(&self, x: f64, shift: u64) -> (f64, f64) {
+    fn at_normal(&self, x: f64, shift: u64) -> (f64, f64) {
         let binades = (self.binade + shift).abs_diff(x.to_bits() >> MANTISSA_BITS) as usize;
         let factor = (0..DIGITS).fold(1.0, |factor, digit| {
             factor * self.factors[digit][binades >> (DIGIT_BITS as usize * digit) & (DIGIT - 1)]
         });
         // As in a table of so many rows per binade.
         let of_mantissa = x.to_bits() & Table::MANTISSA;
-        let shift = Table::shift_of(FRACTION);
-        let within_row = of_mantissa & !(u64::MAX << shift);
+        let row_shift = Table::shift_of(FRACTION);
+        let within_row = of_mantissa & !(u64::MAX << row_shift);
         let t = f64::from_bits(within_row | Table::ONE) - 1.0;
-        let (value, rate) = polynomial(&self.rows[(of_mantissa >> shift) as usize].0, t);
+        let (value, rate) = polynomial(&self.rows[(of_mantissa >> row_shift) as usize].0, t);
         let begin_of_binade = f64::from_bits(x.to_bits() - of_mantissa);
         (self.base + factor * value, factor * rate / begin_of_binade)
     }
