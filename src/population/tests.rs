@@ -141,3 +141,48 @@ fn the_last_contacts_before_the_highest_summit_are_summed_with_all_digits() {
         }
     }
 }
+
+#[test]
+fn a_population_knows_what_it_is_made_of() {
+    let gaussian = |groups, radii| of(&surface(groups, HeightFamily::Gaussian, radii));
+    let (equal, varying, hertz) = (gaussian(WEAK, [0.0, 1.0]), gaussian(WEAK, [0.3, 4.0]), gaussian(HERTZ, [0.0, 1.0]));
+    assert!(equal.is_adhesive() && !hertz.is_adhesive());
+    // Neither varying radii nor heights with two maxima rule out a second minimum.
+    let two_maxima = of(&surface(WEAK, table(), [0.0, 1.0]));
+    assert!(equal.has_single_minimum() && !varying.has_single_minimum() && !two_maxima.has_single_minimum());
+    assert_eq!(varying.radius_scale(), 0.25);
+    assert!(equal.nodes.is_some() && equal.deep.is_some());
+    let kinks = ([1.0; RADII], [2.0; KINKS]);
+    let bare = equal.with_kinks(kinks.0, kinks.1);
+    assert!(bare.nodes.is_none() && bare.deep.is_none());
+    assert_eq!((bare.radius_kinks, bare.kinks_of_contact), kinks);
+}
+
+#[test]
+fn coarse_sums_have_fewer_points_and_the_sign_of_the_others() {
+    let population = of(&surface(WEAK, HeightFamily::Gaussian, [0.3, 1.0]));
+    for separation in [-2.0, 0.0, 2.0, 3.5] {
+        let [fine, coarse] = [&population, &population.coarse()].map(|population| population.at_separation(separation));
+        let error = coarse.load_slope / fine.load_slope - 1.0;
+        assert!(error != 0.0 && error.abs() < 1e-3, "{separation}: {error:e}");
+    }
+}
+
+#[test]
+fn a_summit_of_a_parameter_stands_where_its_overlap_says() {
+    let population = of(&surface(WEAK, HeightFamily::Gaussian, [-0.5, 1.0]));
+    for separation in [-3.0, 0.0, 2.0] {
+        for parameter in [0.3, 2.0, 8.0] {
+            let point = population.on_branch(separation, parameter, separation + 0.1);
+            let (g, _) = population.radius.at(point.z);
+            let contact = population.law.at(parameter, g);
+            assert!((point.z - separation - contact.overlap).abs() < 1e-15 * (1.0 + separation.abs()));
+            assert!((point.contact.radius / contact.radius - 1.0).abs() < 1e-15, "{separation}, {parameter}");
+            // How the contact radius changes with height at one separation, over that of the parameter.
+            let radius = |z: f64| population.at_height(separation, z, parameter).contact.radius;
+            let secant = (radius(point.z + 1e-5) - radius(point.z - 1e-5)) / 2e-5;
+            let change = point.radius_change() / point.contact.by_s.overlap;
+            assert!((change / secant - 1.0).abs() < 1e-6, "{separation}, {parameter}: {change:e}, not {secant:e}");
+        }
+    }
+}
