@@ -36,7 +36,6 @@ unsafe impl Lanes for __m256d {
         fn or_where(self, mask: __m256d, other: Self) -> Self { _mm256_blendv_pd(self, other, mask) }
         fn bits(self) -> __m256i { _mm256_castpd_si256(self) }
         fn from_bits(bits: __m256i) -> Self { _mm256_castsi256_pd(bits) }
-        fn gather(numbers: *const f64, index: __m256i) -> Self { _mm256_i64gather_pd::<8>(numbers, index) }
         fn half_rows(rows: *const Row, offset: &__m256i, from: usize) -> [Self; 4] {
             let lane: &[u64; 4] = &*ptr::from_ref(offset).cast();
             let row = |i: usize| _mm256_load_pd(rows.byte_add(lane[i] as usize).cast::<f64>().add(from));

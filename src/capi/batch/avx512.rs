@@ -33,7 +33,6 @@ unsafe impl Lanes for __m512d {
         fn or_where(self, mask: __mmask8, other: Self) -> Self { _mm512_mask_blend_pd(mask, self, other) }
         fn bits(self) -> __m512i { _mm512_castpd_si512(self) }
         fn from_bits(bits: __m512i) -> Self { _mm512_castsi512_pd(bits) }
-        fn gather(numbers: *const f64, index: __m512i) -> Self { _mm512_i64gather_pd::<8>(index, numbers) }
         fn half_rows(rows: *const Row, offset: &__m512i, from: usize) -> [Self; 4] {
             let lane: &[u64; 8] = &*ptr::from_ref(offset).cast();
             let half = |i: usize| _mm256_load_pd(rows.byte_add(lane[i] as usize).cast::<f64>().add(from));

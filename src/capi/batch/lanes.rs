@@ -4,6 +4,7 @@ use super::{one, Arrays, FirstInvalid, Quantity};
 use crate::law::{Continuation, Row, Table, COEFFICIENTS, DIGIT, DIGIT_BITS, DIVISIONS, MANTISSA_BITS, OFFSET};
 use crate::model::{Known, Model};
 use std::mem::{size_of, MaybeUninit};
+use std::ptr;
 
 /// Methods that become part of the calling function, which is compiled for their instructions.
 macro_rules! inlined {
@@ -43,8 +44,6 @@ pub unsafe trait Lanes: Copy {
     unsafe fn or_where(self, mask: Self::Mask, other: Self) -> Self;
     unsafe fn bits(self) -> Self::Bits;
     unsafe fn from_bits(bits: Self::Bits) -> Self;
-    /// The number of each lane, by index.
-    unsafe fn gather(numbers: *const f64, index: Self::Bits) -> Self;
     /// Coefficients `from` to `from` + 3 of the row of each lane, at an offset in bytes, transposed: a vector each.
     unsafe fn half_rows(rows: *const Row, offset: &Self::Bits, from: usize) -> [Self; 4];
 
@@ -69,6 +68,15 @@ pub unsafe trait Lanes: Copy {
             [c0, c1, c2, c3, c4, c5, c6, c7]
         }
         fn is_nan(self) -> Self::Mask { self.unordered(self) }
+        /// The number of each lane, by index.
+        fn gather(numbers: *const f64, index: &Self::Bits) -> Self {
+            let index = ptr::from_ref(index).cast::<u64>();
+            let mut of_lanes = [0.0; 8];
+            for (lane, number) in of_lanes[..Self::COUNT].iter_mut().enumerate() {
+                *number = *numbers.add(*index.add(lane) as usize);
+            }
+            Self::read(of_lanes.as_ptr())
+        }
         /// self/other where the mask is set, any number elsewhere, without raising a flag there.
         fn div_where(self, mask: Self::Mask, other: Self) -> Self {
             // Not 1, by which the compiler would choose after dividing all lanes.
@@ -450,7 +458,7 @@ unsafe fn or_beyond<L: Lanes, const SLOPE: bool>(
         let mut factor = L::splat(1.0);
         for factors in &end.factors {
             let digit = L::and_bits(binades, L::splat_bits(DIGIT as u64 - 1));
-            factor = factor.mul(L::gather(factors.as_ptr(), digit));
+            factor = factor.mul(L::gather(factors.as_ptr(), &digit));
             binades = L::shift_right(binades, DIGIT_BITS);
             // The factors of no binade are 1.
             if L::lanes_of(L::below(binades, 1)) == L::ALL {
