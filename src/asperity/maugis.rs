@@ -325,6 +325,41 @@ mod tests {
     const FACTORS: [f64; 3] = [0.3, 1.0, 1.8];
 
     #[test]
+    fn a_contact_moved_a_little_is_the_one_there_to_first_order() {
+        let numbers = |contact: Contact| [contact.overlap, contact.radius, contact.load, contact.hertz_load];
+        for law in laws() {
+            for (s, g) in [0.1, 1.0, 10.0].into_iter().flat_map(|s| FACTORS.map(|g| (s, g))) {
+                let here = law.at(s, g);
+                for (ds, dg) in [(1e-5 * s, 0.0), (0.0, 1e-5)] {
+                    let (moved, there) = (here.moved(ds, dg), law.at(s + ds, g + dg));
+                    for ((moved, there), here) in numbers(moved).into_iter().zip(numbers(there)).zip(numbers(here)) {
+                        let known = 1e-3 * (there - here).abs() + 1e-14 * here.abs();
+                        assert!((moved - there).abs() <= known, "{s}, {g}: {moved:e}, not {there:e}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn rates_go_on_from_one_contact_to_another() {
+        let numbers = |rates: Rates| [rates.overlap, rates.radius, rates.load, rates.hertz_load];
+        for law in laws() {
+            for (s, g) in [0.1, 1.0, 10.0].into_iter().flat_map(|s| FACTORS.map(|g| (s, g))) {
+                let [before, here, exact] = [1.0, 1.001, 1.002].map(|part| law.at(part * s, g));
+                let bare = Contact { by_s: Rates::default(), by_g: Rates::default(), ..exact };
+                let found = bare.with_rates_beyond(&here, &before);
+                for (found, exact) in [(found.by_s, exact.by_s), (found.by_g, exact.by_g)] {
+                    for (found, exact) in numbers(found).into_iter().zip(numbers(exact)) {
+                        assert!((found - exact).abs() <= 1e-4 * exact.abs(), "{s}, {g}: {found:e}, not {exact:e}");
+                    }
+                }
+                assert_eq!(bare.with_rates_beyond(&here, &here).by_s.overlap, 0.0);
+            }
+        }
+    }
+
+    #[test]
     fn brackets_are_one_function_by_series_and_in_closed_form() {
         let closed = |theta: f64| {
             let (sin, cos) = theta.sin_cos();
