@@ -3,9 +3,10 @@
 //!
 //! The library's own is that with which a program starts: nothing traps, results are rounded to nearest, and small numbers
 //! are kept, so that all processors give the same bits. The compiler may evaluate ahead of a condition what the condition
-//! would have kept from dividing by zero. Everything but the few operations of the table therefore runs in [`held`], which
-//! puts the caller's environment back, flags included. The operations of the table raise nothing but "inexact" and run in
-//! the caller's environment where that [`rounds_to_nearest`].
+//! would have kept from dividing by zero. Everything but the few operations of the table, and of the powers beyond it
+//! where no number can overflow or underflow, therefore runs in [`held`], which puts the caller's environment back, flags
+//! included. Those operations raise nothing but "inexact" and run in the caller's environment where that
+//! [`rounds_to_nearest`].
 //!
 //! Registers are written directly where Rust has their instructions: the C library's functions take ten times as long,
 //! and those of MinGW and musl leave the traps of MXCSR on.
