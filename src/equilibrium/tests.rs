@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::params::{HeightFamily, Params};
-use crate::population::tests::{of, surface, table, FOLD, WEAK};
+use crate::population::tests::{of, surface, table, FOLD, HERTZ, WEAK};
 
 fn surfaces() -> Vec<Params> {
     vec![
@@ -87,5 +87,34 @@ fn the_fall_of_the_load_is_integrated_from_kink_to_kink() {
             let off = (branch.fall_of_load(from, to) - (heavy - light)).abs();
             assert!(off < 1e-6 * (heavy - light).abs(), "{from} to {to}: {off:e} of {:e}", heavy - light);
         }
+    }
+}
+
+/// Of summits that do not adhere, down to loads that are no numbers.
+#[test]
+fn without_adhesion_the_lightest_contacts_are_alike() {
+    let branch = Branch::new(of(&surface(HERTZ, HeightFamily::Gaussian, [0.0, 1.0]))).expect("a branch");
+    for target in [-690.0_f64, -600.0, -30.0, 0.0] {
+        let (separation, sums) = branch.at_log_excess(target, None).expect("a state");
+        let off = log(sums.load()) - target;
+        assert!(off.abs() < 1e-11 * (1.0 + target.abs()), "{target}: {off:e}");
+        assert_eq!(sums.friction, branch.population().at_separation(separation).friction);
+    }
+    let (farthest, lightest) = branch.at_log_excess(-690.0, None).expect("a state");
+    let (separation, sums) = branch.at_log_excess(-700.0, None).expect("a state");
+    assert_eq!(separation, farthest);
+    let factor = exp(-10.0);
+    for (of, of_lightest) in [
+        (sums.load_contacting, lightest.load_contacting),
+        (sums.friction, lightest.friction),
+        (sums.hertz_load, lightest.hertz_load),
+        (sums.area, lightest.area),
+        (sums.radius, lightest.radius),
+        (sums.contacting, lightest.contacting),
+        (sums.load_slope, lightest.load_slope),
+        (sums.friction_slope, lightest.friction_slope),
+        (sums.radius_slope, lightest.radius_slope),
+    ] {
+        assert!((of / (factor * of_lightest) - 1.0).abs() < 1e-12, "{of:e} and {of_lightest:e}");
     }
 }

@@ -189,3 +189,118 @@ impl Population {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{of, surface, table, FOLD, HERTZ, WEAK};
+    use super::*;
+    use crate::groups::Groups;
+    use crate::params::{HeightFamily, Params};
+
+    /// The derivative of load and friction at a separation that moves, by what makes a population.
+    fn secants(step: f64, varied: impl Fn(f64) -> (Population, f64)) -> Change {
+        let at = |change: f64| {
+            let (population, separation) = varied(change);
+            let sums = population.at_separation(separation);
+            [sums.load(), sums.friction]
+        };
+        let secant = |step: f64| {
+            let [after, before] = [at(step), at(-step)];
+            [0, 1].map(|i| (after[i] - before[i]) / (2.0 * step))
+        };
+        let (narrow, wide) = (secant(step), secant(2.0 * step));
+        let [load, friction] = [0, 1].map(|i| (4.0 * narrow[i] - wide[i]) / 3.0);
+        Change { load, friction }
+    }
+
+    /// With the height distribution of its shape parameters, which are moved by so much.
+    fn reshaped(params: &Params, which: usize, change: f64) -> Params {
+        let (more_skew, more_kurtosis) = if which == 0 { (change, 0.0) } else { (0.0, change) };
+        let heights = match &params.heights {
+            HeightFamily::Weibull { shape } => HeightFamily::Weibull { shape: shape + more_skew },
+            HeightFamily::Gaussian => HeightFamily::Johnson { skew: more_skew, kurtosis: 3.0 + more_kurtosis },
+            HeightFamily::Johnson { skew, kurtosis } => {
+                HeightFamily::Johnson { skew: skew + more_skew, kurtosis: kurtosis + more_kurtosis }
+            }
+            table => table.clone(),
+        };
+        Params { heights, ..params.clone() }
+    }
+
+    fn surfaces() -> Vec<Params> {
+        let weibull = HeightFamily::Weibull { shape: 2.2 };
+        let johnson = HeightFamily::Johnson { skew: 0.5, kurtosis: 4.0 };
+        let mut yielding = surface(HERTZ, HeightFamily::Gaussian, [0.3, 0.7]);
+        yielding.hardness = 0.02 * yielding.composite_modulus;
+        yielding.contact_law = crate::params::ContactLawKind::ElasticPlastic;
+        let mut film = surface(WEAK, weibull.clone(), [0.3, 0.7]);
+        film.pressure_coefficient = 0.1;
+        // All regimes of the slip law have contacts.
+        (film.slip.radius_1, film.slip.radius_2, film.slip.stress_2) = (20.0, 60.0, 0.007);
+        vec![
+            surface(WEAK, HeightFamily::Gaussian, [0.0, 1.0]),
+            surface(FOLD, weibull, [0.0, 1.0]),
+            surface(FOLD, johnson, [-0.4, 0.5]),
+            surface(WEAK, table(), [0.6, 0.8]),
+            yielding,
+            film,
+        ]
+    }
+
+    #[test]
+    fn changes_are_secants_of_populations() {
+        for params in surfaces() {
+            let (groups, heights, radius) = params.surface().expect("a surface");
+            let new = |groups: &Groups, radius| {
+                Population::new(groups, params.slip_law(), heights.clone(), radius, true).expect("a population")
+            };
+            let population = of(&params);
+            for above_mean in [-1.3, 0.4, 1.1] {
+                let separation = above_mean - heights.origin();
+                let sums = population.at_separation(separation);
+                let changes = population.changes(separation, true, true).expect("changes");
+                let check = |what: &str, which: usize, change: Change, expected: Change| {
+                    let load = (change.load - expected.load).abs() / (sums.hertz_load + expected.load.abs());
+                    let friction = (change.friction - expected.friction).abs() / (sums.friction + expected.friction.abs());
+                    let error = load.max(friction);
+                    assert!(error < 3e-8, "{what} {which} at {separation} of {params:?}: {change:?}, not {expected:?}: {error:e}");
+                };
+                for which in 0..GROUPS {
+                    let expected = secants(2e-4, |change| (new(&groups.grown(which, change), radius), separation));
+                    check("group", which, changes.by_groups[which], expected);
+                }
+                let by_amplitude = secants(2e-4, |change| {
+                    (new(&groups, RadiusProfile { amplitude: radius.amplitude + change, ..radius }), separation)
+                });
+                check("amplitude", 0, changes.by_radius[0], by_amplitude);
+                let by_rate = secants(2e-4, |change| {
+                    (new(&groups, RadiusProfile { rate: radius.rate * change.exp(), ..radius }), separation)
+                });
+                check("rate", 1, changes.by_radius[1], by_rate);
+                let motion = heights.motion();
+                let of_origin = motion.as_ref().map_or([0.0; 2], |motion| motion.of_origin());
+                // On either side of the kurtosis of the Gaussian Johnson's curves bend differently.
+                let last = if params.heights == HeightFamily::Gaussian { 1 } else { 2 };
+                for (which, origin) in of_origin.into_iter().enumerate().take(last) {
+                    let expected = secants(1e-3, |change| (of(&reshaped(&params, which, change)), separation + origin * change));
+                    check("heights", which, changes.by_heights[which], expected);
+                }
+                for which in 0..4 {
+                    let expected = secants(2e-4, |change| {
+                        let mut params = params.clone();
+                        let constants = &mut params.slip;
+                        let constant = match which {
+                            0 => &mut constants.radius_1,
+                            1 => &mut constants.stress_1,
+                            2 => &mut constants.radius_2,
+                            _ => &mut constants.stress_2,
+                        };
+                        *constant *= change.exp();
+                        (of(&params), separation)
+                    });
+                    check("slip", which, Change { load: 0.0, friction: changes.friction_by_slip[which] }, expected);
+                }
+            }
+        }
+    }
+}

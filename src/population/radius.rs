@@ -129,4 +129,22 @@ mod tests {
         }
         assert_eq!(RadiusProfile { amplitude: 0.0, rate: 1.0, origin: 0.0 }.smooth_length(0.0), f64::MAX);
     }
+
+    #[test]
+    fn changes_are_secants_by_the_amplitude_and_by_the_logarithm_of_the_rate() {
+        for (amplitude, rate, origin) in [(0.6, 0.5, 0.3), (-0.9, 2.0, 1.5)] {
+            let factor = |more: f64, log_rate: f64, z: f64| {
+                RadiusProfile { amplitude: amplitude + more, rate: rate * log_rate.exp(), origin }.factor(z)
+            };
+            for z in [-3.0, -0.4, 0.0, 0.3, 2.0] {
+                let [by_amplitude, by_rate] = RadiusProfile { amplitude, rate, origin }.changes(z);
+                let secant = 0.5e5 * (factor(1e-5, 0.0, z) - factor(-1e-5, 0.0, z));
+                assert!((by_amplitude - secant).abs() < 1e-9, "{amplitude}, {rate} at {z}: {by_amplitude}, not {secant}");
+                let secant = 0.5e5 * (factor(0.0, 1e-5, z) - factor(0.0, -1e-5, z));
+                assert!((by_rate - secant).abs() < 1e-9, "{amplitude}, {rate} at {z}: {by_rate}, not {secant}");
+            }
+        }
+        // Where there is hardly a summit left nothing changes it.
+        assert_eq!(RadiusProfile { amplitude: 1.0, rate: 0.5, origin: 0.0 }.changes(-140.0), [0.0; 2]);
+    }
 }
