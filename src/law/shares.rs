@@ -202,6 +202,59 @@ mod tests {
         }
     }
 
+    /// Values that rise evenly up to a row and not beyond it.
+    #[test]
+    fn rows_between_two_that_are_known_are_asked_for_where_their_mean_is_not_good() {
+        for (bend, asked_for) in [(8, vec![4]), (2, vec![1, 2, 3, 4, 6])] {
+            let value = |row: usize| [0.05 * row.min(bend) as f64; ELEMENTS];
+            let mut rows = vec![[f64::NAN; ELEMENTS]; 9];
+            (rows[0], rows[8]) = (value(0), value(8));
+            let asked = std::cell::RefCell::new(Vec::new());
+            let at = |row: usize| {
+                asked.borrow_mut().push(row);
+                Some(value(row))
+            };
+            fill_between(&mut rows, (0, 8), &at);
+            let mut asked = asked.into_inner();
+            asked.sort_unstable();
+            assert_eq!(asked, asked_for);
+            for (row, found) in rows.iter().enumerate() {
+                assert!((found[0] - value(row)[0]).abs() < 1e-15, "{row}: {found:?}");
+            }
+        }
+        // What is not known is the mean.
+        let mut rows = vec![[0.0; ELEMENTS], [f64::NAN; ELEMENTS], [1.0; ELEMENTS]];
+        fill_between(&mut rows, (0, 2), &|_| None);
+        assert_eq!(rows[1], [0.5; ELEMENTS]);
+    }
+
+    #[test]
+    fn contacts_of_one_size_slip_from_their_rims() {
+        let resisted = equal_contacts();
+        for (knot, resisted) in KNOTS.into_iter().zip(resisted) {
+            let expected = if knot < 1.5 { 1.0 - (1.0 - knot / 1.5).powf(1.5) } else { 1.0 };
+            assert!((resisted - expected).abs() < 1e-15, "{knot}: {resisted}");
+        }
+    }
+
+    /// Of a compiled law, at all loads, on what its contacts resist.
+    #[test]
+    fn elements_resist_what_the_contacts_of_their_load_do() {
+        let branch = super::super::tests::branch(0.001);
+        let law = super::super::Law::new(&branch, 1.0, [1.0; 2], 1.0).expect("a law");
+        for log_excess in [-20.0_f64, -8.3, -3.1, 0.2, 4.9, 9.0] {
+            let (separation, sums) = branch.at_log_excess(log_excess, None).expect("a state");
+            let (mut shares, mut slopes) = ([0.0; ELEMENTS], [0.0; ELEMENTS]);
+            law.shares.at_excess::<true>(log_excess.exp(), &mut shares, &mut slopes);
+            for x in [0.1, 0.5, 1.0, 2.0, 4.0] {
+                let ratio = x * sums.friction / sums.radius;
+                let slipping = branch.population().microslip(separation, ratio).expect("a force");
+                let error = force(&shares, x) - slipping.force / sums.friction;
+                assert!(error.abs() < 0.02, "{x} at {log_excess}: {error}");
+            }
+        }
+    }
+
     #[test]
     fn shares_and_their_slopes_do_not_jump() {
         let rows = (0..4).map(|i| polygon(KNOTS.map(|x| 1.0 - (-x * (1.0 + 0.1 * f64::from(i))).exp()))).collect();

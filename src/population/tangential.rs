@@ -100,3 +100,70 @@ impl Population {
         Ok(displaced.sums)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{of, surface, WEAK};
+    use crate::asperity::slip::SlipOnset;
+    use crate::params::{HeightFamily, Params};
+
+    /// With friction of all regimes of the slip law, or in proportion to Hertz' load besides.
+    fn surfaces() -> [Params; 3] {
+        let mut regimes = surface(WEAK, HeightFamily::Weibull { shape: 2.2 }, [0.3, 0.7]);
+        (regimes.slip.radius_1, regimes.slip.radius_2, regimes.slip.stress_2) = (20.0, 60.0, 0.007);
+        let mut film = surface(WEAK, HeightFamily::Gaussian, [0.0, 1.0]);
+        film.pressure_coefficient = 0.1;
+        [surface(WEAK, HeightFamily::Gaussian, [0.0, 1.0]), regimes, film]
+    }
+
+    #[test]
+    fn shares_of_strength_are_forces_before_gross_slip_over_friction() {
+        for params in surfaces() {
+            for slip_onset in [SlipOnset::Partial, SlipOnset::Whole] {
+                let population = of(&Params { slip_onset, ..params.clone() });
+                for separation in [-1.0, 0.5, 2.0] {
+                    let sums = population.at_separation(separation);
+                    let ratios = [1e-3, 0.3, 1.0, 1.5, 4.0, 1e3].map(|ratio| ratio * sums.friction / sums.radius);
+                    let shares = population.shares_of_strength(separation, ratios).expect("contacts");
+                    for (ratio, share) in ratios.into_iter().zip(shares) {
+                        let slipping = population.microslip(separation, ratio).expect("a force");
+                        let expected = slipping.force / sums.friction;
+                        let error = share / expected - 1.0;
+                        assert!(error.abs() < 2e-3, "{slip_onset:?}, {ratio} at {separation}: {share}, {error:e}");
+                        assert!((slipping.radius / sums.radius - 1.0).abs() < 1e-9);
+                    }
+                    // At first all stick, at last none does.
+                    assert!((shares[0] - 1e-3).abs() < 1e-5 && (shares[5] - 1.0).abs() < 1e-9, "{shares:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_sticks_is_how_fast_the_force_rises() {
+        for params in surfaces() {
+            for slip_onset in [SlipOnset::Partial, SlipOnset::Whole] {
+                let population = of(&Params { slip_onset, ..params.clone() });
+                for separation in [-1.0, 0.5, 2.0] {
+                    let sums = population.at_separation(separation);
+                    for ratio in [0.1, 0.7, 1.2].map(|ratio| ratio * sums.friction / sums.radius) {
+                        let at = |change: f64| population.microslip(separation, ratio * (1.0 + change)).expect("a force");
+                        let secant = (at(1e-4).force - at(-1e-4).force) / (2e-4 * ratio);
+                        let sticking = at(0.0).sticking;
+                        let error = (sticking - secant).abs() / sums.radius;
+                        assert!(error < 1e-6, "{slip_onset:?}, {ratio} at {separation}: {sticking}, not {secant}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn where_nothing_touches_nothing_resists() {
+        let heights = HeightFamily::Tabulated { height: [-1.0, 0.0, 1.0].into(), density: [0.5, 1.0, 0.5].into() };
+        let population = of(&surface([0.01, 1000.0, 0.0, 1.0], heights, [0.0, 1.0]));
+        let beyond = population.farthest() + 1.0;
+        assert_eq!(population.shares_of_strength(beyond, [1.0]), None);
+        assert_eq!(population.microslip(beyond, 1.0).expect("a force").force, 0.0);
+    }
+}
