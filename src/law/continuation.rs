@@ -207,4 +207,27 @@ mod tests {
             last = value;
         }
     }
+
+    /// As far as the numbers on the way to a value lie between 2^-300 and 2^300.
+    #[test]
+    fn values_are_moderate_as_far_as_their_power_leads_and_no_further() {
+        let binades_of = |end: f64, gain: f64, power: f64, base: f64| {
+            let beyond = Continuation::new(end, (base + gain, power * gain / end), base, true);
+            let is_moderate = |binade: &i32| beyond.is_moderate(1.5 * f64::powi(2.0, *binade));
+            let moderate: Vec<i32> = (-1000..1000).filter(is_moderate).collect();
+            assert!(moderate.windows(2).all(|pair| pair[1] == pair[0] + 1), "{moderate:?}");
+            moderate.first().copied().zip(moderate.last().copied())
+        };
+        assert_eq!(binades_of(1.0, 1.0, 0.5, 0.0), Some((-300, 300)));
+        assert_eq!(binades_of(1.0, 1.0, 0.0, 1.0), Some((-300, 300)));
+        assert_eq!(binades_of(1024.0, 1.0, 0.5, 2.0), Some((-290, 300)));
+        assert_eq!(binades_of(1.0, 1025.0, 0.9, 0.0), Some((-289, 289)));
+        assert_eq!(binades_of(1.0, 1.0 / 1025.0, 0.9, 0.0), Some((-289, 289)));
+        assert_eq!(binades_of(1.0, 1.0, 2.0, 0.0), Some((-150, 150)));
+        for (end, gain, power, base) in
+            [(1.0, 1e-100, 0.5, 0.0), (1.0, 1.0, 1e-100, 0.0), (1.0, 1.0, 0.5, 1e-100), (1e200, 1.0, 1.0, 0.0)]
+        {
+            assert_eq!(binades_of(end, gain, power, base), None, "{gain:e} at {end:e}");
+        }
+    }
 }

@@ -257,4 +257,34 @@ mod tests {
             assert!(load > 0.0 && (difference / slope - 1.0).abs() < 1e-7, "{x}: {slope}, not {difference}");
         }
     }
+
+    /// With a load that decays without end, and with one that pulls at the end of the branch.
+    #[test]
+    fn beyond_the_table_surfaces_are_apart_or_the_load_goes_on() {
+        for gamma in [0.0, 1e-3] {
+            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], 3e-9).expect("a law");
+            let gap = law.gap();
+            let [end, step] = [gap.end(), 1e-12];
+            assert!(gap.is_open(end + step) && !gap.is_open(end - step), "{gamma}: {end:e}");
+            // Far in compression, where the table ends.
+            let last = -(gap.table().begin_of(gap.table().row_count).below() + gap.table().pull_off);
+            let (load, slope) = gap.beyond(last);
+            let known = gap.table().at_load(-last).expect("the table answers");
+            assert!((load / known.0 - 1.0).abs() < 1e-12 && (slope / known.1 - 1.0).abs() < 1e-7, "{load:e}, {known:?}");
+            assert!(!gap.is_open(last) && gap.is_moderate_beyond(2.0 * last));
+            let (farther, _) = gap.beyond(2.0 * last);
+            assert!(farther > 1.5 * load && farther < 6.0 * load, "{farther:e} from {load:e}");
+            match gap.tail {
+                Some(tail) => {
+                    let (within, x) = (end - 0.5 * tail.begin, 0.5 * tail.begin);
+                    let off = gap.beyond(within).0 / tail.at(x).0 - 1.0;
+                    assert!(off.abs() < 1e-6 && !gap.is_open(within) && !gap.is_moderate_beyond(within), "{off:e}");
+                }
+                None => {
+                    let (load, _) = gap.table().at_load(-(end - step)).expect("the table answers");
+                    assert!((load / (3.0 * branch(gamma).pull_off_load()) - 1.0).abs() < 1e-3, "{load:e}");
+                }
+            }
+        }
+    }
 }
