@@ -199,4 +199,33 @@ mod tests {
             }
         }
     }
+
+    /// Of so many summits as one of them is expected to be above it.
+    #[test]
+    fn the_largest_contact_is_that_of_the_tallest_summit_or_a_lower_one_that_is_larger() {
+        for radii in [[0.0, 1.0], [0.4, 0.7], [-0.9, 1.5]] {
+            for heights in [HeightFamily::Gaussian, HeightFamily::Weibull { shape: 1.2 }] {
+                let population = of(&surface(HERTZ, heights, radii));
+                for separation in [-0.5, 1.5] {
+                    let contacts = contacts(&population, separation);
+                    let count: f64 = contacts.iter().map(|(fraction, ..)| fraction).sum();
+                    for number in [30.0, 1e4] {
+                        let found = population.statistics(separation, number, 0.0).expect("statistics").largest_radius;
+                        let mut taller = count;
+                        let (mut largest, mut mean) = (0.0_f64, 0.0);
+                        for (fraction, contact, _) in &contacts {
+                            mean += fraction / count * contact.radius;
+                            if taller > count / (number + 1.0) {
+                                largest = largest.max(contact.radius);
+                            }
+                            taller -= fraction;
+                        }
+                        let expected = largest.max(mean);
+                        let error = found / expected - 1.0;
+                        assert!(error.abs() < 2e-3, "{radii:?}, {number} at {separation}: {found}, not {expected}");
+                    }
+                }
+            }
+        }
+    }
 }

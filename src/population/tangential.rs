@@ -108,12 +108,14 @@ mod tests {
     use crate::params::{HeightFamily, Params};
 
     /// With friction of all regimes of the slip law, or in proportion to Hertz' load besides.
-    fn surfaces() -> [Params; 3] {
+    fn surfaces() -> [Params; 4] {
         let mut regimes = surface(WEAK, HeightFamily::Weibull { shape: 2.2 }, [0.3, 0.7]);
         (regimes.slip.radius_1, regimes.slip.radius_2, regimes.slip.stress_2) = (20.0, 60.0, 0.007);
         let mut film = surface(WEAK, HeightFamily::Gaussian, [0.0, 1.0]);
         film.pressure_coefficient = 0.1;
-        [surface(WEAK, HeightFamily::Gaussian, [0.0, 1.0]), regimes, film]
+        let mut falling = surface(WEAK, HeightFamily::Gaussian, [-0.8, 1.5]);
+        falling.pressure_coefficient = 0.1;
+        [surface(WEAK, HeightFamily::Gaussian, [0.0, 1.0]), regimes, film, falling]
     }
 
     #[test]

@@ -186,3 +186,53 @@ fn a_summit_of_a_parameter_stands_where_its_overlap_says() {
         }
     }
 }
+
+/// Of yielding summits whose radii vary so fast with height that some come to a kink of their law from both sides.
+#[test]
+fn slopes_are_secants_where_summits_yield_and_radii_vary() {
+    for radii in [[0.9, 2.0], [-0.9, 2.0]] {
+        let mut params = surface([0.05, 100.0, 0.0, 1.0], HeightFamily::Gaussian, radii);
+        params.contact_law = crate::params::ContactLawKind::ElasticPlastic;
+        params.hardness = 0.02 * params.composite_modulus;
+        let population = of(&params);
+        let kinks = population.kinks();
+        assert!(kinks.len() > 1, "{kinks:?}");
+        let separations = (0..120).map(|i| -3.0 + 0.05 * f64::from(i));
+        for separation in separations.filter(|at| kinks.iter().all(|kink| (kink - at).abs() > 4e-3)) {
+            let sums = |step: f64| population.at_separation(separation + step);
+            let secant = |step: f64, of: fn(&Sums) -> f64| (of(&sums(step)) - of(&sums(-step))) / (2.0 * step);
+            let slope = |of| (4.0 * secant(1e-3, of) - secant(2e-3, of)) / 3.0;
+            let exact = population.at_separation(separation);
+            let load = exact.load_slope / slope(Sums::load) - 1.0;
+            let friction = exact.friction_slope / slope(|sums| sums.friction) - 1.0;
+            assert!(load.abs().max(friction.abs()) < 1e-8, "{radii:?} at {separation}: {load:e}, {friction:e}");
+        }
+    }
+}
+
+/// And pull with what they pull with alone.
+#[test]
+fn summits_attract_from_the_reach_of_adhesion_to_the_edge_of_contact() {
+    for (groups, radii) in [(WEAK, [0.0, 1.0]), (WEAK, [0.4, 0.7]), (WEAK, [-0.4, 0.7])] {
+        for heights in [HeightFamily::Gaussian, HeightFamily::Weibull { shape: 2.2 }] {
+            let population = of(&surface(groups, heights, radii));
+            let law = population.attraction.as_ref().expect("attraction");
+            for separation in [-0.5, 0.6, 1.8] {
+                let edge = population.edge(separation).point.z.min(population.highest);
+                let lowest = (separation - law.reach).max(population.lower_cut);
+                let (mut attracted, mut load) = (0.0, 0.0);
+                const STEPS: u32 = 40_000;
+                let step = (edge - lowest) / f64::from(STEPS);
+                for i in 0..STEPS {
+                    let z = lowest + (f64::from(i) + 0.5) * step;
+                    let fraction = step * population.heights.log_density(z).exp();
+                    attracted += fraction;
+                    load += fraction * law.at_overlap(z - separation, population.radius.factor(z)).load;
+                }
+                let sums = population.at_separation(separation);
+                let errors = [sums.attracted / attracted - 1.0, sums.load_attracted / load - 1.0];
+                assert!(errors.iter().all(|error| error.abs() < 3e-6), "{radii:?} at {separation}: {errors:?}");
+            }
+        }
+    }
+}
