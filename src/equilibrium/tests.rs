@@ -118,3 +118,50 @@ fn without_adhesion_the_lightest_contacts_are_alike() {
         assert!((of / (factor * of_lightest) - 1.0).abs() < 1e-12, "{of:e} and {of_lightest:e}");
     }
 }
+
+#[test]
+fn a_branch_that_is_told_where_the_load_rises_ends_at_the_minimum_before() {
+    for params in surfaces() {
+        let branch = Branch::new(of(&params)).expect("a branch");
+        let (end, point) = (branch.farthest(), branch.pull_off().expect("a pull-off point"));
+        for past in [1e-7, 1e-3, 0.02] {
+            let told = branch.clone().ending_near(end + past).expect("a branch");
+            let off = (told.farthest() - end).abs();
+            let found = told.pull_off().expect("a pull-off point");
+            assert!(off < 1e-7 && found.load <= point.load * (1.0 - 1e-12), "{params:?}, {past}: {off:e}");
+        }
+    }
+}
+
+/// A place at which the load falls still, or falls again, says that the minimum is near and not on which side.
+#[test]
+fn a_branch_that_is_told_of_a_place_just_before_the_minimum_ends_there_too() {
+    let branch = Branch::new(of(&surface(WEAK, HeightFamily::Gaussian, [0.0, 1.0]))).expect("a branch");
+    let told = branch.clone().ending_near(branch.farthest() - 1e-4).expect("a branch");
+    assert!((told.farthest() - branch.farthest()).abs() < 1e-7);
+    // Without adhesion there is none.
+    let hertz = Branch::new(of(&surface(HERTZ, HeightFamily::Gaussian, [0.0, 1.0]))).expect("a branch");
+    assert!(matches!(hertz.ending_near(0.0), Err(Error::NotConverged { .. })));
+}
+
+/// Where heights end the load may fall up to the last contact, and there is no pull-off without adhesion; where summits adhere
+/// so strongly that all of them part at once, it is next to where the highest does.
+#[test]
+fn the_branch_of_heights_that_end_ends_with_the_last_contact_or_before() {
+    let triangle = HeightFamily::Tabulated { height: [-1.0, 0.0, 1.0].into(), density: [0.0, 1.0, 0.0].into() };
+    let uniform = HeightFamily::Tabulated { height: [-1.0, 0.0, 1.0].into(), density: [1.0, 1.0, 1.0].into() };
+    for heights in [triangle, uniform, HeightFamily::Weibull { shape: 20.0 }] {
+        for (groups, adheres) in [(HERTZ, false), (WEAK, true), (FOLD, true)] {
+            let branch = Branch::new(of(&surface(groups, heights.clone(), [0.0, 1.0]))).expect("a branch");
+            assert_eq!(branch.pull_off().is_some(), adheres, "{heights:?}");
+            let (end, last) = (branch.farthest(), branch.population().farthest());
+            assert!(end <= last && (adheres || end == last), "{heights:?}: {end}, {last}");
+            if adheres {
+                let load = |separation: f64| branch.population().at_separation(separation).load();
+                let least = (0..2000).map(|i| load(last - 2e-3 * f64::from(i))).fold(f64::MAX, f64::min);
+                let pull_off = branch.pull_off_load();
+                assert!(pull_off <= least * (1.0 - 1e-12), "{heights:?}: {pull_off:e}, {least:e}");
+            }
+        }
+    }
+}

@@ -270,7 +270,10 @@ mod tests {
             let last = -(gap.table().begin_of(gap.table().row_count).below() + gap.table().pull_off);
             let (load, slope) = gap.beyond(last);
             let known = gap.table().at_load(-last).expect("the table answers");
-            assert!((load / known.0 - 1.0).abs() < 1e-12 && (slope / known.1 - 1.0).abs() < 1e-7, "{load:e}, {known:?}");
+            assert!(
+                (load / known.0 - 1.0).abs() < 1e-12 && (slope / known.1 - 1.0).abs() < 1e-7,
+                "{load:e}, {known:?}"
+            );
             assert!(!gap.is_open(last) && gap.is_moderate_beyond(2.0 * last));
             let (farther, _) = gap.beyond(2.0 * last);
             assert!(farther > 1.5 * load && farther < 6.0 * load, "{farther:e} from {load:e}");

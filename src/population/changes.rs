@@ -261,9 +261,13 @@ mod tests {
                 let changes = population.changes(separation, true, true).expect("changes");
                 let check = |what: &str, which: usize, change: Change, expected: Change| {
                     let load = (change.load - expected.load).abs() / (sums.hertz_load + expected.load.abs());
-                    let friction = (change.friction - expected.friction).abs() / (sums.friction + expected.friction.abs());
+                    let friction =
+                        (change.friction - expected.friction).abs() / (sums.friction + expected.friction.abs());
                     let error = load.max(friction);
-                    assert!(error < 3e-8, "{what} {which} at {separation} of {params:?}: {change:?}, not {expected:?}: {error:e}");
+                    assert!(
+                        error < 3e-8,
+                        "{what} {which} at {separation} of {params:?}: {change:?}, not {expected:?}: {error:e}"
+                    );
                 };
                 for which in 0..GROUPS {
                     let expected = secants(2e-4, |change| (new(&groups.grown(which, change), radius), separation));
@@ -282,7 +286,8 @@ mod tests {
                 // On either side of the kurtosis of the Gaussian Johnson's curves bend differently.
                 let last = if params.heights == HeightFamily::Gaussian { 1 } else { 2 };
                 for (which, origin) in of_origin.into_iter().enumerate().take(last) {
-                    let expected = secants(1e-3, |change| (of(&reshaped(&params, which, change)), separation + origin * change));
+                    let expected =
+                        secants(1e-3, |change| (of(&reshaped(&params, which, change)), separation + origin * change));
                     check("heights", which, changes.by_heights[which], expected);
                 }
                 for which in 0..4 {

@@ -139,7 +139,10 @@ mod tests {
             for z in [-3.0, -0.4, 0.0, 0.3, 2.0] {
                 let [by_amplitude, by_rate] = RadiusProfile { amplitude, rate, origin }.changes(z);
                 let secant = 0.5e5 * (factor(1e-5, 0.0, z) - factor(-1e-5, 0.0, z));
-                assert!((by_amplitude - secant).abs() < 1e-9, "{amplitude}, {rate} at {z}: {by_amplitude}, not {secant}");
+                assert!(
+                    (by_amplitude - secant).abs() < 1e-9,
+                    "{amplitude}, {rate} at {z}: {by_amplitude}, not {secant}"
+                );
                 let secant = 0.5e5 * (factor(0.0, 1e-5, z) - factor(0.0, -1e-5, z));
                 assert!((by_rate - secant).abs() < 1e-9, "{amplitude}, {rate} at {z}: {by_rate}, not {secant}");
             }

@@ -188,7 +188,10 @@ mod tests {
                 let variance = sum(&|contact, friction| excess(contact.load, friction)) / count;
                 let [first, _] = population.yields;
                 let near = |what: &str, found: f64, expected: f64| {
-                    assert!((found - expected).abs() < 2e-4 * expected, "{what} at {separation}: {found}, not {expected}");
+                    assert!(
+                        (found - expected).abs() < 2e-4 * expected,
+                        "{what} at {separation}: {found}, not {expected}"
+                    );
                 };
                 near("mean radius", found.mean_radius, sum(&|contact, _| contact.radius) / count);
                 near("variance", found.friction_variance, variance / (mean_friction * mean_friction));

@@ -149,7 +149,8 @@ mod tests {
                 for separation in [-1.0, 0.5, 2.0] {
                     let sums = population.at_separation(separation);
                     for ratio in [0.1, 0.7, 1.2].map(|ratio| ratio * sums.friction / sums.radius) {
-                        let at = |change: f64| population.microslip(separation, ratio * (1.0 + change)).expect("a force");
+                        let at =
+                            |change: f64| population.microslip(separation, ratio * (1.0 + change)).expect("a force");
                         let secant = (at(1e-4).force - at(-1e-4).force) / (2e-4 * ratio);
                         let sticking = at(0.0).sticking;
                         let error = (sticking - secant).abs() / sums.radius;
