@@ -323,6 +323,33 @@ mod tests {
         }
     }
 
+    /// Fewer may be too few, and more are in vain: as for the summits of a sum.
+    #[test]
+    fn a_law_takes_as_many_states_and_rows_as_are_known_to_be_enough() {
+        use crate::population::tests::{of, surface, table, FOLD, HERTZ, WEAK};
+        let taken = [WEAK, FOLD, HERTZ].map(|groups| {
+            let weibull = crate::params::HeightFamily::Weibull { shape: 2.2 };
+            [(weibull, [0.0, 1.0]), (table(), [0.0, 1.0]), (crate::params::HeightFamily::Gaussian, [-0.4, 0.5])].map(
+                |(heights, radii)| {
+                    let branch = Branch::new(of(&surface(groups, heights, radii))).expect("a branch");
+                    let mut samples = Vec::new();
+                    let curve = Curve::new(&branch, Reach::of(&branch), &mut samples).expect("a curve");
+                    let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+                    let rows = law.table(Quantity::Friction).rows.len();
+                    [samples.len(), curve.joints().count(), rows, law.gap().table().rows.len()]
+                },
+            )
+        });
+        assert_eq!(
+            taken,
+            [
+                [[93, 31, 345, 254], [129, 43, 263, 264], [39, 13, 299, 249]],
+                [[54, 18, 212, 197], [87, 29, 225, 246], [18, 6, 189, 169]],
+                [[85, 28, 429, 304], [148, 49, 434, 465], [40, 13, 406, 373]]
+            ]
+        );
+    }
+
     /// Where the lower end of Weibull's density passes an edge of contact, friction is a non-integer power of the distance in load.
     #[test]
     fn rows_with_a_non_integer_power_are_answered_up_to_it() {
