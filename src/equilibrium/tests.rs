@@ -165,3 +165,41 @@ fn the_branch_of_heights_that_end_ends_with_the_last_contact_or_before() {
         }
     }
 }
+
+/// Down to an adhesion of which the pull-off load is no number.
+#[test]
+fn pull_off_is_found_however_weakly_surfaces_adhere() {
+    for heights in [HeightFamily::Gaussian, HeightFamily::Weibull { shape: 3.6 }, HeightFamily::Weibull { shape: 1.0 }]
+    {
+        let (mut found, mut none) = (0, 0);
+        for half_decade in 0..17 {
+            // Ever rougher too.
+            let gamma = 0.1 * 10_f64.powf(-0.5 * f64::from(half_decade));
+            let alpha = 0.01 * 10_f64.powf(0.1 * f64::from(half_decade));
+            let branch = Branch::new(of(&surface([alpha, 1000.0, gamma, 1.0], heights.clone(), [0.0, 1.0])));
+            let branch = branch.expect("a branch");
+            let load = |separation: f64| branch.population().at_separation(separation).load();
+            match branch.pull_off() {
+                Some(point) => {
+                    found += 1;
+                    let (end, least) = (point.separation, point.load);
+                    assert!(least < 0.0 && log(-least) > -641.0, "{heights:?}, {gamma:e}: {least:e}");
+                    // The load falls up to there, and rises beyond.
+                    let before: Vec<f64> = (1..60).map(|i| load(end - 0.4 * f64::from(i))).collect();
+                    assert!(
+                        before[0] > least && before.windows(2).all(|pair| pair[1] > pair[0]),
+                        "{heights:?}, {gamma:e}"
+                    );
+                    assert!(load(end - 1e-3) > least && load(end + 1e-3) > least, "{heights:?}, {gamma:e}");
+                }
+                None => {
+                    none += 1;
+                    // Nowhere does it pull by what is a number.
+                    let pulls = (0..200).map(|i| load(0.2 * f64::from(i))).any(|load| load < -1e-277);
+                    assert!(!pulls, "{heights:?}, {gamma:e}");
+                }
+            }
+        }
+        assert!(found > 0 && none > 0 && found + none == 17, "{heights:?}: {found} of 17");
+    }
+}

@@ -323,6 +323,27 @@ mod tests {
         }
     }
 
+    /// Of an exact state that the table had not been made from, and of one that lies off.
+    #[test]
+    fn the_error_of_a_table_is_that_of_the_exact_state_farthest_from_it() {
+        let branch = branch(0.001);
+        let reach = Reach::of(&branch);
+        let mut samples = Vec::new();
+        let curve = Curve::new(&branch, reach, &mut samples).expect("a curve");
+        let scale = Scale { load: LOAD, value: UNITS[0] };
+        for off in [1e-6, -3e-4] {
+            let mut compiled = Compiled::new(&branch, &curve, reach, Quantity::Friction, scale);
+            let unseen = compiled.error;
+            compiled.compare(Quantity::Friction, scale, &samples);
+            assert!(compiled.error >= unseen && compiled.error < 1e-9);
+            let middle = samples.len() / 2;
+            let mut moved = samples.clone();
+            moved[middle].value[Quantity::Friction as usize] *= 1.0 + off;
+            compiled.compare(Quantity::Friction, scale, &moved);
+            assert!((compiled.error / off.abs() - 1.0).abs() < 1e-3, "{off:e}: {:e}", compiled.error);
+        }
+    }
+
     /// Fewer may be too few, and more are in vain: as for the summits of a sum.
     #[test]
     fn a_law_takes_as_many_states_and_rows_as_are_known_to_be_enough() {

@@ -255,6 +255,28 @@ mod tests {
         }
     }
 
+    /// Whose corners lie above the curve by half of what it rises above its chords, and end at a share of 1.
+    #[test]
+    fn corners_are_lifted_by_half_of_what_a_chord_is_too_low() {
+        const LAST: usize = ELEMENTS - 1;
+        let curve = |x: f64| 1.0 - (-x).exp();
+        let shares = polygon(KNOTS.map(curve));
+        for j in 1..LAST {
+            let [before, here, after] = [KNOTS[j - 1], KNOTS[j], KNOTS[j + 1]];
+            // Of the parabola through three values.
+            let second = 2.0
+                * ((curve(after) - curve(here)) / (after - here) - (curve(here) - curve(before)) / (here - before))
+                / (after - before);
+            let width = 0.5 * (after - before);
+            let too_low = -second * width * width / 8.0;
+            let lifted = (curve(here) + 0.5 * too_low).min(here);
+            let error = force(&shares, here) - lifted;
+            // The first and the last share make good what rounding leaves.
+            assert!(error.abs() < 2e-3 * (1.0 + f64::from(u8::from(j + 1 == LAST)) * 10.0), "{here}: {error:e}");
+        }
+        assert!((force(&shares, KNOTS[0]) - KNOTS[0]).abs() < 1e-12);
+    }
+
     #[test]
     fn shares_and_their_slopes_do_not_jump() {
         let rows = (0..4).map(|i| polygon(KNOTS.map(|x| 1.0 - (-x * (1.0 + 0.1 * f64::from(i))).exp()))).collect();
