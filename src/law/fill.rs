@@ -317,6 +317,19 @@ mod tests {
         assert!(table.at_load(8.0).is_none() && table.at_load(0.99).is_none());
     }
 
+    /// Each row begins with the value and the slope with which the one before ends, also where rows become twice as long.
+    #[test]
+    fn a_smooth_law_is_asked_once_for_each_row() {
+        let asked = std::cell::Cell::new(0);
+        let law = |log_excess: f64| {
+            asked.set(asked.get() + 1);
+            (exp(2.0 / 3.0 * log_excess), 2.0 / 3.0)
+        };
+        let (table, _) = filled(law, None, Scale { load: 3.0, value: 0.5 }, 12, 100);
+        assert_eq!(asked.get(), PARTS.len() * 13);
+        assert_eq!(table.rows.len(), 12);
+    }
+
     /// As many wiggles in a row as one level of links cannot hold, and as many as two cannot.
     #[test]
     fn the_widest_pieces_of_a_row_take_one_link_and_all_have_their_place() {

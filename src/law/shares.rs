@@ -297,6 +297,14 @@ mod tests {
             }
             assert!((found.iter().sum::<f64>() - 1.0).abs() < 1e-14);
         }
+        // Where binades and rows meet.
+        for binade in 0..7 {
+            let x = of_exponent(1000 + binade);
+            let ((less, _), (more, _)) = (at(x * (1.0 - 1e-12)), at(x));
+            for j in 0..ELEMENTS {
+                assert!((more[j] - less[j]).abs() < 1e-11, "{binade}, {j}: {} to {}", less[j], more[j]);
+            }
+        }
         assert_eq!(at(0.0).0, shares.rows[0]);
         assert_eq!(at(f64::MAX).0, shares.rows[3]);
     }
