@@ -228,6 +228,30 @@ mod tests {
         assert_eq!(rows[1], [0.5; ELEMENTS]);
     }
 
+    /// Where summits pass from one regime of the slip law to the next the part of their strength changes with load.
+    #[test]
+    fn rows_are_those_of_loads_that_are_powers_of_two() {
+        use crate::population::tests::{of, surface, WEAK};
+        let mut params = surface(WEAK, crate::params::HeightFamily::Gaussian, [0.0, 1.0]);
+        (params.slip.radius_1, params.slip.radius_2, params.slip.stress_2) = (20.0, 40.0, 0.006);
+        let branch = Branch::new(of(&params)).expect("a branch");
+        let law = super::super::Law::new(&branch, 1.0, [1.0; 2], 1.0).expect("a law");
+        let Shares { first, rows } = &law.shares;
+        let mut differences = Vec::new();
+        for (row, shares) in rows.iter().enumerate().filter(|(row, _)| row % LONGEST == 0).skip(1) {
+            let binade = i32::try_from(first + 2 * row as u64).expect("an exponent") - 1023;
+            let log_excess = f64::from(binade) * std::f64::consts::LN_2;
+            let Ok((separation, sums)) = branch.at_log_excess(log_excess, None) else { continue };
+            let length = sums.friction / sums.radius;
+            let resisted = branch.population().shares_of_strength(separation, KNOTS.map(|knot| knot * length));
+            let expected = polygon(resisted.expect("contacts"));
+            let off = shares.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-6, "{row}, at 2^{binade}: {shares:?}, not {expected:?}");
+            differences.push((shares[12] - rows[0][12]).abs());
+        }
+        assert!(differences.len() > 3 && differences.iter().any(|&by| by > 1e-3), "{differences:?}");
+    }
+
     #[test]
     fn contacts_of_one_size_slip_from_their_rims() {
         let resisted = equal_contacts();
