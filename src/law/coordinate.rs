@@ -75,7 +75,7 @@ mod tests {
     #[test]
     fn the_coordinate_is_arsinh_of_the_root_of_load_over_pull_off() {
         let coordinate = Coordinate { log_pull_off: Some(-7.0) };
-        for log_excess in [-40.0, -20.0, -7.0, -3.0, 10.0, 30.0, 34.4, 34.5, 60.0, 700.0] {
+        for log_excess in [-40.0, -20.0, -7.0, -3.0, -1.01, -0.99, 0.3, 2.0, 5.0, 10.0, 30.0, 34.4, 34.5, 60.0, 700.0] {
             let (s, rate) = coordinate.at(log_excess);
             let root = (0.5 * (log_excess + 7.0)).exp();
             assert!(near(s, root.asinh(), 1e-14), "{log_excess}: {s}");
