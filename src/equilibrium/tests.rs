@@ -129,6 +129,10 @@ fn a_branch_that_is_told_where_the_load_rises_ends_at_the_minimum_before() {
             let off = (told.farthest() - end).abs();
             let found = told.pull_off().expect("a pull-off point");
             assert!(off < 1e-7 && found.load <= point.load * (1.0 - 1e-12), "{params:?}, {past}: {off:e}");
+            // Also one that was thought to end elsewhere.
+            let elsewhere = End { farthest: end + 1.0, pull_off: None };
+            let mended = Branch { end: elsewhere, ..branch.clone() }.ending_near(end + past).expect("a branch");
+            assert_eq!(mended.farthest(), told.farthest());
         }
     }
 }
