@@ -192,7 +192,7 @@ impl Population {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{of, surface, table, FOLD, HERTZ, WEAK};
+    use super::super::tests::{of, surface, table, yielding, FOLD, HERTZ, WEAK};
     use super::*;
     use crate::groups::Groups;
     use crate::params::{HeightFamily, Params};
@@ -230,9 +230,6 @@ mod tests {
     fn surfaces() -> Vec<Params> {
         let weibull = HeightFamily::Weibull { shape: 2.2 };
         let johnson = HeightFamily::Johnson { skew: 0.5, kurtosis: 4.0 };
-        let mut yielding = surface(HERTZ, HeightFamily::Gaussian, [0.3, 0.7]);
-        yielding.hardness = 0.02 * yielding.composite_modulus;
-        yielding.contact_law = crate::params::ContactLawKind::ElasticPlastic;
         let mut film = surface(WEAK, weibull.clone(), [0.3, 0.7]);
         film.pressure_coefficient = 0.1;
         // All regimes of the slip law have contacts.
@@ -244,7 +241,7 @@ mod tests {
             surface(WEAK, table(), [0.6, 0.8]),
             // Heights measured from their upper end, which moves.
             surface(WEAK, HeightFamily::Johnson { skew: -0.9, kurtosis: 3.2 }, [0.6, 0.8]),
-            yielding,
+            yielding(HERTZ, HeightFamily::Gaussian, [0.3, 0.7]),
             film,
         ]
     }

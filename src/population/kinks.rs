@@ -89,9 +89,9 @@ impl Population {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{of, surface, table, FOLD, HERTZ};
+    use super::super::tests::{of, surface, table, yielding, FOLD, HERTZ};
     use super::*;
-    use crate::params::{ContactLawKind, HeightFamily, Params};
+    use crate::params::HeightFamily;
 
     /// Radii that fall with height, so that at each separation there is a largest contact, on which smaller ones may follow and
     /// larger ones again.
@@ -139,15 +139,7 @@ mod tests {
     #[test]
     fn kinks_of_contact_are_passed_at_breakpoints_and_where_a_summit_is_nearest_to_one() {
         for radii in [[0.0, 1.0], [0.9, 2.0], [-0.9, 2.0]] {
-            let yielding = Params {
-                hardness: 0.01 * Params::default().composite_modulus,
-                contact_law: ContactLawKind::ElasticPlastic,
-                ..Params::default()
-            };
-            let mut params = Params { heights: table(), radius_amplitude: radii[0], radius_rate: radii[1], ..yielding };
-            params.set_dimensionless(0.05, 100.0, 0.0, 1.0, 0.3).expect("a surface");
-            params.hardness = 0.02 * params.composite_modulus;
-            let population = of(&params);
+            let population = of(&yielding([0.05, 100.0, 0.0, 1.0], table(), radii));
             let kinks = population.kinks();
             let mut expected = Vec::new();
             for overlap in population.kinks_of_contact {

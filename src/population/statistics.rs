@@ -152,12 +152,13 @@ impl Population {
 #[cfg(test)]
 mod tests {
     use super::super::tests::{of, surface, HERTZ, WEAK};
+    use crate::asperity::contact::Contact;
     use crate::params::{HeightFamily, Params};
     use crate::population::Population;
 
     /// The contacts at a separation, at equal steps of height from the first: their fraction of all summits, the contact, and
     /// its friction.
-    fn contacts(population: &Population, separation: f64) -> Vec<(f64, crate::asperity::contact::Contact, f64)> {
+    fn contacts(population: &Population, separation: f64) -> Vec<(f64, Contact, f64)> {
         const STEPS: u32 = 20_000;
         let lowest = population.edge(separation).point.z.max(population.lower_cut);
         let step = (population.highest - lowest) / f64::from(STEPS);
@@ -179,7 +180,7 @@ mod tests {
                 let slope = 0.01;
                 let found = population.statistics(separation, 1.0, slope).expect("statistics");
                 let contacts = contacts(&population, separation);
-                let sum = |of: &dyn Fn(&crate::asperity::contact::Contact, f64) -> f64| -> f64 {
+                let sum = |of: &dyn Fn(&Contact, f64) -> f64| -> f64 {
                     contacts.iter().map(|(fraction, contact, friction)| fraction * of(contact, *friction)).sum()
                 };
                 let count = sum(&|_, _| 1.0);

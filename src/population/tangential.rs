@@ -103,7 +103,9 @@ impl Population {
 
 #[cfg(test)]
 mod tests {
+    use super::super::sums::Sums;
     use super::super::tests::{of, surface, WEAK};
+    use super::super::Population;
     use crate::asperity::slip::SlipOnset;
     use crate::params::{HeightFamily, Params};
 
@@ -118,47 +120,46 @@ mod tests {
         [surface(WEAK, HeightFamily::Gaussian, [0.0, 1.0]), regimes, film, falling]
     }
 
-    #[test]
-    fn shares_of_strength_are_forces_before_gross_slip_over_friction() {
+    /// At several separations, with either way to begin to slip.
+    fn each_state(check: impl Fn(&Population, f64, Sums, SlipOnset)) {
         for params in surfaces() {
             for slip_onset in [SlipOnset::Partial, SlipOnset::Whole] {
                 let population = of(&Params { slip_onset, ..params.clone() });
                 for separation in [-1.0, 0.5, 2.0] {
-                    let sums = population.at_separation(separation);
-                    let ratios = [1e-3, 0.3, 1.0, 1.5, 4.0, 1e3].map(|ratio| ratio * sums.friction / sums.radius);
-                    let shares = population.shares_of_strength(separation, ratios).expect("contacts");
-                    for (ratio, share) in ratios.into_iter().zip(shares) {
-                        let slipping = population.microslip(separation, ratio).expect("a force");
-                        let expected = slipping.force / sums.friction;
-                        let error = share / expected - 1.0;
-                        assert!(error.abs() < 2e-3, "{slip_onset:?}, {ratio} at {separation}: {share}, {error:e}");
-                        assert!((slipping.radius / sums.radius - 1.0).abs() < 1e-9);
-                    }
-                    // At first all stick, at last none does.
-                    assert!((shares[0] - 1e-3).abs() < 1e-5 && (shares[5] - 1.0).abs() < 1e-9, "{shares:?}");
+                    check(&population, separation, population.at_separation(separation), slip_onset);
                 }
             }
         }
     }
 
     #[test]
-    fn what_sticks_is_how_fast_the_force_rises() {
-        for params in surfaces() {
-            for slip_onset in [SlipOnset::Partial, SlipOnset::Whole] {
-                let population = of(&Params { slip_onset, ..params.clone() });
-                for separation in [-1.0, 0.5, 2.0] {
-                    let sums = population.at_separation(separation);
-                    for ratio in [0.1, 0.7, 1.2].map(|ratio| ratio * sums.friction / sums.radius) {
-                        let at =
-                            |change: f64| population.microslip(separation, ratio * (1.0 + change)).expect("a force");
-                        let secant = (at(1e-4).force - at(-1e-4).force) / (2e-4 * ratio);
-                        let sticking = at(0.0).sticking;
-                        let error = (sticking - secant).abs() / sums.radius;
-                        assert!(error < 1e-6, "{slip_onset:?}, {ratio} at {separation}: {sticking}, not {secant}");
-                    }
-                }
+    fn shares_of_strength_are_forces_before_gross_slip_over_friction() {
+        each_state(|population, separation, sums, slip_onset| {
+            let ratios = [1e-3, 0.3, 1.0, 1.5, 4.0, 1e3].map(|ratio| ratio * sums.friction / sums.radius);
+            let shares = population.shares_of_strength(separation, ratios).expect("contacts");
+            for (ratio, share) in ratios.into_iter().zip(shares) {
+                let slipping = population.microslip(separation, ratio).expect("a force");
+                let expected = slipping.force / sums.friction;
+                let error = share / expected - 1.0;
+                assert!(error.abs() < 2e-3, "{slip_onset:?}, {ratio} at {separation}: {share}, {error:e}");
+                assert!((slipping.radius / sums.radius - 1.0).abs() < 1e-9);
             }
-        }
+            // At first all stick, at last none does.
+            assert!((shares[0] - 1e-3).abs() < 1e-5 && (shares[5] - 1.0).abs() < 1e-9, "{shares:?}");
+        });
+    }
+
+    #[test]
+    fn what_sticks_is_how_fast_the_force_rises() {
+        each_state(|population, separation, sums, slip_onset| {
+            for ratio in [0.1, 0.7, 1.2].map(|ratio| ratio * sums.friction / sums.radius) {
+                let at = |change: f64| population.microslip(separation, ratio * (1.0 + change)).expect("a force");
+                let secant = (at(1e-4).force - at(-1e-4).force) / (2e-4 * ratio);
+                let sticking = at(0.0).sticking;
+                let error = (sticking - secant).abs() / sums.radius;
+                assert!(error < 1e-6, "{slip_onset:?}, {ratio} at {separation}: {sticking}, not {secant}");
+            }
+        });
     }
 
     #[test]

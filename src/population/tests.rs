@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::neighbours::Neighbours;
-use crate::params::{HeightFamily, Params};
+use crate::params::{ContactLawKind, HeightFamily, Params};
 
 /// The population of a surface that is valid.
 pub fn of(params: &Params) -> Population {
@@ -14,6 +14,12 @@ pub fn surface([alpha, beta, gamma, b_over_h]: [f64; 4], heights: HeightFamily, 
     let mut params = Params { heights, radius_amplitude: amplitude, radius_rate: rate, ..Params::default() };
     params.set_dimensionless(alpha, beta, gamma, b_over_h, 0.3).expect("a surface");
     params
+}
+
+/// A surface of which the summits yield.
+pub fn yielding(groups: [f64; 4], heights: HeightFamily, radii: [f64; 2]) -> Params {
+    let params = surface(groups, heights, radii);
+    Params { contact_law: ContactLawKind::ElasticPlastic, hardness: 0.02 * params.composite_modulus, ..params }
 }
 
 pub fn table() -> HeightFamily {
@@ -92,6 +98,15 @@ fn the_slope_of_friction_is_the_secant_where_the_first_slip_radius_is_next_to_no
     }
 }
 
+/// How far the slopes of load and friction are from secants over steps and their doubles, relative to these.
+fn errors_of_slopes(population: &Population, separation: f64, step: f64) -> [f64; 2] {
+    let sums = |step: f64| population.at_separation(separation + step);
+    let secant = |step: f64, of: fn(&Sums) -> f64| (of(&sums(step)) - of(&sums(-step))) / (2.0 * step);
+    let slope = |of| (4.0 * secant(step, of) - secant(2.0 * step, of)) / 3.0;
+    let exact = population.at_separation(separation);
+    [exact.load_slope / slope(Sums::load) - 1.0, exact.friction_slope / slope(|sums| sums.friction) - 1.0]
+}
+
 /// Adhesive summits of which the taller have smaller radii, down to nothing.
 fn falling_radii() -> [Params; 2] {
     let surface = |groups, rate, density: [f64; 9]| {
@@ -113,14 +128,8 @@ fn slopes_are_secants_where_radii_fall_to_nothing() {
         let separations = (1..120).map(|i| -0.02 * f64::from(i));
         // Not across a kink.
         for separation in separations.filter(|at| kinks.iter().all(|kink| (kink - at).abs() > 1e-3)) {
-            let sums = |step: f64| population.at_separation(separation + step);
-            let secant = |step: f64, of: fn(&Sums) -> f64| (of(&sums(step)) - of(&sums(-step))) / (2.0 * step);
-            let slope = |of| (4.0 * secant(1e-4, of) - secant(2e-4, of)) / 3.0;
-            let exact = population.at_separation(separation);
-            let load = exact.load_slope / slope(Sums::load);
-            let friction = exact.friction_slope / slope(|sums| sums.friction);
-            let error = (load - 1.0).abs().max((friction - 1.0).abs());
-            assert!(error < 3e-8, "{params:?} at {separation}: {:e}, {:e}", load - 1.0, friction - 1.0);
+            let [load, friction] = errors_of_slopes(&population, separation, 1e-4);
+            assert!(load.abs().max(friction.abs()) < 3e-8, "{params:?} at {separation}: {load:e}, {friction:e}");
         }
     }
 }
@@ -191,26 +200,18 @@ fn a_summit_of_a_parameter_stands_where_its_overlap_says() {
 #[test]
 fn slopes_are_secants_where_summits_yield_and_radii_vary() {
     for radii in [[0.9, 2.0], [-0.9, 2.0]] {
-        let mut params = surface([0.05, 100.0, 0.0, 1.0], HeightFamily::Gaussian, radii);
-        params.contact_law = crate::params::ContactLawKind::ElasticPlastic;
-        params.hardness = 0.02 * params.composite_modulus;
-        let population = of(&params);
+        let population = of(&yielding([0.05, 100.0, 0.0, 1.0], HeightFamily::Gaussian, radii));
         let kinks = population.kinks();
         assert!(kinks.len() > 1, "{kinks:?}");
         let separations = (0..120).map(|i| -3.0 + 0.05 * f64::from(i));
         for separation in separations.filter(|at| kinks.iter().all(|kink| (kink - at).abs() > 4e-3)) {
-            let sums = |step: f64| population.at_separation(separation + step);
-            let secant = |step: f64, of: fn(&Sums) -> f64| (of(&sums(step)) - of(&sums(-step))) / (2.0 * step);
-            let slope = |of| (4.0 * secant(1e-3, of) - secant(2e-3, of)) / 3.0;
-            let exact = population.at_separation(separation);
-            let load = exact.load_slope / slope(Sums::load) - 1.0;
-            let friction = exact.friction_slope / slope(|sums| sums.friction) - 1.0;
+            let [load, friction] = errors_of_slopes(&population, separation, 1e-3);
             assert!(load.abs().max(friction.abs()) < 1e-8, "{radii:?} at {separation}: {load:e}, {friction:e}");
         }
     }
 }
 
-/// And pull with what they pull with alone.
+/// Their share and their pull are those of a sum over heights in small steps.
 #[test]
 fn summits_attract_from_the_reach_of_adhesion_to_the_edge_of_contact() {
     for (groups, radii) in [(WEAK, [0.0, 1.0]), (WEAK, [0.4, 0.7]), (WEAK, [-0.4, 0.7])] {
@@ -252,31 +253,24 @@ impl walk::ContactVisitor for Asked {
 /// (`make bench`).
 #[test]
 fn sums_ask_for_as_many_summits_as_are_known_to_be_enough() {
-    let (mut in_contact, mut out_of_contact) = (Vec::new(), Vec::new());
-    for groups in [WEAK, FOLD, HERTZ] {
-        for radii in [[0.0, 1.0], [0.6, 0.8], [-0.4, 0.5]] {
-            let johnson = HeightFamily::Johnson { skew: 0.5, kurtosis: 4.0 };
-            let heights = [HeightFamily::Gaussian, HeightFamily::Weibull { shape: 2.2 }, johnson, table()];
-            let asked = heights.map(|heights| {
-                let population = of(&surface(groups, heights, radii)).without_tables();
-                let (mut contacts, mut others) = (Asked::default(), 0);
-                for above_mean in [-2.0, 0.0, 0.7, 1.1] {
-                    let separation = above_mean - population.heights.origin();
-                    let edge = population.edge(separation);
-                    let walk = population.contacts(separation, &edge).expect("contacts");
-                    population.walk(&walk, &mut walk::Progress::default(), &mut contacts).expect("sums");
-                    if let Some(range) = population.attracted_range(separation, &edge) {
-                        population.visit_attracted(&range, separation, |_, _, _| others += 1).expect("sums");
-                    }
-                }
-                (contacts.0, others)
-            });
-            in_contact.push(asked.map(|(contacts, _)| contacts));
-            out_of_contact.push(asked.map(|(_, others)| others));
+    let asked = surfaces().into_iter().map(|params| {
+        let population = of(&params).without_tables();
+        let (mut contacts, mut others) = (Asked::default(), 0);
+        for above_mean in [-2.0, 0.0, 0.7, 1.1] {
+            let separation = above_mean - population.heights.origin();
+            let edge = population.edge(separation);
+            let walk = population.contacts(separation, &edge).expect("contacts");
+            population.walk(&walk, &mut walk::Progress::default(), &mut contacts).expect("sums");
+            if let Some(range) = population.attracted_range(separation, &edge) {
+                population.visit_attracted(&range, separation, |_, _, _| others += 1).expect("sums");
+            }
         }
-    }
+        (contacts.0, others)
+    });
+    let (in_contact, out_of_contact): (Vec<_>, Vec<_>) = asked.unzip();
+    // A line has the families of heights at the same groups and radii.
     assert_eq!(
-        in_contact,
+        in_contact.chunks(4).collect::<Vec<_>>(),
         [
             [456, 504, 536, 228],
             [512, 570, 592, 306],
@@ -290,7 +284,7 @@ fn sums_ask_for_as_many_summits_as_are_known_to_be_enough() {
         ]
     );
     assert_eq!(
-        out_of_contact,
+        out_of_contact.chunks(4).collect::<Vec<_>>(),
         [
             [64, 112, 64, 80],
             [208, 224, 208, 176],
