@@ -88,7 +88,7 @@ impl Drop for Place {
 }
 
 fn soonest_made() -> asperity_params {
-    asperity_params::dimensionless(0.1, 4.0, 1.5e-3, 40.0)
+    asperity_params::dimensionless(1.0, 0.1, 0.01, 40.0)
 }
 
 /// Loads in the table, and some for the exact evaluation or none.
@@ -702,7 +702,7 @@ fn a_table_of_heights_is_copied_and_given_back() {
     // SAFETY: memory of the first version of the parameters, and for a handle.
     unsafe {
         assert_eq!(asperity_params_init(old.pointer()), OK);
-        assert_eq!(asperity_params_set_dimensionless(old.pointer(), 0.1, 4.0, 1.5e-3, 40.0, 0.3), OK);
+        assert_eq!(asperity_params_set_dimensionless(old.pointer(), 1.0, 0.1, 0.01, 40.0, 0.3), OK);
         assert_eq!(asperity_create(old.pointer(), place.pointer()), OK, "{}", message());
         asperity_free(place.pointer::<*mut asperity_model>().read());
     }
