@@ -24,6 +24,8 @@ const BEFORE: u64 = 0x5eed_5eed_5eed_5eed;
 const FIRST_SIZE: usize = offset_of!(asperity_params, skew);
 /// Two blocks of vectors of four lanes, one of eight, and a rest.
 const LONGEST: usize = 16 * 4 * 2 + 7;
+/// alpha, beta, gamma and b/h of the surface whose model is soonest made.
+const SOONEST_MADE: [f64; 4] = [1.0, 0.1, 0.01, 40.0];
 
 /// Memory of a caller, of so many bytes, at an address that is a multiple of 8 or odd. It holds nothing until it is filled.
 struct Place {
@@ -88,7 +90,8 @@ impl Drop for Place {
 }
 
 fn soonest_made() -> asperity_params {
-    asperity_params::dimensionless(1.0, 0.1, 0.01, 40.0)
+    let [alpha, beta, gamma, b_over_h] = SOONEST_MADE;
+    asperity_params::dimensionless(alpha, beta, gamma, b_over_h)
 }
 
 /// Loads in the table, and some for the exact evaluation or none.
@@ -216,7 +219,6 @@ fn parameters_of_every_size_are_set() {
             // Of this one the strength grows with pressure, for which old structs have no room.
             let room = if size >= offset_of!(asperity_params, bandwidth) { OK } else { INVALID_PARAMETER };
             assert_eq!(asperity_params_set_interface(params, c"MoS2 film in dry air".as_ptr()), room);
-            assert_eq!(asperity_params_calibrate(params, 1.0, 0.3), OK);
             // Names that may lie anywhere, and a number that may.
             let (name, mut value) = (asperity_params_name(0), 0.0);
             assert_eq!(asperity_params_set_value(params, name, 3e11), OK);
@@ -347,6 +349,26 @@ fn null_is_refused_or_skipped() {
         // SAFETY: refused before a column is read.
         assert_eq!(unsafe { asperity_create(&params, &mut model) }, status);
         assert_eq!(model, untouched);
+    }
+}
+
+/// Calibrating makes a model: the shortest struct and the longest.
+#[test]
+fn structs_of_the_first_version_and_of_the_last_are_calibrated() {
+    let [alpha, beta, gamma, b_over_h] = SOONEST_MADE;
+    for size in [FIRST_SIZE, size_of::<asperity_params>()] {
+        let place = Place::aligned(size);
+        let params = place.pointer::<asperity_params>();
+        let (mut before, mut after) = (0.0, 0.0);
+        // SAFETY: memory of the size that is told, and a name that ends.
+        unsafe {
+            assert_eq!(asperity_params_init_sized(params, size as u64), OK);
+            assert_eq!(asperity_params_set_dimensionless(params, alpha, beta, gamma, b_over_h, 0.3), OK);
+            assert_eq!(asperity_params_get_value(params, c"slip_stress_1".as_ptr(), &mut before), OK);
+            assert_eq!(asperity_params_calibrate(params, 1e-3, 1e-4), OK, "{}", message());
+            assert_eq!(asperity_params_get_value(params, c"slip_stress_1".as_ptr(), &mut after), OK);
+        }
+        assert!(after > 0.0 && after != before, "{size} bytes: {before}, {after}");
     }
 }
 
@@ -699,10 +721,11 @@ fn a_table_of_heights_is_copied_and_given_back() {
     // A handle kept in memory without a value before, and heights that need no table.
     let place = Place::aligned(size_of::<*mut asperity_model>());
     let old = Place::aligned(FIRST_SIZE);
+    let [alpha, beta, gamma, b_over_h] = SOONEST_MADE;
     // SAFETY: memory of the first version of the parameters, and for a handle.
     unsafe {
         assert_eq!(asperity_params_init(old.pointer()), OK);
-        assert_eq!(asperity_params_set_dimensionless(old.pointer(), 1.0, 0.1, 0.01, 40.0, 0.3), OK);
+        assert_eq!(asperity_params_set_dimensionless(old.pointer(), alpha, beta, gamma, b_over_h, 0.3), OK);
         assert_eq!(asperity_create(old.pointer(), place.pointer()), OK, "{}", message());
         asperity_free(place.pointer::<*mut asperity_model>().read());
     }
