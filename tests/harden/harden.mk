@@ -9,7 +9,8 @@
 #   make faults          10^5 cycles, 1000 reloads, soak of 10^9 calls
 #   make memory          sanitizers, valgrind
 #   make races           ThreadSanitizer in the Rust code                 needs a nightly Rust with rust-src
-#   make miri            every C function in Miri, by two rules of aliasing     needs a nightly Rust with miri
+#   make miri            every C function in Miri, by two rules of aliasing,
+#                        an hour for each on a slow processor          needs a nightly Rust with miri
 #   make processors      the same bits on emulated machines               needs what `tests/setup.sh dist` installs
 #   make supply-chain    licences, bans, sources                          needs cargo-deny
 #   make oldest-rust     the Rust tests with the oldest compiler          needs rustup
