@@ -190,6 +190,7 @@ unsafe fn vectors(_: &Model, _: Quantity, _: Arrays, _: &mut FirstInvalid) -> us
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::by_separation;
     use crate::params::Params;
 
     type Path = unsafe fn(&Model, Quantity, Arrays, &mut FirstInvalid) -> usize;
@@ -245,6 +246,27 @@ mod tests {
             loads.extend([*other; 40]);
         }
         loads
+    }
+
+    /// Calls and batches agree with each other even where both ask the wrong law.
+    #[test]
+    fn each_quantity_is_that_of_the_model_within_its_table_and_beyond() {
+        let model = Model::new(&Params::default()).expect("a model");
+        for depth in [0.0, 1e3, 1e5, 1e7, 1e12] {
+            let separation = -depth * model.params().height_std;
+            let (load, slope) = Quantity::Load.at(&model, -separation);
+            assert_eq!((load, by_separation(slope)), model.load_and_slope_at(separation), "{depth:e}");
+        }
+        for times in [1e-3, 2.0, 1e6, 1e12] {
+            let load = times * model.summary().max_table_load;
+            for (quantity, expected) in [
+                (Quantity::Coefficient, model.friction_at_load(load)),
+                (Quantity::Force, model.friction_force_at_load(load)),
+                (Quantity::Stiffness, model.tangential_stiffness_at_load(load)),
+            ] {
+                assert_eq!(quantity.at(&model, load).0, expected, "{quantity:?}, {times:e}");
+            }
+        }
     }
 
     #[test]
