@@ -248,7 +248,7 @@ mod tests {
         loads
     }
 
-    /// Calls and batches agree with each other even where both ask the wrong law.
+    /// Scalar and batch calls would have the same bits too if both asked the wrong law.
     #[test]
     fn each_quantity_is_that_of_the_model_within_its_table_and_beyond() {
         let model = Model::new(&Params::default()).expect("a model");
