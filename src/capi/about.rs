@@ -8,8 +8,6 @@ use std::ffi::c_char;
 ///
 /// @param status  one of the constants `ASPERITY_OK` to `ASPERITY_INTERNAL`
 /// @return a constant string, never NULL; "unknown status" for any other number
-///
-/// Threads: any.
 #[no_mangle]
 pub extern "C" fn asperity_status_string(status: asperity_status) -> *const c_char {
     match status {
@@ -30,8 +28,6 @@ pub extern "C" fn asperity_status_string(status: asperity_status) -> *const c_ch
 /// Returns the version of the binary interface of the library loaded; compare it with `ASPERITY_ABI_VERSION`.
 ///
 /// It changes only when compiled callers must be compiled again.
-///
-/// Threads: any.
 #[no_mangle]
 pub extern "C" fn asperity_abi_version() -> u32 {
     ASPERITY_ABI_VERSION
@@ -40,8 +36,6 @@ pub extern "C" fn asperity_abi_version() -> u32 {
 /// Returns the version of the library loaded, "major.minor.patch".
 ///
 /// @return a constant string, never NULL
-///
-/// Threads: any.
 #[no_mangle]
 pub extern "C" fn asperity_version() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()

@@ -5,46 +5,72 @@ use super::params::asperity_params;
 use super::reserve;
 use super::setters::change;
 use super::status::asperity_status;
+use crate::error::Error;
+use crate::params::Params;
 
 impl asperity_params {
-    /// Scales both slip stresses to a measured friction force.
+    /// Sets the strength to a measured one.
     ///
     /// # Safety
     /// As that of `to_params`.
-    pub(super) unsafe fn calibrate(&mut self, load: f64, friction_force: f64) -> Result<(), Failure> {
+    pub(super) unsafe fn calibrate(
+        &mut self,
+        set: impl FnOnce(&mut Params) -> Result<(), Error>,
+    ) -> Result<(), Failure> {
         let mut params = self.to_params()?;
-        reserve::held(|| Ok(params.calibrate(load, friction_force)?))?;
+        reserve::held(|| Ok(set(&mut params)?))?;
         (self.slip_stress_1, self.slip_stress_2) = (params.slip.stress_1, params.slip.stress_2);
+        (self.calibration_load, self.calibration_friction_force) =
+            (params.calibration_load, params.calibration_friction_force);
         Ok(())
     }
 }
 
 /// Sets the strength of the interface from one measured point: scales `slip_stress_1` and `slip_stress_2` by one factor, so
-/// that the friction force at this load is the measured one.
+/// that the friction coefficient at this load is the measured one.
 ///
 /// The model does not predict the shear strength of an interface: films and oxides govern it. Measure the friction of your
 /// pair once, on surfaces and at a load that you know. Set the parameters of these surfaces, and call this function last. The
-/// model then predicts how friction changes with load, area, roughness and adhesion. `pressure_coefficient` stays as it is.
+/// model then predicts how friction changes with load, area, roughness and adhesion. `pressure_coefficient` stays as it is. The
+/// measurement is kept in `calibration_load` and `calibration_friction_force`, with `calibration_error`, for error bands.
 /// The call makes one model and one exact state: milliseconds.
 ///
 /// ```c
-/// double load = 1e-3, measured_coefficient = 0.4;  // N
-/// asperity_params_calibrate(&params, load, measured_coefficient * load);
+/// asperity_params_calibrate(&params, 1e-3, 0.4);  // N; a friction coefficient
 /// ```
 ///
-/// @param params          all parameters of the surfaces that were measured; must not be NULL; untouched on failure
-/// @param load            normal load of the measurement [force], a total over `asperity_count`
-/// @param friction_force  friction force measured at that load [force], > 0: the friction coefficient times the load
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a force that no strength gives: the message
-///         has the numbers; a parameter that `asperity_create` refuses), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`,
+/// @param params                all parameters of the surfaces that were measured
+/// @param load                  normal load of the measurement [force], > 0, a total over `asperity_count`
+/// @param friction_coefficient  measured at that load [-], > 0 and at most 20
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a coefficient that no strength
+///         gives: the message has the numbers; a parameter that `asperity_create` refuses), `ASPERITY_INVALID_LOAD`,
 ///         `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
-///
-/// Threads: any, on different structs.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_calibrate(
     params: *mut asperity_params,
     load: f64,
+    friction_coefficient: f64,
+) -> asperity_status {
+    boundary::status(|| {
+        change(params, |params| params.calibrate(|surfaces| surfaces.calibrate(load, friction_coefficient)))
+    })
+}
+
+/// Sets the strength of the interface from a measured friction force, as `asperity_params_calibrate` does from a coefficient:
+/// for measurements at zero load, or where the load pulls.
+///
+/// @param params          all parameters of the surfaces that were measured
+/// @param load            normal load of the measurement [force], a total over `asperity_count`; from the pull-off
+///                        load upwards
+/// @param friction_force  measured at that load [force], > 0
+/// @return as `asperity_params_calibrate`, and `ASPERITY_SEPARATED`
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_calibrate_force(
+    params: *mut asperity_params,
+    load: f64,
     friction_force: f64,
 ) -> asperity_status {
-    boundary::status(|| change(params, |params| params.calibrate(load, friction_force)))
+    boundary::status(|| {
+        change(params, |params| params.calibrate(|surfaces| surfaces.calibrate_force(load, friction_force)))
+    })
 }

@@ -9,11 +9,9 @@ use super::status::asperity_status;
 ///
 /// @param model  a model
 /// @param load   normal load P [force], a total over `asperity_count`
-/// @return the coefficient [-]: F/load for load > 0, at most `max_friction_coefficient`; `max_friction_coefficient` for
-///         pull-off <= load <= 0, where F is finite and F/load is not; 0 below pull-off, where the surfaces are apart; a quiet
-///         NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+/// @return the coefficient [-]: F/load for load > 0, at most `max_friction_coefficient`; `max_friction_coefficient`
+///         for pull-off <= load <= 0, where F is finite and F/load is not; 0 below pull-off, where the surfaces are
+///         apart; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model, load: f64) -> f64 {
     model::value_at(model, Quantity::Coefficient, load)
@@ -25,21 +23,16 @@ pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model,
 ///
 /// @param model  a model
 /// @param load   normal load [force], a total over `asperity_count`
-/// @return F [force]. With adhesion it is positive also at zero load, and at negative load down to pull-off; without adhesion
-///         it is 0 at zero load. 0 below pull-off; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated
-///         (1e300), or a NULL model
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+/// @return F [force]. With adhesion it is positive also at zero load, and at negative load down to pull-off; without
+///         adhesion it is 0 at zero load. 0 below pull-off; a quiet NaN for a NaN or infinite load, for one that
+///         cannot be evaluated (1e300), or a NULL model
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_model, load: f64) -> f64 {
     model::value_at(model, Quantity::Force, load)
 }
 
-/// Computes the friction coefficients at many loads, and their slopes.
-///
-/// Every element has the same bits as `asperity_friction_at_load` at that load. The library fills all elements. Then it
-/// reports the first load without an answer, if there is one: `asperity_last_error` says its index. An open contact is often
-/// no error of your solver: check for `ASPERITY_SEPARATED` first.
+/// Computes the friction coefficients at many loads, and their slopes. An open contact is often no error of your solver: check
+/// for `ASPERITY_SEPARATED` first.
 ///
 /// ```c
 /// double load[] = {1e-3, 2e-3, -1.0}, mu[3];
@@ -49,17 +42,14 @@ pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_
 /// }
 /// ```
 ///
-/// @param model      must not be NULL
-/// @param n          number of loads; may be 0
-/// @param load       n loads [force]; must not be NULL unless n = 0
-/// @param mu         receives n coefficients [-]; NULL to skip; may be `load` itself
-/// @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped; NULL to skip; may be `load`
-///                   itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD` (a NaN or infinite load: the answer is NaN),
-///         `ASPERITY_SEPARATED` (a load below pull-off: the answer is 0), `ASPERITY_OUT_OF_RANGE` (a finite load that cannot
-///         be evaluated: the answer is NaN)
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+/// @param model      a model
+/// @param n          number of loads
+/// @param load       n loads [force]
+/// @param mu         receives n coefficients [-]
+/// @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_LOAD` (a NaN or infinite load: the answer is
+///         NaN), `ASPERITY_SEPARATED` (a load below pull-off: the answer is 0), `ASPERITY_OUT_OF_RANGE` (a finite
+///         load that cannot be evaluated: the answer is NaN)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_at_loads(
     model: *const asperity_model,
@@ -71,19 +61,16 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
     evaluate(model, Quantity::Coefficient, n, load, mu, dmu_dload)
 }
 
-/// Computes the friction forces at many loads, and their slopes; filled and reported as by `asperity_friction_at_loads`.
+/// Computes the friction forces at many loads, and their slopes.
 ///
-/// @param model         must not be NULL
-/// @param n             number of loads; may be 0
-/// @param load          n loads [force]; must not be NULL unless n = 0
-/// @param force         receives n forces [force]; NULL to skip; may be `load` itself
-/// @param dforce_dload  receives n slopes dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the pull-off load
-///                      itself, 0 below it. Without adhesion F has no slope at zero load: at zero load and below, the
-///                      library writes the slope at the lightest load of the table, `min_table_load`. NULL to skip; may be
-///                      `load` itself
+/// @param model         a model
+/// @param n             number of loads
+/// @param load          n loads [force]
+/// @param force         receives n forces [force]
+/// @param dforce_dload  receives n slopes dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the
+///                      pull-off load itself, 0 below it. Without adhesion F has no slope at zero load: at zero load
+///                      and below, the library writes the slope at the lightest load of the table, `min_table_load`
 /// @return as `asperity_friction_at_loads`
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_force_at_loads(
     model: *const asperity_model,

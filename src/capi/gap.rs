@@ -20,10 +20,8 @@ const BLOCK: usize = 128;
 ///
 /// @param model       a model
 /// @param separation  of the mean planes of asperity heights and flat [length]; negative in deep compression
-/// @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a separation that is NaN,
-///         infinite or below -1e50 `height_std`, or a NULL model
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+/// @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a separation
+///         that is NaN, infinite or below -1e50 `height_std`, or a NULL model
 #[no_mangle]
 pub unsafe extern "C" fn asperity_load_at_separation(model: *const asperity_model, separation: f64) -> f64 {
     model::value_at(model, Quantity::Load, -separation)
@@ -33,11 +31,9 @@ pub unsafe extern "C" fn asperity_load_at_separation(model: *const asperity_mode
 ///
 /// @param model              a model
 /// @param separation         as for `asperity_load_at_separation`
-/// @param dload_dseparation  receives d(load)/d(separation) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and
-///                           beyond; NaN where the load is; NULL to skip
+/// @param dload_dseparation  receives d(load)/d(separation) [force/length], <= 0: minus the normal stiffness; 0 at
+///                           pull-off and beyond; NaN where the load is
 /// @return as `asperity_load_at_separation`
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_load_and_slope_at_separation(
     model: *const asperity_model,
@@ -52,22 +48,17 @@ pub unsafe extern "C" fn asperity_load_and_slope_at_separation(
     })
 }
 
-/// Loads at many separations, and their slopes, filled and reported as by `asperity_friction_at_loads`.
+/// Loads at many separations, and their slopes.
 ///
-/// Every element has the bits that the call for one separation gives. All elements are filled; then the first separation that is
-/// not in order, if any, is reported, and `asperity_last_error` names its index.
-///
-/// @param model             must not be NULL
-/// @param n                 number of separations; may be 0
-/// @param separation        n separations [length]; must not be NULL unless n = 0
-/// @param load              receives n loads [force]; NULL to skip; may be `separation` itself
-/// @param dload_dseparation receives n slopes d(load)/d(separation) [force/length], <= 0: minus the normal stiffness; 0 at
-///                          pull-off and beyond; NULL to skip; may be `separation` itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a separation that is NaN or infinite),
-///         `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one below -1e50
-///         `height_std`)
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+/// @param model             a model
+/// @param n                 number of separations
+/// @param separation        n separations [length]
+/// @param load              receives n loads [force]
+/// @param dload_dseparation receives n slopes d(load)/d(separation) [force/length], <= 0: minus the normal stiffness;
+///                          0 at pull-off and beyond
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a separation that is NaN or
+///         infinite), `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one
+///         below -1e50 `height_std`)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_loads_at_separations(
     model: *const asperity_model,

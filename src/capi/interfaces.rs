@@ -43,18 +43,16 @@ unsafe fn find(name: *const c_char) -> Result<&'static Interface, Failure> {
     Interface::find(name).ok_or_else(|| unknown(name, "interface", nearest()))
 }
 
-/// Looks an interface up by its name, "MoS2 film in dry air", and fills its data. Also: `asperity_get_interface`.
+/// Looks an interface up by its name, "MoS2 film in dry air", and fills its data.
 ///
 /// The numbers were measured on other specimens. Use them to start from for a similar interface. Films, humidity and wear
 /// change the strength many times over: measure yours, and call `asperity_params_calibrate`. docs/materials.md lists all
 /// interfaces with their sources.
 ///
-/// @param name  one of `asperity_interface_name`; must not be NULL; the library reads at most 64 bytes
-/// @param data  receives the data; must not be NULL; its `struct_size` must be set; untouched on failure
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which is
-///         nearest; `struct_size`)
-///
-/// Threads: any.
+/// @param name  one of `asperity_interface_name`
+/// @param data  receives the data
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which
+///         is nearest; `struct_size`)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_interface(
     name: *const c_char,
@@ -82,8 +80,6 @@ pub unsafe extern "C" fn asperity_interface(
 ///
 /// @param index  from 0
 /// @return a constant string; NULL after the last
-///
-/// Threads: any.
 #[no_mangle]
 pub extern "C" fn asperity_interface_name(index: usize) -> *const c_char {
     INTERFACES.get(index).map_or(std::ptr::null(), |interface| interface.name.as_ptr())
@@ -104,13 +100,11 @@ pub extern "C" fn asperity_interface_name(index: usize) -> *const c_char {
 /// Of some interfaces only a friction coefficient is known, which depends on the surfaces. The library refuses these; the
 /// message says the coefficient, and what to give to `asperity_params_calibrate`.
 ///
-/// @param params  parameters whose bodies are set; must not be NULL; untouched on failure
-/// @param name    one of `asperity_interface_name`; must not be NULL; the library reads at most 64 bytes
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which is
-///         nearest; no strength; a shear modulus that is not set, or below the strength; a struct without
+/// @param params  parameters whose bodies are set
+/// @param name    one of `asperity_interface_name`
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which
+///         is nearest; no strength; a shear modulus that is not set, or below the strength; a struct without
 ///         `pressure_coefficient`)
-///
-/// Threads: any, on different structs.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_interface(
     params: *mut asperity_params,

@@ -55,7 +55,6 @@ pub fn set(message: &dyn Display) {
 /// @param length  size of `buffer` [bytes]
 /// @return the length of the whole message [bytes], without the NUL: it is cut unless `length` is greater
 ///
-/// Threads: each has its own message.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_last_error(buffer: *mut c_char, length: usize) -> usize {
     MESSAGE.with(|cell| {

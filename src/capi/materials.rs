@@ -86,17 +86,15 @@ fn nearest_material(name: &[u8]) -> &'static str {
     meant.unwrap_or_else(|| nearest(name, MATERIALS.iter().map(|material| material.name)))
 }
 
-/// Looks a material up by its name, "steel" or "SiO2", and fills its data. Also: `asperity_get_material`.
+/// Looks a material up by its name, "steel" or "SiO2", and fills its data.
 ///
 /// The values are typical, in SI units, and meant to start from: films, alloys and treatments differ. docs/materials.md lists
 /// all materials with their sources.
 ///
-/// @param name      one of `asperity_material_name`; must not be NULL; the library reads at most 64 bytes
-/// @param material  receives the data; must not be NULL; its `struct_size` must be set; untouched on failure
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which is
-///         nearest; `struct_size`)
-///
-/// Threads: any.
+/// @param name      one of `asperity_material_name`
+/// @param material  receives the data
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which
+///         is nearest; `struct_size`)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_material(
     name: *const c_char,
@@ -128,24 +126,19 @@ pub unsafe extern "C" fn asperity_material(
 ///
 /// @param index  from 0
 /// @return a constant string; NULL after the last
-///
-/// Threads: any.
 #[no_mangle]
 pub extern "C" fn asperity_material_name(index: usize) -> *const c_char {
     MATERIALS.get(index).map_or(std::ptr::null(), |material| material.name.as_ptr())
 }
 
-/// Looks a pair of materials up by its name, "steel/steel" or "mica/Au" in either order, and fills its data. Also:
-/// `asperity_get_pair`.
+/// Looks a pair of materials up by its name, "steel/steel" or "mica/Au" in either order, and fills its data.
 ///
 /// The work of adhesion depends on what covers the surfaces more than on the bodies: check its range and reference.
 ///
-/// @param name  one of `asperity_pair_name`; must not be NULL; the library reads at most 64 bytes
-/// @param pair  receives the data; must not be NULL; its `struct_size` must be set; untouched on failure
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (two materials without data as a pair: the
-///         message says what to give; unknown name: it says which is nearest; `struct_size`)
-///
-/// Threads: any.
+/// @param name  one of `asperity_pair_name`
+/// @param pair  receives the data
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (two materials without data as a
+///         pair: the message says what to give; unknown name: it says which is nearest; `struct_size`)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_pair(name: *const c_char, pair: *mut asperity_pair_data) -> asperity_status {
     boundary::status(|| {
@@ -171,8 +164,6 @@ pub unsafe extern "C" fn asperity_pair(name: *const c_char, pair: *mut asperity_
 ///
 /// @param index  from 0
 /// @return a constant string; NULL after the last
-///
-/// Threads: any.
 #[no_mangle]
 pub extern "C" fn asperity_pair_name(index: usize) -> *const c_char {
     PAIRS.get(index).map_or(std::ptr::null(), |pair| pair.name.as_ptr())
@@ -190,16 +181,14 @@ pub extern "C" fn asperity_pair_name(index: usize) -> *const c_char {
 ///
 /// The other parameters stay as they are. They must be in SI units too: lengths in m, areas in m^2, loads in N.
 ///
-/// You may name any two materials. What is not known of them stays unset, as after `asperity_params_init_unset`: the work of
+/// You may name any two materials. What is not known of them stays unset, as after `asperity_params_init`: the work of
 /// adhesion of a pair that is not one of `asperity_pair_name`, and both lengths where a body has no Burgers vector.
 /// `asperity_create` then says what is left to set.
 ///
-/// @param params  initialised parameters; must not be NULL; untouched on failure
-/// @param name    two of `asperity_material_name` with a slash between; must not be NULL; the library reads at most 64 bytes
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which is
-///         nearest)
-///
-/// Threads: any, on different structs.
+/// @param params  initialised parameters
+/// @param name    two of `asperity_material_name` with a slash between
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which
+///         is nearest)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_pair(
     params: *mut asperity_params,

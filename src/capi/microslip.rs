@@ -33,8 +33,6 @@ pub struct asperity_microslip {
 ///
 /// @param model  a model
 /// @return the number of doubles; 0 for a NULL model
-///
-/// Threads: may share the model.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_microslip_length(model: *const asperity_model) -> usize {
     if model.is_null() {
@@ -61,17 +59,15 @@ pub unsafe extern "C" fn asperity_microslip_length(model: *const asperity_model)
 /// zero load without adhesion they are 0 too, with `ASPERITY_OK`. At the pull-off load itself, where F and K_t have no
 /// finite slope, `dforce_dload` is that of the next load.
 ///
-/// @param model      must not be NULL
+/// @param model      a model
 /// @param load       normal load of this step [force]
-/// @param increment  2 displacements of one surface along the other since `before` [length]; must not be NULL
-/// @param before     the state before the step; must not be NULL
-/// @param after      receives the state after the step; NULL to skip; may be `before` itself; untouched on failure
-/// @param out        receives force, tangents and work; must not be NULL; its `struct_size` must be set; untouched on
-///                   failure
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment or a state
-///         that is not finite), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs are 0), `ASPERITY_OUT_OF_RANGE`
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+/// @param increment  2 displacements of one surface along the other since `before` [length]
+/// @param before     the state before the step
+/// @param after      receives the state after the step
+/// @param out        receives force, tangents and work
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment or a
+///         state that is not finite), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs are 0),
+///         `ASPERITY_OUT_OF_RANGE`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_microslip_step(
     model: *const asperity_model,
@@ -106,22 +102,18 @@ pub unsafe extern "C" fn asperity_microslip_step(
 
 /// One step of many contacts, each as `asperity_microslip_step` gives it, to the bit.
 ///
-/// All elements are filled; then the first that is not in order, if any, is reported, and `asperity_last_error` names its index.
 /// An element whose load, increment or state cannot be taken gets the force and stiffness NaN, and its `after` is not
 /// written.
 ///
-/// @param model      must not be NULL
-/// @param n          number of contacts; may be 0
-/// @param load       n loads [force]; must not be NULL unless n = 0
-/// @param increment  2 n displacements [length], both of a contact together; must not be NULL unless n = 0
-/// @param before     n states, that of a contact together; must not be NULL unless n = 0
-/// @param after      receives n states; NULL to skip; may be `before` itself
-/// @param force      receives 2 n forces T [force], both of a contact together; NULL to skip
-/// @param stiffness  receives 4 n tangents dT/d(increment) [force/length], those of a contact together, row by row; NULL
-///                   to skip
+/// @param model      a model
+/// @param n          number of contacts
+/// @param load       n loads [force]
+/// @param increment  2 n displacements [length], both of a contact together
+/// @param before     n states, that of a contact together
+/// @param after      receives n states
+/// @param force      receives 2 n forces T [force], both of a contact together
+/// @param stiffness  receives 4 n tangents dT/d(increment) [force/length], those of a contact together, row by row
 /// @return as `asperity_microslip_step`
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_microslip_steps(
     model: *const asperity_model,
@@ -249,7 +241,7 @@ mod tests {
     /// The functions of this processor and those of any, over a path that turns while the load changes.
     #[test]
     fn every_processor_gives_the_same_bits() {
-        let model = Model::new(&Params::default()).expect("a model");
+        let model = Model::new(&Params::paper()).expect("a model");
         let (mut state, mut portable) = ([0.0; STATE], [0.0; STATE]);
         for i in 0..2000 {
             let load = 1e-3 * 10_f64.powf(f64::from(i * 37 % 60) / 10.0);

@@ -7,7 +7,6 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 mod about;
-mod aliases;
 mod batch;
 mod boundary;
 mod calibration;
@@ -42,7 +41,6 @@ mod version;
 
 // For C through the header, for the tests of this crate as items; no part of the Rust interface.
 pub use about::*;
-pub use aliases::*;
 pub use calibration::*;
 pub use evaluate::*;
 pub use gap::*;

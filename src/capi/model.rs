@@ -1,8 +1,8 @@
 //! Making, changing and freeing models.
 
 use super::batch::Quantity;
-use super::boundary::{self, not_null, reference, reference_mut, wrong_struct_size, Failure};
-use super::params::{asperity_params, checked_size, FIRST_SIZE};
+use super::boundary::{self, reference, reference_mut, Failure};
+use super::params::{asperity_params, check_size};
 use super::reserve;
 use super::scalar::{self, ScalarCall};
 use super::status::asperity_status;
@@ -12,8 +12,6 @@ use crate::model::Model;
 pub struct asperity_model {
     pub(super) model: Model,
     scalar_calls: [ScalarCall; 4],
-    /// Whether its maker's parameters have fields that their `struct_size` does not cover.
-    unannounced_fields: bool,
 }
 
 /// The model of a caller.
@@ -35,23 +33,8 @@ pub(super) unsafe fn value_at(model: *const asperity_model, quantity: Quantity, 
 
 impl asperity_model {
     unsafe fn new(params: *const asperity_params) -> Result<Self, Failure> {
-        let params = asperity_params::read(params)?;
-        let unannounced_fields = params.end_of_heights() > params.struct_size;
-        Ok(Self { model: Model::new(&params.to_params()?)?, scalar_calls: scalar::calls(), unannounced_fields })
-    }
-
-    /// Writes its parameters to a caller's struct of a size, with room for perhaps more.
-    unsafe fn write_params(&self, params: *mut asperity_params, size: u64, room: u64) -> Result<(), Failure> {
-        not_null(params, "params")?;
-        let whole = asperity_params { struct_size: size, ..asperity_params::from_params(self.model.params()) };
-        if whole.end_of_heights() > room {
-            return Err(wrong_struct_size(
-                size,
-                "must reach the fields that the model's heights read: call asperity_get_params_sized",
-            ));
-        }
-        whole.write(params, room);
-        Ok(())
+        let params = asperity_params::read(params)?.to_params()?;
+        Ok(Self { model: Model::new(&params)?, scalar_calls: scalar::calls() })
     }
 }
 
@@ -59,12 +42,11 @@ impl asperity_model {
 ///
 /// The library copies the parameters. Free the model with `asperity_free`.
 ///
-/// @param params  the surfaces; must not be NULL
-/// @param model   receives the model; must not be NULL; `*model` is untouched on failure
+/// @param params  the surfaces
+/// @param model   receives the model
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`,
-///         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`; `asperity_last_error` says which parameter and what is allowed
-///
-/// Threads: any.
+///         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`; `asperity_last_error` says which parameter and what is
+///         allowed
 #[no_mangle]
 pub unsafe extern "C" fn asperity_create(
     params: *const asperity_params,
@@ -79,11 +61,11 @@ pub unsafe extern "C" fn asperity_create(
 
 /// Gives a model other parameters; on failure the model is as before.
 ///
-/// @param model   must not be NULL
-/// @param params  the new parameters; must not be NULL
+/// @param model   a model
+/// @param params  the new parameters
 /// @return as `asperity_create`
 ///
-/// Threads: no other thread may use the model during the call.
+/// No other thread may use the model during the call.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_set_params(
     model: *mut asperity_model,
@@ -101,15 +83,9 @@ pub unsafe extern "C" fn asperity_set_params(
 /// A table of heights is not copied: the pointers lead to the model's own copy and are valid until `asperity_set_params` or
 /// `asperity_free`. You may pass them to `asperity_set_params` of the same model.
 ///
-/// As for `asperity_params_init`, the exported function writes the first version of the struct, and a macro of its name calls
-/// `asperity_get_params_sized` instead. It fails if the heights need later fields, unless the model was made from a struct
-/// that had them although its `struct_size` did not say so.
-///
-/// @param model   must not be NULL
-/// @param params  receives the parameters; must not be NULL; its `struct_size` need not be set; untouched on failure
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (the struct lacks fields)
-///
-/// Threads: may share the model.
+/// @param model   a model
+/// @param params  receives the parameters
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_get_params(
     model: *const asperity_model,
@@ -117,29 +93,9 @@ pub unsafe extern "C" fn asperity_get_params(
 ) -> asperity_status {
     boundary::status(|| {
         let handle = reference(model, "model")?;
-        let end_of_heights = asperity_params::from_params(handle.model.params()).end_of_heights();
-        handle.write_params(params, FIRST_SIZE, if handle.unannounced_fields { end_of_heights } else { FIRST_SIZE })
-    })
-}
-
-/// Copies the parameters of a model into a struct of a given size, as `asperity_get_params`.
-///
-/// @param model        must not be NULL
-/// @param params       receives the parameters; must not be NULL; untouched on failure
-/// @param struct_size  `sizeof(asperity_params)` [bytes]: the library writes no more than that, and sets `struct_size` to it
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no version of the struct has this size, or
-///         it lacks fields that the heights need)
-///
-/// Threads: may share the model.
-#[no_mangle]
-pub unsafe extern "C" fn asperity_get_params_sized(
-    model: *const asperity_model,
-    params: *mut asperity_params,
-    struct_size: u64,
-) -> asperity_status {
-    boundary::status(|| {
-        let size = checked_size(struct_size)?;
-        reference(model, "model")?.write_params(params, size, size)
+        check_size(*reference(params.cast::<u64>(), "params")?)?;
+        *params = asperity_params::from_params(handle.model.params());
+        Ok(())
     })
 }
 
@@ -147,7 +103,7 @@ pub unsafe extern "C" fn asperity_get_params_sized(
 ///
 /// @param model  a model that has not been freed; NULL is allowed and does nothing
 ///
-/// Threads: no other thread may use the model any more.
+/// No other thread may use the model any more.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_free(model: *mut asperity_model) {
     boundary::status(|| {

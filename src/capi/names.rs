@@ -1,6 +1,6 @@
 //! Parameters by their names, for hosts whose input is words and numbers.
 
-use super::boundary::{self, not_null, reference_mut, wrong_struct_size, Failure};
+use super::boundary::{self, not_null, reference_mut, Failure};
 use super::given::{self, nearest, unknown};
 use super::params::{asperity_params, ASPERITY_HEIGHTS_GAUSSIAN, ASPERITY_HEIGHTS_JOHNSON, ASPERITY_HEIGHTS_WEIBULL};
 use super::setters::change;
@@ -11,12 +11,10 @@ use crate::params::positive;
 use crate::spectrum::SpectralMoments;
 use std::f64::consts::FRAC_PI_2;
 use std::ffi::{c_char, CStr};
-use std::mem::{offset_of, size_of_val};
 
 /// A field of the parameters that is one number.
 struct Field {
     name: &'static CStr,
-    offset: usize,
     of: fn(&mut asperity_params) -> &mut dyn Number,
 }
 
@@ -50,7 +48,6 @@ macro_rules! fields {
     ($($field:ident)*) => {
         [$(Field {
             name: c_string!(stringify!($field)),
-            offset: offset_of!(asperity_params, $field),
             of: |params| &mut params.$field,
         }),*]
     };
@@ -58,11 +55,11 @@ macro_rules! fields {
 
 /// All fields that are one number. Shape, kurtosis and skew choose the heights; in this order, with the choice itself last,
 /// setting one after another what another surface has copies that surface.
-static FIELDS: [Field; 27] = fields! {
+static FIELDS: [Field; 28] = fields! {
     composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std summit_radius
     asperity_count attraction radius_amplitude radius_rate slip_radius_1 slip_stress_1 slip_radius_2 slip_stress_2
-    max_friction_coefficient hardness tangential_modulus nominal_area pressure_coefficient bandwidth contact_law slip_onset
-    weibull_shape kurtosis skew height_distribution
+    max_friction_coefficient hardness tangential_modulus nominal_area pressure_coefficient bandwidth calibration_error
+    contact_law slip_onset weibull_shape kurtosis skew height_distribution
 };
 
 /// Names that are no fields: arguments of setters, which take all of theirs at once.
@@ -84,6 +81,15 @@ const MOMENTS: usize = 3;
 /// Where in them are the roughness that may stand for m0, and the measured point.
 const ROUGHNESS: usize = MATERIALS + MOMENTS;
 const CALIBRATION: usize = ROUGHNESS + 1;
+
+impl asperity_params {
+    /// What is kept of a measured point: the load, the coefficient and the force, NaN or 0 if there was none.
+    fn measured(&self, argument: usize) -> Option<f64> {
+        let (load, force) = (self.calibration_load, self.calibration_friction_force);
+        let coefficient = if load > 0.0 { force / load } else { f64::NAN };
+        [load, coefficient, force].get(argument.checked_sub(CALIBRATION)?).copied()
+    }
+}
 
 /// The names of fields, then those of arguments.
 fn names() -> impl Iterator<Item = &'static CStr> {
@@ -164,22 +170,15 @@ impl Numbers {
     /// Scales the slip stresses to the measured point, where one is given.
     unsafe fn calibrate(&self, params: &mut asperity_params) -> Result<(), Failure> {
         let [load, coefficient, force] = std::array::from_fn(|i| self.0[FIELDS.len() + CALIBRATION + i]);
-        let (load, force) = match (load, coefficient, force) {
-            (None, None, None) => return Ok(()),
-            (Some(load), Some(coefficient), None) => {
-                positive("calibration_load", load)?;
-                positive("calibration_friction_coefficient", coefficient)?;
-                (load, coefficient * load)
-            }
-            (Some(load), None, Some(force)) => (load, force),
-            _ => {
-                return Err(Failure::invalid(format_args!(
-                    "calibration_load: must be given together with calibration_friction_coefficient or \
-                     calibration_friction_force, and with one of the two alone, in one call of asperity_params_set_values"
-                )))
-            }
-        };
-        params.calibrate(load, force)
+        match (load, coefficient, force) {
+            (None, None, None) => Ok(()),
+            (Some(load), Some(coefficient), None) => params.calibrate(|surfaces| surfaces.calibrate(load, coefficient)),
+            (Some(load), None, Some(force)) => params.calibrate(|surfaces| surfaces.calibrate_force(load, force)),
+            _ => Err(Failure::invalid(format_args!(
+                "calibration_load: must be given together with calibration_friction_coefficient or \
+                 calibration_friction_force, and with one of the two alone, in one call of asperity_params_set_values"
+            ))),
+        }
     }
 
     /// The arguments of a setter: all or none.
@@ -202,14 +201,7 @@ fn text(name: &'static CStr) -> &'static str {
 
 impl Field {
     fn set(&self, params: &mut asperity_params, value: f64) -> Result<(), Failure> {
-        let (size, number) = (params.struct_size, (self.of)(params));
-        if (self.offset + size_of_val(number)) as u64 > size {
-            return Err(wrong_struct_size(
-                size,
-                "the struct ends before the parameter named: compile with today's header",
-            ));
-        }
-        if !number.set(value) {
+        if !(self.of)(params).set(value) {
             let allowed = "must be a whole number, one of the constants that asperity.h lists for it";
             return Err(Error::invalid(text(self.name), value, allowed).into());
         }
@@ -219,14 +211,13 @@ impl Field {
 
 /// Sets one parameter by its name, as `asperity_params_set_values` does with one name.
 ///
-/// @param params  initialised parameters; must not be NULL; untouched on failure
-/// @param name    a name of `asperity_params_name`; must not be NULL; the library reads at most 64 bytes
+/// @param params  initialised parameters
+/// @param name    a name of `asperity_params_name`
 /// @param value   the number, in the units of the other parameters; an integer for `attraction`, `contact_law` and
 ///                `height_distribution`
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which is
-///         nearest; a number that must be an integer; a name that needs others in the same call), `ASPERITY_OUT_OF_RANGE`
-///
-/// Threads: any, on different structs.
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which
+///         is nearest; a number that must be an integer; a name that needs others in the same call),
+///         `ASPERITY_OUT_OF_RANGE`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_value(
     params: *mut asperity_params,
@@ -258,13 +249,11 @@ pub unsafe extern "C" fn asperity_params_set_value(
 /// asperity_params_set_values(&params, 5, names, values);
 /// ```
 ///
-/// @param params  initialised parameters; must not be NULL; untouched on failure
-/// @param count   number of names; may be 0
+/// @param params  initialised parameters
+/// @param count   number of names
 /// @param names   `count` strings, of which the library reads at most 64 bytes; not NULL unless `count` is 0
 /// @param values  `count` numbers; the last counts where a name is given twice; not NULL unless `count` is 0
 /// @return as `asperity_params_set_value`
-///
-/// Threads: any, on different structs.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_values(
     params: *mut asperity_params,
@@ -277,13 +266,11 @@ pub unsafe extern "C" fn asperity_params_set_values(
 
 /// Reads one parameter by its name.
 ///
-/// @param params  initialised parameters; must not be NULL
-/// @param name    a name of `asperity_params_name`; must not be NULL; the library reads at most 64 bytes
-/// @param value   receives the number; must not be NULL; untouched on failure
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name; a name that is not a field,
-///         as `E1`: the struct keeps the moduli made from it)
-///
-/// Threads: any.
+/// @param params  initialised parameters
+/// @param name    a name of `asperity_params_name`
+/// @param value   receives the number
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name; a name that is not a
+///         field, as `E1`: the struct keeps the moduli made from it)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_get_value(
     params: *const asperity_params,
@@ -296,6 +283,10 @@ pub unsafe extern "C" fn asperity_params_get_value(
         let value = reference_mut(value, "value")?;
         let position = position(name)?;
         let Some(field) = FIELDS.get(position) else {
+            if let Some(measured) = whole.measured(position - FIELDS.len()) {
+                *value = measured;
+                return Ok(());
+            }
             let name = text(ARGUMENTS[position - FIELDS.len()]);
             let says = "is not kept: read the fields that were made of it, as composite_modulus or height_std";
             return Err(Failure::invalid(format_args!("{name}: {says}")));
@@ -311,8 +302,6 @@ pub unsafe extern "C" fn asperity_params_get_value(
 ///
 /// @param index  from 0
 /// @return a constant string; NULL after the last
-///
-/// Threads: any.
 #[no_mangle]
 pub extern "C" fn asperity_params_name(index: usize) -> *const c_char {
     FIELDS.get(index).map_or(std::ptr::null(), |field| field.name.as_ptr())

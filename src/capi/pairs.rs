@@ -18,19 +18,14 @@ const MOST_MODELS: usize = 64;
 /// elements are filled; then the first element that is not in order, if any, is reported, and `asperity_last_error` names its
 /// index.
 ///
-/// @param models         models_length models; must not be NULL unless models_length = 0, nor may any of them be: nothing is then
-///                       written
+/// @param models         models_length models, none of them NULL
 /// @param models_length  number of models
-/// @param n              number of contacts; may be 0
-/// @param which          n indices of models, from 0; must not be NULL unless n = 0
-/// @param load           n loads [force]; must not be NULL unless n = 0
-/// @param force          receives n forces [force], NaN where `which` is not below `models_length`; NULL to skip; may be `load`
-///                       itself
-/// @param dforce_dload   receives n slopes dF/d(load), as `asperity_friction_force_at_loads` has them; NULL to skip; may be
-///                       `load` itself
+/// @param n              number of contacts
+/// @param which          n indices of models, from 0
+/// @param load           n loads [force]
+/// @param force          receives n forces [force], NaN where `which` is not below `models_length`
+/// @param dforce_dload   receives n slopes dF/d(load), as `asperity_friction_force_at_loads` has them
 /// @return as `asperity_friction_at_loads`, and `ASPERITY_INVALID_PARAMETER` (`which` is not below `models_length`)
-///
-/// Threads: may share the models. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_force_at_loads_of(
     models: *const *const asperity_model,

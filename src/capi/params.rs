@@ -1,12 +1,11 @@
-//! Parameters, as C sees them: a struct that grew, of which callers may have an earlier, shorter version.
+//! Parameters, as C sees them.
 
 use super::boundary::{not_null, reference, wrong_struct_size, Failure};
 use crate::asperity::slip::{SlipConstants, SlipOnset};
 use crate::distribution::tabulated;
 use crate::error::Error;
 use crate::params::{ContactLawKind, HeightFamily, Params};
-use std::fmt::Arguments;
-use std::mem::{offset_of, size_of};
+use std::mem::size_of;
 use std::sync::Arc;
 
 /// Gaussian heights, eq (17): the default.
@@ -30,19 +29,14 @@ pub const ASPERITY_SLIP_WHOLE: i32 = 1;
 
 /// Two rough surfaces in contact, as one equivalent rough surface against a flat.
 ///
-/// Start from `asperity_params_init_unset`, which sets `struct_size` and every default. Then set the eight physical inputs,
+/// Start from `asperity_params_init`, which sets `struct_size` and every default. Then set the eight physical inputs,
 /// `composite_modulus` to `asperity_count`, directly or through the functions `asperity_params_set_...`. All quantities are
 /// in one consistent system of units of your choice: SI, mm-N-MPa, or the paper's b = G = 1. Loads, forces and areas are
 /// totals over `asperity_count` summits. A summit is a local maximum of the surface.
-///
-/// The struct has grown: `max_friction_coefficient` is the last field of its first version. The library gives fields that
-/// `struct_size` does not cover their defaults. It reads the fields that `height_distribution` needs in any case, since a
-/// caller that sets `ASPERITY_HEIGHTS_JOHNSON` or `ASPERITY_HEIGHTS_TABULATED` has them.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_params {
-    /// Size of this struct as the caller declares it [bytes]; set by `asperity_params_init_unset` and
-    /// `asperity_params_init`.
+    /// Size of this struct [bytes]; set by `asperity_params_init`.
     pub struct_size: u64,
     /// E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No default: set it, or call
     /// `asperity_params_set_materials`.
@@ -126,20 +120,17 @@ pub struct asperity_params {
     /// independently. `asperity_params_set_spectral_moments` sets it. 0, the default, means not known: the library then
     /// takes it from `nominal_area`, if that is known.
     pub bandwidth: f64,
+    /// Load of the measurement that set the strength of the interface [force]; 0 if there was none. `asperity_params_calibrate`
+    /// sets it.
+    pub calibration_load: f64,
+    /// Friction force measured at that load [force], >= 0; 0, the default: not calibrated. `asperity_params_calibrate` sets it.
+    pub calibration_friction_force: f64,
+    /// Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default.
+    pub calibration_error: f64,
 }
 
-/// Size of the first version.
-pub(super) const FIRST_SIZE: u64 = offset_of!(asperity_params, skew) as u64;
-/// Size of today's version.
+/// Size of the struct.
 const SIZE: u64 = size_of::<asperity_params>() as u64;
-/// Where the fields that Johnson's heights read end.
-pub(super) const JOHNSON_END: u64 = offset_of!(asperity_params, hardness) as u64;
-/// Where the hardness ends.
-const HARDNESS_END: u64 = offset_of!(asperity_params, table_height) as u64;
-/// Where the fields that tabulated heights read end.
-const TABLE_END: u64 = offset_of!(asperity_params, tangential_modulus) as u64;
-/// Where the pressure coefficient ends.
-pub(super) const PRESSURE_END: u64 = offset_of!(asperity_params, bandwidth) as u64;
 
 /// Parameters in one form, with the numbers that have the same names in the other.
 macro_rules! with_same_numbers {
@@ -161,52 +152,22 @@ macro_rules! with_same_numbers {
             nominal_area: $from.nominal_area,
             pressure_coefficient: $from.pressure_coefficient,
             bandwidth: $from.bandwidth,
+            calibration_load: $from.calibration_load,
+            calibration_friction_force: $from.calibration_friction_force,
+            calibration_error: $from.calibration_error,
             $($others)*
         }
     };
 }
 
 impl asperity_params {
-    /// The parameters of a caller, from a struct of any version, with defaults for what it lacks.
+    /// The parameters of a caller.
     ///
     /// # Safety
-    /// `params` is NULL or points to a struct that has the bytes its first field says, and the fields that its
-    /// `height_distribution` reads.
+    /// `params` is NULL or points to a struct of the size that its first field says.
     pub(super) unsafe fn read(params: *const Self) -> Result<Self, Failure> {
-        let size = checked_size(*reference(params.cast::<u64>(), "params")?)?;
-        let mut whole = Self::from_params(&Params::default());
-        whole.copy_from(params, size);
-        whole.copy_from(params, size.max(whole.end_of_heights()));
-        if size < JOHNSON_END && whole.height_distribution != ASPERITY_HEIGHTS_JOHNSON {
-            (whole.skew, whole.kurtosis) = (0.0, 3.0);
-        }
-        if size < HARDNESS_END {
-            whole.hardness = 0.0;
-        }
-        Ok(whole)
-    }
-
-    unsafe fn copy_from(&mut self, params: *const Self, size: u64) {
-        // SAFETY: no more than today's size, which fits both sides and a usize.
-        std::ptr::copy_nonoverlapping(params.cast::<u8>(), std::ptr::from_mut(self).cast::<u8>(), size as usize);
-    }
-
-    /// Writes the first `size` bytes of the struct to a caller's, which need not be initialised.
-    ///
-    /// # Safety
-    /// `params` has so many bytes.
-    pub(super) unsafe fn write(&self, params: *mut Self, size: u64) {
-        // SAFETY: no more than today's size.
-        std::ptr::copy_nonoverlapping(std::ptr::from_ref(self).cast::<u8>(), params.cast::<u8>(), size as usize);
-    }
-
-    /// Where the fields that the heights read end.
-    pub(super) fn end_of_heights(&self) -> u64 {
-        match self.height_distribution {
-            ASPERITY_HEIGHTS_JOHNSON => JOHNSON_END,
-            ASPERITY_HEIGHTS_TABULATED => TABLE_END,
-            _ => FIRST_SIZE,
-        }
+        check_size(*reference(params.cast::<u64>(), "params")?)?;
+        Ok(*params)
     }
 
     /// The C form of parameters; a table is pointed to where it is.
@@ -332,20 +293,20 @@ impl asperity_params {
     }
 }
 
-/// The size of a caller's struct, if it is one of a version up to today's.
-pub(super) fn checked_size(size: u64) -> Result<u64, Failure> {
-    let refused = |allowed: Arguments| Err(wrong_struct_size(size, allowed));
-    if size > SIZE {
-        return refused(format_args!("must be at most {SIZE}: the header is newer than the library"));
+/// Refuses the size of a struct that this library does not know.
+pub(super) fn check_size(size: u64) -> Result<(), Failure> {
+    match size {
+        SIZE => Ok(()),
+        _ if size > SIZE && size % 8 == 0 && size < 2 * SIZE => Err(wrong_struct_size(
+            size,
+            format_args!("must be {SIZE}: the header is newer than the library; install the library of that header"),
+        )),
+        _ => Err(wrong_struct_size(
+            size,
+            format_args!("must be sizeof(asperity_params), {SIZE}: call asperity_params_init first"),
+        )),
     }
-    if size < FIRST_SIZE || size % 8 != 0 {
-        let hint = "in steps of 8; call asperity_params_init first";
-        return refused(format_args!("must be sizeof(asperity_params), {FIRST_SIZE} to {SIZE} {hint}"));
-    }
-    Ok(size)
 }
-
-const _: () = assert!(FIRST_SIZE == 144 && TABLE_END + 40 == SIZE);
 
 /// The shape of Weibull heights without skew (Table 1 of the paper).
 const DEFAULT_SHAPE: f64 = 3.602;

@@ -16,20 +16,16 @@ const BLOCK: usize = 128;
 
 /// Friction coefficients at many contact pressures, and their slopes.
 ///
-/// Every element has the bits that `asperity_friction_at_pressure` gives. All elements are filled; then the first pressure
-/// that is not in order, if any, is reported, and `asperity_last_error` names its index.
-///
-/// @param model          must not be NULL
-/// @param n              number of pressures; may be 0
-/// @param pressure       n nominal contact pressures [stress], positive in compression; must not be NULL unless n = 0
-/// @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-60 to 1e60; the same for all
-/// @param mu             receives n coefficients; NULL to skip; may be `pressure` itself
-/// @param dmu_dpressure  receives n slopes d(mu)/d(pressure) [1/stress]; NULL to skip; may be `pressure` itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`nominal_area`; all elements are NaN),
-///         `ASPERITY_INVALID_LOAD` (a pressure that is NaN or infinite), `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE` (a
-///         finite pressure that cannot be evaluated, where the answer is NaN)
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+/// @param model          a model
+/// @param n              number of pressures
+/// @param pressure       n nominal contact pressures [stress], positive in compression
+/// @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-60 to 1e60; the same for
+///                       all
+/// @param mu             receives n coefficients
+/// @param dmu_dpressure  receives n slopes d(mu)/d(pressure) [1/stress]
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`nominal_area`; all elements are
+///         NaN), `ASPERITY_INVALID_LOAD` (a pressure that is NaN or infinite), `ASPERITY_SEPARATED`,
+///         `ASPERITY_OUT_OF_RANGE` (a finite pressure that cannot be evaluated, where the answer is NaN)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_at_pressures(
     model: *const asperity_model,
@@ -42,19 +38,15 @@ pub unsafe extern "C" fn asperity_friction_at_pressures(
     at_pressures(model, Quantity::Coefficient, n, (pressure, nominal_area), mu, dmu_dpressure)
 }
 
-/// Frictional shear stresses at many contact pressures, and their slopes, filled and reported as by
-/// `asperity_friction_at_pressures`.
+/// Frictional shear stresses at many contact pressures, and their slopes.
 ///
-/// @param model              must not be NULL
-/// @param n                  number of pressures; may be 0
-/// @param pressure           n nominal contact pressures [stress], positive in compression; must not be NULL unless n = 0
+/// @param model              a model
+/// @param n                  number of pressures
+/// @param pressure           n nominal contact pressures [stress], positive in compression
 /// @param nominal_area       as for `asperity_friction_at_pressures`
-/// @param stress             receives n stresses: friction force over `nominal_area` [stress]; NULL to skip; may be `pressure`
-///                           itself
-/// @param dstress_dpressure  receives n slopes d(stress)/d(pressure); NULL to skip; may be `pressure` itself
+/// @param stress             receives n stresses: friction force over `nominal_area` [stress]
+/// @param dstress_dpressure  receives n slopes d(stress)/d(pressure)
 /// @return as `asperity_friction_at_pressures`
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_shear_stresses_at_pressures(
     model: *const asperity_model,
@@ -125,21 +117,17 @@ fn refused(model: &Model, index: usize, pressure: f64, area: f64, load: f64) -> 
 
 /// Friction forces of many sliding contacts, with a smooth sign of the slip rates, and their two slopes.
 ///
-/// Every element has the bits that `asperity_slip_force` gives. All elements are filled; then the first that is not in
-/// order, if any, is reported, and `asperity_last_error` names its index.
-///
-/// @param model              must not be NULL
-/// @param n                  number of contacts; may be 0
-/// @param load               n normal loads [force]; must not be NULL unless n = 0
-/// @param slip_rate          n tangential velocities [length/time], signed; must not be NULL unless n = 0
-/// @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-60 to 1e60; the same for all
-/// @param force              receives n forces [force]; NULL to skip; may be an input itself
-/// @param dforce_dload       receives n derivatives by load; NULL to skip; may be an input itself
-/// @param dforce_dslip_rate  receives n derivatives by slip rate [force time/length]; NULL to skip; may be an input itself
+/// @param model              a model
+/// @param n                  number of contacts
+/// @param load               n normal loads [force]
+/// @param slip_rate          n tangential velocities [length/time], signed
+/// @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-60 to 1e60; the same for
+///                           all
+/// @param force              receives n forces [force]
+/// @param dforce_dload       receives n derivatives by load
+/// @param dforce_dslip_rate  receives n derivatives by slip rate [force time/length]
 /// @return as `asperity_friction_at_loads`, and `ASPERITY_INVALID_PARAMETER` (a slip rate that is NaN or infinite, or
 ///         `transition_rate`; all elements are then NaN)
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_slip_forces(
     model: *const asperity_model,

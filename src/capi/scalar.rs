@@ -139,7 +139,7 @@ mod tests {
     /// The function of this processor and that of any, within the table, beyond it, and where friction is capped.
     #[test]
     fn every_processor_gives_the_same_bits() {
-        let model = Model::new(&Params::default()).expect("a model");
+        let model = Model::new(&Params::paper()).expect("a model");
         let summary = model.summary();
         for i in 0..400 {
             let excess = 1e-12 * 1e20_f64.powf(f64::from(i) / 400.0);
@@ -161,7 +161,7 @@ mod tests {
     fn the_cap_ends_at_the_same_load_for_every_call() {
         for k in 0..40 {
             let max_friction_coefficient = 0.3 + 0.017 * f64::from(k);
-            let model = Model::new(&Params { max_friction_coefficient, ..Params::default() }).expect("a model");
+            let model = Model::new(&Params { max_friction_coefficient, ..Params::paper() }).expect("a model");
             let is_capped = |load: f64| load <= model.friction_force_at_load(load) * model.inverse_cap();
             let (mut capped, mut other) = (1e-3, 1e6);
             while other > capped.above() {

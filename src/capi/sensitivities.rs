@@ -72,14 +72,12 @@ pub struct asperity_sensitivities {
 /// }
 /// ```
 ///
-/// @param model          must not be NULL
+/// @param model          a model
 /// @param load           normal load [force], above the pull-off load
-/// @param sensitivities  receives them; must not be NULL; its `struct_size` must be set; untouched on failure
+/// @param sensitivities  receives them
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
 ///         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE` (too heavy, or none at this load),
 ///         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
-///
-/// Threads: may share the model.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_sensitivities_at_load(
     model: *const asperity_model,

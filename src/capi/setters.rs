@@ -1,7 +1,7 @@
 //! Functions that set parameters, as C calls them.
 
-use super::boundary::{self, not_null, wrong_struct_size, Failure};
-use super::params::{asperity_params, checked_size, FIRST_SIZE, JOHNSON_END, PRESSURE_END};
+use super::boundary::{self, not_null, Failure};
+use super::params::{asperity_params, check_size};
 use super::status::asperity_status;
 use crate::error::Error;
 use crate::materials::{Bodies, Interface};
@@ -18,8 +18,7 @@ pub(super) unsafe fn change(
 ) -> Result<(), Failure> {
     let mut whole = asperity_params::read(params)?;
     set(&mut whole)?;
-    // Fields that the caller's struct lacks stay unset.
-    whole.write(params, whole.struct_size);
+    *params = whole;
     Ok(())
 }
 
@@ -34,7 +33,7 @@ macro_rules! take {
 
 /// What a setter of the library makes of the default parameters.
 fn made(set: impl FnOnce(&mut Params) -> Result<(), Error>) -> Result<asperity_params, Failure> {
-    let mut params = Params::default();
+    let mut params = Params::paper();
     set(&mut params)?;
     Ok(asperity_params::from_params(&params))
 }
@@ -59,15 +58,11 @@ impl asperity_params {
     }
 
     pub(super) fn set_interface(&mut self, interface: &'static Interface) -> Result<(), Failure> {
-        if interface.pressure_coefficient > 0.0 && self.struct_size < PRESSURE_END {
-            let allowed = "the struct ends before the pressure coefficient to be set: compile with today's header";
-            return Err(wrong_struct_size(self.struct_size, allowed));
-        }
         let set = |params: &mut Params| {
             params.effective_shear_modulus = self.effective_shear_modulus;
             params.set_interface(interface)
         };
-        take! { made(set)? => self; slip_stress_1 slip_stress_2 pressure_coefficient }
+        take! { made(set)? => self; slip_stress_1 slip_stress_2 pressure_coefficient calibration_load calibration_friction_force }
     }
 
     pub(super) fn set_spectral_moments(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Failure> {
@@ -83,98 +78,46 @@ impl asperity_params {
     }
 }
 
-/// Sets all parameters to the paper's default case. For surfaces of your own call `asperity_params_init_unset`: it makes
-/// `asperity_create` name an input that you forget, instead of keeping the paper's value.
-///
-/// The case is alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1, with Gaussian heights, equal
-/// radii (epsilon = 0, rho = 0.5), attraction, and the slip constants of Hurtado and Kim.
-///
-/// The exported function writes the first version of the struct, as programs compiled with that version expect. In C and C++
-/// a macro of this name calls `asperity_params_init_sized` instead, for the whole struct. Callers that look functions up by
-/// name call that one directly.
-///
-/// @param params  receives the parameters; must not be NULL
-/// @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
-///
-/// Threads: any, on different structs.
-#[no_mangle]
-pub unsafe extern "C" fn asperity_params_init(params: *mut asperity_params) -> asperity_status {
-    boundary::status(|| initialise(params, FIRST_SIZE, &Params::default()))
-}
-
-/// Sets all parameters to the paper's default case, as `asperity_params_init`, in a struct of a given size.
-///
-/// @param params       receives the parameters; must not be NULL; untouched on failure
-/// @param struct_size  `sizeof(asperity_params)` [bytes]: the library writes no more than that, and sets `struct_size` to it
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no version of the struct has this size)
-///
-/// Threads: any, on different structs.
-#[no_mangle]
-pub unsafe extern "C" fn asperity_params_init_sized(params: *mut asperity_params, struct_size: u64) -> asperity_status {
-    boundary::status(|| initialise(params, checked_size(struct_size)?, &Params::default()))
-}
-
-/// Prepares parameters of surfaces of your own: defaults for all fields but the eight physical inputs, which are left unset.
+/// Prepares parameters: defaults for all fields but the eight physical inputs, which are left unset.
 ///
 /// The inputs `composite_modulus` to `asperity_count` become NaN. `asperity_create` then refuses the first that you did not
 /// set, with the message "asperity_count: must be set".
 ///
 /// ```c
-/// asperity_params_init_unset(&params);
+/// asperity_params_init(&params, sizeof params);
 /// asperity_params_set_materials(&params, 160e9, 0.22, 160e9, 0.22);  // Pa: two bodies of polysilicon
 /// params.work_of_adhesion = 0.063;                                   // J/m^2
 /// params.adhesion_range = params.burgers_vector = 0.384e-9;          // m
 /// asperity_params_set_spectral_moments(&params, 2.5e-17, 4e-3, 2e12, 1e-8);
 /// ```
 ///
-/// As for `asperity_params_init`, the exported function writes the first version of the struct, and a macro of its name calls
-/// `asperity_params_init_unset_sized` instead.
-///
-/// @param params  receives the parameters; must not be NULL
-/// @return `ASPERITY_OK` or `ASPERITY_NULL_POINTER`
-///
-/// Threads: any, on different structs.
+/// @param params       receives the parameters
+/// @param struct_size  `sizeof(asperity_params)` [bytes]
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
 #[no_mangle]
-pub unsafe extern "C" fn asperity_params_init_unset(params: *mut asperity_params) -> asperity_status {
-    boundary::status(|| initialise(params, FIRST_SIZE, &Params::unset()))
-}
-
-/// Prepares parameters of surfaces of your own, as `asperity_params_init_unset`, in a struct of a given size.
-///
-/// @param params       receives the parameters; must not be NULL; untouched on failure
-/// @param struct_size  `sizeof(asperity_params)` [bytes]: the library writes no more than that, and sets `struct_size` to it
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (no version of the struct has this size)
-///
-/// Threads: any, on different structs.
-#[no_mangle]
-pub unsafe extern "C" fn asperity_params_init_unset_sized(
-    params: *mut asperity_params,
-    struct_size: u64,
-) -> asperity_status {
-    boundary::status(|| initialise(params, checked_size(struct_size)?, &Params::unset()))
-}
-
-unsafe fn initialise(params: *mut asperity_params, size: u64, with: &Params) -> Result<(), Failure> {
-    not_null(params, "params")?;
-    asperity_params { struct_size: size, ..asperity_params::from_params(with) }.write(params, size);
-    Ok(())
+pub unsafe extern "C" fn asperity_params_init(params: *mut asperity_params, struct_size: usize) -> asperity_status {
+    boundary::status(|| {
+        not_null(params, "params")?;
+        check_size(struct_size as u64)?;
+        params.write(asperity_params::from_params(&Params::default()));
+        Ok(())
+    })
 }
 
 /// Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
 ///
-/// The units are the paper's, b = 1, G = 1, N = 1: E* = 2/(1 - nu), G* = 2, sigma = alpha beta, R = beta/alpha,
+/// The paper's case is alpha = 0.01, beta = 1000, gamma = 0.001, b/h = 1, nu = 0.3. The units are the paper's, b = 1, G = 1,
+/// N = 1: E* = 2/(1 - nu), G* = 2, sigma = alpha beta, R = beta/alpha,
 /// w = gamma E*, h = 1/(b/h). Loads are then P/(N G b^2). `tangential_modulus` becomes 0, its default, which is exact for
 /// these bodies. The other parameters stay as they are.
 ///
-/// @param params    initialised parameters; must not be NULL; untouched on failure
+/// @param params    initialised parameters
 /// @param alpha     (sigma/R)^(1/2) > 0, surface roughness
 /// @param beta      (R sigma)^(1/2)/b > 0, friction regime
 /// @param gamma     w/(E* b) >= 0, surface energy
 /// @param b_over_h  Burgers vector over range of adhesion > 0, typically 1
 /// @param poisson   Poisson's ratio, above -1, at most 0.5
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
-///
-/// Threads: any, on different structs.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_dimensionless(
     params: *mut asperity_params,
@@ -199,12 +142,10 @@ pub unsafe extern "C" fn asperity_params_set_dimensionless(
 /// 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, G* = 2 G1 G2/(G1 + G2) and 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2 with
 /// G = E/(2 (1 + nu)). The other parameters stay as they are.
 ///
-/// @param params  initialised parameters; must not be NULL; untouched on failure
+/// @param params  initialised parameters
 /// @param E1,E2   Young's moduli [stress] > 0; INFINITY is a rigid body, which at most one may be
 /// @param nu1,nu2 Poisson's ratios, above -1, at most 0.5
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
-///
-/// Threads: any, on different structs.
 #[no_mangle]
 #[allow(non_snake_case)]
 pub unsafe extern "C" fn asperity_params_set_materials(
@@ -217,6 +158,26 @@ pub unsafe extern "C" fn asperity_params_set_materials(
     boundary::status(|| change(params, |params| params.set_materials([E1, nu1, E2, nu2])))
 }
 
+/// Chooses summits that yield, for metals: sets `contact_law` to `ASPERITY_CONTACT_ELASTIC_PLASTIC`, `hardness`, and
+/// `work_of_adhesion` to 0, which this law needs. The other parameters stay as they are.
+///
+/// @param params    initialised parameters
+/// @param hardness  indentation hardness of the softer body [stress] > 0, 1e-5 to 100 E*
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_set_elastic_plastic(
+    params: *mut asperity_params,
+    hardness: f64,
+) -> asperity_status {
+    boundary::status(|| {
+        change(params, |params| {
+            take! { made(|changed| changed.set_elastic_plastic(hardness))? => params;
+                contact_law hardness work_of_adhesion
+            }
+        })
+    })
+}
+
 /// Sets roughness, `nominal_area` and `bandwidth` from the spectral moments of profiles of an isotropic Gaussian surface.
 ///
 /// m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile. Isotropy makes them the
@@ -227,14 +188,12 @@ pub unsafe extern "C" fn asperity_params_set_materials(
 /// - summit_radius = 3 pi^(1/2)/(8 m4^(1/2))
 /// - asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area
 ///
-/// @param params        initialised parameters; must not be NULL; untouched on failure
+/// @param params        initialised parameters
 /// @param m0            variance of the heights [length^2] > 0: the square of Rq
 /// @param m2            variance of the slopes [-] > 0
 /// @param m4            variance of the curvatures [1/length^2] > 0; alpha must be at least 1.5
 /// @param nominal_area  [length^2] > 0
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
-///
-/// Threads: any, on different structs.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_spectral_moments(
     params: *mut asperity_params,
@@ -262,11 +221,9 @@ pub unsafe extern "C" fn asperity_params_set_spectral_moments(
 /// Prefer it for narrow spectra, with bandwidths near 1.5: it lowers the real area at light loads by a third, to that of
 /// boundary elements. Above a bandwidth of 2 the other function errs less. docs/validation.md has the numbers.
 ///
-/// @param params                 initialised parameters; must not be NULL; untouched on failure
+/// @param params                 initialised parameters
 /// @param m0,m2,m4,nominal_area  as for `asperity_params_set_spectral_moments`
-/// @return as `asperity_params_set_spectral_moments`, and `ASPERITY_INVALID_PARAMETER` for a struct without these fields
-///
-/// Threads: any, on different structs.
+/// @return as `asperity_params_set_spectral_moments`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_nayak_summits(
     params: *mut asperity_params,
@@ -277,10 +234,6 @@ pub unsafe extern "C" fn asperity_params_set_nayak_summits(
 ) -> asperity_status {
     boundary::status(|| {
         change(params, |params| {
-            if params.struct_size < JOHNSON_END {
-                let allowed = "the struct ends before the skew and kurtosis to be set: compile with today's header";
-                return Err(wrong_struct_size(params.struct_size, allowed));
-            }
             take! { made(|changed| changed.set_nayak_summits(SpectralMoments { m0, m2, m4 }, nominal_area))? => params;
                 height_std summit_radius asperity_count nominal_area bandwidth height_distribution skew kurtosis radius_amplitude
                 radius_rate
@@ -291,12 +244,10 @@ pub unsafe extern "C" fn asperity_params_set_nayak_summits(
 
 /// Chooses Weibull heights of a given skew: sets `height_distribution` and `weibull_shape`.
 ///
-/// @param params  initialised parameters; must not be NULL; untouched on failure
+/// @param params  initialised parameters
 /// @param skew    [-], -1.1100 to 2, which are the skews of omega from 200 to 1; 0 gives omega = 3.602
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (skew outside the family),
 ///         `ASPERITY_OUT_OF_RANGE` (skew of a shape that is not evaluated)
-///
-/// Threads: any, on different structs.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_skew(params: *mut asperity_params, skew: f64) -> asperity_status {
     boundary::status(|| change(params, |params| params.set_skew(skew)))

@@ -17,11 +17,8 @@ pub(super) const ALLOWED: &str = "must be from 1e-60 to 1e60";
 ///
 /// @param model      a model
 /// @param load       normal load [force]
-/// @param dmu_dload  receives d(mu)/d(load) [1/force]: 0 where mu is capped and below pull-off, NaN where mu is NaN;
-///                   NULL to skip
+/// @param dmu_dload  receives d(mu)/d(load) [1/force]: 0 where mu is capped and below pull-off, NaN where mu is NaN
 /// @return as `asperity_friction_at_load`
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
     model: *const asperity_model,
@@ -39,12 +36,11 @@ pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
 ///
 /// @param model         a model
 /// @param load          normal load [force]
-/// @param dforce_dload  receives dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the pull-off load itself, 0
-///                      below it. Without adhesion F has no slope at zero load: at zero load and below, the library writes
-///                      the slope at the lightest load of the table, `min_table_load`. NaN where F is NaN; NULL to skip
+/// @param dforce_dload  receives dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the pull-off load
+///                      itself, 0 below it. Without adhesion F has no slope at zero load: at zero load and below, the
+///                      library writes the slope at the lightest load of the table, `min_table_load`. NaN where F is
+///                      NaN
 /// @return as `asperity_friction_force_at_load`
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
     model: *const asperity_model,
@@ -71,10 +67,8 @@ pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
 /// @param model          a model
 /// @param pressure       nominal contact pressure [stress], positive in compression
 /// @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-60 to 1e60
-/// @param dmu_dpressure  receives d(mu)/d(pressure) [1/stress]; NULL to skip
+/// @param dmu_dpressure  receives d(mu)/d(pressure) [1/stress]
 /// @return as `asperity_friction_at_load` at that load; a quiet NaN also for an area out of its range
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_at_pressure(
     model: *const asperity_model,
@@ -94,11 +88,9 @@ pub unsafe extern "C" fn asperity_friction_at_pressure(
 /// @param model               a model
 /// @param pressure            nominal contact pressure [stress], positive in compression
 /// @param nominal_area        as for `asperity_friction_at_pressure` [length^2]
-/// @param dstress_dpressure   receives d(stress)/d(pressure) [-]; NULL to skip
+/// @param dstress_dpressure   receives d(stress)/d(pressure) [-]
 /// @return friction force over `nominal_area` [stress], finite also at zero and negative pressure down to pull-off; 0
 ///         below pull-off; a quiet NaN for a pressure that is not finite, an area out of its range, a NULL model
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_shear_stress_at_pressure(
     model: *const asperity_model,
@@ -125,8 +117,7 @@ pub(super) fn stress(force: f64, nominal_area: f64) -> f64 {
     force / if is_allowed(nominal_area) { nominal_area } else { 1.0 }
 }
 
-/// Returns the friction force of a sliding contact with a smooth sign of the slip rate, and writes its two slopes. Also:
-/// `asperity_friction_force_at_slip_rate`.
+/// Returns the friction force of a sliding contact with a smooth sign of the slip rate, and writes its two slopes.
 ///
 /// The force is F(load) tanh(slip_rate / transition_rate), for solvers that integrate through zero slip rate. It has the sign
 /// of the slip rate, and friction opposes slip: apply minus this force to the body whose slip rate you give. A contact that
@@ -147,12 +138,10 @@ pub(super) fn stress(force: f64, nominal_area: f64) -> f64 {
 /// @param load               normal load [force]
 /// @param slip_rate          tangential velocity [length/time], signed
 /// @param transition_rate    slip rate at which the force reaches 76 % of F [length/time], from 1e-60 to 1e60
-/// @param dforce_dload       receives the derivative by load [-]; NULL to skip
-/// @param dforce_dslip_rate  receives the derivative by slip rate [force time/length]; NULL to skip
-/// @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a transition rate out of its range, a
-///         NULL model
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+/// @param dforce_dload       receives the derivative by load [-]
+/// @param dforce_dslip_rate  receives the derivative by slip rate [force time/length]
+/// @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a transition rate out of its
+///         range, a NULL model
 #[no_mangle]
 pub unsafe extern "C" fn asperity_slip_force(
     model: *const asperity_model,

@@ -147,14 +147,12 @@ unsafe fn exact(
 /// }
 /// ```
 ///
-/// @param model  must not be NULL
+/// @param model  a model
 /// @param load   normal load [force], from the pull-off load upwards
-/// @param state  receives the state; must not be NULL; its `struct_size` must be set; untouched on failure
+/// @param state  receives the state
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
 ///         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
 ///         `ASPERITY_OUT_OF_MEMORY`
-///
-/// Threads: may share the model.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_state_at_load(
     model: *const asperity_model,
@@ -166,13 +164,11 @@ pub unsafe extern "C" fn asperity_state_at_load(
 
 /// Computes the exact state at a separation, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
 ///
-/// @param model       must not be NULL
+/// @param model       a model
 /// @param separation  of the flat from the mean of the summit heights [length]; may be negative
-/// @param state       receives the state; must not be NULL; its `struct_size` must be set; untouched on failure
+/// @param state       receives the state
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, or a separation that
 ///         is not finite), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_OUT_OF_MEMORY`
-///
-/// Threads: may share the model.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_state_at_separation(
     model: *const asperity_model,
@@ -182,14 +178,11 @@ pub unsafe extern "C" fn asperity_state_at_separation(
     exact(model, state, |model| model.state_at_separation(separation))
 }
 
-/// Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table. Also:
-/// `asperity_get_summary`.
+/// Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table.
 ///
-/// @param model    must not be NULL
-/// @param summary  receives the constants; must not be NULL; its `struct_size` must be set; untouched on failure
+/// @param model    a model
+/// @param summary  receives the constants
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
-///
-/// Threads: may share the model.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_summary_of(
     model: *const asperity_model,

@@ -9,22 +9,19 @@ use crate::model::{Model, SummitState};
 /// Computes load, friction force and contact radius of single summits, by the law that the model sums over all summits.
 ///
 /// Use it for contacts of so few summits that each one counts. A summit stays in contact down to the overlap at which it
-/// breaks away, which is negative with adhesion; below that it may attract without contact. The library fills all elements.
-/// Then it reports the first overlap or height without an answer, if there is one: `asperity_last_error` says its index.
+/// breaks away, which is negative with adhesion; below that it may attract without contact.
 ///
-/// @param model    must not be NULL
-/// @param n        number of summits; may be 0
-/// @param overlap  n overlaps [length]: the height of the summit less the separation, negative for a gap; must not be NULL
-///                 unless n = 0
+/// @param model    a model
+/// @param n        number of summits
+/// @param overlap  n overlaps [length]: the height of the summit less the separation, negative for a gap unless n = 0
 /// @param height   n heights from the mean of the summit heights [length], on which radii of summits depend where
 ///                 `radius_amplitude` is not 0; NULL: all summits have the mean height
-/// @param load     receives n loads [force], negative where a summit pulls; NULL to skip; may be `overlap` itself
-/// @param force    receives n friction forces [force], 0 out of contact; NULL to skip; may be `overlap` itself
-/// @param radius   receives n contact radii [length], 0 out of contact; NULL to skip; may be `overlap` itself
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (an overlap or height that is not finite),
-///         `ASPERITY_OUT_OF_RANGE` (one beyond 1e50 `height_std`); the three numbers of such a summit are NaN
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+/// @param load     receives n loads [force], negative where a summit pulls
+/// @param force    receives n friction forces [force], 0 out of contact
+/// @param radius   receives n contact radii [length], 0 out of contact
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (an overlap or height that is not
+///         finite), `ASPERITY_OUT_OF_RANGE` (one beyond 1e50 `height_std`); the three numbers of such a summit are
+///         NaN
 #[no_mangle]
 pub unsafe extern "C" fn asperity_summits_at_overlaps(
     model: *const asperity_model,

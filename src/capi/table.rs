@@ -61,14 +61,11 @@ pub struct asperity_table {
     pub heavy_force: f64,
 }
 
-/// Fills a view of the compiled law of a model. Also: `asperity_get_table`.
+/// Fills a view of the compiled law of a model.
 ///
-/// @param model  must not be NULL
-/// @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model; must not be
-///               NULL; its `struct_size` must be set; untouched on failure
+/// @param model  a model
+/// @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
-///
-/// Threads: may share the model and the view.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_table_of(
     model: *const asperity_model,
@@ -98,11 +95,9 @@ pub unsafe extern "C" fn asperity_table_of(
 /// In its rows minus the separation stands in place of a load and the load in place of the friction force: F at -separation is
 /// the load, and minus dF/d(load) there its slope by separation. Between the lightest load of the rows and the end it is 0.
 ///
-/// @param model  must not be NULL
+/// @param model  a model
 /// @param table  as for `asperity_table_of`
 /// @return as `asperity_table_of`
-///
-/// Threads: may share the model and the view.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_load_table_of(
     model: *const asperity_model,

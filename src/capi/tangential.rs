@@ -14,25 +14,21 @@ use super::status::asperity_status;
 ///
 /// @param model  a model
 /// @param load   normal load [force]
-/// @return K_t [force/length], positive also at zero and negative load down to pull-off; 0 below pull-off and, without
-///         adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a
-///         NULL model
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+/// @return K_t [force/length], positive also at zero and negative load down to pull-off; 0 below pull-off and,
+///         without adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated
+///         (1e300), or a NULL model
 #[no_mangle]
 pub unsafe extern "C" fn asperity_tangential_stiffness_at_load(model: *const asperity_model, load: f64) -> f64 {
     model::value_at(model, Quantity::Stiffness, load)
 }
 
-/// Tangential stiffnesses at many loads, filled and reported as by `asperity_friction_at_loads`.
+/// Tangential stiffnesses at many loads.
 ///
-/// @param model      must not be NULL
-/// @param n          number of loads; may be 0
-/// @param load       n loads [force]; must not be NULL unless n = 0
-/// @param stiffness  receives n stiffnesses [force/length]; NULL to skip; may be `load` itself
+/// @param model      a model
+/// @param n          number of loads
+/// @param load       n loads [force]
+/// @param stiffness  receives n stiffnesses [force/length]
 /// @return as `asperity_friction_at_loads`
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_tangential_stiffness_at_loads(
     model: *const asperity_model,
@@ -50,16 +46,14 @@ pub unsafe extern "C" fn asperity_tangential_stiffness_at_loads(
 /// tangential force, at constant load. After a reversal at displacement r, where the force is T_r, Masing's rule gives
 /// T = T_r - 2 T((r - displacement)/2). Any path under changing load: `asperity_microslip_step`.
 ///
-/// @param model         must not be NULL
+/// @param model         a model
 /// @param load          normal load [force], from the pull-off load upwards
 /// @param displacement  of the surfaces along each other [length]; T is an odd function of it
-/// @param force         receives T [force]; NULL to skip; untouched on failure
-/// @param stiffness     receives dT/d(displacement) [force/length]; NULL to skip; untouched on failure
+/// @param force         receives T [force]
+/// @param stiffness     receives dT/d(displacement) [force/length]
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a displacement that is not finite),
 ///         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
 ///         `ASPERITY_OUT_OF_MEMORY`
-///
-/// Threads: may share the model.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_tangential_at_load(
     model: *const asperity_model,

@@ -62,16 +62,15 @@ const _: () = {
 /// }
 /// ```
 ///
-/// @param model     must not be NULL
-/// @param lightest  normal load [force], from the pull-off load upwards; above 0 without adhesion, where nothing touches at 0
+/// @param model     a model
+/// @param lightest  normal load [force], from the pull-off load upwards; above 0 without adhesion, where nothing
+///                  touches at 0
 /// @param heaviest  normal load [force], not below `lightest`
-/// @param warnings  receives every bit `ASPERITY_WARNING_...` that is set in a state between; 0 if nothing is known to
-///                  fail; must not be NULL; untouched on failure
+/// @param warnings  receives every bit `ASPERITY_WARNING_...` that is set in a state between; 0 if nothing is known
+///                  to fail
 /// @return `ASPERITY_OK`, also with warnings; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`lightest` is
 ///         above `heaviest`), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`,
 ///         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
-///
-/// Threads: may share the model.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_check_loads(
     model: *const asperity_model,
@@ -90,9 +89,8 @@ pub unsafe extern "C" fn asperity_check_loads(
 /// Returns the text of one warning: what fails and what to do about it.
 ///
 /// @param warning  one bit `ASPERITY_WARNING_...`
-/// @return a constant string, never NULL; "no warning" for 0, "unknown warning" for a number that is not one known bit
-///
-/// Threads: any.
+/// @return a constant string, never NULL; "no warning" for 0, "unknown warning" for a number that is not one known
+///         bit
 #[no_mangle]
 pub extern "C" fn asperity_warning_string(warning: u64) -> *const c_char {
     string(warning).as_ptr()
@@ -102,15 +100,14 @@ pub extern "C" fn asperity_warning_string(warning: u64) -> *const c_char {
 ///
 /// The library evaluates hundreds of exact states, in milliseconds. Call it at the start of a run, not in its inner loop.
 ///
-/// @param model     must not be NULL
+/// @param model     a model
 /// @param warning   one bit `ASPERITY_WARNING_...`
-/// @param lightest  receives the lightest load of the table at which the warning holds [force], NaN if it holds at none; must
-///                  not be NULL; untouched on failure
+/// @param lightest  receives the lightest load of the table at which the warning holds [force], NaN if it holds at
+///                  none
 /// @param heaviest  receives the heaviest [force], likewise
-/// @return `ASPERITY_OK`, also if the warning holds nowhere; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`warning`
-///         is not one known bit), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
-///
-/// Threads: may share the model.
+/// @return `ASPERITY_OK`, also if the warning holds nowhere; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`
+///         (`warning` is not one known bit), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
+///         `ASPERITY_OUT_OF_MEMORY`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_warning_loads(
     model: *const asperity_model,
@@ -136,14 +133,12 @@ pub unsafe extern "C" fn asperity_warning_loads(
 
 /// Copies the texts of several warnings, one line each: what fails and what to do about it.
 ///
-/// @param warnings  bits `ASPERITY_WARNING_...` of a state or of `asperity_check_loads`; a line "unknown warning" stands for
-///                  all others
-/// @param buffer    receives the lines, separated by line feeds, NUL-terminated, cut to fit; "no warning" for 0; NULL to ask
-///                  for the length only
+/// @param warnings  bits `ASPERITY_WARNING_...` of a state or of `asperity_check_loads`; a line "unknown warning"
+///                  stands for all others
+/// @param buffer    receives the lines, separated by line feeds, NUL-terminated, cut to fit; "no warning" for 0; NULL
+///                  to ask for the length only
 /// @param length    size of `buffer` [bytes]
 /// @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater
-///
-/// Threads: any.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_warnings_text(warnings: u64, buffer: *mut c_char, length: usize) -> usize {
     let known = (0..validity::WARNINGS).map(|bit| warnings & 1 << bit).filter(|&bit| bit != 0);

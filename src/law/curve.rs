@@ -299,13 +299,13 @@ mod tests {
     /// Whatever the heights and radii, and where adhesion is strong beside little roughness.
     #[test]
     fn the_curve_begins_at_the_heaviest_load_of_the_reach() {
-        let mut strong = Params::default();
+        let mut strong = Params::paper();
         strong.set_dimensionless(1e-5, 0.2, 1.0, 1.0, 0.3).expect("a surface");
         for params in [
-            Params::default(),
-            Params { work_of_adhesion: 0.0, radius_amplitude: -1.0, radius_rate: 2.0, ..Params::default() },
-            Params { radius_amplitude: 0.9, heights: table(&[7.0, 8.0, 9.0], &[0.0, 1.0, 0.0]), ..Params::default() },
-            Params { heights: HeightFamily::Weibull { shape: 1.1 }, ..Params::default() },
+            Params::paper(),
+            Params { work_of_adhesion: 0.0, radius_amplitude: -1.0, radius_rate: 2.0, ..Params::paper() },
+            Params { radius_amplitude: 0.9, heights: table(&[7.0, 8.0, 9.0], &[0.0, 1.0, 0.0]), ..Params::paper() },
+            Params { heights: HeightFamily::Weibull { shape: 1.1 }, ..Params::paper() },
             strong,
         ] {
             let branch = of(&params);
@@ -323,7 +323,7 @@ mod tests {
         let branch = of(&Params {
             heights: table(&[0.0, 1.0, 2.0, 4.0], &[0.0, 2.0, 3.0, 0.0]),
             work_of_adhesion: 0.0,
-            ..Params::default()
+            ..Params::paper()
         });
         let curve = Curve::new(&branch, reach(-1e3, 10.0, false), &mut Vec::new()).expect("a curve");
         let end = curve.separation(curve.log_range().0).expect("a separation");
@@ -335,7 +335,7 @@ mod tests {
     fn the_curve_of_a_table_with_many_kinks_is_followed_to_its_end() {
         let height: Vec<f64> = (0..55).map(f64::from).collect();
         let density: Vec<f64> = height.iter().map(|h| h * (54.0 - h)).collect();
-        let branch = of(&Params { heights: table(&height, &density), ..Params::default() });
+        let branch = of(&Params { heights: table(&height, &density), ..Params::paper() });
         let curve = Curve::new(&branch, Reach::of(&branch), &mut Vec::new()).expect("a curve");
         let (begin, end) = curve.separation_range();
         let kinks = branch.kinks().iter().filter(|kink| (begin..end).contains(*kink)).count();

@@ -252,7 +252,7 @@ mod tests {
 
     /// The paper's default case with another surface energy.
     pub(super) fn branch(gamma: f64) -> Branch {
-        let mut params = Params::default();
+        let mut params = Params::paper();
         params.set_dimensionless(0.01, 1000.0, gamma, 1.0, 0.3).expect("a surface");
         Branch::new(crate::population::tests::of(&params)).expect("a branch")
     }
@@ -299,7 +299,7 @@ mod tests {
     #[test]
     fn rows_in_which_all_summits_pass_a_radius_of_the_slip_law_are_answered() {
         for beta in [2000.0, 1500.0] {
-            let mut params = Params::default();
+            let mut params = Params::paper();
             params.set_dimensionless(0.01, beta, 0.001, 1.0, 0.3).expect("a surface");
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
             let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
@@ -375,7 +375,7 @@ mod tests {
     #[test]
     fn rows_with_a_non_integer_power_are_answered_up_to_it() {
         for (shape, adhesion) in [(1.8, 1.0), (2.0, 1.0), (1.8, 0.0), (3.6, 1.0)] {
-            let default = Params::default();
+            let default = Params::paper();
             let params = Params {
                 heights: crate::params::HeightFamily::Weibull { shape },
                 work_of_adhesion: adhesion * default.work_of_adhesion,

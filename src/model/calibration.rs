@@ -9,14 +9,40 @@ use crate::error::{CalibrationFailure as Reason, Error};
 use crate::float_bits::finite;
 use crate::params::{Params, LARGEST};
 
+/// Above it surfaces have seized, or a force was given.
+const LARGEST_COEFFICIENT: f64 = 20.0;
+/// Strengths so close to the measured one are it.
+const ROUNDING: f64 = 1e-12;
+
 impl Params {
-    /// Scales both slip stresses so that the friction force at a load is the one measured there.
+    /// Scales both slip stresses so that the friction coefficient at a load is the one measured there, and keeps the measurement.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] for a load that does not press, or a coefficient that is not above 0 and at most 20; those of
+    /// [`Params::calibrate_force`]. The parameters are then as before.
+    pub fn calibrate(&mut self, load: f64, friction_coefficient: f64) -> Result<(), Error> {
+        if !finite(load) {
+            return Err(Error::InvalidLoad { name: "calibration_load", value: load });
+        }
+        if load <= 0.0 {
+            let allowed = "must be > 0; at zero load, or where the load pulls, calibrate with the friction force";
+            return Err(Error::invalid("calibration_load", load, allowed));
+        }
+        if !finite(friction_coefficient) || friction_coefficient <= 0.0 || friction_coefficient > LARGEST_COEFFICIENT {
+            let allowed = "must be > 0 and at most 20; is it a force? Calibrate with the friction force then";
+            return Err(Error::invalid("calibration_friction_coefficient", friction_coefficient, allowed));
+        }
+        self.calibrate_force(load, friction_coefficient * load)
+    }
+
+    /// Scales both slip stresses so that the friction force at a load is the one measured there, and keeps the measurement: for
+    /// loads that are 0 or pull.
     ///
     /// # Errors
     /// [`Error::Uncalibrated`], with the numbers, for a force that no stresses give: not positive, not above what the pressure
     /// coefficient gives alone, or so large that a stress exceeds G*; and those of [`Model::new`] and
     /// [`Model::state_at_load`]. The parameters are then as before.
-    pub fn calibrate(&mut self, load: f64, friction_force: f64) -> Result<(), Error> {
+    pub fn calibrate_force(&mut self, load: f64, friction_force: f64) -> Result<(), Error> {
         let refused = |reason: Reason, number: f64| Err(Error::Uncalibrated { load, friction_force, reason, number });
         if !finite(friction_force) || friction_force <= 0.0 {
             return refused(Reason::NotPositive, 0.0);
@@ -43,8 +69,11 @@ impl Params {
         if factor < least {
             return refused(Reason::Weakness, state.friction_force * least + of_pressure);
         }
-        self.slip.stress_1 *= factor;
-        self.slip.stress_2 *= factor;
+        if (factor - 1.0).abs() > ROUNDING {
+            self.slip.stress_1 *= factor;
+            self.slip.stress_2 *= factor;
+        }
+        (self.calibration_load, self.calibration_friction_force) = (load, friction_force);
         Ok(())
     }
 }

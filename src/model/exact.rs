@@ -417,7 +417,7 @@ mod tests {
     use crate::params::{HeightFamily, Params};
 
     fn default_case() -> Model {
-        Model::new(&Params::default()).expect("a model")
+        Model::new(&Params::paper()).expect("a model")
     }
 
     /// E* b^2 is 2.857, sigma 10.
@@ -477,8 +477,8 @@ mod tests {
                 height: [0.0, 0.1, 0.2, 0.7, 0.8, 0.9].into(),
                 density: [0.0, 4000.0, 0.0, 0.0, 1.0, 0.0].into(),
             },
-            work_of_adhesion: 0.01 * Params::default().composite_modulus,
-            ..Params::default()
+            work_of_adhesion: 0.01 * Params::paper().composite_modulus,
+            ..Params::paper()
         };
         let model = Model::new(&params).expect("a model");
         let summary = model.summary();
@@ -493,8 +493,8 @@ mod tests {
     #[test]
     fn zero_load_without_a_state_says_whether_the_surfaces_adhere() {
         for (params, reason) in [
-            (Params { work_of_adhesion: 0.0, ..Params::default() }, "without adhesion"),
-            (Params { height_std: 40.0 * Params::default().height_std, ..Params::default() }, "the surfaces adhere"),
+            (Params { work_of_adhesion: 0.0, ..Params::paper() }, "without adhesion"),
+            (Params { height_std: 40.0 * Params::paper().height_std, ..Params::paper() }, "the surfaces adhere"),
         ] {
             let model = Model::new(&params).expect("a model");
             assert_eq!(model.summary().pull_off_load, 0.0);
@@ -508,7 +508,7 @@ mod tests {
     fn states_are_in_the_callers_units_and_their_slopes_those_of_secants() {
         let heights =
             HeightFamily::Tabulated { height: [0.0, 1.0, 2.0, 4.0].into(), density: [0.0, 2.0, 3.0, 0.0].into() };
-        let paper = Params { heights, asperity_count: 11.0, ..Params::default() };
+        let paper = Params { heights, asperity_count: 11.0, ..Params::paper() };
         let mut params = paper.in_units(5.0, 0.3);
         params.effective_shear_modulus *= 1.4;
         let model = Model::new(&params).expect("a model");

@@ -408,7 +408,7 @@ mod tests {
             assert!((found - quotient).abs() <= 1e-15 * quotient.abs(), "{a:e}/{b:e}: {found:e}");
         }
         let light =
-            Model::new(&Params { work_of_adhesion: 0.0, max_friction_coefficient: f64::INFINITY, ..Params::default() });
+            Model::new(&Params { work_of_adhesion: 0.0, max_friction_coefficient: f64::INFINITY, ..Params::paper() });
         let (mu, slope) = light.expect("a model").friction_and_slope(1e-305);
         assert!(mu > 0.0 && mu.is_finite() && slope == -1e300, "{mu}, {slope:e}");
     }

@@ -76,7 +76,7 @@ impl Measures {
         let few = if of_many { over(FEWEST_CONTACTS, state.contacting) } else { 0.0 };
         let adheres = of_many && params.work_of_adhesion > 0.0;
         let adhesive = if adheres { over(state.hertz_load / ADHESIVE_SHARE, state.load) } else { 0.0 };
-        let uncalibrated = if of_many && params.has_default_strength() { ALWAYS } else { 0.0 };
+        let uncalibrated = if params.has_default_strength() { ALWAYS } else { 0.0 };
         let strong = match touching && params.hardness > 0.0 {
             true => {
                 let stress = params.slip_law().stress(state.mean_contact_radius / params.burgers_vector);
@@ -238,7 +238,7 @@ mod tests {
     fn summits_whose_law_yields_are_not_warned_of() {
         // Weaker than the softer body.
         let slip = SlipConstants { stress_1: 1e-5, stress_2: 1e-5, ..SlipConstants::default() };
-        let elastic = Params { hardness: 1e-3, slip, ..Params::default() };
+        let elastic = Params { hardness: 1e-3, slip, ..Params::paper() };
         let state = Model::new(&elastic).expect("a model").state_at_load(10.0).expect("a state");
         assert_eq!(Measures::new(&elastic, &state).warnings(), WARNING_PLASTIC);
         let plastic = Params { contact_law: ContactLawKind::ElasticPlastic, ..elastic };

@@ -50,6 +50,7 @@ impl Params {
         if self.bandwidth != 0.0 && self.bandwidth < LEAST_BANDWIDTH {
             return Err(Error::invalid("bandwidth", self.bandwidth, no_bandwidth));
         }
+        self.check_calibration()?;
         self.check_contact_law()?;
         let groups = self.groups();
         check_groups(&groups)?;
@@ -83,6 +84,21 @@ impl Params {
         Ok(RadiusProfile { amplitude, rate, origin })
     }
 
+    /// What is remembered of a measurement.
+    fn check_calibration(&self) -> Result<(), Error> {
+        if !finite(self.calibration_load) {
+            return Err(Error::invalid("calibration_load", self.calibration_load, "must be finite"));
+        }
+        let not_calibrated = "must be finite and >= 0; 0 means not calibrated";
+        not_negative("calibration_friction_force", self.calibration_friction_force, not_calibrated)?;
+        magnitude("calibration_error", self.calibration_error, POSITIVE)?;
+        if self.calibration_error > 1.0 {
+            let allowed = "must be at most 1: it is a fraction of the measured value; is it in per cent?";
+            return Err(Error::out_of_range("calibration_error", self.calibration_error, allowed));
+        }
+        Ok(())
+    }
+
     /// What summits that yield need.
     fn check_contact_law(&self) -> Result<(), Error> {
         let yields = self.contact_law == ContactLawKind::ElasticPlastic;
@@ -111,8 +127,16 @@ impl Params {
             let allowed = "must be at most 1000: it is a number without unit, about 0.01 to 1";
             return Err(Error::out_of_range("pressure_coefficient", kappa, allowed));
         }
-        positive("slip_radius_1", radius_1)?;
-        positive("slip_radius_2", radius_2)?;
+        for (name, radius) in [("slip_radius_1", radius_1), ("slip_radius_2", radius_2)] {
+            positive(name, radius)?;
+            if radius < 1.0 {
+                return Err(Error::invalid(
+                    name,
+                    radius,
+                    "must be at least 1; is it a length? It is a ratio to burgers_vector",
+                ));
+            }
+        }
         let has_stress = !(stress_1 == 0.0 && stress_2 == 0.0 && kappa > 0.0);
         for (name, stress) in
             [("slip_stress_1", stress_1), ("slip_stress_2", stress_2)].into_iter().filter(|_| has_stress)
@@ -179,7 +203,7 @@ mod tests {
 
     /// What a change of the default case is refused for, if it is: whether it has a meaning, and the name in the message.
     fn refused(change: impl FnOnce(&mut Params)) -> Option<(bool, &'static str)> {
-        let mut params = Params::default();
+        let mut params = Params::paper();
         change(&mut params);
         params.surface().err().map(reason)
     }
@@ -240,8 +264,8 @@ mod tests {
 
     #[test]
     fn the_first_input_that_was_never_set_is_named() {
-        let mut params = Params::unset();
-        let mut set = Params::default();
+        let mut params = Params::default();
+        let mut set = Params::paper();
         let names = set.physical().map(|(name, _)| name);
         for (i, name) in names.into_iter().enumerate() {
             assert_eq!(params.surface().err(), Some(Error::Unset { name }));

@@ -80,11 +80,42 @@ pub struct Params {
     pub pressure_coefficient: f64,
     /// Nayak's bandwidth m0 m4/m2^2 of the surface, at least 1.5, to judge whether summits act alone; 0 if not known.
     pub bandwidth: f64,
+    /// The load of the measurement that set the strength of the interface [force]; 0 if there was none.
+    pub calibration_load: f64,
+    /// The friction force measured at it [force]; 0 if the strength was not calibrated.
+    pub calibration_friction_force: f64,
+    /// The relative standard error of that measurement.
+    pub calibration_error: f64,
 }
 
 impl Default for Params {
-    /// The paper's default case: alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1.
+    /// Defaults for all but the eight physical inputs, `composite_modulus` to `asperity_count`, which are unset: NaN, and
+    /// [`Model::new`](crate::Model::new) refuses the first that is.
     fn default() -> Self {
+        let mut params = Self::paper();
+        for (_, value) in params.physical() {
+            *value = UNSET;
+        }
+        params
+    }
+}
+
+/// What the physical inputs are until they are set: a quiet NaN that no arithmetic makes.
+pub(crate) const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
+
+/// The bandwidth of the narrowest spectrum of an isotropic surface (P. R. Nayak, J. Lubr. Technol. 93 (1971) 398).
+pub(crate) const LEAST_BANDWIDTH: f64 = 1.5;
+
+/// Of summits of a Gaussian surface the bandwidth is 0.897 + (eta sigma R/0.02036)^2.
+const NARROWEST: f64 = 0.8968;
+const SUMMIT_PRODUCT: f64 = 0.02036;
+
+/// The radius_rate of radii that vary with height.
+pub(crate) const RADIUS_RATES: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
+
+impl Params {
+    /// The paper's case: alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1.
+    pub fn paper() -> Self {
         let mut params = Self {
             composite_modulus: 1.0,
             effective_shear_modulus: 1.0,
@@ -107,33 +138,11 @@ impl Default for Params {
             slip_onset: SlipOnset::Partial,
             pressure_coefficient: 0.0,
             bandwidth: 0.0,
+            calibration_load: 0.0,
+            calibration_friction_force: 0.0,
+            calibration_error: 0.05,
         };
         params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
-        params
-    }
-}
-
-/// What the physical inputs are until they are set: a quiet NaN that no arithmetic makes.
-pub(crate) const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
-
-/// The bandwidth of the narrowest spectrum of an isotropic surface (P. R. Nayak, J. Lubr. Technol. 93 (1971) 398).
-pub(crate) const LEAST_BANDWIDTH: f64 = 1.5;
-
-/// Of summits of a Gaussian surface the bandwidth is 0.897 + (eta sigma R/0.02036)^2.
-const NARROWEST: f64 = 0.8968;
-const SUMMIT_PRODUCT: f64 = 0.02036;
-
-/// The radius_rate of radii that vary with height.
-pub(crate) const RADIUS_RATES: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
-
-impl Params {
-    /// The default case without its eight physical inputs, `composite_modulus` to `asperity_count`, which are NaN: a model
-    /// is refused until all are set.
-    pub fn unset() -> Self {
-        let mut params = Self::default();
-        for (_, value) in params.physical() {
-            *value = UNSET;
-        }
         params
     }
 
@@ -254,6 +263,19 @@ impl Params {
         self.slip.stress_1 = strength / self.effective_shear_modulus;
         self.slip.stress_2 = self.slip.stress_1;
         self.pressure_coefficient = interface.pressure_coefficient;
+        (self.calibration_load, self.calibration_friction_force) = (0.0, 0.0);
+        Ok(())
+    }
+
+    /// Summits that yield, of a body of this hardness, in contacts without adhesion: contact law, hardness and work of adhesion.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`]; the parameters are then as before.
+    pub fn set_elastic_plastic(&mut self, hardness: f64) -> Result<(), Error> {
+        magnitude("hardness", hardness, "must be finite and > 0: the indentation hardness of the softer body")?;
+        self.hardness = hardness;
+        self.work_of_adhesion = 0.0;
+        self.contact_law = ContactLawKind::ElasticPlastic;
         Ok(())
     }
 
@@ -313,7 +335,9 @@ impl Params {
 
     /// Whether the strength of the interface is the default, not a measured one.
     pub(crate) fn has_default_strength(&self) -> bool {
-        self.slip == SlipConstants::default() && self.pressure_coefficient == 0.0
+        let SlipConstants { stress_1, stress_2, .. } = SlipConstants::default();
+        let is_default = self.slip.stress_1 == stress_1 && self.slip.stress_2 == stress_2;
+        is_default && self.pressure_coefficient == 0.0 && self.calibration_friction_force == 0.0
     }
 
     /// Nayak's bandwidth: that given, or that of a Gaussian surface with this number of summits on the nominal area (P. R. Nayak,
@@ -322,10 +346,14 @@ impl Params {
         if self.bandwidth > 0.0 || self.nominal_area <= 0.0 {
             return self.bandwidth;
         }
-        let product = self.asperity_count / self.nominal_area * self.height_std * self.summit_radius;
         // Beyond, no number is needed.
-        let product = (product / SUMMIT_PRODUCT).min(LARGEST);
+        let product = (self.summit_product() / SUMMIT_PRODUCT).min(LARGEST);
         NARROWEST + product * product
+    }
+
+    /// eta sigma R, eta the summits per `nominal_area`, which must be known.
+    fn summit_product(&self) -> f64 {
+        self.asperity_count / self.nominal_area * self.height_std * self.summit_radius
     }
 
     /// The law of friction of one contact, in dimensionless units.
@@ -369,7 +397,7 @@ mod tests {
     #[test]
     fn poissons_ratios_are_taken_above_minus_1_up_to_a_half() {
         let allowed = |nu: f64| {
-            let mut params = Params::default();
+            let mut params = Params::paper();
             let outcomes = [
                 params.set_dimensionless(0.01, 1e3, 0.0, 1.0, nu),
                 params.set_materials(1.0, nu, 1.0, 0.0),
@@ -386,7 +414,7 @@ mod tests {
     #[test]
     fn moduli_are_those_of_two_bodies_in_series() {
         let moduli = |young_1: f64, nu_1: f64, young_2: f64, nu_2: f64| {
-            let mut params = Params::default();
+            let mut params = Params::paper();
             params.set_materials(young_1, nu_1, young_2, nu_2).expect("materials");
             (params.composite_modulus, params.effective_shear_modulus)
         };
@@ -399,14 +427,14 @@ mod tests {
         let (composite, shear) = moduli(200.0, 0.3, f64::INFINITY, 0.1);
         assert!(near(composite, 200.0 / 0.91) && near(shear, 200.0 / 1.3));
         assert_eq!(moduli(f64::INFINITY, 0.1, 200.0, 0.3), (composite, shear));
-        let both = Params::default().set_materials(f64::INFINITY, 0.3, f64::INFINITY, 0.3);
+        let both = Params::paper().set_materials(f64::INFINITY, 0.3, f64::INFINITY, 0.3);
         assert!(matches!(both, Err(Error::InvalidParameter { name: "E2", .. })), "{both:?}");
     }
 
     #[test]
     fn summits_of_an_area_are_their_density_times_it() {
         let moments = SpectralMoments { m0: 2.0, m2: 0.01, m4: 3e-4 };
-        let mut params = Params::default();
+        let mut params = Params::paper();
         params.set_spectral_moments(moments, 250.0).expect("summits");
         assert_eq!(params.height_std, moments.summit_height_std());
         assert_eq!(params.summit_radius, moments.summit_radius());
@@ -416,7 +444,7 @@ mod tests {
     #[test]
     fn nayaks_summits_are_taken_at_every_bandwidth() {
         for bandwidth in [1.5, 1.6, 2.0, 4.0, 20.0, 1e3, 1e6, 1e9] {
-            let mut params = Params { work_of_adhesion: 0.0, ..Params::default() };
+            let mut params = Params { work_of_adhesion: 0.0, ..Params::paper() };
             let moments = SpectralMoments { m0: 1e4, m2: 0.01 / f64::sqrt(bandwidth), m4: 1e-8 };
             params.set_nayak_summits(moments, 250.0).expect("summits");
             assert!(params.radius_amplitude < 0.0 && params.radius_amplitude > -0.6, "{params:?}");

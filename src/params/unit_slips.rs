@@ -17,6 +17,17 @@ const BROADEST: (f64, &str) = (
     "must be at most 1e6: is m0 the square of Rq, is asperity_count a number \
      of summits and not a density, and are all lengths in one unit?",
 );
+/// Summits per area times their height deviation and radius: of Gaussian surfaces 0.016 and more, of a few dimples on a plate 1e-6.
+const SPARSEST: (f64, &str) = (
+    1e-7,
+    "summit density times height_std times summit_radius must be at least 1e-7: no surface has so few summits on its area; is \
+     nominal_area in mm^2 or um^2 beside lengths in m, or asperity_count a density per mm^2 or um^2?",
+);
+const DENSEST: (f64, &str) = (
+    20.0,
+    "summit density times height_std times summit_radius must be at most 20: no surface has so many summits on its area; is \
+     nominal_area too small, or asperity_count of another area?",
+);
 /// Where lengths are in m or mm there is less: in GPa beside moduli in MPa all hardnesses are below.
 const SOFTEST_METAL: (f64, &str) =
     (3e-4, "must be at least 3e-4, or hardness 0 for not known; is hardness in GPa, and of the softer body?");
@@ -82,15 +93,6 @@ const UNITS: [Units; 2] = [
 /// # Errors
 /// [`Error::OutOfRange`], with the likely slip.
 pub fn check(params: &Params) -> Result<(), Error> {
-    let hardness = params.hardness / params.composite_modulus;
-    if params.hardness != 0.0 && !HARDNESS.contains(&hardness) {
-        let allowed =
-            "must be between 1e-5 and 100, or hardness 0 for not known; is hardness in GPa, and of the softer body?";
-        return Err(Error::out_of_range("hardness/composite_modulus", hardness, allowed));
-    }
-    let Some(units) = UNITS.iter().find(|units| units.burgers_vector.contains(&params.burgers_vector)) else {
-        return Ok(());
-    };
     type Bound = (f64, &'static str);
     let refuse = |is_outside: bool, name, value, allowed| match is_outside {
         true => Err(Error::out_of_range(name, value, allowed)),
@@ -98,6 +100,20 @@ pub fn check(params: &Params) -> Result<(), Error> {
     };
     let at_least = |name, value, (bound, allowed): Bound| refuse(value < bound, name, value, allowed);
     let at_most = |name, value, (bound, allowed): Bound| refuse(value > bound, name, value, allowed);
+    let hardness = params.hardness / params.composite_modulus;
+    if params.hardness != 0.0 && !HARDNESS.contains(&hardness) {
+        let allowed =
+            "must be between 1e-5 and 100, or hardness 0 for not known; is hardness in GPa, and of the softer body?";
+        return Err(Error::out_of_range("hardness/composite_modulus", hardness, allowed));
+    }
+    if params.nominal_area > 0.0 && params.is_of_many() {
+        let product = params.summit_product();
+        at_least("asperity_count/nominal_area", product, SPARSEST)?;
+        at_most("asperity_count/nominal_area", product, DENSEST)?;
+    }
+    let Some(units) = UNITS.iter().find(|units| units.burgers_vector.contains(&params.burgers_vector)) else {
+        return Ok(());
+    };
     at_least("composite_modulus", params.composite_modulus, units.softest)?;
     at_most("composite_modulus", params.composite_modulus, units.stiffest)?;
     if params.hardness != 0.0 {
@@ -138,7 +154,7 @@ mod tests {
             summit_radius,
             asperity_count,
             hardness,
-            ..Params::default()
+            ..Params::paper()
         };
         params.set_materials(young_1, poisson_1, young_2, poisson_2).expect("materials");
         params

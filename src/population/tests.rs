@@ -11,7 +11,7 @@ pub fn of(params: &Params) -> Population {
 }
 
 pub fn surface([alpha, beta, gamma, b_over_h]: [f64; 4], heights: HeightFamily, [amplitude, rate]: [f64; 2]) -> Params {
-    let mut params = Params { heights, radius_amplitude: amplitude, radius_rate: rate, ..Params::default() };
+    let mut params = Params { heights, radius_amplitude: amplitude, radius_rate: rate, ..Params::paper() };
     params.set_dimensionless(alpha, beta, gamma, b_over_h, 0.3).expect("a surface");
     params
 }

@@ -5,7 +5,6 @@
 #[path = "../common/mod.rs"]
 mod common;
 
-mod aliases;
 mod batch;
 mod fuzz;
 mod fuzz_calls;

@@ -6,16 +6,16 @@ use asperity::{HeightFamily, Model, Params};
 
 /// A surface with the groups of the model, and nu = 0.3.
 pub fn dimensionless(alpha: f64, beta: f64, gamma: f64, b_over_h: f64) -> Params {
-    let mut params = Params::default();
+    let mut params = Params::paper();
     params.set_dimensionless(alpha, beta, gamma, b_over_h, 0.3).expect("groups within their range");
     params
 }
 
 /// Those of the benchmark (`benches/surfaces.hpp`).
 pub fn of_the_benchmark() -> Vec<Params> {
-    let default = Params::default();
+    let default = Params::paper();
     let skewed = |skew: f64| {
-        let mut params = Params::default();
+        let mut params = Params::paper();
         params.set_skew(skew).expect("a skew");
         params
     };
@@ -68,6 +68,6 @@ pub fn params_of(surface: &Surface) -> Params {
         radius_amplitude: surface.epsilon,
         radius_rate: surface.rho,
         pressure_coefficient: surface.pressure,
-        ..Params::default()
+        ..Params::paper()
     }
 }

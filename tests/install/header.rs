@@ -8,7 +8,7 @@ const WRITE: &str = "ASPERITY_WRITE_HEADER";
 
 /// The groups of functions in the order in which a reader needs them: a heading, and the files of `src/capi/` whose functions
 /// follow.
-const GROUPS: [(&str, &[&str]); 7] = [
+const GROUPS: [(&str, &[&str]); 6] = [
     (
         "Make: parameters from what you know of the surfaces, then a model.",
         &["params", "setters", "names", "materials", "interfaces", "calibration", "model"],
@@ -24,7 +24,6 @@ const GROUPS: [(&str, &[&str]); 7] = [
     ("Limits: where the model does not hold, and what to do there.", &["validity"]),
     ("Errors and versions.", &["last_error", "about"]),
     ("The table: the compiled law for code that cannot call a library, as GPU kernels.", &["table"]),
-    ("Second names: the same functions under names of the pattern above. Neither name will go.", &["aliases"]),
 ];
 
 /// Files that have constants and types alone, which come before all functions.
@@ -116,7 +115,7 @@ fn examples_of_the_header_run() {
         all += &format!("{head}\n{{\n{block}    (void)params, (void)model;\n}}\n");
     }
     // A model in SI units, and what a failure left.
-    all += "int main(void)\n{\n    asperity_params params;\n    asperity_model *model;\n    asperity_params_init_unset(&params);\n\
+    all += "int main(void)\n{\n    asperity_params params;\n    asperity_model *model;\n    asperity_params_init(&params, sizeof params);\n\
             asperity_params_set_pair(&params, \"Si/Si\");\n    params.height_std = 5e-9;\n    params.summit_radius = 1e-6;\n\
             params.asperity_count = 1e5;\n    if (asperity_create(&params, &model) != ASPERITY_OK) return 1;\n";
     for i in 0..others.len() {

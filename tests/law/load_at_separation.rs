@@ -19,7 +19,7 @@ fn surfaces() -> Vec<Params> {
         height_std: 5e-9,
         summit_radius: 1e-6,
         asperity_count: 1e5,
-        ..Params::default()
+        ..Params::paper()
     };
     polysilicon.set_materials(160e9, 0.22, 160e9, 0.22).expect("materials");
     let height: Vec<f64> = (0..=64).map(|i| -3.5 + 7.0 * f64::from(i) / 64.0).collect();
@@ -29,7 +29,7 @@ fn surfaces() -> Vec<Params> {
     let others = [
         Params {
             heights: HeightFamily::Tabulated { height: height.into(), density: density.into() },
-            ..Params::default()
+            ..Params::paper()
         },
         polysilicon,
     ];
@@ -173,7 +173,7 @@ fn without_adhesion_the_load_goes_to_zero_smoothly() {
 
 #[test]
 fn beyond_the_table_and_out_of_range() {
-    let model = model(&Params::default());
+    let model = model(&Params::paper());
     let sigma = model.params().height_std;
     // As a power of the compression.
     for (depth, known) in [(1e4, 1e-3), (1e5, 1e-2), (3e7, 0.1), (4e9, 0.2), (1e12, 0.5)] {
@@ -196,7 +196,7 @@ fn beyond_the_table_and_out_of_range() {
 #[test]
 fn heights_with_long_tails_are_resolved_next_to_their_mean() {
     for (skew, kurtosis) in [(0.0, 8.0), (0.25, 17.0), (2.0, 40.0), (0.0, 90.0)] {
-        let params = Params { heights: johnson(skew, kurtosis), ..Params::default() };
+        let params = Params { heights: johnson(skew, kurtosis), ..Params::paper() };
         let model = model(&params);
         for separation in [3.0, 1.0, 0.0, -1.0, -10.0, -100.0, -3000.0, -8000.0, -1e5].map(|d| d * params.height_std) {
             let (load, slope) = model.load_and_slope_at(separation);

@@ -111,7 +111,7 @@ fn no_model_takes_a_second_to_make() {
         asperity_count: 4671255193.968686,
         radius_amplitude: 1.0,
         radius_rate: 0.05634686409069578,
-        ..Params::default()
+        ..Params::paper()
     };
     let start = processor_time();
     let model = Model::new(&params).expect("a model");
@@ -293,7 +293,7 @@ fn friction_at_the_end_of_all_numbers_does_not_fall() {
         summit_radius: 0.007384683883457926,
         asperity_count: 6039992188543.237,
         heights: HeightFamily::Johnson { skew: 0.445556640625, kurtosis: 10.133930086050366 },
-        ..Params::default()
+        ..Params::paper()
     };
     let model = Model::new(&params).expect("a model");
     let force = |load: f64| model.friction_force_at_load(load);
@@ -317,9 +317,9 @@ fn friction_rises_with_load_in_the_last_bits_of_the_pull_off_load() {
         summit_radius: 0.0020458913603796734,
         asperity_count: 208815716.928012,
         heights: HeightFamily::Weibull { shape: 78.11981937629545 },
-        ..Params::default()
+        ..Params::paper()
     };
-    for params in [params, Params::default()] {
+    for params in [params, Params::paper()] {
         let model = Model::new(&params).expect("a model");
         let mut load = model.summary().pull_off_load;
         for _ in 0..40 {
@@ -346,7 +346,7 @@ fn a_pull_off_load_too_small_for_a_number_is_none_whatever_its_sign() {
         height_std: 20e-9,
         summit_radius: 1e-6,
         asperity_count: 1e5,
-        ..Params::default()
+        ..Params::paper()
     };
     params.set_materials(160e9, 0.22, 72e9, 0.17).expect("materials");
     for part in [0.99, 0.995, 1.0, 1.005, 1.01] {
@@ -369,7 +369,7 @@ fn adhesion_may_reach_far_beyond_the_roughness() {
             height_std: 1e-5,
             summit_radius: 1e4,
             asperity_count: 1.0,
-            ..Params::default()
+            ..Params::paper()
         };
         let model = Model::new(&params).expect("a model");
         let pull_off = model.summary().pull_off_load;
@@ -403,7 +403,7 @@ fn surfaces_that_part_with_their_last_contact_have_friction_until_then() {
         heights: HeightFamily::Tabulated { height: height.into(), density: density.into() },
         radius_amplitude: -1.0,
         radius_rate: 71.70931294931086,
-        ..Params::default()
+        ..Params::paper()
     };
     let model = Model::new(&params).expect("a model");
     let summary = model.summary();

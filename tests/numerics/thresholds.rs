@@ -195,9 +195,9 @@ fn radii_so_steep_that_taller_summits_part_first_are_refused() {
 #[test]
 fn separation_nears_that_of_pull_off_as_the_root_of_the_load() {
     for (params, name) in [
-        (Params::default(), "the default"),
-        (Params { attraction: false, ..Params::default() }, "without attraction"),
-        (Params { heights: HeightFamily::Weibull { shape: 6.0 }, ..Params::default() }, "Weibull"),
+        (Params::paper(), "the default"),
+        (Params { attraction: false, ..Params::paper() }, "without attraction"),
+        (Params { heights: HeightFamily::Weibull { shape: 6.0 }, ..Params::paper() }, "Weibull"),
     ] {
         let model = Model::new(&params).expect("a model");
         let pull_off = model.summary().pull_off_load;
@@ -219,7 +219,7 @@ fn separation_nears_that_of_pull_off_as_the_root_of_the_load() {
 /// The separations at which summits of a height lose contact or attraction, and where they pass a regime of slip, by
 /// bisection; in ascending order.
 fn kinks_of_heights(groups: &Groups, radius: &RadiusProfile, attract: bool, heights: &[f64]) -> Vec<f64> {
-    let (slip, maugis) = (Params::default().slip, Maugis::new(groups));
+    let (slip, maugis) = (Params::paper().slip, Maugis::new(groups));
     let mut kinks = Vec::new();
     for &z in heights {
         let g = radius.factor(z);
@@ -255,7 +255,7 @@ fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
     let radius = RadiusProfile { amplitude: 0.4, rate: 0.7, origin: 0.0 };
     let table = Tabulated::new(&[-2.0, -1.0, 0.5, 1.0, 3.0], &[0.0, 1.0, 2.0, 1.0, 0.0]).expect("a density");
     let (table, weibull) = (Arc::new(table), Arc::new(Weibull::new(1.7).expect("a shape")));
-    let slip = Params::default().slip;
+    let slip = Params::paper().slip;
     // The second with a fold beyond the first regime.
     for (gamma, beta) in [(0.002, 2000.0), (0.02, 1e5)] {
         let groups = Groups { alpha: 0.02, beta, gamma, b_over_h: 0.5, hardness: f64::INFINITY, yields: false };

@@ -15,7 +15,7 @@ fn above(z: f64) -> f64 {
 
 /// A Hertzian surface of many summits, whose contacts at moderate load lie in all three regimes.
 fn hertzian() -> Params {
-    let mut params = Params { work_of_adhesion: 0.0, asperity_count: 1e6, burgers_vector: 0.5, ..Params::default() };
+    let mut params = Params { work_of_adhesion: 0.0, asperity_count: 1e6, burgers_vector: 0.5, ..Params::paper() };
     params.slip.radius_1 = 800.0;
     params.slip.radius_2 = 2000.0;
     params.slip.stress_2 = 1.0 / 200.0;
@@ -170,7 +170,7 @@ fn brute_force(params: &Params, separation: f64) -> [f64; 6] {
 
 #[test]
 fn contacts_are_those_of_a_sum_over_heights() {
-    let mut paper = Params { asperity_count: 3e4, burgers_vector: 0.8, ..Params::default() };
+    let mut paper = Params { asperity_count: 3e4, burgers_vector: 0.8, ..Params::paper() };
     paper.slip.radius_1 = 300.0;
     paper.slip.radius_2 = 900.0;
     paper.slip.stress_2 = 1.0 / 300.0;
@@ -220,7 +220,7 @@ fn assert_consistent(state: &State, params: &Params, what: &str) {
 fn states_are_consistent_from_pull_off_to_heavy_load() {
     for (work, amplitude) in [(0.0, 0.0), (0.003, 0.0), (0.03, 0.0), (0.003, -1.0), (0.003, 1.0)] {
         let params =
-            Params { work_of_adhesion: work, radius_amplitude: amplitude, asperity_count: 1e5, ..Params::default() };
+            Params { work_of_adhesion: work, radius_amplitude: amplitude, asperity_count: 1e5, ..Params::paper() };
         let model = model(&params);
         let pull_off = model.summary().pull_off_load;
         let mut loads: Vec<f64> = (-6..12).map(|k| pull_off + 1e5 * 10.0_f64.powi(k)).collect();
@@ -234,7 +234,7 @@ fn states_are_consistent_from_pull_off_to_heavy_load() {
 
 #[test]
 fn the_largest_of_one_contact_or_fewer_is_the_mean() {
-    let state = model(&Params::default()).state_at_load(1.0).expect("a state");
+    let state = model(&Params::paper()).state_at_load(1.0).expect("a state");
     assert!(state.contacting < 1.0);
     assert_eq!(state.max_contact_radius.to_bits(), state.mean_contact_radius.to_bits());
 }
@@ -242,7 +242,7 @@ fn the_largest_of_one_contact_or_fewer_is_the_mean() {
 #[test]
 fn more_summits_have_a_larger_largest_contact() {
     let largest = [1e2, 1e4, 1e6, 1e12, 1e30].map(|asperity_count| {
-        let params = Params { asperity_count, ..Params::default() };
+        let params = Params { asperity_count, ..Params::paper() };
         model(&params).state_at_separation(params.height_std).expect("a state").max_contact_radius
     });
     assert!(largest.windows(2).all(|pair| pair[1] > pair[0]), "{largest:?}");
@@ -264,7 +264,7 @@ fn the_largest_contact_is_exceeded_by_one_in_n_plus_1() {
     ];
     for heights in families {
         for d in [-0.5, 1.5] {
-            let mut params = Params { heights: heights.clone(), asperity_count: 1e3, ..Params::default() };
+            let mut params = Params { heights: heights.clone(), asperity_count: 1e3, ..Params::paper() };
             let separation = d * params.height_std;
             let first = model(&params).state_at_separation(separation).expect("a state");
             params.slip.radius_2 = first.max_contact_radius / params.burgers_vector;
@@ -279,7 +279,7 @@ fn the_largest_contact_is_exceeded_by_one_in_n_plus_1() {
 
 #[test]
 fn nothing_touches_far_away() {
-    let params = Params { hardness: 1.0, ..Params::default() };
+    let params = Params { hardness: 1.0, ..Params::paper() };
     let model = model(&params);
     // In sigma: heights of which some are counted, none but the last, none.
     for separation in [63.2, 63.35, 64.0, 1e5] {

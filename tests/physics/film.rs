@@ -55,7 +55,7 @@ impl CaseParams {
             radius_rate: self.rho,
             slip: SlipConstants { radius_1: self.a1, stress_1: self.t1, radius_2: self.a2, stress_2: self.t2 },
             pressure_coefficient: self.kappa,
-            ..Params::default()
+            ..Params::paper()
         }
     }
 }
@@ -278,7 +278,7 @@ fn a_point_that_no_strength_gives_is_refused_with_the_numbers() {
     assert_eq!(reason(&refused(&amontons, 10.0, 5.0)), CalibrationFailure::NoStress);
     assert!(matches!(refused(&params, f64::NAN, 1.0), Error::InvalidLoad { .. }));
     assert!(matches!(refused(&params, -1.0, 1.0), Error::Separated { .. }));
-    assert_eq!(refused(&Params::unset(), 1.0, 1.0), Error::Unset { name: "composite_modulus" });
+    assert_eq!(refused(&Params::default(), 1.0, 1.0), Error::Unset { name: "composite_modulus" });
     // The largest force that the message tells is met.
     let Error::Uncalibrated { number, .. } = refused(&params, 10.0, 1e6) else { panic!("checked above") };
     params.clone().calibrate(10.0, number * (1.0 - 1e-12)).expect("the largest force");

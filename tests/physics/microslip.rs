@@ -10,7 +10,7 @@ type State = [f64; MICROSLIP_LENGTH];
 /// Those of the benchmark, and others that are far from them: summits that yield, strengths that grow with pressure, heights of
 /// other families.
 fn surfaces() -> Vec<Params> {
-    let default = Params::default();
+    let default = Params::paper();
     let yielding = |eta: f64| Params {
         contact_law: ContactLawKind::ElasticPlastic,
         hardness: eta * default.composite_modulus,
@@ -282,7 +282,7 @@ fn a_contact_that_opens_forgets_and_one_at_zero_load_begins_anew() {
         assert_near(zero.dforce_dload[0], next.force[0] / tiny, 0.1, &format!("{displacement}"));
     }
     // With adhesion zero load is as any other, and so is the pull-off load itself.
-    let adhesive = model(&Params::default());
+    let adhesive = model(&Params::paper());
     for load in [0.0, adhesive.summary().pull_off_load] {
         let (strength, length) = strength_and_length(&adhesive, load);
         let found = step(&adhesive, load, [0.5 * length, 0.0], &mut [0.0; MICROSLIP_LENGTH]);

@@ -47,7 +47,7 @@ fn table_1_is_reproduced_to_its_digits() {
 #[test]
 fn skews_of_table_1_have_its_shapes() {
     for (shape, _, skew, kurtosis) in TABLE_1 {
-        let mut params = Params::default();
+        let mut params = Params::paper();
         params.set_skew(skew).expect("a skew of the family");
         let HeightFamily::Weibull { shape: found } = params.heights else { panic!("{:?}", params.heights) };
         assert!((found / shape - 1.0).abs() < 2e-4, "omega {found} for skew {skew}, printed {shape}");
@@ -185,7 +185,7 @@ fn contact_ends_with_a_finite_circle_of_adhesion() {
 #[test]
 fn without_adhesion_load_is_that_of_greenwood_and_williamson() {
     let known = [(0.0, 0.430_019_99), (1.0, 0.075_668_177), (2.0, 0.006_648_177_6), (3.0, 0.000_263_967_55)];
-    let params = Params { work_of_adhesion: 0.0, ..Params::default() };
+    let params = Params { work_of_adhesion: 0.0, ..Params::paper() };
     let model = Model::new(&params).expect("a model");
     let (sigma, radius) = (params.height_std, params.summit_radius);
     for (h, integral) in known {
@@ -218,7 +218,7 @@ fn roughness_lowers_adhesion_as_fuller_and_tabor_found() {
             height_std: roughness * delta_c,
             summit_radius: radius,
             asperity_count: 1.0,
-            ..Params::default()
+            ..Params::paper()
         };
         let summary = Model::new(&params).expect("a model").summary();
         assert!(summary.lambda > 1000.0, "lambda {} is not the limit", summary.lambda);
@@ -231,8 +231,8 @@ fn roughness_lowers_adhesion_as_fuller_and_tabor_found() {
 /// the largest; the real contact lies between.
 #[test]
 fn shear_strength_lies_between_the_limits_of_hurtado_and_kim() {
-    let model = Model::new(&Params::default()).expect("a model");
-    let shear_modulus = Params::default().effective_shear_modulus;
+    let model = Model::new(&Params::paper()).expect("a model");
+    let shear_modulus = Params::paper().effective_shear_modulus;
     let mut last = f64::INFINITY;
     for k in -8..=8 {
         let state = model.state_at_load(10_f64.powi(k)).expect("a state");

@@ -37,7 +37,7 @@ fn model(p: &CaseParams) -> Model {
         radius_amplitude: p.epsilon,
         radius_rate: p.rho,
         slip: SlipConstants { radius_1: p.a1, stress_1: p.tau1, radius_2: p.a2, stress_2: p.tau2 },
-        ..Params::default()
+        ..Params::paper()
     };
     Model::new(&params).unwrap_or_else(|error| panic!("{p:?}: {error}"))
 }

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 /// Without adhesion; with attraction out of contact; with a fold, where contact breaks at a > 0; with radii that vary.
 fn surfaces() -> [Params; 4] {
-    let paper = Params { asperity_count: 40.0, burgers_vector: 0.8, ..Params::default() };
+    let paper = Params { asperity_count: 40.0, burgers_vector: 0.8, ..Params::paper() };
     let adhesion = |times: f64| Params { work_of_adhesion: times * paper.work_of_adhesion, ..paper.clone() };
     [adhesion(0.0), adhesion(1.0), adhesion(10.0), Params { radius_amplitude: -0.6, radius_rate: 0.8, ..adhesion(0.3) }]
 }
@@ -90,7 +90,7 @@ fn an_elastomer_needs_no_burgers_vector() {
             height_std,
             summit_radius: radius,
             asperity_count,
-            ..Params::default()
+            ..Params::paper()
         };
         params.set_materials(2e6, 0.5, 72e9, 0.17).expect("materials");
         (params.slip.stress_1, params.slip.stress_2) = (1e-3, 1e-3);

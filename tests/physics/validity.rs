@@ -19,7 +19,7 @@ fn in_order() -> Params {
         hardness: 1.0,
         // A weak interface, which somebody measured.
         slip: SlipConstants { stress_1: 1e-4, stress_2: 1e-5, ..SlipConstants::default() },
-        ..Params::default()
+        ..Params::paper()
     }
 }
 

@@ -73,7 +73,7 @@ fn in_units_of_one(alpha: f64, beta: f64) -> Params {
         work_of_adhesion: 0.0,
         height_std: alpha * beta,
         summit_radius: beta / alpha,
-        ..Params::default()
+        ..Params::paper()
     }
 }
 

@@ -251,7 +251,7 @@ mod tests {
     /// Scalar and batch calls would have the same bits too if both asked the wrong law.
     #[test]
     fn each_quantity_is_that_of_the_model_within_its_table_and_beyond() {
-        let model = Model::new(&Params::default()).expect("a model");
+        let model = Model::new(&Params::paper()).expect("a model");
         for depth in [0.0, 1e3, 1e5, 1e7, 1e12] {
             let separation = -depth * model.params().height_std;
             let (load, slope) = Quantity::Load.at(&model, -separation);
@@ -271,9 +271,9 @@ mod tests {
 
     #[test]
     fn vectors_have_the_bits_of_the_scalar_call_for_loads_of_every_kind() {
-        let mut skewed = Params::default();
+        let mut skewed = Params::paper();
         skewed.set_skew(0.8).expect("a skew");
-        for params in [Params::default(), Params { work_of_adhesion: 0.0, ..Params::default() }, skewed] {
+        for params in [Params::paper(), Params { work_of_adhesion: 0.0, ..Params::paper() }, skewed] {
             let model = Model::new(&params).expect("a model");
             let mut loads = loads(&model);
             // As minus the separation: among the heights, in compression, at the ends of the table.
