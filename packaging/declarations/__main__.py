@@ -61,7 +61,7 @@ def written(header, root):
         }
         yield path, with_attributes(path, with_parts(path, text, {name: parts[name] for name in names}), header)
     for page in sorted((root / "docs").glob("*.md")):
-        tables = {name: lambda table=table: table(header) for name, table in TABLES.items()}
+        tables = {name: lambda table=table: ["", *table(header), ""] for name, table in TABLES.items()}
         text = read(page)
         yield page.relative_to(root).as_posix(), with_parts(page.name, text, tables, all_of_them=False)
 

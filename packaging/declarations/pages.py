@@ -1,6 +1,7 @@
 """The tables of the pages that repeat the header."""
 
 import re
+from itertools import groupby
 
 from words import first_sentence, in_words, sentences
 
@@ -8,10 +9,10 @@ from words import first_sentence, in_words, sentences
 SI = {"stress": "Pa", "length": "m", "length^2": "m²", "force": "N", "force/length": "N/m"}
 
 
-def fields(header, struct="asperity_params"):
-    """The fields of a struct of C: unit, domain and meaning."""
+def fields(header):
+    """The parameters as fields of C: unit, domain and meaning."""
     yield from ("| Field | Unit | Domain | What it is |", "|---|---|---|---|")
-    for one in header.structs[struct].fields[1:]:
+    for one in header.params:
         yield f"| `{one.name}` | {one.unit} | {cell(one.domain)} | {cell(meaning(one))} |"
 
 
@@ -26,36 +27,31 @@ def keys(header):
 
 def functions(header):
     """All functions, under the headings of the header."""
-    heading = ""
-    for function in header.functions:
-        if function.heading != heading:
-            heading = function.heading
-            yield from (f"**{heading.rstrip('.')}**", "", "| Function | What it does |", "|---|---|")
-        yield f"| `{function.name}` | {cell(first_sentence(function.doc))} |"
-        if function is last_of(header, heading):
+    for heading, group in groupby(header.functions, key=lambda function: function.heading):
+        if heading != header.functions[0].heading:
             yield ""
-
-
-def last_of(header, heading):
-    return [one for one in header.functions if one.heading == heading][-1]
+        yield from (f"**{heading.rstrip('.')}**", "", "| Function | What it does |", "|---|---|")
+        for function in group:
+            yield f"| `{function.name}` | {cell(first_sentence(function.doc))} |"
 
 
 def warnings(header):
-    yield from ("| `ASPERITY_WARNING_...` | What it says | When it is set |", "|---|---|---|")
+    yield from ("| `ASPERITY_WARNING_...` | What it says | Set if |", "|---|---|---|")
     for constant in header.warnings:
-        what, *when = sentences(constant.doc.removeprefix("Bit of `warnings`: "))
-        yield f"| `{constant.bare.removeprefix('WARNING_')}` | {cell(what)} | {cell(' '.join(when))} |"
+        what, *more = sentences(constant.doc.removeprefix("Bit of `warnings`: "))
+        when = next((one.removeprefix("Set if ").removesuffix(".") for one in more if one.startswith("Set")), "")
+        yield f"| `{constant.bare.removeprefix('WARNING_')}` | {cell(what.removesuffix('.'))} | {cell(when)} |"
 
 
 def statuses(header):
     yield from ("| Status | | What it means |", "|---|---|---|")
     for constant in header.statuses:
-        yield f"| `{constant.name}` | {constant.value} | {cell(constant.doc)} |"
+        yield f"| `{constant.name}` | {constant.value} | {cell(first_sentence(constant.doc).removesuffix('.'))} |"
 
 
 def meaning(one):
-    """A comment without its unit and domain, which have columns of their own."""
-    doc = re.sub(r" ?\[[^\]]+\]", "", one.doc, count=1)
+    """The first sentence of a comment, without unit and domain, which have columns of their own."""
+    doc = re.sub(r" ?\[[^\]]+\]", "", first_sentence(one.doc), count=1).removesuffix(".")
     return doc.replace(f", {one.domain}", "", 1) if one.domain else doc
 
 
