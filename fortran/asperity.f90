@@ -109,7 +109,7 @@ module asperity
     real(c_double) :: skew                          ! Skew of Johnson's summit heights [-], -3 to 3; 0 by default
     real(c_double) :: kurtosis                      ! Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to
                                                     ! 100; 3 by default, which with skew 0 is Gaussian
-    real(c_double) :: hardness                      ! H [stress], 1e-5 to 100 E*: indentation hardness of the softer
+    real(c_double) :: hardness                      ! H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer
                                                     ! body
     type(c_ptr) :: table_height = c_null_ptr        ! table_length summit heights in ascending order, in any unit and
                                                     ! from any origin: the library standardises them

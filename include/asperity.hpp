@@ -522,8 +522,8 @@ public:
     /// Sets it.
     Params &kurtosis(double value) noexcept { return assign(c_.kurtosis, value); }
 
-    /// H [stress], 1e-5 to 100 E*: indentation hardness of the softer body. 0, the default, means not known. Warnings
-    /// compare pressures with it; the friction of elastic summits does not depend on it, that of
+    /// H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body. 0, the default, means not known.
+    /// Warnings compare pressures with it; the friction of elastic summits does not depend on it, that of
     /// `ASPERITY_CONTACT_ELASTIC_PLASTIC` does.
     double hardness() const noexcept { return c_.hardness; }
     /// Sets it.

@@ -7,6 +7,7 @@ mod common;
 
 mod aliases;
 mod batch;
+mod domains;
 mod fuzz;
 mod fuzz_calls;
 mod gap;

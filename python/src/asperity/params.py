@@ -127,8 +127,8 @@ class Params:
             value.
         kurtosis: Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0
             is Gaussian. Other `height_distribution`s refuse any other value.
-        hardness: H [stress], 1e-5 to 100 E*: indentation hardness of the softer body. 0, the default, means not known.
-            Warnings compare pressures with it; the friction of elastic summits does not depend on it, that of
+        hardness: H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body. 0, the default, means not
+            known. Warnings compare pressures with it; the friction of elastic summits does not depend on it, that of
             "elastic-plastic" does.
         table_height: `table_length` summit heights in ascending order, in any unit and from any origin: the library
             standardises them. Each exceeds the one before by at least 1e-12 of their range. Read only for "tabulated",
