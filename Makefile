@@ -81,7 +81,7 @@ figures: library
 	hosts/ode/run.sh && cp $(TARGET)/hosts/ode/lag.svg docs/hosts-lag.svg
 
 header:
-	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header
+	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header::committed
 	python3 packaging/declarations
 
 clean:
