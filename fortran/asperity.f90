@@ -127,6 +127,12 @@ module asperity
     real(c_double) :: pressure_coefficient          ! kappa [-], 0 to 1000: the pressure coefficient of the interface
     real(c_double) :: bandwidth                     ! Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5,
                                                     ! with which warnings judge whether summits act independently
+    real(c_double) :: calibration_load              ! Load of the measurement that set the strength of the interface
+                                                    ! [force]; 0 if there was none
+    real(c_double) :: calibration_friction_force    ! Friction force measured at that load [force], >= 0; 0, the
+                                                    ! default: not calibrated
+    real(c_double) :: calibration_error             ! Relative standard error of that measurement [-], > 0 and at most
+                                                    ! 1; 0.05 by default
   end type asperity_params
 
   ! What is known of a material, in SI units
@@ -314,45 +320,18 @@ module asperity
   ! A model is a type(c_ptr). Functions of type integer(c_int32_t) return a status.
 
   interface
-    ! Sets all parameters to the paper's default case
-    function asperity_params_init_c(params) bind(c, name='asperity_params_init')
+    ! Prepares parameters: defaults for all fields but the eight physical inputs, which are left unset
+    function asperity_params_init_c(params, struct_size) bind(c, name='asperity_params_init')
       import
       type(asperity_params), intent(inout) :: params ! receives the parameters
+      integer(c_size_t), intent(in), value :: struct_size ! sizeof(asperity_params) [bytes]
       integer(c_int32_t) :: asperity_params_init_c
     end function asperity_params_init_c
-
-    ! Sets all parameters to the paper's default case, as asperity_params_init, in a struct of a given size
-    function asperity_params_init_sized(params, struct_size) bind(c)
-      import
-      type(asperity_params), intent(inout) :: params ! receives the parameters; untouched on failure
-      integer(c_int64_t), intent(in), value :: struct_size
-                                                    ! sizeof(asperity_params) [bytes]: the library writes no more than
-                                                    ! that, and sets struct_size to it
-      integer(c_int32_t) :: asperity_params_init_sized
-    end function asperity_params_init_sized
-
-    ! Prepares parameters of surfaces of your own: defaults for all fields but the eight physical inputs, which are left
-    ! unset
-    function asperity_params_init_unset_c(params) bind(c, name='asperity_params_init_unset')
-      import
-      type(asperity_params), intent(inout) :: params ! receives the parameters
-      integer(c_int32_t) :: asperity_params_init_unset_c
-    end function asperity_params_init_unset_c
-
-    ! Prepares parameters of surfaces of your own, as asperity_params_init_unset, in a struct of a given size
-    function asperity_params_init_unset_sized(params, struct_size) bind(c)
-      import
-      type(asperity_params), intent(inout) :: params ! receives the parameters; untouched on failure
-      integer(c_int64_t), intent(in), value :: struct_size
-                                                    ! sizeof(asperity_params) [bytes]: the library writes no more than
-                                                    ! that, and sets struct_size to it
-      integer(c_int32_t) :: asperity_params_init_unset_sized
-    end function asperity_params_init_unset_sized
 
     ! Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8)
     function asperity_params_set_dimensionless(params, alpha, beta, gamma, b_over_h, poisson) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters; untouched on failure
+      type(asperity_params), intent(inout) :: params ! initialised parameters
       real(c_double), intent(in), value :: alpha    ! (sigma/R)^(1/2) > 0, surface roughness
       real(c_double), intent(in), value :: beta     ! (R sigma)^(1/2)/b > 0, friction regime
       real(c_double), intent(in), value :: gamma    ! w/(E* b) >= 0, surface energy
@@ -364,7 +343,7 @@ module asperity
     ! Sets E*, G* and tangential_modulus from Young's modulus and Poisson's ratio of the two bodies
     function asperity_params_set_materials(params, E1, nu1, E2, nu2) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters; untouched on failure
+      type(asperity_params), intent(inout) :: params ! initialised parameters
       real(c_double), intent(in), value :: E1       ! Young's moduli [stress] > 0; infinity is a rigid body, which at
                                                     ! most one may be
       real(c_double), intent(in), value :: nu1      ! Poisson's ratios, above -1, at most 0.5
@@ -374,10 +353,20 @@ module asperity
       integer(c_int32_t) :: asperity_params_set_materials
     end function asperity_params_set_materials
 
+    ! Chooses summits that yield, for metals: sets contact_law to ASPERITY_CONTACT_ELASTIC_PLASTIC, hardness, and
+    ! work_of_adhesion to 0, which this law needs
+    function asperity_params_set_elastic_plastic(params, hardness) bind(c)
+      import
+      type(asperity_params), intent(inout) :: params ! initialised parameters
+      real(c_double), intent(in), value :: hardness ! indentation hardness of the softer body [stress] > 0, 1e-5 to 100
+                                                    ! E*
+      integer(c_int32_t) :: asperity_params_set_elastic_plastic
+    end function asperity_params_set_elastic_plastic
+
     ! Sets roughness, nominal_area and bandwidth from the spectral moments of profiles of an isotropic Gaussian surface
     function asperity_params_set_spectral_moments(params, m0, m2, m4, nominal_area) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters; untouched on failure
+      type(asperity_params), intent(inout) :: params ! initialised parameters
       real(c_double), intent(in), value :: m0       ! variance of the heights [length^2] > 0: the square of Rq
       real(c_double), intent(in), value :: m2       ! variance of the slopes [-] > 0
       real(c_double), intent(in), value :: m4       ! variance of the curvatures [1/length^2] > 0; alpha must be at
@@ -389,7 +378,7 @@ module asperity
     ! Sets the roughness as asperity_params_set_spectral_moments, and heights and radii as Nayak's summits have them
     function asperity_params_set_nayak_summits(params, m0, m2, m4, nominal_area) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters; untouched on failure
+      type(asperity_params), intent(inout) :: params ! initialised parameters
       real(c_double), intent(in), value :: m0       ! as for asperity_params_set_spectral_moments
       real(c_double), intent(in), value :: m2       ! as for asperity_params_set_spectral_moments
       real(c_double), intent(in), value :: m4       ! as for asperity_params_set_spectral_moments
@@ -400,7 +389,7 @@ module asperity
     ! Chooses Weibull heights of a given skew: sets height_distribution and weibull_shape
     function asperity_params_set_skew(params, skew) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters; untouched on failure
+      type(asperity_params), intent(inout) :: params ! initialised parameters
       real(c_double), intent(in), value :: skew     ! [-], -1.1100 to 2, which are the skews of omega from 200 to 1; 0
                                                     ! gives omega = 3.602
       integer(c_int32_t) :: asperity_params_set_skew
@@ -409,9 +398,8 @@ module asperity
     ! Sets one parameter by its name, as asperity_params_set_values does with one name
     function asperity_params_set_value(params, name, value) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters; untouched on failure
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: a name of asperity_params_name;
-                                                    ! the library reads at most 64 bytes
+      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: a name of asperity_params_name
       real(c_double), intent(in), value :: value    ! the number, in the units of the other parameters; an integer for
                                                     ! attraction, contact_law and height_distribution
       integer(c_int32_t) :: asperity_params_set_value
@@ -420,8 +408,8 @@ module asperity
     ! Sets parameters by their names, in any order, all or none: for hosts whose input file has names and numbers
     function asperity_params_set_values(params, count, names, values) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters; untouched on failure
-      integer(c_size_t), intent(in), value :: count ! number of names; may be 0
+      type(asperity_params), intent(inout) :: params ! initialised parameters
+      integer(c_size_t), intent(in), value :: count ! number of names
       type(c_ptr), intent(in), value :: names       ! count strings, of which the library reads at most 64 bytes; not
                                                     ! c_null_ptr unless count is 0
       type(c_ptr), intent(in), value :: values      ! real(c_double): count numbers; the last counts where a name is
@@ -433,9 +421,8 @@ module asperity
     function asperity_params_get_value(params, name, value) bind(c)
       import
       type(asperity_params), intent(in) :: params   ! initialised parameters
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: a name of asperity_params_name;
-                                                    ! the library reads at most 64 bytes
-      type(c_ptr), intent(in), value :: value       ! real(c_double): receives the number; untouched on failure
+      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: a name of asperity_params_name
+      type(c_ptr), intent(in), value :: value       ! real(c_double): receives the number
       integer(c_int32_t) :: asperity_params_get_value
     end function asperity_params_get_value
 
@@ -449,11 +436,8 @@ module asperity
     ! Looks a material up by its name, "steel" or "SiO2", and fills its data
     function asperity_material(name, material) bind(c)
       import
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_material_name;
-                                                    ! the library reads at most 64 bytes
-      type(asperity_material_data), intent(inout) :: material
-                                                    ! receives the data; its struct_size must be set; untouched on
-                                                    ! failure
+      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_material_name
+      type(asperity_material_data), intent(inout) :: material ! receives the data
       integer(c_int32_t) :: asperity_material
     end function asperity_material
 
@@ -467,11 +451,8 @@ module asperity
     ! Looks a pair of materials up by its name, "steel/steel" or "mica/Au" in either order, and fills its data
     function asperity_pair(name, pair) bind(c)
       import
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_pair_name; the
-                                                    ! library reads at most 64 bytes
-      type(asperity_pair_data), intent(inout) :: pair
-                                                    ! receives the data; its struct_size must be set; untouched on
-                                                    ! failure
+      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_pair_name
+      type(asperity_pair_data), intent(inout) :: pair ! receives the data
       integer(c_int32_t) :: asperity_pair
     end function asperity_pair
 
@@ -485,20 +466,17 @@ module asperity
     ! Sets what is known of two materials in contact, in SI units; you set the roughness
     function asperity_params_set_pair(params, name) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters; untouched on failure
+      type(asperity_params), intent(inout) :: params ! initialised parameters
       type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: two of asperity_material_name
-                                                    ! with a slash between; the library reads at most 64 bytes
+                                                    ! with a slash between
       integer(c_int32_t) :: asperity_params_set_pair
     end function asperity_params_set_pair
 
     ! Looks an interface up by its name, "MoS2 film in dry air", and fills its data
     function asperity_interface(name, data) bind(c)
       import
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_interface_name;
-                                                    ! the library reads at most 64 bytes
-      type(asperity_interface_data), intent(inout) :: data
-                                                    ! receives the data; its struct_size must be set; untouched on
-                                                    ! failure
+      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_interface_name
+      type(asperity_interface_data), intent(inout) :: data ! receives the data
       integer(c_int32_t) :: asperity_interface
     end function asperity_interface
 
@@ -512,39 +490,45 @@ module asperity
     ! Sets the strength of the interface to one that was measured on other specimens, in SI units
     function asperity_params_set_interface(params, name) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! parameters whose bodies are set; untouched on failure
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_interface_name;
-                                                    ! the library reads at most 64 bytes
+      type(asperity_params), intent(inout) :: params ! parameters whose bodies are set
+      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_interface_name
       integer(c_int32_t) :: asperity_params_set_interface
     end function asperity_params_set_interface
 
     ! Sets the strength of the interface from one measured point: scales slip_stress_1 and slip_stress_2 by one factor,
-    ! so that the friction force at this load is the measured one
-    function asperity_params_calibrate(params, load, friction_force) bind(c)
+    ! so that the friction coefficient at this load is the measured one
+    function asperity_params_calibrate(params, load, friction_coefficient) bind(c)
       import
-      type(asperity_params), intent(inout) :: params
-                                                    ! all parameters of the surfaces that were measured; untouched on
-                                                    ! failure
-      real(c_double), intent(in), value :: load     ! normal load of the measurement [force], a total over
+      type(asperity_params), intent(inout) :: params ! all parameters of the surfaces that were measured
+      real(c_double), intent(in), value :: load     ! normal load of the measurement [force], > 0, a total over
                                                     ! asperity_count
-      real(c_double), intent(in), value :: friction_force
-                                                    ! friction force measured at that load [force], > 0: the friction
-                                                    ! coefficient times the load
+      real(c_double), intent(in), value :: friction_coefficient ! measured at that load [-], > 0 and at most 20
       integer(c_int32_t) :: asperity_params_calibrate
     end function asperity_params_calibrate
+
+    ! Sets the strength of the interface from a measured friction force, as asperity_params_calibrate does from a
+    ! coefficient: for measurements at zero load, or where the load pulls
+    function asperity_params_calibrate_force(params, load, friction_force) bind(c)
+      import
+      type(asperity_params), intent(inout) :: params ! all parameters of the surfaces that were measured
+      real(c_double), intent(in), value :: load     ! normal load of the measurement [force], a total over
+                                                    ! asperity_count; from the pull-off load upwards
+      real(c_double), intent(in), value :: friction_force ! measured at that load [force], > 0
+      integer(c_int32_t) :: asperity_params_calibrate_force
+    end function asperity_params_calibrate_force
 
     ! Makes a model: checks the parameters, finds the pull-off load, and compiles the law into a table, in milliseconds
     function asperity_create(params, model) bind(c)
       import
       type(asperity_params), intent(in) :: params   ! the surfaces
-      type(c_ptr), intent(inout) :: model           ! receives the model; *model is untouched on failure
+      type(c_ptr), intent(inout) :: model           ! receives the model
       integer(c_int32_t) :: asperity_create
     end function asperity_create
 
     ! Gives a model other parameters; on failure the model is as before
     function asperity_set_params(model, params) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
+      type(c_ptr), intent(in), value :: model       ! a model
       type(asperity_params), intent(in) :: params   ! the new parameters
       integer(c_int32_t) :: asperity_set_params
     end function asperity_set_params
@@ -552,23 +536,10 @@ module asperity
     ! Copies the parameters of a model
     function asperity_get_params_c(model, params) bind(c, name='asperity_get_params')
       import
-      type(c_ptr), intent(in), value :: model
-      type(asperity_params), intent(inout) :: params
-                                                    ! receives the parameters; its struct_size need not be set;
-                                                    ! untouched on failure
+      type(c_ptr), intent(in), value :: model       ! a model
+      type(asperity_params), intent(inout) :: params ! receives the parameters
       integer(c_int32_t) :: asperity_get_params_c
     end function asperity_get_params_c
-
-    ! Copies the parameters of a model into a struct of a given size, as asperity_get_params
-    function asperity_get_params_sized(model, params, struct_size) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model
-      type(asperity_params), intent(inout) :: params ! receives the parameters; untouched on failure
-      integer(c_int64_t), intent(in), value :: struct_size
-                                                    ! sizeof(asperity_params) [bytes]: the library writes no more than
-                                                    ! that, and sets struct_size to it
-      integer(c_int32_t) :: asperity_get_params_sized
-    end function asperity_get_params_sized
 
     ! Frees a model
     subroutine asperity_free(model) bind(c)
@@ -596,24 +567,22 @@ module asperity
     ! Computes the friction coefficients at many loads, and their slopes
     function asperity_friction_at_loads(model, n, load, mu, dmu_dload) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
-      integer(c_size_t), intent(in), value :: n     ! number of loads; may be 0
+      type(c_ptr), intent(in), value :: model       ! a model
+      integer(c_size_t), intent(in), value :: n     ! number of loads
       type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
-      type(c_ptr), intent(in), value :: mu          ! real(c_double): receives n coefficients [-]; c_null_ptr to skip;
-                                                    ! may be load itself
+      type(c_ptr), intent(in), value :: mu          ! real(c_double): receives n coefficients [-]
       type(c_ptr), intent(in), value :: dmu_dload   ! real(c_double): receives n slopes d(mu)/d(load) [1/force], 0 where
-                                                    ! mu is capped; c_null_ptr to skip; may be load itself
+                                                    ! mu is capped
       integer(c_int32_t) :: asperity_friction_at_loads
     end function asperity_friction_at_loads
 
-    ! Computes the friction forces at many loads, and their slopes; filled and reported as by asperity_friction_at_loads
+    ! Computes the friction forces at many loads, and their slopes
     function asperity_friction_force_at_loads(model, n, load, force, dforce_dload) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
-      integer(c_size_t), intent(in), value :: n     ! number of loads; may be 0
+      type(c_ptr), intent(in), value :: model       ! a model
+      integer(c_size_t), intent(in), value :: n     ! number of loads
       type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
-      type(c_ptr), intent(in), value :: force       ! real(c_double): receives n forces [force]; c_null_ptr to skip; may
-                                                    ! be load itself
+      type(c_ptr), intent(in), value :: force       ! real(c_double): receives n forces [force]
       type(c_ptr), intent(in), value :: dforce_dload ! real(c_double): receives n slopes dF/d(load) [-]
       integer(c_int32_t) :: asperity_friction_force_at_loads
     end function asperity_friction_force_at_loads
@@ -624,7 +593,7 @@ module asperity
       type(c_ptr), intent(in), value :: model       ! a model
       real(c_double), intent(in), value :: load     ! normal load [force]
       type(c_ptr), intent(in), value :: dmu_dload   ! real(c_double): receives d(mu)/d(load) [1/force]: 0 where mu is
-                                                    ! capped and below pull-off, NaN where mu is NaN; c_null_ptr to skip
+                                                    ! capped and below pull-off, NaN where mu is NaN
       real(c_double) :: asperity_friction_and_slope_at_load
     end function asperity_friction_and_slope_at_load
 
@@ -645,9 +614,7 @@ module asperity
       real(c_double), intent(in), value :: nominal_area
                                                     ! the area that carries asperity_count summits [length^2], from
                                                     ! 1e-60 to 1e60
-      type(c_ptr), intent(in), value :: dmu_dpressure
-                                                    ! real(c_double): receives d(mu)/d(pressure) [1/stress]; c_null_ptr
-                                                    ! to skip
+      type(c_ptr), intent(in), value :: dmu_dpressure ! real(c_double): receives d(mu)/d(pressure) [1/stress]
       real(c_double) :: asperity_friction_at_pressure
     end function asperity_friction_at_pressure
 
@@ -657,9 +624,7 @@ module asperity
       type(c_ptr), intent(in), value :: model       ! a model
       real(c_double), intent(in), value :: pressure ! nominal contact pressure [stress], positive in compression
       real(c_double), intent(in), value :: nominal_area ! as for asperity_friction_at_pressure [length^2]
-      type(c_ptr), intent(in), value :: dstress_dpressure
-                                                    ! real(c_double): receives d(stress)/d(pressure) [-]; c_null_ptr to
-                                                    ! skip
+      type(c_ptr), intent(in), value :: dstress_dpressure ! real(c_double): receives d(stress)/d(pressure) [-]
       real(c_double) :: asperity_shear_stress_at_pressure
     end function asperity_shear_stress_at_pressure
 
@@ -672,47 +637,39 @@ module asperity
       real(c_double), intent(in), value :: transition_rate
                                                     ! slip rate at which the force reaches 76 % of F [length/time], from
                                                     ! 1e-60 to 1e60
-      type(c_ptr), intent(in), value :: dforce_dload
-                                                    ! real(c_double): receives the derivative by load [-]; c_null_ptr to
-                                                    ! skip
+      type(c_ptr), intent(in), value :: dforce_dload ! real(c_double): receives the derivative by load [-]
       type(c_ptr), intent(in), value :: dforce_dslip_rate
                                                     ! real(c_double): receives the derivative by slip rate [force
-                                                    ! time/length]; c_null_ptr to skip
+                                                    ! time/length]
       real(c_double) :: asperity_slip_force
     end function asperity_slip_force
 
     ! Friction coefficients at many contact pressures, and their slopes
     function asperity_friction_at_pressures(model, n, pressure, nominal_area, mu, dmu_dpressure) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
-      integer(c_size_t), intent(in), value :: n     ! number of pressures; may be 0
+      type(c_ptr), intent(in), value :: model       ! a model
+      integer(c_size_t), intent(in), value :: n     ! number of pressures
       type(c_ptr), intent(in), value :: pressure    ! real(c_double): n nominal contact pressures [stress], positive in
                                                     ! compression
       real(c_double), intent(in), value :: nominal_area
                                                     ! the area that carries asperity_count summits [length^2], from
                                                     ! 1e-60 to 1e60; the same for all
-      type(c_ptr), intent(in), value :: mu          ! real(c_double): receives n coefficients; c_null_ptr to skip; may
-                                                    ! be pressure itself
-      type(c_ptr), intent(in), value :: dmu_dpressure
-                                                    ! real(c_double): receives n slopes d(mu)/d(pressure) [1/stress];
-                                                    ! c_null_ptr to skip; may be pressure itself
+      type(c_ptr), intent(in), value :: mu          ! real(c_double): receives n coefficients
+      type(c_ptr), intent(in), value :: dmu_dpressure ! real(c_double): receives n slopes d(mu)/d(pressure) [1/stress]
       integer(c_int32_t) :: asperity_friction_at_pressures
     end function asperity_friction_at_pressures
 
-    ! Frictional shear stresses at many contact pressures, and their slopes, filled and reported as by
-    ! asperity_friction_at_pressures
+    ! Frictional shear stresses at many contact pressures, and their slopes
     function asperity_shear_stresses_at_pressures(model, n, pressure, nominal_area, stress, dstress_dpressure) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
-      integer(c_size_t), intent(in), value :: n     ! number of pressures; may be 0
+      type(c_ptr), intent(in), value :: model       ! a model
+      integer(c_size_t), intent(in), value :: n     ! number of pressures
       type(c_ptr), intent(in), value :: pressure    ! real(c_double): n nominal contact pressures [stress], positive in
                                                     ! compression
       real(c_double), intent(in), value :: nominal_area ! as for asperity_friction_at_pressures
       type(c_ptr), intent(in), value :: stress      ! real(c_double): receives n stresses: friction force over
-                                                    ! nominal_area [stress]; c_null_ptr to skip; may be pressure itself
-      type(c_ptr), intent(in), value :: dstress_dpressure
-                                                    ! real(c_double): receives n slopes d(stress)/d(pressure);
-                                                    ! c_null_ptr to skip; may be pressure itself
+                                                    ! nominal_area [stress]
+      type(c_ptr), intent(in), value :: dstress_dpressure ! real(c_double): receives n slopes d(stress)/d(pressure)
       integer(c_int32_t) :: asperity_shear_stresses_at_pressures
     end function asperity_shear_stresses_at_pressures
 
@@ -720,39 +677,34 @@ module asperity
     function asperity_slip_forces(model, n, load, slip_rate, transition_rate, force, dforce_dload, dforce_dslip_rate) &
         bind(c)
       import
-      type(c_ptr), intent(in), value :: model
-      integer(c_size_t), intent(in), value :: n     ! number of contacts; may be 0
+      type(c_ptr), intent(in), value :: model       ! a model
+      integer(c_size_t), intent(in), value :: n     ! number of contacts
       type(c_ptr), intent(in), value :: load        ! real(c_double): n normal loads [force]
       type(c_ptr), intent(in), value :: slip_rate   ! real(c_double): n tangential velocities [length/time], signed
       real(c_double), intent(in), value :: transition_rate
                                                     ! slip rate at which the force reaches 76 % of the law's, from 1e-60
                                                     ! to 1e60; the same for all
-      type(c_ptr), intent(in), value :: force       ! real(c_double): receives n forces [force]; c_null_ptr to skip; may
-                                                    ! be an input itself
-      type(c_ptr), intent(in), value :: dforce_dload
-                                                    ! real(c_double): receives n derivatives by load; c_null_ptr to
-                                                    ! skip; may be an input itself
+      type(c_ptr), intent(in), value :: force       ! real(c_double): receives n forces [force]
+      type(c_ptr), intent(in), value :: dforce_dload ! real(c_double): receives n derivatives by load
       type(c_ptr), intent(in), value :: dforce_dslip_rate
                                                     ! real(c_double): receives n derivatives by slip rate [force
-                                                    ! time/length]; c_null_ptr to skip; may be an input itself
+                                                    ! time/length]
       integer(c_int32_t) :: asperity_slip_forces
     end function asperity_slip_forces
 
     ! Friction forces of contacts that belong to several pairs of surfaces, and their slopes, in one call
     function asperity_friction_force_at_loads_of(models, models_length, n, which, load, force, dforce_dload) bind(c)
       import
-      type(c_ptr), intent(in), value :: models      ! models_length models, nor may any of them be: nothing is then
-                                                    ! written
+      type(c_ptr), intent(in), value :: models      ! models_length models, none of them c_null_ptr
       integer(c_size_t), intent(in), value :: models_length ! number of models
-      integer(c_size_t), intent(in), value :: n     ! number of contacts; may be 0
+      integer(c_size_t), intent(in), value :: n     ! number of contacts
       type(c_ptr), intent(in), value :: which       ! integer(c_int32_t): n indices of models, from 0
       type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
       type(c_ptr), intent(in), value :: force       ! real(c_double): receives n forces [force], NaN where which is not
-                                                    ! below models_length; c_null_ptr to skip; may be load itself
+                                                    ! below models_length
       type(c_ptr), intent(in), value :: dforce_dload
                                                     ! real(c_double): receives n slopes dF/d(load), as
-                                                    ! asperity_friction_force_at_loads has them; c_null_ptr to skip; may
-                                                    ! be load itself
+                                                    ! asperity_friction_force_at_loads has them
       integer(c_int32_t) :: asperity_friction_force_at_loads_of
     end function asperity_friction_force_at_loads_of
 
@@ -764,31 +716,50 @@ module asperity
       real(c_double) :: asperity_tangential_stiffness_at_load
     end function asperity_tangential_stiffness_at_load
 
-    ! Tangential stiffnesses at many loads, filled and reported as by asperity_friction_at_loads
+    ! Tangential stiffnesses at many loads
     function asperity_tangential_stiffness_at_loads(model, n, load, stiffness) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
-      integer(c_size_t), intent(in), value :: n     ! number of loads; may be 0
+      type(c_ptr), intent(in), value :: model       ! a model
+      integer(c_size_t), intent(in), value :: n     ! number of loads
       type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
-      type(c_ptr), intent(in), value :: stiffness   ! real(c_double): receives n stiffnesses [force/length]; c_null_ptr
-                                                    ! to skip; may be load itself
+      type(c_ptr), intent(in), value :: stiffness   ! real(c_double): receives n stiffnesses [force/length]
       integer(c_int32_t) :: asperity_tangential_stiffness_at_loads
     end function asperity_tangential_stiffness_at_loads
 
     ! The tangential force T at a load and a displacement, by integration over the summits, without the table
     function asperity_tangential_at_load(model, load, displacement, force, stiffness) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
+      type(c_ptr), intent(in), value :: model       ! a model
       real(c_double), intent(in), value :: load     ! normal load [force], from the pull-off load upwards
       real(c_double), intent(in), value :: displacement
                                                     ! of the surfaces along each other [length]; T is an odd function of
                                                     ! it
-      type(c_ptr), intent(in), value :: force       ! real(c_double): receives T [force]; c_null_ptr to skip; untouched
-                                                    ! on failure
-      type(c_ptr), intent(in), value :: stiffness   ! real(c_double): receives dT/d(displacement) [force/length];
-                                                    ! c_null_ptr to skip; untouched on failure
+      type(c_ptr), intent(in), value :: force       ! real(c_double): receives T [force]
+      type(c_ptr), intent(in), value :: stiffness   ! real(c_double): receives dT/d(displacement) [force/length]
       integer(c_int32_t) :: asperity_tangential_at_load
     end function asperity_tangential_at_load
+
+    ! Returns the sum of the radii of all contacts at a load, from which follows the thermal or electrical contact
+    ! conductance
+    pure function asperity_contact_radius_sum_at_load(model, load) bind(c)
+      import
+      type(c_ptr), intent(in), value :: model       ! a model
+      real(c_double), intent(in), value :: load     ! normal load [force]
+      real(c_double) :: asperity_contact_radius_sum_at_load
+    end function asperity_contact_radius_sum_at_load
+
+    ! Computes the sums of contact radii at many loads, and their slopes; filled and reported as by
+    ! asperity_friction_at_loads
+    function asperity_contact_radius_sum_at_loads(model, n, load, sum, dsum_dload) bind(c)
+      import
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n     ! number of loads; may be 0
+      type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
+      type(c_ptr), intent(in), value :: sum         ! real(c_double): receives n sums [length]; c_null_ptr to skip; may
+                                                    ! be load itself
+      type(c_ptr), intent(in), value :: dsum_dload  ! real(c_double): receives n slopes d(sum)/d(load) [length/force]
+      integer(c_int32_t) :: asperity_contact_radius_sum_at_loads
+    end function asperity_contact_radius_sum_at_loads
 
     ! How many doubles the state of one contact takes; today 32, the same for all models
     function asperity_microslip_length(model) bind(c)
@@ -801,35 +772,30 @@ module asperity
     ! slip
     function asperity_microslip_step(model, load, increment, before, after, out) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
+      type(c_ptr), intent(in), value :: model       ! a model
       real(c_double), intent(in), value :: load     ! normal load of this step [force]
       type(c_ptr), intent(in), value :: increment   ! real(c_double): 2 displacements of one surface along the other
                                                     ! since before [length]
       type(c_ptr), intent(in), value :: before      ! real(c_double): the state before the step
-      type(c_ptr), intent(in), value :: after       ! real(c_double): receives the state after the step; c_null_ptr to
-                                                    ! skip; may be before itself; untouched on failure
-      type(asperity_microslip), intent(inout) :: out
-                                                    ! receives force, tangents and work; its struct_size must be set;
-                                                    ! untouched on failure
+      type(c_ptr), intent(in), value :: after       ! real(c_double): receives the state after the step
+      type(asperity_microslip), intent(inout) :: out ! receives force, tangents and work
       integer(c_int32_t) :: asperity_microslip_step
     end function asperity_microslip_step
 
     ! One step of many contacts, each as asperity_microslip_step gives it, to the bit
     function asperity_microslip_steps(model, n, load, increment, before, after, force, stiffness) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
-      integer(c_size_t), intent(in), value :: n     ! number of contacts; may be 0
+      type(c_ptr), intent(in), value :: model       ! a model
+      integer(c_size_t), intent(in), value :: n     ! number of contacts
       type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
       type(c_ptr), intent(in), value :: increment   ! real(c_double): 2 n displacements [length], both of a contact
                                                     ! together
       type(c_ptr), intent(in), value :: before      ! real(c_double): n states, that of a contact together
-      type(c_ptr), intent(in), value :: after       ! real(c_double): receives n states; c_null_ptr to skip; may be
-                                                    ! before itself
+      type(c_ptr), intent(in), value :: after       ! real(c_double): receives n states
       type(c_ptr), intent(in), value :: force       ! real(c_double): receives 2 n forces T [force], both of a contact
-                                                    ! together; c_null_ptr to skip
+                                                    ! together
       type(c_ptr), intent(in), value :: stiffness   ! real(c_double): receives 4 n tangents dT/d(increment)
-                                                    ! [force/length], those of a contact together, row by row;
-                                                    ! c_null_ptr to skip
+                                                    ! [force/length], those of a contact together, row by row
       integer(c_int32_t) :: asperity_microslip_steps
     end function asperity_microslip_steps
 
@@ -851,22 +817,21 @@ module asperity
       type(c_ptr), intent(in), value :: dload_dseparation
                                                     ! real(c_double): receives d(load)/d(separation) [force/length], <=
                                                     ! 0: minus the normal stiffness; 0 at pull-off and beyond; NaN where
-                                                    ! the load is; c_null_ptr to skip
+                                                    ! the load is
       real(c_double) :: asperity_load_and_slope_at_separation
     end function asperity_load_and_slope_at_separation
 
-    ! Loads at many separations, and their slopes, filled and reported as by asperity_friction_at_loads
+    ! Loads at many separations, and their slopes
     function asperity_loads_at_separations(model, n, separation, load, dload_dseparation) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
-      integer(c_size_t), intent(in), value :: n     ! number of separations; may be 0
+      type(c_ptr), intent(in), value :: model       ! a model
+      integer(c_size_t), intent(in), value :: n     ! number of separations
       type(c_ptr), intent(in), value :: separation  ! real(c_double): n separations [length]
-      type(c_ptr), intent(in), value :: load        ! real(c_double): receives n loads [force]; c_null_ptr to skip; may
-                                                    ! be separation itself
+      type(c_ptr), intent(in), value :: load        ! real(c_double): receives n loads [force]
       type(c_ptr), intent(in), value :: dload_dseparation
                                                     ! real(c_double): receives n slopes d(load)/d(separation)
                                                     ! [force/length], <= 0: minus the normal stiffness; 0 at pull-off
-                                                    ! and beyond; c_null_ptr to skip; may be separation itself
+                                                    ! and beyond
       integer(c_int32_t) :: asperity_loads_at_separations
     end function asperity_loads_at_separations
 
@@ -874,29 +839,28 @@ module asperity
     ! summits
     function asperity_summits_at_overlaps(model, n, overlap, height, load, force, radius) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
-      integer(c_size_t), intent(in), value :: n     ! number of summits; may be 0
+      type(c_ptr), intent(in), value :: model       ! a model
+      integer(c_size_t), intent(in), value :: n     ! number of summits
       type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: the height of the summit less
-                                                    ! the separation, negative for a gap
+                                                    ! the separation, negative for a gap unless n = 0
       type(c_ptr), intent(in), value :: height      ! real(c_double): n heights from the mean of the summit heights
                                                     ! [length], on which radii of summits depend where radius_amplitude
                                                     ! is not 0; c_null_ptr: all summits have the mean height
       type(c_ptr), intent(in), value :: load        ! real(c_double): receives n loads [force], negative where a summit
-                                                    ! pulls; c_null_ptr to skip; may be overlap itself
+                                                    ! pulls
       type(c_ptr), intent(in), value :: force       ! real(c_double): receives n friction forces [force], 0 out of
-                                                    ! contact; c_null_ptr to skip; may be overlap itself
+                                                    ! contact
       type(c_ptr), intent(in), value :: radius      ! real(c_double): receives n contact radii [length], 0 out of
-                                                    ! contact; c_null_ptr to skip; may be overlap itself
+                                                    ! contact
       integer(c_int32_t) :: asperity_summits_at_overlaps
     end function asperity_summits_at_overlaps
 
     ! Computes the exact state at a load, by integration over the summits, without the table
     function asperity_state_at_load(model, load, state) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
+      type(c_ptr), intent(in), value :: model       ! a model
       real(c_double), intent(in), value :: load     ! normal load [force], from the pull-off load upwards
-      type(asperity_state), intent(inout) :: state  ! receives the state; its struct_size must be set; untouched on
-                                                    ! failure
+      type(asperity_state), intent(inout) :: state  ! receives the state
       integer(c_int32_t) :: asperity_state_at_load
     end function asperity_state_at_load
 
@@ -904,32 +868,28 @@ module asperity
     ! equilibrium
     function asperity_state_at_separation(model, separation, state) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
+      type(c_ptr), intent(in), value :: model       ! a model
       real(c_double), intent(in), value :: separation
                                                     ! of the flat from the mean of the summit heights [length]; may be
                                                     ! negative
-      type(asperity_state), intent(inout) :: state  ! receives the state; its struct_size must be set; untouched on
-                                                    ! failure
+      type(asperity_state), intent(inout) :: state  ! receives the state
       integer(c_int32_t) :: asperity_state_at_separation
     end function asperity_state_at_separation
 
     ! Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table
     function asperity_summary_of(model, summary) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
-      type(asperity_summary), intent(inout) :: summary
-                                                    ! receives the constants; its struct_size must be set; untouched on
-                                                    ! failure
+      type(c_ptr), intent(in), value :: model       ! a model
+      type(asperity_summary), intent(inout) :: summary ! receives the constants
       integer(c_int32_t) :: asperity_summary_of
     end function asperity_summary_of
 
     ! Computes the sensitivities of the friction force at a load: which parameter is worth measuring
     function asperity_sensitivities_at_load(model, load, sensitivities) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
+      type(c_ptr), intent(in), value :: model       ! a model
       real(c_double), intent(in), value :: load     ! normal load [force], above the pull-off load
-      type(asperity_sensitivities), intent(inout) :: sensitivities
-                                                    ! receives them; its struct_size must be set; untouched on failure
+      type(asperity_sensitivities), intent(inout) :: sensitivities ! receives them
       integer(c_int32_t) :: asperity_sensitivities_at_load
     end function asperity_sensitivities_at_load
 
@@ -937,12 +897,12 @@ module asperity
     ! these loads
     function asperity_check_loads(model, lightest, heaviest, warnings) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
+      type(c_ptr), intent(in), value :: model       ! a model
       real(c_double), intent(in), value :: lightest ! normal load [force], from the pull-off load upwards; above 0
                                                     ! without adhesion, where nothing touches at 0
       real(c_double), intent(in), value :: heaviest ! normal load [force], not below lightest
       integer(c_int64_t), intent(inout) :: warnings ! receives every bit ASPERITY_WARNING_... that is set in a state
-                                                    ! between; 0 if nothing is known to fail; untouched on failure
+                                                    ! between; 0 if nothing is known to fail
       integer(c_int32_t) :: asperity_check_loads
     end function asperity_check_loads
 
@@ -956,11 +916,10 @@ module asperity
     ! Finds the loads between which a warning holds, within the loads of the compiled table
     function asperity_warning_loads(model, warning, lightest, heaviest) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
+      type(c_ptr), intent(in), value :: model       ! a model
       integer(c_int64_t), intent(in), value :: warning ! one bit ASPERITY_WARNING_...
       type(c_ptr), intent(in), value :: lightest    ! real(c_double): receives the lightest load of the table at which
-                                                    ! the warning holds [force], NaN if it holds at none; untouched on
-                                                    ! failure
+                                                    ! the warning holds [force], NaN if it holds at none
       type(c_ptr), intent(in), value :: heaviest    ! real(c_double): receives the heaviest [force], likewise
       integer(c_int32_t) :: asperity_warning_loads
     end function asperity_warning_loads
@@ -1009,106 +968,40 @@ module asperity
     ! Fills a view of the compiled law of a model
     function asperity_table_of(model, table) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
+      type(c_ptr), intent(in), value :: model       ! a model
       type(asperity_table), intent(inout) :: table  ! receives the view, valid until asperity_set_params or
-                                                    ! asperity_free of the model; its struct_size must be set; untouched
-                                                    ! on failure
+                                                    ! asperity_free of the model
       integer(c_int32_t) :: asperity_table_of
     end function asperity_table_of
 
     ! Gives a view of the compiled load against separation, for the evaluators of asperity_table_of
     function asperity_load_table_of(model, table) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
+      type(c_ptr), intent(in), value :: model       ! a model
       type(asperity_table), intent(inout) :: table  ! as for asperity_table_of
       integer(c_int32_t) :: asperity_load_table_of
     end function asperity_load_table_of
 
-    ! Fills the constants of a model: the same as asperity_summary_of
-    function asperity_get_summary(model, summary) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model
-      type(asperity_summary), intent(inout) :: summary
-      integer(c_int32_t) :: asperity_get_summary
-    end function asperity_get_summary
-
-    ! Fills a view of the compiled law of a model: the same as asperity_table_of
-    function asperity_get_table(model, table) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model
-      type(asperity_table), intent(inout) :: table
-      integer(c_int32_t) :: asperity_get_table
-    end function asperity_get_table
-
-    ! Fills the data of a material: the same as asperity_material
-    function asperity_get_material(name, material) bind(c)
-      import
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char:
-      type(asperity_material_data), intent(inout) :: material
-      integer(c_int32_t) :: asperity_get_material
-    end function asperity_get_material
-
-    ! Fills the data of a pair of materials: the same as asperity_pair
-    function asperity_get_pair(name, pair) bind(c)
-      import
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char:
-      type(asperity_pair_data), intent(inout) :: pair
-      integer(c_int32_t) :: asperity_get_pair
-    end function asperity_get_pair
-
-    ! Fills the data of an interface: the same as asperity_interface
-    function asperity_get_interface(name, data) bind(c)
-      import
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char:
-      type(asperity_interface_data), intent(inout) :: data
-      integer(c_int32_t) :: asperity_get_interface
-    end function asperity_get_interface
-
-    ! Returns the friction force at a load and a slip rate, with a smooth sign: the same as asperity_slip_force
-    function asperity_friction_force_at_slip_rate(model, load, slip_rate, transition_rate, dforce_dload, dforce_dslip_rate) &
-        bind(c)
-      import
-      type(c_ptr), intent(in), value :: model
-      real(c_double), intent(in), value :: load
-      real(c_double), intent(in), value :: slip_rate
-      real(c_double), intent(in), value :: transition_rate
-      type(c_ptr), intent(in), value :: dforce_dload ! real(c_double):
-      type(c_ptr), intent(in), value :: dforce_dslip_rate ! real(c_double):
-      real(c_double) :: asperity_friction_force_at_slip_rate
-    end function asperity_friction_force_at_slip_rate
-
-    ! Computes the tangential force at a load and a displacement, exactly: the same as asperity_tangential_at_load
-    function asperity_tangential_force_at_displacement(model, load, displacement, force, stiffness) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model
-      real(c_double), intent(in), value :: load
-      real(c_double), intent(in), value :: displacement
-      type(c_ptr), intent(in), value :: force       ! real(c_double):
-      type(c_ptr), intent(in), value :: stiffness   ! real(c_double):
-      integer(c_int32_t) :: asperity_tangential_force_at_displacement
-    end function asperity_tangential_force_at_displacement
-
   end interface
 
-  public :: asperity_params_init_sized, asperity_params_init_unset_sized, asperity_params_set_dimensionless
-  public :: asperity_params_set_materials, asperity_params_set_spectral_moments, asperity_params_set_nayak_summits
-  public :: asperity_params_set_skew, asperity_params_set_value, asperity_params_set_values, asperity_params_get_value
-  public :: asperity_params_name, asperity_material, asperity_material_name, asperity_pair, asperity_pair_name
-  public :: asperity_params_set_pair, asperity_interface, asperity_interface_name, asperity_params_set_interface
-  public :: asperity_params_calibrate, asperity_create, asperity_set_params, asperity_get_params_sized, asperity_free
+  public :: asperity_params_set_dimensionless, asperity_params_set_materials, asperity_params_set_elastic_plastic
+  public :: asperity_params_set_spectral_moments, asperity_params_set_nayak_summits, asperity_params_set_skew
+  public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
+  public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
+  public :: asperity_interface, asperity_interface_name, asperity_params_set_interface, asperity_params_calibrate
+  public :: asperity_params_calibrate_force, asperity_create, asperity_set_params, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_friction_and_slope_at_load
   public :: asperity_friction_force_and_slope_at_load, asperity_friction_at_pressure, asperity_shear_stress_at_pressure
   public :: asperity_slip_force, asperity_friction_at_pressures, asperity_shear_stresses_at_pressures
   public :: asperity_slip_forces, asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
-  public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_microslip_length
-  public :: asperity_microslip_step, asperity_microslip_steps, asperity_load_at_separation
-  public :: asperity_load_and_slope_at_separation, asperity_loads_at_separations, asperity_summits_at_overlaps
-  public :: asperity_state_at_load, asperity_state_at_separation, asperity_summary_of, asperity_sensitivities_at_load
-  public :: asperity_check_loads, asperity_warning_string, asperity_warning_loads, asperity_warnings_text
-  public :: asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of
-  public :: asperity_load_table_of, asperity_get_summary, asperity_get_table, asperity_get_material, asperity_get_pair
-  public :: asperity_get_interface, asperity_friction_force_at_slip_rate, asperity_tangential_force_at_displacement
+  public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_contact_radius_sum_at_load
+  public :: asperity_contact_radius_sum_at_loads, asperity_microslip_length, asperity_microslip_step
+  public :: asperity_microslip_steps, asperity_load_at_separation, asperity_load_and_slope_at_separation
+  public :: asperity_loads_at_separations, asperity_summits_at_overlaps, asperity_state_at_load
+  public :: asperity_state_at_separation, asperity_summary_of, asperity_sensitivities_at_load, asperity_check_loads
+  public :: asperity_warning_string, asperity_warning_loads, asperity_warnings_text, asperity_last_error
+  public :: asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of, asperity_load_table_of
   ! end of interface
 
   ! ---- The Fortran interface ----

@@ -567,6 +567,23 @@ public:
     double bandwidth() const noexcept { return c_.bandwidth; }
     /// Sets it.
     Params &bandwidth(double value) noexcept { return assign(c_.bandwidth, value); }
+
+    /// Load of the measurement that set the strength of the interface [force]; 0 if there was none.
+    /// `asperity_params_calibrate` sets it.
+    double calibration_load() const noexcept { return c_.calibration_load; }
+    /// Sets it.
+    Params &calibration_load(double value) noexcept { return assign(c_.calibration_load, value); }
+
+    /// Friction force measured at that load [force], >= 0; 0, the default: not calibrated. `asperity_params_calibrate`
+    /// sets it.
+    double calibration_friction_force() const noexcept { return c_.calibration_friction_force; }
+    /// Sets it.
+    Params &calibration_friction_force(double value) noexcept { return assign(c_.calibration_friction_force, value); }
+
+    /// Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default.
+    double calibration_error() const noexcept { return c_.calibration_error; }
+    /// Sets it.
+    Params &calibration_error(double value) noexcept { return assign(c_.calibration_error, value); }
     // end of parameters
 
     /// The heights of the table; none by default.
