@@ -26,7 +26,7 @@ const GROUPS: [(&str, &[&str]); 6] = [
     ("The table: the compiled law for code that cannot call a library, as GPU kernels.", &["table"]),
 ];
 
-/// Comments of one line stand on one line up to this width.
+/// The columns of a line.
 const WIDTH: usize = 118;
 
 /// Files that have constants and types alone, which come before all functions.
@@ -53,27 +53,28 @@ pub fn generated(root: &Path) -> String {
     in_c89(&header)
 }
 
-/// Without comments of later dialects, and with those of one line on that line.
+/// Without comments of later dialects, and in few lines: comments begin and end on lines of their text, arguments fill lines,
+/// constants follow each other.
 fn in_c89(header: &str) -> String {
-    let lines: Vec<&str> = header.lines().collect();
-    let (mut text, mut i) = (String::new(), 0);
-    while i < lines.len() {
-        let folded = lines.get(i..i + 3).and_then(one_line);
-        i += if folded.is_some() { 3 } else { 1 };
-        text += &folded.unwrap_or_else(|| match lines[i - 1].split_once("// ") {
-            Some((code, comment)) if code.starts_with(['#', '}']) => format!("{code}/* {comment} */"),
-            _ => lines[i - 1].to_owned(),
-        });
-        text += "\n";
+    let mut lines: Vec<String> = Vec::new();
+    for line in header.lines() {
+        let text = line.trim_start();
+        let is_argument = line.starts_with("     ") && !text.starts_with('*');
+        match lines.last_mut() {
+            Some(last) if last.ends_with("/**") && text.starts_with("* ") => *last += &text[1..],
+            Some(last) if text == "*/" && last.len() + 3 <= WIDTH => *last += " */",
+            Some(last) if is_argument && last.ends_with(',') => match last.len() + text.len() < WIDTH {
+                true => *last = format!("{last} {text}"),
+                false => lines.push(format!("    {text}")),
+            },
+            Some(last) if text.is_empty() && last.starts_with("#define ASPERITY_") => {}
+            _ => lines.push(match line.split_once("// ") {
+                Some((code, comment)) if code.starts_with(['#', '}']) => format!("{code}/* {comment} */"),
+                _ => line.to_owned(),
+            }),
+        }
     }
-    text
-}
-
-/// Three lines that are a comment of one line, as that line, where it fits.
-fn one_line(lines: &[&str]) -> Option<String> {
-    let text = lines[1].trim_start().strip_prefix("* ")?;
-    let line = lines[0].strip_suffix("/**").map(|indent| format!("{indent}/** {text} */"))?;
-    (lines[2].trim_start() == "*/" && line.len() <= WIDTH).then_some(line)
+    lines.join("\n") + "\n"
 }
 
 #[test]
