@@ -169,8 +169,11 @@ fn the_library_exports_the_functions_of_the_file_and_no_other() {
 }
 
 fn passes(name: &str) {
+    let source = root().join("tests/abi").join(name);
     for compiler in Compiler::all(Language::C, "c11") {
-        print!("{}", compiler.with(&["-ffp-contract=off"]).program(&root().join("tests/abi").join(name), Linking::Shared).succeeds(&[]));
+        // By the rule of the table sums and products are rounded one by one.
+        let program = compiler.with(&["-ffp-contract=off"]).program(&source, Linking::Shared);
+        print!("{}", program.succeeds(&[]));
     }
 }
 
