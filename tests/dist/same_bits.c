@@ -21,9 +21,8 @@ static asperity_params other(int which)
 {
     static const double height[] = {-3, -2, -1, -0.25, 0.5, 1.25, 2, 3};
     static const double density[] = {0, 0.05, 0.2, 0.4, 0.37, 0.21, 0.06, 0.0};
-    asperity_params p;
+    asperity_params p = surface(0);
 
-    asperity_params_init(&p);
     switch (which) {
     case 0: asperity_params_set_skew(&p, 1.5); break;
     case 1:
@@ -47,9 +46,7 @@ static asperity_params other(int which)
         CHECK(asperity_params_set_spectral_moments(&p, 2.5e-17, 1.5e-3, 4.4e11, 1e-8) == ASPERITY_OK, "moments");
         break;
     case 5:
-        p.contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC;
-        p.work_of_adhesion = 0;
-        p.hardness = 0.02 * p.composite_modulus;
+        CHECK(asperity_params_set_elastic_plastic(&p, 0.02 * p.composite_modulus) == ASPERITY_OK, "yielding");
         break;
     case 6:
         p = surface(8);
