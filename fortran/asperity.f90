@@ -7,9 +7,8 @@
 ! Units: one consistent system of the caller's choice. Loads, forces and areas are totals over asperity_count summits.
 ! Threads: a model may be shared by all calls that take it intent(in); not while it is changed or freed.
 ! Two C constants have the names of functions, which Fortran does not tell apart; here they are
-! ASPERITY_HEADER_VERSION and ASPERITY_HEADER_ABI_VERSION. asperity_params_init, asperity_params_init_unset and
-! asperity_get_params are functions of this module, as they are macros in C: the C functions of these names serve programs
-! older than the type of today.
+! ASPERITY_HEADER_VERSION and ASPERITY_HEADER_ABI_VERSION. A C function that takes the size of a struct has in its place a
+! function of this module, which passes it.
 module asperity
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_loc, &
                                          c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
@@ -62,7 +61,7 @@ module asperity
   ! ---- The C interface: types ----
 
   ! Two rough elastic surfaces, as the equivalent rough surface against a flat. Start from asperity_params_of, or from
-  ! asperity_params_init for the paper's.
+  ! asperity_params_init.
   type, bind(c), public :: asperity_params
     integer(c_int64_t) :: struct_size = 0         ! set by asperity_params_init
     real(c_double) :: composite_modulus           ! E* [stress], > 0
@@ -75,16 +74,16 @@ module asperity
     real(c_double) :: asperity_count              ! N [-], > 0: summit density times nominal area; need not be an integer
     integer(c_int32_t) :: height_distribution     ! one of ASPERITY_HEIGHTS_
     integer(c_int32_t) :: attraction              ! 1: summits out of contact attract; 0: they do not
-    real(c_double) :: weibull_shape               ! omega [-], > 0; read only for ASPERITY_HEIGHTS_WEIBULL
+    real(c_double) :: weibull_shape               ! omega [-], 1 to 200; read only for ASPERITY_HEIGHTS_WEIBULL
     real(c_double) :: radius_amplitude            ! epsilon [-], -1 to 1: how much the radius grows with height
     real(c_double) :: radius_rate                 ! rho [-], > 0: how fast it does
-    real(c_double) :: slip_radius_1               ! a_1/b [-], > 0: shear strength is slip_stress_1 up to this radius
+    real(c_double) :: slip_radius_1               ! a_1/b [-], >= 1: shear strength is slip_stress_1 up to this radius
     real(c_double) :: slip_stress_1               ! tau_1/G* [-], > 0 and at most 1; 0 where kappa > 0
     real(c_double) :: slip_radius_2               ! a_2/b [-], > slip_radius_1: it is slip_stress_2 from this one on
     real(c_double) :: slip_stress_2               ! tau_2/G* [-], > 0 and at most 1; 0 where kappa > 0
     real(c_double) :: max_friction_coefficient    ! cap on every coefficient returned [-], > 0; infinity allowed
     real(c_double) :: skew                        ! of the heights [-]; read only for ASPERITY_HEIGHTS_JOHNSON
-    real(c_double) :: kurtosis                    ! of the heights [-], > skew**2 + 1; read only for those
+    real(c_double) :: kurtosis                    ! of the heights [-], 1.87 + 1.25 skew**2 to 100; likewise
     real(c_double) :: hardness                    ! H [stress], to judge whether contacts are elastic; 0: not known
     type(c_ptr) :: table_height = c_null_ptr      ! table_length real(c_double), increasing: heights in any unit and
                                                   ! from any origin; read only for ASPERITY_HEIGHTS_TABULATED
@@ -98,6 +97,9 @@ module asperity
     real(c_double) :: pressure_coefficient        ! kappa [-], >= 0: a contact's friction is pi a**2 tau(a) + kappa P_H, P_H
                                                   ! the load of Hertz' contact of its radius; 0: strength does not grow
     real(c_double) :: bandwidth                   ! Nayak's m0 m4/m2**2 of the surface [-], >= 1.5; 0: not known
+    real(c_double) :: calibration_load            ! of the measurement that set the strength [force]; 0 if there was none
+    real(c_double) :: calibration_friction_force  ! measured at that load [force]; 0: not calibrated
+    real(c_double) :: calibration_error           ! its relative standard error [-], > 0 and at most 1
   end type asperity_params
 
   ! The exact state of the contact, in the units of the parameters.
@@ -280,21 +282,13 @@ module asperity
       integer(c_size_t) :: whole_length                   ! of the message, without its final NUL
     end function asperity_last_error
 
-    ! The paper's default case, in struct_size bytes of the type; asperity_params_init does it for the whole type.
-    function asperity_params_init_sized(params, struct_size) result(status) bind(c)
-      import :: asperity_params, c_int32_t, c_int64_t
+    ! Defaults for all but the eight physical inputs, which are left unset.
+    function asperity_params_init_c(params, struct_size) result(status) bind(c, name='asperity_params_init')
+      import :: asperity_params, c_int32_t, c_size_t
       type(asperity_params), intent(inout) :: params      ! untouched on failure
-      integer(c_int64_t), intent(in), value :: struct_size ! c_sizeof(params)
+      integer(c_size_t), intent(in), value :: struct_size ! c_sizeof(params)
       integer(c_int32_t) :: status
-    end function asperity_params_init_sized
-
-    ! Parameters without the eight physical inputs, in struct_size bytes; asperity_params_init_unset does it for the whole type.
-    function asperity_params_init_unset_sized(params, struct_size) result(status) bind(c)
-      import :: asperity_params, c_int32_t, c_int64_t
-      type(asperity_params), intent(inout) :: params      ! untouched on failure
-      integer(c_int64_t), intent(in), value :: struct_size ! c_sizeof(params)
-      integer(c_int32_t) :: status
-    end function asperity_params_init_unset_sized
+    end function asperity_params_init_c
 
     ! Sets material, adhesion and roughness from the paper's groups; loads are then P/(N G b^2).
     function asperity_params_set_dimensionless(params, alpha, beta, gamma, b_over_h, poisson) result(status) bind(c)
@@ -445,15 +439,32 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_params_set_interface
 
-    ! Scales slip_stress_1 and slip_stress_2 by one factor, so that the friction force at this load is the one that was
+    ! Chooses summits that yield: sets contact_law, hardness, and work_of_adhesion to 0.
+    function asperity_params_set_elastic_plastic(params, hardness) result(status) bind(c)
+      import :: asperity_params, c_double, c_int32_t
+      type(asperity_params), intent(inout) :: params      ! initialised; untouched on failure
+      real(c_double), intent(in), value :: hardness       ! of the softer body [stress], > 0
+      integer(c_int32_t) :: status
+    end function asperity_params_set_elastic_plastic
+
+    ! Scales slip_stress_1 and slip_stress_2 by one factor, so that the friction coefficient at this load is the one that was
     ! measured. Call it last, with the surfaces of the measurement; pressure_coefficient stays as it is.
-    function asperity_params_calibrate(params, load, friction_force) result(status) bind(c)
+    function asperity_params_calibrate(params, load, friction_coefficient) result(status) bind(c)
+      import :: asperity_params, c_double, c_int32_t
+      type(asperity_params), intent(inout) :: params      ! all set; untouched on failure
+      real(c_double), intent(in), value :: load           ! of the measurement [force], > 0, a total over asperity_count
+      real(c_double), intent(in), value :: friction_coefficient ! measured at that load [-], > 0 and at most 20
+      integer(c_int32_t) :: status
+    end function asperity_params_calibrate
+
+    ! The same from a friction force, for measurements at zero load, or where the load pulls.
+    function asperity_params_calibrate_force(params, load, friction_force) result(status) bind(c)
       import :: asperity_params, c_double, c_int32_t
       type(asperity_params), intent(inout) :: params      ! all set; untouched on failure
       real(c_double), intent(in), value :: load           ! of the measurement [force], a total over asperity_count
-      real(c_double), intent(in), value :: friction_force ! measured at that load [force], > 0: coefficient times load
+      real(c_double), intent(in), value :: friction_force ! measured at that load [force], > 0
       integer(c_int32_t) :: status
-    end function asperity_params_calibrate
+    end function asperity_params_calibrate_force
 
     ! Makes a model; free it with asperity_free.
     function asperity_create(params, model) result(status) bind(c)
@@ -471,14 +482,13 @@ module asperity
       integer(c_int32_t) :: status
     end function asperity_set_params
 
-    ! Copies the parameters of a model into struct_size bytes of the type; asperity_get_params does it for the whole type.
-    function asperity_get_params_sized(model, params, struct_size) result(status) bind(c)
-      import :: asperity_params, c_int32_t, c_int64_t, c_ptr
+    ! Copies the parameters of a model.
+    function asperity_get_params_c(model, params) result(status) bind(c, name='asperity_get_params')
+      import :: asperity_params, c_int32_t, c_ptr
       type(c_ptr), intent(in), value :: model
       type(asperity_params), intent(inout) :: params      ! untouched on failure
-      integer(c_int64_t), intent(in), value :: struct_size ! c_sizeof(params)
       integer(c_int32_t) :: status
-    end function asperity_get_params_sized
+    end function asperity_get_params_c
 
     ! Frees a model, once; c_null_ptr is fine.
     subroutine asperity_free(model) bind(c)
@@ -816,83 +826,16 @@ module asperity
       type(asperity_table), intent(inout) :: table
       integer(c_int32_t) :: status
     end function asperity_load_table_of
-
-    ! ---- Second names: the same functions, under names of one pattern ----
-
-    ! The same as asperity_summary_of.
-    function asperity_get_summary(model, summary) result(status) bind(c)
-      import :: asperity_summary, c_int32_t, c_ptr
-      type(c_ptr), intent(in), value :: model
-      type(asperity_summary), intent(inout) :: summary    ! untouched on failure
-      integer(c_int32_t) :: status
-    end function asperity_get_summary
-
-    ! The same as asperity_table_of.
-    function asperity_get_table(model, table) result(status) bind(c)
-      import :: asperity_table, c_int32_t, c_ptr
-      type(c_ptr), intent(in), value :: model
-      type(asperity_table), intent(inout) :: table        ! untouched on failure
-      integer(c_int32_t) :: status
-    end function asperity_get_table
-
-    ! The same as asperity_material.
-    function asperity_get_material(name, material) result(status) bind(c)
-      import :: asperity_material_data, c_int32_t, c_ptr
-      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
-      type(asperity_material_data), intent(inout) :: material ! untouched on failure
-      integer(c_int32_t) :: status
-    end function asperity_get_material
-
-    ! The same as asperity_pair.
-    function asperity_get_pair(name, pair) result(status) bind(c)
-      import :: asperity_pair_data, c_int32_t, c_ptr
-      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
-      type(asperity_pair_data), intent(inout) :: pair     ! untouched on failure
-      integer(c_int32_t) :: status
-    end function asperity_get_pair
-
-    ! The same as asperity_interface.
-    function asperity_get_interface(name, data) result(status) bind(c)
-      import :: asperity_interface_data, c_int32_t, c_ptr
-      type(c_ptr), intent(in), value :: name              ! c_loc of its characters
-      type(asperity_interface_data), intent(inout) :: data ! untouched on failure
-      integer(c_int32_t) :: status
-    end function asperity_get_interface
-
-    ! The same as asperity_slip_force.
-    function asperity_friction_force_at_slip_rate(model, load, slip_rate, transition_rate, dforce_dload, dforce_dslip_rate) &
-        result(force) bind(c)
-      import :: c_double, c_ptr
-      type(c_ptr), intent(in), value :: model
-      real(c_double), intent(in), value :: load
-      real(c_double), intent(in), value :: slip_rate      ! [length/time], signed
-      real(c_double), intent(in), value :: transition_rate ! [length/time], 1e-60 to 1e60
-      type(c_ptr), intent(in), value :: dforce_dload      ! receives a real(c_double) [-]; c_null_ptr: none
-      type(c_ptr), intent(in), value :: dforce_dslip_rate ! receives one [force time/length]; c_null_ptr: none
-      real(c_double) :: force
-    end function asperity_friction_force_at_slip_rate
-
-    ! The same as asperity_tangential_at_load.
-    function asperity_tangential_force_at_displacement(model, load, displacement, force, stiffness) result(status) bind(c)
-      import :: c_double, c_int32_t, c_ptr
-      type(c_ptr), intent(in), value :: model
-      real(c_double), intent(in), value :: load           ! [force]
-      real(c_double), intent(in), value :: displacement   ! [length]
-      type(c_ptr), intent(in), value :: force             ! receives a real(c_double) [force]; c_null_ptr: none
-      type(c_ptr), intent(in), value :: stiffness         ! receives a real(c_double) [force/length]; c_null_ptr: none
-      integer(c_int32_t) :: status
-    end function asperity_tangential_force_at_displacement
   end interface
 
   public :: asperity_abi_version, asperity_version, asperity_status_string, asperity_last_error
-  public :: asperity_params_init, asperity_params_init_sized, asperity_params_init_unset
-  public :: asperity_params_init_unset_sized, asperity_params_set_dimensionless
+  public :: asperity_params_set_dimensionless, asperity_params_set_elastic_plastic
   public :: asperity_params_set_materials, asperity_params_set_spectral_moments, asperity_params_set_nayak_summits
-  public :: asperity_params_set_skew, asperity_params_calibrate
+  public :: asperity_params_set_skew, asperity_params_calibrate, asperity_params_calibrate_force
   public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
   public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
   public :: asperity_interface, asperity_interface_name, asperity_params_set_interface
-  public :: asperity_create, asperity_set_params, asperity_get_params, asperity_get_params_sized, asperity_free
+  public :: asperity_create, asperity_set_params, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_state_at_load, asperity_state_at_separation, asperity_summary_of
   public :: asperity_sensitivities_at_load
@@ -903,8 +846,6 @@ module asperity
   public :: asperity_friction_at_pressures, asperity_shear_stresses_at_pressures, asperity_slip_forces
   public :: asperity_load_at_separation, asperity_load_and_slope_at_separation, asperity_loads_at_separations
   public :: asperity_friction_force_at_loads_of, asperity_load_table_of
-  public :: asperity_get_summary, asperity_get_table, asperity_get_material, asperity_get_pair, asperity_get_interface
-  public :: asperity_friction_force_at_slip_rate, asperity_tangential_force_at_displacement
   public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
   public :: asperity_microslip_length, asperity_microslip_step, asperity_microslip_steps
 
@@ -981,9 +922,7 @@ module asperity
     !                      through zero slip rate; it opposes the slip: give it the opposite sign on the body that slips
     !   dforce_dload       real(c_double), intent(out), optional [-]
     !   dforce_dslip_rate  real(c_double), intent(out), optional [force time/length]
-    ! friction_force_at_slip_rate is the same function.
     procedure, public :: slip_force => model_slip_force
-    procedure, public :: friction_force_at_slip_rate => model_slip_force
 
     ! stiffness = law%tangential_stiffness_at_load(load [, stat] [, errmsg])
     !   load       real(c_double), intent(in), rank 0 or 1 [force]
@@ -995,9 +934,7 @@ module asperity
     !   slope         real(c_double), intent(inout), optional [force/length]: d(force)/d(displacement)
     ! The force rises from stiffness times displacement to the friction force; it is odd in the displacement.
     generic, public :: tangential_stiffness_at_load => stiffness_rank_0, stiffness_rank_1
-    ! tangential_force_at_displacement is the same as tangential_at_load.
     procedure, public :: tangential_at_load => model_tangential_at_load
-    procedure, public :: tangential_force_at_displacement => model_tangential_at_load
 
     ! length = law%microslip_length()    the doubles in the state of a contact that remembers, all 0 when it has just closed
     ! call law%microslip_step(load, increment, before, after, out [, stat] [, errmsg])
@@ -1074,6 +1011,7 @@ module asperity
     module procedure set_by_name, set_by_names
   end interface asperity_params_set
 
+  public :: asperity_params_init, asperity_get_params
   public :: asperity_params_set, asperity_params_get, asperity_params_name_text
   public :: asperity_material_of, asperity_pair_of, asperity_material_name_text, asperity_pair_name_text
   public :: asperity_interface_of, asperity_interface_name_text
@@ -1101,20 +1039,13 @@ module asperity
 
 contains
 
-  ! The paper's default case: alpha .01, beta 1000, gamma .001, nu .3 in units b = G = 1, N = 1.
+  ! Defaults for all but the eight physical inputs, composite_modulus to asperity_count, which are NaN until they are set:
+  ! asperity_create names the first that was not, 'asperity_count: must be set'.
   function asperity_params_init(params) result(status)
     type(asperity_params), intent(out) :: params
     integer(c_int32_t) :: status
-    status = asperity_params_init_sized(params, int(c_sizeof(params), c_int64_t))
+    status = asperity_params_init_c(params, c_sizeof(params))
   end function asperity_params_init
-
-  ! For a surface of your own: the default case, but the eight physical inputs, composite_modulus to asperity_count, are
-  ! NaN. asperity_create names the first that was never set: 'asperity_count: must be set'.
-  function asperity_params_init_unset(params) result(status)
-    type(asperity_params), intent(out) :: params
-    integer(c_int32_t) :: status
-    status = asperity_params_init_unset_sized(params, int(c_sizeof(params), c_int64_t))
-  end function asperity_params_init_unset
 
   ! Parameters of a surface of your own, all that no default can stand for: name the arguments, and the compiler asks for
   ! the one that you forget. In one consistent system of units; heights and what else has a default are set afterwards.
@@ -1131,7 +1062,7 @@ contains
     character(*), intent(inout), optional :: errmsg
     type(asperity_params) :: params
     integer(c_int32_t) :: status
-    status = asperity_params_init_unset(params)
+    status = asperity_params_init(params)
     if (status == ASPERITY_OK) status = asperity_params_set_materials(params, E1, nu1, E2, nu2)
     params%work_of_adhesion = work_of_adhesion
     params%adhesion_range = adhesion_range
@@ -1194,11 +1125,7 @@ contains
   function asperity_params_name_text(index) result(text)
     integer, intent(in) :: index                          ! from 1
     character(:), allocatable :: text
-    type(c_ptr) :: name
-    text = ''
-    if (index < 1) return
-    name = asperity_params_name(int(index - 1, c_size_t))
-    if (c_associated(name)) text = fortran_text(name)
+    text = listed(asperity_params_name, index)
   end function asperity_params_name_text
 
   ! A material by its name, one of asperity_material_name_text: material = asperity_material_of('steel').
@@ -1318,9 +1245,10 @@ contains
   ! is changed or freed.
   function asperity_get_params(model, params) result(status)
     type(c_ptr), intent(in) :: model
-    type(asperity_params), intent(inout) :: params        ! untouched on failure
+    type(asperity_params), intent(inout) :: params        ! as it was on failure, but for its size
     integer(c_int32_t) :: status
-    status = asperity_get_params_sized(model, params, int(c_sizeof(params), c_int64_t))
+    params%struct_size = int(c_sizeof(params), c_int64_t)
+    status = asperity_get_params_c(model, params)
   end function asperity_get_params
 
   ! Stops the program with the message if a status is not ASPERITY_OK:
@@ -1334,13 +1262,9 @@ contains
   function asperity_error_message() result(message)
     character(:), allocatable :: message
     character(kind=c_char), target :: buffer(1024)
-    integer :: i, length
+    integer :: length
     length = int(asperity_last_error(c_loc(buffer), size(buffer, kind=c_size_t)))
-    length = min(length, size(buffer) - 1)
-    allocate(character(length) :: message)
-    do i = 1, length
-      message(i:i) = buffer(i)
-    end do
+    message = joined(buffer(:min(length, size(buffer) - 1)))
   end function asperity_error_message
 
   ! What a status means.
@@ -1355,14 +1279,11 @@ contains
     integer(c_int64_t), intent(in) :: warning
     character(:), allocatable :: text
     character(kind=c_char), allocatable, target :: buffer(:)
-    integer :: i, length
+    integer :: length
     length = int(asperity_warnings_text(warning, c_null_ptr, 0_c_size_t))
     allocate(buffer(length + 1))
     length = int(asperity_warnings_text(warning, c_loc(buffer), size(buffer, kind=c_size_t)))
-    allocate(character(length) :: text)
-    do i = 1, length
-      text(i:i) = buffer(i)
-    end do
+    text = joined(buffer(:length))
   end function asperity_warning_text
 
   ! The version of the library loaded, 'major.minor.patch'.
@@ -2011,16 +1932,22 @@ contains
     type(c_ptr), intent(in) :: text
     character(:), allocatable :: converted
     character(kind=c_char), pointer :: characters(:)
-    integer :: i, length
+    integer :: length
     call c_f_pointer(text, characters, [huge(0)])
     length = 0
     do while (iachar(characters(length + 1)) /= 0)
       length = length + 1
     end do
-    allocate(character(length) :: converted)
-    do i = 1, length
-      converted(i:i) = characters(i)
-    end do
+    converted = joined(characters(:length))
   end function fortran_text
+
+  pure function joined(characters) result(text)
+    character(kind=c_char), intent(in) :: characters(:)
+    character(size(characters)) :: text
+    integer :: i
+    do i = 1, size(characters)
+      text(i:i) = characters(i)
+    end do
+  end function joined
 
 end module asperity
