@@ -209,7 +209,7 @@ contains
     p%nominal_area = 1
     call law%create(p, stat, errmsg)
     call check('an area on which no surface has so few summits', stat == ASPERITY_OUT_OF_RANGE .and. &
-               index(errmsg, 'asperity_count/nominal_area = ') == 1)
+               index(errmsg, 'asperity_count/nominal_area') == 1)
     p%nominal_area = 1e-8_c_double
     call law%create(p)
   end subroutine refusals
