@@ -192,9 +192,9 @@
 #define ASPERITY_WARNING_ADHESIVE 32
 
 /**
- * Bit of `warnings`: the strength of the interface is the default, which was not measured on these surfaces. Set while slip
- * radii and stresses are the defaults and `pressure_coefficient` is 0. Never set if `asperity_count` is 1. With the default
- * the model predicts 1/200 to 36 times the measured friction: call `asperity_params_calibrate`.
+ * Bit of `warnings`: the strength of the interface is the default, which was not measured on these surfaces. Set while both
+ * slip stresses are the defaults, `pressure_coefficient` is 0 and nothing was calibrated. With the default the model predicts
+ * 1/200 to 36 times the measured friction: call `asperity_params_calibrate`.
  */
 #define ASPERITY_WARNING_UNCALIBRATED 64
 
