@@ -328,7 +328,7 @@ typedef struct asperity_params {
    */
   double kurtosis;
   /**
-   * H [stress], 1e-5 to 100 E*: indentation hardness of the softer body. 0, the default, means not known. Warnings
+   * H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body. 0, the default, means not known. Warnings
    * compare pressures with it; the friction of elastic summits does not depend on it, that of
    * `ASPERITY_CONTACT_ELASTIC_PLASTIC` does.
    */

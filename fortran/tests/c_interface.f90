@@ -113,6 +113,11 @@ contains
     call asperity_check(asperity_params_set_materials(p, E1, NU1, ieee_value(1.0_c_double, ieee_positive_inf), NU2))
     call check_close('a rigid body adds nothing to 1/E*', p%composite_modulus, E1 / (1 - NU1**2), 1e-14_c_double)
     call check_close('against a rigid body G* = 2 G1', p%effective_shear_modulus, 2 * g1, 1e-14_c_double)
+    call asperity_check(asperity_params_set_elastic_plastic(p, 1e9_c_double))
+    call check('summits that yield: law, hardness, no adhesion', p%contact_law == ASPERITY_CONTACT_ELASTIC_PLASTIC .and. &
+               all(identical([p%hardness, p%work_of_adhesion], [1e9_c_double, 0.0_c_double])))
+    call check('... not without a hardness', &
+               asperity_params_set_elastic_plastic(p, 0.0_c_double) == ASPERITY_INVALID_PARAMETER)
   end subroutine material_parameters
 
   subroutine spectral_moments

@@ -1,7 +1,7 @@
 //! The committed header is what the sources generate, and every dialect of C and C++ takes it.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Set to write the header instead of comparing it: `make header`.
 const WRITE: &str = "ASPERITY_WRITE_HEADER";
@@ -29,13 +29,10 @@ const GROUPS: [(&str, &[&str]); 6] = [
 /// Files that have constants and types alone, which come before all functions.
 const CONSTANTS: [&str; 2] = ["version", "status"];
 
-fn capi(file: &str) -> PathBuf {
-    root().join(format!("src/capi/{file}.rs"))
-}
-
-/// The header, with a heading before the first function of each group.
-fn generated() -> String {
-    let config = cbindgen::Config::from_file(root().join("cbindgen.toml")).expect("cbindgen.toml");
+/// The header of a tree, with a heading before the first function of each group.
+pub fn generated(root: &Path) -> String {
+    let config = cbindgen::Config::from_file(root.join("cbindgen.toml")).expect("cbindgen.toml");
+    let capi = |file: &str| -> PathBuf { root.join(format!("src/capi/{file}.rs")) };
     let files = CONSTANTS.iter().chain(GROUPS.iter().flat_map(|(_, files)| *files));
     let builder = files.fold(cbindgen::Builder::new(), |builder, file| builder.with_src(capi(file)));
     let mut header = Vec::new();
@@ -56,7 +53,7 @@ fn generated() -> String {
 #[test]
 fn committed_header_is_what_the_sources_generate() {
     let path = root().join("include/asperity.h");
-    let generated = generated();
+    let generated = generated(root());
     if std::env::var_os(WRITE).is_some() {
         std::fs::write(&path, &generated).expect("include/asperity.h");
         return;
