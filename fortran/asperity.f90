@@ -739,6 +739,28 @@ module asperity
       integer(c_int32_t) :: asperity_tangential_at_load
     end function asperity_tangential_at_load
 
+    ! Returns the sum of the radii of all contacts at a load, from which follows the thermal or electrical contact
+    ! conductance
+    pure function asperity_contact_radius_sum_at_load(model, load) bind(c)
+      import
+      type(c_ptr), intent(in), value :: model       ! a model
+      real(c_double), intent(in), value :: load     ! normal load [force]
+      real(c_double) :: asperity_contact_radius_sum_at_load
+    end function asperity_contact_radius_sum_at_load
+
+    ! Computes the sums of contact radii at many loads, and their slopes; filled and reported as by
+    ! asperity_friction_at_loads
+    function asperity_contact_radius_sum_at_loads(model, n, load, sum, dsum_dload) bind(c)
+      import
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n     ! number of loads; may be 0
+      type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
+      type(c_ptr), intent(in), value :: sum         ! real(c_double): receives n sums [length]; c_null_ptr to skip; may
+                                                    ! be load itself
+      type(c_ptr), intent(in), value :: dsum_dload  ! real(c_double): receives n slopes d(sum)/d(load) [length/force]
+      integer(c_int32_t) :: asperity_contact_radius_sum_at_loads
+    end function asperity_contact_radius_sum_at_loads
+
     ! How many doubles the state of one contact takes; today 32, the same for all models
     function asperity_microslip_length(model) bind(c)
       import
@@ -973,13 +995,13 @@ module asperity
   public :: asperity_friction_force_and_slope_at_load, asperity_friction_at_pressure, asperity_shear_stress_at_pressure
   public :: asperity_slip_force, asperity_friction_at_pressures, asperity_shear_stresses_at_pressures
   public :: asperity_slip_forces, asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
-  public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_microslip_length
-  public :: asperity_microslip_step, asperity_microslip_steps, asperity_load_at_separation
-  public :: asperity_load_and_slope_at_separation, asperity_loads_at_separations, asperity_summits_at_overlaps
-  public :: asperity_state_at_load, asperity_state_at_separation, asperity_summary_of, asperity_sensitivities_at_load
-  public :: asperity_check_loads, asperity_warning_string, asperity_warning_loads, asperity_warnings_text
-  public :: asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of
-  public :: asperity_load_table_of
+  public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_contact_radius_sum_at_load
+  public :: asperity_contact_radius_sum_at_loads, asperity_microslip_length, asperity_microslip_step
+  public :: asperity_microslip_steps, asperity_load_at_separation, asperity_load_and_slope_at_separation
+  public :: asperity_loads_at_separations, asperity_summits_at_overlaps, asperity_state_at_load
+  public :: asperity_state_at_separation, asperity_summary_of, asperity_sensitivities_at_load, asperity_check_loads
+  public :: asperity_warning_string, asperity_warning_loads, asperity_warnings_text, asperity_last_error
+  public :: asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of, asperity_load_table_of
   ! end of interface
 
   ! ---- The Fortran interface ----

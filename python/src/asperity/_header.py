@@ -81,6 +81,9 @@ class asperity_params(Structure):
         ("slip_onset", c_int32),
         ("pressure_coefficient", c_double),
         ("bandwidth", c_double),
+        ("calibration_load", c_double),
+        ("calibration_friction_force", c_double),
+        ("calibration_error", c_double),
     ]
 
 
@@ -248,12 +251,10 @@ _table = POINTER(asperity_table)
 
 # name: (what it returns, what it takes)
 PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
-    "asperity_params_init": (c_int32, [_params]),
-    "asperity_params_init_sized": (c_int32, [_params, c_uint64]),
-    "asperity_params_init_unset": (c_int32, [_params]),
-    "asperity_params_init_unset_sized": (c_int32, [_params, c_uint64]),
+    "asperity_params_init": (c_int32, [_params, c_size_t]),
     "asperity_params_set_dimensionless": (c_int32, [_params, c_double, c_double, c_double, c_double, c_double]),
     "asperity_params_set_materials": (c_int32, [_params, c_double, c_double, c_double, c_double]),
+    "asperity_params_set_elastic_plastic": (c_int32, [_params, c_double]),
     "asperity_params_set_spectral_moments": (c_int32, [_params, c_double, c_double, c_double, c_double]),
     "asperity_params_set_nayak_summits": (c_int32, [_params, c_double, c_double, c_double, c_double]),
     "asperity_params_set_skew": (c_int32, [_params, c_double]),
@@ -270,10 +271,10 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_interface_name": (c_char_p, [c_size_t]),
     "asperity_params_set_interface": (c_int32, [_params, c_char_p]),
     "asperity_params_calibrate": (c_int32, [_params, c_double, c_double]),
+    "asperity_params_calibrate_force": (c_int32, [_params, c_double, c_double]),
     "asperity_create": (c_int32, [_params, POINTER(_model)]),
     "asperity_set_params": (c_int32, [_model, _params]),
     "asperity_get_params": (c_int32, [_model, _params]),
-    "asperity_get_params_sized": (c_int32, [_model, _params, c_uint64]),
     "asperity_free": (None, [_model]),
     "asperity_friction_at_load": (c_double, [_model, c_double]),
     "asperity_friction_force_at_load": (c_double, [_model, c_double]),
@@ -294,6 +295,8 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_tangential_stiffness_at_load": (c_double, [_model, c_double]),
     "asperity_tangential_stiffness_at_loads": (c_int32, [_model, c_size_t, _double, _double]),
     "asperity_tangential_at_load": (c_int32, [_model, c_double, c_double, _double, _double]),
+    "asperity_contact_radius_sum_at_load": (c_double, [_model, c_double]),
+    "asperity_contact_radius_sum_at_loads": (c_int32, [_model, c_size_t, _double, _double, _double]),
     "asperity_microslip_length": (c_size_t, [_model]),
     "asperity_microslip_step": (c_int32, [_model, c_double, _double, _double, _double, _microslip]),
     "asperity_microslip_steps": (c_int32, [_model, c_size_t, _double, _double, _double, _double, _double, _double]),
@@ -315,13 +318,6 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_version": (c_char_p, []),
     "asperity_table_of": (c_int32, [_model, _table]),
     "asperity_load_table_of": (c_int32, [_model, _table]),
-    "asperity_get_summary": (c_int32, [_model, _summary]),
-    "asperity_get_table": (c_int32, [_model, _table]),
-    "asperity_get_material": (c_int32, [c_char_p, _material]),
-    "asperity_get_pair": (c_int32, [c_char_p, _pair]),
-    "asperity_get_interface": (c_int32, [c_char_p, _interface]),
-    "asperity_friction_force_at_slip_rate": (c_double, [_model, c_double, c_double, c_double, _double, _double]),
-    "asperity_tangential_force_at_displacement": (c_int32, [_model, c_double, c_double, _double, _double]),
 }
 
 # The words of parameters that are one of several constants.
@@ -354,6 +350,8 @@ UNITS = {
     "hardness": "stress",
     "tangential_modulus": "stress",
     "nominal_area": "length^2",
+    "calibration_load": "force",
+    "calibration_friction_force": "force",
     "load": "force",
     "separation": "length",
     "friction_force": "force",

@@ -34,8 +34,8 @@ class Warnings(IntFlag):
         ADHESIVE: adhesion presses the surfaces together with more than the load. Set if `hertz_load` is more than twice
             the load. Never set if `asperity_count` is 1, as for single summits.
         UNCALIBRATED: the strength of the interface is the default, which was not measured on these surfaces. Set while
-            slip radii and stresses are the defaults and `pressure_coefficient` is 0. Never set if `asperity_count` is
-            1. With the default the model predicts 1/200 to 36 times the measured friction.
+            both slip stresses are the defaults, `pressure_coefficient` is 0 and nothing was calibrated. With the
+            default the model predicts 1/200 to 36 times the measured friction.
         BROAD: the surface is rough on so many scales that summits stand on summits. Set if Nayak's bandwidth is above
             6: the `bandwidth` given, or that of this many summits on `nominal_area`.
         STRONG: the interface is stronger than the softer body, which shears at H/(3 sqrt 3). Set if the slip stress at
