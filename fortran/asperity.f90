@@ -1091,6 +1091,13 @@ module asperity
     generic, public :: tangential_stiffness_at_load => stiffness_rank_0, stiffness_rank_1
     procedure, public :: tangential_at_load => model_tangential_at_load
 
+    ! total = law%contact_radius_sum_at_load(load [, slope] [, stat] [, errmsg])
+    !   load   real(c_double), intent(in), rank 0 or 1 [force]
+    !   total  real(c_double), of the shape of load [length]: sum of the radii of all contacts; 0 below pull-off. The thermal or
+    !          electrical conductance of independent contacts is 2 k times it. Errors as for friction_at_load
+    !   slope  real(c_double), intent(out), optional, of the shape of load: d(total)/d(load) [length/force]
+    generic, public :: contact_radius_sum_at_load => radius_sum_rank_0, radius_sum_rank_1
+
     ! length = law%microslip_length()    the doubles in the state of a contact that remembers, all 0 when it has just closed
     ! call law%microslip_step(load, increment, before, after, out [, stat] [, errmsg])
     !   increment  real(c_double), intent(in), (2) [length]: the displacement since before, along both directions
@@ -1159,6 +1166,7 @@ module asperity
     procedure, private :: friction_rank_0, friction_rank_1, friction_rank_2, friction_rank_3
     procedure, private :: force_rank_0, force_rank_1, force_rank_2, force_rank_3
     procedure, private :: stiffness_rank_0, stiffness_rank_1
+    procedure, private :: radius_sum_rank_0, radius_sum_rank_1
     final :: finalise_model
   end type friction_model
 
@@ -1809,6 +1817,33 @@ contains
     call evaluate(stiffnesses, self, size(load, kind=c_size_t), address(load), address(stiffness), c_null_ptr, &
                   stat, errmsg)
   end function stiffness_rank_1
+
+  function radius_sum_rank_0(self, load, slope, stat, errmsg) result(total)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), target :: load
+    real(c_double), intent(out), optional, target :: slope
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: total
+    if (owns(self) .and. .not. present(slope) .and. .not. present(stat)) then
+      total = asperity_contact_radius_sum_at_load(self%handle, load)
+      if (.not. is_nan(total)) return
+    end if
+    call evaluate(asperity_contact_radius_sum_at_loads, self, 1_c_size_t, c_loc(load), c_loc(total), scalar_address(slope), &
+                  stat, errmsg, tells_open=.true.)
+  end function radius_sum_rank_0
+
+  function radius_sum_rank_1(self, load, slope, stat, errmsg) result(total)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), contiguous, target :: load(:)
+    real(c_double), intent(out), optional, contiguous, target :: slope(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: total(size(load))
+    if (present(slope)) call require_same_shape(shape(load), shape(slope))
+    call evaluate(asperity_contact_radius_sum_at_loads, self, size(load, kind=c_size_t), address(load), address(total), &
+                  address(slope), stat, errmsg)
+  end function radius_sum_rank_1
 
   ! The stiffness has no slope.
   function stiffnesses(model, n, load, value, slope) result(status) bind(c, name='')

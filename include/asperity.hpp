@@ -931,6 +931,37 @@ public:
         return stiffness;
     }
 
+    /// Sum of the radii of all contacts [length] at a normal load [force]: the thermal or electrical conductance of independent
+    /// contacts is 2 k times it, with k = 2 k1 k2/(k1 + k2) of the conductivities of both bodies.
+    ///
+    /// Positive down to pull-off; 0 below and, without adhesion, at zero load; a quiet NaN for a NaN or infinite load.
+    double contact_radius_sum_at_load(double load) const {
+        return asperity_contact_radius_sum_at_load(open(), load);
+    }
+
+    /// Sums of contact radii at many loads, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as contact_radius_sum_at_load gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param loads       normal loads [force]
+    /// @param sum         receives as many sums [length]; may be `loads` itself
+    /// @param dsum_dload  receives as many slopes [length/force]; none by default
+    /// @return as for coefficients
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    [[nodiscard]] Status contact_radius_sum_at_load(Span<const double> loads, Span<double> sum, Span<double> dsum_dload = {}) const {
+        return many(asperity_contact_radius_sum_at_loads, loads, sum, dsum_dload);
+    }
+
+    /// Sums of contact radii [length] at many loads.
+    ///
+    /// 0 below pull-off, where the contact is open. Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_OUT_OF_RANGE) that names
+    /// the first load that is NaN, infinite or too heavy to be evaluated.
+    std::vector<double> contact_radius_sum_at_load(Span<const double> loads) const {
+        std::vector<double> sum(loads.size());
+        answered(asperity_contact_radius_sum_at_loads, loads, sum, {});
+        return sum;
+    }
+
     /// The tangential force T [force] at a load and a displacement [length], and dT/d(displacement) [force/length], exact.
     ///
     /// T rises from K_t times the displacement to the friction force: small contacts slip first. It is an odd function of

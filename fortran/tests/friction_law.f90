@@ -241,6 +241,33 @@ contains
     call check('so is a load that is', stat == ASPERITY_INVALID_LOAD .and. ieee_is_nan(force))
   end subroutine sliding
 
+  ! K_t is 8 G^ times the sum of the radii, with G^ = E* G*/(2 (E* + G*)) of two bodies alike.
+  subroutine radius_sums
+    type(friction_model) :: law, missing
+    type(asperity_params) :: p
+    type(asperity_state) :: state
+    real(c_double) :: load(4), total(4), slope(4), one, modulus
+    integer :: i, stat
+    p = paper_case()
+    modulus = p%composite_modulus * p%effective_shear_modulus / (2 * (p%composite_modulus + p%effective_shear_modulus))
+    call law%create(p)
+    load = 3.0_c_double + 0.003_c_double * [-2, -1, 1, 2]
+    total = law%contact_radius_sum_at_load(load, slope)
+    do i = 1, 4
+      call check_close('the sum of the radii is K_t/(8 G^)', total(i), &
+                       law%tangential_stiffness_at_load(load(i)) / (8 * modulus), 1e-12_c_double)
+      call check('rank 0 is as rank 1', identical(law%contact_radius_sum_at_load(load(i)), total(i)))
+      call law%state_at_load(load(i), state)
+      call check_close('... and as the state', total(i), state%contact_radius_sum, 1e-9_c_double)
+    end do
+    one = law%contact_radius_sum_at_load(3.0_c_double, slope(1), stat)
+    call check_close('its slope is the secant', slope(1), difference(total, 0.003_c_double), 1e-6_c_double)
+    one = law%contact_radius_sum_at_load(-1e9_c_double, stat=stat)
+    call check('an open contact tells', stat == ASPERITY_SEPARATED .and. identical(one, 0.0_c_double))
+    one = missing%contact_radius_sum_at_load(1.0_c_double, stat=stat)
+    call check('a law that was never created has none', stat == ASPERITY_NULL_POINTER .and. ieee_is_nan(one))
+  end subroutine radius_sums
+
   ! A contact that remembers, alone and with an open one.
   subroutine remembering
     real(c_double), parameter :: P(2) = [3.0_c_double, -1e9_c_double]
@@ -327,6 +354,7 @@ contains
     call check('a load that is NaN has none', stat == ASPERITY_INVALID_LOAD .and. ieee_is_nan(slope))
     slope = missing%tangential_stiffness_at_load(1.0_c_double, stat)
     call check('nor has a law that was never created', stat == ASPERITY_NULL_POINTER .and. ieee_is_nan(slope))
+    call radius_sums
     call remembering
     params = paper_case()
     params%contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC

@@ -394,6 +394,8 @@ void a_model_that_was_moved_from_says_so() {
         [&] { first.friction_at_load(loads); },
         [&] { first.friction_force_and_slope_at_load(loads); },
         [&] { first.tangential_stiffness_at_load(1.0); },
+        [&] { first.contact_radius_sum_at_load(1.0); },
+        [&] { (void)first.contact_radius_sum_at_load(loads, out); },
         [&] { first.tangential_stiffness_at_load(loads); },
         [&] { first.tangential_at_load(1.0, 1.0); },
         [&] { first.state_at_load(1.0); },
@@ -610,6 +612,22 @@ void contacts_stick_before_they_slip() {
     EXPECT(model.tangential_stiffness_at_load(loads, into) == ASPERITY_SEPARATED && into == many);
     std::vector<double> few(2);
     EXPECT(thrown_by([&] { (void)model.tangential_stiffness_at_load(loads, few); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
+void the_sum_of_contact_radii_is_the_stiffness_over_8_moduli() {
+    const Params params = Params::paper();
+    const Model model(params);
+    const double E = params.composite_modulus(), G = params.effective_shear_modulus();
+    const double modulus = E * G / (2.0 * (E + G)); // of two bodies alike
+    const double sum = model.contact_radius_sum_at_load(REFERENCE_LOAD);
+    EXPECT(close(sum, model.tangential_stiffness_at_load(REFERENCE_LOAD) / (8.0 * modulus), 1e-12));
+    EXPECT(close(sum, model.state_at_load(REFERENCE_LOAD).contact_radius_sum, 1e-9));
+    const std::vector<double> loads{0.999 * REFERENCE_LOAD, REFERENCE_LOAD, 1.001 * REFERENCE_LOAD};
+    const std::vector<double> sums = model.contact_radius_sum_at_load(loads);
+    std::vector<double> into(3), slopes(3);
+    EXPECT(model.contact_radius_sum_at_load(loads, into, slopes) == ASPERITY_OK && into == sums && sums[1] == sum);
+    EXPECT(close(slopes[1], (sums[2] - sums[0]) / (loads[2] - loads[0]), 1e-6));
+    EXPECT(std::isnan(model.contact_radius_sum_at_load(INF)));
 }
 
 void a_contact_remembers() {
@@ -903,6 +921,7 @@ int main() {
     pressure_is_load_per_area_of_the_summits();
     slip_gives_the_force_a_smooth_sign();
     contacts_stick_before_they_slip();
+    the_sum_of_contact_radii_is_the_stiffness_over_8_moduli();
     a_contact_remembers();
     a_gap_has_a_load();
     batches_have_the_answers_of_one_contact();
