@@ -15,7 +15,7 @@
 static inline asperity_status set_surface(asperity_params *params, double nominal_area) {
     const double rms_height = 9.8e-9, rms_slope = 0.060, bandwidth = 10;
     const double m0 = rms_height * rms_height, m2 = rms_slope * rms_slope / 2, m4 = bandwidth * m2 * m2 / m0;
-    asperity_status status = asperity_params_init(params);
+    asperity_status status = asperity_params_init(params, sizeof *params);
     if (status == ASPERITY_OK) status = asperity_params_set_materials(params, 493e9, 0.25, 493e9, 0.25);
     if (status == ASPERITY_OK) status = asperity_params_set_spectral_moments(params, m0, m2, m4, nominal_area);
     if (status != ASPERITY_OK) return status;

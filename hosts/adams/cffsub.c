@@ -29,7 +29,7 @@ static void stop(int contact, const char *message) {
 
 static asperity_status make(const double *values, asperity_model **model) {
     asperity_params params;
-    asperity_status status = asperity_params_init(&params);
+    asperity_status status = asperity_params_init(&params, sizeof params);
     for (int i = 0; i < COUNT && status == ASPERITY_OK; i++)
         status = asperity_params_set_value(&params, NAMES[i], values[i]);
     return status == ASPERITY_OK ? asperity_create(&params, model) : status;

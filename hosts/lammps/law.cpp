@@ -140,7 +140,7 @@ void Law::make_model(const std::vector<std::string> &names, const std::vector<do
     std::vector<const char *> pointers;
     for (const std::string &name : names) pointers.push_back(name.c_str());
     asperity_params params;
-    demand(asperity_params_init_unset(&params));
+    demand(asperity_params_init(&params, sizeof params));
     params.nominal_area = 1;
     demand(asperity_params_set_values(&params, names.size(), pointers.data(), values.data()));
     if (params.nominal_area > 0) params.asperity_count /= params.nominal_area;

@@ -125,7 +125,7 @@ static void read_params(const mjModel *m, int instance, asperity_params *params)
     const char *names[MOST_NAMES];
     double values[MOST_NAMES];
     size_t count = 0;
-    asperity_params_init_unset(params);
+    asperity_params_init(params, sizeof *params);
     for (size_t i = 0; count < MOST_NAMES && (i < MADE || asperity_params_name(i - MADE)); i++) {
         const char *name = i < MADE ? OTHER_NAMES[i] : asperity_params_name(i - MADE);
         const char *text = mj_getPluginConfig(m, instance, name);

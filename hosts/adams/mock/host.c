@@ -149,7 +149,7 @@ int main(void) {
     set_contact(&carbon, 1, &params);
     params.height_std *= 2;
     params.pressure_coefficient = 0.05;
-    if (asperity_params_calibrate(&params, 100, 20) != ASPERITY_OK) fail("no calibrated surface");
+    if (asperity_params_calibrate(&params, 100, 0.2) != ASPERITY_OK) fail("no calibrated surface");
     if (asperity_create(&params, &other_model) != ASPERITY_OK) fail("no second surface");
     set_contact(&rougher, 2, &params);
 

@@ -43,7 +43,7 @@ static inline void *asperity_modelica_create(double E1, double nu1, double E2, d
     asperity_model *model = NULL;
     asperity_modelica_law *law;
 
-    asperity_modelica_check(asperity_params_init(&params));
+    asperity_modelica_check(asperity_params_init(&params, sizeof params));
     asperity_modelica_check(asperity_params_set_materials(&params, E1, nu1, E2, nu2));
     params.work_of_adhesion = w;
     params.adhesion_range = h;
