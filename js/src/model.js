@@ -141,7 +141,7 @@ export class Model {
 
   /**
    * The tangential force [force] at a load and a displacement, and its slope by displacement [force/length], by integration
-   * over the summits. `tangentialForceAtDisplacement` is the same.
+   * over the summits.
    * @param {number} load normal load [force]
    * @param {number} displacement of the surfaces along each other [length]
    */
@@ -149,15 +149,6 @@ export class Model {
     const { out } = this.library;
     this.library.run("tangential_at_load", this.#open, load, displacement, out, out + 8);
     return { force: this.library.data().getFloat64(out, true), stiffness: this.library.data().getFloat64(out + 8, true) };
-  }
-
-  /**
-   * The same as `tangentialAtLoad`.
-   * @param {number} load normal load [force]
-   * @param {number} displacement of the surfaces along each other [length]
-   */
-  tangentialForceAtDisplacement(load, displacement) {
-    return this.tangentialAtLoad(load, displacement);
   }
 
   /**

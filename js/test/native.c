@@ -47,7 +47,7 @@ static asperity_model *made(char *line) {
     }
     asperity_params params;
     asperity_model *model = NULL;
-    asperity_params_init_unset(&params);
+    asperity_params_init(&params, sizeof params);
     if (asperity_params_set_values(&params, count, names, values) != ASPERITY_OK ||
         asperity_create(&params, &model) != ASPERITY_OK)
         print_refused();
@@ -125,7 +125,7 @@ static void print_params(const asperity_params *params) {
 
 static void answer_contact(char *line) {
     asperity_params params;
-    asperity_params_init_unset(&params);
+    asperity_params_init(&params, sizeof params);
     const char *name = strtok(line, " ");
     if (asperity_params_set_pair(&params, name) != ASPERITY_OK) {
         print_refused();
@@ -147,7 +147,7 @@ static void answer_nayak(char *line) {
     for (int i = 0; i < 4; ++i)
         values[i] = strtod(line, &line);
     asperity_params params;
-    asperity_params_init_unset(&params);
+    asperity_params_init(&params, sizeof params);
     if (asperity_params_set_nayak_summits(&params, values[0], values[1], values[2], values[3]) != ASPERITY_OK)
         print_refused();
     else
