@@ -87,7 +87,7 @@ pub struct asperity_params {
     /// Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0 is
     /// Gaussian. Other `height_distribution`s refuse any other value.
     pub kurtosis: f64,
-    /// H [stress], 1e-5 to 100 E*: indentation hardness of the softer body. 0, the default, means not known. Warnings
+    /// H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body. 0, the default, means not known. Warnings
     /// compare pressures with it; the friction of elastic summits does not depend on it, that of
     /// `ASPERITY_CONTACT_ELASTIC_PLASTIC` does.
     pub hardness: f64,
