@@ -120,6 +120,27 @@ export class Model {
   }
 
   /**
+   * Sum of the radii of all contacts [length] at a load, or at many: the conductance of the contacts, thermal or electrical, is 2 k
+   * times it, with 1/k the mean of both bodies' 1/conductivity.
+   * @template {number | Loads} T
+   * @param {T} load normal load [force]
+   * @returns {T extends number ? number : Float64Array}
+   */
+  contactRadiusSumAtLoad(load) {
+    return this.#values("contact_radius_sum_at_loads", load);
+  }
+
+  /**
+   * Sum of the radii of all contacts and its slope by the load [length/force].
+   * @template {number | Loads} T
+   * @param {T} load normal load [force]
+   * @returns {{ value: T extends number ? number : Float64Array, slope: T extends number ? number : Float64Array }}
+   */
+  contactRadiusSumAndSlopeAtLoad(load) {
+    return this.#valuesAndSlopes("contact_radius_sum_at_loads", load);
+  }
+
+  /**
    * Normal load at a separation of the mean planes, or at many: 0 at pull-off and beyond.
    * @template {number | Loads} T
    * @param {T} separation of the flat from the mean of the summit heights [length]

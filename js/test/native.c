@@ -1,7 +1,7 @@
 /* What the native library answers, bit by bit, to the questions on standard input.
  *
  *   surface NAME=VALUE ...    a model, the values with 17 digits
- *   load VALUE                friction, slope, force, slope, stiffness; the state; the sensitivities; one line of 64-bit numbers
+ *   load VALUE                friction, slope, force, slope, stiffness, sum of contact radii, slope; the state; the sensitivities; one line of 64-bit numbers
  *   check LIGHTEST HEAVIEST   the warnings between the two
  *   materials, pairs, interfaces
  *                             a line for each: name, reference and the numbers, with tabs between
@@ -57,18 +57,19 @@ static asperity_model *made(char *line) {
 }
 
 static void answer_load(const asperity_model *model, double load) {
-    double batch[5];
+    double batch[7];
     asperity_state state = {.struct_size = sizeof state};
     asperity_sensitivities sensitivities = {.struct_size = sizeof sensitivities};
     asperity_friction_at_loads(model, 1, &load, &batch[0], &batch[1]);
     asperity_friction_force_at_loads(model, 1, &load, &batch[2], &batch[3]);
     batch[4] = asperity_tangential_stiffness_at_load(model, load);
+    asperity_contact_radius_sum_at_loads(model, 1, &load, &batch[5], &batch[6]);
     if (asperity_state_at_load(model, load, &state) != ASPERITY_OK ||
         asperity_sensitivities_at_load(model, load, &sensitivities) != ASPERITY_OK) {
         print_refused();
         return;
     }
-    print_bits(batch, 5);
+    print_bits(batch, 7);
     print_bits((char *)&state + 8, sizeof state / 8 - 1);
     print_bits((char *)&sensitivities + 8, sizeof sensitivities / 8 - 1);
     putchar('\n');

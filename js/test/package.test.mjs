@@ -43,8 +43,9 @@ for (const [name, params] of Object.entries(surfaces)) {
     const friction = model.frictionAndSlopeAtLoad(loads);
     const force = model.frictionForceAndSlopeAtLoad(loads);
     const stiffness = model.tangentialStiffnessAtLoad(loads);
+    const radii = model.contactRadiusSumAndSlopeAtLoad(loads);
     loads.forEach((load, i) => {
-      const numbers = [friction.value[i], friction.slope[i], force.value[i], force.slope[i], stiffness[i]];
+      const numbers = [friction.value[i], friction.slope[i], force.value[i], force.slope[i], stiffness[i], radii.value[i], radii.slope[i]];
       const { warnings, ...state } = model.stateAtLoad(load);
       const ours = [...numbers, ...Object.values(state), ...Object.values(model.sensitivitiesAtLoad(load))].map(bits);
       ours.splice(numbers.length + Object.keys(model.stateAtLoad(load)).indexOf("warnings"), 0, BigInt(warnings));
@@ -264,6 +265,11 @@ test("the tangential force starts with the stiffness and ends at the friction fo
   const start = model.tangentialAtLoad(1e-3, 1e-15);
   assert.ok(Math.abs(start.stiffness / model.tangentialStiffnessAtLoad(1e-3) - 1) < 1e-6);
   assert.ok(Math.abs(model.tangentialAtLoad(1e-3, 1e-3).force / model.frictionForceAtLoad(1e-3) - 1) < 1e-9);
+});
+
+test("the sum of contact radii is that of the exact state", () => {
+  const model = new Model(silicon);
+  assert.ok(Math.abs(model.contactRadiusSumAtLoad(1e-3) / model.stateAtLoad(1e-3).contact_radius_sum - 1) < 1e-8);
 });
 
 test("a model that was freed says so, and can be freed again", () => {
