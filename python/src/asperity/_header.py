@@ -88,6 +88,9 @@ class asperity_params(Structure):
         ("slip_onset", c_int32),
         ("pressure_coefficient", c_double),
         ("bandwidth", c_double),
+        ("calibration_load", c_double),
+        ("calibration_friction_force", c_double),
+        ("calibration_error", c_double),
     ]
 
 
@@ -256,10 +259,7 @@ _doubles = POINTER(c_double)
 
 # name: (what it returns, what it takes)
 PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
-    "asperity_params_init": (asperity_status, [_params]),
-    "asperity_params_init_sized": (asperity_status, [_params, c_uint64]),
-    "asperity_params_init_unset": (asperity_status, [_params]),
-    "asperity_params_init_unset_sized": (asperity_status, [_params, c_uint64]),
+    "asperity_params_init": (asperity_status, [_params, c_size_t]),
     "asperity_params_set_dimensionless": (asperity_status, [_params, *5 * [c_double]]),
     "asperity_params_set_materials": (asperity_status, [_params, *4 * [c_double]]),
     "asperity_params_set_spectral_moments": (asperity_status, [_params, *4 * [c_double]]),
@@ -278,10 +278,11 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_interface_name": (c_char_p, [c_size_t]),
     "asperity_params_set_interface": (asperity_status, [_params, c_char_p]),
     "asperity_params_calibrate": (asperity_status, [_params, c_double, c_double]),
+    "asperity_params_calibrate_force": (asperity_status, [_params, c_double, c_double]),
+    "asperity_params_set_elastic_plastic": (asperity_status, [_params, c_double]),
     "asperity_create": (asperity_status, [_params, POINTER(_model)]),
     "asperity_set_params": (asperity_status, [_model, _params]),
     "asperity_get_params": (asperity_status, [_model, _params]),
-    "asperity_get_params_sized": (asperity_status, [_model, _params, c_uint64]),
     "asperity_free": (None, [_model]),
     "asperity_friction_at_load": (c_double, [_model, c_double]),
     "asperity_friction_force_at_load": (c_double, [_model, c_double]),
@@ -323,11 +324,4 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_version": (c_char_p, []),
     "asperity_table_of": (asperity_status, [_model, _table]),
     "asperity_load_table_of": (asperity_status, [_model, _table]),
-    "asperity_get_summary": (asperity_status, [_model, _summary]),
-    "asperity_get_table": (asperity_status, [_model, _table]),
-    "asperity_get_material": (asperity_status, [c_char_p, _material]),
-    "asperity_get_pair": (asperity_status, [c_char_p, _pair]),
-    "asperity_get_interface": (asperity_status, [c_char_p, _interface]),
-    "asperity_friction_force_at_slip_rate": (c_double, [_model, c_double, c_double, c_double, _doubles, _doubles]),
-    "asperity_tangential_force_at_displacement": (asperity_status, [_model, c_double, c_double, _doubles, _doubles]),
 }

@@ -68,12 +68,6 @@ class Comparison:
         return max(zip(self.readings, self.residuals()), key=lambda pair: max(map(abs, pair[1])))
 
 
-def calibrated(params: Params, load: float, friction_force: float) -> Params:
-    """With both slip stresses scaled, so that the friction force at a load is the measured one."""
-    scale = friction_force / Model(params).state_at_load(load).friction_force
-    return params.replace(slip_stress_1=scale * params.slip_stress_1, slip_stress_2=scale * params.slip_stress_2)
-
-
 def one_summit(first: Material, second: Material, radius: float) -> Params:
     """A smooth ball on a flat without adhesion."""
     burgers_vector = max(first.need("burgers_vector"), second.need("burgers_vector"))

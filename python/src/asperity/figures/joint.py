@@ -84,7 +84,7 @@ def contact() -> Model:
     params = Params.si(
         **steel, height_std=0.4e-6, summit_radius=20e-6, summit_density=5e9, nominal_area=1.0, contact_law="elastic-plastic"
     )
-    return Model(params.calibrated(load=CALIBRATION_PRESSURE, mu=FRICTION_COEFFICIENT))
+    return Model(params.calibrated(CALIBRATION_PRESSURE, FRICTION_COEFFICIENT))
 
 
 def pressures() -> Array:
