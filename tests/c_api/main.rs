@@ -16,5 +16,6 @@ mod pointers;
 mod pressure_and_slip;
 #[cfg(not(miri))]
 mod programs;
+mod refusals;
 mod robustness;
 mod tangential;
