@@ -261,7 +261,7 @@ def test_an_interface_is_taken_by_its_name(surface_file: SurfaceFile) -> None:
     assert found == plain.with_interface("KCl film on iron in vacuum") and found.pressure_coefficient == 0.14
     # A measured point scales the strength, and kappa is that of the interface.
     point = "calibration_load = 1e-3\ncalibration_friction_coefficient = 0.4\n"
-    assert Params.from_toml(surface_file(point + named + WHOLE)) == found.calibrated(load=1e-3, mu=0.4)
+    assert Params.from_toml(surface_file(point + named + WHOLE)) == found.calibrated(1e-3, 0.4)
     for text, message in (
         (named + "slip_stress_1 = 0.01\n", "slip_stress_1: interface sets it already, leave one out"),
         ('interface = "KCl"\n', "KCl: no interface has this name; the nearest is "),

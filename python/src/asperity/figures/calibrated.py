@@ -108,7 +108,7 @@ def film_law(loads: Array) -> Array:
     lightest = float(FILM_LOADS[0])
     at_lightest = float(film_measured(FILM_LOADS[:1])[0][0])
     params = one_summit(MATERIALS["steel"], MATERIALS["steel"], _BALL_RADIUS)
-    return _coefficients(calibrated(params, lightest, at_lightest * lightest), loads)
+    return _coefficients(params.calibrated(lightest, at_lightest), loads)
 
 
 def _coefficients(params: Params, loads: Array) -> Array:
