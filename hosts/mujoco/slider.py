@@ -183,7 +183,7 @@ def check_measured_point_and_warnings(laws):
             log = Path(folder, "MUJOCO_LOG.TXT").read_text(encoding="utf-8")
         normal, friction = map(float, done.stdout.split()[-2:])
         params = laws["ball"].params
-        law = asperity.Model(params.calibrated(load=load, mu=mu) if key else params)
+        law = asperity.Model(params.calibrated(load, mu) if key else params)
         if not abs(friction / law.friction_at_load(normal) - 1) < PLAIN_LIMIT:
             raise RuntimeError(f"{key}: mu = {friction} at {normal} N, not {law.friction_at_load(normal)}")
         said = [line for line in log.splitlines() if "the strength of the interface is the default" in line]

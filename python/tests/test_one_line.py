@@ -194,7 +194,7 @@ def test_ground_steel_is_a_band_that_says_what_would_narrow_it() -> None:
 def test_the_band_is_that_of_a_monte_carlo(measured: tuple[float, float] | None) -> None:
     """Of strengths, slopes and bandwidths drawn at random, each with the probability that it gives to the measurement."""
     loads, error = np.array([2.0, 20.0, 2000.0]), 0.1
-    point = {} if measured is None else dict(zip(MEASURED, measured))
+    point: dict[str, Any] = {} if measured is None else dict(zip(MEASURED, measured))
     found = friction(**GROUND, Ra=0.8e-6, load=loads, **point, calibration_error=error)
     random = np.random.default_rng(6)
     Rq = math.sqrt(math.pi / 2) * 0.8e-6
@@ -230,7 +230,8 @@ def test_the_band_is_that_of_a_monte_carlo(measured: tuple[float, float] | None)
 def test_a_pressure_coefficient_takes_its_part_of_a_measurement() -> None:
     """Without adhesion it is a constant on top of the rest, of which alone the strength is in question."""
     given: dict[str, Any] = {**GROUND, "Ra": 0.8e-6, "RSm": 40e-6, "bandwidth": 5.0, "pressure_coefficient": 0.1}
-    found = friction(**given, load=20.0, **dict(zip(MEASURED, (20.0, 0.15))), calibration_error=0.1)
+    point: dict[str, Any] = dict(zip(MEASURED, (20.0, 0.15)))
+    found = friction(**given, load=20.0, **point, calibration_error=0.1)
     assert found.value == pytest.approx(0.15, rel=1e-9)
     # 0.15 = 0.1 + 0.05 c, so that ln F has a third of the spread of ln c before the measurement.
     before = math.log(10) / NORMAL / 3

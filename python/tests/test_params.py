@@ -169,9 +169,10 @@ def test_of_two_rough_surfaces_mean_squares_add() -> None:
         Params.from_profile(Rq=[1, 2, 3], RSm=1.0, **silicon)
     with pytest.raises(TypeError, match="give one of Rq and Ra, as the height of the roughness"):
         Params.from_profile(RSm=600e-9, **silicon)
+    peak: dict[str, Any] = {"nominal_area": 1.0, "asperity_count": 1.0, "Sds": 1.0, "Rz": 1e-6}
     for make, rest in ((Params.from_profile, {"RSm": 1e-6}), (Params.from_iso25178, {"Sdq": 0.1}), (Params.si, SURFACE)):
         with pytest.raises(TypeError, match="Rz: is a peak-to-valley height, .*: give Ra or Rq"):
-            make(**STIFFNESS, **rest, nominal_area=1.0, asperity_count=1.0, Sds=1.0, Rz=1e-6)  # type: ignore[operator]
+            make(**STIFFNESS, **rest, **peak)
 
 
 def test_skew_chooses_weibull_heights_of_that_skew(params: Params) -> None:

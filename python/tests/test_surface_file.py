@@ -175,7 +175,7 @@ def test_a_program_in_c_has_the_surface_of_the_file(
     page = (root / "docs" / "surface-file.md").read_text(encoding="utf-8")
     (writes,), (printed,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL), re.findall(r"```text\n(.*?)```", page, re.DOTALL)
     monkeypatch.chdir(tmp_path)
-    yielding = FIELDS.replace(contact_law="elastic-plastic", work_of_adhesion=0.0, hardness=30e9)
+    yielding = FIELDS.elastic_plastic(30e9)
     nayak = Params.from_spectral_moments(**MOMENTS, **BODIES, **CONTACT, nominal_area=1e-6, summits="nayak")
     for params in (FIELDS, yielding, nayak, FIELDS.replace(skew=0.4), FIELDS.replace(attraction=False)):
         params.to_toml("surface.toml")

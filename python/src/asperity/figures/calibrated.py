@@ -170,7 +170,7 @@ def _ground_steels(areas: Band) -> list[Params]:
     found = []
     for area in areas:
         elastic = ground.replace(nominal_area=area, asperity_count=density * area, work_of_adhesion=0.0)
-        found += [elastic, elastic.replace(contact_law="elastic-plastic")]
+        found += [elastic, elastic.elastic_plastic(elastic.hardness)]
     return found
 
 
