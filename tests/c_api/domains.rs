@@ -56,9 +56,14 @@ fn ends(domain: &'static str) -> [Option<End>; 2] {
 }
 
 impl Field {
-    fn of(&self, params: &mut asperity_params) -> &mut f64 {
+    fn read(&self, params: &asperity_params) -> f64 {
         // SAFETY: the header says that a double lies there.
-        unsafe { &mut *std::ptr::from_mut(params).byte_add(self.offset).cast::<f64>() }
+        unsafe { *std::ptr::from_ref(params).byte_add(self.offset).cast::<f64>() }
+    }
+
+    fn write(&self, params: &mut asperity_params, value: f64) {
+        // SAFETY: the header says that a double lies there.
+        unsafe { *std::ptr::from_mut(params).byte_add(self.offset).cast::<f64>() = value };
     }
 }
 
@@ -67,7 +72,7 @@ fn bound(text: &str, fields: &[Field], params: &asperity_params) -> f64 {
     let factor = |factor: &str| {
         let symbol = factor.strip_suffix("^2");
         let other = fields.iter().find(|other| [other.symbol, other.name].contains(&symbol.unwrap_or(factor)));
-        let value = other.map(|other| *other.of(&mut { *params })).or_else(|| factor.parse().ok());
+        let value = other.map(|other| other.read(params)).or_else(|| factor.parse().ok());
         let value = value.unwrap_or_else(|| panic!("'{factor}' of '{text}' is no number and no symbol of a field"));
         if symbol.is_some() {
             value * value
@@ -81,7 +86,7 @@ fn bound(text: &str, fields: &[Field], params: &asperity_params) -> f64 {
 /// Why a model with this value is refused; none if it is made.
 fn refusal(params: &asperity_params, field: &Field, value: f64) -> Option<String> {
     let mut params = *params;
-    *field.of(&mut params) = value;
+    field.write(&mut params, value);
     let mut model = std::ptr::null_mut();
     // SAFETY: initialised parameters; the model is freed once, NULL where there is none.
     let status = unsafe {
@@ -124,7 +129,7 @@ fn parameters_are_taken_where_the_header_says_and_no_further() {
             let inside = match (belongs, is_number) {
                 (true, true) => at,
                 (true, false) => step(false),
-                (false, true) => *field.of(&mut params),
+                (false, true) => field.read(&params),
                 (false, false) => at * (1.0 + 1e-8),
             };
             let (name, domain) = (field.name, field.domain);
