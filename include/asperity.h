@@ -6,17 +6,20 @@
  * below. It does not predict the shear strength of the interface: calibrate it with one measurement
  * (asperity_params_calibrate).
  *
+ * In SI units (N, m, Pa):
+ *
  * ```c
  * int main(void)
  * {
  *     asperity_params params;
  *     asperity_model *model = NULL;
+ *     asperity_status status;
  *     asperity_params_init_unset(&params);
- *     asperity_status status = asperity_params_set_pair(&params, "Si/Si");  // SI units: N, m, Pa
+ *     status = asperity_params_set_pair(&params, "Si/Si");
  *     params.height_std = 5e-9, params.summit_radius = 1e-6, params.asperity_count = 1e5;
  *     if (status == ASPERITY_OK) status = asperity_create(&params, &model);
  *     if (status == ASPERITY_OK) printf("mu = %g at 1 mN\n", asperity_friction_at_load(model, 1e-3));
- *     else puts(asperity_status_string(status));  // asperity_last_error says which parameter, and what is allowed
+ *     else puts(asperity_status_string(status));
  *     asperity_free(model);
  *     return status;
  * }
@@ -47,19 +50,13 @@
 #define ASPERITY_VERSION "0.1.0"
 
 
-/**
- * Major version of the header.
- */
+/** Major version of the header. */
 #define ASPERITY_VERSION_MAJOR 0
 
-/**
- * Minor version of the header.
- */
+/** Minor version of the header. */
 #define ASPERITY_VERSION_MINOR 1
 
-/**
- * Patch version of the header.
- */
+/** Patch version of the header. */
 #define ASPERITY_VERSION_PATCH 0
 
 /**
@@ -67,24 +64,16 @@
  */
 #define ASPERITY_ABI_VERSION 1
 
-/**
- * Success.
- */
+/** Success. */
 #define ASPERITY_OK 0
 
-/**
- * A pointer is NULL that must not be.
- */
+/** A pointer is NULL that must not be. */
 #define ASPERITY_NULL_POINTER 1
 
-/**
- * A parameter has no meaning; the message says which, its value and what is allowed.
- */
+/** A parameter has no meaning; the message says which, its value and what is allowed. */
 #define ASPERITY_INVALID_PARAMETER 2
 
-/**
- * A load is NaN or infinite.
- */
+/** A load is NaN or infinite. */
 #define ASPERITY_INVALID_LOAD 3
 
 /**
@@ -97,59 +86,37 @@
  */
 #define ASPERITY_OUT_OF_RANGE 5
 
-/**
- * An iteration did not converge: please report the parameters.
- */
+/** An iteration did not converge: please report the parameters. */
 #define ASPERITY_NOT_CONVERGED 6
 
-/**
- * The system refused memory that the call needs; nothing was made or changed.
- */
+/** The system refused memory that the call needs; nothing was made or changed. */
 #define ASPERITY_OUT_OF_MEMORY 7
 
-/**
- * A bug in the library: please report it.
- */
+/** A bug in the library: please report it. */
 #define ASPERITY_INTERNAL 255
 
-/**
- * Gaussian heights, eq (17): the default.
- */
+/** Gaussian heights, eq (17): the default. */
 #define ASPERITY_HEIGHTS_GAUSSIAN 0
 
-/**
- * Weibull heights, eqs (18)-(21): their skew follows from `weibull_shape`.
- */
+/** Weibull heights, eqs (18)-(21): their skew follows from `weibull_shape`. */
 #define ASPERITY_HEIGHTS_WEIBULL 1
 
-/**
- * Heights of Johnson's system: `skew` and `kurtosis` are set independently.
- */
+/** Heights of Johnson's system: `skew` and `kurtosis` are set independently. */
 #define ASPERITY_HEIGHTS_JOHNSON 2
 
-/**
- * Heights of a measured density: `table_height`, `table_density` and `table_length`.
- */
+/** Heights of a measured density: `table_height`, `table_density` and `table_length`. */
 #define ASPERITY_HEIGHTS_TABULATED 3
 
-/**
- * Elastic summits with adhesion after Maugis, or Hertz' law without adhesion: the default.
- */
+/** Elastic summits with adhesion after Maugis, or Hertz' law without adhesion: the default. */
 #define ASPERITY_CONTACT_MAUGIS 0
 
-/**
- * Summits that yield, after Zhao, Maietta and Chang (2000): needs `hardness` > 0 and `work_of_adhesion` = 0.
- */
+/** Summits that yield, after Zhao, Maietta and Chang (2000): needs `hardness` > 0 and `work_of_adhesion` = 0. */
 #define ASPERITY_CONTACT_ELASTIC_PLASTIC 1
 
-/**
- * Before gross slip each contact slips from its rim inwards, after Cattaneo (1938) and Mindlin (1949).
- */
+/** Before gross slip each contact slips from its rim inwards, after Cattaneo (1938) and Mindlin (1949). */
 #define ASPERITY_SLIP_PARTIAL 0
 
-/**
- * Before gross slip each contact sticks until all of it slips: contacts so small that one dislocation moves them.
- */
+/** Before gross slip each contact sticks until all of it slips: contacts so small that one dislocation moves them. */
 #define ASPERITY_SLIP_WHOLE 1
 
 /**
@@ -171,9 +138,7 @@
  */
 #define ASPERITY_WARNING_STEEP 4
 
-/**
- * Bit of `warnings`: contacts have few atoms. Set if their mean radius is below `burgers_vector`.
- */
+/** Bit of `warnings`: contacts have few atoms. Set if their mean radius is below `burgers_vector`. */
 #define ASPERITY_WARNING_ATOMIC 8
 
 /**
@@ -207,19 +172,13 @@
  */
 #define ASPERITY_WARNING_STRONG 256
 
-/**
- * Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
- */
+/** Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7. */
 #define ASPERITY_TABLE_LAYOUT 1
 
-/**
- * A friction law ready for use; opaque. `asperity_create` makes it, `asperity_free` frees it.
- */
+/** A friction law ready for use; opaque. `asperity_create` makes it, `asperity_free` frees it. */
 typedef struct asperity_model asperity_model;
 
-/**
- * What a call returns: 0, or why it failed. A plain integer, never an enum type.
- */
+/** What a call returns: 0, or why it failed. A plain integer, never an enum type. */
 typedef int32_t asperity_status;
 
 /**
@@ -245,42 +204,26 @@ typedef struct asperity_params {
    * `asperity_params_set_materials`.
    */
   double composite_modulus;
-  /**
-   * G* [stress], > 0: 2 G1 G2/(G1 + G2). No default: set it, or call `asperity_params_set_materials`.
-   */
+  /** G* [stress], > 0: 2 G1 G2/(G1 + G2). No default: set it, or call `asperity_params_set_materials`. */
   double effective_shear_modulus;
-  /**
-   * w [force/length], >= 0: work of adhesion; 0 is Hertzian contact. No default.
-   */
+  /** w [force/length], >= 0: work of adhesion; 0 is Hertzian contact. No default. */
   double work_of_adhesion;
   /**
    * h [length], > 0: range of adhesion, within which surfaces attract with the stress w/h. No default; the paper
    * takes b.
    */
   double adhesion_range;
-  /**
-   * b [length], > 0: Burgers vector, the length in which the slip radii are given. No default.
-   */
+  /** b [length], > 0: Burgers vector, the length in which the slip radii are given. No default. */
   double burgers_vector;
-  /**
-   * sigma [length], > 0: standard deviation of the summit heights. No default.
-   */
+  /** sigma [length], > 0: standard deviation of the summit heights. No default. */
   double height_std;
-  /**
-   * R [length], > 0: mean radius of curvature of the summits. No default.
-   */
+  /** R [length], > 0: mean radius of curvature of the summits. No default. */
   double summit_radius;
-  /**
-   * N [-], > 0: number of summits, i.e. summit density times nominal area; need not be an integer. No default.
-   */
+  /** N [-], > 0: number of summits, i.e. summit density times nominal area; need not be an integer. No default. */
   double asperity_count;
-  /**
-   * Family of the summit heights, one of `ASPERITY_HEIGHTS_`; Gaussian by default.
-   */
+  /** Family of the summit heights, one of `ASPERITY_HEIGHTS_`; Gaussian by default. */
   int32_t height_distribution;
-  /**
-   * 1: summits out of contact attract (the default, as in the paper); 0: they do not.
-   */
+  /** 1: summits out of contact attract (the default, as in the paper); 0: they do not. */
   int32_t attraction;
   /**
    * omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for
@@ -297,22 +240,16 @@ typedef struct asperity_params {
    * `radius_amplitude` is not 0.
    */
   double radius_rate;
-  /**
-   * a_1/b [-], > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
-   */
+  /** a_1/b [-], > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default. */
   double slip_radius_1;
   /**
    * tau_1/G* [-], > 0 and at most 1; 1/43 by default, which was not measured on your interface: call
    * `asperity_params_calibrate`.
    */
   double slip_stress_1;
-  /**
-   * a_2/b [-], > a_1/b: contact radius from which the shear strength is `slip_stress_2`; 8e4 by default.
-   */
+  /** a_2/b [-], > a_1/b: contact radius from which the shear strength is `slip_stress_2`; 8e4 by default. */
   double slip_radius_2;
-  /**
-   * tau_2/G* [-], > 0 and at most 1; 1/1290 by default. tau_2 a_2^2 must not be below tau_1 a_1^2.
-   */
+  /** tau_2/G* [-], > 0 and at most 1; 1/1290 by default. tau_2 a_2^2 must not be below tau_1 a_1^2. */
   double slip_stress_2;
   /**
    * Upper bound of every friction coefficient returned [-], > 0; 1000 by default, INFINITY allowed. F/P grows
@@ -341,13 +278,9 @@ typedef struct asperity_params {
    * and copied when a model is made. NULL by default.
    */
   const double *table_height;
-  /**
-   * The density at each of these heights, >= 0; it need not be normalised. NULL by default.
-   */
+  /** The density at each of these heights, >= 0; it need not be normalised. NULL by default. */
   const double *table_density;
-  /**
-   * Number of heights in the table, 3 to 256; 0 by default.
-   */
+  /** Number of heights in the table, 3 to 256; 0 by default. */
   uint64_t table_length;
   /**
    * G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick.
@@ -360,9 +293,7 @@ typedef struct asperity_params {
    * `asperity_params_set_spectral_moments` sets it. 0, the default, means not known.
    */
   double nominal_area;
-  /**
-   * Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default.
-   */
+  /** Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default. */
   int32_t contact_law;
   /**
    * How a contact begins to slip, one of `ASPERITY_SLIP_`; partial slip by default. Friction does not depend on it, the
@@ -384,122 +315,68 @@ typedef struct asperity_params {
   double bandwidth;
 } asperity_params;
 
-/**
- * What is known of a material, in SI units. 0 means that no source is known.
- */
+/** What is known of a material, in SI units. 0 means that no source is known. */
 typedef struct asperity_material_data {
-  /**
-   * Set it to `sizeof(asperity_material_data)` before the call; the library writes no more than that.
-   */
+  /** Set it to `sizeof(asperity_material_data)` before the call; the library writes no more than that. */
   uint64_t struct_size;
-  /**
-   * Young's modulus [Pa], > 0.
-   */
+  /** Young's modulus [Pa], > 0. */
   double young;
-  /**
-   * The smallest published value [Pa]; 0 if no range is known.
-   */
+  /** The smallest published value [Pa]; 0 if no range is known. */
   double young_low;
-  /**
-   * The largest published value [Pa]; 0 if no range is known.
-   */
+  /** The largest published value [Pa]; 0 if no range is known. */
   double young_high;
-  /**
-   * Poisson's ratio [-].
-   */
+  /** Poisson's ratio [-]. */
   double poisson;
-  /**
-   * Indentation hardness [Pa]; 0 if it is not known.
-   */
+  /** Indentation hardness [Pa]; 0 if it is not known. */
   double hardness;
-  /**
-   * The smallest published value [Pa]; 0 if no range is known.
-   */
+  /** The smallest published value [Pa]; 0 if no range is known. */
   double hardness_low;
-  /**
-   * The largest published value [Pa]; 0 if no range is known.
-   */
+  /** The largest published value [Pa]; 0 if no range is known. */
   double hardness_high;
-  /**
-   * Burgers vector [m]; for a glass the distance of like atoms; 0 if there is none.
-   */
+  /** Burgers vector [m]; for a glass the distance of like atoms; 0 if there is none. */
   double burgers_vector;
-  /**
-   * The name; a constant string.
-   */
+  /** The name; a constant string. */
   const char *name;
-  /**
-   * The source of the numbers; a constant string.
-   */
+  /** The source of the numbers; a constant string. */
   const char *reference;
 } asperity_material_data;
 
-/**
- * What is known of two bodies in contact, in SI units. 0 means that no source is known.
- */
+/** What is known of two bodies in contact, in SI units. 0 means that no source is known. */
 typedef struct asperity_pair_data {
-  /**
-   * Set it to `sizeof(asperity_pair_data)` before the call; the library writes no more than that.
-   */
+  /** Set it to `sizeof(asperity_pair_data)` before the call; the library writes no more than that. */
   uint64_t struct_size;
-  /**
-   * Work of adhesion w [J/m^2].
-   */
+  /** Work of adhesion w [J/m^2]. */
   double work_of_adhesion;
-  /**
-   * The smallest measurement or estimate [J/m^2]; 0 if no range is known.
-   */
+  /** The smallest measurement or estimate [J/m^2]; 0 if no range is known. */
   double work_of_adhesion_low;
-  /**
-   * The largest measurement or estimate [J/m^2]; 0 if no range is known.
-   */
+  /** The largest measurement or estimate [J/m^2]; 0 if no range is known. */
   double work_of_adhesion_high;
-  /**
-   * Hamaker constant A [J] from which w is estimated, w = A/(12 pi D^2) with D = 0.165 nm; 0 if w was measured.
-   */
+  /** Hamaker constant A [J] from which w is estimated, w = A/(12 pi D^2) with D = 0.165 nm; 0 if w was measured. */
   double hamaker;
-  /**
-   * Measured shear strength of small contacts over G* [-]; 0 if none is known.
-   */
+  /** Measured shear strength of small contacts over G* [-]; 0 if none is known. */
   double slip_stress_1;
-  /**
-   * The name, both materials with a slash between; a constant string.
-   */
+  /** The name, both materials with a slash between; a constant string. */
   const char *name;
-  /**
-   * The source of w and of the strength; a constant string.
-   */
+  /** The source of w and of the strength; a constant string. */
   const char *reference;
 } asperity_pair_data;
 
-/**
- * The measured strength of an interface, in SI units. 0 means that no source is known.
- */
+/** The measured strength of an interface, in SI units. 0 means that no source is known. */
 typedef struct asperity_interface_data {
-  /**
-   * Set it to `sizeof(asperity_interface_data)` before the call; the library writes no more than that.
-   */
+  /** Set it to `sizeof(asperity_interface_data)` before the call; the library writes no more than that. */
   uint64_t struct_size;
   /**
    * tau_0 [Pa]: friction force of a contact per real area, at no pressure; 0 where only a friction coefficient is
    * known.
    */
   double shear_strength;
-  /**
-   * kappa [-]: increase of the strength per increase of pressure; 0 if it is not known.
-   */
+  /** kappa [-]: increase of the strength per increase of pressure; 0 if it is not known. */
   double pressure_coefficient;
-  /**
-   * Friction coefficient [-] measured over many contacts, where the strength of one is not known; otherwise 0.
-   */
+  /** Friction coefficient [-] measured over many contacts, where the strength of one is not known; otherwise 0. */
   double friction_coefficient;
-  /**
-   * The lightest load [N] of that measurement; 0 if it is not known.
-   */
+  /** The lightest load [N] of that measurement; 0 if it is not known. */
   double load;
-  /**
-   * The name; a constant string.
-   */
+  /** The name; a constant string. */
   const char *name;
   /**
    * Bodies, film, humidity, vacuum, temperature and loads of the measurement, as far as they are known; a constant
@@ -511,19 +388,13 @@ typedef struct asperity_interface_data {
    * constant string.
    */
   const char *source;
-  /**
-   * The source of the numbers; a constant string.
-   */
+  /** The source of the numbers; a constant string. */
   const char *reference;
 } asperity_interface_data;
 
-/**
- * What resists a displacement of the surfaces along each other.
- */
+/** What resists a displacement of the surfaces along each other. */
 typedef struct asperity_microslip {
-  /**
-   * Set by the caller to `sizeof(asperity_microslip)`; the library writes no more than that.
-   */
+  /** Set by the caller to `sizeof(asperity_microslip)`; the library writes no more than that. */
   uint64_t struct_size;
   /**
    * T [force], along both directions: positive where it resists a positive displacement. The surface that moves feels -T,
@@ -535,71 +406,39 @@ typedef struct asperity_microslip {
    * Symmetric, with eigenvalues from 0 to K_t.
    */
   double stiffness[4];
-  /**
-   * dT/d(load), of the same increment.
-   */
+  /** dT/d(load), of the same increment. */
   double dforce_dload[2];
-  /**
-   * Work that slip turned into heat in this step, >= 0 [force length].
-   */
+  /** Work that slip turned into heat in this step, >= 0 [force length]. */
   double dissipated;
-  /**
-   * Fraction of the strength that slips, 0 to 1; 1 is gross slip.
-   */
+  /** Fraction of the strength that slips, 0 to 1; 1 is gross slip. */
   double slipping;
 } asperity_microslip;
 
-/**
- * The exact state of a contact, in the units of the parameters.
- */
+/** The exact state of a contact, in the units of the parameters. */
 typedef struct asperity_state {
-  /**
-   * Set it to `sizeof(asperity_state)` before the call; the library writes no more than that.
-   */
+  /** Set it to `sizeof(asperity_state)` before the call; the library writes no more than that. */
   uint64_t struct_size;
-  /**
-   * Normal load P [force]; negative pulls.
-   */
+  /** Normal load P [force]; negative pulls. */
   double load;
-  /**
-   * Separation d of the flat from the mean of the summit heights [length].
-   */
+  /** Separation d of the flat from the mean of the summit heights [length]. */
   double separation;
-  /**
-   * Friction force F [force], >= 0.
-   */
+  /** Friction force F [force], >= 0. */
   double friction_force;
-  /**
-   * Friction coefficient F/P [-], at most `max_friction_coefficient`, as `asperity_friction_at_load` returns it.
-   */
+  /** Friction coefficient F/P [-], at most `max_friction_coefficient`, as `asperity_friction_at_load` returns it. */
   double friction_coefficient;
-  /**
-   * dF/dP [-]; INFINITY at the pull-off load itself.
-   */
+  /** dF/dP [-]; INFINITY at the pull-off load itself. */
   double dforce_dload;
-  /**
-   * d(F/P)/dP [1/force]; 0 where the coefficient is capped.
-   */
+  /** d(F/P)/dP [1/force]; 0 where the coefficient is capped. */
   double dmu_dload;
-  /**
-   * dP/dd [force/length]: minus the normal contact stiffness.
-   */
+  /** dP/dd [force/length]: minus the normal contact stiffness. */
   double dload_dseparation;
-  /**
-   * Real area of contact [length^2].
-   */
+  /** Real area of contact [length^2]. */
   double real_area;
-  /**
-   * Number of summits in contact [-]; need not be an integer.
-   */
+  /** Number of summits in contact [-]; need not be an integer. */
   double contacting;
-  /**
-   * Number of summits that attract without contact [-].
-   */
+  /** Number of summits that attract without contact [-]. */
   double attracted;
-  /**
-   * Load of the summits that attract without contact [force], <= 0.
-   */
+  /** Load of the summits that attract without contact [force], <= 0. */
   double attraction_load;
   /**
    * Mean radius of the contacts [length]; 0 if nothing touches. The same holds for the fields below, except
@@ -612,55 +451,37 @@ typedef struct asperity_state {
    * `asperity_count` is 1: give the true number of summits.
    */
   double max_contact_radius;
-  /**
-   * Fraction of the contacts with radii up to `slip_radius_1` [-], which slip as a whole.
-   */
+  /** Fraction of the contacts with radii up to `slip_radius_1` [-], which slip as a whole. */
   double fraction_below_slip_radius_1;
-  /**
-   * Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2` [-].
-   */
+  /** Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2` [-]. */
   double fraction_between_slip_radii;
-  /**
-   * Fraction of the contacts with radii of at least `slip_radius_2` [-].
-   */
+  /** Fraction of the contacts with radii of at least `slip_radius_2` [-]. */
   double fraction_above_slip_radius_2;
-  /**
-   * Fraction of all summits that are in contact [-].
-   */
+  /** Fraction of all summits that are in contact [-]. */
   double fraction_in_contact;
   /**
    * Load of the summits in contact over their real area [stress]; negative where adhesion pulls more than they push.
    */
   double mean_asperity_pressure;
-  /**
-   * Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H [-]; 0 if the hardness H is not given.
-   */
+  /** Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H [-]; 0 if the hardness H is not given. */
   double plasticity_index;
   /**
    * Bits `ASPERITY_WARNING_...`: assumptions of the model that fail in this state; 0 if none is known to fail.
    * `asperity_warnings_text` says what to do.
    */
   uint64_t warnings;
-  /**
-   * K_t [force/length]: tangential force by displacement while all contacts stick.
-   */
+  /** K_t [force/length]: tangential force by displacement while all contacts stick. */
   double tangential_stiffness;
-  /**
-   * Fraction of the contacts below first yield [-]; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness.
-   */
+  /** Fraction of the contacts below first yield [-]; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness. */
   double fraction_elastic;
-  /**
-   * Fraction of the contacts that are fully plastic [-].
-   */
+  /** Fraction of the contacts that are fully plastic [-]. */
   double fraction_flowing;
   /**
    * Sum of the radii of all contacts [length]. The constriction conductance, thermal or electrical, of independent
    * contacts is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
    */
   double contact_radius_sum;
-  /**
-   * Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
-   */
+  /** Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it. */
   double hertz_load;
   /**
    * Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load, from
@@ -674,46 +495,28 @@ typedef struct asperity_state {
   double friction_bias;
 } asperity_state;
 
-/**
- * Constants of a model, in the units of the parameters.
- */
+/** Constants of a model, in the units of the parameters. */
 typedef struct asperity_summary {
-  /**
-   * Set it to `sizeof(asperity_summary)` before the call; the library writes no more than that.
-   */
+  /** Set it to `sizeof(asperity_summary)` before the call; the library writes no more than that. */
   uint64_t struct_size;
-  /**
-   * Surface roughness parameter (sigma/R)^(1/2) [-].
-   */
+  /** Surface roughness parameter (sigma/R)^(1/2) [-]. */
   double alpha;
-  /**
-   * Friction regime parameter (R sigma)^(1/2)/b [-].
-   */
+  /** Friction regime parameter (R sigma)^(1/2)/b [-]. */
   double beta;
-  /**
-   * Surface energy parameter w/(E* b) [-].
-   */
+  /** Surface energy parameter w/(E* b) [-]. */
   double gamma;
-  /**
-   * Maugis' adhesion parameter [-]: small values are the DMT limit, large ones the JKR limit.
-   */
+  /** Maugis' adhesion parameter [-]: small values are the DMT limit, large ones the JKR limit. */
   double lambda;
-  /**
-   * Skew of the summit heights [-].
-   */
+  /** Skew of the summit heights [-]. */
   double skew;
-  /**
-   * Kurtosis of the summit heights [-]; 3 for Gaussian.
-   */
+  /** Kurtosis of the summit heights [-]; 3 for Gaussian. */
   double kurtosis;
   /**
    * Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over
    * many summits, far below that of one rough specimen, which its few highest summits hold (docs/c.md).
    */
   double pull_off_load;
-  /**
-   * Friction force at the pull-off load [force].
-   */
+  /** Friction force at the pull-off load [force]. */
   double pull_off_friction_force;
   /**
    * Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a
@@ -745,86 +548,48 @@ typedef struct asperity_summary {
  * without a unit.
  */
 typedef struct asperity_sensitivities {
-  /**
-   * Set it to `sizeof(asperity_sensitivities)` before the call; the library writes no more than that.
-   */
+  /** Set it to `sizeof(asperity_sensitivities)` before the call; the library writes no more than that. */
   uint64_t struct_size;
-  /**
-   * With respect to E*.
-   */
+  /** With respect to E*. */
   double composite_modulus;
-  /**
-   * With respect to G*: 1.
-   */
+  /** With respect to G*: 1. */
   double effective_shear_modulus;
-  /**
-   * With respect to w; 0 where w is 0.
-   */
+  /** With respect to w; 0 where w is 0. */
   double work_of_adhesion;
-  /**
-   * With respect to h; 0 where w is 0.
-   */
+  /** With respect to h; 0 where w is 0. */
   double adhesion_range;
-  /**
-   * With respect to b; the slip radii grow with it.
-   */
+  /** With respect to b; the slip radii grow with it. */
   double burgers_vector;
-  /**
-   * With respect to sigma.
-   */
+  /** With respect to sigma. */
   double height_std;
-  /**
-   * With respect to R.
-   */
+  /** With respect to R. */
   double summit_radius;
-  /**
-   * With respect to N.
-   */
+  /** With respect to N. */
   double asperity_count;
-  /**
-   * With respect to omega; 0 unless heights are Weibull's.
-   */
+  /** With respect to omega; 0 unless heights are Weibull's. */
   double weibull_shape;
   /**
    * With respect to epsilon, d(ln F)/d(epsilon), also where epsilon is 0; at -1 and 1 the limit from within. 0 where
    * epsilon must be 0, since `radius_rate` is not between 1e-6 and 1000.
    */
   double radius_amplitude;
-  /**
-   * With respect to rho; 0 where epsilon is 0.
-   */
+  /** With respect to rho; 0 where epsilon is 0. */
   double radius_rate;
-  /**
-   * With respect to a_1/b.
-   */
+  /** With respect to a_1/b. */
   double slip_radius_1;
-  /**
-   * With respect to tau_1/G*.
-   */
+  /** With respect to tau_1/G*. */
   double slip_stress_1;
-  /**
-   * With respect to a_2/b.
-   */
+  /** With respect to a_2/b. */
   double slip_radius_2;
-  /**
-   * With respect to tau_2/G*.
-   */
+  /** With respect to tau_2/G*. */
   double slip_stress_2;
-  /**
-   * With respect to the skew at this kurtosis, d(ln F)/d(skew); 0 unless heights are Johnson's.
-   */
+  /** With respect to the skew at this kurtosis, d(ln F)/d(skew); 0 unless heights are Johnson's. */
   double skew;
-  /**
-   * With respect to the kurtosis at this skew; 0 unless heights are Johnson's.
-   */
+  /** With respect to the kurtosis at this skew; 0 unless heights are Johnson's. */
   double kurtosis;
-  /**
-   * With respect to H; 0 where contacts are elastic.
-   */
+  /** With respect to H; 0 where contacts are elastic. */
   double hardness;
-  /**
-   * With respect to kappa, d(ln F)/d(kappa), also where kappa is 0.
-   */
+  /** With respect to kappa, d(ln F)/d(kappa), also where kappa is 0. */
   double pressure_coefficient;
 } asperity_sensitivities;
 
@@ -844,76 +609,46 @@ typedef struct asperity_sensitivities {
  * left out, as a few were in earlier versions. To use the table in another memory, copy `total_count` rows and change the pointer.
  */
 typedef struct asperity_table {
-  /**
-   * Set it to `sizeof(asperity_table)` before the call; the library writes no more than that.
-   */
+  /** Set it to `sizeof(asperity_table)` before the call; the library writes no more than that. */
   uint64_t struct_size;
-  /**
-   * `row_count` rows of 8 doubles, aligned to 64 bytes.
-   */
+  /** `row_count` rows of 8 doubles, aligned to 64 bytes. */
   const double *rows;
-  /**
-   * Number of rows found from x; parts of rows follow them.
-   */
+  /** Number of rows found from x; parts of rows follow them. */
   uint64_t row_count;
-  /**
-   * Shifted bits of x at which the first row begins.
-   */
+  /** Shifted bits of x at which the first row begins. */
   uint64_t base;
-  /**
-   * How far the bits of x are shifted.
-   */
+  /** How far the bits of x are shifted. */
   uint32_t shift;
-  /**
-   * `ASPERITY_TABLE_LAYOUT`.
-   */
+  /** `ASPERITY_TABLE_LAYOUT`. */
   uint32_t layout_version;
-  /**
-   * The pull-off load [force].
-   */
+  /** The pull-off load [force]. */
   double pull_off_load;
-  /**
-   * Upper bound of the friction coefficient [-].
-   */
+  /** Upper bound of the friction coefficient [-]. */
   double max_friction_coefficient;
-  /**
-   * Loads up to this times F have the coefficient `max_friction_coefficient` [-].
-   */
+  /** Loads up to this times F have the coefficient `max_friction_coefficient` [-]. */
   double inverse_cap;
-  /**
-   * Number of rows and parts.
-   */
+  /** Number of rows and parts. */
   uint64_t total_count;
-  /**
-   * Friction force at the pull-off load [force].
-   */
+  /** Friction force at the pull-off load [force]. */
   double pull_off_force;
-  /**
-   * dF/d(load) [-] of the straight line that replaces F between pull-off and the first row.
-   */
+  /** dF/d(load) [-] of the straight line that replaces F between pull-off and the first row. */
   double light_slope;
-  /**
-   * Friction force at zero load [force].
-   */
+  /** Friction force at zero load [force]. */
   double zero_force;
-  /**
-   * dF/d(load) at zero load [-].
-   */
+  /** dF/d(load) at zero load [-]. */
   double zero_slope;
   /**
    * dF/d(load) below the pull-off load [-]: 0 with adhesion; without adhesion that of the lightest load of the
    * table.
    */
   double separated_slope;
-  /**
-   * Friction force at the end of the last row [force], which `asperity_eval.h` takes for all heavier loads.
-   */
+  /** Friction force at the end of the last row [force], which `asperity_eval.h` takes for all heavier loads. */
   double heavy_force;
 } asperity_table;
 
 #ifdef __cplusplus
 extern "C" {
-#endif // __cplusplus
+#endif /* __cplusplus */
 
 /* ---- Make: parameters from what you know of the surfaces, then a model. ---- */
 
@@ -953,11 +688,13 @@ asperity_status asperity_params_init_sized(struct asperity_params *params,
  * The inputs `composite_modulus` to `asperity_count` become NaN. `asperity_create` then refuses the first that you did not
  * set, with the message "asperity_count: must be set".
  *
+ * For two bodies of polysilicon, in SI units (Pa, J/m^2, m):
+ *
  * ```c
  * asperity_params_init_unset(&params);
- * asperity_params_set_materials(&params, 160e9, 0.22, 160e9, 0.22);  // Pa: two bodies of polysilicon
- * params.work_of_adhesion = 0.063;                                   // J/m^2
- * params.adhesion_range = params.burgers_vector = 0.384e-9;          // m
+ * asperity_params_set_materials(&params, 160e9, 0.22, 160e9, 0.22);
+ * params.work_of_adhesion = 0.063;
+ * params.adhesion_range = params.burgers_vector = 0.384e-9;
  * asperity_params_set_spectral_moments(&params, 2.5e-17, 4e-3, 2e12, 1e-8);
  * ```
  *
@@ -1313,8 +1050,10 @@ asperity_status asperity_params_set_interface(struct asperity_params *params,
  * model then predicts how friction changes with load, area, roughness and adhesion. `pressure_coefficient` stays as it is.
  * The call makes one model and one exact state: milliseconds.
  *
+ * With a coefficient measured at 1 mN, in SI units:
+ *
  * ```c
- * double load = 1e-3, measured_coefficient = 0.4;  // N
+ * double load = 1e-3, measured_coefficient = 0.4;
  * asperity_params_calibrate(&params, load, measured_coefficient * load);
  * ```
  *
@@ -1401,7 +1140,7 @@ asperity_status asperity_get_params_sized(const struct asperity_model *model,
  */
 void asperity_free(struct asperity_model *model);
 
-/* ---- Ask: friction and stiffness of one contact or of many, for the inner loop of a solver. ---- */
+/* ---- Ask: friction, stiffness and conductance of one contact or of many, for the inner loop of a solver. ---- */
 
 /**
  * Returns the friction coefficient F/P at a normal load.
@@ -1524,8 +1263,10 @@ double asperity_friction_force_and_slope_at_load(const struct asperity_model *mo
  * The load is the pressure times `nominal_area`, the area that carries the model's `asperity_count` summits. The area of a
  * mesh facet or of an integration point plays no part: the answer depends on summits per area alone.
  *
+ * For a model whose `asperity_count` summits stand on 1e-8 m^2:
+ *
  * ```c
- * double area = 1e-8;  // m^2: of the model, whose asperity_count summits it carries
+ * double area = 1e-8;
  * double slope, mu = asperity_friction_at_pressure(model, 1e5, area, &slope);
  * ```
  *
@@ -1574,8 +1315,10 @@ double asperity_shear_stress_at_pressure(const struct asperity_model *model,
  *   that you allow.
  * - Explicit steps h of a mass m stop without a change of sign if transition_rate >= F h/m. They oscillate below half of that.
  *
+ * At 1 mN and 0.2 m/s, with a transition rate of 1 mm/s:
+ *
  * ```c
- * double force_on_body = -asperity_slip_force(model, 1e-3, 0.2, 1e-3, NULL, NULL);  // N; 0.2 m/s, 1e-3 m/s
+ * double force_on_body = -asperity_slip_force(model, 1e-3, 0.2, 1e-3, NULL, NULL);
  * ```
  *
  * @param model              a model
@@ -1757,6 +1500,53 @@ asperity_status asperity_tangential_at_load(const struct asperity_model *model,
                                             double displacement,
                                             double *force,
                                             double *stiffness);
+
+/**
+ * Returns the sum of the radii of all contacts at a load, from which follows the thermal or electrical contact conductance.
+ *
+ * The conductance of independent contacts is 2 k times the sum, with k = 2 k1 k2/(k1 + k2) of the conductivities of the two
+ * bodies. The sum is K_t/(8 G^), of `asperity_tangential_stiffness_at_load`.
+ *
+ * @param model  a model
+ * @param load   normal load [force]
+ * @return the sum [length], positive also at zero and negative load down to pull-off; 0 below pull-off and, without
+ *         adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a
+ *         NULL model
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+double asperity_contact_radius_sum_at_load(const struct asperity_model *model,
+                                           double load);
+
+/**
+ * Computes the sums of contact radii at many loads, and their slopes; filled and reported as by `asperity_friction_at_loads`.
+ *
+ * With the slope, Newton's method solves for temperatures and loads together. At 1 mN, of silicon with 148 W/(m K):
+ *
+ * ```c
+ * double load = 1e-3, sum, slope, k = 148;
+ * if (asperity_contact_radius_sum_at_loads(model, 1, &load, &sum, &slope) == ASPERITY_OK) {
+ *     printf("conductance %g W/K, slope %g W/(K N)\n", 2 * k * sum, 2 * k * slope);
+ * }
+ * ```
+ *
+ * @param model       must not be NULL
+ * @param n           number of loads; may be 0
+ * @param load        n loads [force]; must not be NULL unless n = 0
+ * @param sum         receives n sums [length]; NULL to skip; may be `load` itself
+ * @param dsum_dload  receives n slopes d(sum)/d(load) [length/force]. They are within 1e-6 of the exact ones, relative, and
+ *                    within 1e-3 where load - pull-off is within 1 % of that of a kink: where an end of the heights or a
+ *                    height of their table begins to touch. At zero load, at the pull-off load and below it: as
+ *                    `dforce_dload` of `asperity_friction_force_at_loads`. NULL to skip; may be `load` itself
+ * @return as `asperity_friction_at_loads`
+ *
+ * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
+ */
+asperity_status asperity_contact_radius_sum_at_loads(const struct asperity_model *model,
+                                                     size_t n,
+                                                     const double *load,
+                                                     double *sum,
+                                                     double *dsum_dload);
 
 /**
  * How many doubles the state of one contact takes; today 32, the same for all models.
@@ -2090,11 +1880,13 @@ size_t asperity_warnings_text(uint64_t warnings,
  * It is the message of the last call on this thread that returned a status other than `ASPERITY_OK`, and empty if there was
  * none. Calls that succeed do not change it.
  *
+ * The message here is "summit_radius = -1: must be finite and > 0":
+ *
  * ```c
  * char message[512];
  * params.summit_radius = -1.0;
  * if (asperity_set_params(model, &params) != ASPERITY_OK) {
- *     asperity_last_error(message, sizeof message);  // "summit_radius = -1: must be finite and > 0"
+ *     asperity_last_error(message, sizeof message);
  * }
  * ```
  *
@@ -2167,36 +1959,24 @@ asperity_status asperity_load_table_of(const struct asperity_model *model,
 
 /* ---- Second names: the same functions under names of the pattern above. Neither name will go. ---- */
 
-/**
- * Fills the constants of a model: the same as `asperity_summary_of`.
- */
+/** Fills the constants of a model: the same as `asperity_summary_of`. */
 asperity_status asperity_get_summary(const struct asperity_model *model,
                                      struct asperity_summary *summary);
 
-/**
- * Fills a view of the compiled law of a model: the same as `asperity_table_of`.
- */
+/** Fills a view of the compiled law of a model: the same as `asperity_table_of`. */
 asperity_status asperity_get_table(const struct asperity_model *model,
                                    struct asperity_table *table);
 
-/**
- * Fills the data of a material: the same as `asperity_material`.
- */
+/** Fills the data of a material: the same as `asperity_material`. */
 asperity_status asperity_get_material(const char *name, struct asperity_material_data *material);
 
-/**
- * Fills the data of a pair of materials: the same as `asperity_pair`.
- */
+/** Fills the data of a pair of materials: the same as `asperity_pair`. */
 asperity_status asperity_get_pair(const char *name, struct asperity_pair_data *pair);
 
-/**
- * Fills the data of an interface: the same as `asperity_interface`.
- */
+/** Fills the data of an interface: the same as `asperity_interface`. */
 asperity_status asperity_get_interface(const char *name, struct asperity_interface_data *data);
 
-/**
- * Returns the friction force at a load and a slip rate, with a smooth sign: the same as `asperity_slip_force`.
- */
+/** Returns the friction force at a load and a slip rate, with a smooth sign: the same as `asperity_slip_force`. */
 double asperity_friction_force_at_slip_rate(const struct asperity_model *model,
                                             double load,
                                             double slip_rate,
@@ -2204,9 +1984,7 @@ double asperity_friction_force_at_slip_rate(const struct asperity_model *model,
                                             double *dforce_dload,
                                             double *dforce_dslip_rate);
 
-/**
- * Computes the tangential force at a load and a displacement, exactly: the same as `asperity_tangential_at_load`.
- */
+/** Computes the tangential force at a load and a displacement, exactly: the same as `asperity_tangential_at_load`. */
 asperity_status asperity_tangential_force_at_displacement(const struct asperity_model *model,
                                                           double load,
                                                           double displacement,
@@ -2214,8 +1992,8 @@ asperity_status asperity_tangential_force_at_displacement(const struct asperity_
                                                           double *stiffness);
 
 #ifdef __cplusplus
-}  // extern "C"
-#endif  // __cplusplus
+}  /* extern "C" */
+#endif  /* __cplusplus */
 
 /* What is compiled with this header has the whole of asperity_params; the functions of these names serve programs
  * that were compiled with its first version. */

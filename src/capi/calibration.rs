@@ -27,8 +27,10 @@ impl asperity_params {
 /// model then predicts how friction changes with load, area, roughness and adhesion. `pressure_coefficient` stays as it is.
 /// The call makes one model and one exact state: milliseconds.
 ///
+/// With a coefficient measured at 1 mN, in SI units:
+///
 /// ```c
-/// double load = 1e-3, measured_coefficient = 0.4;  // N
+/// double load = 1e-3, measured_coefficient = 0.4;
 /// asperity_params_calibrate(&params, load, measured_coefficient * load);
 /// ```
 ///

@@ -14,8 +14,8 @@ const GROUPS: [(&str, &[&str]); 7] = [
         &["params", "setters", "names", "materials", "interfaces", "calibration", "model"],
     ),
     (
-        "Ask: friction and stiffness of one contact or of many, for the inner loop of a solver.",
-        &["evaluate", "slope", "pressures", "pairs", "tangential", "microslip", "gap", "summits"],
+        "Ask: friction, stiffness and conductance of one contact or of many, for the inner loop of a solver.",
+        &["evaluate", "slope", "pressures", "pairs", "tangential", "conductance", "microslip", "gap", "summits"],
     ),
     (
         "Explain: exact states, the constants of a model, and which parameter matters how much.",
@@ -26,6 +26,9 @@ const GROUPS: [(&str, &[&str]); 7] = [
     ("The table: the compiled law for code that cannot call a library, as GPU kernels.", &["table"]),
     ("Second names: the same functions under names of the pattern above. Neither name will go.", &["aliases"]),
 ];
+
+/// Comments of one line stand on one line up to this width.
+const WIDTH: usize = 118;
 
 /// Files that have constants and types alone, which come before all functions.
 const CONSTANTS: [&str; 2] = ["version", "status"];
@@ -51,7 +54,30 @@ fn generated() -> String {
         let comment = header[..end].rfind("/**\n").expect("a comment");
         header.insert_str(comment, &format!("/* ---- {heading} ---- */\n\n"));
     }
-    header
+    in_c89(&header)
+}
+
+/// Without comments of later dialects, and with those of one line on that line.
+fn in_c89(header: &str) -> String {
+    let lines: Vec<&str> = header.lines().collect();
+    let (mut text, mut i) = (String::new(), 0);
+    while i < lines.len() {
+        let folded = lines.get(i..i + 3).and_then(one_line);
+        i += if folded.is_some() { 3 } else { 1 };
+        text += &folded.unwrap_or_else(|| match lines[i - 1].split_once("// ") {
+            Some((code, comment)) if code.starts_with(['#', '}']) => format!("{code}/* {comment} */"),
+            _ => lines[i - 1].to_owned(),
+        });
+        text += "\n";
+    }
+    text
+}
+
+/// Three lines that are a comment of one line, as that line, where it fits.
+fn one_line(lines: &[&str]) -> Option<String> {
+    let text = lines[1].trim_start().strip_prefix("* ")?;
+    let line = lines[0].strip_suffix("/**").map(|indent| format!("{indent}/** {text} */"))?;
+    (lines[2].trim_start() == "*/" && line.len() <= WIDTH).then_some(line)
 }
 
 #[test]
@@ -85,17 +111,30 @@ fn header_and_citation_have_the_version_of_the_package() {
 #[test]
 fn every_dialect_takes_the_header_without_a_warning() {
     let c = source("header.c", "#include <asperity.h>\n");
-    for standard in if cfg!(windows) { &["c11", "c17"][..] } else { &["c99", "c11", "c17"] } {
-        Compiler::all(Language::C, standard).iter().for_each(|compiler| compiler.accepts(&c));
+    // As strict as C89 is, but for the long long of the system's stdint.h.
+    let oldest = |compiler: Compiler| if cfg!(windows) { compiler } else { compiler.with(&["-Wno-long-long"]) };
+    for standard in if cfg!(windows) { &["c11", "c17"][..] } else { &["c89", "c99", "c11", "c17"] } {
+        for compiler in Compiler::all(Language::C, standard) {
+            let compiler = if *standard == "c89" { oldest(compiler) } else { compiler };
+            compiler.accepts(&c);
+        }
     }
     let cpp = source("header.cpp", "#include <asperity.h>\n");
+    let within =
+        "#include <cstddef>\n#include <cstdint>\nnamespace host {\nextern \"C\" {\n#include <asperity.h>\n}\n}\n\
+                  double force(const host::asperity_model *model) {\n    \
+                  return host::asperity_friction_force_at_load(model, 1.0);\n}\n";
+    let within = source("header_in_a_namespace.cpp", within);
     let standards =
         if cfg!(windows) { &["c++14", "c++17", "c++20"][..] } else { &["c++98", "c++11", "c++17", "c++20"] };
     for standard in standards {
         for compiler in Compiler::all(Language::Cpp, standard) {
-            // C++98 has no long long of its own, which the system's stdint.h uses.
-            let compiler = if *standard == "c++98" { compiler.with(&["-Wno-long-long"]) } else { compiler };
-            compiler.accepts(&cpp);
+            if *standard == "c++98" {
+                oldest(compiler).accepts(&cpp);
+            } else {
+                compiler.accepts(&cpp);
+                compiler.accepts(&within);
+            }
         }
     }
 }
@@ -116,17 +155,17 @@ fn examples_of_the_header_run() {
         all += &format!("{head}\n{{\n{block}    (void)params, (void)model;\n}}\n");
     }
     // A model in SI units, and what a failure left.
-    all += "int main(void)\n{\n    asperity_params params;\n    asperity_model *model;\n    asperity_params_init_unset(&params);\n\
+    all += "int main(void)\n{\n    asperity_params params;\n    asperity_model *model;\n    char message[512];\n    asperity_params_init_unset(&params);\n\
             asperity_params_set_pair(&params, \"Si/Si\");\n    params.height_std = 5e-9;\n    params.summit_radius = 1e-6;\n\
             params.asperity_count = 1e5;\n    if (asperity_create(&params, &model) != ASPERITY_OK) return 1;\n";
     for i in 0..others.len() {
         all += &format!("    example_{i}(params, model);\n");
     }
-    all += "    char message[512];\n    asperity_last_error(message, sizeof message);\n    puts(message);\n\
+    all += "    asperity_last_error(message, sizeof message);\n    puts(message);\n\
             asperity_free(model);\n    return 0;\n}\n";
     let first = source("header_first.c", &format!("#include <asperity.h>\n#include <stdio.h>\n\n{first}"));
     let all = source("header_examples.c", &all);
-    for compiler in Compiler::all(Language::C, "c11") {
+    for compiler in Compiler::all(Language::C, if cfg!(windows) { "c11" } else { "c89" }) {
         // A variable that an example sets for the reader.
         let compiler = if cfg!(windows) {
             compiler
@@ -136,9 +175,12 @@ fn examples_of_the_header_run() {
         let printed = compiler.program(&first, Linking::Shared).succeeds(&[]);
         assert!(printed.starts_with("mu = 0.") && printed.ends_with(" at 1 mN\n"), "{printed}");
         let printed = compiler.program(&all, Linking::Shared).succeeds(&[]);
-        for said in
-            ["contacts, real area", "1 % more of w changes friction by", "summit_radius = -1: must be finite and > 0"]
-        {
+        for said in [
+            "contacts, real area",
+            "W/K, slope",
+            "1 % more of w changes friction by",
+            "summit_radius = -1: must be finite and > 0",
+        ] {
             assert!(printed.contains(said), "{said}: {printed}");
         }
     }
