@@ -34,7 +34,6 @@ inline asperity_params surface_of(double alpha, double beta, double gamma) {
     return params;
 }
 
-// The paper's case.
 inline asperity_params default_surface() { return surface_of(0.01, 1000.0, 0.001); }
 
 inline std::vector<Surface> all_surfaces() {

@@ -96,8 +96,8 @@ module asperity
                                                     ! + epsilon tanh(rho z/sigma)), eq (3); 0 by default
     real(c_double) :: radius_rate                   ! rho [-], > 0, per standard deviation of height: how fast the
                                                     ! radius changes; 0.5 by default
-    real(c_double) :: slip_radius_1                 ! a_1/b [-], > 0: contact radius up to which the shear strength is
-                                                    ! slip_stress_1, eq (13); 28 by default
+    real(c_double) :: slip_radius_1                 ! a_1/b [-], at least 1: contact radius up to which the shear
+                                                    ! strength is slip_stress_1, eq (13); 28 by default
     real(c_double) :: slip_stress_1                 ! tau_1/G* [-], > 0 and at most 1; 1/43 by default, which was not
                                                     ! measured on your interface: call asperity_params_calibrate
     real(c_double) :: slip_radius_2                 ! a_2/b [-], > a_1/b: contact radius from which the shear strength

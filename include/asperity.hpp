@@ -479,7 +479,7 @@ public:
     /// Sets it.
     Params &radius_rate(double value) noexcept { return assign(c_.radius_rate, value); }
 
-    /// a_1/b [-], > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
+    /// a_1/b [-], at least 1: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
     double slip_radius_1() const noexcept { return c_.slip_radius_1; }
     /// Sets it.
     Params &slip_radius_1(double value) noexcept { return assign(c_.slip_radius_1, value); }

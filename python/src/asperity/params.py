@@ -118,8 +118,8 @@ class Params:
             z/sigma)), eq (3); 0 by default.
         radius_rate: rho [-], > 0, per standard deviation of height: how fast the radius changes; 0.5 by default. 1e-6
             to 1000 where `radius_amplitude` is not 0.
-        slip_radius_1: a_1/b [-], > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by
-            default.
+        slip_radius_1: a_1/b [-], at least 1: contact radius up to which the shear strength is `slip_stress_1`, eq (13);
+            28 by default.
         slip_stress_1: tau_1/G* [-], > 0 and at most 1; 1/43 by default, which was not measured on your interface.
         slip_radius_2: a_2/b [-], > a_1/b: contact radius from which the shear strength is `slip_stress_2`; 8e4 by
             default.
