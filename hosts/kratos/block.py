@@ -145,7 +145,7 @@ def check_measured_point_and_warnings(folder):
         KratosMultiphysics.Logger.RemoveOutput(output)
         pressure, traction, _ = nodal(analysis.model["Structure"])
         params = asperity.Params.from_toml("surface.toml")
-        law = asperity.Model(params.calibrated(load=load, mu=mu) if key else params)
+        law = asperity.Model(params.calibrated(load, mu) if key else params)
         error = np.max(np.abs(-traction / (law.friction_at_load(pressure * AREA) * pressure) - 1))
         if not error <= LIMIT:
             raise RuntimeError(f"{key}: error of a node's traction {error:.1e}")
