@@ -11,6 +11,7 @@
 # make site      the documentation as a searchable site in target/site/html, with the explorer
 # make figures   draw the figures of the documents anew, in minutes
 # make header    write include/asperity.h anew from the sources, and from it what other languages and the pages repeat
+# make abi       write tests/abi/abi-1.h anew from the header, on purpose
 # make clean     remove what was built
 # make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
 #
@@ -34,7 +35,7 @@ TEST_SCRIPTS := tests/cpp/called.sh tests/c/gpu.sh fortran/test.sh python/test.s
     tests/examples/run.sh tests/consumers/run.sh tests/build_checks.sh tests/harden/run.sh tests/harden/memory.sh \
     tests/harden/supply_chain.sh tests/dist/same_bits.sh tests/dist/refusals.sh
 
-.PHONY: all demo test hosts site figures header clean library
+.PHONY: all demo test hosts site figures header abi clean library
 
 all: library
 
@@ -83,6 +84,9 @@ figures: library
 header:
 	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header::committed
 	python3 packaging/declarations
+
+abi:
+	ASPERITY_WRITE_ABI=1 $(CARGO) test --locked --test abi the_file
 
 clean:
 	$(CARGO) clean

@@ -171,7 +171,8 @@ typedef struct asperity_params {
   /** rho [-], > 0, per standard deviation of height: how fast the radius changes; 0.5 by default. 1e-6 to 1000 where
    * `radius_amplitude` is not 0. */
   double radius_rate;
-  /** a_1/b [-], > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default. */
+  /** a_1/b [-], at least 1: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
+   */
   double slip_radius_1;
   /** tau_1/G* [-], > 0 and at most 1; 1/43 by default, which was not measured on your interface: call
    * `asperity_params_calibrate`. */

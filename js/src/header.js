@@ -327,7 +327,7 @@ export const WORDS = {
  * @property {number} [weibull_shape] omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for "weibull".
  * @property {number} [radius_amplitude] epsilon [-], -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by default.
  * @property {number} [radius_rate] rho [-], > 0, per standard deviation of height: how fast the radius changes; 0.5 by default. 1e-6 to 1000 where `radius_amplitude` is not 0.
- * @property {number} [slip_radius_1] a_1/b [-], > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
+ * @property {number} [slip_radius_1] a_1/b [-], at least 1: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
  * @property {number} [slip_stress_1] tau_1/G* [-], > 0 and at most 1; 1/43 by default, which was not measured on your interface.
  * @property {number} [slip_radius_2] a_2/b [-], > a_1/b: contact radius from which the shear strength is `slip_stress_2`; 8e4 by default.
  * @property {number} [slip_stress_2] tau_2/G* [-], > 0 and at most 1; 1/1290 by default. tau_2 a_2^2 must not be below tau_1 a_1^2.

@@ -34,7 +34,7 @@ def one_build_at_a_time() -> Iterator[None]:
 @pytest.fixture(scope="session")
 def params() -> Params:
     """The paper's default case."""
-    return Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+    return Params.paper()
 
 
 @pytest.fixture(scope="session")

@@ -179,7 +179,7 @@ static asperity_model *ask(const asperity_params *p, const questions *q, answers
     asperity_model *model = NULL;
     int *status = a->status;
 
-    *status++ = asperity_params_init(&a->set);
+    *status++ = asperity_params_init(&a->set, sizeof a->set);
     *status++ = asperity_params_set_dimensionless(&a->set, 0.011, 1300, 0.0013, 1.1, 0.3);
     *status++ = asperity_params_set_materials(&a->set, 161e9, 0.23, 71e9, 0.34);
     *status++ = asperity_params_set_spectral_moments(&a->set, 3.1, 0.47, 0.71, 11);

@@ -109,7 +109,7 @@ def _surface(params: Params, parameters: dict[str, str], start_load: float, micr
         for name, table in tables.items():
             lines.append(f"static const double {name}[] = {{ {', '.join(map(float.hex, table))} }};")
     lines += ["", "static asperity_status surface(asperity_params *params)", "{"]
-    lines += ["    const asperity_status status = asperity_params_init(params);"]
+    lines += ["    const asperity_status status = asperity_params_init(params, sizeof *params);"]
     for field in (declared[0] for declared in _header.asperity_params._fields_):
         value = getattr(struct, field)
         if field in tables:

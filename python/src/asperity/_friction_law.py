@@ -157,7 +157,7 @@ class FrictionLaw:
 
         For solvers that integrate through zero slip rate. A contact that should stick creeps instead, more slowly for a
         smaller `transition_rate`. The force has the sign of the slip rate, and friction opposes slip: apply minus this force
-        to the body whose slip rate you give. `friction_force_at_slip_rate` is the same method.
+        to the body whose slip rate you give.
 
         Args:
             load: normal load [force]; a number or an array.
@@ -190,9 +190,6 @@ class FrictionLaw:
         given = load if np.ndim(load) >= np.ndim(slip_rate) else slip_rate
         values = tuple(_shaped(given, row, pairs[0].shape, name) for row, name in zip(found, _SLIP_NAMES))
         return values if slope else values[0]
-
-    #: The same as `slip_force`.
-    friction_force_at_slip_rate = slip_force
 
     @overload
     def load_at_separation(self, separation: float, *, slope: Literal[False] = ...) -> float: ...
@@ -258,7 +255,6 @@ class FrictionLaw:
 
         Each contact slips from its rim inwards, or as a whole (`Params.slip_onset`), until its force is its strength. T therefore
         rises from K_t times the displacement to the friction force. It is odd in the displacement.
-        `tangential_force_at_displacement` is the same method.
 
         Args:
             load: normal load [force]; a number or an array.
@@ -281,9 +277,6 @@ class FrictionLaw:
         names = ("tangential_force", "tangential_stiffness")
         force_there, slope_there = (_shaped(given, row, pairs.shape, name) for row, name in zip(found, names))
         return force_there, slope_there
-
-    #: The same as `tangential`.
-    tangential_force_at_displacement = tangential
 
     def microslip(self, shape: int | tuple[int, ...] = ()) -> Microslip:
         """A contact that remembers how it was displaced, or many: its force under changing load along any path.

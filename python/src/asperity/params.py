@@ -6,8 +6,8 @@ import ctypes
 import math
 import numbers
 import os
-from dataclasses import MISSING, dataclass, fields
-from typing import TYPE_CHECKING, Any, Literal, Sequence
+from dataclasses import MISSING, dataclass, fields, replace
+from typing import TYPE_CHECKING, Any, Literal, Sequence, cast
 
 from . import _bandwidth_bias, _header, _surface_file, _units
 from ._library import LIBRARY
@@ -47,6 +47,7 @@ if TYPE_CHECKING:
         calibration_friction_force: float
         calibration_error: float
         # end of options
+        calibration_friction_coefficient: float
 
     class Contact(Options, total=False):
         """What `si` takes beside the roughness."""
@@ -68,6 +69,12 @@ _HEIGHTS = {"height_distribution", "skew", *_CHOOSES}
 
 # What the ways to make parameters take beside fields.
 _NOT_FIELDS = ("E1", "nu1", "E2", "nu2", "summit_density", "m0", "m2", "m4", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "Ra", "Rq", "RSm")
+# Heights from a peak to a valley.
+_PEAKS = ("Rz", "Rt", "Rmax", "Sz")
+# One measured point: the load, and either of the others.
+CALIBRATION = ("calibration_load", "calibration_friction_coefficient", "calibration_friction_force")
+# What an interface by its name sets, and a measured point with it.
+STRENGTH = ("slip_stress_1", "slip_stress_2", "pressure_coefficient")
 
 # How the summits of moments are known: what sets them, and the fields that it sets. A kurtosis means Johnson's heights.
 _MOMENTS = ("height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth")
@@ -82,7 +89,7 @@ _SETTERS: dict[str, tuple[Any, tuple[str, ...]]] = {
 
 def _initialised() -> _header.asperity_params:
     struct = _header.asperity_params()
-    check(LIBRARY.asperity_params_init_sized(ctypes.byref(struct), ctypes.sizeof(struct)))
+    check(LIBRARY.asperity_params_init(ctypes.byref(struct), ctypes.sizeof(struct)))
     return struct
 
 
@@ -118,8 +125,8 @@ class Params:
             z/sigma)), eq (3); 0 by default.
         radius_rate: rho [-], > 0, per standard deviation of height: how fast the radius changes; 0.5 by default. 1e-6
             to 1000 where `radius_amplitude` is not 0.
-        slip_radius_1: a_1/b [-], > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by
-            default.
+        slip_radius_1: a_1/b [-], at least 1: contact radius up to which the shear strength is `slip_stress_1`, eq (13);
+            28 by default.
         slip_stress_1: tau_1/G* [-], > 0 and at most 1; 1/43 by default, which was not measured on your interface.
         slip_radius_2: a_2/b [-], > a_1/b: contact radius from which the shear strength is `slip_stress_2`; 8e4 by
             default.
@@ -201,6 +208,11 @@ class Params:
             raise Error(f"table_density: {densities} numbers for {heights} heights", Status.INVALID_PARAMETER)
 
     @classmethod
+    def paper(cls) -> Params:
+        """The case of Adams and Müftü (2005): alpha = 0.01, beta = 1000, gamma = 0.001, poisson = 0.3, in units b = G = 1."""
+        return cls.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+
+    @classmethod
     def dimensionless(
         cls,
         *,
@@ -230,7 +242,7 @@ class Params:
         groups = {"alpha": alpha, "beta": beta, "gamma": gamma, "b_over_h": b_over_h, "poisson": poisson}
         values = [_real(name, value) for name, value in groups.items()]
         check(LIBRARY.asperity_params_set_dimensionless(ctypes.byref(struct), *values))
-        return cls(**(_physical(struct) | _options(options)))
+        return cls._made(_physical(struct), options)
 
     @classmethod
     def si(
@@ -298,13 +310,33 @@ class Params:
             "height_std": height_std,
             "summit_radius": summit_radius,
         }
-        return cls(**(moduli | named | summits | _options(options)))
+        return cls._made(moduli | named | summits, options)
+
+    @classmethod
+    def _made(cls, fields: dict[str, Any], options: Any) -> Params:
+        """With options, of which a measured point comes last."""
+        given = dict(options)
+        point = _popped(given, CALIBRATION)
+        return cls(**(fields | _options(given)))._at_point(point)
+
+    def _at_point(self, point: dict[str, Any]) -> Params:
+        """Calibrated by the names of `CALIBRATION`, if any is given."""
+        if not point:
+            return self
+        load, coefficient, force = (point.get(name) for name in CALIBRATION)
+        if load is None or (coefficient is None) == (force is None):
+            says = f"{CALIBRATION[0]} goes with one of {CALIBRATION[1]} and {CALIBRATION[2]}"
+            raise TypeError(f"{next(iter(point))}: {says}")
+        if coefficient is not None:
+            return self.calibrated(load, coefficient, error=self.calibration_error)
+        return self.calibrated_force(load, point[CALIBRATION[2]], error=self.calibration_error)
 
     @classmethod
     def from_spectral_moments(
         cls,
         *,
-        m0: float,
+        m0: float | None = None,
+        Ra: float | Sequence[float] | None = None,
         m2: float,
         m4: float,
         nominal_area: float,
@@ -317,7 +349,8 @@ class Params:
         Keogh (1976), as McCool (1987) collects them. Two rough surfaces: add their moments.
 
         Args:
-            m0: variance of the heights [m^2] > 0.
+            m0: variance of the heights [m^2] > 0; or
+            Ra: mean deviation of Gaussian heights [m] > 0; of two rough surfaces both, whose mean squares add.
             m2: variance of the slopes dz/dx > 0.
             m4: variance of the curvatures d2z/dx2 [1/m^2] > 0; the bandwidth m0 m4/m2^2 is at least 1.5.
             nominal_area: [m^2] > 0.
@@ -336,7 +369,8 @@ class Params:
         if summits not in _SETTERS:
             raise Error(f"summits = {summits!r}: must be 'equal' or 'nayak'", Status.INVALID_PARAMETER)
         struct: Any = _initialised()
-        moments = {"m0": m0, "m2": m2, "m4": m4, "nominal_area": nominal_area}
+        variance = _variance(contact, m0=m0, Ra=Ra)
+        moments = {"m0": variance, "m2": m2, "m4": m4, "nominal_area": nominal_area}
         values = [_real(name, value) for name, value in moments.items()]
         setter, names = _SETTERS[summits]
         check(setter(ctypes.byref(struct), *values))
@@ -345,26 +379,32 @@ class Params:
         if twice:
             raise TypeError(f'{twice[0]}: summits="nayak" sets heights and radii, leave one out')
         params = cls.si(**surface, **contact)
-        _bandwidth_bias.warn(m0 / m2 * (m4 / m2), summits)
+        _bandwidth_bias.warn(variance / m2 * (m4 / m2), summits)
         return params
 
     @classmethod
     def from_profile(
         cls,
         *,
-        Rq: float,
+        Rq: float | Sequence[float] | None = None,
+        Ra: float | Sequence[float] | None = None,
         RSm: float,
         nominal_area: float,
         summits: Literal["equal", "nayak"] = "equal",
         **contact: Unpack[Contact],
     ) -> Params:
-        """Parameters from Rq and RSm of a profile of an isotropic Gaussian surface, in SI units: lengths in m.
+        """Parameters from Rq or Ra and RSm of a profile of an isotropic Gaussian surface, in SI units: lengths in m.
+
+        >>> params = asperity.Params.from_profile(
+        ...     Ra=[8e-9, 4e-9], RSm=1e-6, nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
 
         m0 = Rq^2 and m2 = (2 pi Rq/RSm)^2, since a Gaussian profile crosses its mean line upwards once in RSm. Rq and RSm do
         not determine how sharp the summits are: m4 = bandwidth m2^2/m0.
 
         Args:
-            Rq: standard deviation of the profile [m] > 0; of Gaussian heights (pi/2)^(1/2) Ra.
+            Rq: standard deviation of the profile [m] > 0; or
+            Ra: its mean deviation [m] > 0, 0.8 Rq of Gaussian heights. Of two rough surfaces a list of both: their mean squares
+                add.
             RSm: mean width of the profile's elements [m] > 0, with every crossing of the mean line counted.
             nominal_area: [m^2] > 0.
             summits: "equal" or "nayak", as for `from_spectral_moments`.
@@ -379,7 +419,7 @@ class Params:
         Warns:
             ValidityWarning: a bandwidth for which friction is off by more than 10 %: the message has the expected bias.
         """
-        m0 = _positive("Rq", Rq) ** 2
+        m0 = _variance(contact, Rq=Rq, Ra=Ra)
         m2 = m0 * (2 * math.pi / _positive("RSm", RSm)) ** 2
         m4 = _positive("bandwidth", contact.pop("bandwidth", BANDWIDTH.middle)) * m2 * (m2 / m0)
         return cls.from_spectral_moments(m0=m0, m2=m2, m4=m4, nominal_area=nominal_area, summits=summits, **contact)
@@ -388,9 +428,10 @@ class Params:
     def from_iso25178(
         cls,
         *,
-        Sq: float,
-        Sdq: float,
-        Ssc: float | None = None,
+        Sq: float | Sequence[float] | None = None,
+        Ra: float | Sequence[float] | None = None,
+        Sdq: float | Sequence[float],
+        Ssc: float | Sequence[float] | None = None,
         Sds: float | None = None,
         Ssk: float | None = None,
         Sku: float | None = None,
@@ -410,7 +451,9 @@ class Params:
         surface; here they are taken for those of the summits, which is an approximation.
 
         Args:
-            Sq: standard deviation of the heights [m] > 0.
+            Sq: standard deviation of the heights [m] > 0; or
+            Ra: mean deviation of Gaussian heights [m] > 0. Of two rough surfaces a list of both, also for Sdq and Ssc: their
+                mean squares add.
             Sdq: root mean square gradient > 0.
             Ssc: mean curvature of the summits [1/m] > 0.
             Sds: summits per area [1/m^2] > 0; every local maximum counts, unlike for Spd.
@@ -428,17 +471,16 @@ class Params:
             raise TypeError("give Ssc, Sds or both: Sq and Sdq do not determine how sharp the summits are")
         if (Ssk is None) != (Sku is None):
             raise TypeError("give both Ssk and Sku, or neither")
+        if Ra is not None and Sku is not None:
+            raise TypeError("Ra: is understood as that of Gaussian heights: give Sq with Ssk and Sku")
         shape: dict[str, Any] = {} if Sku is None else {"skew": Ssk, "kurtosis": Sku}
-        given = {"Sq": Sq, "Sdq": Sdq, "Ssc": Ssc, "Sds": Sds}
-        areal = {name: _positive(name, value) for name, value in given.items() if value is not None}
-        m2 = areal["Sdq"] ** 2 / 2
-        m4 = 9 * math.pi / 64 * areal["Ssc"] ** 2 if "Ssc" in areal else 6 * math.pi * 3**0.5 * m2 * areal["Sds"]
-        params = cls.from_spectral_moments(
-            m0=areal["Sq"] ** 2, m2=m2, m4=m4, nominal_area=nominal_area, summits=summits, **shape, **contact
-        )
-        if len(areal) == len(given):
-            return params.replace(asperity_count=areal["Sds"] * nominal_area)
-        return params
+        m0, m2 = _variance(contact, Sq=Sq, Ra=Ra), _mean_square("Sdq", Sdq) / 2
+        density = 0.0 if Sds is None else _positive("Sds", Sds)
+        m4 = 6 * math.pi * 3**0.5 * m2 * density if Ssc is None else 9 * math.pi / 64 * _mean_square("Ssc", Ssc)
+        both = Ssc is not None and Sds is not None
+        point = _popped(cast("dict[str, Any]", contact), CALIBRATION) if both else {}
+        params = cls.from_spectral_moments(m0=m0, m2=m2, m4=m4, nominal_area=nominal_area, summits=summits, **shape, **contact)
+        return params.replace(asperity_count=density * nominal_area, **point) if both else params
 
     @classmethod
     def from_topography(
@@ -519,41 +561,78 @@ class Params:
         return values
 
     def replace(self, **changes: Any) -> Params:
-        """A copy with some fields changed, as the options of `si`; Johnson's heights stay Johnson's with a new `skew`."""
+        """A copy with some fields changed, as the options of `si`; Johnson's heights stay Johnson's with a new `skew`.
+
+        A new strength of the interface, one of `slip_stress_1`, `slip_stress_2` and `pressure_coefficient`, is not the one that
+        was calibrated: the copy has no measurement then.
+        """
         kept = {field.name: getattr(self, field.name) for field in fields(self)}
+        point = _popped(changes, CALIBRATION)
+        if changes.keys() & set(STRENGTH):
+            kept |= {"calibration_load": 0.0, "calibration_friction_force": 0.0}
         if "skew" in changes and self.height_distribution == "johnson":
             changes.setdefault("height_distribution", "johnson")
         options = _options(changes)
         if options.get("height_distribution", "johnson") != "johnson":
             kept |= {"skew": _DEFAULT.skew, "kurtosis": _DEFAULT.kurtosis}
-        return type(self)(**(kept | options))
+        return type(self)(**(kept | options))._at_point(point)
 
-    def calibrated(self, *, load: float, mu: float | None = None, friction_force: float | None = None) -> Params:
-        """A copy whose strength of the interface is set from one measured friction coefficient or force.
+    def calibrated(self, load: float, friction_coefficient: float, *, error: float = _DEFAULT.calibration_error) -> Params:
+        """A copy whose strength of the interface is set from one measured friction coefficient.
 
-        >>> params = asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001).calibrated(load=100.0, mu=0.3)
+        >>> params = asperity.Params.paper().calibrated(load=100.0, friction_coefficient=0.3)
         >>> print(f"{asperity.Model(params).friction_at_load(100.0):.3f}")
         0.300
 
-        The library scales both slip stresses by one factor, so that the friction force at this load is the measured one.
+        The library scales both slip stresses by one factor, so that the friction coefficient at this load is the measured one.
         Use the parameters of the surfaces that were measured. The model then predicts how friction changes with load, area,
         roughness and adhesion.
 
+        The parameters keep the measurement: `uncertainty`, `Model.curve` and studies take it and its error into account, as long
+        as the model still has this friction at this load. Changed surfaces keep the strength; it is then known from a measurement
+        on another surface. Another slip stress or pressure coefficient, set by `replace`, is not calibrated any more.
+
         Args:
-            load: normal load of the measurement [force], a total over `asperity_count`.
-            mu: friction coefficient measured at that load; or
-            friction_force: friction force measured at it [force].
+            load: normal load of the measurement [force] > 0, a total over `asperity_count`.
+            friction_coefficient: measured at that load, > 0 and at most 20.
+            error: relative standard error of the measurement, > 0 and at most 1.
+
+        Raises:
+            Error: no strength gives that friction; the message has the numbers.
+        """
+        return self._calibrated(LIBRARY.asperity_params_calibrate, load, "friction_coefficient", friction_coefficient, error)
+
+    def calibrated_force(self, load: float, friction_force: float, *, error: float = _DEFAULT.calibration_error) -> Params:
+        """As `calibrated`, from a measured friction force: for measurements at zero load, or where the load pulls.
+
+        Args:
+            load: normal load of the measurement [force], a total over `asperity_count`; from the pull-off load upwards.
+            friction_force: measured at that load [force], > 0.
+            error: relative standard error of the measurement, > 0 and at most 1.
 
         Raises:
             Error: no strength gives that force; the message has the numbers.
-            TypeError: not one of `mu` and `friction_force`.
         """
-        if (mu is None) == (friction_force is None):
-            raise TypeError("give either mu or friction_force, as measured at the load")
-        force = _real("friction_force", friction_force) if mu is None else _positive("mu", mu) * _positive("load", load)
+        return self._calibrated(LIBRARY.asperity_params_calibrate_force, load, "friction_force", friction_force, error)
+
+    def _calibrated(self, call: Any, load: float, name: str, value: float, error: float) -> Params:
         struct: Any = self._as_struct()
-        check(LIBRARY.asperity_params_calibrate(ctypes.byref(struct), _real("load", load), force))
-        return self.replace(slip_stress_1=struct.slip_stress_1, slip_stress_2=struct.slip_stress_2)
+        struct.calibration_error = _real("error", error)
+        check(call(ctypes.byref(struct), _real("load", load), _real(name, value)))
+        changed = ("slip_stress_1", "slip_stress_2", "calibration_load", "calibration_friction_force", "calibration_error")
+        return replace(self, **{field: getattr(struct, field) for field in changed})
+
+    def elastic_plastic(self, hardness: float) -> Params:
+        """A copy whose summits yield: contact law "elastic-plastic", with this hardness of the softer body [stress], no adhesion.
+
+        Raises:
+            Error: a hardness that is not finite and > 0.
+        """
+        struct: Any = self._as_struct()
+        check(LIBRARY.asperity_params_set_elastic_plastic(ctypes.byref(struct), _real("hardness", hardness)))
+        return self.replace(
+            contact_law="elastic-plastic", hardness=struct.hardness, work_of_adhesion=struct.work_of_adhesion
+        )
 
     def with_interface(self, name: str) -> Params:
         """A copy whose strength of the interface was measured on other specimens, by the name of the interface.
@@ -570,7 +649,7 @@ class Params:
         """
         struct: Any = self._as_struct()
         check(LIBRARY.asperity_params_set_interface(ctypes.byref(struct), name.encode()))
-        return self.replace(**{field: getattr(struct, field) for field in _surface_file.STRENGTH})
+        return self.replace(**{field: getattr(struct, field) for field in STRENGTH})
 
     def __repr__(self) -> str:
         shown = [field for field in fields(self) if getattr(self, field.name) != field.default]
@@ -595,6 +674,10 @@ class Params:
         return struct  # type: ignore[no-any-return]
 
 
+def _popped(given: dict[str, Any], names: Sequence[str]) -> dict[str, Any]:
+    return {name: given.pop(name) for name in names if name in given}
+
+
 def _physical(struct: _header.asperity_params) -> dict[str, Any]:
     """The fields that have no default."""
     required = [field.name for field in fields(Params) if field.default is MISSING]
@@ -616,6 +699,7 @@ def _heights_of(summits: Summits, family: Any) -> dict[str, Any]:
 def _options(given: Any) -> dict[str, Any]:
     """Fields to set, with the height distribution that they mean."""
     changes = dict(given)
+    refuse_peaks(changes)
     known = [field.name for field in fields(Params)]
     for name in changes:
         if name not in known:
@@ -673,6 +757,38 @@ def _positive(name: str, value: Any) -> float:
     if not (math.isfinite(number) and number > 0):
         raise Error(f"{name} = {number}: must be finite and > 0", Status.INVALID_PARAMETER)
     return number
+
+
+def both_of(name: str, value: Any) -> list[float]:
+    """The number of one rough surface, or those of two."""
+    both = [value] if isinstance(value, numbers.Real) or not hasattr(value, "__iter__") else list(value)
+    if not 1 <= len(both) <= 2:
+        raise TypeError(f"{name} = {value!r}: must be one number, or a list of two if both surfaces are rough")
+    return [_positive(name, one) for one in both]
+
+
+def _mean_square(name: str, value: Any) -> float:
+    """Of one surface, or the sum over two."""
+    return sum(one**2 for one in both_of(name, value))
+
+
+def refuse_peaks(given: Any) -> None:
+    """`TypeError` for a height from a peak to a valley, which says too little of a roughness."""
+    for name in _PEAKS:
+        if name in given:
+            raise TypeError(f"{name}: is a peak-to-valley height, which does not determine friction: give Ra or Rq (Sq)")
+
+
+def _variance(others: Any, **given: Any) -> float:
+    """m0 from the one of these names that is given."""
+    refuse_peaks(others)
+    told = {name: value for name, value in given.items() if value is not None}
+    if len(told) != 1:
+        raise TypeError(f"give one of {' and '.join(given)}, as the height of the roughness")
+    ((name, value),) = told.items()
+    if name == "m0":
+        return _positive(name, value)
+    return (math.pi / 2 if name == "Ra" else 1.0) * _mean_square(name, value)
 
 
 def _word(name: str, value: Any) -> str:
