@@ -25,6 +25,7 @@ static inline int surface_holds(const asperity_model *model, double lightest, do
     char message[512];
     asperity_params params;
     uint64_t warnings = 0;
+    params.struct_size = sizeof params;
     if (asperity_get_params(model, &params) != ASPERITY_OK ||
         asperity_check_loads(model, lightest, heaviest, &warnings) != ASPERITY_OK) {
         asperity_last_error(message, sizeof message);

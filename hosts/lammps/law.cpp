@@ -83,7 +83,9 @@ double cube_root(double x) {
 void Law::Surface::take(const std::string &name, const std::string &text) {
     if (name == "surface") {
         if (changed) refuse("surface " + text + ": must stand before the words that change it");
-        *this = {text};
+        file = text;
+        names.clear();
+        values.clear();
         return;
     }
     changed = true;

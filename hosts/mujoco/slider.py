@@ -145,7 +145,7 @@ def check_refusals():
         ({"work_of_adhesion = 0.06": ""}, ["carbon, 1 cm2", "work_of_adhesion: must be set"]),
         ({SUMMITS: "", "hardness": f"{SIZE}\nhardness"}, ["carbon, 1 cm2", "asperity_count: must be set"]),
         ({"hardness": "slip_radius_1 = 10.75e-9\nhardness"}, ["line 6", "slip_radius_1", "is it a length?"]),
-        ({"hardness": measured(100, "calibration_friction_coefficient", 25)}, ["line 6", "coefficient = 25", "is it a force?"]),
+        ({"hardness": measured(100, "calibration_friction_coefficient", 25)}, ["line 7", "coefficient = 25", "is it a force?"]),
         ({"hardness": "calibration_load = 100\nhardness"}, ["line 6", "calibration_load: must be given together"]),
         ({SUMMITS: "", "hardness": f"{SIZE}\nasperity_count = 1e3\nhardness", "= 1e-4": "= 100"}, ["nominal_area in mm^2"]),
         ({TEXT: f'<config key="surface" value="missing.toml"/>{TEXT}'}, ["carbon, 1 cm2", "missing.toml"]),

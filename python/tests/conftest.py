@@ -15,7 +15,7 @@ import pytest
 from asperity import Model, Params
 
 ROOT = Path(__file__).resolve().parents[2]
-HARD_CARBON = ROOT / "hosts" / "kratos" / "surface.toml"  # the surface of all hosts
+HARD_CARBON = ROOT / "hosts" / "surface.toml"  # the surface of all hosts
 
 
 @pytest.fixture(scope="session")

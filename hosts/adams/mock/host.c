@@ -135,7 +135,7 @@ static void check_refusals(const contact *good) {
     bad.par[1] = MISSING;
     demand_message(&bad, 1, 10, "must be that of a STRING");
     bad.par[1] = 3;
-    demand_message(&bad, 1, 10, "bad.toml: line 2: slip_radius_1");
+    demand_message(&bad, 1, 10, "bad.toml: line 1: slip_radius_1 = 1.075e-8: must be at least 1; is it a length?");
     bad.par[1] = 4;
     demand_message(&bad, 1, 10, "missing.toml");
     bad.par[1] = good->par[1];
@@ -157,6 +157,7 @@ static void check_refusals(const contact *good) {
 
 int main(int argc, char **argv) {
     const double start = now();
+    const char *bad = "slip_radius_1 = 10.75e-9\n";
     char text[4000];
     if (argc != 2) fail("usage: host FOLDER");
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
@@ -171,10 +172,12 @@ int main(int argc, char **argv) {
     params.pressure_coefficient = 0.05;
     if (asperity_params_calibrate(&params, 100, 0.2) != ASPERITY_OK) fail("no calibrated surface");
     if (asperity_create(&params, &other_model) != ASPERITY_OK) fail("no second surface");
-    if (asperity_params_text(&params, text, sizeof text) >= sizeof text) fail("a text that is too long");
+    if (asperity_params_text(&params, text, sizeof text) >= sizeof text - 100) fail("a text that is too long");
     write_surface(2, argv[1], "rougher.toml", text);
     set_contact(&rougher, 2, 1e-3);
-    write_surface(3, argv[1], "bad.toml", "pair = \"steel/steel\"\nslip_radius_1 = 10.75e-9\n");
+    memmove(text + strlen(bad), text, strlen(text) + 1);
+    memcpy(text, bad, strlen(bad));
+    write_surface(3, argv[1], "bad.toml", text);
     snprintf(strings[3], sizeof strings[3], "%s/missing.toml", argv[1]);
 
     double force[3];

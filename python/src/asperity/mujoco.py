@@ -40,10 +40,7 @@ __all__ = ["PLUGIN", "instance", "solve"]
 
 def instance(name: str, params: Params) -> str:
     """The element `<instance>` of a model that has these surfaces."""
-    struct = params._as_struct()
-    text = ctypes.create_string_buffer(_library.LIBRARY.asperity_params_text(ctypes.byref(struct), None, 0) + 1)
-    _library.LIBRARY.asperity_params_text(ctypes.byref(struct), text, len(text))
-    return f'<instance name={quoteattr(name)}><config key="text" value={quoteattr(text.value.decode())}/></instance>'
+    return f'<instance name={quoteattr(name)}><config key="text" value={quoteattr(params._as_text())}/></instance>'
 
 
 def solve(model: mujoco.MjModel, data: mujoco.MjData) -> int:

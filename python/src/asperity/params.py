@@ -673,6 +673,13 @@ class Params:
         struct.table_length = len(self.table_height)
         return struct  # type: ignore[no-any-return]
 
+    def _as_text(self) -> str:
+        """A surface file, for units and plugins that read it without Python."""
+        struct = self._as_struct()
+        text = ctypes.create_string_buffer(LIBRARY.asperity_params_text(ctypes.byref(struct), None, 0) + 1)
+        LIBRARY.asperity_params_text(ctypes.byref(struct), text, len(text))
+        return text.value.decode()
+
 
 def _popped(given: dict[str, Any], names: Sequence[str]) -> dict[str, Any]:
     return {name: given.pop(name) for name in names if name in given}
