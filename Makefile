@@ -10,7 +10,8 @@
 # make release   VERSION=x.y.z: checks that the tree is ready for a release, builds and proves it, and says what is left to do
 # make site      the documentation as a searchable site in target/site/html, with the explorer
 # make figures   draw the figures of the documents anew, in minutes
-# make header    write include/asperity.h anew from the sources
+# make header    write include/asperity.h anew from the sources, and from it what other languages and the pages repeat
+# make abi       write tests/abi/abi-1.h anew from the header, on purpose
 # make clean     remove what was built
 # make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
 #
@@ -34,7 +35,7 @@ TEST_SCRIPTS := tests/cpp/called.sh tests/c/gpu.sh fortran/test.sh python/test.s
     tests/examples/run.sh tests/consumers/run.sh tests/build_checks.sh tests/harden/run.sh tests/harden/memory.sh \
     tests/harden/supply_chain.sh tests/dist/same_bits.sh tests/dist/refusals.sh
 
-.PHONY: all demo test hosts site figures header clean library
+.PHONY: all demo test hosts site figures header abi clean library
 
 all: library
 
@@ -81,7 +82,11 @@ figures: library
 	hosts/ode/run.sh && cp $(TARGET)/hosts/ode/lag.svg docs/hosts-lag.svg
 
 header:
-	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header
+	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header::committed
+	python3 packaging/declarations
+
+abi:
+	ASPERITY_WRITE_ABI=1 $(CARGO) test --locked --test abi the_file
 
 clean:
 	$(CARGO) clean

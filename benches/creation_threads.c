@@ -12,7 +12,7 @@ static void *make_models(void *failed)
 {
     asperity_params params;
 
-    asperity_params_init(&params);
+    asperity_params_init(&params, sizeof params);
     if (asperity_params_set_dimensionless(&params, 0.01, 1000.0, 0.001, 1.0, 0.3) != ASPERITY_OK)
         *(int *)failed = 1;
     for (long i = 0; i < models_each; i++) {

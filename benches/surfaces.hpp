@@ -27,17 +27,14 @@ struct Surface {
     bool equal_radii() const { return params.radius_amplitude == 0.0; }
 };
 
-inline asperity_params default_surface() {
-    asperity_params params;
-    require(asperity_params_init(&params));
-    return params;
-}
-
 inline asperity_params surface_of(double alpha, double beta, double gamma) {
-    asperity_params params = default_surface();
+    asperity_params params;
+    require(asperity_params_init(&params, sizeof params));
     require(asperity_params_set_dimensionless(&params, alpha, beta, gamma, 1.0, 0.3));
     return params;
 }
+
+inline asperity_params default_surface() { return surface_of(0.01, 1000.0, 0.001); }
 
 inline std::vector<Surface> all_surfaces() {
     std::vector<Surface> surfaces = {

@@ -72,7 +72,7 @@ static int make_contact(asperity_model **model)
 {
     asperity_params params;
 
-    asperity_params_init_unset(&params); /* what is forgotten below is refused by name */
+    asperity_params_init(&params, sizeof params); /* what is forgotten below is refused by name */
     if (asperity_params_set_materials(&params, E, NU, E, NU) != ASPERITY_OK)
         return library_failed("asperity_params_set_materials");
     params.work_of_adhesion = ADHESION;

@@ -2,8 +2,9 @@
 """
 make release VERSION=x.y.z: whether the tree is ready to be released as this version.
 
-Checks that every file that has the version has this one, then runs all tests, builds dist/ and proves it. It publishes nothing:
-the steps that are left to a person are printed at the end. With --check it stops after the versions.
+Checks that every file that has the version has this one, and that the interface has only grown since the last release. Then runs all
+tests, builds dist/ and proves it. It publishes nothing: the steps that are left to a person are printed at the end. With --check it
+stops before the tests.
 """
 
 import os
@@ -13,6 +14,9 @@ import sys
 
 from dist import demand_clean_tree
 from targets import ROOT, Refusal, run
+
+# What programs are compiled against.
+ABI = "tests/abi/abi-1.h"
 
 # Each file that has the version, and how.
 PLACES = {
@@ -59,6 +63,25 @@ def check_tag(version):
         raise Refusal(f"v{version} is the tag of another commit; a new version needs a new number")
 
 
+def parts_of_abi(text):
+    """The structs of tests/abi/abi-1.h with their fields, and all other declarations."""
+    struct = re.compile(r"^typedef struct (\w+) {\n(.*?)^}[^\n]*\n", re.MULTILINE | re.DOTALL)
+    comment = re.compile(r"^/\*.*?\*/", re.MULTILINE | re.DOTALL)
+    return dict(struct.findall(text)), set(struct.sub("", comment.sub("", text)).splitlines())
+
+
+def check_abi():
+    """A released interface only grows: at the end of structs, by constants and by functions."""
+    tags = run("git", "tag", "--list", "v*", "--sort=-version:refname").split()
+    if not tags:
+        return
+    before, others = parts_of_abi(run("git", "show", f"{tags[0]}:{ABI}"))
+    now, others_now = parts_of_abi((ROOT / ABI).read_text(encoding="utf-8"))
+    changed = sorted(others - others_now) + [name for name in before if not now.get(name, "").startswith(before[name])]
+    if changed:
+        raise Refusal(f"{ABI} has changed since {tags[0]}, and may only grow: {changed[0]}")
+
+
 def main(arguments):
     """Checks, tests, builds, proves."""
     only_check = "--check" in arguments
@@ -70,6 +93,7 @@ def main(arguments):
     demand_clean_tree()
     check_versions(version)
     check_tag(version)
+    check_abi()
     print(f"make release: every file has {version}", flush=True)
     if only_check:
         return

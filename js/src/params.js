@@ -1,24 +1,6 @@
 // Parameters as JavaScript has them, names and numbers, into the struct of the C interface.
-import { CONSTANTS, LAYOUTS } from "./header.js";
+import { CONSTANTS, LAYOUTS, WORDS } from "./header.js";
 import { AsperityError, CHUNK } from "./library.js";
-
-/** Words for what the C interface numbers. */
-const HEIGHTS = {
-  gaussian: CONSTANTS.HEIGHTS_GAUSSIAN,
-  weibull: CONSTANTS.HEIGHTS_WEIBULL,
-  johnson: CONSTANTS.HEIGHTS_JOHNSON,
-  tabulated: CONSTANTS.HEIGHTS_TABULATED,
-};
-const CONTACT_LAWS = {
-  maugis: CONSTANTS.CONTACT_MAUGIS,
-  "elastic-plastic": CONSTANTS.CONTACT_ELASTIC_PLASTIC,
-};
-const SLIP_ONSETS = {
-  partial: CONSTANTS.SLIP_PARTIAL,
-  whole: CONSTANTS.SLIP_WHOLE,
-};
-/** @type {Record<string, Record<string, number>>} */
-const WORDS = { height_distribution: HEIGHTS, contact_law: CONTACT_LAWS, slip_onset: SLIP_ONSETS };
 
 /**
  * Two rough surfaces. The numbers are in one consistent system of units; their names are those of `asperity_params`, and
@@ -26,16 +8,10 @@ const WORDS = { height_distribution: HEIGHTS, contact_law: CONTACT_LAWS, slip_on
  * `height_std`, `summit_radius` and `asperity_count`; `Ra` for `m0` of Gaussian heights; `calibration_load` with
  * `calibration_friction_coefficient` or `calibration_friction_force` is `calibrate`. What is left out has its default, or is asked for.
  *
- * @typedef {import("./header.js").Numbers & {
+ * @typedef {import("./header.js").Fields & {
  *   E1?: number, nu1?: number, E2?: number, nu2?: number,
  *   m0?: number, m2?: number, m4?: number, Ra?: number,
  *   calibration_load?: number, calibration_friction_coefficient?: number, calibration_friction_force?: number,
- *   attraction?: boolean,
- *   height_distribution?: keyof typeof HEIGHTS,
- *   contact_law?: keyof typeof CONTACT_LAWS,
- *   slip_onset?: keyof typeof SLIP_ONSETS,
- *   table_height?: ArrayLike<number>,
- *   table_density?: ArrayLike<number>,
  * }} Params
  */
 

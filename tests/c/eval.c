@@ -496,7 +496,8 @@ static void check_surface(const char *name, void (*set)(asperity_params *), doub
     asperity_model *model = NULL;
     asperity_table table;
     asperity_summary summary;
-    asperity_params_init(&params);
+    asperity_params_init(&params, sizeof params);
+    asperity_params_set_dimensionless(&params, 0.01, 1000, 0.001, 1, 0.3);
     set(&params);
     table.struct_size = sizeof table;
     summary.struct_size = sizeof summary;

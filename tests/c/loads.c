@@ -136,7 +136,7 @@ static void each_warning_is_told_once(void)
     uint64_t first, all;
     double load;
     memset(&told, 0, sizeof told);
-    asperity_params_init(&params);
+    asperity_params_init(&params, sizeof params);
     require(asperity_params_set_pair(&params, "Si/Si") == ASPERITY_OK, "Si/Si is a pair");
     params.height_std = 5e-9;
     params.summit_radius = 1e-6;

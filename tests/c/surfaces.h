@@ -9,7 +9,7 @@
 enum { SURFACES = 9 };
 
 static const char *const SURFACE_NAMES[SURFACES] = {
-    "the paper's default", "without adhesion", "strong adhesion", "weak adhesion", "skewed heights",
+    "the paper's case", "without adhesion", "strong adhesion", "weak adhesion", "skewed heights",
     "radii that grow with height", "radii that shrink with height", "no attraction out of contact", "polysilicon, SI",
 };
 
@@ -17,7 +17,8 @@ static asperity_params surface(int which)
 {
     asperity_params p;
 
-    asperity_params_init(&p);
+    asperity_params_init(&p, sizeof p);
+    asperity_params_set_dimensionless(&p, 0.01, 1000, 0.001, 1, 0.3);
     switch (which) {
     case 1: p.work_of_adhesion = 0; break;
     case 2: asperity_params_set_dimensionless(&p, 0.01, 1000, 0.02, 1.0, 0.3); break;

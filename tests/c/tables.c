@@ -43,16 +43,13 @@ static const char *last_message(void)
     return message;
 }
 
-static void a_table_is_copied_and_lent(asperity_status init(asperity_params *),
-                                       asperity_status get(const asperity_model *, asperity_params *))
+static void a_table_is_copied_and_lent(void)
 {
-    asperity_params p, back;
+    asperity_params p = with_table(surface(0), LENGTH), back = { .struct_size = sizeof back };
     asperity_model *model = NULL;
     asperity_summary s;
     double mu;
 
-    init(&p);
-    p = with_table(p, LENGTH);
     CHECK(asperity_create(&p, &model) == ASPERITY_OK, "%s", last_message());
     mu = asperity_friction_at_load(model, 100);
     free_table(&p);
@@ -62,7 +59,7 @@ static void a_table_is_copied_and_lent(asperity_status init(asperity_params *),
     /* The kurtosis of the raised cosine is 6/5 (90 - pi^4)/(pi^2 - 6)^2 + 3; the table nears it. */
     CHECK(fabs(s.kurtosis - 2.4062) < 0.01, "kurtosis %g", s.kurtosis);
 
-    CHECK(get(model, &back) == ASPERITY_OK && back.table_length == LENGTH, "%s", last_message());
+    CHECK(asperity_get_params(model, &back) == ASPERITY_OK && back.table_length == LENGTH, "%s", last_message());
     CHECK(back.table_height != NULL && back.table_height[0] == 2 && back.table_height[LENGTH - 1] == 8, "heights");
     CHECK(back.table_density != NULL && back.table_density[LENGTH / 2] == 2, "densities");
 
@@ -70,7 +67,7 @@ static void a_table_is_copied_and_lent(asperity_status init(asperity_params *),
     back.asperity_count = 2;
     CHECK(asperity_set_params(model, &back) == ASPERITY_OK, "%s", last_message());
     CHECK(fabs(asperity_friction_at_load(model, 200) / mu - 1) < 1e-8, "twice the summits carry twice the load");
-    CHECK(get(model, &back) == ASPERITY_OK && back.asperity_count == 2, "%s", last_message());
+    CHECK(asperity_get_params(model, &back) == ASPERITY_OK && back.asperity_count == 2, "%s", last_message());
 
     /* On failure its table is where it was. */
     back.summit_radius = -1;
@@ -78,9 +75,6 @@ static void a_table_is_copied_and_lent(asperity_status init(asperity_params *),
     CHECK(back.table_height[0] == 2, "the table moved");
     asperity_free(model);
 }
-
-static asperity_status init_whole(asperity_params *p) { return asperity_params_init(p); }
-static asperity_status get_whole(const asperity_model *m, asperity_params *p) { return asperity_get_params(m, p); }
 
 static void bad_tables_are_refused_by_name(void)
 {
@@ -115,9 +109,7 @@ static void bad_tables_are_refused_by_name(void)
 
 int main(void)
 {
-    a_table_is_copied_and_lent(init_whole, get_whole);
-    /* A caller by name, whose struct_size is that of the first version. */
-    a_table_is_copied_and_lent(asperity_params_init, asperity_get_params);
+    a_table_is_copied_and_lent();
     bad_tables_are_refused_by_name();
     return checks_report("tables");
 }

@@ -277,6 +277,8 @@ static void special_setter_arguments(void)
             asperity_params p = surface(0);
             doing = "asperity_params_set_skew";
             asperity_params_set_skew(&p, specials[i]);
+            doing = "asperity_params_set_elastic_plastic";
+            asperity_params_set_elastic_plastic(&p, specials[i]);
         }
         for (size_t name = 0; asperity_pair_name(name) != NULL; name++) {
             asperity_params p = surface(0);
@@ -318,8 +320,10 @@ static void null_pointers(void)
     doing = "a call with NULL";
     CHECK(asperity_create(&p, &model) == ASPERITY_OK, "no model");
 #define REFUSES(call) CHECK((call) == ASPERITY_NULL_POINTER, "NULL is not refused")
-    REFUSES(asperity_params_init(NULL));
-    REFUSES((asperity_params_init)(NULL));
+    REFUSES(asperity_params_init(NULL, sizeof p));
+    REFUSES(asperity_params_set_elastic_plastic(NULL, 1));
+    REFUSES(asperity_params_calibrate(NULL, 1, 1));
+    REFUSES(asperity_params_calibrate_force(NULL, 1, 1));
     REFUSES(asperity_params_set_spectral_moments(NULL, 3, 0.5, 0.7, 11));
     REFUSES(asperity_params_set_nayak_summits(NULL, 3, 0.5, 0.7, 11));
     REFUSES(asperity_params_set_dimensionless(NULL, 0.01, 1000, 0.001, 1, 0.3));
@@ -389,7 +393,7 @@ static void random_surfaces(int count)
 
     for (int i = 0; i < count; i++) {
         asperity_params p;
-        asperity_params_init(&p);
+        asperity_params_init(&p, sizeof p);
         asperity_params_set_dimensionless(&p, pow(10, uniform(&seed, -2.5, -0.5)), pow(10, uniform(&seed, 1.0, 5.0)),
                                           pow(10, uniform(&seed, -6.0, -2.0)), pow(10, uniform(&seed, -0.5, 0.5)), 0.3);
         p.asperity_count = pow(10, uniform(&seed, -3, 12));

@@ -6,6 +6,7 @@
 mod common;
 
 mod batch;
+mod domains;
 mod fuzz;
 mod fuzz_calls;
 mod gap;

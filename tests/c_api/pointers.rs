@@ -13,10 +13,11 @@ use std::ptr::{null, null_mut};
 type BatchCall = unsafe extern "C" fn(*const asperity_model, usize, *const f64, *mut f64, *mut f64) -> i32;
 type SlopeCall = unsafe extern "C" fn(*const asperity_model, f64, *mut f64) -> f64;
 
-/// The two laws: batch, and one contact with its slope.
-const LAWS: [(BatchCall, SlopeCall); 2] = [
+/// The laws: batch, and one contact with its slope.
+const LAWS: [(BatchCall, SlopeCall); 3] = [
     (asperity_friction_at_loads, asperity_friction_and_slope_at_load),
     (asperity_friction_force_at_loads, asperity_friction_force_and_slope_at_load),
+    (asperity_contact_radius_sum_at_loads, radius_sum_and_slope),
 ];
 /// What memory holds that a call must leave as it is.
 const BEFORE: u64 = 0x5eed_5eed_5eed_5eed;
@@ -24,6 +25,15 @@ const BEFORE: u64 = 0x5eed_5eed_5eed_5eed;
 const LONGEST: usize = 16 * 4 * 2 + 7;
 /// alpha, beta, gamma and b/h of the surface whose model is soonest made.
 const SOONEST_MADE: [f64; 4] = [1.0, 0.1, 0.01, 40.0];
+
+/// One contact by the call that answers for one, with the slope of a batch of one.
+unsafe extern "C" fn radius_sum_and_slope(model: *const asperity_model, load: f64, slope: *mut f64) -> f64 {
+    // SAFETY: those of the caller.
+    unsafe {
+        asperity_contact_radius_sum_at_loads(model, 1, &load, null_mut(), slope);
+        asperity_contact_radius_sum_at_load(model, load)
+    }
+}
 
 /// Memory of a caller, of so many bytes, at an address that is a multiple of 8 or odd. It holds nothing until it is filled.
 struct Place {
@@ -375,7 +385,9 @@ fn one_contact(handle: &Handle) {
             let (value, slope) = (Place::numbers(1, 1), Place::numbers(1, 1));
             // SAFETY: the model lives, the places have room.
             unsafe {
-                let plain = [asperity_friction_at_load, asperity_friction_force_at_load][i](handle.0, load);
+                let plain =
+                    [asperity_friction_at_load, asperity_friction_force_at_load, asperity_contact_radius_sum_at_load]
+                        [i](handle.0, load);
                 batch(handle.0, 1, &load, value.pointer(), null_mut());
                 let both = [one(handle.0, load, slope.pointer()), one(handle.0, load, null_mut())];
                 assert_eq!(both.map(f64::to_bits), [plain.to_bits(); 2]);

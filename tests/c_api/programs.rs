@@ -28,11 +28,6 @@ fn threads_that_share_a_model_get_its_answers_and_their_own_messages() {
 }
 
 #[test]
-fn a_program_of_the_first_header_runs() {
-    passes("old_caller.c");
-}
-
-#[test]
 fn tables_of_heights_are_copied_and_freed() {
     passes("tables.c");
 }

@@ -207,7 +207,7 @@ pub fn source(name: &str, text: &str) -> PathBuf {
 }
 
 /// Where cargo put the library: beside the program of this test.
-fn library_folder() -> PathBuf {
+pub fn library_folder() -> PathBuf {
     let program = std::env::current_exe().expect("the path of this program");
     program.parent().expect("its folder").to_owned()
 }

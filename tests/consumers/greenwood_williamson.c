@@ -53,7 +53,7 @@ int main(void)
         fprintf(stderr, "library %s is not of the header, " ASPERITY_VERSION "\n", asperity_version());
         return 1;
     }
-    asperity_params_init(&params);
+    asperity_params_init(&params, sizeof params);
     if (asperity_params_set_materials(&params, 160e9, 0.22, 160e9, 0.22) != ASPERITY_OK)
         return failed("asperity_params_set_materials");
     params.work_of_adhesion = 0;

@@ -106,8 +106,6 @@ with_make pkg-config-static
 check pkg-config-static static
 with_make static-library
 check static-library static
-with_make abi
-check abi shared
 with_make dlopen
 check dlopen static consumer "$library"
 with_cmake find-package-shared -DASPERITY_WANTED="$major.$minor"

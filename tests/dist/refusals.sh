@@ -53,6 +53,22 @@ refuses "say which: make release VERSION=x.y.z" make release
 refuses "'next' is no version" make release VERSION=next
 refuses "Cargo.toml has $version, not 9.9.9" make release VERSION=9.9.9
 refuses "CHANGELOG.md has no heading" make release VERSION="$version"
+# After a release the interface may grow, and in no other way change.
+git tag v0.0.1
+sed -i "s/^## \[Unreleased\]/## $version (2000-01-01)/" CHANGELOG.md
+sed -i 's|^} asperity_state;|  double another; /* 232, 8 */\n&|; $i void asperity_another(void);' tests/abi/abi-1.h
+git commit --quiet --all --message "the interface grows"
+python3 packaging/release.py --check "$version" >/dev/null || fail "make release refuses a field at the end and another function"
+abi="tests/abi/abi-1.h has changed since v0.0.1, and may only grow:"
+sed -i '/ weibull_shape;/d' tests/abi/abi-1.h
+git commit --quiet --all --message "a field goes"
+refuses "$abi asperity_params" make release VERSION="$version"
+sed -i '/asperity_version(/d' tests/abi/abi-1.h
+git commit --quiet --all --message "a function goes"
+refuses "$abi const char *asperity_version(void);" make release VERSION="$version"
+git reset --quiet --hard v0.0.1
+git tag --delete v0.0.1 >/dev/null
+
 # One place that was forgotten.
 sed -i "s/^version: $version/version: 0.0.9/" CITATION.cff
 git commit --quiet --all --message "one version differs"

@@ -44,7 +44,7 @@ clean() {
     checked=$((checked + 1))
 }
 # What is written past a caller's shorter struct, and what is not freed.
-programs="threads old_caller tables"
+programs="threads tables"
 [ "$mode" = quick ] || programs+=" contract eval"
 for program in $programs; do
     gcc -std=c11 -g -O1 -ffp-contract=off -Iinclude "tests/c/$program.c" -o "$build/$program" "${link[@]}"

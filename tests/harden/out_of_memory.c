@@ -129,7 +129,7 @@ static void loops_allocate_nothing(void)
     double loads[LOADS], force[LOADS], slope[LOADS];
 
     for (int which = 0; which < SURFACES; which++) {
-        asperity_params p = surface(which), copy;
+        asperity_params p = surface(which), copy = { .struct_size = sizeof copy };
         asperity_model *model = NULL;
         char message[128];
         long count, left;

@@ -13,7 +13,8 @@
 #include "../c/check.h"
 
 typedef struct functions {
-    asperity_status (*init)(asperity_params *);
+    asperity_status (*init)(asperity_params *, size_t);
+    asperity_status (*set_dimensionless)(asperity_params *, double, double, double, double, double);
     asperity_status (*create)(const asperity_params *, asperity_model **);
     double (*force)(const asperity_model *, double);
     size_t (*last_error)(char *, size_t);
@@ -26,7 +27,8 @@ static double use(const functions *f)
     asperity_model *model = NULL;
     double force;
 
-    if (f->init(&p) != ASPERITY_OK || f->create(&p, &model) != ASPERITY_OK)
+    if (f->init(&p, sizeof p) != ASPERITY_OK || f->set_dimensionless(&p, 0.01, 1000, 0.001, 1, 0.3) != ASPERITY_OK ||
+        f->create(&p, &model) != ASPERITY_OK)
         return -1;
     force = f->force(model, 1.0);
     f->free(model);
@@ -75,6 +77,7 @@ int main(int argc, char **argv)
             return 1;
         }
         *(void **)&f.init = dlsym(library, "asperity_params_init");
+        *(void **)&f.set_dimensionless = dlsym(library, "asperity_params_set_dimensionless");
         *(void **)&f.create = dlsym(library, "asperity_create");
         *(void **)&f.force = dlsym(library, "asperity_friction_force_at_load");
         *(void **)&f.last_error = dlsym(library, "asperity_last_error");

@@ -331,12 +331,21 @@ impl<'a> Calls<'a> {
         let (force_at, slope_at): (*mut f64, *mut f64) = (&mut force, &mut slope);
         let one: usize = 1;
         let told: i32 = call!(self, p, asperity_tangential_stiffness_at_loads(at, one, load_at, batch_at));
+        let sum: f64 = call!(self, p, asperity_contact_radius_sum_at_load(at, load));
+        let (mut sum_of_batch, mut sum_slope) = (BEFORE, BEFORE);
+        let (sum_at, sum_slope_at): (*mut f64, *mut f64) = (&mut sum_of_batch, &mut sum_slope);
+        let sums_told: i32 =
+            call!(self, p, asperity_contact_radius_sum_at_loads(at, one, load_at, sum_at, sum_slope_at));
         let far: f64 = 1e150;
         let status: i32 = call!(self, p, asperity_tangential_at_load(at, load, far, force_at, slope_at));
         let what =
             || format!("load {load:e}: F {friction:e}, K {stiffness:e}, status {status}, T {force:e} {slope:e}; {p:?}");
         assert_eq!(batch.to_bits(), stiffness.to_bits(), "{}", what());
         assert!(is_quiet_nan(stiffness) || stiffness >= 0.0, "{}", what());
+        let of_sum = || format!("{}; radii {sum:e} {sum_of_batch:e} {sum_slope:e}, status {sums_told}", what());
+        assert!(sums_told == told && sum.to_bits() == sum_of_batch.to_bits(), "{}", of_sum());
+        assert!(sum.is_nan() == stiffness.is_nan() && (sum > 0.0) <= (stiffness > 0.0), "{}", of_sum());
+        assert!(sum.is_nan() && sum_slope.is_nan() || sum >= 0.0 && sum_slope >= 0.0, "{}", of_sum());
         assert!(told != OK || is_finite(stiffness), "{}", what());
         if status == OK && told == OK && friction > 0.0 && model.is_compiled(load) {
             assert!(force >= 0.0 && force <= friction * (1.0 + 1e-6) && slope >= 0.0, "{}", what());

@@ -18,7 +18,8 @@ enum { TIMES = 200, THREADS = 3 };
 
 typedef struct library {
     void *handle;
-    asperity_status (*params_init)(asperity_params *);
+    asperity_status (*params_init)(asperity_params *, size_t);
+    asperity_status (*set_dimensionless)(asperity_params *, double, double, double, double, double);
     asperity_status (*create)(const asperity_params *, asperity_model **);
     double (*friction_at_load)(const asperity_model *, double);
     size_t (*last_error)(char *, size_t);
@@ -55,6 +56,7 @@ static library load(const char *path)
     if (lib.handle == NULL)
         fail(path, dlerror());
     find(&lib, "asperity_params_init", &lib.params_init);
+    find(&lib, "asperity_params_set_dimensionless", &lib.set_dimensionless);
     find(&lib, "asperity_create", &lib.create);
     find(&lib, "asperity_friction_at_load", &lib.friction_at_load);
     find(&lib, "asperity_last_error", &lib.last_error);
@@ -70,6 +72,17 @@ static void unload(const library *lib, const char *path)
         fail(path, "still loaded after dlclose");
 }
 
+/* The case of the paper, by functions that were found by name. */
+static asperity_params paper(const library *lib)
+{
+    asperity_params params;
+
+    if (lib->params_init(&params, sizeof params) != ASPERITY_OK || params.calibration_error != 0.05)
+        fail("asperity_params_init", "the struct is not whole");
+    lib->set_dimensionless(&params, 0.01, 1000, 0.001, 1, 0.3);
+    return params;
+}
+
 static void *call(void *argument)
 {
     work *w = argument;
@@ -79,7 +92,7 @@ static void *call(void *argument)
 
     if (!(w->lib->friction_at_load(w->model, 1.0) > 0))
         fail("asperity_friction_at_load", "no friction");
-    w->lib->params_init(&params);
+    params = paper(w->lib);
     params.height_std = -1;
     if (w->lib->create(&params, &none) != ASPERITY_INVALID_PARAMETER)
         fail("asperity_create", "took height_std = -1");
@@ -94,12 +107,11 @@ static void *call(void *argument)
 static void once(const char *path)
 {
     const library lib = load(path);
-    asperity_params params;
+    const asperity_params params = paper(&lib);
     asperity_model *model = NULL;
     pthread_t threads[THREADS];
     work w;
 
-    lib.params_init(&params);
     if (lib.create(&params, &model) != ASPERITY_OK)
         fail("asperity_create", "failed");
     w.lib = &lib;

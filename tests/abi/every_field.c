@@ -1,0 +1,396 @@
+/* Every field of every struct but the table, which table.c reads. */
+
+#include "fields.h"
+
+SEEN_BYTES(params);
+SEEN_BYTES(state);
+SEEN_BYTES(summary);
+SEEN_BYTES(sensitivities);
+SEEN_BYTES(microslip);
+SEEN_BYTES(material_data);
+SEEN_BYTES(pair_data);
+SEEN_BYTES(interface_data);
+
+static const double PI = 3.14159265358979323846;
+
+static asperity_state state_at(const asperity_model *model, double load)
+{
+    asperity_state state = { .struct_size = sizeof state };
+
+    needs(asperity_state_at_load(model, load, &state));
+    return state;
+}
+
+/* ---- Parameters: read by name, or named where they are refused ---- */
+
+#define NUMBERS(F)                                                                                                     \
+    F(composite_modulus) F(effective_shear_modulus) F(work_of_adhesion) F(adhesion_range) F(burgers_vector)            \
+    F(height_std) F(summit_radius) F(asperity_count) F(height_distribution) F(attraction) F(weibull_shape)             \
+    F(radius_amplitude) F(radius_rate) F(slip_radius_1) F(slip_stress_1) F(slip_radius_2) F(slip_stress_2)             \
+    F(max_friction_coefficient) F(skew) F(kurtosis) F(hardness) F(tangential_modulus) F(nominal_area) F(contact_law)   \
+    F(slip_onset) F(pressure_coefficient) F(bandwidth) F(calibration_load) F(calibration_friction_force)               \
+    F(calibration_error)
+
+static void parameters(void)
+{
+    const double height[] = { 0, 1, 2, 3, 4 }, density[] = { 0, 1, 2, 1, 0 };
+    asperity_params p = paper(1);
+    asperity_model *model = NULL;
+    int number = 100;
+    double value;
+
+    HOLDS(params, p, struct_size, p.struct_size == sizeof p);
+#define SET(field) p.field = number++;
+#define READ(field)                                                                                                    \
+    needs(asperity_params_get_value(&p, #field, &value));                                                              \
+    NEAR(params, p, field, value, 0);
+    NUMBERS(SET)
+    NUMBERS(READ)
+    p = paper(1);
+    p.height_distribution = ASPERITY_HEIGHTS_TABULATED;
+    p.table_length = 2;
+    HOLDS(params, p, table_length, asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && says("table_length = 2"));
+    p.table_length = 5;
+    p.table_density = density;
+    HOLDS(params, p, table_height, asperity_create(&p, &model) == ASPERITY_NULL_POINTER && says("table_height is NULL"));
+    p.table_height = height;
+    p.table_density = NULL;
+    HOLDS(params, p, table_density, asperity_create(&p, &model) == ASPERITY_NULL_POINTER && says("table_density is NULL"));
+    ALL_SEEN(params);
+}
+
+/* ---- The state: from calls of the solver's loop, and summed over single summits of Gaussian heights ---- */
+
+typedef struct sums {
+    double contacting, real_area, radii, below, between, above, attracted, attraction_load, hertz_load, variance, largest,
+        elastic, flowing;
+} sums;
+
+static sums summed(const asperity_params *p, const asperity_model *model, const asperity_state *state)
+{
+    enum { HEIGHTS = 40000 };
+    static double overlap[HEIGHTS], load[HEIGHTS], force[HEIGHTS], radius[HEIGHTS], number[HEIGHTS];
+    const double sigma = p->height_std, step = 12 * sigma / HEIGHTS, slope = state->dforce_dload;
+    /* The overlap of first yield, at which the mean pressure of Hertz' contact is 0.4 of the hardness. */
+    const double yield = pow(0.3 * PI * p->hardness / p->composite_modulus, 2) * p->summit_radius;
+    double tallest = 0;
+    sums s = { .largest = 0 };
+
+    for (int i = 0; i < HEIGHTS; i++) {
+        const double height = -5 * sigma + (i + 0.5) * step, z = height / sigma;
+        overlap[i] = height - state->separation;
+        number[i] = p->asperity_count * exp(-z * z / 2) / sqrt(2 * PI) * step / sigma;
+    }
+    needs(asperity_summits_at_overlaps(model, HEIGHTS, overlap, NULL, load, force, radius));
+    for (int i = 0; i < HEIGHTS; i++) {
+        const double a = radius[i], n = a > 0 ? number[i] : 0, over = a / p->burgers_vector;
+        s.contacting += n;
+        s.real_area += n * PI * a * a;
+        s.radii += n * a;
+        s.hertz_load += n * 4 * p->composite_modulus * a * a * a / (3 * p->summit_radius);
+        *(over < p->slip_radius_1 ? &s.below : over < p->slip_radius_2 ? &s.between : &s.above) += n;
+        s.variance += number[i] * pow(force[i] - slope * load[i], 2);
+        s.attracted += a == 0 && load[i] < 0 ? number[i] : 0;
+        s.attraction_load += a == 0 ? number[i] * load[i] : 0;
+        s.elastic += overlap[i] < yield ? n : 0;
+        s.flowing += overlap[i] > 54 * yield ? n : 0;
+    }
+    for (int i = HEIGHTS; tallest < s.contacting / (s.contacting + 1);) {
+        tallest += number[--i];
+        s.largest = radius[i];
+    }
+    return s;
+}
+
+static void state_of_many_summits(void)
+{
+    const double load = 2e5;
+    asperity_params p = paper(1000);
+    asperity_model *model;
+    asperity_state s;
+    sums sum;
+    double slope, mu_slope, n, expected;
+    uint64_t warnings;
+
+    p.slip_radius_1 = 200;
+    p.slip_radius_2 = 400;
+    p.slip_stress_2 = 0.01;
+    p.hardness = 0.02 * p.composite_modulus;
+    model = model_of(&p);
+    s = state_at(model, load);
+    sum = summed(&p, model, &s);
+    n = sum.contacting;
+    HOLDS(state, s, struct_size, s.struct_size == sizeof s);
+    NEAR(state, s, load, load, 0);
+    expected = asperity_load_and_slope_at_separation(model, s.separation, &slope);
+    HOLDS(state, s, separation, fabs(expected / load - 1) < 1e-7);
+    NEAR(state, s, dload_dseparation, slope, 1e-5);
+    NEAR(state, s, friction_force, asperity_friction_force_and_slope_at_load(model, load, &slope), 1e-9);
+    NEAR(state, s, friction_coefficient, asperity_friction_and_slope_at_load(model, load, &mu_slope), 1e-9);
+    NEAR(state, s, dforce_dload, slope, 1e-6);
+    NEAR(state, s, dmu_dload, mu_slope, 1e-6);
+    NEAR(state, s, tangential_stiffness, asperity_tangential_stiffness_at_load(model, load), 1e-8);
+    NEAR(state, s, contacting, n, 1e-3);
+    NEAR(state, s, real_area, sum.real_area, 1e-3);
+    NEAR(state, s, contact_radius_sum, sum.radii, 1e-3);
+    NEAR(state, s, mean_contact_radius, sum.radii / n, 1e-3);
+    NEAR(state, s, max_contact_radius, sum.largest, 1e-3);
+    NEAR(state, s, hertz_load, sum.hertz_load, 1e-3);
+    NEAR(state, s, attracted, sum.attracted, 1e-2);
+    NEAR(state, s, attraction_load, sum.attraction_load, 1e-2);
+    NEAR(state, s, fraction_in_contact, n / p.asperity_count, 1e-3);
+    NEAR(state, s, fraction_below_slip_radius_1, sum.below / n, 1e-2);
+    NEAR(state, s, fraction_between_slip_radii, sum.between / n, 1e-2);
+    NEAR(state, s, fraction_above_slip_radius_2, sum.above / n, 1e-2);
+    NEAR(state, s, mean_asperity_pressure, (load - sum.attraction_load) / sum.real_area, 1e-3);
+    NEAR(state, s, plasticity_index, p.composite_modulus / p.hardness * sqrt(p.height_std / p.summit_radius), 1e-12);
+    /* For so many contacts the scatter is the first order; the bias is 1.05 times it over the root of their number. */
+    NEAR(state, s, friction_scatter, sqrt(sum.variance) / s.friction_force * n / (n + 2), 0.05);
+    NEAR(state, s, friction_bias, 1.05 * sqrt(sum.variance) / s.friction_force / sqrt(n), 0.05);
+    needs(asperity_check_loads(model, load, load, &warnings));
+    HOLDS(state, s, warnings, s.warnings == warnings && warnings != 0);
+    asperity_free(model);
+
+    p = paper(1000);
+    needs(asperity_params_set_elastic_plastic(&p, 0.002 * p.composite_modulus));
+    model = model_of(&p);
+    s = state_at(model, load);
+    sum = summed(&p, model, &s);
+    NEAR(state, s, fraction_elastic, sum.elastic / sum.contacting, 1e-2);
+    NEAR(state, s, fraction_flowing, sum.flowing / sum.contacting, 1e-2);
+    asperity_free(model);
+    ALL_SEEN(state);
+}
+
+/* ---- The summary ---- */
+
+static void summary(void)
+{
+    asperity_params p = paper(1);
+    asperity_summary s = { .struct_size = sizeof s };
+    asperity_model *model;
+    asperity_table t = { .struct_size = sizeof t };
+    double ends[2];
+
+    needs(asperity_params_set_dimensionless(&p, 0.01, 1000, 0.02, 0.8, 0.25));
+    p.height_distribution = ASPERITY_HEIGHTS_JOHNSON;
+    p.skew = -0.4;
+    p.kurtosis = 2.6;
+    model = model_of(&p);
+    needs(asperity_summary_of(model, &s));
+    needs(asperity_table_of(model, &t));
+    for (int end = 0; end < 2; end++) {
+        const uint64_t bits = (t.base + (uint64_t)end * t.row_count) << t.shift;
+        memcpy(&ends[end], &bits, sizeof bits);
+    }
+    HOLDS(summary, s, struct_size, s.struct_size == sizeof s);
+    NEAR(summary, s, alpha, 0.01, 1e-12);
+    NEAR(summary, s, beta, 1000, 1e-12);
+    NEAR(summary, s, gamma, 0.02, 1e-12);
+    NEAR(summary, s, lambda, cbrt(0.8 * 0.8 * 0.8 * 9 * 1000 * 0.02 * 0.02 / (2 * PI * 0.01)), 1e-12);
+    NEAR(summary, s, skew, -0.4, 1e-9);
+    NEAR(summary, s, kurtosis, 2.6, 1e-9);
+    HOLDS(summary, s, pull_off_load, s.pull_off_load < 0 && asperity_friction_force_at_load(model, s.pull_off_load) > 0 &&
+          asperity_friction_force_at_load(model, nextafter(s.pull_off_load, -INFINITY)) == 0);
+    NEAR(summary, s, pull_off_friction_force, asperity_friction_force_at_load(model, s.pull_off_load), 1e-12);
+    NEAR(summary, s, zero_load_friction_force, asperity_friction_force_at_load(model, 0), 1e-12);
+    NEAR(summary, s, min_table_load, s.pull_off_load + ends[0], 1e-12);
+    NEAR(summary, s, max_table_load, s.pull_off_load + ends[1], 1e-12);
+    HOLDS(summary, s, table_error, s.table_error > 0 && s.table_error < 1e-9);
+    asperity_free(model);
+    ALL_SEEN(summary);
+}
+
+/* ---- Sensitivities: differences between models ---- */
+
+static double log_force(const asperity_params *p, double load)
+{
+    asperity_model *model = model_of(p);
+    const double force = state_at(model, load).friction_force;
+
+    asperity_free(model);
+    return log(force);
+}
+
+/* With respect to the logarithm of a parameter, or, where `plain`, to itself. */
+static double difference(const asperity_params *p, size_t offset, int plain, double load)
+{
+    const double step = 1e-4;
+    double ends[2];
+
+    for (int end = 0; end < 2; end++) {
+        asperity_params changed = *p;
+        double value;
+        memcpy(&value, (char *)&changed + offset, sizeof value);
+        value += (end == 0 ? -step : step) * (plain ? 1 : value);
+        memcpy((char *)&changed + offset, &value, sizeof value);
+        ends[end] = log_force(&changed, load);
+    }
+    return (ends[1] - ends[0]) / (2 * step);
+}
+
+static void sensitivities_of(const asperity_params *p, double load)
+{
+    asperity_sensitivities s = { .struct_size = sizeof s };
+    asperity_model *model = model_of(p);
+    double expected;
+
+    needs(asperity_sensitivities_at_load(model, load, &s));
+    HOLDS(sensitivities, s, struct_size, s.struct_size == sizeof s);
+#define DIFFERENCE(field, plain)                                                                                       \
+    expected = difference(p, offsetof(asperity_params, field), plain, load);                                           \
+    HOLDS(sensitivities, s, field, fabs(s.field - expected) <= 1e-3 * fabs(expected) + 1e-5)
+    DIFFERENCE(composite_modulus, 0);
+    DIFFERENCE(effective_shear_modulus, 0);
+    DIFFERENCE(work_of_adhesion, 0);
+    DIFFERENCE(adhesion_range, 0);
+    DIFFERENCE(burgers_vector, 0);
+    DIFFERENCE(height_std, 0);
+    DIFFERENCE(summit_radius, 0);
+    DIFFERENCE(asperity_count, 0);
+    DIFFERENCE(weibull_shape, 0);
+    DIFFERENCE(radius_amplitude, 1);
+    DIFFERENCE(radius_rate, 0);
+    DIFFERENCE(slip_radius_1, 0);
+    DIFFERENCE(slip_stress_1, 0);
+    DIFFERENCE(slip_radius_2, 0);
+    DIFFERENCE(slip_stress_2, 0);
+    DIFFERENCE(hardness, 0);
+    DIFFERENCE(pressure_coefficient, 1);
+    if (p->height_distribution == ASPERITY_HEIGHTS_JOHNSON) {
+        DIFFERENCE(skew, 1);
+        DIFFERENCE(kurtosis, 0);
+    }
+    asperity_free(model);
+}
+
+static void sensitivities(void)
+{
+    asperity_params p = paper(1000);
+
+    p.radius_amplitude = 0.3;
+    p.pressure_coefficient = 0.05;
+    p.height_distribution = ASPERITY_HEIGHTS_JOHNSON;
+    p.skew = -0.3;
+    p.kurtosis = 3.5;
+    sensitivities_of(&p, 1000);
+    p.height_distribution = ASPERITY_HEIGHTS_WEIBULL;
+    p.skew = 0;
+    p.kurtosis = 3;
+    p.weibull_shape = 2.5;
+    sensitivities_of(&p, 1000);
+    needs(asperity_params_set_elastic_plastic(&p, 0.003 * p.composite_modulus));
+    sensitivities_of(&p, 1000);
+    ALL_SEEN(sensitivities);
+}
+
+/* ---- One step of a contact that remembers ---- */
+
+static asperity_microslip stepped(const asperity_model *model, double load, const double *increment, const double *before)
+{
+    asperity_microslip out = { .struct_size = sizeof out };
+
+    needs(asperity_microslip_step(model, load, increment, before, NULL, &out));
+    return out;
+}
+
+static void microslip(void)
+{
+    const asperity_params p = paper(1000);
+    asperity_model *model = model_of(&p);
+    const double load = 300, strength = asperity_friction_force_at_load(model, load);
+    const double length = strength / asperity_tangential_stiffness_at_load(model, load);
+    const double increment[] = { 0.5 * length, 0.3 * length }, far[] = { 30 * length, 0 };
+    double state[64] = { 0 }, force[2], stiffness[4], heavier;
+    asperity_microslip s;
+
+    CHECK(asperity_microslip_length(model) <= 64, "the state of a contact has grown");
+    s = stepped(model, load, increment, state);
+    needs(asperity_microslip_steps(model, 1, &load, increment, state, NULL, force, stiffness));
+    HOLDS(microslip, s, struct_size, s.struct_size == sizeof s);
+    HOLDS(microslip, s, force, memcmp(s.force, force, sizeof force) == 0 && force[0] > force[1] && force[1] > 0);
+    HOLDS(microslip, s, stiffness, memcmp(s.stiffness, stiffness, sizeof stiffness) == 0 && stiffness[3] > stiffness[0]);
+    for (int k = 0; k < 2; k++) {
+        heavier = stepped(model, load * (1 + 1e-6), increment, state).force[k];
+        near_to("microslip.dforce_dload", s.dforce_dload[k], (heavier - force[k]) / (1e-6 * load), 1e-3);
+    }
+    SEEN(microslip, dforce_dload);
+    CHECK(s.slipping > 0 && s.slipping < 1, "microslip.slipping is %g before gross slip", s.slipping);
+    /* In gross slip the strength times the displacement becomes heat. */
+    needs(asperity_microslip_steps(model, 1, &load, far, state, state, NULL, NULL));
+    s = stepped(model, load, far, state);
+    NEAR(microslip, s, slipping, 1, 1e-12);
+    NEAR(microslip, s, dissipated, strength * far[0], 1e-9);
+    asperity_free(model);
+    ALL_SEEN(microslip);
+}
+
+/* ---- Data: against the parameters that are made from them ---- */
+
+static void data(void)
+{
+    asperity_material_data m = { .struct_size = sizeof m };
+    asperity_pair_data pair = { .struct_size = sizeof pair };
+    asperity_interface_data i = { .struct_size = sizeof i };
+    asperity_params p = paper(1);
+
+    needs(asperity_material("steel", &m));
+    needs(asperity_params_set_pair(&p, "steel/steel"));
+    HOLDS(material_data, m, struct_size, m.struct_size == sizeof m);
+    HOLDS(material_data, m, poisson, m.poisson > 0 && m.poisson < 0.5);
+    NEAR(material_data, m, young, 2 * p.composite_modulus * (1 - m.poisson * m.poisson), 1e-12);
+    near_to("material_data.young", m.young, 2 * p.effective_shear_modulus * (1 + m.poisson), 1e-12);
+    HOLDS(material_data, m, young_low, m.young_low > 0.8 * m.young && m.young_low < m.young);
+    HOLDS(material_data, m, young_high, m.young_high < 1.2 * m.young && m.young_high > m.young);
+    NEAR(material_data, m, hardness, p.hardness, 0);
+    HOLDS(material_data, m, hardness_low, m.hardness_low > 0.1 * m.hardness && m.hardness_low < m.hardness);
+    HOLDS(material_data, m, hardness_high, m.hardness_high < 3 * m.hardness && m.hardness_high > m.hardness);
+    NEAR(material_data, m, burgers_vector, p.burgers_vector, 0);
+    HOLDS(material_data, m, name, strcmp(m.name, "steel") == 0);
+    HOLDS(material_data, m, reference, strlen(m.reference) > 20);
+    ALL_SEEN(material_data);
+
+    needs(asperity_pair("mica/Au", &pair));
+    needs(asperity_params_set_pair(&p, "mica/Au"));
+    HOLDS(pair_data, pair, struct_size, pair.struct_size == sizeof pair);
+    NEAR(pair_data, pair, work_of_adhesion, p.work_of_adhesion, 0);
+    HOLDS(pair_data, pair, work_of_adhesion_low, pair.work_of_adhesion_low > 0 && pair.work_of_adhesion_low < p.work_of_adhesion);
+    HOLDS(pair_data, pair, work_of_adhesion_high, pair.work_of_adhesion_high > p.work_of_adhesion);
+    NEAR(pair_data, pair, hamaker, p.work_of_adhesion * 12 * PI * 0.165e-9 * 0.165e-9, 0.01);
+    NEAR(pair_data, pair, slip_stress_1, p.slip_stress_1, 0);
+    HOLDS(pair_data, pair, name, strcmp(pair.name, "mica/Au") == 0);
+    HOLDS(pair_data, pair, reference, strlen(pair.reference) > 20);
+    ALL_SEEN(pair_data);
+
+    needs(asperity_interface("KCl film on iron in vacuum", &i));
+    needs(asperity_params_set_interface(&p, "KCl film on iron in vacuum"));
+    HOLDS(interface_data, i, struct_size, i.struct_size == sizeof i);
+    NEAR(interface_data, i, shear_strength, p.slip_stress_1 * p.effective_shear_modulus, 1e-12);
+    NEAR(interface_data, i, pressure_coefficient, p.pressure_coefficient, 0);
+    HOLDS(interface_data, i, name, strcmp(i.name, "KCl film on iron in vacuum") == 0);
+    HOLDS(interface_data, i, source, strcmp(i.source, "read") == 0 || strcmp(i.source, "quoted") == 0);
+    HOLDS(interface_data, i, reference, strlen(i.reference) > 20);
+    /* Of another, a coefficient is known alone, which the refusal tells with its conditions. */
+    needs(asperity_interface("steel/steel dry", &i));
+    CHECK(asperity_params_set_interface(&p, "steel/steel dry") == ASPERITY_INVALID_PARAMETER, "a strength of %s", i.name);
+    snprintf(message, sizeof message, "only a friction coefficient of %g at %g N (", i.friction_coefficient, i.load);
+    {
+        char expected[sizeof message];
+        memcpy(expected, message, sizeof message);
+        HOLDS(interface_data, i, friction_coefficient, says(expected));
+        HOLDS(interface_data, i, load, says(expected));
+    }
+    HOLDS(interface_data, i, conditions, says(i.conditions));
+    ALL_SEEN(interface_data);
+}
+
+int main(void)
+{
+    parameters();
+    state_of_many_summits();
+    summary();
+    sensitivities();
+    microslip();
+    data();
+    return checks_report("every_field");
+}
