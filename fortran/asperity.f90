@@ -1077,9 +1077,7 @@ module asperity
     !                      through zero slip rate; it opposes the slip: give it the opposite sign on the body that slips
     !   dforce_dload       real(c_double), intent(out), optional [-]
     !   dforce_dslip_rate  real(c_double), intent(out), optional [force time/length]
-    ! friction_force_at_slip_rate is the same function.
     procedure, public :: slip_force => model_slip_force
-    procedure, public :: friction_force_at_slip_rate => model_slip_force
 
     ! stiffness = law%tangential_stiffness_at_load(load [, stat] [, errmsg])
     !   load       real(c_double), intent(in), rank 0 or 1 [force]
@@ -1091,9 +1089,14 @@ module asperity
     !   slope         real(c_double), intent(inout), optional [force/length]: d(force)/d(displacement)
     ! The force rises from stiffness times displacement to the friction force; it is odd in the displacement.
     generic, public :: tangential_stiffness_at_load => stiffness_rank_0, stiffness_rank_1
-    ! tangential_force_at_displacement is the same as tangential_at_load.
     procedure, public :: tangential_at_load => model_tangential_at_load
-    procedure, public :: tangential_force_at_displacement => model_tangential_at_load
+
+    ! total = law%contact_radius_sum_at_load(load [, slope] [, stat] [, errmsg])
+    !   load   real(c_double), intent(in), rank 0 or 1 [force]
+    !   total  real(c_double), of the shape of load [length]: sum of the radii of all contacts; 0 below pull-off. The thermal or
+    !          electrical conductance of independent contacts is 2 k times it. Errors as for friction_at_load
+    !   slope  real(c_double), intent(out), optional, of the shape of load: d(total)/d(load) [length/force]
+    generic, public :: contact_radius_sum_at_load => radius_sum_rank_0, radius_sum_rank_1
 
     ! length = law%microslip_length()    the doubles in the state of a contact that remembers, all 0 when it has just closed
     ! call law%microslip_step(load, increment, before, after, out [, stat] [, errmsg])
@@ -1163,6 +1166,7 @@ module asperity
     procedure, private :: friction_rank_0, friction_rank_1, friction_rank_2, friction_rank_3
     procedure, private :: force_rank_0, force_rank_1, force_rank_2, force_rank_3
     procedure, private :: stiffness_rank_0, stiffness_rank_1
+    procedure, private :: radius_sum_rank_0, radius_sum_rank_1
     final :: finalise_model
   end type friction_model
 
@@ -1170,7 +1174,7 @@ module asperity
     module procedure set_by_name, set_by_names
   end interface asperity_params_set
 
-  public :: asperity_params_init, asperity_params_init_unset, asperity_get_params
+  public :: asperity_params_init, asperity_get_params
   public :: asperity_params_set, asperity_params_get, asperity_params_name_text
   public :: asperity_material_of, asperity_pair_of, asperity_material_name_text, asperity_pair_name_text
   public :: asperity_interface_of, asperity_interface_name_text
@@ -1198,20 +1202,13 @@ module asperity
 
 contains
 
-  ! The paper's default case: alpha .01, beta 1000, gamma .001, nu .3 in units b = G = 1, N = 1.
+  ! Defaults for all but the eight physical inputs, composite_modulus to asperity_count, which are NaN until they are set:
+  ! asperity_create names the first that was not, 'asperity_count: must be set'.
   function asperity_params_init(params) result(status)
     type(asperity_params), intent(out) :: params
     integer(c_int32_t) :: status
-    status = asperity_params_init_sized(params, int(c_sizeof(params), c_int64_t))
+    status = asperity_params_init_c(params, c_sizeof(params))
   end function asperity_params_init
-
-  ! For a surface of your own: the default case, but the eight physical inputs, composite_modulus to asperity_count, are
-  ! NaN. asperity_create names the first that was never set: 'asperity_count: must be set'.
-  function asperity_params_init_unset(params) result(status)
-    type(asperity_params), intent(out) :: params
-    integer(c_int32_t) :: status
-    status = asperity_params_init_unset_sized(params, int(c_sizeof(params), c_int64_t))
-  end function asperity_params_init_unset
 
   ! Parameters of a surface of your own, all that no default can stand for: name the arguments, and the compiler asks for
   ! the one that you forget. In one consistent system of units; heights and what else has a default are set afterwards.
@@ -1228,7 +1225,7 @@ contains
     character(*), intent(inout), optional :: errmsg
     type(asperity_params) :: params
     integer(c_int32_t) :: status
-    status = asperity_params_init_unset(params)
+    status = asperity_params_init(params)
     if (status == ASPERITY_OK) status = asperity_params_set_materials(params, E1, nu1, E2, nu2)
     params%work_of_adhesion = work_of_adhesion
     params%adhesion_range = adhesion_range
@@ -1291,11 +1288,7 @@ contains
   function asperity_params_name_text(index) result(text)
     integer, intent(in) :: index                          ! from 1
     character(:), allocatable :: text
-    type(c_ptr) :: name
-    text = ''
-    if (index < 1) return
-    name = asperity_params_name(int(index - 1, c_size_t))
-    if (c_associated(name)) text = fortran_text(name)
+    text = listed(asperity_params_name, index)
   end function asperity_params_name_text
 
   ! A material by its name, one of asperity_material_name_text: material = asperity_material_of('steel').
@@ -1415,9 +1408,10 @@ contains
   ! is changed or freed.
   function asperity_get_params(model, params) result(status)
     type(c_ptr), intent(in) :: model
-    type(asperity_params), intent(inout) :: params        ! untouched on failure
+    type(asperity_params), intent(inout) :: params        ! as it was on failure, but for its size
     integer(c_int32_t) :: status
-    status = asperity_get_params_sized(model, params, int(c_sizeof(params), c_int64_t))
+    params%struct_size = int(c_sizeof(params), c_int64_t)
+    status = asperity_get_params_c(model, params)
   end function asperity_get_params
 
   ! Stops the program with the message if a status is not ASPERITY_OK:
@@ -1431,13 +1425,9 @@ contains
   function asperity_error_message() result(message)
     character(:), allocatable :: message
     character(kind=c_char), target :: buffer(1024)
-    integer :: i, length
+    integer :: length
     length = int(asperity_last_error(c_loc(buffer), size(buffer, kind=c_size_t)))
-    length = min(length, size(buffer) - 1)
-    allocate(character(length) :: message)
-    do i = 1, length
-      message(i:i) = buffer(i)
-    end do
+    message = joined(buffer(:min(length, size(buffer) - 1)))
   end function asperity_error_message
 
   ! What a status means.
@@ -1452,14 +1442,11 @@ contains
     integer(c_int64_t), intent(in) :: warning
     character(:), allocatable :: text
     character(kind=c_char), allocatable, target :: buffer(:)
-    integer :: i, length
+    integer :: length
     length = int(asperity_warnings_text(warning, c_null_ptr, 0_c_size_t))
     allocate(buffer(length + 1))
     length = int(asperity_warnings_text(warning, c_loc(buffer), size(buffer, kind=c_size_t)))
-    allocate(character(length) :: text)
-    do i = 1, length
-      text(i:i) = buffer(i)
-    end do
+    text = joined(buffer(:length))
   end function asperity_warning_text
 
   ! The version of the library loaded, 'major.minor.patch'.
@@ -1831,6 +1818,33 @@ contains
                   stat, errmsg)
   end function stiffness_rank_1
 
+  function radius_sum_rank_0(self, load, slope, stat, errmsg) result(total)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), target :: load
+    real(c_double), intent(out), optional, target :: slope
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: total
+    if (owns(self) .and. .not. present(slope) .and. .not. present(stat)) then
+      total = asperity_contact_radius_sum_at_load(self%handle, load)
+      if (.not. is_nan(total)) return
+    end if
+    call evaluate(asperity_contact_radius_sum_at_loads, self, 1_c_size_t, c_loc(load), c_loc(total), scalar_address(slope), &
+                  stat, errmsg, tells_open=.true.)
+  end function radius_sum_rank_0
+
+  function radius_sum_rank_1(self, load, slope, stat, errmsg) result(total)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(in), contiguous, target :: load(:)
+    real(c_double), intent(out), optional, contiguous, target :: slope(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double), target :: total(size(load))
+    if (present(slope)) call require_same_shape(shape(load), shape(slope))
+    call evaluate(asperity_contact_radius_sum_at_loads, self, size(load, kind=c_size_t), address(load), address(total), &
+                  address(slope), stat, errmsg)
+  end function radius_sum_rank_1
+
   ! The stiffness has no slope.
   function stiffnesses(model, n, load, value, slope) result(status) bind(c, name='')
     type(c_ptr), intent(in), value :: model
@@ -2108,16 +2122,22 @@ contains
     type(c_ptr), intent(in) :: text
     character(:), allocatable :: converted
     character(kind=c_char), pointer :: characters(:)
-    integer :: i, length
+    integer :: length
     call c_f_pointer(text, characters, [huge(0)])
     length = 0
     do while (iachar(characters(length + 1)) /= 0)
       length = length + 1
     end do
-    allocate(character(length) :: converted)
-    do i = 1, length
-      converted(i:i) = characters(i)
-    end do
+    converted = joined(characters(:length))
   end function fortran_text
+
+  pure function joined(characters) result(text)
+    character(kind=c_char), intent(in) :: characters(:)
+    character(size(characters)) :: text
+    integer :: i
+    do i = 1, size(characters)
+      text(i:i) = characters(i)
+    end do
+  end function joined
 
 end module asperity

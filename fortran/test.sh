@@ -68,6 +68,7 @@ stops() {
     fi
 }
 stops parameter 'summit_radius = 0: must be finite and > 0'
+stops forgotten 'asperity_count: must be set'
 stops never_created "friction_model: no model here: call create on this variable first; a bitwise copy, as \
 allocate(source=) makes, has none"
 stops load 'element 2: load = inf: must be finite'
@@ -75,7 +76,7 @@ stops heavy 'element 3: load = 1e300: must be below 1e80 composite_modulus burge
 stops scalar 'element 1: load = -inf: must be finite'
 stops shape 'friction_model: slope must have the shape of load'
 stops status 'skew = -5: must be finite and > -1.13955, the limit of the Weibull family; Johnson heights have any skew from -3 to 3'
-echo "errors without stat= stop the program: 7 ways"
+echo "errors without stat= stop the program: 8 ways"
 
 # The page: its program is the example, its commands run as they stand and print what it says.
 block() { awk -v kind="\`\`\`$1" '$0 == kind {inside = 1; next} /^```/ {inside = 0} inside' docs/fortran.md; }

@@ -3,11 +3,13 @@
 // Values, ownership and exceptions over the C interface in asperity.h, whose units, parameters and threading rules hold
 // here too. Header only: link libasperity, nothing else.
 //
-//     asperity::Params params = asperity::Params::unset();
-//     params.set_materials(160e9, 0.22, 160e9, 0.22).work_of_adhesion(0.063).adhesion_range(0.384e-9) ... ;
+//     asperity::Params params; // SI units: N, m, Pa
+//     params.set_pair("Si/Si").height_std(5e-9).summit_radius(1e-6).asperity_count(1e5);
+//     params.calibrate(1e-2, 0.25); // a friction coefficient that was measured, and its load
 //     const asperity::Model model(params);
 //     double mu = model.friction_at_load(1e-3);
 //
+// C: Params::c() and Model::c() are what functions of asperity.h take; check() makes an exception of their status.
 // Errors, one rule each:
 //   Calls that return a number return one for every load, and never throw for a load: NaN where there is no answer.
 //   Batch calls into memory of the caller return a Status, which is [[nodiscard]]: look at it, or pass it to check().
@@ -183,56 +185,56 @@ struct ValuesAndSlopes {
 
 // ---- Materials ----
 
+namespace detail {
+
+/// A struct of the C interface that says its size.
+template <class Struct>
+Struct sized() noexcept {
+    Struct made{};
+    made.struct_size = sizeof made;
+    return made;
+}
+
+/// The names that a function of the C interface lists.
+inline std::vector<std::string> names(const char *(*name_at)(std::size_t)) {
+    std::vector<std::string> all;
+    while (const char *name = name_at(all.size())) {
+        all.emplace_back(name);
+    }
+    return all;
+}
+
+} // namespace detail
+
 /// A material by its name, one of material_names(). Throws Error (ASPERITY_INVALID_PARAMETER).
 inline Material material(const std::string &name) {
-    Material found{};
-    found.struct_size = sizeof found;
+    auto found = detail::sized<Material>();
     check(asperity_material(name.c_str(), &found));
     return found;
 }
 
 /// A pair of materials by its name, one of pair_names(), in either order. Throws Error (ASPERITY_INVALID_PARAMETER).
 inline Pair pair(const std::string &name) {
-    Pair found{};
-    found.struct_size = sizeof found;
+    auto found = detail::sized<Pair>();
     check(asperity_pair(name.c_str(), &found));
     return found;
 }
 
 /// An interface by its name, one of interface_names(). Throws Error (ASPERITY_INVALID_PARAMETER).
 inline InterfaceData interface_of(const std::string &name) {
-    InterfaceData found{};
-    found.struct_size = sizeof found;
+    auto found = detail::sized<InterfaceData>();
     check(asperity_interface(name.c_str(), &found));
     return found;
 }
 
 /// The names of all materials.
-inline std::vector<std::string> material_names() {
-    std::vector<std::string> all;
-    while (const char *name = asperity_material_name(all.size())) {
-        all.emplace_back(name);
-    }
-    return all;
-}
+inline std::vector<std::string> material_names() { return detail::names(asperity_material_name); }
 
 /// The names of all pairs.
-inline std::vector<std::string> pair_names() {
-    std::vector<std::string> all;
-    while (const char *name = asperity_pair_name(all.size())) {
-        all.emplace_back(name);
-    }
-    return all;
-}
+inline std::vector<std::string> pair_names() { return detail::names(asperity_pair_name); }
 
 /// The names of all interfaces.
-inline std::vector<std::string> interface_names() {
-    std::vector<std::string> all;
-    while (const char *name = asperity_interface_name(all.size())) {
-        all.emplace_back(name);
-    }
-    return all;
-}
+inline std::vector<std::string> interface_names() { return detail::names(asperity_interface_name); }
 
 // ---- Parameters ----
 
@@ -271,16 +273,12 @@ enum class SlipOnset : std::int32_t {
 /// A value. Each parameter has a reader and a setter of its name; setters can be chained and check nothing, Model does.
 class Params {
 public:
-    /// The paper's default case: alpha = 0.01, beta = 1000, gamma = 0.001, nu = 0.3 in units b = G = 1, N = 1.
-    Params() { check(asperity_params_init_sized(&c_, sizeof c_)); }
+    /// Defaults for all but the eight physical inputs, composite_modulus to asperity_count. These are NaN until they are set:
+    /// Model throws Error, "asperity_count: must be set", naming the first that is not.
+    Params() { check(asperity_params_init(&c_, sizeof c_)); }
 
-    /// For a surface of your own: the physical inputs, composite_modulus to asperity_count, are NaN until they are set, and
-    /// Model throws Error, "asperity_count: must be set", naming the first that is not. All else has its default.
-    static Params unset() {
-        Params params;
-        check(asperity_params_init_unset_sized(&params.c_, sizeof params.c_));
-        return params;
-    }
+    /// The paper's case: alpha = 0.01, beta = 1000, gamma = 0.001, b/h = 1, nu = 0.3 in units b = G = 1, N = 1.
+    static Params paper() { return dimensionless(0.01, 1000.0, 0.001); }
 
     // Without moves: what was moved from would point to a table that it no longer owns.
     Params(const Params &) = default;
@@ -294,7 +292,7 @@ public:
         }
     }
 
-    /// The default case with other dimensionless groups; see set_dimensionless.
+    /// The paper's case with other dimensionless groups; see set_dimensionless.
     static Params dimensionless(double alpha, double beta, double gamma, double b_over_h = 1.0, double poisson = 0.3) {
         Params params;
         params.set_dimensionless(alpha, beta, gamma, b_over_h, poisson);
@@ -306,8 +304,7 @@ public:
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_dimensionless(double alpha, double beta, double gamma, double b_over_h = 1.0, double poisson = 0.3) {
-        check(asperity_params_set_dimensionless(&c_, alpha, beta, gamma, b_over_h, poisson));
-        return *this;
+        return checked(asperity_params_set_dimensionless(&c_, alpha, beta, gamma, b_over_h, poisson));
     }
 
     /// Sets E*, G* and the tangential modulus from Young's moduli [stress] and Poisson's ratios of the two bodies; infinity is
@@ -315,16 +312,14 @@ public:
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_materials(double E1, double nu1, double E2, double nu2) {
-        check(asperity_params_set_materials(&c_, E1, nu1, E2, nu2));
-        return *this;
+        return checked(asperity_params_set_materials(&c_, E1, nu1, E2, nu2));
     }
 
     /// Sets what is known of two materials, in SI units, as asperity_params_set_pair does; you set the roughness.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER); the parameters are then as before.
     Params &set_pair(const std::string &name) {
-        check(asperity_params_set_pair(&c_, name.c_str()));
-        return *this;
+        return checked(asperity_params_set_pair(&c_, name.c_str()));
     }
 
     /// Sets the strength of the interface to a measured one, by its name, one of interface_names(), in SI units; the bodies first.
@@ -332,8 +327,7 @@ public:
     /// Throws Error (ASPERITY_INVALID_PARAMETER, also of an interface of which only a friction coefficient is known: the message has
     /// it, for calibrate()); the parameters are then as before.
     Params &set_interface(const std::string &name) {
-        check(asperity_params_set_interface(&c_, name.c_str()));
-        return *this;
+        return checked(asperity_params_set_interface(&c_, name.c_str()));
     }
 
     /// Sets height_std, summit_radius, asperity_count and nominal_area from the variances of height [length^2], slope and curvature
@@ -341,8 +335,7 @@ public:
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_spectral_moments(double m0, double m2, double m4, double nominal_area) {
-        check(asperity_params_set_spectral_moments(&c_, m0, m2, m4, nominal_area));
-        return *this;
+        return checked(asperity_params_set_spectral_moments(&c_, m0, m2, m4, nominal_area));
     }
 
     /// The same summits, with the heights and radii of Nayak's joint distribution: also sets Johnson's heights, radius_amplitude and
@@ -350,33 +343,43 @@ public:
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_nayak_summits(double m0, double m2, double m4, double nominal_area) {
-        check(asperity_params_set_nayak_summits(&c_, m0, m2, m4, nominal_area));
-        return *this;
+        return checked(asperity_params_set_nayak_summits(&c_, m0, m2, m4, nominal_area));
     }
 
     /// Chooses Weibull heights with this skew.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_skew(double skew) {
-        check(asperity_params_set_skew(&c_, skew));
-        return *this;
+        return checked(asperity_params_set_skew(&c_, skew));
     }
 
-    /// Sets the strength of the interface from one measured point: scales both slip stresses so that the friction force at this
-    /// load [force] is the one measured [force]. Give the surfaces that were measured first, and call this last.
+    /// Chooses summits that yield, for metals: sets contact_law, hardness [stress], and work_of_adhesion to 0.
     ///
-    /// Takes milliseconds. Throws Error (ASPERITY_INVALID_PARAMETER with the numbers, where no strength gives that force).
-    Params &calibrate(double load, double friction_force) {
-        check(asperity_params_calibrate(&c_, load, friction_force));
-        return *this;
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
+    Params &set_elastic_plastic(double hardness) {
+        return checked(asperity_params_set_elastic_plastic(&c_, hardness));
+    }
+
+    /// Sets the strength of the interface from one measured point: scales both slip stresses so that the friction coefficient at
+    /// this load [force], > 0, is the one measured, at most 20. Set the surfaces that were measured first, and call this last.
+    ///
+    /// The measurement is kept in calibration_load and calibration_friction_force. Takes milliseconds. Throws Error
+    /// (ASPERITY_INVALID_PARAMETER with the numbers, if no strength gives that coefficient; those of Model); the parameters are
+    /// then as before.
+    Params &calibrate(double load, double friction_coefficient) {
+        return checked(asperity_params_calibrate(&c_, load, friction_coefficient));
+    }
+
+    /// As calibrate, from the friction force [force] that was measured: at zero load, or where the load pulls.
+    Params &calibrate_force(double load, double friction_force) {
+        return checked(asperity_params_calibrate_force(&c_, load, friction_force));
     }
 
     /// Sets a parameter by its name, one of names(), as asperity_params_set_value does.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set(const std::string &name, double value) {
-        check(asperity_params_set_value(&c_, name.c_str(), value));
-        return *this;
+        return checked(asperity_params_set_value(&c_, name.c_str(), value));
     }
 
     /// Sets parameters by their names, in any order, all or none, as asperity_params_set_values does: the way to set those
@@ -390,8 +393,7 @@ public:
             names.push_back(name.c_str());
             values.push_back(value);
         }
-        check(asperity_params_set_values(&c_, names.size(), names.data(), values.data()));
-        return *this;
+        return checked(asperity_params_set_values(&c_, names.size(), names.data(), values.data()));
     }
 
     /// A parameter by its name. Throws Error (ASPERITY_INVALID_PARAMETER).
@@ -402,13 +404,7 @@ public:
     }
 
     /// The names of the parameters that are one number. Setting them in this order copies those of other parameters.
-    static std::vector<std::string> names() {
-        std::vector<std::string> all;
-        while (const char *name = asperity_params_name(all.size())) {
-            all.emplace_back(name);
-        }
-        return all;
-    }
+    static std::vector<std::string> names() { return detail::names(asperity_params_name); }
 
     // generated by packaging/declarations: parameters, from asperity.h, by `make header`
     /// E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No default: set it, or call
@@ -615,10 +611,15 @@ public:
         return *this;
     }
 
-    /// The C struct, to pass to the C interface.
+    /// The C struct, for functions of asperity.h: asperity_create(&params.c(), &model).
     const asperity_params &c() const noexcept { return c_; }
 
 private:
+    Params &checked(Status status) {
+        check(status);
+        return *this;
+    }
+
     template <class T>
     Params &assign(T &field, T value) noexcept {
         field = value;
@@ -641,7 +642,7 @@ public:
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED,
     /// ASPERITY_OUT_OF_MEMORY).
-    explicit Model(const Params &params = Params()) {
+    explicit Model(const Params &params) {
         asperity_model *model = nullptr;
         check(asperity_create(&params.c(), &model));
         handle_.reset(model);
@@ -654,8 +655,8 @@ public:
 
     /// The parameters of the model, with a table of their own if it has one.
     Params params() const {
-        asperity_params params;
-        check(asperity_get_params_sized(open(), &params, sizeof params));
+        auto params = detail::sized<asperity_params>();
+        check(asperity_get_params(open(), &params));
         return Params(params);
     }
 
@@ -731,16 +732,6 @@ public:
         force.value = asperity_slip_force(open(), load, slip_rate, transition_rate, &force.dforce_dload,
                                           &force.dforce_dslip_rate);
         return force;
-    }
-
-    /// The same as slip_force.
-    double friction_force_at_slip_rate(double load, double slip_rate, double transition_rate) const {
-        return asperity_friction_force_at_slip_rate(open(), load, slip_rate, transition_rate, nullptr, nullptr);
-    }
-
-    /// The same as slip_force_and_slopes.
-    SlipForce friction_force_and_slopes_at_slip_rate(double load, double slip_rate, double transition_rate) const {
-        return slip_force_and_slopes(load, slip_rate, transition_rate);
     }
 
     /// Friction coefficients at many pressures, into memory of the caller; for the inner loop: allocates nothing.
@@ -940,6 +931,37 @@ public:
         return stiffness;
     }
 
+    /// Sum of the radii of all contacts [length] at a normal load [force]: the thermal or electrical conductance of independent
+    /// contacts is 2 k times it, with k = 2 k1 k2/(k1 + k2) of the conductivities of both bodies.
+    ///
+    /// Positive down to pull-off; 0 below and, without adhesion, at zero load; a quiet NaN for a NaN or infinite load.
+    double contact_radius_sum_at_load(double load) const {
+        return asperity_contact_radius_sum_at_load(open(), load);
+    }
+
+    /// Sums of contact radii at many loads, into memory of the caller; for the inner loop: allocates nothing.
+    ///
+    /// Every element is as contact_radius_sum_at_load gives it, also when the status is not ASPERITY_OK.
+    ///
+    /// @param loads       normal loads [force]
+    /// @param sum         receives as many sums [length]; may be `loads` itself
+    /// @param dsum_dload  receives as many slopes [length/force]; none by default
+    /// @return as for coefficients
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
+    [[nodiscard]] Status contact_radius_sum_at_load(Span<const double> loads, Span<double> sum, Span<double> dsum_dload = {}) const {
+        return many(asperity_contact_radius_sum_at_loads, loads, sum, dsum_dload);
+    }
+
+    /// Sums of contact radii [length] at many loads.
+    ///
+    /// 0 below pull-off, where the contact is open. Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_OUT_OF_RANGE) that names
+    /// the first load that is NaN, infinite or too heavy to be evaluated.
+    std::vector<double> contact_radius_sum_at_load(Span<const double> loads) const {
+        std::vector<double> sum(loads.size());
+        answered(asperity_contact_radius_sum_at_loads, loads, sum, {});
+        return sum;
+    }
+
     /// The tangential force T [force] at a load and a displacement [length], and dT/d(displacement) [force/length], exact.
     ///
     /// T rises from K_t times the displacement to the friction force: small contacts slip first. It is an odd function of
@@ -949,13 +971,6 @@ public:
     ValueAndSlope tangential_at_load(double load, double displacement) const {
         ValueAndSlope force;
         check(asperity_tangential_at_load(open(), load, displacement, &force.value, &force.slope));
-        return force;
-    }
-
-    /// The same as tangential_at_load.
-    ValueAndSlope tangential_force_at_displacement(double load, double displacement) const {
-        ValueAndSlope force;
-        check(asperity_tangential_force_at_displacement(open(), load, displacement, &force.value, &force.slope));
         return force;
     }
 
@@ -976,8 +991,7 @@ public:
         if (after.data() != nullptr) {
             require_state("after", after.size(), 1);
         }
-        Microslip out;
-        out.struct_size = sizeof out;
+        auto out = detail::sized<Microslip>();
         const Status status =
             asperity_microslip_step(open(), load, increment, before.data(), after.data(), &out);
         if (status != ASPERITY_SEPARATED) {
@@ -1022,8 +1036,7 @@ public:
     ///
     /// Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
     State state_at_load(double load) const {
-        State state;
-        state.struct_size = sizeof state;
+        auto state = detail::sized<State>();
         check(asperity_state_at_load(open(), load, &state));
         return state;
     }
@@ -1032,8 +1045,7 @@ public:
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE).
     State state_at_separation(double separation) const {
-        State state;
-        state.struct_size = sizeof state;
+        auto state = detail::sized<State>();
         check(asperity_state_at_separation(open(), separation, &state));
         return state;
     }
@@ -1043,8 +1055,7 @@ public:
     ///
     /// Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
     Sensitivities sensitivities_at_load(double load) const {
-        Sensitivities sensitivities;
-        sensitivities.struct_size = sizeof sensitivities;
+        auto sensitivities = detail::sized<Sensitivities>();
         check(asperity_sensitivities_at_load(open(), load, &sensitivities));
         return sensitivities;
     }
@@ -1088,8 +1099,7 @@ public:
 
     /// The constants of the model: dimensionless groups, pull-off, extent and error of the compiled law.
     Summary summary() const {
-        Summary summary;
-        summary.struct_size = sizeof summary;
+        auto summary = detail::sized<Summary>();
         check(asperity_summary_of(open(), &summary));
         return summary;
     }
@@ -1098,8 +1108,7 @@ public:
     ///
     /// Valid until set_params, and as long as the C model lives: moving the Model keeps it.
     Table table() const {
-        Table table;
-        table.struct_size = sizeof table;
+        auto table = detail::sized<Table>();
         check(asperity_table_of(open(), &table));
         return table;
     }
@@ -1107,13 +1116,13 @@ public:
     /// The compiled load against separation, for code that cannot call out of a kernel: minus the separation stands in place
     /// of a load, and the load in place of the friction force. Valid as `table` is.
     Table load_table() const {
-        Table table;
-        table.struct_size = sizeof table;
-        check(asperity_load_table_of(handle_.get(), &table));
+        auto table = detail::sized<Table>();
+        check(asperity_load_table_of(open(), &table));
         return table;
     }
 
-    /// The C model, to pass to the C interface; still owned by this object, null if that was moved from.
+    /// The C model, for functions of asperity.h that ask it: asperity_friction_at_load(model.c(), load). Still owned by this
+    /// object; null if that was moved from.
     const asperity_model *c() const noexcept { return handle_.get(); }
 
 private:
@@ -1166,8 +1175,7 @@ private:
         }
         for (std::size_t i = 0; i < loads.size(); ++i) {
             if (is_nan(value.data()[i])) {
-                State state;
-                state.struct_size = sizeof state;
+                auto state = detail::sized<State>();
                 const Status why = asperity_state_at_load(open(), loads.data()[i], &state);
                 throw Error(why, "element " + std::to_string(i) + ": " + last_error());
             }

@@ -40,9 +40,10 @@ __all__ = ["PLUGIN", "instance", "solve"]
 
 def instance(name: str, params: Params) -> str:
     """The element `<instance>` of a model that has these surfaces."""
-    lines = [f"<instance name={quoteattr(name)}>"]
-    lines += [f'  <config key="{key}" value="{value!r}"/>' for key, value in params.by_name().items()]
-    return "\n".join([*lines, "</instance>"])
+    struct = params._as_struct()
+    text = ctypes.create_string_buffer(_library.LIBRARY.asperity_params_text(ctypes.byref(struct), None, 0) + 1)
+    _library.LIBRARY.asperity_params_text(ctypes.byref(struct), text, len(text))
+    return f'<instance name={quoteattr(name)}><config key="text" value={quoteattr(text.value.decode())}/></instance>'
 
 
 def solve(model: mujoco.MjModel, data: mujoco.MjData) -> int:
