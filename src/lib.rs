@@ -11,7 +11,7 @@
 //! use asperity::{Model, Params};
 //!
 //! // SI units; any other consistent system will do, if you set moduli and lengths yourself.
-//! let mut params = Params::unset();
+//! let mut params = Params::default();
 //! params.set_bodies(&Bodies::find("steel/steel").ok_or("two names of asperity::materials")?)?;
 //! params.height_std = 0.3e-6;
 //! params.summit_radius = 10e-6;

@@ -298,7 +298,8 @@ pub unsafe extern "C" fn asperity_params_get_value(
 
 /// Returns the name of a parameter that is one number, by its index: for messages, and to copy parameters.
 ///
-/// To copy parameters, read all names with `asperity_params_get_value` and set them one after another in this order.
+/// To copy parameters, read all names with `asperity_params_get_value` and set them one after another in this order. Heights by a
+/// table and the measurement of a calibration are not among them: copy the struct, or `asperity_params_text`.
 ///
 /// @param index  from 0
 /// @return a constant string; NULL after the last

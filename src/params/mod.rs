@@ -224,7 +224,7 @@ impl Params {
 
     /// All that is known of two bodies in contact, in SI units: the moduli, the work of adhesion, the longer Burgers vector, the
     /// range of adhesion, equal to it as in the paper, the hardness of the softer body, and the slip stress where it is measured.
-    /// What is not known is left to set, as by [`Params::unset`], and so is the roughness.
+    /// What is not known is left to set, as by [`Params::default`], and so is the roughness.
     ///
     /// # Errors
     /// As [`Params::set_materials`]; none for materials of the library.
