@@ -35,6 +35,7 @@
 // A library says what it has to say by its answers.
 #![cfg_attr(not(test), deny(clippy::print_stdout, clippy::print_stderr))]
 
+mod by_name;
 mod c_string;
 #[doc(hidden)]
 pub mod capi;
@@ -47,6 +48,7 @@ mod joint_distribution;
 mod law;
 pub mod materials;
 mod model;
+mod nearest;
 mod neighbours;
 mod numerics;
 mod params;

@@ -1,6 +1,7 @@
 //! A surface pair in the user's own consistent units, and the ways to set its parameters.
 //!
-//! `checks` says what they may be together, and what they amount to; `numbers` what one of them may be.
+//! `checks` says what they may be together, and what they amount to; `numbers` what one of them may be; `units` converts
+//! them.
 
 // Brackets hold units here, not links.
 #![allow(rustdoc::broken_intra_doc_links)]
@@ -8,6 +9,7 @@
 mod checks;
 mod numbers;
 mod unit_slips;
+mod units;
 
 use crate::asperity::slip::{Slip, SlipConstants, SlipOnset};
 use crate::distribution::weibull::Weibull;
