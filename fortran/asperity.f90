@@ -7,8 +7,8 @@
 ! Units: one consistent system of the caller's choice. Loads, forces and areas are totals over asperity_count summits.
 ! Threads: a model may be shared by all calls that take it intent(in); not while it is changed or freed.
 ! Two C constants have the names of functions, which Fortran does not tell apart; here they are
-! ASPERITY_HEADER_VERSION and ASPERITY_HEADER_ABI_VERSION. A C function that takes the size of a struct has in its place a
-! function of this module, which passes it.
+! ASPERITY_HEADER_VERSION and ASPERITY_HEADER_ABI_VERSION. A C function that takes the size of a struct, a text or a path has in
+! its place one of this module, which takes the struct or the string alone.
 module asperity
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_loc, &
                                          c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
@@ -1218,6 +1218,7 @@ module asperity
   public :: asperity_material_of, asperity_pair_of, asperity_material_name_text, asperity_pair_name_text
   public :: asperity_interface_of, asperity_interface_name_text
   public :: asperity_params_use_pair, asperity_params_use_interface
+  public :: asperity_params_read, asperity_params_set_text, asperity_params_text
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
   public :: asperity_warning_text
 
@@ -1274,6 +1275,44 @@ contains
     params%asperity_count = asperity_count
     call report(status, stat, errmsg)
   end function asperity_params_of
+
+  ! Sets what a surface file gives, whose keys docs/surface-file.md has: call asperity_params_read(params, 'film.toml'). In SI
+  ! units, unless asperity_params_set_units follows; what the file does not give stays as it is.
+  subroutine asperity_params_read(params, path, stat, errmsg)
+    type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
+    character(*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg       ! 'film.toml: line 3: slip_onset = ...'
+    character(kind=c_char), target :: text(len(path) + 1)
+    text = c_string(path, size(text))
+    call report(asperity_params_read_c(params, c_loc(text)), stat, errmsg)
+  end subroutine asperity_params_read
+
+  ! The same from the text of a surface file, whose lines end in new_line('a').
+  subroutine asperity_params_set_text(params, text, stat, errmsg)
+    type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
+    character(*), intent(in) :: text
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(text) + 1)
+    characters = c_string(text, size(characters))
+    call report(asperity_params_set_text_c(params, c_loc(characters), len_trim(text, kind=c_size_t)), stat, errmsg)
+  end subroutine asperity_params_set_text
+
+  ! The text of a surface file, of which asperity_params_set_text makes these parameters.
+  function asperity_params_text(params, stat, errmsg) result(text)
+    type(asperity_params), intent(in) :: params           ! initialised
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(:), allocatable :: text                     ! empty on failure
+    character(kind=c_char), allocatable, target :: buffer(:)
+    integer :: length
+    length = int(asperity_params_text_c(params, c_null_ptr, 0_c_size_t))
+    allocate(buffer(length + 1))
+    length = int(asperity_params_text_c(params, c_loc(buffer), size(buffer, kind=c_size_t)))
+    text = joined(buffer(:length))
+    call report(merge(ASPERITY_OK, ASPERITY_INVALID_PARAMETER, length > 0), stat, errmsg)
+  end function asperity_params_text
 
   ! Sets one parameter by its name: call asperity_params_set(params, 'hardness', 9.8e9_c_double). Integers too.
   subroutine set_by_name(params, name, value, stat, errmsg)
