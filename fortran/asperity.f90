@@ -519,25 +519,25 @@ module asperity
 
     ! Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is
     ! refused
-    function asperity_params_set_text(params, text, length) bind(c)
+    function asperity_params_set_text_c(params, text, length) bind(c, name='asperity_params_set_text')
       import
       type(asperity_params), intent(inout) :: params ! initialised parameters
       type(c_ptr), intent(in), value :: text        ! characters, the last c_null_char: UTF-8, with or without a byte
                                                     ! order mark; lines end in LF or CRLF
       integer(c_size_t), intent(in), value :: length ! of the text [bytes], without a NUL; at most 1 MiB
-      integer(c_int32_t) :: asperity_params_set_text
-    end function asperity_params_set_text
+      integer(c_int32_t) :: asperity_params_set_text_c
+    end function asperity_params_set_text_c
 
     ! Writes parameters as a text of which asperity_params_set_text makes the same, bit for bit, in parameters fresh
     ! from asperity_params_init
-    function asperity_params_text(params, buffer, length) bind(c)
+    function asperity_params_text_c(params, buffer, length) bind(c, name='asperity_params_text')
       import
       type(asperity_params), intent(in) :: params   ! initialised parameters
       type(c_ptr), intent(in), value :: buffer      ! characters: receives the text, NUL-terminated, cut to fit;
                                                     ! c_null_ptr to ask for the length only
       integer(c_size_t), intent(in), value :: length ! size of buffer [bytes]
-      integer(c_size_t) :: asperity_params_text
-    end function asperity_params_text
+      integer(c_size_t) :: asperity_params_text_c
+    end function asperity_params_text_c
 
     ! Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver
     function asperity_params_set_units(params, length, force) bind(c)
@@ -549,13 +549,13 @@ module asperity
     end function asperity_params_set_units
 
     ! Sets parameters from a surface file, as asperity_params_set_text does from its text
-    function asperity_params_read(params, path) bind(c)
+    function asperity_params_read_c(params, path) bind(c, name='asperity_params_read')
       import
       type(asperity_params), intent(inout) :: params ! initialised parameters
       type(c_ptr), intent(in), value :: path        ! characters, the last c_null_char: of the file: as the system has
                                                     ! it, on Windows UTF-8; NUL-terminated
-      integer(c_int32_t) :: asperity_params_read
-    end function asperity_params_read
+      integer(c_int32_t) :: asperity_params_read_c
+    end function asperity_params_read_c
 
     ! Makes a model: checks the parameters, finds the pull-off load, and compiles the law into a table, in milliseconds
     function asperity_create(params, model) bind(c)
@@ -1027,13 +1027,12 @@ module asperity
   public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
   public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
   public :: asperity_interface, asperity_interface_name, asperity_params_set_interface, asperity_params_calibrate
-  public :: asperity_params_calibrate_force, asperity_params_set_text, asperity_params_text, asperity_params_set_units
-  public :: asperity_params_read, asperity_create, asperity_set_params, asperity_free, asperity_friction_at_load
-  public :: asperity_friction_force_at_load, asperity_friction_at_loads, asperity_friction_force_at_loads
-  public :: asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
-  public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
-  public :: asperity_friction_at_pressures, asperity_shear_stresses_at_pressures, asperity_slip_forces
-  public :: asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
+  public :: asperity_params_calibrate_force, asperity_params_set_units, asperity_create, asperity_set_params
+  public :: asperity_free, asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
+  public :: asperity_friction_force_at_loads, asperity_friction_and_slope_at_load
+  public :: asperity_friction_force_and_slope_at_load, asperity_friction_at_pressure, asperity_shear_stress_at_pressure
+  public :: asperity_slip_force, asperity_friction_at_pressures, asperity_shear_stresses_at_pressures
+  public :: asperity_slip_forces, asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
   public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_contact_radius_sum_at_load
   public :: asperity_contact_radius_sum_at_loads, asperity_microslip_length, asperity_microslip_step
   public :: asperity_microslip_steps, asperity_load_at_separation, asperity_load_and_slope_at_separation
