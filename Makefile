@@ -10,7 +10,7 @@
 # make release   VERSION=x.y.z: checks that the tree is ready for a release, builds and proves it, and says what is left to do
 # make site      the documentation as a searchable site in target/site/html, with the explorer
 # make figures   draw the figures of the documents anew, in minutes
-# make header    write include/asperity.h anew from the sources
+# make header    write include/asperity.h anew from the sources, and from it what other languages and the pages repeat
 # make abi       write tests/abi/abi-1.h anew from the header, on purpose
 # make clean     remove what was built
 # make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
@@ -82,7 +82,8 @@ figures: library
 	hosts/ode/run.sh && cp $(TARGET)/hosts/ode/lag.svg docs/hosts-lag.svg
 
 header:
-	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header
+	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header::committed
+	python3 packaging/declarations
 
 abi:
 	ASPERITY_WRITE_ABI=1 $(CARGO) test --locked --test abi the_file

@@ -33,7 +33,7 @@ asperity::Params polysilicon() {
     constexpr double density = 1e13;        // summits [1/m^2]
     constexpr double nominal_area = 1e-8;   // [m^2]
 
-    asperity::Params params = asperity::Params::unset(); // Model refuses what is forgotten here
+    asperity::Params params; // Model refuses what is forgotten here
     params.set_materials(160e9, 0.22, 160e9, 0.22); // [Pa]
     params.burgers_vector(burgers).adhesion_range(burgers);
     params.work_of_adhesion(0.063);         // [J/m^2]

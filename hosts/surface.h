@@ -1,5 +1,5 @@
 /* The surface of all hosts, the check that the model holds for it at the loads of a run, and the larger of two errors. For C
- * and C++; the surface in Python is hosts/surface.py. docs/hosts-reference.md says where the numbers come from. SI units. */
+ * and C++; hosts/surface.py is the same in Python. SI units. */
 #ifndef HOSTS_SURFACE_H
 #define HOSTS_SURFACE_H
 
@@ -8,20 +8,13 @@
 
 #include "asperity.h"
 
-/* Hard carbon on hard carbon, ta-C(51) of Nature Commun. 12 (2021), doi 10.1038/s41467-021-24766-6, table 1: Young's
- * modulus, hardness, and the roughness of both bodies together after running in. The slope is taken as that of the
- * steepest ascent, twice the variance of a profile's. Poisson's ratio, adhesion and b are those of docs/materials.md;
- * Nayak's bandwidth was not measured: 10 is assumed. */
+/* The surface of hosts/surface.toml on another area. The programs of hosts run in the root of the tree. */
 static inline asperity_status set_surface(asperity_params *params, double nominal_area) {
-    const double rms_height = 9.8e-9, rms_slope = 0.060, bandwidth = 10;
-    const double m0 = rms_height * rms_height, m2 = rms_slope * rms_slope / 2, m4 = bandwidth * m2 * m2 / m0;
-    asperity_status status = asperity_params_init(params);
-    if (status == ASPERITY_OK) status = asperity_params_set_materials(params, 493e9, 0.25, 493e9, 0.25);
-    if (status == ASPERITY_OK) status = asperity_params_set_spectral_moments(params, m0, m2, m4, nominal_area);
+    asperity_status status = asperity_params_init(params, sizeof *params);
+    if (status == ASPERITY_OK) status = asperity_params_read(params, "hosts/surface.toml");
     if (status != ASPERITY_OK) return status;
-    params->work_of_adhesion = 0.06;
-    params->adhesion_range = params->burgers_vector = 0.25e-9;
-    params->hardness = 51e9;
+    params->asperity_count *= nominal_area / params->nominal_area;
+    params->nominal_area = nominal_area;
     return ASPERITY_OK;
 }
 
@@ -32,6 +25,7 @@ static inline int surface_holds(const asperity_model *model, double lightest, do
     char message[512];
     asperity_params params;
     uint64_t warnings = 0;
+    params.struct_size = sizeof params;
     if (asperity_get_params(model, &params) != ASPERITY_OK ||
         asperity_check_loads(model, lightest, heaviest, &warnings) != ASPERITY_OK) {
         asperity_last_error(message, sizeof message);

@@ -9,8 +9,11 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "packaging" / "declarations"))
+import header as declarations  # noqa: E402
+from pages import cell  # noqa: E402
+
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)\s]*)?\)")
-COMMENT = r"/\*\*\n((?: \*(?!/).*\n)+) \*/\n"
 FENCE = re.compile(r"^```(\w+) .*$", re.MULTILINE)
 
 
@@ -37,40 +40,29 @@ def gather(folder: Path) -> None:
                 waiting.append(linked)
 
 
-def c_reference(header: str) -> str:
+def c_reference(text: str) -> str:
     """include/asperity.h as a page: constants, structs and functions, with their comments."""
-    version = re.search(r'#define ASPERITY_VERSION "(.*)"', header)
-    assert version
-    parts = [f"# C reference\n\n`include/asperity.h` of version {version[1]}.\n"]
-    opening = header[header.index("/*") + 2 : header.index("*/")]
+    header = declarations.parse(text)
+    parts = [f"# C reference\n\n`include/asperity.h` of version {header.constants[0].value}.\n"]
+    opening = text[text.index("/*") + 2 : text.index("*/")]
     # With four backticks, since it has examples in three.
-    parts.append(f"````text\n{re.sub(r'(?m)^ [*] ?', '', opening).strip()}\n````\n")
+    parts.append(f"````text\n{declarations.plain(opening)}\n````\n")
     parts.append("## Constants\n\n| | value | |\n|---|---|---|")
-    for comment, name, value in re.findall(COMMENT + r"#define (\w+) (.*)", header):
-        parts.append(f"| `{name}` | `{value}` | {prose(comment)} |")
+    parts += [f"| `{one.name}` | `{one.value}` | {cell(one.doc)} |" for one in header.constants]
     parts.append("\n## Structs\n")
-    for comment, name, body in re.findall(COMMENT + r"typedef struct (\w+) \{\n([^}]*)\n\}", header):
-        parts.append(f"### {name}\n\n{markdown(comment)}\n\n| field | type | |\n|---|---|---|")
-        for text, kind, field in re.findall(r"/\*\*(.*?)\*/\s+([\w ]+?\*? ?)(\w+);", body, re.DOTALL):
-            parts.append(f"| `{field}` | `{kind.strip()}` | {prose(text)} |")
+    for struct in header.structs.values():
+        parts.append(f"### {struct.name}\n\n{markdown(struct.doc)}\n\n| field | type | |\n|---|---|---|")
+        parts += [f"| `{one.name}` | `{one.type}{f'[{one.count}]' if one.count else ''}` | {cell(one.doc)} |" for one in struct.fields]
         parts.append("")
     parts.append("## Functions\n")
-    functions = re.findall(COMMENT + r"(\w[\w ]*[ *](asperity_\w+)\([^;]*\);)", header)
-    assert len(functions) == len(re.findall(r"^\w[\w \*]*asperity_\w+\(", header, re.MULTILINE)), "a function is missed"
-    for comment, declaration, name in functions:
-        parts.append(f"### {name}\n\n```c\n{declaration}\n```\n\n{markdown(comment)}\n")
+    for function in header.functions:
+        parts.append(f"### {function.name}\n\n```c\n{function.declaration}\n```\n\n{markdown(function.comment)}\n")
     return "\n".join(parts) + "\n"
-
-
-def prose(comment: str) -> str:
-    """A comment on one line of a table."""
-    return " ".join(re.sub(r"(?m)^\s*\* ?", "", comment).split()).replace("|", "\\|")
 
 
 def markdown(comment: str) -> str:
     """A comment as paragraphs, its tags as a list."""
-    text = re.sub(r"(?m)^ \* ?", "", comment).strip()
-    text = re.sub(r"(?m)^@param\s+(\S+)\s+", r"- **\1**: ", text)
+    text = re.sub(r"(?m)^@param\s+(\S+)\s+", r"- **\1**: ", comment)
     text = re.sub(r"(?m)^@return\s+", "\n**Returns** ", text)
     return re.sub(r"([^\n])\n(- \*\*)", r"\1\n\n\2", text, count=1)
 

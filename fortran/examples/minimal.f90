@@ -16,8 +16,8 @@ program minimal
                               summit_radius=1e-6_c_double, asperity_count=1e5_c_double)
   params%nominal_area = 1e-8_c_double
   params%hardness = 12e9_c_double
-  ! Put your measurement here: load and friction force [N]. Without one leave this line out.
-  call asperity_check(asperity_params_calibrate(params, 1e-2_c_double, 0.25_c_double * 1e-2_c_double))
+  ! Put your measurement here: load [N] and friction coefficient. Without one leave this line out.
+  call asperity_check(asperity_params_calibrate(params, 1e-2_c_double, 0.25_c_double))
 
   call law%create(params)
   call law%check_loads(1e-3_c_double, 1e-1_c_double, warnings)

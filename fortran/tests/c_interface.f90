@@ -11,12 +11,13 @@ program c_interface
 
   call versions_and_texts
   call default_parameters
-  call sizes_of_parameters
   call dimensionless_parameters
   call material_parameters
   call spectral_moments
   call skewed_heights
   call one_measured_point
+  call no_measurements
+  call default_strengths
   call pressure_coefficients
   call names
   call materials
@@ -34,44 +35,9 @@ program c_interface
   call compiled_table
   call hertzian_states
   call adhesive_summary
-  call second_names
   call finish('the C interface from Fortran')
 
 contains
-
-  subroutine second_names
-    character(kind=c_char), target :: steel(6) = ['s', 't', 'e', 'e', 'l', c_null_char]
-    character(kind=c_char), target :: both(6) = ['S', 'i', '/', 'S', 'i', c_null_char]
-    character(kind=c_char), target :: film(21) = ['M', 'o', 'S', '2', ' ', 'f', 'i', 'l', 'm', ' ', 'i', 'n', ' ', 'd', 'r', &
-                                                  'y', ' ', 'a', 'i', 'r', c_null_char]
-    type(asperity_material_data) :: material
-    type(asperity_pair_data) :: pair
-    type(asperity_interface_data) :: found
-    type(asperity_summary) :: one, other
-    type(asperity_table) :: table, same
-    type(c_ptr) :: model
-    real(c_double), target :: force, again
-    model = default_model()
-    call asperity_check(asperity_summary_of(model, one))
-    call asperity_check(asperity_get_summary(model, other))
-    call check('asperity_get_summary is asperity_summary_of', identical(one%pull_off_load, other%pull_off_load))
-    call asperity_check(asperity_table_of(model, table))
-    call asperity_check(asperity_get_table(model, same))
-    call check('asperity_get_table is asperity_table_of', c_associated(table%rows, same%rows))
-    call asperity_check(asperity_get_material(c_loc(steel), material))
-    call check_close('asperity_get_material', material%young, 205e9_c_double, 1e-15_c_double)
-    call asperity_check(asperity_get_pair(c_loc(both), pair))
-    call check_close('asperity_get_pair', pair%work_of_adhesion, 0.063_c_double, 1e-15_c_double)
-    call asperity_check(asperity_get_interface(c_loc(film), found))
-    call check_close('asperity_get_interface', found%shear_strength, 24.8e6_c_double, 1e-15_c_double)
-    call check('asperity_friction_force_at_slip_rate is asperity_slip_force', identical( &
-               asperity_friction_force_at_slip_rate(model, 5.0_c_double, 0.3_c_double, 1.0_c_double, c_null_ptr, c_null_ptr), &
-               asperity_slip_force(model, 5.0_c_double, 0.3_c_double, 1.0_c_double, c_null_ptr, c_null_ptr)))
-    call asperity_check(asperity_tangential_at_load(model, 5.0_c_double, 0.1_c_double, c_loc(force), c_null_ptr))
-    call asperity_check(asperity_tangential_force_at_displacement(model, 5.0_c_double, 0.1_c_double, c_loc(again), c_null_ptr))
-    call check('asperity_tangential_force_at_displacement is asperity_tangential_at_load', identical(force, again))
-    call asperity_free(model)
-  end subroutine second_names
 
   subroutine versions_and_texts
     character(*), parameter :: DOT = '.'
@@ -95,12 +61,8 @@ contains
     type(asperity_params) :: p
     call check('asperity_params_init succeeds', asperity_params_init(p) == ASPERITY_OK)
     call check('struct_size is the size of the type', p%struct_size == c_sizeof(p))
-    call check_close('E* = 2/(1 - nu)', p%composite_modulus, 2 / 0.7_c_double, 1e-15_c_double)
-    call check_close('G* = 2', p%effective_shear_modulus, 2.0_c_double, 1e-15_c_double)
-    call check_close('w = gamma E*', p%work_of_adhesion, 0.002_c_double / 0.7_c_double, 1e-15_c_double)
-    call check_close('sigma = alpha beta', p%height_std, 10.0_c_double, 1e-15_c_double)
-    call check_close('R = beta/alpha', p%summit_radius, 1e5_c_double, 1e-15_c_double)
-    call check('h = b = N = 1', all(identical([p%adhesion_range, p%burgers_vector, p%asperity_count], 1.0_c_double)))
+    call check('no physical input is set', all(ieee_is_nan([p%composite_modulus, p%effective_shear_modulus, &
+               p%work_of_adhesion, p%adhesion_range, p%burgers_vector, p%height_std, p%summit_radius, p%asperity_count])))
     call check('Gaussian heights, attraction on', &
                p%height_distribution == ASPERITY_HEIGHTS_GAUSSIAN .and. p%attraction == 1)
     call check_close('a_1/b of Hurtado and Kim', p%slip_radius_1, 28.0_c_double, 1e-15_c_double)
@@ -114,33 +76,11 @@ contains
     call check('no hardness', identical(p%hardness, 0.0_c_double))
     call check('no pressure coefficient, no bandwidth', identical(p%pressure_coefficient, 0.0_c_double) .and. &
                identical(p%bandwidth, 0.0_c_double))
+    call check('no calibration', all(identical([p%calibration_load, p%calibration_friction_force], 0.0_c_double)))
+    call check('... but an error of measurements', identical(p%calibration_error, 0.05_c_double))
     call check('no table', .not. c_associated(p%table_height) .and. .not. c_associated(p%table_density) &
                .and. p%table_length == 0)
   end subroutine default_parameters
-
-  ! The first version of the type ended with max_friction_coefficient.
-  subroutine sizes_of_parameters
-    integer(c_int64_t), parameter :: FIRST = 144
-    type(asperity_params) :: p
-    type(c_ptr) :: model
-    p%hardness = 5
-    call asperity_check(asperity_params_init_sized(p, FIRST))
-    call check('... init_unset_sized too', asperity_params_init_unset_sized(p, FIRST) == ASPERITY_OK .and. &
-               p%struct_size == FIRST)
-    call asperity_check(asperity_params_init_sized(p, FIRST))
-    call check('struct_size is the size that was given', p%struct_size == FIRST)
-    call check('... and no more was written', identical(p%hardness, 5.0_c_double))
-    model = c_null_ptr
-    call asperity_check(asperity_create(p, model))
-    call asperity_check(asperity_get_params_sized(model, p, FIRST + 24))
-    call check('what the size did not cover has its default', p%struct_size == FIRST + 24 .and. &
-               identical(p%hardness, 0.0_c_double))
-    call asperity_free(model)
-    call check('a size beyond the type is refused', &
-               asperity_params_init_sized(p, int(c_sizeof(p), c_int64_t) + 8) == ASPERITY_INVALID_PARAMETER)
-    call check_text('... with a message', asperity_error_message(), &
-                    'struct_size = 240: must be at most 232: the header is newer than the library')
-  end subroutine sizes_of_parameters
 
   subroutine dimensionless_parameters
     type(asperity_params) :: p
@@ -152,6 +92,8 @@ contains
     call check_close('R = beta b/alpha', p%summit_radius, 25000.0_c_double, 1e-15_c_double)
     call check_close('w = gamma E* b', p%work_of_adhesion, 0.008_c_double, 1e-14_c_double)
     call check_close('h = b/(b/h)', p%adhesion_range, 0.5_c_double, 1e-15_c_double)
+    call check_close('G* = 2', p%effective_shear_modulus, 2.0_c_double, 1e-15_c_double)
+    call check('b = N = 1', all(identical([p%burgers_vector, p%asperity_count], 1.0_c_double)))
     call check('alpha = 0 is refused', asperity_params_set_dimensionless(p, 0.0_c_double, 500.0_c_double, &
                0.0_c_double, 1.0_c_double, 0.25_c_double) == ASPERITY_INVALID_PARAMETER)
     call check_close('... and the parameters are untouched', p%summit_radius, 25000.0_c_double, 1e-15_c_double)
@@ -161,7 +103,7 @@ contains
     real(c_double), parameter :: E1 = 160e9, NU1 = 0.22, E2 = 70e9, NU2 = 0.35
     real(c_double) :: g1, g2
     type(asperity_params) :: p
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     call asperity_check(asperity_params_set_materials(p, E1, NU1, E2, NU2))
     g1 = E1 / (2 * (1 + NU1))
     g2 = E2 / (2 * (1 + NU2))
@@ -171,12 +113,17 @@ contains
     call asperity_check(asperity_params_set_materials(p, E1, NU1, ieee_value(1.0_c_double, ieee_positive_inf), NU2))
     call check_close('a rigid body adds nothing to 1/E*', p%composite_modulus, E1 / (1 - NU1**2), 1e-14_c_double)
     call check_close('against a rigid body G* = 2 G1', p%effective_shear_modulus, 2 * g1, 1e-14_c_double)
+    call asperity_check(asperity_params_set_elastic_plastic(p, 1e9_c_double))
+    call check('summits that yield: law, hardness, no adhesion', p%contact_law == ASPERITY_CONTACT_ELASTIC_PLASTIC .and. &
+               all(identical([p%hardness, p%work_of_adhesion], [1e9_c_double, 0.0_c_double])))
+    call check('... not without a hardness', &
+               asperity_params_set_elastic_plastic(p, 0.0_c_double) == ASPERITY_INVALID_PARAMETER)
   end subroutine material_parameters
 
   subroutine spectral_moments
     real(c_double), parameter :: M0 = 3, M2 = 0.5_c_double, M4 = 0.7_c_double, AREA = 11
     type(asperity_params) :: p
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     call asperity_check(asperity_params_set_spectral_moments(p, M0, M2, M4, AREA))
     call check_close('variance of the summit heights', p%height_std**2, (1 - 0.8968_c_double * M2**2 / (M0 * M4)) * M0, &
                      1e-4_c_double)
@@ -201,7 +148,7 @@ contains
     real(c_double), parameter :: SKEWS(3) = [-0.9_c_double, 0.4_c_double, 1.9_c_double]
     type(asperity_params) :: p
     integer :: i
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     do i = 1, size(SKEWS)
       call asperity_check(asperity_params_set_skew(p, SKEWS(i)))
       call check('a skew makes the heights Weibull', p%height_distribution == ASPERITY_HEIGHTS_WEIBULL)
@@ -243,7 +190,7 @@ contains
     end do
     call check('there are some twenty-five', i > 25 .and. asperity_pair_name_text(0) == '')
 
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     expected = p
     call asperity_check(asperity_params_set_materials(expected, 54e9_c_double, 0.1_c_double, 78e9_c_double, 0.44_c_double))
     call asperity_params_use_pair(p, 'Au/mica')
@@ -285,7 +232,7 @@ contains
     end do
     call check('there are twenty and more', i > 20 .and. asperity_interface_name_text(0) == '')
 
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     call asperity_params_use_pair(p, 'steel/steel')
     call asperity_params_use_interface(p, 'MoS2 film in dry air')
     call check_close('a strength', p%slip_stress_1 * p%effective_shear_modulus, 24.8e6_c_double, 1e-15_c_double)
@@ -309,7 +256,7 @@ contains
     real(c_double), target :: found(1)
     character(200) :: message
     integer :: i, status
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     expected = p
     call asperity_check(asperity_params_set_materials(expected, 160e9_c_double, 0.3_c_double, 70e9_c_double, 0.22_c_double))
     call asperity_params_set(p, BODIES, [0.22_c_double, 160e9_c_double, 0.3_c_double, 70e9_c_double])
@@ -327,15 +274,15 @@ contains
     call asperity_check(asperity_params_set_values(p, 1_c_size_t, c_loc(first), c_loc(found)))
     call check_close('... several of them too', p%hardness, 5.0_c_double, 0.0_c_double)
 
-    call asperity_check(asperity_params_init_unset(copied))
+    call asperity_check(asperity_params_init(copied))
     i = 1
     do while (asperity_params_name_text(i) /= '')
       call asperity_params_set(copied, asperity_params_name_text(i), asperity_params_get(p, asperity_params_name_text(i)))
       i = i + 1
     end do
-    call check('the C function lists them', c_associated(asperity_params_name(26_c_size_t)) .and. &
-               .not. c_associated(asperity_params_name(27_c_size_t)))
-    call check('every number has a name', i == 28 .and. asperity_params_name_text(0) == '')
+    call check('the C function lists them', c_associated(asperity_params_name(int(i - 2, c_size_t))) .and. &
+               .not. c_associated(asperity_params_name(int(i - 1, c_size_t))))
+    call check('there are some twenty-five', i > 25 .and. asperity_params_name_text(0) == '')
     call check('names copy the heights', copied%height_distribution == p%height_distribution)
     call check_close('... their shape', copied%weibull_shape, p%weibull_shape, 0.0_c_double)
     call check_close('... the hardness', copied%hardness, p%hardness, 0.0_c_double)
@@ -351,49 +298,108 @@ contains
     call check_close('what is refused changes nothing', p%hardness, 5.0_c_double, 0.0_c_double)
   end subroutine names
 
-  ! mu = 0.31 at a load of 4: the law passes through the point, and its strength alone has changed.
+  ! mu = 0.31 at a load of 4: the law passes through the point, its strength alone has changed, and the point is remembered.
   subroutine one_measured_point
-    real(c_double), parameter :: LOAD = 4, FORCE = 0.31_c_double * LOAD, KAPPA = 0.05_c_double
-    type(asperity_params) :: p, before
+    real(c_double), parameter :: LOAD = 4, MU = 0.31_c_double, KAPPA = 0.05_c_double
+    type(asperity_params) :: p, before, kept
     type(asperity_state) :: state
     type(c_ptr) :: model
-    character(200) :: message
-    real(c_double) :: none
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
+    p%calibration_error = 0.1_c_double
     before = p
-    call asperity_check(asperity_params_calibrate(p, LOAD, FORCE))
+    call asperity_check(asperity_params_calibrate(p, LOAD, MU))
     model = c_null_ptr
     call asperity_check(asperity_create(p, model))
     call asperity_check(asperity_state_at_load(model, LOAD, state))
-    call check_close('the law passes through the measured point', state%friction_force, FORCE, 1e-9_c_double)
-    call check_close('... compiled too', asperity_friction_force_at_load(model, LOAD), FORCE, 2e-9_c_double)
+    call check_close('the law passes through the measured point', state%friction_coefficient, MU, 1e-9_c_double)
+    call check_close('... compiled too', asperity_friction_at_load(model, LOAD), MU, 2e-9_c_double)
+    call asperity_check(asperity_get_params(model, kept))
+    call check('the model remembers it', all(identical([kept%calibration_load, kept%calibration_error], &
+                                                       [LOAD, 0.1_c_double])))
+    call check_close('... as a force', kept%calibration_friction_force, MU * LOAD, 1e-15_c_double)
     call asperity_free(model)
     call check_close('both slip stresses have one factor', p%slip_stress_1 / before%slip_stress_1, &
                      p%slip_stress_2 / before%slip_stress_2, 1e-14_c_double)
     call check('... and nothing else changes', identical(p%height_std, before%height_std) .and. &
                identical(p%pressure_coefficient, 0.0_c_double) .and. p%struct_size == before%struct_size)
+    kept = before
+    call asperity_check(asperity_params_calibrate_force(kept, LOAD, MU * LOAD))
+    call check('the force says the same', identical(kept%slip_stress_1, p%slip_stress_1))
+    kept = before
+    call asperity_params_set(kept, [character(32) :: 'calibration_load', 'calibration_friction_coefficient'], [LOAD, MU])
+    call check('... and so do the names', identical(kept%slip_stress_1, p%slip_stress_1))
+    kept%effective_shear_modulus = 80e9_c_double
+    call asperity_params_use_interface(kept, 'MoS2 film in dry air')
+    call check('a strength by name forgets the measurement', identical(kept%calibration_load, 0.0_c_double) .and. &
+               identical(kept%calibration_friction_force, 0.0_c_double))
 
     p = before
     p%pressure_coefficient = KAPPA
-    call asperity_check(asperity_params_calibrate(p, LOAD, FORCE))
+    call asperity_check(asperity_params_calibrate(p, LOAD, MU))
     call check('the pressure coefficient stays', identical(p%pressure_coefficient, KAPPA))
     model = c_null_ptr
     call asperity_check(asperity_create(p, model))
-    call check_close('... and the point is met', asperity_friction_force_at_load(model, LOAD), FORCE, 2e-9_c_double)
+    call check_close('... and the point is met', asperity_friction_at_load(model, LOAD), MU, 2e-9_c_double)
     call asperity_free(model)
-
-    p = before
-    p%pressure_coefficient = 0.5_c_double
-    call check('a point below what the pressure coefficient gives is refused', &
-               asperity_params_calibrate(p, LOAD, FORCE) == ASPERITY_INVALID_PARAMETER)
-    message = asperity_error_message()
-    call check('... with the numbers', index(message, 'friction_force = 1.24 at load = 4: must be above 3.82567') == 1)
-    call check('... and untouched', identical(p%slip_stress_1, before%slip_stress_1) .and. &
-               identical(p%slip_stress_2, before%slip_stress_2))
-    none = nan()
-    call check('a load that is NaN is refused', asperity_params_calibrate(p, none, FORCE) == ASPERITY_INVALID_LOAD)
-    call check('a force of zero is refused', asperity_params_calibrate(p, LOAD, 0.0_c_double) == ASPERITY_INVALID_PARAMETER)
   end subroutine one_measured_point
+
+  subroutine no_measurements
+    real(c_double), parameter :: LOAD = 4
+    type(asperity_params) :: p
+    p = paper_case()
+    call refused_point(p, LOAD, 20.1_c_double, &
+                       'calibration_friction_coefficient = 20.1: must be > 0 and at most 20; is it a force?')
+    call refused_point(p, LOAD, -0.1_c_double, 'calibration_friction_coefficient = -0.1: must be > 0')
+    call refused_point(p, 0.0_c_double, 0.31_c_double, 'calibration_load = 0: must be > 0; at zero load')
+    p%pressure_coefficient = 0.5_c_double
+    call refused_point(p, LOAD, 0.31_c_double, 'friction_force = 1.24 at load = 4: must be above 3.82567')
+    call check('a load that is NaN is refused', asperity_params_calibrate(p, nan(), 0.3_c_double) == ASPERITY_INVALID_LOAD)
+    call check('a force of zero is refused', &
+               asperity_params_calibrate_force(p, LOAD, 0.0_c_double) == ASPERITY_INVALID_PARAMETER)
+  end subroutine no_measurements
+
+  subroutine refused_point(p, load, mu, message)
+    type(asperity_params), intent(in) :: p
+    real(c_double), intent(in) :: load, mu
+    character(*), intent(in) :: message
+    type(asperity_params) :: changed
+    character(300) :: said
+    changed = p
+    call check(message, asperity_params_calibrate(changed, load, mu) == ASPERITY_INVALID_PARAMETER)
+    said = asperity_error_message()
+    call check_text('the message', said(:len(message)), message)
+    call check('... and untouched', all(identical([changed%slip_stress_1, changed%slip_stress_2, changed%calibration_load], &
+                                                  [p%slip_stress_1, p%slip_stress_2, p%calibration_load])))
+  end subroutine refused_point
+
+  ! A strength that nobody measured is warned of: of one summit as of many, whatever the slip radii are.
+  subroutine default_strengths
+    real(c_double), parameter :: COUNTS(2) = [1.0_c_double, 1e4_c_double]
+    type(asperity_params) :: p
+    integer :: i
+    do i = 1, 2
+      p = paper_case()
+      p%asperity_count = COUNTS(i)
+      call check('the default is warned of', is_warned_of(p))
+      p%slip_radius_1 = 30
+      call check('... at other slip radii too', is_warned_of(p))
+      call asperity_check(asperity_params_calibrate(p, COUNTS(i), 0.3_c_double))
+      call check('... until it is calibrated', .not. is_warned_of(p))
+    end do
+  end subroutine default_strengths
+
+  function is_warned_of(p) result(warned)
+    type(asperity_params), intent(in) :: p
+    logical :: warned
+    type(c_ptr) :: model
+    integer(c_int64_t) :: warnings
+    model = c_null_ptr
+    warnings = 0
+    call asperity_check(asperity_create(p, model))
+    call asperity_check(asperity_check_loads(model, p%asperity_count, p%asperity_count, warnings))
+    call asperity_free(model)
+    warned = iand(warnings, ASPERITY_WARNING_UNCALIBRATED) /= 0
+  end function is_warned_of
 
   ! Of Hertz' contacts without a strength F is kappa P, at every load.
   subroutine pressure_coefficients
@@ -405,7 +411,7 @@ contains
     real(c_double) :: plain(3)
     character(120) :: message
     integer :: i
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     p%work_of_adhesion = 0
     p%attraction = 0
     model = c_null_ptr
@@ -455,7 +461,7 @@ contains
     type(asperity_params) :: p
     type(asperity_summary) :: s
     type(c_ptr) :: model
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     p%height_distribution = ASPERITY_HEIGHTS_JOHNSON
     p%skew = -0.4_c_double
     p%kurtosis = 3.8_c_double
@@ -467,6 +473,10 @@ contains
     p%kurtosis = 1
     call check('no distribution has less than skew**2 + 1', &
                asperity_set_params(model, p) == ASPERITY_INVALID_PARAMETER)
+    p%kurtosis = 1.86_c_double + 1.25_c_double * p%skew**2
+    call check('heights have at least 1.87 + 1.25 skew**2', asperity_set_params(model, p) == ASPERITY_OUT_OF_RANGE)
+    p%kurtosis = 101
+    call check('... and at most 100', asperity_set_params(model, p) == ASPERITY_OUT_OF_RANGE)
     call asperity_free(model)
   end subroutine johnson_heights
 
@@ -479,7 +489,7 @@ contains
     type(c_ptr) :: model
     height = [1, 2, 3, 4, 5]
     density = [0, 1, 2, 1, 0]
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     p%height_distribution = ASPERITY_HEIGHTS_TABULATED
     p%table_height = c_loc(height)
     p%table_density = c_loc(density)
@@ -504,7 +514,7 @@ contains
   subroutine life_of_a_model
     type(asperity_params) :: p, back
     type(c_ptr) :: model, untouched
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     model = c_null_ptr
     p%height_std = -1
     call check('a negative height_std is refused', asperity_create(p, model) == ASPERITY_INVALID_PARAMETER)
@@ -531,7 +541,7 @@ contains
     type(c_ptr) :: model
     character(kind=c_char), target :: few(6)
     integer(c_size_t) :: length
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     model = c_null_ptr
     call asperity_check(asperity_create(p, model))
     call check('mu at NaN is NaN', ieee_is_nan(asperity_friction_at_load(model, nan())))
@@ -552,7 +562,7 @@ contains
     type(c_ptr) :: model
     real(c_double), target :: load(N), mu(N), slope(N), force(N), dforce(N)
     integer :: i
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     model = c_null_ptr
     call asperity_check(asperity_create(p, model))
     load = [(10.0_c_double**(i - 2), i=1, N)]
@@ -799,10 +809,8 @@ contains
 
   function default_model() result(model)
     type(c_ptr) :: model
-    type(asperity_params) :: p
-    call asperity_check(asperity_params_init(p))
     model = c_null_ptr
-    call asperity_check(asperity_create(p, model))
+    call asperity_check(asperity_create(paper_case(), model))
   end function default_model
 
   ! Without adhesion, with the shear strength of small contacts everywhere: Greenwood and Williamson's closed forms.
@@ -821,7 +829,7 @@ contains
     type(asperity_microslip) :: step
     integer :: i
     warnings = 0
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     p%work_of_adhesion = 0
     p%hardness = 0.02_c_double
     p%asperity_count = 1000
@@ -854,8 +862,6 @@ contains
       call check('... and texts have a length', asperity_warnings_text(ASPERITY_WARNING_FEW, c_null_ptr, 0_c_size_t) > 20)
       call asperity_check(asperity_warning_loads(model, ASPERITY_WARNING_PLASTIC, c_loc(warned(1)), c_loc(warned(2))))
       call check('... with the loads at which they hold', warned(1) <= state%load .and. warned(2) >= state%load)
-      call check('no force is no measurement', asperity_params_calibrate(p, 1.0_c_double, 0.0_c_double) &
-                 == ASPERITY_INVALID_PARAMETER)
       call check('... and have texts', c_associated(asperity_warning_string(ASPERITY_WARNING_PLASTIC)))
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
       call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)
@@ -865,6 +871,9 @@ contains
                        state%tangential_stiffness, 1e-9_c_double)
       call asperity_check(asperity_tangential_stiffness_at_loads(model, 1_c_size_t, c_loc(load), c_loc(radius)))
       call check('... and so is that of many', identical(radius(1), asperity_tangential_stiffness_at_load(model, load(1))))
+      call asperity_check(asperity_contact_radius_sum_at_loads(model, 1_c_size_t, c_loc(load), c_loc(radius), c_null_ptr))
+      call check_close('the sum of the radii is that of the state', radius(1), state%contact_radius_sum, 1e-9_c_double)
+      call check('... one as many', identical(radius(1), asperity_contact_radius_sum_at_load(model, load(1))))
       call asperity_check(asperity_tangential_at_load(model, load(1), 1e9_c_double, c_loc(radius), c_null_ptr))
       call check_close('far displaced all contacts slip', radius(1), state%friction_force, 1e-9_c_double)
       call check('a contact remembers so many numbers', asperity_microslip_length(model) == size(memory, kind=c_size_t))
@@ -923,7 +932,7 @@ contains
     type(asperity_summary) :: s
     type(asperity_state) :: state
     type(c_ptr) :: model
-    call asperity_check(asperity_params_init(p))
+    p = paper_case()
     model = c_null_ptr
     call asperity_check(asperity_create(p, model))
     call asperity_check(asperity_summary_of(model, s))

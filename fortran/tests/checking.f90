@@ -2,9 +2,10 @@
 module checking
   use, intrinsic :: iso_c_binding, only: c_double, c_int64_t
   use, intrinsic :: iso_fortran_env, only: error_unit
+  use asperity
   implicit none
   private
-  public :: check, check_close, check_text, finish, identical
+  public :: check, check_close, check_text, finish, identical, paper_case
 
   integer :: checks = 0, failures = 0
 
@@ -35,6 +36,14 @@ contains
     call check(claim, text == expected)
     if (text /= expected) write (error_unit, '(4x, a)') 'text     ' // trim(text), 'expected ' // expected
   end subroutine check_text
+
+  function paper_case() result(params)
+    type(asperity_params) :: params
+    call asperity_check(asperity_params_init(params))
+    call asperity_check(asperity_params_set_dimensionless(params, alpha=0.01_c_double, beta=1000.0_c_double, &
+                                                          gamma=0.001_c_double, b_over_h=1.0_c_double, &
+                                                          poisson=0.3_c_double))
+  end function paper_case
 
   ! Equal to the last bit; NaN is identical to itself, and comparing one traps nothing.
   elemental function identical(a, b)

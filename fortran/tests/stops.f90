@@ -2,6 +2,7 @@
 program stops
   use, intrinsic :: iso_c_binding
   use asperity
+  use checking
   implicit none
   type(friction_model) :: law
   type(asperity_params) :: params
@@ -9,10 +10,16 @@ program stops
   character(20) :: which
 
   call get_command_argument(1, which)
-  call asperity_check(asperity_params_init(params))
+  params = paper_case()
   select case (which)
   case ('parameter')
     params%summit_radius = 0
+    call law%create(params)
+  case ('forgotten')
+    call asperity_check(asperity_params_init(params))
+    call asperity_params_use_pair(params, 'Si/Si')
+    params%height_std = 5e-9_c_double
+    params%summit_radius = 1e-6_c_double
     call law%create(params)
   case ('never_created')
     mu = law%friction_at_load([1.0_c_double, 2.0_c_double, 3.0_c_double])

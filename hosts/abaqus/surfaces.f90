@@ -6,7 +6,7 @@
 ! Units are those of the Abaqus model. Here mm, N, MPa: a work of adhesion of 1 J/m^2 is 1e-3 N/mm.
 module asperity_surfaces
   use, intrinsic :: iso_c_binding, only: c_double
-  use asperity, only: asperity_check, asperity_params, asperity_params_init_unset, asperity_params_set_materials, &
+  use asperity, only: asperity_check, asperity_params, asperity_params_init, asperity_params_set_materials, &
     asperity_params_set_spectral_moments
   implicit none
   private
@@ -21,7 +21,7 @@ contains
     integer, intent(in) :: number
     type(asperity_params), intent(out) :: params
     real(c_double), intent(out) :: nominal_area  ! [length^2]
-    call asperity_check(asperity_params_init_unset(params))  ! what is forgotten below stops the analysis, by name
+    call asperity_check(asperity_params_init(params))  ! what is forgotten below stops the analysis, by name
     select case (number)
     case (1)
       call hard_carbon(params, nominal_area)

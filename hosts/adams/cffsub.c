@@ -1,8 +1,10 @@
 /* Contact friction in Adams: the friction function of a CONTACT statement is F(N) tanh(v/v0), against the slip velocity.
  *
- *     FRICTION_FUNCTION = USER(v0, height_std, ..., pressure_coefficient)    in the order of NAMES, in the units of the model
+ *     FRICTION_FUNCTION = USER(v0, string, length, force)
  *
- * Contacts with the same numbers share one model. There is a set of models for each thread, so that nothing is locked. */
+ * v0, in the units of the model; the number of the STRING that names the surface file; the units of length and force of the
+ * model, in m and N. Contacts with the same numbers share one model of friction. There is a set of them for each thread, so that
+ * nothing is locked. */
 
 #include <math.h>
 #include <stdio.h>
@@ -13,12 +15,7 @@
 
 adams_c_Cffsub Cffsub;
 
-static const char *const NAMES[] = {
-    "height_std",      "summit_radius",  "asperity_count",  "composite_modulus", "effective_shear_modulus",
-    "work_of_adhesion", "adhesion_range", "burgers_vector", "hardness",          "slip_stress_1",
-    "slip_stress_2",    "pressure_coefficient",
-};
-enum { COUNT = sizeof NAMES / sizeof *NAMES, MOST = 64 };
+enum { SPEED, STRING, LENGTH, FORCE, NUMBERS, MOST = 64 };
 
 /* Ends the simulation with a message that names the contact. */
 static void stop(int contact, const char *message) {
@@ -27,34 +24,49 @@ static void stop(int contact, const char *message) {
     c_errmes(1, text, contact, "STOP");
 }
 
-static asperity_status make(const double *values, asperity_model **model) {
+/* The path in a STRING statement; 0 if there is no such statement. */
+static int find_path(int string, char *path, int size) {
+    int length = size - 1, status = 0;
+    memset(path, 0, (size_t)size);
+    c_gtstrg(string, path, &length, &status);
+    if (status != 0) return 0;
+    if (length >= 0 && length < size) path[length] = 0;
+    return 1;
+}
+
+static asperity_status make(const char *path, double length, double force, asperity_model **model) {
     asperity_params params;
-    asperity_status status = asperity_params_init(&params);
-    for (int i = 0; i < COUNT && status == ASPERITY_OK; i++)
-        status = asperity_params_set_value(&params, NAMES[i], values[i]);
+    asperity_status status = asperity_params_init(&params, sizeof params);
+    if (status == ASPERITY_OK) status = asperity_params_read(&params, path);
+    if (status == ASPERITY_OK) status = asperity_params_set_units(&params, length, force);
     return status == ASPERITY_OK ? asperity_create(&params, model) : status;
 }
 
-/* The model of the numbers of a contact, made when they are met first; NULL after a message. */
-static const asperity_model *model_of(int contact, const double *values) {
+/* The model for the numbers of a contact, made when they are met first; NULL after a message. */
+static const asperity_model *model_of(int contact, const double *numbers) {
     static _Thread_local struct {
-        double values[COUNT];
+        double numbers[NUMBERS];
         asperity_model *model;
     } made[MOST];
-    char message[512];
+    char path[4096], message[512];
+    const size_t first = STRING, size = (NUMBERS - first) * sizeof *numbers;
     int i = 0;
-    while (i < MOST && made[i].model && memcmp(made[i].values, values, sizeof made[i].values) != 0) i++;
+    while (i < MOST && made[i].model && memcmp(made[i].numbers + first, numbers + first, size) != 0) i++;
     if (i == MOST) {
         stop(contact, "there are more than 64 surfaces: raise MOST in cffsub.c");
         return NULL;
     }
     if (made[i].model) return made[i].model;
-    if (make(values, &made[i].model) != ASPERITY_OK) {
+    if (!find_path((int)numbers[STRING], path, sizeof path)) {
+        stop(contact, "the second number of FRICTION_FUNCTION=USER must be that of a STRING that names a surface file");
+        return NULL;
+    }
+    if (make(path, numbers[LENGTH], numbers[FORCE], &made[i].model) != ASPERITY_OK) {
         asperity_last_error(message, sizeof message);
         stop(contact, message);
         return NULL;
     }
-    memcpy(made[i].values, values, sizeof made[i].values);
+    memcpy(made[i].numbers, numbers, sizeof made[i].numbers);
     return made[i].model;
 }
 
@@ -62,15 +74,16 @@ void Cffsub(const struct sAdamsContactFriction *contact, double time, const doub
             const double *x, const double *xdot, double nforce, double area, int dflag, int iflag, double *force) {
     (void)time, (void)loci, (void)locj, (void)x, (void)area, (void)dflag;
     force[0] = force[1] = force[2] = 0;
-    if (contact->NPAR != COUNT + 1) {
-        stop(contact->contact.ID, "FRICTION_FUNCTION=USER wants 10 numbers: the slip speed v0 and nine of the surface");
+    if (contact->NPAR != NUMBERS) {
+        stop(contact->contact.ID, "FRICTION_FUNCTION=USER wants 4 numbers: the slip speed v0, the number of a STRING that names a "
+                                  "surface file, and the units of length and force of the model in m and N");
         return;
     }
-    const asperity_model *model = model_of(contact->contact.ID, contact->PAR + 1);
+    const asperity_model *model = model_of(contact->contact.ID, contact->PAR);
     /* Not 0: the solver asks which variables the force depends on, or saves; there is nothing beyond the arguments. */
     if (model == NULL || iflag) return;
     const double slip = hypot(xdot[0], xdot[1]);
-    const double friction = asperity_slip_force(model, nforce, slip, contact->PAR[0], NULL, NULL);
+    const double friction = asperity_slip_force(model, nforce, slip, contact->PAR[SPEED], NULL, NULL);
     if (isnan(friction)) {
         stop(contact->contact.ID, "v0 must be > 0, and normal force and slip velocity must be finite");
         return;

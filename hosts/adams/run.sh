@@ -15,4 +15,4 @@ build=$target/hosts/adams
 mkdir -p "$build"
 "${CC:-cc}" -std=c11 -O2 -Wall -Wextra -Werror -Iinclude -Ihosts/adams/mock hosts/adams/cffsub.c hosts/adams/mock/host.c \
     -o "$build/host" -L"$target/release" -lasperity -Wl,-rpath,"$target/release" -lm || fail "cffsub.c does not build"
-verdict "$build/host"
+verdict "$build/host" "$build"

@@ -1,6 +1,6 @@
 """Block in GetFEM: pressed on a rough floor and sheared, with a friction coefficient that follows the pressure node by
 node. The contact brick takes the coefficients as given, so each load step is a fixed point of pressure and coefficient.
-Units: mm, N, MPa. The law is made for 1 mm2, so that its load is a pressure and its friction force a traction.
+Units: mm, N, MPa.
 """
 
 import sys
@@ -240,7 +240,7 @@ def main(picture):
     model = coated_steel()
     mean = YOUNG / (1 - POISSON**2) * PRESS / HEIGHT  # pressure of the block without friction
     guess = model.state_at_load(mean).friction_coefficient
-    law, law_time = timed(shear, model.friction_at_load, guess)
+    law, law_time = timed(shear, model.friction_at_pressure, guess)
     constant, constant_time = timed(shear, lambda pressure: np.full_like(pressure, guess), guess)
     error = check(model, law)
     compare(law, constant)

@@ -21,7 +21,8 @@ sys.path.insert(0, str(HERE.parent))
 import surface  # noqa: E402
 import verdict  # noqa: E402
 
-AREA = 1e-4  # the nominal area of surface.toml
+SURFACE = HERE.parent / "surface.toml"
+AREA = 1e-4  # its nominal area
 WIDTH, CELLS = 0.02, 10  # of the block; it is 1 m thick, as plane strain is
 PRESSURE = 1e7  # LINE_LOAD
 LAGGED_LIMIT, LIMIT, UNITS_LIMIT = 1e-3, 1e-8, 1e-6
@@ -130,7 +131,7 @@ def difference_by_unit(folder):
 def check_measured_point_and_warnings(folder):
     """A point that was measured at the mean pressure, in the surface file, is met at each node; and each run says once, in
     Kratos' log, what holds of the model and what not: of the file without the point that it is not calibrated."""
-    text = (HERE / "surface.toml").read_text(encoding="utf-8")
+    text = SURFACE.read_text(encoding="utf-8")
     file = folder / "measured.toml"
     load, mu = PRESSURE * AREA, 0.15
     uncalibrated = "the strength of the interface is the default, not a measured one"
@@ -144,8 +145,8 @@ def check_measured_point_and_warnings(folder):
         KratosMultiphysics.Logger.Flush()
         KratosMultiphysics.Logger.RemoveOutput(output)
         pressure, traction, _ = nodal(analysis.model["Structure"])
-        params = asperity.Params.from_toml("surface.toml")
-        law = asperity.Model(params.calibrated(load=load, mu=mu) if key else params)
+        params = asperity.Params.from_toml(SURFACE)
+        law = asperity.Model(params.calibrated(load, mu) if key else params)
         error = np.max(np.abs(-traction / (law.friction_at_load(pressure * AREA) * pressure) - 1))
         if not error <= LIMIT:
             raise RuntimeError(f"{key}: error of a node's traction {error:.1e}")
@@ -159,12 +160,15 @@ def check_refusals(folder):
     """What cannot work must be refused, in words that name Kratos' own element."""
     bad = str(folder / "bad.toml")
     surface.surface(AREA).replace(height_std=-1.0).to_toml(bad)
+    measured = str(folder / "measured_without_area.toml")
+    surface.surface(AREA).calibrated(10, 0.2).replace(nominal_area=0.0).to_toml(measured)
     wrong = {
         "there is no such pair in contact_model_part": lambda p: process_of(p, 1)["pair"].SetString("3"),
         "friction_coefficients of the contact process": lambda p: process_of(p, 0)["friction_coefficients"]["0"].SetDouble(0),
         "pascal = 0: must be": lambda p: process_of(p, 1).AddDouble("pascal", 0),
         "at pressures up to 1.": lambda p: process_of(p, 1).AddDouble("pascal", 1e-200),
         "No such file or directory: 'missing.toml'": lambda p: process_of(p, 1)["surface"].SetString("missing.toml"),
+        f"{measured}: nominal_area must be given": lambda p: process_of(p, 1)["surface"].SetString(measured),
         f"{bad}: height_std = -1: must be": lambda p: process_of(p, 1)["surface"].SetString(bad),
         '"surface" must name a surface file': lambda p: process_of(p, 1).RemoveValue("surface"),
     }
@@ -182,9 +186,9 @@ def check_refusals(folder):
 def main():
     os.chdir(HERE)
     KratosMultiphysics.Logger.GetDefaultOutput().SetSeverity(KratosMultiphysics.Logger.Severity.WARNING)
-    described, wanted = asperity.Params.from_toml("surface.toml"), surface.surface(AREA)
+    described, wanted = asperity.Params.from_toml(SURFACE), surface.surface(AREA)
     if described != wanted:
-        raise RuntimeError(f"surface.toml is not the surface of hosts/surface.py: {described} {wanted}")
+        raise RuntimeError(f"hosts/surface.toml is not the surface of hosts/surface.py: {described} {wanted}")
     lagged, imbalance, met = drag(StructuralMechanicsAnalysis)
     current, imbalance_current, met_current = drag(Analysis)
     met += met_current

@@ -26,7 +26,7 @@ int axis_of(const std::string &word) { return word == "x" ? 0 : word == "y" ? 1 
 FixWallAsperityHertz::FixWallAsperityHertz(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {
     const int words = read_planes(narg, arg);
     try {
-        law_ = std::make_unique<const Law>(std::vector<std::string>(arg + words, arg + narg));
+        law_ = std::make_unique<const Law>(update->unit_style, Law::Words(arg + words, arg + narg));
     } catch (const std::invalid_argument &refused) {
         error->all(FLERR, "fix {} wall/asperity/hertz: {}", id, refused.what());
     }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 namespace asperity_lammps {
@@ -29,6 +29,10 @@ double number(const std::string &name, const std::string &text) {
     return value;
 }
 
+bool contains(const std::vector<std::string> &names, const char *name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 double positive(const std::string &name, const std::string &text) {
     const double value = number(name, text);
     if (!(value > 0) || !std::isfinite(value)) refuse(name + " = " + text + ": must be positive");
@@ -42,42 +46,21 @@ double damping_of(double restitution) {
     return -2 * std::sqrt(5.0 / 6) * log_e / std::sqrt(log_e * log_e + pi * pi);
 }
 
-std::string trimmed(const std::string &text) {
-    const auto first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
-    return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
+// The units of LAMMPS in which stress is force by area, in m and N.
+struct Units {
+    const char *name;
+    double length, force;
+};
+const Units consistent[] = {{"si", 1, 1}, {"cgs", 1e-2, 1e-5}, {"micro", 1e-6, 1e-9}, {"nano", 1e-9, 1e-12}};
 
-// The numbers of a surface file (docs/surface-file.md). Names of materials and measured values need Python to be
-// understood, whose to_toml writes the numbers that they make.
-void read_file(const std::string &path, std::vector<std::string> &names, std::vector<double> &values) {
-    static const char *const choices[] = {"gaussian", "weibull", "johnson"};
-    std::ifstream file(path);
-    if (!file) refuse("surface " + path + ": the file cannot be read");
-    std::string line;
-    for (int count = 1; std::getline(file, line); count++) {
-        line = trimmed(line.substr(0, line.find('#')));
-        if (line.empty() || line == "[materials]" || line == "[roughness]") continue;
-        const std::string where = "surface " + path + ", line " + std::to_string(count) + ": ";
-        const auto equals = line.find('=');
-        if (equals == std::string::npos) refuse(where + "'" + line + "' is not NAME = NUMBER");
-        const std::string name = trimmed(line.substr(0, equals)), text = trimmed(line.substr(equals + 1));
-        double value = 0;
-        if (name == "contact_law" && text == "\"maugis\"") value = ASPERITY_CONTACT_MAUGIS;
-        else if (name == "contact_law" && text == "\"elastic-plastic\"") value = ASPERITY_CONTACT_ELASTIC_PLASTIC;
-        else if (name == "height_distribution" && text.size() > 2 && text[0] == '"') {
-            const auto *choice = std::find(choices, choices + 3, text.substr(1, text.size() - 2));
-            if (choice == choices + 3) refuse(where + text + ": heights must be gaussian, weibull or johnson here");
-            value = static_cast<double>(choice - choices);
-        } else {
-            char *end = nullptr;
-            value = std::strtod(text.c_str(), &end);
-            if (text.empty() || *end != '\0')
-                refuse(where + name + ": " + text + " is not a number; Params.from_toml(...).to_toml(...) in Python "
-                       "writes a file of numbers alone");
-        }
-        names.push_back(name);
-        values.push_back(value);
-    }
+// A surface file is in SI; the grains are in the units of the script.
+void read_file(asperity_params &params, const std::string &path, const std::string &units) {
+    const Units *const end = std::end(consistent);
+    const Units *const unit = std::find_if(consistent, end, [&](const Units &known) { return units == known.name; });
+    if (unit == end) refuse("surface " + path + ": is in SI units, so 'units " + units + "' must be si, cgs, micro or nano");
+    demand(asperity_params_read(&params, path.c_str()));
+    if (!(params.nominal_area > 0)) refuse("surface " + path + ": nominal_area must be given: its summits lie on this area");
+    demand(asperity_params_set_units(&params, unit->length, unit->force));
 }
 
 // Of a positive number, to 1e-13. A third of the upper half of the bits is within 4 %, and Halley's step cubes the error.
@@ -97,27 +80,39 @@ double cube_root(double x) {
 
 }    // namespace
 
-Law::Law(const std::vector<std::string> &words) {
+void Law::Surface::take(const std::string &name, const std::string &text) {
+    if (name == "surface") {
+        if (changed) refuse("surface " + text + ": must stand before the words that change it");
+        file = text;
+        names.clear();
+        values.clear();
+        return;
+    }
+    changed = true;
+    names.push_back(name);
+    values.push_back(number(name, text));
+}
+
+Law::Law(const std::string &units, const Words &style, const Words &own) {
     double real_modulus = -1, poisson = 0.3, restitution = 1;
-    std::vector<std::string> names;
-    std::vector<double> values;
-    for (std::size_t i = 0; i < words.size(); i += 2) {
-        const std::string &name = words[i];
-        if (i + 1 == words.size()) refuse(name + ": its value is missing");
-        const std::string &text = words[i + 1];
-        if (name == "modulus") modulus_ = positive(name, text);
-        else if (name == "real_modulus") real_modulus = positive(name, text);
-        else if (name == "poisson") poisson = number(name, text);
-        else if (name == "restitution") restitution = positive(name, text);
-        else if (name == "mu") mu_ = number(name, text);
-        else if (name == "microslip") {
-            if (text != "yes" && text != "no") refuse("microslip: must be yes or no");
-            microslip_ = text == "yes";
-        }
-        else if (name == "surface") read_file(text, names, values);
-        else {
-            names.push_back(name);
-            values.push_back(number(name, text));
+    Surface surface;
+    for (const Words *command : {&style, &own}) {
+        surface.begin();
+        for (std::size_t i = 0; i < command->size(); i += 2) {
+            const std::string &name = (*command)[i];
+            if (i + 1 == command->size()) refuse(name + ": its value is missing");
+            const std::string &text = (*command)[i + 1];
+            if (name == "modulus") modulus_ = positive(name, text);
+            else if (name == "real_modulus") real_modulus = positive(name, text);
+            else if (name == "poisson") poisson = number(name, text);
+            else if (name == "restitution") restitution = positive(name, text);
+            else if (name == "mu") {
+                mu_ = number(name, text);
+                if (!(mu_ >= 0)) refuse("mu = " + text + ": must be 0 or more");
+            } else if (name == "microslip") {
+                if (text != "yes" && text != "no") refuse("microslip: must be yes or no");
+                microslip_ = text == "yes";
+            } else surface.take(name, text);
         }
     }
     if (modulus_ < 0) refuse("modulus: must be set, E* that the grains are computed with");
@@ -130,20 +125,25 @@ Law::Law(const std::vector<std::string> &words) {
     softening_ = std::pow(modulus_ / real_modulus, 2.0 / 3);
     area_ = pi * std::pow(0.75 / real_modulus, 2.0 / 3);
     if (microslip_ && mu_ >= 0) refuse("microslip: needs a surface, not mu");
-    if (mu_ >= 0 && names.empty()) return;
-    if (mu_ >= 0 || std::find(words.begin(), words.end(), "mu") != words.end())
-        refuse("mu: must be 0 or more, and stands in place of a surface");
-    make_model(names, values);
+    const bool has_surface = !surface.file.empty() || !surface.names.empty();
+    if (mu_ >= 0 && has_surface) refuse("mu: stands in place of a surface");
+    if (mu_ < 0) make_model(surface, units);
 }
 
-void Law::make_model(const std::vector<std::string> &names, const std::vector<double> &values) {
-    std::vector<const char *> pointers;
-    for (const std::string &name : names) pointers.push_back(name.c_str());
+void Law::make_model(const Surface &surface, const std::string &units) {
+    std::vector<const char *> names;
+    for (const std::string &name : surface.names) names.push_back(name.c_str());
     asperity_params params;
-    demand(asperity_params_init_unset(&params));
-    params.nominal_area = 1;
-    demand(asperity_params_set_values(&params, names.size(), pointers.data(), values.data()));
-    if (params.nominal_area > 0) params.asperity_count /= params.nominal_area;
+    demand(asperity_params_init(&params, sizeof params));
+    if (surface.file.empty()) params.nominal_area = 1;
+    else read_file(params, surface.file, units);
+    demand(asperity_params_set_values(&params, names.size(), names.data(), surface.values.data()));
+    const bool has_area = !surface.file.empty() || contains(surface.names, "nominal_area");
+    if (params.calibration_friction_force > 0 && !has_area)
+        refuse("nominal_area: must be given with calibration_load, which was measured on this area");
+    if (params.nominal_area > 0)
+        for (double *total : {&params.asperity_count, &params.calibration_load, &params.calibration_friction_force})
+            *total /= params.nominal_area;
     params.nominal_area = 1;
     asperity_model *model = nullptr;
     demand(asperity_create(&params, &model));

@@ -84,8 +84,11 @@ struct Sums {
 
 class Law {
 public:
-    // Names and values, one after the other; throws std::invalid_argument with a message that names the word.
-    explicit Law(const std::vector<std::string> &words);
+    using Words = std::vector<std::string>;
+
+    // Names and values, one after the other: those of a style, then those of its types. Throws std::invalid_argument with a
+    // message that names the word. units: those of the script.
+    Law(const std::string &units, const Words &style, const Words &own = {});
 
     // Contacts are computed so many at a time, as the library's batch calls are the faster ones.
     enum { BATCH = 32 };
@@ -108,7 +111,18 @@ private:
         std::uint64_t told;       // of the interface and the surface
     };
 
-    void make_model(const std::vector<std::string> &names, const std::vector<double> &values);
+    // A file, which replaces the words of the command before, and the words that change it.
+    struct Surface {
+        std::string file;
+        Words names;
+        std::vector<double> values;
+        bool changed = false;    // by words of this command
+
+        void begin() { changed = false; }
+        void take(const std::string &name, const std::string &text);
+    };
+
+    void make_model(const Surface &surface, const std::string &units);
     void find_where_it_holds(double composite_modulus);
     void normal(const Contact &contact, Forces &result) const;
     // What the tangential forces of a batch need beside Forces.

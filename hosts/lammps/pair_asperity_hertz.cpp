@@ -88,10 +88,8 @@ void PairAsperityHertz::set_law(int i, int j, const Words &own) {
     for (std::size_t k = 0; k < laws_.size() && !law; k++)
         if (laws_[k] && own_words_[k] == own) law = laws_[k];
     if (!law) {
-        Words words = words_;
-        words.insert(words.end(), own.begin(), own.end());
         try {
-            law = std::make_shared<const Law>(words);
+            law = std::make_shared<const Law>(update->unit_style, words_, own);
         } catch (const std::invalid_argument &refused) {
             error->all(FLERR, "{} asperity/hertz: {}", own.empty() ? "pair_style" : "pair_coeff", refused.what());
         }

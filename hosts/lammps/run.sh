@@ -32,9 +32,20 @@ refused "pair_style asperity/hertz: say 'comm_modify vel yes'" $'pair_style aspe
 refused "fix f wall/asperity/hertz: modulus: must be set" $'fix f all wall/asperity/hertz zplane 0 NULL height_std 1e-8'
 refused 'pair_coeff asperity/hertz: microslip: must be yes or no' $'pair_style asperity/hertz ${beads}\npair_coeff * * microslip 1'
 refused 'pair_style asperity/hertz: microslip: needs a surface, not mu' $'pair_style asperity/hertz modulus 5e6 mu 0.3 microslip yes\npair_coeff * *'
-printf 'first = "Si"\n' >"$build/named.toml"
-refused 'pair_style asperity/hertz: surface '"$build"'/named.toml, line 1: first: "Si" is not a number' \
-    "pair_style asperity/hertz modulus 5e6 surface $build/named.toml"$'\npair_coeff * *'
+pair() { refused "pair_style asperity/hertz: $1" "pair_style asperity/hertz modulus 5e6 $2"$'\npair_coeff * *'; }
+pair 'slip_radius_1 = 1.075e-8: must be at least 1; is it a length?' '${film} slip_radius_1 10.75e-9'
+pair 'calibration_friction_coefficient = 25: must be > 0 and at most 20; is it a force?' \
+    '${film} nominal_area 1 calibration_load 100 calibration_friction_coefficient 25'
+pair 'nominal_area: must be given with calibration_load' '${film} calibration_load 0.01 calibration_friction_coefficient 0.2'
+pair 'surface films.toml: must stand before the words that change it' '${film} surface films.toml'
+pair 'missing.toml: ' 'surface missing.toml'
+grep -v nominal_area hosts/surface.toml | sed '/roughness/,$d' >"$build/no_area.toml"
+sed -i '1i height_std = 9.4e-9\nsummit_radius = 1.1e-6\nasperity_count = 6e8' "$build/no_area.toml"
+pair "surface $build/no_area.toml: nominal_area must be given" "surface $build/no_area.toml"
+sed 's/^hardness/slip_onset = "hole"\n&/' hosts/surface.toml >"$build/hole.toml"
+pair "$build/hole.toml: line 9: slip_onset = \"hole\": must be \"partial\" or \"whole\"" "surface $build/hole.toml"
+refused "pair_style asperity/hertz: surface hosts/surface.toml: is in SI units, so 'units metal' must be si, cgs, micro or nano" \
+    $'clear\nunits metal\natom_style sphere\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\npair_style asperity/hertz modulus 5e6 surface hosts/surface.toml\npair_coeff * *'
 
 go() { lammps "$@" || fail "LAMMPS ended with status $?: $script, see $build"; }
 script=slide.in go 1 "$here/slide.in" slide.log
@@ -48,6 +59,17 @@ shear 1 500
 shear 2 500
 shear 4 25    # ranks that share a core wait for each other at every step
 script=continue.in go 2 "$here/continue.in" continued.log -var from "$build/shear2.restart" -var steps 500
+
+# A surface file is in SI units, also in a script that is not.
+{ printf 'slip_onset = "whole"\ncalibration_load = 100\ncalibration_friction_coefficient = 0.16\n'; cat hosts/surface.toml; } >"$build/whole.toml"
+units() {
+    script=units.in go 1 "$here/units.in" "units_$1.log" -var film "$build/whole.toml" -var units "$1" -var metre "$2" \
+        -var kilogram "$3" -var second "$4"
+}
+units si 1 1 1
+units cgs 1e2 1e3 1
+units micro 1e6 1e15 1e6
+units nano 1e9 1e21 1e9
 
 script=cycle.in go 1 "$here/cycle.in" cycle.log
 microslip() {

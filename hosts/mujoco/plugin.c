@@ -29,12 +29,9 @@
 
 /* ---- Configuration ---- */
 
-/* Names beside those of asperity_params_name: what asperity_params_set_values makes parameters of; the plugin's own. */
-static const char *const OTHER_NAMES[] = {"E1", "nu1", "E2", "nu2", "m0", "m2", "m4", "Ra",
-                                          "calibration_load", "calibration_friction_coefficient",
-                                          "calibration_friction_force",
-                                          "time_constant", "most_pairs", "pairs", "microslip"};
-enum { OTHERS = sizeof OTHER_NAMES / sizeof OTHER_NAMES[0], MADE = 11, MOST_NAMES = 64 };
+/* A surface file and what a text changes of it; the plugin's own. */
+static const char *const KEYS[] = {"surface", "text", "time_constant", "most_pairs", "pairs", "microslip"};
+enum { KEY_COUNT = sizeof KEYS / sizeof KEYS[0] };
 
 /* Two geometries that an instance names in its configuration. */
 typedef struct named_pair {
@@ -122,18 +119,11 @@ static int has_microslip(const mjModel *m, int instance) {
 }
 
 static void read_params(const mjModel *m, int instance, asperity_params *params) {
-    const char *names[MOST_NAMES];
-    double values[MOST_NAMES];
-    size_t count = 0;
-    asperity_params_init_unset(params);
-    for (size_t i = 0; count < MOST_NAMES && (i < MADE || asperity_params_name(i - MADE)); i++) {
-        const char *name = i < MADE ? OTHER_NAMES[i] : asperity_params_name(i - MADE);
-        const char *text = mj_getPluginConfig(m, instance, name);
-        if (!text || !*text) continue;
-        names[count] = name;
-        values[count++] = number(m, instance, name, 0);
-    }
-    if (asperity_params_set_values(params, count, names, values) != ASPERITY_OK) refuse_as_library(m, instance);
+    const char *file = mj_getPluginConfig(m, instance, "surface"), *text = mj_getPluginConfig(m, instance, "text");
+    asperity_status status = asperity_params_init(params, sizeof *params);
+    if (status == ASPERITY_OK && file && *file) status = asperity_params_read(params, file);
+    if (status == ASPERITY_OK && text) status = asperity_params_set_text(params, text, strlen(text));
+    if (status != ASPERITY_OK) refuse_as_library(m, instance);
 }
 
 /* ---- Which contacts ---- */
@@ -448,14 +438,11 @@ static void advance(const mjModel *m, mjData *d, int instance) {
 }
 
 mjPLUGIN_LIB_INIT(asperity) {
-    static const char *names[MOST_NAMES];
     mjpPlugin plugin;
     mjp_defaultPlugin(&plugin);
-    for (size_t i = 0; i < OTHERS; i++) names[plugin.nattribute++] = OTHER_NAMES[i];
-    for (size_t i = 0; asperity_params_name(i) && plugin.nattribute < MOST_NAMES; i++)
-        names[plugin.nattribute++] = asperity_params_name(i);
     plugin.name = PLUGIN;
-    plugin.attributes = names;
+    plugin.nattribute = KEY_COUNT;
+    plugin.attributes = KEYS;
     plugin.capabilityflags = mjPLUGIN_PASSIVE;
     plugin.nstate = state_size;
     plugin.init = make;

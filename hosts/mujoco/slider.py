@@ -27,6 +27,29 @@ PLAIN_LIMIT, SOLVED_LIMIT = 1e-5, 1e-9
 BALL_SERVO, BOX_SERVO = 0.035, 0.016  # they slip slower, by the friction over kv
 MASS, GRAVITY = 20, 9.81
 AREAS = {"ball": 1e-4, "box": 4e-4}
+SURFACE = Path(__file__).parents[1] / "surface.toml"
+TEXT = '<config key="text"'
+SUMMITS = XML[XML.index("[roughness]") : XML.index('"/>', XML.index("[roughness]"))]
+SIZE = "height_std = 9.4e-9\nsummit_radius = 1.1e-6"
+
+
+def changed(changes):
+    """The model with the first of each text replaced."""
+    xml = XML
+    for old, new in changes.items():
+        if old not in xml:
+            raise RuntimeError(f"slider.xml has no {old!r}")
+        xml = xml.replace(old, new, 1)
+    return xml
+
+
+def lines(values):
+    """Of a surface file, before its hardness."""
+    return "".join(f"{name} = {value!r}\n" for name, value in values.items()) + "hardness"
+
+
+def measured(load, name, value):
+    return lines({"calibration_load": load, name: value})
 
 
 def added_load(seconds):
@@ -114,27 +137,32 @@ def check_state(model):
 
 def check_refusals():
     """Each slip of a user's, and what must stand in the message."""
-    one = '<config key="nominal_area" value="1e-4"/>'
-    for old, new, words in (
-        ('cone="elliptic"', 'cone="pyramidal"', ['cone="elliptic"', "carbon, 1 cm2"]),
-        ('cone="elliptic"', "", ['cone="elliptic"']),
-        ('key="hardness"', 'key="hardnes"', ["hardnes", "carbon, 1 cm2"]),
-        ('value="0.06"', 'value="60 mJ"', ["carbon, 1 cm2", "work_of_adhesion", "60 mJ"]),
-        ('<config key="work_of_adhesion" value="0.06"/>', "", ["carbon, 1 cm2", "work_of_adhesion"]),
-        (one, f'{one}<config key="pairs" value="ball floor"/>', ["carbon, 1 cm2", "'floor'", "geom1 geom2"]),
-        (one, f'{one}<config key="most_pairs" value="0"/>', ["carbon, 1 cm2", "most_pairs"]),
-        (one, f'{one}<config key="time_constant" value="-1"/>', ["carbon, 1 cm2", "time_constant"]),
+    for changes, words in (
+        ({'cone="elliptic"': 'cone="pyramidal"'}, ['cone="elliptic"', "carbon, 1 cm2"]),
+        ({'cone="elliptic"': ""}, ['cone="elliptic"']),
+        ({"hardness": "hardnes"}, ["carbon, 1 cm2", "line 6", "hardnes", "the nearest is hardness"]),
+        ({"= 0.06": "= 60 mJ"}, ["carbon, 1 cm2", "line 3"]),
+        ({"work_of_adhesion = 0.06": ""}, ["carbon, 1 cm2", "work_of_adhesion: must be set"]),
+        ({SUMMITS: "", "hardness": f"{SIZE}\nhardness"}, ["carbon, 1 cm2", "asperity_count: must be set"]),
+        ({"hardness": "slip_radius_1 = 10.75e-9\nhardness"}, ["line 6", "slip_radius_1", "is it a length?"]),
+        ({"hardness": measured(100, "calibration_friction_coefficient", 25)}, ["line 7", "coefficient = 25", "is it a force?"]),
+        ({"hardness": "calibration_load = 100\nhardness"}, ["line 6", "calibration_load: must be given together"]),
+        ({SUMMITS: "", "hardness": f"{SIZE}\nasperity_count = 1e3\nhardness", "= 1e-4": "= 100"}, ["nominal_area in mm^2"]),
+        ({TEXT: f'<config key="surface" value="missing.toml"/>{TEXT}'}, ["carbon, 1 cm2", "missing.toml"]),
+        ({TEXT: f'<config key="pairs" value="ball floor"/>{TEXT}'}, ["carbon, 1 cm2", "'floor'", "geom1 geom2"]),
+        ({TEXT: f'<config key="most_pairs" value="0"/>{TEXT}'}, ["carbon, 1 cm2", "most_pairs"]),
+        ({TEXT: f'<config key="time_constant" value="-1"/>{TEXT}'}, ["carbon, 1 cm2", "time_constant"]),
     ):
         try:
-            mujoco.MjModel.from_xml_string(XML.replace(old, new, 1))
+            mujoco.MjModel.from_xml_string(changed(changes))
         except ValueError as error:
             if not all(word in str(error) for word in words):
-                raise RuntimeError(f"{new!r}: the message lacks one of {words}: {error}")
+                raise RuntimeError(f"{changes}: the message lacks one of {words}: {error}")
         else:
-            raise RuntimeError(f"{new!r} is taken")
+            raise RuntimeError(f"{changes}: taken")
     boxes = XML.replace("</worldbody>", '<body pos="0 .3 .15"><freejoint/><plugin instance="carbon, 1 cm2"/>'
                         '<geom name="upper" type="box" size=".1 .05 .05" mass="1"/></body></worldbody>')
-    few = XML.replace("1e-4\"/>", '1e-4"/><config key="most_pairs" value="1"/><config key="pairs" value="box plane"/>')
+    few = XML.replace(TEXT, '<config key="most_pairs" value="1"/><config key="pairs" value="box plane"/>' + TEXT, 1)
     for xml, words in ((boxes, ["'box'", "'upper'", '"pairs"']), (few, ["most_pairs", 'value="2"'])):
         model = mujoco.MjModel.from_xml_string(xml)
         try:
@@ -148,7 +176,7 @@ def check_refusals():
 
 def check_named_pair(laws):
     """A pair that is named has that friction, whatever its bodies have: here the box that of the ball's surface."""
-    named = XML.replace("1e-4\"/>", '1e-4"/><config key="pairs" value="plane box, ball plane"/>')
+    named = XML.replace(TEXT, '<config key="pairs" value="plane box, ball plane"/>' + TEXT, 1)
     model = mujoco.MjModel.from_xml_string(named)
     data = mujoco.MjData(model)
     while data.time < 0.3:
@@ -159,8 +187,8 @@ def check_named_pair(laws):
 
 
 def check_measured_point_and_warnings(laws):
-    """A point that was measured at half the ball's weight is met there, and what is not calibrated is told once in a program, whatever the
-    number of runs."""
+    """A point that was measured at half the ball's weight is met there, and what is not calibrated is told once in a program,
+    whatever the number of runs: also if there is one summit, and if only slip radii were set."""
     program = """if True:
         import sys, mujoco
         import asperity.mujoco
@@ -174,22 +202,47 @@ def check_measured_point_and_warnings(laws):
         print(normal, contacts[0].friction[0])
     """
     load, mu = 0.5 * MASS * GRAVITY, 0.15
-    for key, value in (("", 0), ("calibration_friction_coefficient", mu), ("calibration_friction_force", mu * load)):
-        given = f'<config key="calibration_load" value="{load!r}"/><config key="{key}" value="{value!r}"/>' if key else ""
-        xml = XML.replace("<config", f"{given}<config", 1)
+    default = laws["ball"]
+    point = asperity.Model(default.params.calibrated(load, mu))
+    one = {"height_std": 1e-6, "summit_radius": 0.02, "asperity_count": 1.0}
+    radii = {"slip_radius_1": 30.0, "slip_radius_2": 9e4}
+    for changes, law, said in (
+        ({}, default, ["1 cm2", "4 cm2"]),
+        ({"hardness": measured(load, "calibration_friction_coefficient", mu)}, point, ["4 cm2"]),
+        ({"hardness": measured(load, "calibration_friction_force", mu * load)}, point, ["4 cm2"]),
+        ({SUMMITS: "", "hardness": lines(one)}, asperity.Model(default.params.replace(**one, bandwidth=0)), ["1 cm2", "4 cm2"]),
+        ({"hardness": lines(radii)}, asperity.Model(default.params.replace(**radii)), ["1 cm2", "4 cm2"]),
+    ):
         with tempfile.TemporaryDirectory() as folder:
             command = [sys.executable, "-c", program]
-            done = subprocess.run(command, input=xml, check=True, capture_output=True, text=True, cwd=folder)
+            done = subprocess.run(command, input=changed(changes), check=True, capture_output=True, text=True, cwd=folder)
             log = Path(folder, "MUJOCO_LOG.TXT").read_text(encoding="utf-8")
         normal, friction = map(float, done.stdout.split()[-2:])
-        params = laws["ball"].params
-        law = asperity.Model(params.calibrated(load=load, mu=mu) if key else params)
         if not abs(friction / law.friction_at_load(normal) - 1) < PLAIN_LIMIT:
-            raise RuntimeError(f"{key}: mu = {friction} at {normal} N, not {law.friction_at_load(normal)}")
-        said = [line for line in log.splitlines() if "the strength of the interface is the default" in line]
-        instances = ["4 cm2"] if key else ["1 cm2", "4 cm2"]
-        if sorted(line.split("cm2")[0][-2:] + "cm2" for line in said) != instances:
-            raise RuntimeError(f"{key}: {instances} are not calibrated, and the log must say so once of each: {log}")
+            raise RuntimeError(f"{changes}: mu = {friction} at {normal} N, not {law.friction_at_load(normal)}")
+        told = [line for line in log.splitlines() if "the strength of the interface is the default" in line]
+        if sorted(line.split("cm2")[0][-2:] + "cm2" for line in told) != said:
+            raise RuntimeError(f"{changes}: {said} are not calibrated, and the log must say so once of each: {log}")
+
+
+def check_surface_file():
+    """A surface file with what a text changes of it, a text, and what Python writes give the same bits, also if saved as XML."""
+    own = XML[XML.index("<instance") : XML.index("</instance>") + len("</instance>")]
+    text = own.replace("0.06", "0.05")
+    of_file = f'<config key="surface" value="{SURFACE}"/><config key="text" value="work_of_adhesion = 0.05"/>'
+    of_python = asperity.mujoco.instance("carbon, 1 cm2", asperity.Params.from_toml(SURFACE).replace(work_of_adhesion=0.05))
+    specs = [mujoco.MjSpec.from_string(XML.replace(own, instance)) for instance in
+             (text, f'<instance name="carbon, 1 cm2">{of_file}</instance>', of_python)]  # fmt: skip
+    models = [spec.compile() for spec in specs]
+    models += [mujoco.MjModel.from_xml_string(spec.to_xml()) for spec in specs]
+    bits = set()
+    for model in models:
+        data = mujoco.MjData(model)
+        while data.time < 0.1:
+            plain_step(model, data)
+        bits.add(data.qvel.tobytes())
+    if len(bits) != 1:
+        raise RuntimeError("a surface file, the same text and the text that Python writes do not have the same friction")
 
 
 def check_built(plugin):
@@ -273,7 +326,7 @@ def main():
         found = deviation(laws, plain_step, 1.3, **{option: value})[0]
         print(f"  {option} {value.name}: {found:.1e}")
         worst = np.maximum(worst, found)
-    microslip = XML.replace('<config key="E1"', '<config key="microslip" value="true"/><config key="E1"')
+    microslip = XML.replace(TEXT, '<config key="microslip" value="true"/>' + TEXT)
     found = np.max(deviation(laws, plain_step, 1.3, microslip)[:2])
     print(f"  with microslip: {found:.1e}")
     worst = np.maximum(worst, found)
@@ -285,6 +338,7 @@ def main():
     check_state(mujoco.MjModel.from_xml_string(XML))
     check_named_pair(laws)
     check_refusals()
+    check_surface_file()
     check_measured_point_and_warnings(laws)
     check_built(sys.argv[1])
     constant, ratio = cost()

@@ -51,15 +51,14 @@ export function banded(model, load, spread, point) {
 /**
  * The curve of a surface.
  * @param {Record<string, number>} spread standard deviations of logarithms, by parameter
- * @param {number} error the relative error of a measured point
  * @returns {{ model, band, loads, mu, low, high, states, warnings }} `band` gives the coefficient with its band at any load;
  *   the warnings are those somewhere between the loads
  */
-export function curveOf(library, params, [lightest, heaviest], spread, error) {
+export function curveOf(library, params, [lightest, heaviest], spread) {
   const model = new library.Model(params);
   try {
-    const at = params.calibration_load;
-    const point = at && { slopes: slopesAt(model, at), error };
+    const { calibrated, calibration_error: error } = model.params;
+    const point = calibrated && { slopes: slopesAt(model, calibrated.calibration_load), error };
     const band = (load) => banded(model, load, spread, point);
     const loads = loadsOf(lightest, heaviest);
     const states = Array.from(loads, (load) => model.stateAtLoad(load));

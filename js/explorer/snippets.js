@@ -24,15 +24,15 @@ const UNITS = {
 const BODIES = ["E1", "nu1", "E2", "nu2"];
 const MEASURED = ["calibration_load", "calibration_friction_coefficient"];
 const MOMENTS = ["m0", "m2", "m4", "nominal_area"];
+const YIELDING = ["contact_law", "hardness", "work_of_adhesion"];
 
-/** The parameters that are set one by one: not by the setters of two bodies, of moments and of a measured point. */
+/** The parameters that are set one by one: not by the setters of two bodies, of summits that yield, of moments and of a measured point. */
 function single(params) {
-  const set = [...BODIES, ...("m0" in params ? MOMENTS : []), ...MEASURED, "contact_law"];
+  const set = [...BODIES, ...("m0" in params ? MOMENTS : []), ...("contact_law" in params ? YIELDING : []), ...MEASURED];
   return Object.entries(params).filter(([name]) => !set.includes(name));
 }
 
-/** The measured load and friction force, undefined if there is none. */
-const measured = ({ calibration_load: load, calibration_friction_coefficient: mu }) => load !== undefined && mu !== undefined && [load, mu * load];
+const isMeasured = (params) => MEASURED.every((name) => name in params);
 
 const list = (params, names, form) => names.map((name) => form(params[name])).join(", ");
 
@@ -51,10 +51,11 @@ function c(params, surface, load) {
       "/* variances of height [m^2], slope and curvature [1/m^2] along profiles, nominal area [m^2] */",
       `asperity_params_set_spectral_moments(&params, ${list(params, MOMENTS, real)});`,
     );
-  if (params.contact_law) lines.push("params.contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC;");
+  if (params.contact_law) lines.push(`asperity_params_set_elastic_plastic(&params, ${real(params.hardness)}); /* hardness [Pa] */`);
   if ("kurtosis" in params) lines.push("params.height_distribution = ASPERITY_HEIGHTS_JOHNSON;");
-  const point = measured(params);
-  const calibrate = point ? `asperity_params_calibrate(&params, ${point.map(real).join(", ")}) != ASPERITY_OK || /* measured: load, friction force [N] */\n        ` : "";
+  const calibrate = isMeasured(params)
+    ? `asperity_params_calibrate(&params, ${list(params, MEASURED, real)}) != ASPERITY_OK || /* measured: load [N], friction coefficient */\n        `
+    : "";
   return `/* ${surface.first} on ${surface.second}. cc friction.c $(pkg-config --cflags --libs asperity) */
 #include <asperity.h>
 #include <stdio.h>
@@ -62,7 +63,7 @@ function c(params, surface, load) {
 int main(void) {
     asperity_params params;
     asperity_model *model;
-    asperity_params_init_unset(&params);
+    asperity_params_init(&params, sizeof params);
     ${lines.join("\n    ")}
     if (${calibrate}asperity_create(&params, &model) != ASPERITY_OK) {
         char message[512];
@@ -86,7 +87,7 @@ function cpp(params, surface, load) {
 #include <exception>
 
 int main() try {
-    asperity::Params params = asperity::Params::unset();
+    asperity::Params params;
     params.set({
         ${pairs.join("\n        ")}
     });
@@ -109,11 +110,11 @@ function fortran(params, surface, load) {
       "call asperity_check(asperity_params_set_spectral_moments(params, &",
       `                    ${list(params, MOMENTS, kind)}))  ! m0 [m^2], m2, m4 [1/m^2], area [m^2]`,
     );
-  if (params.contact_law) lines.push("params%contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC");
+  if (params.contact_law)
+    lines.push(`call asperity_check(asperity_params_set_elastic_plastic(params, ${kind(params.hardness)}))  ! hardness [Pa]`);
   if ("kurtosis" in params) lines.push("params%height_distribution = ASPERITY_HEIGHTS_JOHNSON");
-  const point = measured(params);
-  if (point)
-    lines.push("! Measured: load, friction force [N]", `call asperity_check(asperity_params_calibrate(params, ${point.map(kind).join(", ")}))`);
+  if (isMeasured(params))
+    lines.push("! Measured: load [N], friction coefficient", `call asperity_check(asperity_params_calibrate(params, ${list(params, MEASURED, kind)}))`);
   return `! ${surface.first} on ${surface.second}. To be compiled with asperity.f90 and linked with -lasperity
 program friction
   use, intrinsic :: iso_c_binding, only: c_double
@@ -122,7 +123,7 @@ program friction
   type(asperity_params) :: params
   type(friction_model) :: law
 
-  call asperity_check(asperity_params_init_unset(params))
+  call asperity_check(asperity_params_init(params))
   ${lines.join("\n  ")}
   call law%create(params)
   write (*, '(es17.9)') law%friction_at_load(${kind(load)})  ! load [N]
@@ -148,7 +149,7 @@ function python(params, surface, load) {
   const ways = { areal: "Params.from_iso25178", moments: "Params.from_spectral_moments", summits: "Params.si" };
   const rest = others(params, [...MEASURED, ...("Ssk" in shape ? ["skew", "kurtosis"] : [])]);
   const { calibration_load: at, calibration_friction_coefficient: mu } = params;
-  const calibrate = measured(params) ? `params = params.calibrated(load=${real(at)}, mu=${real(mu)})  # measured: load in N\n` : "";
+  const calibrate = isMeasured(params) ? `params = params.calibrated(load=${real(at)}, friction_coefficient=${real(mu)})  # measured: load in N\n` : "";
   const lines = [...Object.entries({ ...rough, ...shape }), ...rest].map(([name, value]) => {
     const text = typeof value === "string" ? `"${value}"` : real(value);
     return `    ${name}=${text},${UNITS[name] ? `  # ${UNITS[name]}` : ""}`;

@@ -97,7 +97,7 @@ function curve(letter, surface, loads, { spread, error }) {
   const old = computed.get(letter);
   if (old?.from === from) return old.curve;
   forget(letter);
-  const found = curveOf(page.library, paramsOf(surface), loads, spread, error);
+  const found = curveOf(page.library, { ...paramsOf(surface), calibration_error: error }, loads, spread);
   computed.set(letter, { from, curve: found });
   return found;
 }

@@ -6,5 +6,6 @@ export * from "./instantiate.js";
 const instance = await instantiate(
   await readFile(new URL("./asperity.wasm", import.meta.url)),
 );
-export const { Model, version, warningsOf, warningsText, calibrate, withInterface, memorySize } = instance;
+export const { Model, version, warningsOf, warningsText, memorySize } = instance;
+export const { paper, calibrate, calibrateForce, withElasticPlastic, withInterface } = instance;
 export const { MATERIALS, PAIRS, INTERFACES, material, pair, interfaceOf, knownOf, contact, nayakSummits } = instance;

@@ -3,7 +3,7 @@ import { CONSTANTS } from "./header.js";
 import { AsperityError, Library } from "./library.js";
 import { materialsOf } from "./materials.js";
 import { Model, bitsOf, warningsOf, warningsText } from "./model.js";
-import { calibrate, withInterface } from "./params.js";
+import { calibrate, calibrateForce, paper, withElasticPlastic, withInterface } from "./params.js";
 import { nayakSummits } from "./roughness.js";
 
 /** @typedef {import("./params.js").Params} Params */
@@ -24,8 +24,13 @@ import { nayakSummits } from "./roughness.js";
  * @property {(bits: number) => string} warningsText the same as one text, a line for each warning; "no warning" for 0
  * @property {(moments: import("./roughness.js").Moments, nominal_area: number) => Params} nayakSummits roughness from
  *   spectral moments, with the heights and radii that summits of a Gaussian surface have
- * @property {(params: Params, load: number, frictionForce: number) => Params} calibrate the same surfaces with the strength of
- *   the interface from one measured point
+ * @property {() => Params} paper the paper's case, in its units
+ * @property {(params: Params, load: number, frictionCoefficient: number) => Params} calibrate the same surfaces with the strength
+ *   of the interface from one measured friction coefficient
+ * @property {(params: Params, load: number, frictionForce: number) => Params} calibrateForce the same from a measured friction
+ *   force, for loads that are 0 or pull
+ * @property {(params: Params, hardness: number) => Params} withElasticPlastic the same surfaces with summits that yield, which do
+ *   not adhere
  * @property {(params: Params, name: string) => Params} withInterface the same surfaces with the strength of one of INTERFACES, in SI
  *   units
  * @property {() => number} memorySize how much memory the instance has taken [bytes]
@@ -67,7 +72,10 @@ export async function instantiate(source) {
     warningsText: (bits) => warningsText(library, bitsOf("bits", bits)),
     ...materialsOf(library),
     nayakSummits: (moments, nominal_area) => nayakSummits(library, moments, nominal_area),
-    calibrate: (params, load, frictionForce) => calibrate(library, params, load, frictionForce),
+    paper: () => paper(library),
+    calibrate: (params, load, frictionCoefficient) => calibrate(library, params, load, frictionCoefficient),
+    calibrateForce: (params, load, frictionForce) => calibrateForce(library, params, load, frictionForce),
+    withElasticPlastic: (params, hardness) => withElasticPlastic(library, params, hardness),
     withInterface: (params, name) => withInterface(library, params, name),
     memorySize: () => library.memory.buffer.byteLength,
   };

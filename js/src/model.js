@@ -120,6 +120,27 @@ export class Model {
   }
 
   /**
+   * Sum of the radii of all contacts [length] at a load, or at many: the conductance of the contacts, thermal or electrical, is 2 k
+   * times it, with 1/k the mean of both bodies' 1/conductivity.
+   * @template {number | Loads} T
+   * @param {T} load normal load [force]
+   * @returns {T extends number ? number : Float64Array}
+   */
+  contactRadiusSumAtLoad(load) {
+    return this.#values("contact_radius_sum_at_loads", load);
+  }
+
+  /**
+   * Sum of the radii of all contacts and its slope by the load [length/force].
+   * @template {number | Loads} T
+   * @param {T} load normal load [force]
+   * @returns {{ value: T extends number ? number : Float64Array, slope: T extends number ? number : Float64Array }}
+   */
+  contactRadiusSumAndSlopeAtLoad(load) {
+    return this.#valuesAndSlopes("contact_radius_sum_at_loads", load);
+  }
+
+  /**
    * Normal load at a separation of the mean planes, or at many: 0 at pull-off and beyond.
    * @template {number | Loads} T
    * @param {T} separation of the flat from the mean of the summit heights [length]
@@ -141,7 +162,7 @@ export class Model {
 
   /**
    * The tangential force [force] at a load and a displacement, and its slope by displacement [force/length], by integration
-   * over the summits. `tangentialForceAtDisplacement` is the same.
+   * over the summits.
    * @param {number} load normal load [force]
    * @param {number} displacement of the surfaces along each other [length]
    */
@@ -149,15 +170,6 @@ export class Model {
     const { out } = this.library;
     this.library.run("tangential_at_load", this.#open, load, displacement, out, out + 8);
     return { force: this.library.data().getFloat64(out, true), stiffness: this.library.data().getFloat64(out + 8, true) };
-  }
-
-  /**
-   * The same as `tangentialAtLoad`.
-   * @param {number} load normal load [force]
-   * @param {number} displacement of the surfaces along each other [length]
-   */
-  tangentialForceAtDisplacement(load, displacement) {
-    return this.tangentialAtLoad(load, displacement);
   }
 
   /**

@@ -1,46 +1,33 @@
 // Parameters as JavaScript has them, names and numbers, into the struct of the C interface.
-import { CONSTANTS, LAYOUTS } from "./header.js";
+import { CONSTANTS, LAYOUTS, WORDS } from "./header.js";
 import { AsperityError, CHUNK } from "./library.js";
-
-/** Words for what the C interface numbers. */
-const HEIGHTS = {
-  gaussian: CONSTANTS.HEIGHTS_GAUSSIAN,
-  weibull: CONSTANTS.HEIGHTS_WEIBULL,
-  johnson: CONSTANTS.HEIGHTS_JOHNSON,
-  tabulated: CONSTANTS.HEIGHTS_TABULATED,
-};
-const CONTACT_LAWS = {
-  maugis: CONSTANTS.CONTACT_MAUGIS,
-  "elastic-plastic": CONSTANTS.CONTACT_ELASTIC_PLASTIC,
-};
-const SLIP_ONSETS = {
-  partial: CONSTANTS.SLIP_PARTIAL,
-  whole: CONSTANTS.SLIP_WHOLE,
-};
-/** @type {Record<string, Record<string, number>>} */
-const WORDS = { height_distribution: HEIGHTS, contact_law: CONTACT_LAWS, slip_onset: SLIP_ONSETS };
 
 /**
  * Two rough surfaces. The numbers are in one consistent system of units; their names are those of `asperity_params`, and
  * those of its setters: `E1`, `nu1`, `E2`, `nu2` together stand for the moduli, `m0`, `m2`, `m4` with `nominal_area` for
  * `height_std`, `summit_radius` and `asperity_count`; `Ra` for `m0` of Gaussian heights; `calibration_load` with
- * `calibration_friction_coefficient` or `calibration_friction_force` is `calibrate`. What is left out has its default, or is asked for.
+ * `calibration_friction_coefficient` is `calibrate`, with `calibration_friction_force` it is `calibrateForce`. `calibrated` is the
+ * measurement that the slip stresses are from: it is kept, and does not change them. What is left out has its default, or is asked
+ * for.
  *
- * @typedef {import("./header.js").Numbers & {
+ * @typedef {import("./header.js").Fields & {
  *   E1?: number, nu1?: number, E2?: number, nu2?: number,
  *   m0?: number, m2?: number, m4?: number, Ra?: number,
- *   calibration_load?: number, calibration_friction_coefficient?: number, calibration_friction_force?: number,
- *   attraction?: boolean,
- *   height_distribution?: keyof typeof HEIGHTS,
- *   contact_law?: keyof typeof CONTACT_LAWS,
- *   slip_onset?: keyof typeof SLIP_ONSETS,
- *   table_height?: ArrayLike<number>,
- *   table_density?: ArrayLike<number>,
+ *   calibration_friction_coefficient?: number,
+ *   calibrated?: { calibration_load: number, calibration_friction_force: number },
  * }} Params
  */
 
 /** Names that are set last, when the surfaces are whole. */
 const MEASURED = ["calibration_load", "calibration_friction_coefficient", "calibration_friction_force"];
+/** What is kept of a calibration. */
+const KEPT = /** @type {const} */ (["calibration_load", "calibration_friction_force"]);
+/** What the dimensionless groups of the paper set. */
+const GROUPS = ["composite_modulus", "effective_shear_modulus", "work_of_adhesion", "adhesion_range", "burgers_vector", "height_std",
+  "summit_radius", "asperity_count"];
+
+/** Begins a struct at `library.struct`: defaults, and inputs that are unset. @param {import("./library.js").Library} library */
+export const initParams = (library) => library.run("params_init", library.struct, LAYOUTS.asperity_params.size);
 
 /**
  * Writes the struct at `library.struct`, tables of heights into the first two arrays of the block.
@@ -49,33 +36,56 @@ const MEASURED = ["calibration_load", "calibration_friction_coefficient", "calib
  */
 export function writeParams(library, params) {
   if (typeof params !== "object" || params === null) throw new TypeError("params: must be an object of names and numbers");
-  const { table_height, table_density, ...numbers } = params;
-  library.run("params_init_unset_sized", library.struct, BigInt(LAYOUTS.asperity_params.size));
+  const { table_height, table_density, calibrated, ...numbers } = params;
+  initParams(library);
   const given = Object.entries(numbers).filter(([, value]) => value !== undefined);
   const set = (/** @type {[string, unknown][]} */ some) =>
     library.setValues(some.map(([name]) => name), some.map(([name, value]) => number(name, value)));
   set(given.filter(([name]) => !MEASURED.includes(name)));
   if (table_height || table_density) writeTable(library, table_height ?? [], table_density ?? [], params.height_distribution);
+  // By name they would calibrate again, and surfaces that were changed since would get another strength.
+  if (calibrated) for (const name of KEPT) library.write(library.struct, "asperity_params", name, number(name, calibrated[name]));
   const measured = given.filter(([name]) => MEASURED.includes(name));
   if (measured.length) set(measured);
 }
 
 /**
- * The same surfaces with slip stresses that make the friction force at this load the measured one: both have one factor. The
- * pressure coefficient stays as it is.
+ * The same surfaces with slip stresses that make the friction coefficient at this load the measured one: both have one factor. The
+ * pressure coefficient stays as it is. The measurement is kept as `calibrated`.
+ * @param {import("./library.js").Library} library
+ * @param {Params} params the surfaces of the measurement
+ * @param {number} load normal load of the measurement [force], > 0
+ * @param {number} frictionCoefficient measured at it [-]
+ * @returns {Params}
+ * @throws {AsperityError} a coefficient that no strength gives, with the numbers
+ */
+export const calibrate = (library, params, load, frictionCoefficient) =>
+  measuredBy(library, "params_calibrate", params, { calibration_load: load, calibration_friction_coefficient: frictionCoefficient });
+
+/**
+ * As `calibrate`, from a measured friction force: for loads that are 0 or pull.
  * @param {import("./library.js").Library} library
  * @param {Params} params the surfaces of the measurement
  * @param {number} load normal load of the measurement [force]
- * @param {number} frictionForce measured at it [force]: friction coefficient times load
+ * @param {number} frictionForce measured at it [force]
  * @returns {Params}
- * @throws {AsperityError} a force that no strength gives, with the numbers
  */
-export function calibrate(library, params, load, frictionForce) {
+export const calibrateForce = (library, params, load, frictionForce) =>
+  measuredBy(library, "params_calibrate_force", params, { calibration_load: load, calibration_friction_force: frictionForce });
+
+/**
+ * @param {import("./library.js").Library} library
+ * @param {string} call
+ * @param {Params} params
+ * @param {Record<string, number>} measurement
+ * @returns {Params}
+ */
+function measuredBy(library, call, params, measurement) {
   const surfaces = withoutPoint(params);
+  const values = Object.entries(measurement).map(([name, value]) => number(name, value));
   writeParams(library, surfaces);
-  library.run("params_calibrate", library.struct, number("load", load), number("friction_force", frictionForce));
-  const { slip_stress_1, slip_stress_2 } = readStruct(library);
-  return { ...surfaces, slip_stress_1, slip_stress_2 };
+  library.run(call, library.struct, ...values);
+  return { ...surfaces, ...only(readStruct(library), ["slip_stress_1", "slip_stress_2", "calibrated"]) };
 }
 
 /**
@@ -88,16 +98,43 @@ export function calibrate(library, params, load, frictionForce) {
  */
 export function withInterface(library, params, name) {
   if (typeof name !== "string") throw new TypeError(`interface = ${String(name)}: must be a name`);
-  writeParams(library, withoutPoint(params));
+  const surfaces = withoutPoint(params);
+  writeParams(library, surfaces);
   library.run("params_set_interface", library.struct, library.text(name));
-  const { slip_stress_1, slip_stress_2, pressure_coefficient } = readStruct(library);
-  return { ...params, slip_stress_1, slip_stress_2, pressure_coefficient };
+  return { ...surfaces, ...only(readStruct(library), ["slip_stress_1", "slip_stress_2", "pressure_coefficient"]) };
+}
+
+/**
+ * The same surfaces with summits that yield, which do not adhere: for metals.
+ * @param {import("./library.js").Library} library
+ * @param {Params} params
+ * @param {number} hardness indentation hardness of the softer body [stress]
+ * @returns {Params}
+ */
+export function withElasticPlastic(library, params, hardness) {
+  initParams(library);
+  library.run("params_set_elastic_plastic", library.struct, number("hardness", hardness));
+  return { ...params, ...only(readStruct(library), ["contact_law", "hardness", "work_of_adhesion"]) };
+}
+
+/**
+ * The paper's case: alpha = 0.01, beta = 1000, gamma = 0.001, b/h = 1 and nu = 0.3, in its units b = G = 1, N = 1.
+ * @param {import("./library.js").Library} library
+ * @returns {Params}
+ */
+export function paper(library) {
+  initParams(library);
+  library.run("params_set_dimensionless", library.struct, 0.01, 1000, 0.001, 1, 0.3);
+  return only(readStruct(library), GROUPS);
 }
 
 /** The surfaces without a measured point. @param {Params} params @returns {Params} */
 function withoutPoint(params) {
-  return Object.fromEntries(Object.entries(params).filter(([name]) => !MEASURED.includes(name)));
+  return Object.fromEntries(Object.entries(params).filter(([name]) => ![...MEASURED, "calibrated"].includes(name)));
 }
+
+/** Some of the parameters. @param {Params} params @param {string[]} names @returns {Params} */
+export const only = (params, names) => Object.fromEntries(Object.entries(params).filter(([name]) => names.includes(name)));
 
 /** A parameter as a number, words by theirs. @param {string} name @param {unknown} value */
 export function number(name, value) {
@@ -144,8 +181,8 @@ function writeTable(library, height, density, distribution) {
  * @returns {Params}
  */
 export function readParams(library, model) {
-  const size = BigInt(LAYOUTS.asperity_params.size);
-  library.run("get_params_sized", model, library.struct, size);
+  library.write(library.struct, "asperity_params", "struct_size", LAYOUTS.asperity_params.size);
+  library.run("get_params", model, library.struct);
   const { table_length, ...found } = readStruct(library);
   if (table_length) {
     for (const name of ["table_height", "table_density"]) {
@@ -159,7 +196,8 @@ export function readParams(library, model) {
 
 /** The struct at `library.struct`, words where they are words. @param {import("./library.js").Library} library */
 export function readStruct(library) {
-  const found = library.read(library.struct, "asperity_params");
+  const { calibration_load, calibration_friction_force, ...found } = library.read(library.struct, "asperity_params");
+  if (calibration_friction_force) found.calibrated = { calibration_load, calibration_friction_force };
   found.attraction = found.attraction !== 0;
   for (const [name, words] of Object.entries(WORDS)) found[name] = wordOf(words, found[name]);
   return found;

@@ -1,7 +1,6 @@
 // Spectral moments of a rough surface, from areal parameters or from a height map, as asperity.Params.from_iso25178 and
 // asperity.surface of the Python package compute them; and summits from moments.
-import { LAYOUTS } from "./header.js";
-import { number, readStruct } from "./params.js";
+import { initParams, number, only, readStruct } from "./params.js";
 
 /** Variances of height, slope and curvature along profiles. @typedef {{ m0: number, m2: number, m4: number }} Moments */
 
@@ -36,10 +35,9 @@ const NAYAK = ["height_std", "summit_radius", "asperity_count", "nominal_area", 
  */
 export function nayakSummits(library, { m0, m2, m4 }, nominal_area) {
   const values = Object.entries({ m0, m2, m4, nominal_area }).map(([name, value]) => number(name, value));
-  library.run("params_init_unset_sized", library.struct, BigInt(LAYOUTS.asperity_params.size));
+  initParams(library);
   library.run("params_set_nayak_summits", library.struct, ...values);
-  const found = readStruct(library);
-  return Object.fromEntries(Object.entries(found).filter(([name]) => NAYAK.includes(name)));
+  return only(readStruct(library), NAYAK);
 }
 
 /**

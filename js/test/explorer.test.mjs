@@ -6,7 +6,7 @@ import { resolve } from "node:path";
 import { test } from "node:test";
 import * as asperity from "asperity";
 import { CONSTANTS } from "../dist/header.js";
-import { banded, curveOf, findSpans, isPartial } from "../explorer/curves.js";
+import { banded, curveOf, deviation, findSpans, isPartial } from "../explorer/curves.js";
 import { fieldOf, fieldsOfPair, measuredOf, paramsOf, shifted, start, uncalibrated } from "../explorer/fields.js";
 import { read } from "../explorer/maps.js";
 import { LANGUAGES, snippet } from "../explorer/snippets.js";
@@ -15,7 +15,7 @@ import { spreadOf } from "../explorer/uncertainty.js";
 import { LINK, root, scratch } from "./native.mjs";
 import { expected, npy, roughMap, run } from "./python.mjs";
 
-const { Model, contact, momentsOfAreal, momentsOfMap } = asperity;
+const { Model, calibrate, contact, momentsOfAreal, momentsOfMap } = asperity;
 const near = (found, wanted, tolerance, what) => assert.ok(Math.abs(found / wanted - 1) < tolerance, `${what}: ${found}, not ${wanted}`);
 
 const [ROWS, COLUMNS] = [60, 80];
@@ -155,7 +155,7 @@ for (const [name, surface] of Object.entries({ ...SURFACES, calibrated: MEASURED
 
 test("copied programs of a calibrated surface name the measured point", () => {
   near(new Model(paramsOf(MEASURED)).frictionAtLoad(0.002), 0.18, 2e-9, "the page");
-  assert.match(snippet("Python", MEASURED, 0.03), /^    pressure_coefficient=0\.03,$[^]*^params = params\.calibrated\(load=0\.002, mu=0\.18\)/m);
+  assert.match(snippet("Python", MEASURED, 0.03), /^    pressure_coefficient=0\.03,$[^]*^params = params\.calibrated\(load=0\.002, friction_coefficient=0\.18\)/m);
   assert.doesNotMatch(snippet("Python", MEASURED, 0.03), /calibration_/);
   assert.match(snippet("TOML", MEASURED, 0.03), /^calibration_load = 0\.002\ncalibration_friction_coefficient = 0\.18$/m);
 });
@@ -181,7 +181,8 @@ test("a measured point narrows the band by Bayes' rule", () => {
   const surface = { ...start(asperity), calibration_friction_coefficient: "0.3", calibration_load: "1e-3", pressure_coefficient: "0.02" };
   const { spread, error } = spreadOf(surface, { height_std: 0.1, asperity_count: 0.2, work_of_adhesion: 0.3, unmeasured: 1.175, given: 0.3, measured: 0.05 });
   assert.deepEqual(spread, { height_std: 0.1, asperity_count: 0.2, work_of_adhesion: 0.3, slip_stress: 1.175 });
-  const { model, band, loads } = curveOf(asperity, paramsOf(surface), [1e-5, 0.1], spread, error);
+  const params = { ...paramsOf(surface), calibration_error: error };
+  const { model, band, loads } = curveOf(asperity, params, [1e-5, 0.1], spread);
   // The rule with whole matrices.
   const names = Object.keys(spread);
   const slopes = (load) => {
@@ -200,20 +201,18 @@ test("a measured point narrows the band by Bayes' rule", () => {
   // At the point what was known before hardly counts; away from it roughness does.
   near(deviationOf(band(1e-3)), 0.05, 2e-3, "the band at the point");
   for (const load of [loads[0], loads.at(-1)]) assert.ok(deviationOf(band(load)) > 1.005 * deviationOf(band(1e-3)), `at ${load} N`);
-  // A point without an error, and one of no use.
-  near(deviationOf(curveOf(asperity, paramsOf(surface), [1e-5, 0.1], spread, 0).band(1e-3)) + 1, 1, 1e-7, "an exact point");
-  const useless = curveOf(asperity, paramsOf(surface), [1e-5, 0.1], spread, 1e3).band(0.1);
-  near(deviationOf(useless), deviationOf(banded(model, 0.1, spread)), 1e-5, "a useless point");
+  // A point almost without an error, and one of no use.
+  const exact = curveOf(asperity, { ...params, calibration_error: 1e-9 }, [1e-5, 0.1], spread).band(1e-3);
+  near(deviationOf(exact) + 1, 1, 1e-7, "an exact point");
+  near(deviation([0.1, 0.1], [2, 1], { slopes: [1, 1], error: 1e3 }), deviation([0.1, 0.1], [2, 1]), 1e-5, "a useless point");
 });
 
 test("of a law that meets a point exactly the band is that of laws that are made anew and calibrated again", () => {
   const surface = { ...start(asperity), calibration_friction_coefficient: "0.3", calibration_load: "1e-3", pressure_coefficient: "0.02" };
   const load = 0.05;
-  const { model, band } = curveOf(asperity, paramsOf(surface), [1e-5, 0.1], { summit_radius: 0.1, slip_stress: 100 }, 0);
-  const force = (summit_radius) => {
-    const measured = { ...model.params, summit_radius, calibration_load: 1e-3, calibration_friction_coefficient: 0.3 };
-    return new Model(measured).frictionForceAtLoad(load);
-  };
+  const params = { ...paramsOf(surface), calibration_error: 1e-9 };
+  const { model, band } = curveOf(asperity, params, [1e-5, 0.1], { summit_radius: 0.1, slip_stress: 100 });
+  const force = (summit_radius) => new Model(calibrate({ ...model.params, summit_radius }, 1e-3, 0.3)).frictionForceAtLoad(load);
   const { summit_radius } = model.params;
   const slope = (Math.log(force(1.001 * summit_radius)) - Math.log(force(0.999 * summit_radius))) / 0.002;
   near(deviationOf(band(load)), 0.1 * Math.abs(slope), 2e-3, "the radius alone");
@@ -224,7 +223,8 @@ test("a strength that nobody measured is a factor 10 either way, and the page sa
   const silicon = start(asperity);
   const of = (surface) => {
     const { spread, error } = spreadOf(surface, all);
-    return { ...curveOf(asperity, paramsOf(surface), [1e-5, 0.1], spread, error).band(1e-3), text: rests(surface, { spread, error }) };
+    const params = { ...paramsOf(surface), calibration_error: error };
+    return { ...curveOf(asperity, params, [1e-5, 0.1], spread).band(1e-3), text: rests(surface, { spread, error }) };
   };
   const bare = of(silicon);
   near(bare.high / bare.mu, 10, 2e-3, "ten times higher");
@@ -242,7 +242,7 @@ test("a strength that nobody measured is a factor 10 either way, and the page sa
 
 test("warnings hold in the part of the loads that the library says", () => {
   const range = [1e-5, 0.1];
-  const curve = curveOf(asperity, paramsOf(start(asperity)), range, {}, 0);
+  const curve = curveOf(asperity, paramsOf(start(asperity)), range, {});
   const { model, loads, warnings } = curve;
   findSpans(curve);
   const texts = Object.fromEntries(warnings.map((warning) => [warning.name, spanText(warning, range)]));

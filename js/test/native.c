@@ -1,7 +1,7 @@
 /* What the native library answers, bit by bit, to the questions on standard input.
  *
  *   surface NAME=VALUE ...    a model, the values with 17 digits
- *   load VALUE                friction, slope, force, slope, stiffness; the state; the sensitivities; one line of 64-bit numbers
+ *   load VALUE                friction, slope, force, slope, stiffness, sum of contact radii, slope; the state; the sensitivities; one line of 64-bit numbers
  *   check LIGHTEST HEAVIEST   the warnings between the two
  *   materials, pairs, interfaces
  *                             a line for each: name, reference and the numbers, with tabs between
@@ -47,7 +47,7 @@ static asperity_model *made(char *line) {
     }
     asperity_params params;
     asperity_model *model = NULL;
-    asperity_params_init_unset(&params);
+    asperity_params_init(&params, sizeof params);
     if (asperity_params_set_values(&params, count, names, values) != ASPERITY_OK ||
         asperity_create(&params, &model) != ASPERITY_OK)
         print_refused();
@@ -57,18 +57,19 @@ static asperity_model *made(char *line) {
 }
 
 static void answer_load(const asperity_model *model, double load) {
-    double batch[5];
+    double batch[7];
     asperity_state state = {.struct_size = sizeof state};
     asperity_sensitivities sensitivities = {.struct_size = sizeof sensitivities};
     asperity_friction_at_loads(model, 1, &load, &batch[0], &batch[1]);
     asperity_friction_force_at_loads(model, 1, &load, &batch[2], &batch[3]);
     batch[4] = asperity_tangential_stiffness_at_load(model, load);
+    asperity_contact_radius_sum_at_loads(model, 1, &load, &batch[5], &batch[6]);
     if (asperity_state_at_load(model, load, &state) != ASPERITY_OK ||
         asperity_sensitivities_at_load(model, load, &sensitivities) != ASPERITY_OK) {
         print_refused();
         return;
     }
-    print_bits(batch, 5);
+    print_bits(batch, 7);
     print_bits((char *)&state + 8, sizeof state / 8 - 1);
     print_bits((char *)&sensitivities + 8, sizeof sensitivities / 8 - 1);
     putchar('\n');
@@ -125,7 +126,7 @@ static void print_params(const asperity_params *params) {
 
 static void answer_contact(char *line) {
     asperity_params params;
-    asperity_params_init_unset(&params);
+    asperity_params_init(&params, sizeof params);
     const char *name = strtok(line, " ");
     if (asperity_params_set_pair(&params, name) != ASPERITY_OK) {
         print_refused();
@@ -147,7 +148,7 @@ static void answer_nayak(char *line) {
     for (int i = 0; i < 4; ++i)
         values[i] = strtod(line, &line);
     asperity_params params;
-    asperity_params_init_unset(&params);
+    asperity_params_init(&params, sizeof params);
     if (asperity_params_set_nayak_summits(&params, values[0], values[1], values[2], values[3]) != ASPERITY_OK)
         print_refused();
     else

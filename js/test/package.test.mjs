@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, contact, interfaceOf, material, memorySize, nayakSummits, pair, version, warningsOf, warningsText, withInterface } from "asperity";
+import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, interfaceOf, material, memorySize, nayakSummits, pair, paper, version, warningsOf, warningsText, withElasticPlastic, withInterface } from "asperity";
 import { CONSTANTS } from "../dist/header.js";
 import { answers, bits, contactOf, entries, entryOf, nayakOf, warningLoads, warningsText as nativeText } from "./native.mjs";
 
@@ -43,8 +43,9 @@ for (const [name, params] of Object.entries(surfaces)) {
     const friction = model.frictionAndSlopeAtLoad(loads);
     const force = model.frictionForceAndSlopeAtLoad(loads);
     const stiffness = model.tangentialStiffnessAtLoad(loads);
+    const radii = model.contactRadiusSumAndSlopeAtLoad(loads);
     loads.forEach((load, i) => {
-      const numbers = [friction.value[i], friction.slope[i], force.value[i], force.slope[i], stiffness[i]];
+      const numbers = [friction.value[i], friction.slope[i], force.value[i], force.slope[i], stiffness[i], radii.value[i], radii.slope[i]];
       const { warnings, ...state } = model.stateAtLoad(load);
       const ours = [...numbers, ...Object.values(state), ...Object.values(model.sensitivitiesAtLoad(load))].map(bits);
       ours.splice(numbers.length + Object.keys(model.stateAtLoad(load)).indexOf("warnings"), 0, BigInt(warnings));
@@ -66,6 +67,9 @@ test("parameters that the library refuses are refused in its words", () => {
     { ...silicon, skew: 0, kurtosis: 1 },
     { ...silicon, work_of_adhesion: 63 },
     { ...silicon, contact_law: 1 },
+    { ...silicon, slip_radius_1: 0.5 },
+    { ...silicon, nominal_area: 1e-2 },
+    { ...silicon, calibration_error: 5 },
     { ...silicon, m0: 1e-18 },
     contact("Si", "Si"),
   ];
@@ -154,21 +158,73 @@ test("a table of heights is read, and handed back", () => {
   assert.throws(() => new Model({ ...silicon, table_height: long, table_density: long }), /table_length/);
 });
 
-test("a measured point is met, and changes the slip stresses alone", () => {
-  const [load, force] = [2e-3, 3e-4];
+test("a measured point is met, changes the slip stresses alone, and is kept", () => {
+  const [load, mu] = [2e-3, 0.15];
   for (const params of [silicon, { ...silicon, pressure_coefficient: 0.1 }, surfaces["summits that yield"]]) {
-    const made = calibrate(params, load, force);
+    const made = calibrate(params, load, mu);
     const model = new Model(made);
-    assert.ok(Math.abs(model.stateAtLoad(load).friction_force / force - 1) < 1e-9);
-    const { slip_stress_1, slip_stress_2, ...others } = made;
+    assert.ok(Math.abs(model.frictionAtLoad(load) / mu - 1) < 1e-8);
+    const { slip_stress_1, slip_stress_2, calibrated, ...others } = made;
     assert.deepEqual(others, (({ slip_stress_1: one, ...rest }) => rest)(params));
+    assert.deepEqual(calibrated, { calibration_load: load, calibration_friction_force: mu * load });
     const before = new Model(params).params;
     assert.ok(Math.abs(slip_stress_1 / before.slip_stress_1 / (slip_stress_2 / before.slip_stress_2) - 1) < 1e-12);
-    const named = new Model({ ...params, calibration_load: load, calibration_friction_force: force });
-    assert.equal(named.frictionAtLoad(5e-3), model.frictionAtLoad(5e-3));
+    assert.deepEqual(calibrateForce(params, load, mu * load), made);
+    for (const measured of [{ calibration_friction_coefficient: mu }, { calibration_friction_force: mu * load }])
+      assert.deepEqual(new Model({ ...params, calibration_load: load, ...measured }).params, model.params);
     // Another point in its place, not on top of it.
-    assert.deepEqual(calibrate({ ...params, calibration_load: 1, calibration_friction_coefficient: 1 }, load, force), made);
+    const other = { calibration_load: 1, calibration_friction_coefficient: 1 };
+    assert.deepEqual(calibrate({ ...params, ...other }, load, mu), made);
   }
+  // With adhesion there is friction at no load.
+  const sticky = surfaces["strong adhesion"];
+  const force = new Model(sticky).frictionForceAtLoad(0) / 3;
+  assert.ok(Math.abs(new Model(calibrateForce(sticky, 0, force)).frictionForceAtLoad(0) / force - 1) < 1e-8);
+});
+
+test("a measurement that is kept goes with the surfaces, and does not calibrate others again", () => {
+  const model = new Model({ ...calibrate(silicon, 1e-3, 0.2), calibration_error: 0.1 });
+  const { params } = model;
+  assert.deepEqual(params.calibrated, { calibration_load: 1e-3, calibration_friction_force: 2e-4 });
+  assert.equal(params.calibration_error, 0.1);
+  assert.equal(new Model(silicon).params.calibrated, undefined);
+  assert.equal(new Model(silicon).params.calibration_error, 0.05);
+  assert.deepEqual(new Model(params).params, params);
+  const rougher = new Model({ ...params, height_std: 2 * params.height_std });
+  assert.equal(rougher.params.slip_stress_1, params.slip_stress_1);
+  assert.deepEqual(rougher.params.calibrated, params.calibrated);
+  assert.notEqual(rougher.frictionAtLoad(1e-3), model.frictionAtLoad(1e-3));
+  const again = new Model({ ...params, calibration_load: 2e-3, calibration_friction_coefficient: 0.3 });
+  assert.ok(Math.abs(again.frictionAtLoad(2e-3) / 0.3 - 1) < 1e-8);
+  assert.equal(again.params.calibrated.calibration_load, 2e-3);
+  assert.equal(withInterface({ ...contact("steel", "steel"), ...params }, "MoS2 film in dry air").calibrated, undefined);
+  assert.throws(() => new Model({ ...silicon, calibrated: /** @type {any} */ ({ calibration_load: 1 }) }), TypeError);
+});
+
+test("the strength counts as the default until something of it is given", () => {
+  const names = (params) => new Model(params).checkLoads(1e-4, 1e-2).map(({ name }) => name);
+  const one = { ...silicon, asperity_count: 1, nominal_area: 0 };
+  for (const params of [silicon, one, { ...silicon, slip_radius_1: 30 }]) assert.ok(names(params).includes("UNCALIBRATED"));
+  const given = { slip_stress_1: 0.01 };
+  for (const params of [calibrate(one, 1e-3, 0.2), { ...silicon, ...given }, { ...silicon, pressure_coefficient: 0.1 }])
+    assert.ok(!names(params).includes("UNCALIBRATED"));
+  // Measured is measured, also where the default was right.
+  const { friction_force } = new Model(silicon).stateAtLoad(1e-3);
+  assert.ok(!names(calibrateForce(silicon, 1e-3, friction_force)).includes("UNCALIBRATED"));
+});
+
+test("the paper's case has its groups", () => {
+  const { alpha, beta, gamma, lambda } = new Model(paper()).summary();
+  for (const [found, wanted] of [[alpha, 0.01], [beta, 1000], [gamma, 0.001]]) assert.ok(Math.abs(found / wanted - 1) < 1e-14);
+  assert.ok(lambda > 0);
+  assert.equal(new Model({ ...paper(), skew: -0.4 }).params.height_distribution, "weibull");
+});
+
+test("summits that yield do not adhere", () => {
+  const made = withElasticPlastic(silicon, 11e9);
+  assert.deepEqual(made, { ...silicon, contact_law: "elastic-plastic", hardness: 11e9, work_of_adhesion: 0 });
+  assert.ok(new Model(made).frictionAtLoad(1e-3) > 0);
+  assert.throws(() => withElasticPlastic(silicon, 0), { status: Status.INVALID_PARAMETER, message: /^hardness = 0/ });
 });
 
 test("a measured point is that of the table of heights that is given with it", () => {
@@ -176,14 +232,17 @@ test("a measured point is that of the table of heights that is given with it", (
   const params = { ...silicon, table_height: height, table_density: [0, 1, 2, 1, 0] };
   const named = new Model({ ...params, calibration_load: 1e-3, calibration_friction_coefficient: 0.2 });
   assert.ok(Math.abs(named.frictionAtLoad(1e-3) / 0.2 - 1) < 2e-9);
-  assert.equal(new Model(calibrate(params, 1e-3, 2e-4)).frictionAtLoad(1e-2), named.frictionAtLoad(1e-2));
+  assert.equal(new Model(calibrate(params, 1e-3, 0.2)).frictionAtLoad(1e-2), named.frictionAtLoad(1e-2));
 });
 
 test("measured points that no strength gives are refused with the numbers", () => {
+  const status = Status.INVALID_PARAMETER;
   const slippery = { ...silicon, pressure_coefficient: 0.5 };
-  assert.throws(() => calibrate(slippery, 1e-3, 1e-4), { status: Status.INVALID_PARAMETER, message: /0\.0001|1e-4/ });
-  assert.throws(() => calibrate(silicon, NaN, 1e-4), { status: Status.INVALID_LOAD });
-  assert.throws(() => calibrate(silicon, 1e-3, 0), { status: Status.INVALID_PARAMETER, message: /^friction_force = 0/ });
+  assert.throws(() => calibrate(slippery, 1e-3, 0.1), { status, message: /0\.0001|1e-4/ });
+  assert.throws(() => calibrate(silicon, NaN, 0.1), { status: Status.INVALID_LOAD });
+  assert.throws(() => calibrate(silicon, 0, 0.1), { status, message: /^calibration_load = 0: .* calibrate with the friction force$/ });
+  assert.throws(() => calibrate(silicon, 1e-3, 21), { status, message: /^calibration_friction_coefficient = 21: .*is it a force\?/ });
+  assert.throws(() => calibrateForce(silicon, 1e-3, 0), { status, message: /^friction_force = 0/ });
   assert.throws(() => calibrate(silicon, 1e-3, /** @type {any} */ (undefined)), TypeError);
   assert.throws(() => new Model({ ...silicon, calibration_load: 1e-3 }), /^AsperityError: calibration_load: must be given together/);
 });
@@ -204,9 +263,13 @@ test("without adhesion a pressure coefficient adds itself to friction", () => {
 test("the tangential force starts with the stiffness and ends at the friction force", () => {
   const model = new Model(silicon);
   const start = model.tangentialAtLoad(1e-3, 1e-15);
-  assert.deepEqual(model.tangentialForceAtDisplacement(1e-3, 1e-15), start);
   assert.ok(Math.abs(start.stiffness / model.tangentialStiffnessAtLoad(1e-3) - 1) < 1e-6);
   assert.ok(Math.abs(model.tangentialAtLoad(1e-3, 1e-3).force / model.frictionForceAtLoad(1e-3) - 1) < 1e-9);
+});
+
+test("the sum of contact radii is that of the exact state", () => {
+  const model = new Model(silicon);
+  assert.ok(Math.abs(model.contactRadiusSumAtLoad(1e-3) / model.stateAtLoad(1e-3).contact_radius_sum - 1) < 1e-8);
 });
 
 test("a model that was freed says so, and can be freed again", () => {

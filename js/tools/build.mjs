@@ -6,7 +6,6 @@ import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, rmSync, writeFileSync, readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { fileURLToPath } from "node:url";
-import * as header from "./header.mjs";
 import { page } from "./page.mjs";
 
 const js = fileURLToPath(new URL("..", import.meta.url));
@@ -47,7 +46,6 @@ function stripped(bytes) {
 }
 
 run("cargo", "build", "--release", "--locked", "--quiet", "--lib", "--target", TRIPLE);
-writeFileSync(resolve(js, "src/header.js"), header.module(header.read()));
 
 rmSync(resolve(js, "dist"), { recursive: true, force: true });
 mkdirSync(resolve(js, "dist"));

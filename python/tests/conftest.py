@@ -15,7 +15,7 @@ import pytest
 from asperity import Model, Params
 
 ROOT = Path(__file__).resolve().parents[2]
-HARD_CARBON = ROOT / "hosts" / "kratos" / "surface.toml"  # the surface of all hosts
+HARD_CARBON = ROOT / "hosts" / "surface.toml"  # the surface of all hosts
 
 
 @pytest.fixture(scope="session")
@@ -34,7 +34,7 @@ def one_build_at_a_time() -> Iterator[None]:
 @pytest.fixture(scope="session")
 def params() -> Params:
     """The paper's default case."""
-    return Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+    return Params.paper()
 
 
 @pytest.fixture(scope="session")

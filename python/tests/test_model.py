@@ -188,7 +188,7 @@ def test_a_state_takes_numbers(model: Model, at: Any) -> None:
 
 def test_warnings_say_what_fails_and_what_to_do(params: Params) -> None:
     soft_and_weak = params.replace(hardness=0.001, slip_stress_1=1e-5, slip_stress_2=1e-5)
-    with Model(soft_and_weak) as soft, Model(params) as model:
+    with Model(soft_and_weak) as soft, Model(params.replace(slip_stress_1=0.02)) as model:
         warnings = soft.state_at_load(10.0).warnings
         assert f"{warnings}" == str(warnings) and f"{warnings:d}" == "1"
         assert str(warnings).startswith("PLASTIC: summits yield: ") and "; use the elastic-plastic" in str(warnings)
@@ -216,7 +216,7 @@ def test_loads_that_adhesion_exceeds_are_warned_of() -> None:
 
 def test_a_strength_that_nobody_measured_is_warned_of(params: Params) -> None:
     rough = params.replace(asperity_count=1e5, work_of_adhesion=0.0)
-    with Model(rough) as default, Model(rough.calibrated(load=1e6, mu=0.3)) as measured:
+    with Model(rough) as default, Model(rough.calibrated(1e6, 0.3)) as measured:
         assert default.check(1e6, 2e6) == Warnings.UNCALIBRATED and measured.check(1e6, 2e6) == 0
         assert measured.friction_at_load(1e6) == pytest.approx(0.3, rel=1e-9)
         with pytest.warns(ValidityWarning, match="UNCALIBRATED: the strength of the interface is the default"):

@@ -20,6 +20,7 @@ from asperity.materials import MATERIALS, PAIRS, contact
 pytestmark = pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
 ROUGH: dict[str, Any] = {"Sq": 5e-9, "Sdq": 0.05, "Sds": 1e13}
 LOADS = np.geomspace(1e-2, 1.0, 5)
+MEASURED: dict[str, Any] = {"calibration_load": 1e5, "calibration_friction_coefficient": 0.3}
 
 
 def test_it_is_the_friction_of_the_model() -> None:
@@ -57,7 +58,7 @@ def test_an_interface_brings_its_strength() -> None:
         assert found.value == model.friction_at_load(1e5)
     # The band has no part of it, and the answer says so.
     told = "strength of the interface: that of Al2O3/Si in air, measured on other specimens and taken as known"
-    assert found.rests_on == (told,) and found.narrow == ("one measured friction force: measured=(load, coefficient)",)
+    assert found.rests_on == (told,) and found.narrow == ("one measured friction: calibration_load with calibration_friction_coefficient",)
     with pytest.raises(Error, match="slip_stress_2: interface sets it already, leave one out"):
         friction("Si/Si", **ROUGH, load=1e5, interface="Al2O3/Si in air", slip_stress_2=0.01)
     with pytest.raises(Error, match="interface = 5: must be the name of an interface"):
@@ -106,9 +107,10 @@ def test_a_surface_that_does_not_hold_is_warned_of_once() -> None:
         ({"nominal_area": 0.0}, Error, "nominal_area = 0"),
         ({"pair": "PDMS/PDMS"}, Error, "burgers_vector: none is known of a body of PDMS/PDMS: give one"),
         ({"process": "ground"}, TypeError, "Sdq: is not for a profile or a process; give all of the roughness, or Ra or Rq alone"),
-        ({"measured": 0.3}, TypeError, r"measured = 0.3: must be \(load, friction coefficient\)"),
-        ({"measured": (1e5, -0.3)}, Error, "mu = -0.3: must be finite and > 0"),
-        ({"measured": (1e5, 0.3), "measured_error": 5}, ValueError, "measured_error = 5: must be a relative standard deviation"),
+        ({"calibration_load": 1e5}, TypeError, "calibration_load: calibration_load goes with one of calibration_friction_coefficient and"),
+        (MEASURED | {"calibration_friction_coefficient": -0.3}, Error, "calibration_friction_coefficient = -0.3: must be > 0 and at most 20"),
+        (MEASURED | {"calibration_error": 5}, Error, "calibration_error = 5: must be at most 1: .* is it in per cent?"),
+        ({"Rz": 5e-9}, TypeError, "Rz: is a peak-to-valley height, which does not determine friction: give Ra or Rq"),
         ({"coverage": 95}, ValueError, "coverage = 95: must be between 0 and 1"),
     ],
 )
@@ -129,7 +131,10 @@ def test_the_mean_deviation_stands_for_the_standard_one() -> None:
     expected = friction("Si/Si", **ROUGH, load=1e5).value
     given = {"Ra": ROUGH["Sq"] * math.sqrt(2 / math.pi), "Sdq": ROUGH["Sdq"], "Sds": ROUGH["Sds"]}
     assert friction("Si/Si", **given, load=1e5).value == pytest.approx(expected, rel=1e-12)
-    with pytest.raises(Error, match="Ra: must not be given together with Sq, which it replaces"):
+    m2 = ROUGH["Sdq"] ** 2 / 2
+    moments = {"Ra": given["Ra"], "m2": m2, "m4": 6 * math.pi * 3**0.5 * m2 * ROUGH["Sds"]}
+    assert friction("Si/Si", **moments, load=1e5).value == pytest.approx(expected, rel=1e-12)
+    with pytest.raises(TypeError, match="give one of Sq and Ra, as the height of the roughness"):
         friction("Si/Si", **given, Sq=5e-9, load=1e5)
 
 
@@ -143,15 +148,15 @@ def test_a_strength_that_nobody_measured_is_a_factor_of_10_either_way() -> None:
     found = friction("Si/Si", **ROUGH, load=1e5)
     assert (found.low, found.high) == (pytest.approx(found.value / 10), pytest.approx(10 * found.value))
     assert found.coverage == 0.95 and found.rests_on[0] == "strength of the interface: not measured, a factor 10 either way"
-    assert found.narrow == ("one measured friction force: measured=(load, coefficient)",)
+    assert found.narrow == ("one measured friction: calibration_load with calibration_friction_coefficient",)
     half = friction("Si/Si", **ROUGH, load=1e5, coverage=0.5)
     assert half.high / half.value == pytest.approx(10 ** (0.67449 / NORMAL), rel=1e-5)
 
 
 def test_one_measured_point_narrows_the_band() -> None:
-    found = friction("Si/Si", **ROUGH, load=[1e4, 1e5, 1e6], measured=(1e5, 0.3), measured_error=0.1)
-    params = Params.from_iso25178(**PAIRS["Si/Si"].contact, **ROUGH, nominal_area=1.0).calibrated(load=1e5, mu=0.3)
-    band = uncertainty(params, loads=[1e4, 1e5, 1e6], measured_load=1e5, measured_error=0.1)
+    found = friction("Si/Si", **ROUGH, load=[1e4, 1e5, 1e6], **MEASURED, calibration_error=0.1)
+    params = Params.from_iso25178(**PAIRS["Si/Si"].contact, **ROUGH, nominal_area=1.0).calibrated(1e5, 0.3, error=0.1)
+    band = uncertainty(params, loads=[1e4, 1e5, 1e6])
     assert found.value == pytest.approx(band.value, rel=1e-9) and found.value[1] == pytest.approx(0.3, rel=1e-9)
     assert found.low == pytest.approx(band.low, rel=1e-9) and found.high == pytest.approx(band.high, rel=1e-9)
     assert found.rests_on == band.rests_on and found.narrow == ()
@@ -189,7 +194,8 @@ def test_ground_steel_is_a_band_that_says_what_would_narrow_it() -> None:
 def test_the_band_is_that_of_a_monte_carlo(measured: tuple[float, float] | None) -> None:
     """Of strengths, slopes and bandwidths drawn at random, each with the probability that it gives to the measurement."""
     loads, error = np.array([2.0, 20.0, 2000.0]), 0.1
-    found = friction(**GROUND, Ra=0.8e-6, load=loads, measured=measured, measured_error=error)
+    point: dict[str, Any] = {} if measured is None else dict(zip(MEASURED, measured))
+    found = friction(**GROUND, Ra=0.8e-6, load=loads, **point, calibration_error=error)
     random = np.random.default_rng(6)
     Rq = math.sqrt(math.pi / 2) * 0.8e-6
     bodies = {**PAIRS["steel/steel"].contact, "work_of_adhesion": 0.0}
@@ -224,7 +230,8 @@ def test_the_band_is_that_of_a_monte_carlo(measured: tuple[float, float] | None)
 def test_a_pressure_coefficient_takes_its_part_of_a_measurement() -> None:
     """Without adhesion it is a constant on top of the rest, of which alone the strength is in question."""
     given: dict[str, Any] = {**GROUND, "Ra": 0.8e-6, "RSm": 40e-6, "bandwidth": 5.0, "pressure_coefficient": 0.1}
-    found = friction(**given, load=20.0, measured=(20.0, 0.15), measured_error=0.1)
+    point: dict[str, Any] = dict(zip(MEASURED, (20.0, 0.15)))
+    found = friction(**given, load=20.0, **point, calibration_error=0.1)
     assert found.value == pytest.approx(0.15, rel=1e-9)
     # 0.15 = 0.1 + 0.05 c, so that ln F has a third of the spread of ln c before the measurement.
     before = math.log(10) / NORMAL / 3
@@ -250,10 +257,21 @@ def test_roughness_that_a_process_does_not_leave_is_warned_of() -> None:
         friction(**GROUND, Ra=1e-5, load=20.0)
     with pytest.raises(Error, match="process = 'gorund': must be one of superfinished, lapped, honed, ground"):
         friction("steel/steel", process="gorund", load=20.0)
-    with pytest.raises(Error, match="Rq = -1: must be finite and > 0"):
+    with pytest.raises(Error, match="Rq = -1.0: must be finite and > 0"):
         friction(**GROUND, Rq=-1, load=20.0)
     with pytest.raises(TypeError, match="Ra and Rq both give the height"):
         friction(**GROUND, Ra=1e-6, Rq=1e-6, load=20.0)
+
+
+def test_both_surfaces_may_be_rough() -> None:
+    """Mean squares of heights and of slopes add."""
+    Rq = 1e-6 * np.array([0.8, 0.4])
+    found = friction(**GROUND, Rq=Rq.tolist(), bandwidth=5.0, load=20.0)
+    slope = 0.14 * math.sqrt(1.2)
+    assert f"rests on: slope of its profile: {slope:.2g} to a factor 4" in repr(found)
+    total = float(np.hypot(*Rq))
+    known = friction(**GROUND, Rq=total, RSm=2 * math.pi * total / slope, bandwidth=5.0, load=20.0)
+    assert found.value == pytest.approx(known.value, rel=1e-9)
 
 
 def test_the_page_has_the_roughness_that_processes_leave(root: Path) -> None:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 import pickle
 from dataclasses import FrozenInstanceError
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from asperity import Error, Model, Params, Status
+from asperity.materials import PAIRS
 
 SURFACE: dict[str, Any] = dict(
     work_of_adhesion=0.06, adhesion_range=4e-10, burgers_vector=4e-10, height_std=5e-9, summit_radius=1e-6
@@ -92,17 +94,85 @@ def test_values_outside_a_set_are_refused_at_once(params: Params, change: dict[s
 
 
 def test_one_measured_point_gives_the_strength(params: Params) -> None:
-    for measured in (params.calibrated(load=5.0, mu=0.4), params.calibrated(load=5.0, friction_force=2.0)):
+    for measured in (params.calibrated(5.0, 0.4), params.calibrated_force(5.0, 2.0)):
         with Model(measured) as model:
             assert model.state_at_load(5.0).friction_force == pytest.approx(2.0, rel=1e-12)
         assert measured.slip_stress_1 / params.slip_stress_1 == pytest.approx(measured.slip_stress_2 / params.slip_stress_2)
-    for bad in ({}, {"mu": 0.4, "friction_force": 2.0}):
-        with pytest.raises(TypeError, match="give either mu or friction_force"):
-            params.calibrated(load=5.0, **bad)
+    for load, coefficient, message in (
+        (5.0, 0.0, "calibration_friction_coefficient = 0: must be > 0 and at most 20; is it a force?"),
+        (5.0, 25.0, "calibration_friction_coefficient = 25: must be > 0 and at most 20; is it a force?"),
+        (0.0, 0.3, "calibration_load = 0: must be > 0; at zero load"),
+    ):
+        with pytest.raises(Error, match=f"^{message}"):
+            params.calibrated(load, coefficient)
     with pytest.raises(Error, match="^friction_force = -1 at load = 5: must be finite and above 0"):
-        params.calibrated(load=5.0, friction_force=-1.0)
-    with pytest.raises(Error, match="^mu = 0.0: must be finite and > 0"):
-        params.calibrated(load=5.0, mu=0.0)
+        params.calibrated_force(5.0, -1.0)
+    with pytest.raises(Error, match="^calibration_error = 5: must be at most 1: .* per cent"):
+        params.calibrated(5.0, 0.4, error=5)
+
+
+def test_a_measurement_is_kept_until_the_strength_is_another(params: Params, tmp_path: Path) -> None:
+    measured = params.calibrated(5.0, 0.4, error=0.1)
+    assert (measured.calibration_load, measured.calibration_friction_force, measured.calibration_error) == (5.0, 2.0, 0.1)
+    measured.to_toml(tmp_path / "surface.toml")
+    for same in (pickle.loads(pickle.dumps(measured)), eval(repr(measured)), Params.from_toml(tmp_path / "surface.toml")):
+        assert same == measured
+    assert measured.replace(height_std=9.0).calibration_friction_force == 2.0
+    with Model(measured) as model:
+        assert model.params == measured
+    for strength in ("slip_stress_1", "slip_stress_2", "pressure_coefficient"):
+        other = measured.replace(**{strength: 1.1 * getattr(measured, strength)})
+        assert (other.calibration_load, other.calibration_friction_force) == (0.0, 0.0)
+
+
+def test_names_calibrate_too(params: Params) -> None:
+    """Last of all, on the surface that the others make."""
+    groups: dict[str, Any] = {"alpha": 0.01, "beta": 1000, "gamma": 0.001, "skew": 0.3}
+    by_name: dict[str, Any] = {"calibration_load": 5.0, "calibration_friction_coefficient": 0.4, "calibration_error": 0.1}
+    expected = Params.dimensionless(**groups).calibrated(5.0, 0.4, error=0.1)
+    assert Params.dimensionless(**groups, **by_name) == params.replace(skew=0.3, **by_name) == expected
+    by_force = {"calibration_load": 5.0, "calibration_friction_force": 2.0}
+    assert params.replace(**by_force) == params.calibrated_force(5.0, 2.0)
+    iso: dict[str, Any] = {"Sq": 5e-9, "Sdq": 0.08, "Ssc": 3e6, "Sds": 2e13, "nominal_area": 1e-8}
+    silicon = PAIRS["Si/Si"].contact
+    expected = Params.from_iso25178(**iso, **silicon).calibrated(1e-3, 0.3)
+    assert Params.from_iso25178(**iso, **silicon, calibration_load=1e-3, calibration_friction_coefficient=0.3) == expected
+    for alone in ({"calibration_load": 5.0}, {"calibration_friction_force": 2.0}, {"calibration_friction_coefficient": 0.4}):
+        with pytest.raises(TypeError, match="calibration_load goes with one of calibration_friction_coefficient and"):
+            params.replace(**alone)
+
+
+def test_the_inputs_that_no_default_can_stand_for_are_asked_for() -> None:
+    with pytest.raises(TypeError, match="'composite_modulus', .* and 'asperity_count'"):
+        Params()  # type: ignore[call-arg]
+    assert Params.paper() == Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+
+
+def test_summits_that_yield_have_a_hardness_and_no_adhesion(params: Params) -> None:
+    yielding = params.elastic_plastic(0.01)
+    assert yielding == params.replace(contact_law="elastic-plastic", hardness=0.01, work_of_adhesion=0.0)
+    with pytest.raises(Error, match="^hardness = 0: must be finite and > 0"):
+        params.elastic_plastic(0.0)
+
+
+def test_of_two_rough_surfaces_mean_squares_add() -> None:
+    silicon: dict[str, Any] = {**PAIRS["Si/Si"].contact, "nominal_area": 1e-8}
+    both = Params.from_profile(Rq=[4e-9, 3e-9], RSm=600e-9, **silicon)
+    assert both.height_std == pytest.approx(Params.from_profile(Rq=5e-9, RSm=600e-9, **silicon).height_std, rel=1e-14)
+    mean = Params.from_profile(Ra=[4e-9, 3e-9], RSm=600e-9, **silicon)
+    assert mean.height_std == pytest.approx(math.sqrt(math.pi / 2) * both.height_std, rel=1e-14)
+    iso: dict[str, Any] = {"Sds": 2e13, **silicon}
+    expected = Params.from_iso25178(Sq=5e-9, Sdq=0.1, **iso)
+    found = Params.from_iso25178(Sq=[4e-9, 3e-9], Sdq=[0.08, 0.06], **iso)
+    assert (found.height_std, found.summit_radius) == pytest.approx((expected.height_std, expected.summit_radius), rel=1e-14)
+    with pytest.raises(TypeError, match=r"Rq = \[1, 2, 3\]: must be one number, or a list of two"):
+        Params.from_profile(Rq=[1, 2, 3], RSm=1.0, **silicon)
+    with pytest.raises(TypeError, match="give one of Rq and Ra, as the height of the roughness"):
+        Params.from_profile(RSm=600e-9, **silicon)
+    peak: dict[str, Any] = {"nominal_area": 1.0, "asperity_count": 1.0, "Sds": 1.0, "Rz": 1e-6}
+    for make, rest in ((Params.from_profile, {"RSm": 1e-6}), (Params.from_iso25178, {"Sdq": 0.1}), (Params.si, SURFACE)):
+        with pytest.raises(TypeError, match="Rz: is a peak-to-valley height, .*: give Ra or Rq"):
+            make(**STIFFNESS, **rest, **peak)
 
 
 def test_skew_chooses_weibull_heights_of_that_skew(params: Params) -> None:
@@ -158,7 +228,7 @@ def test_a_table_means_tabulated_heights(params: Params) -> None:
 
 
 def test_parameters_are_immutable_values(params: Params) -> None:
-    same = Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+    same = Params.paper()
     other = params.replace(asperity_count=2)
     assert params == same and hash(params) == hash(same)
     assert params != other and params.asperity_count == 1 and other.asperity_count == 2

@@ -62,14 +62,20 @@ def test_bars_are_drawn(model: Model, tmp_path: Path) -> None:
 # ---- Bands ----
 
 
-def test_a_narrow_band_is_the_same_by_sensitivities_and_by_samples(params: Params) -> None:
+@pytest.fixture(scope="module")
+def given() -> Params:
+    """The paper's case with a strength that is given: bands have no part of it."""
+    return Params.paper().replace(slip_stress_1=0.02)
+
+
+def test_a_narrow_band_is_the_same_by_sensitivities_and_by_samples(given: Params) -> None:
     spread = {"sigma": 0.01, "w": 0.02, "epsilon": 0.01}
-    linear = uncertainty(params, spread, LOADS)
-    drawn = uncertainty(params, spread, LOADS, samples=200, seed=1)
+    linear = uncertainty(given, spread, LOADS)
+    drawn = uncertainty(given, spread, LOADS, samples=200, seed=1)
     assert drawn.samples is not None and drawn.samples.shape == (200, LOADS.size) and drawn.refused == 0
     # The standard error of a standard deviation of 200 is 5 %.
     assert drawn.deviation == pytest.approx(linear.deviation, rel=0.15)
-    with Model(params) as model:
+    with Model(given) as model:
         assert linear.value.tolist() == model.friction_at_load(LOADS).tolist()
     assert ((linear.low < linear.value) & (linear.value < linear.high)).all()
     width = np.log(linear.high / linear.low)
@@ -79,11 +85,11 @@ def test_a_narrow_band_is_the_same_by_sensitivities_and_by_samples(params: Param
     assert np.sqrt(squares) == pytest.approx(linear.deviation, rel=1e-12)
 
 
-def test_groups_and_symbols_have_a_spread_too(params: Params) -> None:
+def test_groups_and_symbols_have_a_spread_too(given: Params) -> None:
     """alpha is (sigma/R)^(1/2): a spread of 1 % is one of 1 % of sigma, against R."""
-    with Model(params) as model:
+    with Model(given) as model:
         of = model.sensitivities(10.0)
-    found = uncertainty(params, {"alpha": 0.01}, [10.0])
+    found = uncertainty(given, {"alpha": 0.01}, [10.0])
     assert found.deviation[0] == pytest.approx(0.01 * abs(of.height_std - of.summit_radius), rel=1e-6)
     assert list(found.parts) == ["alpha"]
 
@@ -127,9 +133,9 @@ def test_a_strength_that_is_named_or_given_has_no_band_of_its_own(rough: Params)
     for name in ("slip_stress", "slip_stress_1", "slip_stress_2"):
         known = uncertainty(rough, {"sigma": 0.1, name: 0.0}, loads)
         assert known.deviation[0] < 0.2 and known.rests_on[0] == "strength of the interface: as given"
-    for given in (rough.replace(slip_stress_1=0.02), rough.replace(pressure_coefficient=0.1), rough.calibrated(load=1e6, mu=0.2)):
+    for given in (rough.replace(slip_stress_1=0.02), rough.replace(pressure_coefficient=0.1)):
         assert uncertainty(given, {"sigma": 0.1}, loads).deviation[0] < 0.2
-        with pytest.raises(ValueError, match="since the strength of this interface is given; if it was measured, its load"):
+        with pytest.raises(ValueError, match="the strength of this interface is given; if it was measured, calibrate with"):
             uncertainty(given, loads=loads)
 
 
@@ -137,9 +143,9 @@ def test_one_measured_point_narrows_as_weights_of_monte_carlo_do(rough: Params) 
     """Against surfaces drawn from what was known before, each with the probability that it gives to the measurement."""
     load, mu, error = 1e6, 0.3, 0.2
     spread = {"sigma": 0.1, "R": 0.1}
-    known = rough.calibrated(load=load, mu=mu)
+    known = rough.calibrated(load, mu, error=error)
     loads = np.array([1e5, load, 1e8])
-    band = uncertainty(known, spread, loads, measured_load=load, measured_error=error)
+    band = uncertainty(known, spread, loads)
 
     random = np.random.default_rng(4)
     logs = []
@@ -162,41 +168,63 @@ def test_one_measured_point_narrows_as_weights_of_monte_carlo_do(rough: Params) 
     # The parameters are correlated afterwards: all together are known better than each alone.
     alone = np.sqrt(sum(part**2 for part in band.parts.values()))
     assert (band.deviation < alone).all()
-    sampled = uncertainty(known, spread, loads, measured_load=load, measured_error=error, samples=300, seed=5)
+    sampled = uncertainty(known, spread, loads, samples=300, seed=5)
     assert sampled.samples is not None
     assert np.std(np.log(sampled.samples), axis=0) == pytest.approx(deviation, rel=0.15)
 
 
 def test_a_measurement_tells_of_every_parameter_that_it_depends_on(rough: Params) -> None:
     """Where the strength is known, a measured force narrows what else decides on it."""
-    known = rough.calibrated(load=1e6, mu=0.3)
-    before = uncertainty(known, {"sigma": 0.2, "slip_stress": 0.0}, [1e6])
-    after = uncertainty(known, {"sigma": 0.2, "slip_stress": 0.0}, [1e6], measured_load=1e6, measured_error=0.02)
-    expected = 1 / math.sqrt(1 / before.deviation[0] ** 2 + 1 / 0.02**2)
+    known = rough.calibrated(1e6, 0.3, error=0.02)
+    spread = {"sigma": 0.2, "slip_stress": 0.0}
+    before = uncertainty(known.replace(calibration_error=1.0), spread, [1e6]).deviation[0]
+    before = 1 / math.sqrt(1 / before**2 - 1)
+    after = uncertainty(known, spread, [1e6])
+    expected = 1 / math.sqrt(1 / before**2 + 1 / 0.02**2)
     assert after.deviation[0] == pytest.approx(expected, rel=1e-9) == pytest.approx(after.parts["sigma"][0], rel=1e-9)
 
 
-def test_a_measured_point_that_cannot_be_used_is_refused(rough: Params) -> None:
-    with pytest.raises(ValueError, match=r"is the default, not a measured one; give params.calibrated\(load=measured_load"):
-        uncertainty(rough, loads=[1e6], measured_load=1e6)
-    known = rough.calibrated(load=1e6, mu=0.3)
-    for arguments, message in (
-        ({"measured_load": math.nan}, "measured_load = nan: must be one finite number"),
-        ({"measured_load": [1e6]}, r"measured_load = \[1000000.0\]: must be one finite number"),
-        ({"measured_load": 1e6, "measured_error": 5}, "measured_error = 5: must be a relative standard deviation .*; 5 % are 0.05"),
-        ({"measured_load": 1e6, "measured_error": 0}, "measured_error = 0: must be"),
-        ({"measured_load": -1e30}, "below the pull-off load"),
-    ):
-        with pytest.raises(ValueError, match=message):
-            uncertainty(known, loads=[1e6], **arguments)
+@pytest.mark.parametrize("wide", [0.05, 0.15, 0.3])
+def test_the_band_at_the_load_of_the_measurement_is_that_of_the_measurement(wide: float) -> None:
+    """Within 5 %, one standard deviation, however little is known of the roughness: 1.103 is exp(1.96 0.05)."""
+    carbon = Params.si(
+        E1=493e9, nu1=0.25, E2=493e9, nu2=0.25, hardness=51e9, work_of_adhesion=0.06, adhesion_range=0.25e-9, burgers_vector=0.25e-9,
+        height_std=0.8e-9, summit_radius=200e-9, summit_density=5e12, nominal_area=1e-6,
+    )  # fmt: skip
+    known, loads = carbon.calibrated(1e-3, 0.3), [1e-5, 1e-3, 1e-1]
+    spread = {"height_std": wide, "work_of_adhesion": 2 * wide, "summit_radius": 2 * wide}
+    linear = uncertainty(known, spread, loads)
+    assert linear.high[1] / linear.value[1] == pytest.approx(1.103, abs=1e-3) == linear.value[1] / linear.low[1]
+    drawn = uncertainty(known, spread, loads, samples=200, seed=1)
+    assert drawn.deviation[1] == pytest.approx(0.05, rel=0.15)
+    assert (drawn.high / drawn.low)[1] < min((drawn.high / drawn.low)[[0, 2]])
+
+
+def test_a_pressure_coefficient_has_its_part_of_the_measurement_in_each_surface_drawn(rough: Params) -> None:
+    known = rough.replace(pressure_coefficient=0.1).calibrated(1e6, 0.3)
+    drawn = uncertainty(known, {"sigma": 0.3}, [1e6], samples=100)
+    assert drawn.deviation[0] == pytest.approx(0.05, rel=0.2)
+
+
+def test_a_surface_changed_after_calibration_has_the_strength_of_another(rough: Params) -> None:
+    """To the error of the measurement, independently of this roughness."""
+    known = rough.calibrated(1e6, 0.3, error=0.1)
+    changed = known.replace(height_std=1.5 * known.height_std)
+    band = uncertainty(changed, {"sigma": 0.05}, [1e6])
+    assert band.rests_on[0] == "strength of the interface: measured on another surface, at 1e+06 [force] to 10 %"
+    assert band.parts["slip_stress"][0] == pytest.approx(0.1, rel=1e-6)
+    assert band.deviation[0] == pytest.approx(math.hypot(band.parts["sigma"][0], 0.1), rel=1e-6)
+    assert uncertainty(changed, loads=[1e4, 1e6]).deviation == pytest.approx([0.1, 0.1], rel=1e-6)
+    named = uncertainty(changed, {"slip_stress": 0.3}, [1e6])
+    assert named.deviation[0] == pytest.approx(0.3, rel=1e-6)
 
 
 def test_the_library_says_whether_a_strength_is_measured(rough: Params) -> None:
     for one, expected in (
         (rough, True),
-        (rough.replace(asperity_count=1), False),
-        (rough.replace(slip_radius_1=20.0), False),
-        (rough.calibrated(load=1e6, mu=0.2), False),
+        (rough.replace(asperity_count=1), True),
+        (rough.replace(slip_radius_1=20.0), True),
+        (rough.calibrated(1e6, 0.2), False),
     ):
         with Model(one) as model:
             assert model.uncalibrated is expected
@@ -214,8 +242,8 @@ def test_a_fit_brings_its_spread_and_correlations_with_it(params: Params) -> Non
     alone = np.sqrt(sum(part**2 for part in band.parts.values()))
     assert (band.deviation < alone).all()
     assert band.rests_on == ("a fit of gamma, sigma to 9 points",)
-    with pytest.raises(ValueError, match="measured_load: a fit brings its own"):
-        uncertainty(found, measured_load=1.0)
+    with pytest.raises(ValueError, match="spread: a fit brings its own"):
+        uncertainty(found, {"sigma": 0.1})
 
 
 def test_spreads_that_leave_the_domain_are_drawn_anew_or_refused(params: Params) -> None:
@@ -242,13 +270,13 @@ def test_spreads_that_leave_the_domain_are_drawn_anew_or_refused(params: Params)
         ({"coverage": 1.0}, "between 0 and 1"),
     ],
 )
-def test_what_cannot_be_used_is_refused(params: Params, arguments: dict[str, Any], message: str) -> None:
+def test_what_cannot_be_used_is_refused(given: Params, arguments: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        uncertainty(params, **({"spread": {"sigma": 0.1}, "loads": [1.0]} | arguments))
+        uncertainty(given, **({"spread": {"sigma": 0.1}, "loads": [1.0]} | arguments))
 
 
-def test_a_band_is_drawn(params: Params, tmp_path: Path) -> None:
-    figure = uncertainty(params, {"sigma": 0.1, "w": 0.2}, LOADS).plot(tmp_path / "band.svg")
+def test_a_band_is_drawn(given: Params, tmp_path: Path) -> None:
+    figure = uncertainty(given, {"sigma": 0.1, "w": 0.2}, LOADS).plot(tmp_path / "band.svg")
     legend = figure.axes[1].get_legend()
     assert legend is not None
     assert [text.get_text() for text in legend.get_texts()] == ["sigma", "w", "all"]

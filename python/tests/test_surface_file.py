@@ -175,7 +175,7 @@ def test_a_program_in_c_has_the_surface_of_the_file(
     page = (root / "docs" / "surface-file.md").read_text(encoding="utf-8")
     (writes,), (printed,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL), re.findall(r"```text\n(.*?)```", page, re.DOTALL)
     monkeypatch.chdir(tmp_path)
-    yielding = FIELDS.replace(contact_law="elastic-plastic", work_of_adhesion=0.0, hardness=30e9)
+    yielding = FIELDS.elastic_plastic(30e9)
     nayak = Params.from_spectral_moments(**MOMENTS, **BODIES, **CONTACT, nominal_area=1e-6, summits="nayak")
     for params in (FIELDS, yielding, nayak, FIELDS.replace(skew=0.4), FIELDS.replace(attraction=False)):
         params.to_toml("surface.toml")
@@ -261,7 +261,7 @@ def test_an_interface_is_taken_by_its_name(surface_file: SurfaceFile) -> None:
     assert found == plain.with_interface("KCl film on iron in vacuum") and found.pressure_coefficient == 0.14
     # A measured point scales the strength, and kappa is that of the interface.
     point = "calibration_load = 1e-3\ncalibration_friction_coefficient = 0.4\n"
-    assert Params.from_toml(surface_file(point + named + WHOLE)) == found.calibrated(load=1e-3, mu=0.4)
+    assert Params.from_toml(surface_file(point + named + WHOLE)) == found.calibrated(1e-3, 0.4)
     for text, message in (
         (named + "slip_stress_1 = 0.01\n", "slip_stress_1: interface sets it already, leave one out"),
         ('interface = "KCl"\n', "KCl: no interface has this name; the nearest is "),

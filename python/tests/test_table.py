@@ -73,7 +73,9 @@ int main(void)
     asperity_float_table single;
     float *rows;
     uint32_t count;
-    asperity_params_init(&params);
+    if (asperity_params_init(&params, sizeof params) != ASPERITY_OK ||
+        asperity_params_set_dimensionless(&params, 0.01, 1000.0, 0.001, 1.0, 0.3) != ASPERITY_OK)
+        return 1;
     if (asperity_create(&params, &model) != ASPERITY_OK || asperity_table_of(model, &table) != ASPERITY_OK)
         return 1;
     count = asperity_eval_make_float(&table, NULL, NULL);

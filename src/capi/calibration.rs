@@ -35,8 +35,10 @@ impl asperity_params {
 /// measurement is kept in `calibration_load` and `calibration_friction_force`, with `calibration_error`, for error bands.
 /// The call makes one model and one exact state: milliseconds.
 ///
+/// With a coefficient measured at 1 mN, in SI units:
+///
 /// ```c
-/// asperity_params_calibrate(&params, 1e-3, 0.4);  // N; a friction coefficient
+/// asperity_params_calibrate(&params, 1e-3, 0.4);
 /// ```
 ///
 /// @param params                all parameters of the surfaces that were measured

@@ -10,6 +10,7 @@ mod about;
 mod batch;
 mod boundary;
 mod calibration;
+mod conductance;
 mod evaluate;
 mod fp_environment;
 mod gap;
@@ -42,6 +43,7 @@ mod version;
 // For C through the header, for the tests of this crate as items; no part of the Rust interface.
 pub use about::*;
 pub use calibration::*;
+pub use conductance::*;
 pub use evaluate::*;
 pub use gap::*;
 pub use interfaces::*;

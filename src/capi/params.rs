@@ -69,7 +69,7 @@ pub struct asperity_params {
     /// rho [-], > 0, per standard deviation of height: how fast the radius changes; 0.5 by default. 1e-6 to 1000 where
     /// `radius_amplitude` is not 0.
     pub radius_rate: f64,
-    /// a_1/b [-], > 0: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
+    /// a_1/b [-], at least 1: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
     pub slip_radius_1: f64,
     /// tau_1/G* [-], > 0 and at most 1; 1/43 by default, which was not measured on your interface: call
     /// `asperity_params_calibrate`.
@@ -87,7 +87,7 @@ pub struct asperity_params {
     /// Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0 is
     /// Gaussian. Other `height_distribution`s refuse any other value.
     pub kurtosis: f64,
-    /// H [stress], 1e-5 to 100 E*: indentation hardness of the softer body. 0, the default, means not known. Warnings
+    /// H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body. 0, the default, means not known. Warnings
     /// compare pressures with it; the friction of elastic summits does not depend on it, that of
     /// `ASPERITY_CONTACT_ELASTIC_PLASTIC` does.
     pub hardness: f64,

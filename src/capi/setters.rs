@@ -83,11 +83,13 @@ impl asperity_params {
 /// The inputs `composite_modulus` to `asperity_count` become NaN. `asperity_create` then refuses the first that you did not
 /// set, with the message "asperity_count: must be set".
 ///
+/// For two bodies of polysilicon, in SI units (Pa, J/m^2, m):
+///
 /// ```c
 /// asperity_params_init(&params, sizeof params);
-/// asperity_params_set_materials(&params, 160e9, 0.22, 160e9, 0.22);  // Pa: two bodies of polysilicon
-/// params.work_of_adhesion = 0.063;                                   // J/m^2
-/// params.adhesion_range = params.burgers_vector = 0.384e-9;          // m
+/// asperity_params_set_materials(&params, 160e9, 0.22, 160e9, 0.22);
+/// params.work_of_adhesion = 0.063;
+/// params.adhesion_range = params.burgers_vector = 0.384e-9;
 /// asperity_params_set_spectral_moments(&params, 2.5e-17, 4e-3, 2e12, 1e-8);
 /// ```
 ///

@@ -59,8 +59,10 @@ pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
 /// The load is the pressure times `nominal_area`, the area that carries the model's `asperity_count` summits. The area of a
 /// mesh facet or of an integration point plays no part: the answer depends on summits per area alone.
 ///
+/// For a model whose `asperity_count` summits stand on 1e-8 m^2:
+///
 /// ```c
-/// double area = 1e-8;  // m^2: of the model, whose asperity_count summits it carries
+/// double area = 1e-8;
 /// double slope, mu = asperity_friction_at_pressure(model, 1e5, area, &slope);
 /// ```
 ///
@@ -130,8 +132,10 @@ pub(super) fn stress(force: f64, nominal_area: f64) -> f64 {
 ///   that you allow.
 /// - Explicit steps h of a mass m stop without a change of sign if transition_rate >= F h/m. They oscillate below half of that.
 ///
+/// At 1 mN and 0.2 m/s, with a transition rate of 1 mm/s:
+///
 /// ```c
-/// double force_on_body = -asperity_slip_force(model, 1e-3, 0.2, 1e-3, NULL, NULL);  // N; 0.2 m/s, 1e-3 m/s
+/// double force_on_body = -asperity_slip_force(model, 1e-3, 0.2, 1e-3, NULL, NULL);
 /// ```
 ///
 /// @param model              a model

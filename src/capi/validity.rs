@@ -26,9 +26,9 @@ pub const ASPERITY_WARNING_FEW: u64 = 16;
 /// Bit of `warnings`: adhesion presses the surfaces together with more than the load. Set if `hertz_load` is more than twice
 /// the load. Never set if `asperity_count` is 1, as for single summits.
 pub const ASPERITY_WARNING_ADHESIVE: u64 = 32;
-/// Bit of `warnings`: the strength of the interface is the default, which was not measured on these surfaces. Set while slip
-/// radii and stresses are the defaults and `pressure_coefficient` is 0. Never set if `asperity_count` is 1. With the default
-/// the model predicts 1/200 to 36 times the measured friction: call `asperity_params_calibrate`.
+/// Bit of `warnings`: the strength of the interface is the default, which was not measured on these surfaces. Set while both
+/// slip stresses are the defaults, `pressure_coefficient` is 0 and nothing was calibrated. With the default the model predicts
+/// 1/200 to 36 times the measured friction: call `asperity_params_calibrate`.
 pub const ASPERITY_WARNING_UNCALIBRATED: u64 = 64;
 /// Bit of `warnings`: the surface is rough on so many scales that summits stand on summits. Set if Nayak's bandwidth is
 /// above 6: the `bandwidth` given, or that of this many summits on `nominal_area`.

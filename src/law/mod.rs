@@ -371,6 +371,43 @@ mod tests {
         );
     }
 
+    /// Weibull's density, which begins with a power, and a table with edges and steps: the slopes of both quantities are what callers
+    /// are told.
+    #[test]
+    fn slopes_are_known_next_to_a_kink_too() {
+        let steps = crate::params::HeightFamily::Tabulated {
+            height: [0.0, 1.0, 1.000_000_001, 2.0, 2.000_000_001, 3.0].into(),
+            density: [1.0, 1.0, 3.0, 3.0, 0.5, 0.5].into(),
+        };
+        let mut compared = 0;
+        for heights in [crate::params::HeightFamily::Weibull { shape: 1.1 }, crate::population::tests::table(), steps] {
+            let branch = Branch::new(crate::population::tests::of(&Params { heights, ..Params::default() }));
+            let branch = branch.expect("a branch");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let excess = |sums: &Sums| sums.load() - branch.pull_off_load();
+            let at = |separation: f64| branch.population().at_separation(separation);
+            let kinks: Vec<f64> =
+                branch.kinks().iter().copied().filter(|&kink| kink < branch.farthest() - 0.2).collect();
+            let loads: Vec<f64> = kinks.iter().map(|&kink| excess(&at(kink))).collect();
+            for (i, &kink) in kinks.iter().enumerate() {
+                for j in 0..60 {
+                    let distance = [1.0, -1.0][(i + j) % 2] * 10_f64.powf(-8.0 + 7.0 * j as f64 / 60.0);
+                    let sums = at(kink + distance);
+                    let x = excess(&sums);
+                    let known = if loads.iter().any(|load| (load / x - 1.0).abs() < 0.01) { 1e-3 } else { 1e-6 };
+                    for quantity in Quantity::ALL {
+                        let Some((_, slope)) = law.table(quantity).at_excess(LOAD * x) else { continue };
+                        let exact = UNITS[quantity as usize] * quantity.of(&sums).1 / (LOAD * sums.load_slope);
+                        let miss = (slope / exact - 1.0).abs();
+                        assert!(miss < known, "{quantity:?}: {miss:e} at {distance:e} from {kink}");
+                        compared += 1;
+                    }
+                }
+            }
+        }
+        assert!(compared > 1000, "{compared}");
+    }
+
     /// Where the lower end of Weibull's density passes an edge of contact, friction is a non-integer power of the distance in load.
     #[test]
     fn rows_with_a_non_integer_power_are_answered_up_to_it() {

@@ -72,6 +72,8 @@ struct Units {
     force: f64,
     /// 8 G^ N b: stiffness, of a mean contact radius in b.
     stiffness: f64,
+    /// 1/(8 G^): sum of contact radii, of a stiffness.
+    radius_sum: f64,
     /// N b^2.
     area: f64,
     /// sigma.
@@ -196,6 +198,24 @@ impl Model {
     /// below pull-off; NaN for a load that is not finite or too heavy.
     pub fn tangential_stiffness_at_load(&self, load: f64) -> f64 {
         self.value_and_slope(Quantity::Radius, load).0
+    }
+
+    /// Sum of the radii of all contacts [length]: the constriction conductance of independent contacts is 2 k times it, k the
+    /// harmonic mean of the conductivities of the two bodies. 0 below pull-off; NaN for a load that is not finite or too heavy.
+    pub fn contact_radius_sum_at_load(&self, load: f64) -> f64 {
+        self.contact_radius_sum_and_slope(load).0
+    }
+
+    /// The sum of contact radii and its slope by load [length/force], which is infinite at the pull-off load itself and 0 below
+    /// it. Without adhesion the slope at zero load and below is that of the lightest load of the table.
+    pub fn contact_radius_sum_and_slope(&self, load: f64) -> (f64, f64) {
+        let (stiffness, slope) = self.value_and_slope(Quantity::Radius, load);
+        (stiffness * self.units.radius_sum, slope * self.units.radius_sum)
+    }
+
+    /// 1/(8 G^): the sum of contact radii, of a tangential stiffness.
+    pub(crate) fn radius_sum_by_stiffness(&self) -> f64 {
+        self.units.radius_sum
     }
 
     /// Friction force or stiffness, and its slope.
@@ -374,6 +394,7 @@ impl Units {
             load: params.composite_modulus * area,
             force: params.effective_shear_modulus * area,
             stiffness: 8.0 * params.effective_tangential_modulus() * params.burgers_vector * params.asperity_count,
+            radius_sum: 1.0 / (8.0 * params.effective_tangential_modulus()),
             area,
             length: params.height_std,
             count: params.asperity_count,

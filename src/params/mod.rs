@@ -343,8 +343,17 @@ impl Params {
     /// Nayak's bandwidth: that given, or that of a Gaussian surface with this number of summits on the nominal area (P. R. Nayak,
     /// J. Lubr. Technol. 93 (1971) 398; eta sigma R as J. I. McCool, J. Tribol. 109 (1987) 264, has it); 0 if neither is known.
     pub(crate) fn known_bandwidth(&self) -> f64 {
-        if self.bandwidth > 0.0 || self.nominal_area <= 0.0 {
-            return self.bandwidth;
+        if self.bandwidth > 0.0 {
+            self.bandwidth
+        } else {
+            self.bandwidth_of_density()
+        }
+    }
+
+    /// That of the summits on the nominal area; 0 if the area is not known.
+    fn bandwidth_of_density(&self) -> f64 {
+        if self.nominal_area <= 0.0 {
+            return 0.0;
         }
         // Beyond, no number is needed.
         let product = (self.summit_product() / SUMMIT_PRODUCT).min(LARGEST);

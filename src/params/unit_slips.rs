@@ -20,13 +20,8 @@ const BROADEST: (f64, &str) = (
 /// Summits per area times their height deviation and radius: of Gaussian surfaces 0.016 and more, of a few dimples on a plate 1e-6.
 const SPARSEST: (f64, &str) = (
     1e-7,
-    "summit density times height_std times summit_radius must be at least 1e-7: no surface has so few summits on its area; is \
-     nominal_area in mm^2 or um^2 beside lengths in m, or asperity_count a density per mm^2 or um^2?",
-);
-const DENSEST: (f64, &str) = (
-    20.0,
-    "summit density times height_std times summit_radius must be at most 20: no surface has so many summits on its area; is \
-     nominal_area too small, or asperity_count of another area?",
+    "must be at least 1e-7, since no surface has so few summits on its area; is nominal_area in mm^2 or um^2 beside lengths in m, \
+     or asperity_count a density per mm^2 or um^2?",
 );
 /// Where lengths are in m or mm there is less: in GPa beside moduli in MPa all hardnesses are below.
 const SOFTEST_METAL: (f64, &str) =
@@ -107,9 +102,7 @@ pub fn check(params: &Params) -> Result<(), Error> {
         return Err(Error::out_of_range("hardness/composite_modulus", hardness, allowed));
     }
     if params.nominal_area > 0.0 && params.is_of_many() {
-        let product = params.summit_product();
-        at_least("asperity_count/nominal_area", product, SPARSEST)?;
-        at_most("asperity_count/nominal_area", product, DENSEST)?;
+        at_least("asperity_count/nominal_area height_std summit_radius", params.summit_product(), SPARSEST)?;
     }
     let Some(units) = UNITS.iter().find(|units| units.burgers_vector.contains(&params.burgers_vector)) else {
         return Ok(());
@@ -124,7 +117,7 @@ pub fn check(params: &Params) -> Result<(), Error> {
         at_most("height_std", params.height_std, units.roughest)?;
     }
     at_most("summit_radius", params.summit_radius, units.widest_summit)?;
-    at_most("bandwidth", params.known_bandwidth(), BROADEST)?;
+    at_most("bandwidth", params.known_bandwidth().max(params.bandwidth_of_density()), BROADEST)?;
     at_least("asperity_count", params.asperity_count, units.fewest_summits)?;
     at_most("asperity_count", params.asperity_count, units.most_summits)
 }
@@ -233,7 +226,12 @@ mod tests {
         let density = |params: &mut Params| params.asperity_count = 1e13;
         assert_eq!(on(1e-8, "not a density", &density), none);
         let unsquared = |params: &mut Params| params.bandwidth = 4.0 / 5e-9;
-        assert_eq!(on(1e-8, "the square of Rq", &unsquared), none);
+        assert_eq!(on(1e-8, "the square of Rq|so few summits", &unsquared), none);
+        // Each on the area of its own count, in mm^2.
+        let in_square_mm = |params: &mut Params| {
+            params.nominal_area = 1e6 * params.asperity_count * params.height_std * params.summit_radius / 0.05;
+        };
+        assert_eq!(passes(in_square_mm, "so few summits"), none);
         let in_mm = |params: &mut Params| {
             (params.height_std, params.summit_radius) = (1e3 * params.height_std, 1e3 * params.summit_radius);
         };

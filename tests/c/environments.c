@@ -123,6 +123,7 @@ typedef struct answers {
     asperity_summary summary;
     asperity_table table;
     double mu[LOADS], force[LOADS], stiffness[LOADS], slopes[4][LOADS], sliding[3][LOADS], stress[LOADS];
+    double radii[3][LOADS];
     double batch[3][LOADS], batch_slopes[2][LOADS];
     double gap[3][LOADS], gaps[2][LOADS], of[2][LOADS], pressed[4][LOADS], slipping[3][LOADS];
     asperity_state at_load[EXACT], at_separation[EXACT];
@@ -194,6 +195,7 @@ static asperity_model *ask(const asperity_params *p, const questions *q, answers
         a->mu[i] = asperity_friction_at_load(model, q->load[i]);
         a->force[i] = asperity_friction_force_at_load(model, q->load[i]);
         a->stiffness[i] = asperity_tangential_stiffness_at_load(model, q->load[i]);
+        a->radii[0][i] = asperity_contact_radius_sum_at_load(model, q->load[i]);
         asperity_friction_and_slope_at_load(model, q->load[i], &a->slopes[0][i]);
         asperity_friction_force_and_slope_at_load(model, q->load[i], &a->slopes[1][i]);
         asperity_friction_at_pressure(model, q->load[i], 1.3, &a->slopes[2][i]);
@@ -217,6 +219,7 @@ static asperity_model *ask(const asperity_params *p, const questions *q, answers
     *status++ = asperity_friction_at_loads(model, LOADS, q->load, a->batch[0], a->batch_slopes[0]);
     *status++ = asperity_friction_force_at_loads(model, LOADS, q->load, a->batch[1], a->batch_slopes[1]);
     *status++ = asperity_tangential_stiffness_at_loads(model, LOADS, q->load, a->batch[2]);
+    *status++ = asperity_contact_radius_sum_at_loads(model, LOADS, q->load, a->radii[1], a->radii[2]);
     for (int i = 0; i < EXACT; i++) {
         a->at_load[i].struct_size = a->at_separation[i].struct_size = sizeof(asperity_state);
         asperity_state_at_load(model, q->exact[i], &a->at_load[i]);
@@ -278,7 +281,8 @@ static void compare(int which, int environment, const asperity_params *p, const 
               q->load[i]);
     }
 #define PART(field) CHECK(SAME(found.field, expected->field), "%s, %s: other " #field, name, NAMES[environment])
-    PART(set); PART(summary); PART(table); PART(stiffness); PART(slopes); PART(sliding); PART(stress); PART(batch);
+    PART(set); PART(summary); PART(table); PART(stiffness); PART(radii); PART(slopes); PART(sliding); PART(stress);
+    PART(batch);
     PART(batch_slopes); PART(at_load); PART(at_separation); PART(sensitivities); PART(tangential); PART(summits);
     PART(slipped); PART(states); PART(batch_states); PART(forces); PART(tangents);
     PART(status);

@@ -12,7 +12,9 @@ use std::mem::size_of;
 
 /// Parameters, made and changed in few words.
 pub trait TestParams: Sized {
-    /// The paper's default case.
+    /// As they are initialised: without the physical inputs.
+    fn unset() -> Self;
+    /// The paper's case.
     fn initial() -> Self;
     /// The parameters of a model.
     fn of(handle: &Handle) -> Self;
@@ -30,29 +32,33 @@ pub trait TestParams: Sized {
     fn cap(self, cap: f64) -> Self;
     /// Those with a unit, and the number of summits.
     fn quantities(&mut self) -> [&mut f64; 8];
-    /// All numbers: the quantities, those of the first version that have no unit, those that were appended.
-    fn numbers(&mut self) -> [&mut f64; 23];
+    /// All numbers: the quantities, and the others.
+    fn numbers(&mut self) -> [&mut f64; 26];
 }
 
 impl TestParams for asperity_params {
-    fn initial() -> Self {
+    fn unset() -> Self {
         // SAFETY: zero bits are a value of every field.
         let mut params: Self = unsafe { std::mem::zeroed() };
         // SAFETY: a struct to write to.
-        assert_eq!(unsafe { asperity_params_init_sized(&mut params, size_of::<Self>() as u64) }, OK);
+        assert_eq!(unsafe { asperity_params_init(&mut params, size_of::<Self>()) }, OK);
         assert_eq!(params.struct_size as usize, size_of::<Self>());
         params
     }
 
+    fn initial() -> Self {
+        Self::dimensionless(0.01, 1000.0, 0.001, 1.0)
+    }
+
     fn of(handle: &Handle) -> Self {
-        let mut params = Self::initial();
+        let mut params = Self::unset();
         // SAFETY: the model lives.
-        assert_eq!(unsafe { asperity_get_params_sized(handle.0, &mut params, size_of::<Self>() as u64) }, OK);
+        assert_eq!(unsafe { asperity_get_params(handle.0, &mut params) }, OK);
         params
     }
 
     fn dimensionless(alpha: f64, beta: f64, gamma: f64, b_over_h: f64) -> Self {
-        let mut params = Self::initial();
+        let mut params = Self::unset();
         // SAFETY: an initialised struct.
         let status = unsafe { asperity_params_set_dimensionless(&mut params, alpha, beta, gamma, b_over_h, 0.3) };
         assert_eq!(status, OK, "{}", message());
@@ -98,7 +104,7 @@ impl TestParams for asperity_params {
         ]
     }
 
-    fn numbers(&mut self) -> [&mut f64; 23] {
+    fn numbers(&mut self) -> [&mut f64; 26] {
         [
             &mut self.composite_modulus,
             &mut self.effective_shear_modulus,
@@ -123,6 +129,9 @@ impl TestParams for asperity_params {
             &mut self.nominal_area,
             &mut self.pressure_coefficient,
             &mut self.bandwidth,
+            &mut self.calibration_load,
+            &mut self.calibration_friction_force,
+            &mut self.calibration_error,
         ]
     }
 }

@@ -6,6 +6,7 @@
 mod common;
 
 mod batch;
+mod domains;
 mod fuzz;
 mod fuzz_calls;
 mod gap;
@@ -16,5 +17,6 @@ mod pointers;
 mod pressure_and_slip;
 #[cfg(not(miri))]
 mod programs;
+mod refusals;
 mod robustness;
 mod tangential;

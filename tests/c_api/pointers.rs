@@ -7,25 +7,33 @@
 use crate::interface::*;
 use std::alloc::{alloc, dealloc, Layout};
 use std::ffi::{c_char, CStr};
-use std::mem::{offset_of, size_of};
+use std::mem::size_of;
 use std::ptr::{null, null_mut};
 
 type BatchCall = unsafe extern "C" fn(*const asperity_model, usize, *const f64, *mut f64, *mut f64) -> i32;
 type SlopeCall = unsafe extern "C" fn(*const asperity_model, f64, *mut f64) -> f64;
 
-/// The two laws: batch, and one contact with its slope.
-const LAWS: [(BatchCall, SlopeCall); 2] = [
+/// The laws: batch, and one contact with its slope.
+const LAWS: [(BatchCall, SlopeCall); 3] = [
     (asperity_friction_at_loads, asperity_friction_and_slope_at_load),
     (asperity_friction_force_at_loads, asperity_friction_force_and_slope_at_load),
+    (asperity_contact_radius_sum_at_loads, radius_sum_and_slope),
 ];
 /// What memory holds that a call must leave as it is.
 const BEFORE: u64 = 0x5eed_5eed_5eed_5eed;
-/// The size of the first version of the parameters.
-const FIRST_SIZE: usize = offset_of!(asperity_params, skew);
 /// Two blocks of vectors of four lanes, one of eight, and a rest.
 const LONGEST: usize = 16 * 4 * 2 + 7;
 /// alpha, beta, gamma and b/h of the surface whose model is soonest made.
 const SOONEST_MADE: [f64; 4] = [1.0, 0.1, 0.01, 40.0];
+
+/// One contact by the call that answers for one, with the slope of a batch of one.
+unsafe extern "C" fn radius_sum_and_slope(model: *const asperity_model, load: f64, slope: *mut f64) -> f64 {
+    // SAFETY: those of the caller.
+    unsafe {
+        asperity_contact_radius_sum_at_loads(model, 1, &load, null_mut(), slope);
+        asperity_contact_radius_sum_at_load(model, load)
+    }
+}
 
 /// Memory of a caller, of so many bytes, at an address that is a multiple of 8 or odd. It holds nothing until it is filled.
 struct Place {
@@ -118,8 +126,7 @@ fn bits(numbers: &[f64]) -> Vec<u64> {
 #[cfg_attr(miri, ignore = "reads text, which takes half a minute there")]
 fn every_function_of_the_header_is_called_here() {
     let header = include_str!("../../include/asperity.h");
-    // Second names, of the same functions, are called in a file of their own.
-    let here = concat!(include_str!("pointers.rs"), include_str!("aliases.rs"));
+    let here = include_str!("pointers.rs");
     let mut functions = 0;
     for line in header.lines().filter(|line| !line.starts_with([' ', '#', '/', '*', '}'])) {
         let Some((before, _)) = line.split_once('(') else { continue };
@@ -192,59 +199,48 @@ fn materials_are_written_no_further_than_they_may() {
 }
 
 #[test]
-fn parameters_of_every_size_are_set() {
+fn parameters_are_set_in_memory_without_values() {
     let whole = size_of::<asperity_params>();
-    for size in (FIRST_SIZE..=whole).step_by(8) {
-        let place = Place::aligned(size);
-        let params = place.pointer::<asperity_params>();
-        // SAFETY: memory of the size that is told, or of the first version.
-        unsafe {
-            for init in [asperity_params_init, asperity_params_init_unset] {
-                assert_eq!(init(params), OK);
-                assert_eq!(place.word(0), FIRST_SIZE as u64);
-            }
-            assert_eq!(asperity_params_init_unset_sized(params, size as u64), OK);
-            assert_eq!(place.word(0), size as u64);
-            assert_eq!(asperity_params_init_sized(params, size as u64), OK);
-            assert_eq!(place.word(0), size as u64);
-            assert_eq!(asperity_params_set_dimensionless(params, 0.1, 4.0, 1e-3, 1.0, 0.3), OK);
-            assert_eq!(asperity_params_set_materials(params, 2e11, 0.3, f64::INFINITY, 0.2), OK);
-            assert_eq!(asperity_params_set_spectral_moments(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
-            // It sets skew and kurtosis, for which old structs have no room.
-            let room = if size >= offset_of!(asperity_params, hardness) { OK } else { INVALID_PARAMETER };
-            assert_eq!(asperity_params_set_nayak_summits(params, 1e-16, 1e-4, 1e10, 1e-6), room);
-            assert_eq!(asperity_params_set_skew(params, 0.5), OK);
-            assert_eq!(asperity_params_set_pair(params, c"steel/steel".as_ptr()), OK);
-            assert_eq!(asperity_params_set_interface(params, c"graphite layers".as_ptr()), OK);
-            // Of this one the strength grows with pressure, for which old structs have no room.
-            let room = if size >= offset_of!(asperity_params, bandwidth) { OK } else { INVALID_PARAMETER };
-            assert_eq!(asperity_params_set_interface(params, c"MoS2 film in dry air".as_ptr()), room);
-            // Names that may lie anywhere, and a number that may.
-            let (name, mut value) = (asperity_params_name(0), 0.0);
-            assert_eq!(asperity_params_set_value(params, name, 3e11), OK);
-            assert_eq!(asperity_params_set_values(params, 2, [name; 2].as_ptr(), [1e11, 2e11].as_ptr()), OK);
-            assert_eq!((asperity_params_get_value(params, name, &mut value), value), (OK, 2e11));
-            // Refused: the memory stays as it is.
-            let before = place.words(size / 8);
-            assert_eq!(asperity_params_set_dimensionless(params, -1.0, 4.0, 1e-3, 1.0, 0.3), INVALID_PARAMETER);
-            assert_eq!(asperity_params_set_materials(params, 2e11, 0.7, 1e11, 0.2), INVALID_PARAMETER);
-            assert_eq!(asperity_params_set_spectral_moments(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
-            assert_eq!(asperity_params_set_nayak_summits(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
-            assert_eq!(asperity_params_set_skew(params, -9.0), INVALID_PARAMETER);
-            assert_eq!(asperity_params_calibrate(params, 1.0, -0.3), INVALID_PARAMETER);
-            assert_eq!(asperity_params_set_interface(params, c"steel/steel dry".as_ptr()), INVALID_PARAMETER);
-            assert_eq!(place.words(size / 8), before);
-        }
+    let place = Place::aligned(whole);
+    let params = place.pointer::<asperity_params>();
+    // SAFETY: memory of the size that is told.
+    unsafe {
+        assert_eq!(asperity_params_init(params, whole), OK);
+        assert_eq!(place.word(0), whole as u64);
+        assert_eq!(asperity_params_set_dimensionless(params, 0.1, 4.0, 1e-3, 1.0, 0.3), OK);
+        assert_eq!(asperity_params_set_materials(params, 2e11, 0.3, f64::INFINITY, 0.2), OK);
+        assert_eq!(asperity_params_set_spectral_moments(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
+        assert_eq!(asperity_params_set_nayak_summits(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
+        assert_eq!(asperity_params_set_skew(params, 0.5), OK);
+        assert_eq!(asperity_params_set_elastic_plastic(params, 1e9), OK);
+        assert_eq!(asperity_params_set_pair(params, c"steel/steel".as_ptr()), OK);
+        assert_eq!(asperity_params_set_interface(params, c"MoS2 film in dry air".as_ptr()), OK);
+        // Names that may lie anywhere, and a number that may.
+        let (name, mut value) = (asperity_params_name(0), 0.0);
+        assert_eq!(asperity_params_set_value(params, name, 3e11), OK);
+        assert_eq!(asperity_params_set_values(params, 2, [name; 2].as_ptr(), [1e11, 2e11].as_ptr()), OK);
+        assert_eq!((asperity_params_get_value(params, name, &mut value), value), (OK, 2e11));
+        // Refused: the memory stays as it is.
+        let before = place.words(whole / 8);
+        assert_eq!(asperity_params_set_dimensionless(params, -1.0, 4.0, 1e-3, 1.0, 0.3), INVALID_PARAMETER);
+        assert_eq!(asperity_params_set_materials(params, 2e11, 0.7, 1e11, 0.2), INVALID_PARAMETER);
+        assert_eq!(asperity_params_set_spectral_moments(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
+        assert_eq!(asperity_params_set_nayak_summits(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
+        assert_eq!(asperity_params_set_skew(params, -9.0), INVALID_PARAMETER);
+        assert_eq!(asperity_params_set_elastic_plastic(params, 0.0), INVALID_PARAMETER);
+        assert_eq!(asperity_params_calibrate(params, 1.0, -0.3), INVALID_PARAMETER);
+        assert_eq!(asperity_params_calibrate_force(params, 1.0, -0.3), INVALID_PARAMETER);
+        assert_eq!(asperity_params_set_interface(params, c"steel/steel dry".as_ptr()), INVALID_PARAMETER);
+        assert_eq!(place.words(whole / 8), before);
     }
     // A size that is none: no more than it is read, and nothing is written.
-    for size in [0, 8, FIRST_SIZE as u64 - 8, FIRST_SIZE as u64 + 4, whole as u64 + 8, u64::MAX] {
+    for size in [0, 8, whole as u64 - 8, whole as u64 + 4, whole as u64 + 8, u64::MAX] {
         let place = Place::of([size], 0);
         let params = place.pointer::<asperity_params>();
         let mut model = null_mut();
         // SAFETY: the size is refused.
         unsafe {
-            assert_eq!(asperity_params_init_sized(params, size), INVALID_PARAMETER);
-            assert_eq!(asperity_params_init_unset_sized(params, size), INVALID_PARAMETER);
+            assert_eq!(asperity_params_init(params, size as usize), INVALID_PARAMETER);
             assert_eq!(asperity_params_set_skew(params, 0.0), INVALID_PARAMETER);
             assert_eq!(asperity_create(params, &mut model), INVALID_PARAMETER);
         }
@@ -255,7 +251,7 @@ fn parameters_of_every_size_are_set() {
 #[test]
 fn null_is_refused_or_skipped() {
     let mut params = soonest_made();
-    let size = params.struct_size;
+    let size = size_of::<asperity_params>();
     let (mut state, mut summary) = (asperity_state::empty(), asperity_summary::empty());
     let mut slope = 7.0;
     let untouched: *mut asperity_model = std::ptr::without_provenance_mut(8);
@@ -264,16 +260,15 @@ fn null_is_refused_or_skipped() {
     unsafe {
         asperity_free(null_mut());
         for refused in [
-            asperity_params_init(null_mut()),
-            asperity_params_init_unset(null_mut()),
-            asperity_params_init_unset_sized(null_mut(), size),
-            asperity_params_init_sized(null_mut(), size),
+            asperity_params_init(null_mut(), size),
             asperity_params_set_dimensionless(null_mut(), 0.1, 4.0, 1e-3, 1.0, 0.3),
             asperity_params_set_materials(null_mut(), 1.0, 0.3, 1.0, 0.3),
             asperity_params_set_spectral_moments(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
             asperity_params_set_nayak_summits(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
             asperity_params_set_skew(null_mut(), 0.0),
+            asperity_params_set_elastic_plastic(null_mut(), 1.0),
             asperity_params_calibrate(null_mut(), 1.0, 1.0),
+            asperity_params_calibrate_force(null_mut(), 1.0, 1.0),
             asperity_params_set_value(null_mut(), c"skew".as_ptr(), 0.0),
             asperity_params_set_value(&mut params, null(), 0.0),
             asperity_params_set_values(&mut params, 1, null(), &slope),
@@ -295,7 +290,6 @@ fn null_is_refused_or_skipped() {
             asperity_create(&params, null_mut()),
             asperity_set_params(null_mut(), &params),
             asperity_get_params(null(), &mut params),
-            asperity_get_params_sized(null(), &mut params, size),
             asperity_state_at_load(null(), 1.0, &mut state),
             asperity_state_at_separation(null(), 1.0, &mut state),
             asperity_check_loads(null(), 1.0, 2.0, &mut 0),
@@ -352,23 +346,22 @@ fn null_is_refused_or_skipped() {
     }
 }
 
-/// Calibrating makes a model: the shortest struct and the longest.
+/// Calibrating makes a model.
 #[test]
-fn structs_of_the_first_version_and_of_the_last_are_calibrated() {
-    let [alpha, beta, gamma, b_over_h] = SOONEST_MADE;
-    for size in [FIRST_SIZE, size_of::<asperity_params>()] {
-        let place = Place::aligned(size);
-        let params = place.pointer::<asperity_params>();
-        let (mut before, mut after) = (0.0, 0.0);
-        // SAFETY: memory of the size that is told, and a name that ends.
-        unsafe {
-            assert_eq!(asperity_params_init_sized(params, size as u64), OK);
-            assert_eq!(asperity_params_set_dimensionless(params, alpha, beta, gamma, b_over_h, 0.3), OK);
-            assert_eq!(asperity_params_get_value(params, c"slip_stress_1".as_ptr(), &mut before), OK);
-            assert_eq!(asperity_params_calibrate(params, 1e-3, 1e-4), OK, "{}", message());
-            assert_eq!(asperity_params_get_value(params, c"slip_stress_1".as_ptr(), &mut after), OK);
-        }
-        assert!(after > 0.0 && after != before, "{size} bytes: {before}, {after}");
+fn parameters_are_calibrated() {
+    for by_force in [false, true] {
+        let mut params = soonest_made();
+        let before = params.slip_stress_1;
+        // SAFETY: initialised parameters.
+        let status = unsafe {
+            match by_force {
+                false => asperity_params_calibrate(&mut params, 1e-3, 0.1),
+                true => asperity_params_calibrate_force(&mut params, 1e-3, 1e-4),
+            }
+        };
+        assert_eq!(status, OK, "{}", message());
+        assert!(params.slip_stress_1 > 0.0 && params.slip_stress_1 != before, "{params:?}");
+        assert_eq!((params.calibration_load, params.calibration_friction_force), (1e-3, 1e-4));
     }
 }
 
@@ -392,7 +385,9 @@ fn one_contact(handle: &Handle) {
             let (value, slope) = (Place::numbers(1, 1), Place::numbers(1, 1));
             // SAFETY: the model lives, the places have room.
             unsafe {
-                let plain = [asperity_friction_at_load, asperity_friction_force_at_load][i](handle.0, load);
+                let plain =
+                    [asperity_friction_at_load, asperity_friction_force_at_load, asperity_contact_radius_sum_at_load]
+                        [i](handle.0, load);
                 batch(handle.0, 1, &load, value.pointer(), null_mut());
                 let both = [one(handle.0, load, slope.pointer()), one(handle.0, load, null_mut())];
                 assert_eq!(both.map(f64::to_bits), [plain.to_bits(); 2]);
@@ -619,15 +614,15 @@ fn structs(handle: &Handle) {
         assert_eq!(asperity_sensitivities_at_load(handle.0, 1.0, null_mut()), NULL_POINTER);
         assert_eq!(asperity_get_params(handle.0, null_mut()), NULL_POINTER);
     }
-    // Parameters into memory without values.
-    let (first, whole) = (Place::aligned(FIRST_SIZE), Place::aligned(size_of::<asperity_params>()));
+    // Parameters into memory that has a size and no other value, and none where the size is none.
+    let words = size_of::<asperity_params>() / 8;
+    let (whole, short) = (Place::sized(8 * words as u64, words), Place::sized(8, 1));
     // SAFETY: room for the sizes that are told.
     unsafe {
-        assert_eq!(asperity_get_params(handle.0, first.pointer()), OK);
-        assert_eq!(asperity_get_params_sized(handle.0, whole.pointer(), size_of::<asperity_params>() as u64), OK);
-        assert_eq!(asperity_get_params_sized(handle.0, first.pointer(), FIRST_SIZE as u64), OK);
+        assert_eq!(asperity_get_params(handle.0, whole.pointer()), OK);
+        assert_eq!(asperity_get_params(handle.0, short.pointer()), INVALID_PARAMETER);
     }
-    assert_eq!(first.words(FIRST_SIZE / 8)[1..], whole.words(FIRST_SIZE / 8)[1..]);
+    assert_eq!(whole.word(1), asperity_params::of(handle).composite_modulus.to_bits());
 }
 
 /// The rows are read through the pointer that the view has, while the model is called.
@@ -696,10 +691,6 @@ fn a_table_of_heights_is_copied_and_given_back() {
 
     let size = size_of::<asperity_params>() as u64;
     let mut own = asperity_params::of(&handle);
-    let first = Place::of([BEFORE; FIRST_SIZE / 8], 0);
-    // SAFETY: memory of the first version, which has no place for the table.
-    assert_eq!(unsafe { asperity_get_params(handle.0, first.pointer()) }, INVALID_PARAMETER);
-    assert_eq!(first.words(FIRST_SIZE / 8), [BEFORE; FIRST_SIZE / 8]);
     // SAFETY: the model's own columns.
     assert_eq!(unsafe { [own.table_height.add(2).read(), own.table_density.add(2).read()] }, [2.0, 1.0]);
 
@@ -720,13 +711,9 @@ fn a_table_of_heights_is_copied_and_given_back() {
     assert_eq!((again.struct_size, again.hardness), (size, 1.0));
     // A handle kept in memory without a value before, and heights that need no table.
     let place = Place::aligned(size_of::<*mut asperity_model>());
-    let old = Place::aligned(FIRST_SIZE);
-    let [alpha, beta, gamma, b_over_h] = SOONEST_MADE;
-    // SAFETY: memory of the first version of the parameters, and for a handle.
+    // SAFETY: memory for a handle.
     unsafe {
-        assert_eq!(asperity_params_init(old.pointer()), OK);
-        assert_eq!(asperity_params_set_dimensionless(old.pointer(), alpha, beta, gamma, b_over_h, 0.3), OK);
-        assert_eq!(asperity_create(old.pointer(), place.pointer()), OK, "{}", message());
+        assert_eq!(asperity_create(&soonest_made(), place.pointer()), OK, "{}", message());
         asperity_free(place.pointer::<*mut asperity_model>().read());
     }
 }

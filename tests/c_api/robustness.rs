@@ -622,7 +622,7 @@ fn a_null_handle_is_refused_everywhere() {
         assert_eq!(asperity_create(std::ptr::null(), &mut null_mut()), NULL_POINTER);
         assert_eq!(asperity_create(&params, null_mut()), NULL_POINTER);
         assert_eq!(asperity_set_params(null_mut(), &params), NULL_POINTER);
-        assert_eq!(asperity_get_params_sized(null_mut(), &mut params, params.struct_size), NULL_POINTER);
+        assert_eq!(asperity_get_params(null_mut(), &mut params), NULL_POINTER);
         assert_eq!(asperity_state_at_load(null_mut(), 1.0, &mut state), NULL_POINTER);
         assert_eq!(asperity_state_at_separation(null_mut(), 1.0, &mut state), NULL_POINTER);
         assert_eq!(asperity_check_loads(null_mut(), 1.0, 2.0, &mut 0), NULL_POINTER);
@@ -638,15 +638,14 @@ fn a_null_output_is_refused_everywhere() {
         assert_eq!(message(), format!("{name} is NULL: pass a valid pointer"));
     }
     let handle = Handle::new(&asperity_params::initial());
-    let size = size_of::<asperity_params>() as u64;
     // SAFETY: NULL is refused.
     unsafe {
-        refused(asperity_params_init_sized(null_mut(), size), "params");
+        refused(asperity_params_init(null_mut(), size_of::<asperity_params>()), "params");
         refused(asperity_params_set_dimensionless(null_mut(), 0.01, 1000.0, 0.001, 1.0, 0.3), "params");
         refused(asperity_params_set_materials(null_mut(), 1.0, 0.3, 1.0, 0.3), "params");
         refused(asperity_params_set_spectral_moments(null_mut(), 1.0, 1.0, 2.0, 1.0), "params");
         refused(asperity_params_set_skew(null_mut(), 0.0), "params");
-        refused(asperity_get_params_sized(handle.0, null_mut(), size), "params");
+        refused(asperity_get_params(handle.0, null_mut()), "params");
         refused(asperity_state_at_load(handle.0, 1.0, null_mut()), "state");
         refused(asperity_state_at_separation(handle.0, 1.0, null_mut()), "state");
         refused(asperity_check_loads(handle.0, 1.0, 2.0, null_mut()), "warnings");

@@ -87,7 +87,7 @@ void every_status_has_its_own_words() {
 }
 
 void an_error_carries_status_and_message() {
-    const Error error = thrown_by([] { Model(Params().height_std(-2.0)); });
+    const Error error = thrown_by([] { Model(Params::paper().height_std(-2.0)); });
     EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
     EXPECT(begins(error.what(), "height_std = -2: must be "));
     EXPECT(asperity::last_error() == error.what());
@@ -152,6 +152,11 @@ void each_setter_sets_its_own_field() {
     FIELD(nominal_area, 1e-8);
     FIELD(contact_law, asperity::ContactLaw::elastic_plastic);
     FIELD(slip_onset, asperity::SlipOnset::whole);
+    FIELD(pressure_coefficient, 0.1);
+    FIELD(bandwidth, 3.0);
+    FIELD(calibration_load, 20.0);
+    FIELD(calibration_friction_force, 3.2);
+    FIELD(calibration_error, 0.1);
 }
 
 void a_table_is_copied_and_shared() {
@@ -159,7 +164,7 @@ void a_table_is_copied_and_shared() {
     EXPECT(Params().table_height().size() == 0 && Params().table_density().data() == nullptr);
     Params copy;
     {
-        Params params;
+        Params params = Params::paper();
         params.table(std::vector<double>(heights), std::vector<double>(densities));
         copy = params;
         params.table(densities, densities);
@@ -187,16 +192,6 @@ void a_table_is_copied_and_shared() {
     EXPECT(copy.table_height().size() == 5);
 }
 
-// The functions that asperity.h has macros for: here for programs of the first version of the struct.
-void the_plain_functions_serve_old_programs() {
-    const Model model;
-    asperity_params params;
-    EXPECT((asperity_params_init)(&params) == ASPERITY_OK && params.struct_size == offsetof(asperity_params, skew));
-    EXPECT((asperity_get_params)(model.c(), &params) == ASPERITY_OK);
-    EXPECT(params.struct_size == offsetof(asperity_params, skew));
-    EXPECT(asperity_params_init(&params) == ASPERITY_OK && params.struct_size == sizeof params);
-}
-
 void materials_give_the_moduli_of_both_bodies() {
     // Steel on a rigid body: E* = E/(1 - nu^2), G* = 2 G with G = E/(2 (1 + nu)).
     const Params params = Params().set_materials(210e9, 0.3, INF, 0.3);
@@ -209,16 +204,73 @@ void materials_give_the_moduli_of_both_bodies() {
 }
 
 void one_measured_point_sets_the_strength() {
-    Params params;
-    params.calibrate(5.0, 2.0);
-    EXPECT(close(Model(params).state_at_load(5.0).friction_force, 2.0, 1e-12));
-    const Params before = params;
-    const Error error = thrown_by([&] { params.calibrate(5.0, -1.0); });
-    EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
-    EXPECT(std::strstr(error.what(), "friction_force = -1 at load = 5: must be") != nullptr);
-    EXPECT(params.slip_stress_1() == before.slip_stress_1());
-    EXPECT(Params().pressure_coefficient(0.1).pressure_coefficient() == 0.1);
-    EXPECT(Params().bandwidth(3.0).bandwidth() == 3.0);
+    const Params before = Params::paper().calibration_error(0.1);
+    Params params = before;
+    params.calibrate(20.0, 0.16);
+    EXPECT(close(Model(params).friction_at_load(20.0), 0.16, 1e-9));
+    EXPECT(params.calibration_load() == 20.0 && close(params.calibration_friction_force(), 3.2, 1e-15));
+    // The model remembers the measurement, an interface by its name forgets it.
+    const Params kept = Model(params).params();
+    EXPECT(kept.calibration_load() == 20.0 && kept.calibration_error() == 0.1);
+    EXPECT(kept.calibration_friction_force() == params.calibration_friction_force());
+    params.effective_shear_modulus(80e9).set_interface("MoS2 film in dry air");
+    EXPECT(params.calibration_load() == 0.0 && params.calibration_friction_force() == 0.0);
+
+    params = before;
+    EXPECT(params.set({{"calibration_friction_coefficient", 0.16}, {"calibration_load", 20.0}}).slip_stress_1() ==
+           kept.slip_stress_1());
+    // Where nothing presses, the force: as much as it was.
+    const double adhesive = Model(before).friction_force_at_load(0.0);
+    EXPECT(close(Params(before).calibrate_force(0.0, 2.0 * adhesive).slip_stress_1(), 2.0 * before.slip_stress_1(), 1e-7));
+}
+
+void what_is_no_measurement_is_refused() {
+    Params params = Params::paper();
+    const auto refusal = [&](double load, double coefficient) {
+        const Error error = thrown_by([&] { params.calibrate(load, coefficient); });
+        EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
+        return std::string(error.what());
+    };
+    EXPECT(begins(refusal(20.0, 20.1).c_str(), "calibration_friction_coefficient = 20.1: must be > 0 and at most 20; is it a force?"));
+    EXPECT(begins(refusal(20.0, -0.1).c_str(), "calibration_friction_coefficient = -0.1: must be > 0"));
+    EXPECT(begins(refusal(0.0, 0.16).c_str(), "calibration_load = 0: must be > 0; at zero load"));
+    EXPECT(thrown_by([&] { params.calibrate(NOT_A_NUMBER, 0.16); }).status() == ASPERITY_INVALID_LOAD);
+    const Error strong = thrown_by([&] { params.calibrate_force(5.0, 1e6); });
+    EXPECT(begins(strong.what(), "friction_force = 1000000 at load = 5: must be at most"));
+    EXPECT(std::memcmp(&params.c(), &Params::paper().c(), sizeof(asperity_params)) == 0);
+    EXPECT(begins(thrown_by([] { Model(Params::paper().calibration_error(0.0)); }).what(), "calibration_error = 0: must be"));
+}
+
+void a_strength_that_nobody_measured_is_warned_of_whatever_the_count() {
+    for (const double count : {1.0, 1e9}) {
+        Params params = Params::paper().asperity_count(count);
+        const auto uncalibrated = [&] {
+            return (Model(params).check_loads(count, 2.0 * count) & ASPERITY_WARNING_UNCALIBRATED) != 0;
+        };
+        EXPECT(uncalibrated());
+        params.slip_radius_1(30.0).slip_radius_2(9e4);
+        EXPECT(uncalibrated());
+        params.calibrate(count, 0.3);
+        EXPECT(!uncalibrated());
+    }
+}
+
+void a_slip_radius_is_a_ratio() {
+    EXPECT(std::string(thrown_by([] { Model(Params::paper().slip_radius_1(10.75e-9)); }).what()) ==
+           "slip_radius_1 = 1.075e-8: must be at least 1; is it a length? It is a ratio to burgers_vector");
+}
+
+void bounds_are_those_that_the_pages_say() {
+    const auto allowed = [](const Params &params) { return thrown_by([&] { Model{params}; }).status() == ASPERITY_OK; };
+    const auto weibull = [](double shape) {
+        return Params::paper().height_distribution(asperity::Heights::weibull).weibull_shape(shape);
+    };
+    EXPECT(allowed(weibull(1.0)) && allowed(weibull(200.0)) && !allowed(weibull(0.99)) && !allowed(weibull(201.0)));
+    const auto johnson = [](double skew, double kurtosis) {
+        return Params::paper().height_distribution(asperity::Heights::johnson).skew(skew).kurtosis(kurtosis);
+    };
+    EXPECT(allowed(johnson(0.0, 1.87)) && allowed(johnson(0.0, 100.0)) && allowed(johnson(2.0, 6.87)));
+    EXPECT(!allowed(johnson(0.0, 1.86)) && !allowed(johnson(0.0, 101.0)) && !allowed(johnson(2.0, 6.86)));
 }
 
 void spectral_moments_give_the_summits() {
@@ -245,7 +297,7 @@ void dimensionless_groups_come_back_from_the_model() {
     EXPECT(summary.skew == 0.0);
     EXPECT(summary.kurtosis == 3.0);
 
-    Params params = Params().asperity_count(50.0).radius_amplitude(0.5);
+    Params params = Params::paper().asperity_count(50.0).radius_amplitude(0.5);
     params.set_dimensionless(0.02, 500.0, 0.002);
     EXPECT(params.asperity_count() == 1.0);
     EXPECT(params.radius_amplitude() == 0.5);
@@ -258,7 +310,7 @@ void parameters_are_set_and_read_by_name() {
     params.set({{"nu2", 0.22}, {"E1", 160e9}, {"nu1", 0.3}, {"E2", 70e9}, {"skew", -0.5}});
     EXPECT(params.composite_modulus() == Params().set_materials(160e9, 0.3, 70e9, 0.22).composite_modulus());
     EXPECT(params.weibull_shape() == Params().set_skew(-0.5).weibull_shape());
-    Params copy = Params::unset();
+    Params copy;
     for (const std::string &name : Params::names()) {
         copy.set(name, params.get(name));
     }
@@ -285,7 +337,7 @@ void skew_chooses_the_weibull_shape() {
 }
 
 void johnson_heights_have_a_skew_and_a_kurtosis_of_their_own() {
-    const Params params = Params().height_distribution(asperity::Heights::johnson).skew(0.4).kurtosis(3.8);
+    const Params params = Params::paper().height_distribution(asperity::Heights::johnson).skew(0.4).kurtosis(3.8);
     const asperity::Summary summary = Model(params).summary();
     EXPECT(close(summary.skew, 0.4, 1e-9) && close(summary.kurtosis, 3.8, 1e-9));
     EXPECT(thrown_by([&] { Model(Params(params).kurtosis(1.0)); }).status() == ASPERITY_INVALID_PARAMETER);
@@ -295,7 +347,7 @@ void johnson_heights_have_a_skew_and_a_kurtosis_of_their_own() {
 
 /// Without adhesion and with one shear strength F = tau A, in which E* takes from F what it adds to the load.
 void sensitivities_are_those_of_the_friction_force() {
-    const Params params = Params().work_of_adhesion(0.0).slip_radius_1(1e6).slip_radius_2(1e7);
+    const Params params = Params::paper().work_of_adhesion(0.0).slip_radius_1(1e6).slip_radius_2(1e7);
     const Model model(params);
     const asperity::Sensitivities found = model.sensitivities_at_load(10.0);
     const asperity::State state = model.state_at_load(10.0);
@@ -309,7 +361,7 @@ void a_model_moves_and_does_not_copy() {
     static_assert(!std::is_copy_constructible_v<Model> && !std::is_copy_assignable_v<Model>);
     static_assert(std::is_nothrow_move_constructible_v<Model> && std::is_nothrow_move_assignable_v<Model>);
 
-    Model first;
+    Model first(Params::paper());
     const double mu = first.friction_at_load(100.0);
     Model second(std::move(first));
     EXPECT(second.friction_at_load(100.0) == mu);
@@ -320,11 +372,11 @@ void a_model_moves_and_does_not_copy() {
 
 // Each call of a model, by one and by many loads, on one that was moved from.
 void a_model_that_was_moved_from_says_so() {
-    Model first;
+    Model first(Params::paper());
     const Model second(std::move(first));
     std::vector<double> loads{1.0}, out(1);
     const std::vector<std::function<void()>> calls{
-        [&] { first.set_params(Params()); },
+        [&] { first.set_params(Params::paper()); },
         [&] { first.params(); },
         [&] { first.friction_at_load(1.0); },
         [&] { first.friction_force_at_load(1.0); },
@@ -336,16 +388,16 @@ void a_model_that_was_moved_from_says_so() {
         [&] { first.shear_stress_and_slope_at_pressure(1.0, 1.0); },
         [&] { first.slip_force(1.0, 1.0, 1.0); },
         [&] { first.slip_force_and_slopes(1.0, 1.0, 1.0); },
-        [&] { first.friction_force_at_slip_rate(1.0, 1.0, 1.0); },
         [&] { (void)first.friction_at_load(loads, out); },
         [&] { (void)first.friction_force_at_load(loads, out); },
         [&] { (void)first.tangential_stiffness_at_load(loads, out); },
         [&] { first.friction_at_load(loads); },
         [&] { first.friction_force_and_slope_at_load(loads); },
         [&] { first.tangential_stiffness_at_load(1.0); },
+        [&] { first.contact_radius_sum_at_load(1.0); },
+        [&] { (void)first.contact_radius_sum_at_load(loads, out); },
         [&] { first.tangential_stiffness_at_load(loads); },
         [&] { first.tangential_at_load(1.0, 1.0); },
-        [&] { first.tangential_force_at_displacement(1.0, 1.0); },
         [&] { first.state_at_load(1.0); },
         [&] { first.state_at_separation(1.0); },
         [&] { first.sensitivities_at_load(1.0); },
@@ -354,6 +406,7 @@ void a_model_that_was_moved_from_says_so() {
         [&] { first.summits_at_overlaps(loads); },
         [&] { first.summary(); },
         [&] { first.table(); },
+        [&] { first.load_table(); },
     };
     for (const auto &call : calls) {
         bool says_so = false;
@@ -368,40 +421,15 @@ void a_model_that_was_moved_from_says_so() {
     EXPECT(out[0] == 0.0 && second.friction_at_load(1.0) > 0.0);
 }
 
-// Functions with two names, in C and in C++.
-void second_names_give_what_first_names_give() {
-    const Model model;
-    EXPECT(model.friction_force_at_slip_rate(5.0, 0.3, 1.0) == model.slip_force(5.0, 0.3, 1.0));
-    EXPECT(model.friction_force_and_slopes_at_slip_rate(5.0, 0.3, 1.0).dforce_dload ==
-           model.slip_force_and_slopes(5.0, 0.3, 1.0).dforce_dload);
-    EXPECT(model.tangential_force_at_displacement(5.0, 0.1).value == model.tangential_at_load(5.0, 0.1).value);
-    asperity::Summary summary{};
-    summary.struct_size = sizeof summary;
-    EXPECT(asperity_get_summary(model.c(), &summary) == ASPERITY_OK);
-    EXPECT(summary.pull_off_load == model.summary().pull_off_load);
-    asperity::Table table{};
-    table.struct_size = sizeof table;
-    EXPECT(asperity_get_table(model.c(), &table) == ASPERITY_OK && table.rows == model.table().rows);
-    asperity::Material material{};
-    material.struct_size = sizeof material;
-    EXPECT(asperity_get_material("steel", &material) == ASPERITY_OK && material.young == 205e9);
-    asperity::Pair pair{};
-    pair.struct_size = sizeof pair;
-    EXPECT(asperity_get_pair("Si/Si", &pair) == ASPERITY_OK && pair.work_of_adhesion == 0.063);
-    asperity::InterfaceData film{};
-    film.struct_size = sizeof film;
-    EXPECT(asperity_get_interface("MoS2 film in dry air", &film) == ASPERITY_OK && film.shear_strength == 24.8e6);
-}
-
 void parameters_change_all_or_nothing() {
-    Model model;
+    Model model(Params::paper());
     EXPECT(model.params().asperity_count() == 1.0);
     const double force = model.friction_force_at_load(100.0);
-    EXPECT(thrown_by([&] { model.set_params(Params().summit_radius(0.0)); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { model.set_params(Params::paper().summit_radius(0.0)); }).status() == ASPERITY_INVALID_PARAMETER);
     EXPECT(model.friction_force_at_load(100.0) == force);
 
     // Twice the summits carry twice the load with twice the friction.
-    model.set_params(Params().asperity_count(2.0));
+    model.set_params(Params::paper().asperity_count(2.0));
     EXPECT(model.params().asperity_count() == 2.0);
     EXPECT(close(model.friction_force_at_load(200.0), 2.0 * force, 1e-9));
 }
@@ -427,7 +455,7 @@ void friction_is_that_of_the_reference() {
 }
 
 void states_are_those_of_the_reference() {
-    const Model model;
+    const Model model(Params::paper());
     const asperity::State state = model.state_at_separation(model.params().height_std());
     EXPECT(close(state.load, REFERENCE_LOAD, 1e-7));
     EXPECT(close(state.friction_force, REFERENCE_FORCE, 1e-7));
@@ -436,9 +464,9 @@ void states_are_those_of_the_reference() {
     EXPECT(close(state.attraction_load, -2.1044486779808658 * (2.0 / 0.7), 1e-6));
 
     EXPECT(close(state.mean_asperity_pressure, (state.load - state.attraction_load) / state.real_area, 1e-12));
-    // 18 % of the summits touch.
-    EXPECT(state.plasticity_index == 0.0 && state.warnings == 0);
-    const Model soft(Params().hardness(0.01));
+    // 18 % of the summits touch, at a strength that was not measured.
+    EXPECT(state.plasticity_index == 0.0 && state.warnings == ASPERITY_WARNING_UNCALIBRATED);
+    const Model soft(Params::paper().hardness(0.01));
     EXPECT((soft.state_at_load(state.load).warnings & ASPERITY_WARNING_PLASTIC) != 0);
 
     const asperity::State same = model.state_at_load(state.load);
@@ -472,14 +500,13 @@ void interfaces_are_those_of_the_table() {
 }
 
 void a_range_of_loads_warns_of_what_fails_in_it() {
-    const Model model(Params().asperity_count(1e9).slip_stress_1(0.02));
+    const Model model(Params::paper().asperity_count(1e9).slip_stress_1(0.02));
     EXPECT((model.check_loads(1e9, 100e9) & ASPERITY_WARNING_CROWDED) == 0);
     EXPECT((model.check_loads(1e9, 1e9 * REFERENCE_LOAD) & ASPERITY_WARNING_CROWDED) != 0);
     const auto crowded = model.warning_loads(ASPERITY_WARNING_CROWDED);
     EXPECT(crowded.first > 100e9 && crowded.first < 1e9 * REFERENCE_LOAD && crowded.second > crowded.first);
     EXPECT(std::isnan(model.warning_loads(ASPERITY_WARNING_UNCALIBRATED).first));
     EXPECT(thrown_by([&] { (void)model.warning_loads(3); }).status() == ASPERITY_INVALID_PARAMETER);
-    EXPECT((Model(Params().asperity_count(1e9)).check_loads(1e9, 2e9) & ASPERITY_WARNING_UNCALIBRATED) != 0);
     EXPECT(asperity::warnings_text(0) == "no warning");
     EXPECT(asperity::warnings_text(3) == std::string(asperity::warning_string(1)) + "\n" + asperity::warning_string(2));
     EXPECT(thrown_by([&] { (void)model.check_loads(2.0, 1.0); }).status() == ASPERITY_INVALID_PARAMETER);
@@ -490,7 +517,7 @@ void a_range_of_loads_warns_of_what_fails_in_it() {
 
 /// By Hertz' closed forms, without adhesion: a^2 = R u, P = 4/3 E* R^(1/2) u^(3/2).
 void single_summits_are_those_of_hertz() {
-    const Params params = Params().work_of_adhesion(0.0);
+    const Params params = Params::paper().work_of_adhesion(0.0);
     const Model model(params);
     const std::vector<double> overlaps{-1.0, 2.0, 8.0}, heights{0.0, 20.0};
     const asperity::Summits found = model.summits_at_overlaps(overlaps);
@@ -507,7 +534,7 @@ void single_summits_are_those_of_hertz() {
 }
 
 void friction_is_defined_at_every_load() {
-    const Model model;
+    const Model model(Params::paper());
     const double pull_off = model.summary().pull_off_load;
     EXPECT(pull_off < 0.0);
     EXPECT(model.friction_at_load(0.0) == 1000.0);
@@ -523,7 +550,7 @@ void friction_is_defined_at_every_load() {
 }
 
 void pressure_is_load_per_area_of_the_summits() {
-    const Model model;
+    const Model model(Params::paper());
     const double area = 250.0, pressure = REFERENCE_LOAD / area;
     const double mu = REFERENCE_FORCE / REFERENCE_LOAD;
     EXPECT(close(model.friction_at_pressure(pressure, area), mu, 1e-7));
@@ -545,7 +572,7 @@ void pressure_is_load_per_area_of_the_summits() {
 }
 
 void slip_gives_the_force_a_smooth_sign() {
-    const Model model;
+    const Model model(Params::paper());
     const double rate = 0.02, transition = 0.05;
     const double sign = std::tanh(rate / transition);
     const asperity::SlipForce force = model.slip_force_and_slopes(REFERENCE_LOAD, rate, transition);
@@ -564,7 +591,7 @@ void slip_gives_the_force_a_smooth_sign() {
 }
 
 void contacts_stick_before_they_slip() {
-    const Model model;
+    const Model model(Params::paper());
     const double stiffness = model.tangential_stiffness_at_load(REFERENCE_LOAD);
     const asperity::State state = model.state_at_load(REFERENCE_LOAD);
     EXPECT(close(stiffness, state.tangential_stiffness, 1e-10));
@@ -587,8 +614,24 @@ void contacts_stick_before_they_slip() {
     EXPECT(thrown_by([&] { (void)model.tangential_stiffness_at_load(loads, few); }).status() == ASPERITY_INVALID_PARAMETER);
 }
 
+void the_sum_of_contact_radii_is_the_stiffness_over_8_moduli() {
+    const Params params = Params::paper();
+    const Model model(params);
+    const double E = params.composite_modulus(), G = params.effective_shear_modulus();
+    const double modulus = E * G / (2.0 * (E + G)); // of two bodies alike
+    const double sum = model.contact_radius_sum_at_load(REFERENCE_LOAD);
+    EXPECT(close(sum, model.tangential_stiffness_at_load(REFERENCE_LOAD) / (8.0 * modulus), 1e-12));
+    EXPECT(close(sum, model.state_at_load(REFERENCE_LOAD).contact_radius_sum, 1e-9));
+    const std::vector<double> loads{0.999 * REFERENCE_LOAD, REFERENCE_LOAD, 1.001 * REFERENCE_LOAD};
+    const std::vector<double> sums = model.contact_radius_sum_at_load(loads);
+    std::vector<double> into(3), slopes(3);
+    EXPECT(model.contact_radius_sum_at_load(loads, into, slopes) == ASPERITY_OK && into == sums && sums[1] == sum);
+    EXPECT(close(slopes[1], (sums[2] - sums[0]) / (loads[2] - loads[0]), 1e-6));
+    EXPECT(std::isnan(model.contact_radius_sum_at_load(INF)));
+}
+
 void a_contact_remembers() {
-    const Model model;
+    const Model model(Params::paper());
     const std::size_t length = model.microslip_length();
     const double stiffness = model.tangential_stiffness_at_load(REFERENCE_LOAD);
     const double slip = REFERENCE_FORCE / stiffness;
@@ -625,7 +668,7 @@ void a_contact_remembers() {
 }
 
 void a_gap_has_a_load() {
-    const Model model;
+    const Model model(Params::paper());
     const asperity::State state = model.state_at_load(REFERENCE_LOAD);
     const asperity::ValueAndSlope load = model.load_and_slope_at_separation(state.separation);
     EXPECT(close(load.value, REFERENCE_LOAD, 1e-9) && close(load.slope, state.dload_dseparation, 1e-7));
@@ -643,7 +686,7 @@ void a_gap_has_a_load() {
 }
 
 void batches_have_the_answers_of_one_contact() {
-    const Model model;
+    const Model model(Params::paper());
     const std::vector<double> pressures{1.0, REFERENCE_LOAD}, rates{0.3, -0.2};
     std::vector<double> value(2), slope(2), by_rate(2);
     EXPECT(model.friction_at_pressure(pressures, 2.0, value, slope) == ASPERITY_OK);
@@ -660,9 +703,7 @@ void batches_have_the_answers_of_one_contact() {
 }
 
 void contacts_of_several_models_in_one_call() {
-    asperity::Params other;
-    other.work_of_adhesion(0.0);
-    const Model first, second(other);
+    const Model first(Params::paper()), second(Params::paper().work_of_adhesion(0.0));
     const std::vector<const Model *> models{&first, &second};
     const std::vector<std::uint32_t> which{1, 0, 1};
     const std::vector<double> loads{1.0, REFERENCE_LOAD, REFERENCE_LOAD};
@@ -681,18 +722,36 @@ void contacts_of_several_models_in_one_call() {
 }
 
 void summits_that_yield_need_a_hardness_and_no_adhesion() {
-    asperity::Params params;
-    params.work_of_adhesion(0.0).contact_law(asperity::ContactLaw::elastic_plastic);
+    Params params = Params::paper().work_of_adhesion(0.0).contact_law(asperity::ContactLaw::elastic_plastic);
     EXPECT(thrown_by([&] { Model{params}; }).status() == ASPERITY_INVALID_PARAMETER);
-    params.hardness(0.005 * params.composite_modulus());
+    const double hardness = 0.005 * params.composite_modulus();
+    params = Params::paper().set_elastic_plastic(hardness);
+    EXPECT(params.contact_law() == asperity::ContactLaw::elastic_plastic && params.hardness() == hardness);
     const asperity::State state = Model(params).state_at_load(REFERENCE_LOAD);
     EXPECT(state.fraction_elastic > 0.0 && state.fraction_elastic < 1.0 && state.fraction_flowing < 1.0);
     params.work_of_adhesion(1e-3);
     EXPECT(thrown_by([&] { Model{params}; }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { params.set_elastic_plastic(0.0); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
+void c_functions_take_what_cpp_made() {
+    const Params params = Params::paper();
+    const Model model(params);
+    static_assert(std::is_same_v<decltype(model.c()), const asperity_model *>);
+    EXPECT(asperity_friction_at_load(model.c(), REFERENCE_LOAD) == model.friction_at_load(REFERENCE_LOAD));
+    asperity_table view{};
+    view.struct_size = sizeof view;
+    asperity::check(asperity_table_of(model.c(), &view));
+    EXPECT(view.rows == model.table().rows);
+    EXPECT(asperity_eval_friction_force(&view, REFERENCE_LOAD, nullptr) == model.friction_force_at_load(REFERENCE_LOAD));
+    asperity_model *own = nullptr;
+    asperity::check(asperity_create(&params.c(), &own));
+    EXPECT(asperity_friction_at_load(own, REFERENCE_LOAD) == model.friction_at_load(REFERENCE_LOAD));
+    asperity_free(own);
 }
 
 void the_table_answers_as_the_model() {
-    Model made;
+    Model made(Params::paper());
     const asperity::Table table = made.table();
     const Model model(std::move(made));
     EXPECT(table.layout_version == ASPERITY_TABLE_LAYOUT);
@@ -728,7 +787,7 @@ void a_range_gives_what_its_elements_give(const Model &model, const Loads &loads
 }
 
 void every_contiguous_range_will_do() {
-    const Model model;
+    const Model model(Params::paper());
     const std::vector<double> vector{1e-3, 1.0, 1e3};
     double plain[] = {10.0, 20.0};
     a_range_gives_what_its_elements_give(model, vector);
@@ -743,23 +802,23 @@ void every_contiguous_range_will_do() {
     static_assert(!std::is_convertible_v<double, asperity::Span<const double>>);
 }
 
-void a_surface_of_ones_own_is_refused_until_all_is_set() {
-    Params params = Params::unset();
+void a_surface_is_refused_until_all_is_set() {
+    Params params;
     EXPECT(params.c().struct_size == sizeof(asperity_params) && params.max_friction_coefficient() == 1000.0);
     const auto refusal = [&] { return std::string(thrown_by([&] { Model{params}; }).what()); };
     EXPECT(refusal() == "composite_modulus: must be set");
+    EXPECT(thrown_by([&] { params.calibrate(1e-3, 0.3); }).what() == refusal());
     params.set_materials(160e9, 0.22, 160e9, 0.22);
     EXPECT(refusal() == "work_of_adhesion: must be set");
-    params.work_of_adhesion(0.063).adhesion_range(0.384e-9).burgers_vector(0.384e-9).height_std(5e-9).summit_radius(1e-6);
+    params.set_pair("Si/Si");
+    EXPECT(refusal() == "height_std: must be set");
+    params.height_std(5e-9).summit_radius(1e-6);
     EXPECT(refusal() == "asperity_count: must be set");
     EXPECT(Model(params.asperity_count(1e5)).friction_at_load(1e-3) > 0.5);
-    asperity_status (*const first_version)(asperity_params *) = asperity_params_init_unset;
-    asperity_params c;
-    EXPECT(first_version(&c) == ASPERITY_OK && c.struct_size == offsetof(asperity_params, skew) && std::isnan(c.height_std));
 }
 
 void a_solver_gets_every_element_and_the_first_invalid() {
-    const Model model;
+    const Model model(Params::paper());
     const double pull_off = model.summary().pull_off_load;
     const std::vector<double> loads{1.0, 2.0 * pull_off, NOT_A_NUMBER, 100.0};
     std::array<double, 4> mu{}, dmu{}, force{}, dforce{};
@@ -798,7 +857,7 @@ void a_solver_gets_every_element_and_the_first_invalid() {
 }
 
 void arrays_of_other_sizes_are_refused_before_anything_is_written() {
-    const Model model;
+    const Model model(Params::paper());
     std::vector<double> mu(3, -1.0), slope(1, -1.0);
     const std::vector<double> loads{1.0, 2.0};
     const Error values = thrown_by([&] { (void)model.friction_at_load(loads, mu); });
@@ -810,7 +869,7 @@ void arrays_of_other_sizes_are_refused_before_anything_is_written() {
 }
 
 void threads_share_a_model() {
-    const Model model;
+    const Model model(Params::paper());
     const double expected = model.friction_at_load(REFERENCE_LOAD);
     std::array<double, 4> mu{};
     std::vector<std::thread> threads;
@@ -837,9 +896,12 @@ int main() {
     an_error_carries_status_and_message();
     each_setter_sets_its_own_field();
     a_table_is_copied_and_shared();
-    the_plain_functions_serve_old_programs();
     materials_give_the_moduli_of_both_bodies();
     one_measured_point_sets_the_strength();
+    what_is_no_measurement_is_refused();
+    a_strength_that_nobody_measured_is_warned_of_whatever_the_count();
+    a_slip_radius_is_a_ratio();
+    bounds_are_those_that_the_pages_say();
     spectral_moments_give_the_summits();
     dimensionless_groups_come_back_from_the_model();
     parameters_are_set_and_read_by_name();
@@ -848,7 +910,6 @@ int main() {
     sensitivities_are_those_of_the_friction_force();
     a_model_moves_and_does_not_copy();
     a_model_that_was_moved_from_says_so();
-    second_names_give_what_first_names_give();
     parameters_change_all_or_nothing();
     friction_is_that_of_the_reference();
     states_are_those_of_the_reference();
@@ -860,14 +921,16 @@ int main() {
     pressure_is_load_per_area_of_the_summits();
     slip_gives_the_force_a_smooth_sign();
     contacts_stick_before_they_slip();
+    the_sum_of_contact_radii_is_the_stiffness_over_8_moduli();
     a_contact_remembers();
     a_gap_has_a_load();
     batches_have_the_answers_of_one_contact();
     contacts_of_several_models_in_one_call();
     summits_that_yield_need_a_hardness_and_no_adhesion();
+    c_functions_take_what_cpp_made();
     the_table_answers_as_the_model();
     every_contiguous_range_will_do();
-    a_surface_of_ones_own_is_refused_until_all_is_set();
+    a_surface_is_refused_until_all_is_set();
     a_solver_gets_every_element_and_the_first_invalid();
     arrays_of_other_sizes_are_refused_before_anything_is_written();
     threads_share_a_model();

@@ -27,7 +27,7 @@ in_wine() {
 for version in 2 3; do
     unit=$work/unit$version linux=linux64 windows=win64
     [ $version = 2 ] || linux=x86_64-linux windows=x86_64-windows
-    "$python" -m asperity fmu hosts/kratos/surface.toml -o "$work/pad.fmu" --fmi $version.0 --platform linux64,win64 \
+    "$python" -m asperity fmu hosts/surface.toml -o "$work/pad.fmu" --fmi $version.0 --platform linux64,win64 \
         --library "win64=$library" 2>"$work/log" || { cat "$work/log" >&2; fail "no unit was made"; }
     "$python" -m zipfile -e "$work/pad.fmu" "$unit"
     guid=$(sed -n 's/.* \(guid\|instantiationToken\)="\([^"]*\)".*/\2/p' "$unit/modelDescription.xml")

@@ -132,7 +132,7 @@ static void list_gaps(const char *name, const asperity_model *model, const answe
 /* One contact at a time, and many: the vectors of the processor against the scalar call. */
 static void list_calls(const char *name, const asperity_model *model, const answers *of)
 {
-    static double mu[LOADS], stiffness[LOADS], slopes[4][LOADS], sliding[3][LOADS];
+    static double mu[LOADS], stiffness[LOADS], radii[2][LOADS], slopes[4][LOADS], sliding[3][LOADS];
 
     CHECK(memcmp(of->batch, of->force, sizeof of->batch) == 0, "%s: a batch has other bits than its calls", name);
     LINE(name, "loads", of->load);
@@ -142,16 +142,20 @@ static void list_calls(const char *name, const asperity_model *model, const answ
     asperity_friction_at_loads(model, LOADS, of->load, mu, slopes[0]);
     CHECK(memcmp(mu, of->mu, sizeof mu) == 0, "%s: a batch has other bits than its calls", name);
     asperity_tangential_stiffness_at_loads(model, LOADS, of->load, stiffness);
+    asperity_contact_radius_sum_at_loads(model, LOADS, of->load, radii[0], radii[1]);
     for (int i = 0; i < LOADS; i++) {
         const double load = of->load[i];
+        const double sum = asperity_contact_radius_sum_at_load(model, load);
         const double one = asperity_friction_and_slope_at_load(model, load, &slopes[1][i]);
         CHECK(SAME(one, of->mu[i]), "%s: %a with a slope, %a without", name, one, of->mu[i]);
+        CHECK(SAME(sum, radii[0][i]), "%s: radii %a alone, %a in a batch", name, sum, radii[0][i]);
         asperity_friction_at_pressure(model, load, 1.0, &slopes[2][i]);
         slopes[3][i] = asperity_shear_stress_at_pressure(model, load / 3, 3.0, NULL);
         sliding[0][i] = asperity_slip_force(model, load, 0.05 * i - 2, 0.7, &sliding[1][i], &sliding[2][i]);
     }
     LINE(name, "slopes", slopes);
     LINE(name, "stiffness", stiffness);
+    LINE(name, "radii", radii);
     LINE(name, "sliding", sliding);
     list_gaps(name, model, of);
 }

@@ -1,7 +1,7 @@
 //! The committed header is what the sources generate, and every dialect of C and C++ takes it.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Set to write the header instead of comparing it: `make header`.
 const WRITE: &str = "ASPERITY_WRITE_HEADER";
@@ -14,8 +14,8 @@ const GROUPS: [(&str, &[&str]); 6] = [
         &["params", "setters", "names", "materials", "interfaces", "calibration", "model"],
     ),
     (
-        "Ask: friction and stiffness of one contact or of many, for the inner loop of a solver.",
-        &["evaluate", "slope", "pressures", "pairs", "tangential", "microslip", "gap", "summits"],
+        "Ask: friction, stiffness and conductance of one contact or of many, for the inner loop of a solver.",
+        &["evaluate", "slope", "pressures", "pairs", "tangential", "conductance", "microslip", "gap", "summits"],
     ),
     (
         "Explain: exact states, the constants of a model, and which parameter matters how much.",
@@ -26,16 +26,16 @@ const GROUPS: [(&str, &[&str]); 6] = [
     ("The table: the compiled law for code that cannot call a library, as GPU kernels.", &["table"]),
 ];
 
+/// The columns of a line.
+const WIDTH: usize = 118;
+
 /// Files that have constants and types alone, which come before all functions.
 const CONSTANTS: [&str; 2] = ["version", "status"];
 
-fn capi(file: &str) -> PathBuf {
-    root().join(format!("src/capi/{file}.rs"))
-}
-
-/// The header, with a heading before the first function of each group.
-fn generated() -> String {
-    let config = cbindgen::Config::from_file(root().join("cbindgen.toml")).expect("cbindgen.toml");
+/// The header of a tree, with a heading before the first function of each group.
+pub fn generated(root: &Path) -> String {
+    let config = cbindgen::Config::from_file(root.join("cbindgen.toml")).expect("cbindgen.toml");
+    let capi = |file: &str| -> PathBuf { root.join(format!("src/capi/{file}.rs")) };
     let files = CONSTANTS.iter().chain(GROUPS.iter().flat_map(|(_, files)| *files));
     let builder = files.fold(cbindgen::Builder::new(), |builder, file| builder.with_src(capi(file)));
     let mut header = Vec::new();
@@ -50,13 +50,37 @@ fn generated() -> String {
         let comment = header[..end].rfind("/**\n").expect("a comment");
         header.insert_str(comment, &format!("/* ---- {heading} ---- */\n\n"));
     }
-    header
+    in_c89(&header)
+}
+
+/// Without comments of later dialects, and in few lines: comments begin and end on lines of their text, arguments fill lines,
+/// constants follow each other.
+fn in_c89(header: &str) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for line in header.lines() {
+        let text = line.trim_start();
+        let is_argument = line.starts_with("     ") && !text.starts_with('*');
+        match lines.last_mut() {
+            Some(last) if last.ends_with("/**") && text.starts_with("* ") => *last += &text[1..],
+            Some(last) if text == "*/" && last.len() + 3 <= WIDTH => *last += " */",
+            Some(last) if is_argument && last.ends_with(',') => match last.len() + text.len() < WIDTH {
+                true => *last = format!("{last} {text}"),
+                false => lines.push(format!("    {text}")),
+            },
+            Some(last) if text.is_empty() && last.starts_with("#define ASPERITY_") => {}
+            _ => lines.push(match line.split_once("// ") {
+                Some((code, comment)) if code.starts_with(['#', '}']) => format!("{code}/* {comment} */"),
+                _ => line.to_owned(),
+            }),
+        }
+    }
+    lines.join("\n") + "\n"
 }
 
 #[test]
 fn committed_header_is_what_the_sources_generate() {
     let path = root().join("include/asperity.h");
-    let generated = generated();
+    let generated = generated(root());
     if std::env::var_os(WRITE).is_some() {
         std::fs::write(&path, &generated).expect("include/asperity.h");
         return;
@@ -84,17 +108,30 @@ fn header_and_citation_have_the_version_of_the_package() {
 #[test]
 fn every_dialect_takes_the_header_without_a_warning() {
     let c = source("header.c", "#include <asperity.h>\n");
-    for standard in if cfg!(windows) { &["c11", "c17"][..] } else { &["c99", "c11", "c17"] } {
-        Compiler::all(Language::C, standard).iter().for_each(|compiler| compiler.accepts(&c));
+    // As strict as C89 is, but for the long long of the system's stdint.h.
+    let oldest = |compiler: Compiler| if cfg!(windows) { compiler } else { compiler.with(&["-Wno-long-long"]) };
+    for standard in if cfg!(windows) { &["c11", "c17"][..] } else { &["c89", "c99", "c11", "c17"] } {
+        for compiler in Compiler::all(Language::C, standard) {
+            let compiler = if *standard == "c89" { oldest(compiler) } else { compiler };
+            compiler.accepts(&c);
+        }
     }
     let cpp = source("header.cpp", "#include <asperity.h>\n");
+    let within =
+        "#include <cstddef>\n#include <cstdint>\nnamespace host {\nextern \"C\" {\n#include <asperity.h>\n}\n}\n\
+                  double force(const host::asperity_model *model) {\n    \
+                  return host::asperity_friction_force_at_load(model, 1.0);\n}\n";
+    let within = source("header_in_a_namespace.cpp", within);
     let standards =
         if cfg!(windows) { &["c++14", "c++17", "c++20"][..] } else { &["c++98", "c++11", "c++17", "c++20"] };
     for standard in standards {
         for compiler in Compiler::all(Language::Cpp, standard) {
-            // C++98 has no long long of its own, which the system's stdint.h uses.
-            let compiler = if *standard == "c++98" { compiler.with(&["-Wno-long-long"]) } else { compiler };
-            compiler.accepts(&cpp);
+            if *standard == "c++98" {
+                oldest(compiler).accepts(&cpp);
+            } else {
+                compiler.accepts(&cpp);
+                compiler.accepts(&within);
+            }
         }
     }
 }
@@ -128,17 +165,17 @@ fn examples_of_the_header_run() {
         all += &format!("{head}\n{{\n{block}    (void)params, (void)model;\n}}\n");
     }
     // A model in SI units, and what a failure left.
-    all += "int main(void)\n{\n    asperity_params params;\n    asperity_model *model;\n    asperity_params_init(&params, sizeof params);\n\
+    all += "int main(void)\n{\n    asperity_params params;\n    asperity_model *model;\n    char message[512];\n    asperity_params_init(&params, sizeof params);\n\
             asperity_params_set_pair(&params, \"Si/Si\");\n    params.height_std = 5e-9;\n    params.summit_radius = 1e-6;\n\
             params.asperity_count = 1e5;\n    if (asperity_create(&params, &model) != ASPERITY_OK) return 1;\n";
     for i in 0..others.len() {
         all += &format!("    example_{i}(params, model);\n");
     }
-    all += "    char message[512];\n    asperity_last_error(message, sizeof message);\n    puts(message);\n\
+    all += "    asperity_last_error(message, sizeof message);\n    puts(message);\n\
             asperity_free(model);\n    return 0;\n}\n";
     let first = source("header_first.c", &format!("#include <asperity.h>\n#include <stdio.h>\n\n{first}"));
     let all = source("header_examples.c", &all);
-    for compiler in Compiler::all(Language::C, "c11") {
+    for compiler in Compiler::all(Language::C, if cfg!(windows) { "c11" } else { "c89" }) {
         // A variable that an example sets for the reader.
         let compiler = if cfg!(windows) {
             compiler
@@ -148,9 +185,12 @@ fn examples_of_the_header_run() {
         let printed = compiler.program(&first, Linking::Shared).succeeds(&[]);
         assert!(printed.starts_with("mu = 0.") && printed.ends_with(" at 1 mN\n"), "{printed}");
         let printed = compiler.program(&all, Linking::Shared).succeeds(&[]);
-        for said in
-            ["contacts, real area", "1 % more of w changes friction by", "summit_radius = -1: must be finite and > 0"]
-        {
+        for said in [
+            "contacts, real area",
+            "W/K, slope",
+            "1 % more of w changes friction by",
+            "summit_radius = -1: must be finite and > 0",
+        ] {
             assert!(printed.contains(said), "{said}: {printed}");
         }
     }

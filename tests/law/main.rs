@@ -4,4 +4,5 @@
 mod common;
 
 mod compiled;
+mod contact_radius_sum;
 mod load_at_separation;

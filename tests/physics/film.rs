@@ -234,10 +234,13 @@ fn a_calibrated_law_meets_the_measured_point() {
         for (load, force, pressure_coefficient) in [(10.0, 4.0, 0.0), (10.0, 4.0, 0.1), (2e3, 50.0, 0.0)] {
             let mut params = Params { pressure_coefficient, ..params.clone() };
             let slip = params.slip;
-            params.calibrate(load, force).unwrap_or_else(|error| panic!("surface {i}: {error}"));
+            params.calibrate_force(load, force).unwrap_or_else(|error| panic!("surface {i}: {error}"));
             let context = format!("surface {i} at {load}");
             assert_near(model(&params).state_at_load(load).expect("a state").friction_force, force, 1e-12, &context);
             assert_near(model(&params).friction_force_at_load(load), force, 1e-9, &context);
+            let mut by_coefficient = Params { slip, ..params.clone() };
+            by_coefficient.calibrate(load, force / load).expect("the same point");
+            assert_near(by_coefficient.slip.stress_1, params.slip.stress_1, 1e-14, &context);
             assert_near(params.slip.stress_1 / slip.stress_1, params.slip.stress_2 / slip.stress_2, 1e-14, &context);
             assert_eq!((params.slip.radius_1, params.slip.radius_2), (slip.radius_1, slip.radius_2));
         }
@@ -249,7 +252,7 @@ fn a_point_that_no_strength_gives_is_refused_with_the_numbers() {
     let params = Params { pressure_coefficient: 0.2, ..dimensionless(0.02, 400.0, 0.0, 1.0) };
     let refused = |params: &Params, load: f64, force: f64| {
         let mut changed = params.clone();
-        let error = changed.calibrate(load, force).expect_err("refused");
+        let error = changed.calibrate_force(load, force).expect_err("refused");
         // Unset parameters are NaN, which equals nothing.
         assert_eq!(format!("{changed:?}"), format!("{params:?}"), "as before");
         error
@@ -281,5 +284,5 @@ fn a_point_that_no_strength_gives_is_refused_with_the_numbers() {
     assert_eq!(refused(&Params::default(), 1.0, 1.0), Error::Unset { name: "composite_modulus" });
     // The largest force that the message tells is met.
     let Error::Uncalibrated { number, .. } = refused(&params, 10.0, 1e6) else { panic!("checked above") };
-    params.clone().calibrate(10.0, number * (1.0 - 1e-12)).expect("the largest force");
+    params.clone().calibrate_force(10.0, number * (1.0 - 1e-12)).expect("the largest force");
 }

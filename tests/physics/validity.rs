@@ -75,10 +75,14 @@ fn the_strength_of_the_interface_has_its_warnings() {
     for measured in [
         Params { pressure_coefficient: 1e-3, ..default.clone() },
         Params { slip: SlipConstants { stress_2: 1e-3, ..default.slip }, ..default.clone() },
+    ] {
+        assert_eq!(at(&measured, 2.5).warnings, 0, "{measured:?}");
+    }
+    for not_measured in [
         Params { slip: SlipConstants { radius_1: 30.0, ..default.slip }, ..default.clone() },
         Params { asperity_count: 1.0, ..default.clone() },
     ] {
-        assert_eq!(at(&measured, 2.5).warnings, 0, "{measured:?}");
+        assert_eq!(at(&not_measured, 2.5).warnings, WARNING_UNCALIBRATED, "{not_measured:?}");
     }
     let mut calibrated = default.clone();
     calibrated.calibrate(1.0, 0.02).expect("a strength");

@@ -14,12 +14,7 @@
 
 adams_c_Cffsub Cffsub;
 
-static const char *const names[] = {
-    "height_std",      "summit_radius",  "asperity_count",  "composite_modulus", "effective_shear_modulus",
-    "work_of_adhesion", "adhesion_range", "burgers_vector", "hardness",          "slip_stress_1",
-    "slip_stress_2",    "pressure_coefficient",
-};
-enum { COUNT = sizeof names / sizeof *names };
+enum { NUMBERS = 4, MISSING = 9 };
 static const double nominal_area = 1e-4, creep_speed = 1e-4, lightest = 1, heaviest = 5000;
 static const double force_limit = 1e-10, braking_limit = 1e-6;
 
@@ -30,6 +25,14 @@ void c_errmes(int errflg, const char *mesage, int id, const char *endflg) {
     if (errflg == 0 || strcmp(endflg, "STOP") != 0) return;
     snprintf(stopped, sizeof stopped, "%s", mesage);
     stopped_contact = id;
+}
+
+/* The STRING statements of the model: surface files, of which those after the first are written here. */
+static char strings[4][4200] = {"hosts/surface.toml"};
+
+void c_gtstrg(int id, char *string, int *nchars, int *istat) {
+    *istat = id < 1 || id > 4;
+    if (*istat == 0) *nchars = (int)strlen(strcpy(string, strings[id - 1]));
 }
 
 static void fail(const char *what) {
@@ -44,18 +47,26 @@ static double now(void) {
 }
 
 typedef struct contact {
-    double par[COUNT + 1];
+    double par[NUMBERS];
     struct sAdamsContactFriction adams;
 } contact;
 
-static void set_contact(contact *c, int id, const asperity_params *params) {
+/* In a model whose unit of length is so many metres. */
+static void set_contact(contact *c, int id, double length) {
     memset(c, 0, sizeof *c);
     c->par[0] = creep_speed;
-    for (int i = 0; i < COUNT; i++)
-        if (asperity_params_get_value(params, names[i], &c->par[i + 1]) != ASPERITY_OK) fail(names[i]);
+    c->par[1] = id;
+    c->par[2] = length;
+    c->par[3] = 1;
     c->adams.contact.ID = id;
-    c->adams.NPAR = COUNT + 1;
+    c->adams.NPAR = NUMBERS;
     c->adams.PAR = c->par;
+}
+
+static void write_surface(int id, const char *folder, const char *name, const char *text) {
+    snprintf(strings[id - 1], sizeof strings[0], "%s/%s", folder, name);
+    FILE *file = fopen(strings[id - 1], "w");
+    if (!file || fputs(text, file) == EOF || fclose(file) != 0) fail(strings[id - 1]);
 }
 
 /* Place, deformation and spin are nothing to the law: any numbers will do. */
@@ -118,27 +129,37 @@ static void check_refusals(const contact *good) {
     contact bad = *good;
     bad.adams.PAR = bad.par;
     bad.adams.contact.ID = 77;
-    bad.adams.NPAR = 4;
-    demand_message(&bad, 1, 10, "wants 10 numbers");
-    bad.adams.NPAR = COUNT + 1;
-    bad.par[1] = -1;
-    demand_message(&bad, 1, 10, "asperity: height_std = -1: must be");
+    bad.adams.NPAR = 13;
+    demand_message(&bad, 1, 10, "wants 4 numbers");
+    bad.adams.NPAR = NUMBERS;
+    bad.par[1] = MISSING;
+    demand_message(&bad, 1, 10, "must be that of a STRING");
+    bad.par[1] = 3;
+    demand_message(&bad, 1, 10, "bad.toml: line 1: slip_radius_1 = 1.075e-8: must be at least 1; is it a length?");
+    bad.par[1] = 4;
+    demand_message(&bad, 1, 10, "missing.toml");
     bad.par[1] = good->par[1];
+    bad.par[2] = 0;
+    demand_message(&bad, 1, 10, "length = 0: must be");
+    bad.par[2] = good->par[2];
     bad.par[0] = 0;
     demand_message(&bad, 1, 10, "v0 must be > 0");
     bad.par[0] = good->par[0];
     demand_message(&bad, INFINITY, 10, "must be finite");
     for (int i = 0; i < 64; i++) {
         double force[3];
-        bad.par[1] = good->par[1] * (3 + 0.001 * i);
+        bad.par[2] = 1e-3 * (1.001 + 0.001 * i);
         call(&bad, 1, 0, 10, 0, force);
         if ((i < 62) != (stopped[0] == 0)) fail("the number of surfaces is not 64");
     }
     demand_message(&bad, 1, 10, "more than 64 surfaces");
 }
 
-int main(void) {
+int main(int argc, char **argv) {
     const double start = now();
+    const char *bad = "slip_radius_1 = 10.75e-9\n";
+    char text[4000];
+    if (argc != 2) fail("usage: host FOLDER");
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
     asperity_params params;
     asperity_model *model = NULL, *other_model = NULL;
@@ -146,12 +167,18 @@ int main(void) {
         fail("no surface");
     if (!surface_holds(model, lightest, heaviest)) fail("the model does not hold for the surface at these loads");
     contact carbon, rougher;
-    set_contact(&carbon, 1, &params);
+    set_contact(&carbon, 1, 1);
     params.height_std *= 2;
     params.pressure_coefficient = 0.05;
-    if (asperity_params_calibrate(&params, 100, 20) != ASPERITY_OK) fail("no calibrated surface");
+    if (asperity_params_calibrate(&params, 100, 0.2) != ASPERITY_OK) fail("no calibrated surface");
     if (asperity_create(&params, &other_model) != ASPERITY_OK) fail("no second surface");
-    set_contact(&rougher, 2, &params);
+    if (asperity_params_text(&params, text, sizeof text) >= sizeof text - 100) fail("a text that is too long");
+    write_surface(2, argv[1], "rougher.toml", text);
+    set_contact(&rougher, 2, 1e-3);
+    memmove(text + strlen(bad), text, strlen(text) + 1);
+    memcpy(text, bad, strlen(bad));
+    write_surface(3, argv[1], "bad.toml", text);
+    snprintf(strings[3], sizeof strings[3], "%s/missing.toml", argv[1]);
 
     double force[3];
     call(&carbon, 1, 0, 10, 1, force);

@@ -19,4 +19,6 @@ typedef void adams_c_Cffsub(const struct sAdamsContactFriction *contact, double 
 
 void c_errmes(int errflg, const char *mesage, int id, const char *endflg);
 
+void c_gtstrg(int id, char *string, int *nchars, int *istat);
+
 #endif

@@ -3,23 +3,10 @@ package Asperity "Friction from contact physics"
     extends ExternalObject;
 
     function constructor
-      input Real E1(unit = "Pa");
-      input Real nu1;
-      input Real E2(unit = "Pa");
-      input Real nu2;
-      input Real w(unit = "J/m2") "Work of adhesion";
-      input Real h(unit = "m") "Range of adhesion";
-      input Real b(unit = "m") "Burgers vector";
-      input Real sigma(unit = "m") "Standard deviation of summit heights";
-      input Real R(unit = "m") "Mean radius of the summits";
-      input Real n "Number of summits";
-      input Real pressure_coefficient = 0 "Part of the strength that grows with pressure";
-      input Real calibration_load(unit = "N") = 0 "Load at which friction was measured; 0: nobody measured it";
-      input Real calibration_friction_coefficient = 0 "Measured at this load";
-      input Real calibration_friction_force(unit = "N") = 0 "Measured at this load, instead of the coefficient";
+      input String surface = "" "Path of a surface file";
+      input String text = "" "Lines of a surface file: in place of one, or what changes it";
       output Law law;
-      external "C" law = asperity_modelica_create(E1, nu1, E2, nu2, w, h, b, sigma, R, n,
-        pressure_coefficient, calibration_load, calibration_friction_coefficient, calibration_friction_force)
+      external "C" law = asperity_modelica_create(surface, text)
         annotation(Include = "#include \"asperity_modelica.h\"", Library = "asperity");
     end constructor;
 

@@ -12,7 +12,6 @@ import zipfile
 from pathlib import Path
 from typing import Mapping, Sequence
 
-from . import _header
 from ._fmu_binaries import PLATFORMS, add_binaries, library_for
 from ._fmu_description import build_description, model_description
 from .model import Model
@@ -97,29 +96,14 @@ def _parameters(params: Params) -> dict[str, str]:
 
 
 def _surface(params: Params, parameters: dict[str, str], start_load: float, microslip: bool) -> str:
-    """A header that sets the parameters, with all their digits."""
-    struct = params._as_struct()
-    lines = ["/* The surface of this unit, the names of its parameters, and whether it has microslip. */", "#include <math.h>", ""]
+    """A header with the surface file, which has all digits."""
+    lines = ["/* The surface of this unit, the names of its parameters, and whether it has microslip. */"]
     lines += ["static const char *const PARAMETER_NAMES[] = {"]
     lines += [f'    "{name}",' for name in parameters]
     lines += ["};", f"enum {{ PARAMETER_COUNT = {len(parameters)} }};", f"#define START_LOAD {start_load.hex()}"]
-    lines += [f"#define MICROSLIP {int(microslip)}", ""]
-    tables = {"table_height": params.table_height, "table_density": params.table_density}
-    if params.table_height:
-        for name, table in tables.items():
-            lines.append(f"static const double {name}[] = {{ {', '.join(map(float.hex, table))} }};")
-    lines += ["", "static asperity_status surface(asperity_params *params)", "{"]
-    lines += ["    const asperity_status status = asperity_params_init(params);"]
-    for field in (declared[0] for declared in _header.asperity_params._fields_):
-        value = getattr(struct, field)
-        if field in tables:
-            value = field if params.table_height else "NULL"
-        elif isinstance(value, float):
-            value = value.hex() if value != float("inf") else "INFINITY"
-        if field != "struct_size":
-            lines.append(f"    params->{field} = {value};")
-    lines += ["    return status;", "}", ""]
-    return "\n".join(lines)
+    lines += [f"#define MICROSLIP {int(microslip)}", "", "static const char SURFACE[] ="]
+    lines += [f"    {json.dumps(line)}" for line in params._as_text().splitlines(keepends=True)]
+    return "\n".join([*lines, "    ;", ""])
 
 
 def _c_header(name: str) -> Path:

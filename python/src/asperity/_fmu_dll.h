@@ -3,7 +3,8 @@
 #include <windows.h>
 
 #define FUNCTIONS(F)                                                                                                   \
-    F(asperity_params_init_sized)                                                                                      \
+    F(asperity_params_init)                                                                                            \
+    F(asperity_params_set_text)                                                                                        \
     F(asperity_params_get_value)                                                                                       \
     F(asperity_params_set_value)                                                                                       \
     F(asperity_create)                                                                                                 \
@@ -52,7 +53,8 @@ static int load_asperity(void)
     return 1;
 }
 
-#define asperity_params_init_sized dll_asperity_params_init_sized
+#define asperity_params_init dll_asperity_params_init
+#define asperity_params_set_text dll_asperity_params_set_text
 #define asperity_params_get_value dll_asperity_params_get_value
 #define asperity_params_set_value dll_asperity_params_set_value
 #define asperity_create dll_asperity_create

@@ -111,7 +111,10 @@ static fmiStatus set_start(unit *u)
     u->state.mode = INSTANTIATED;
     u->state.load = START_LOAD;
     memset(&u->told, 0, sizeof u->told);
-    return surface(&u->state.params) == ASPERITY_OK ? fmiOK : refused(u, fmiError);
+    if (asperity_params_init(&u->state.params, sizeof u->state.params) != ASPERITY_OK ||
+        asperity_params_set_text(&u->state.params, SURFACE, sizeof SURFACE - 1) != ASPERITY_OK)
+        return refused(u, fmiError);
+    return fmiOK;
 }
 
 /* The unit, ready, or NULL after a message. It is the first member of what was allocated. */

@@ -70,7 +70,7 @@ class FrictionLaw:
     def friction_at_load(self, load: Any, *, slope: bool = False) -> Any:
         """Friction coefficient F/P [-] at a load, or at many.
 
-        >>> model = asperity.Model(asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001))
+        >>> model = asperity.Model(asperity.Params.paper())
         >>> mu, slope = model.friction_at_load([10.0, 100.0], slope=True)
         >>> print(mu.round(4))
         [2.5279 1.9827]
@@ -157,7 +157,7 @@ class FrictionLaw:
 
         For solvers that integrate through zero slip rate. A contact that should stick creeps instead, more slowly for a
         smaller `transition_rate`. The force has the sign of the slip rate, and friction opposes slip: apply minus this force
-        to the body whose slip rate you give. `friction_force_at_slip_rate` is the same method.
+        to the body whose slip rate you give.
 
         Args:
             load: normal load [force]; a number or an array.
@@ -190,9 +190,6 @@ class FrictionLaw:
         given = load if np.ndim(load) >= np.ndim(slip_rate) else slip_rate
         values = tuple(_shaped(given, row, pairs[0].shape, name) for row, name in zip(found, _SLIP_NAMES))
         return values if slope else values[0]
-
-    #: The same as `slip_force`.
-    friction_force_at_slip_rate = slip_force
 
     @overload
     def load_at_separation(self, separation: float, *, slope: Literal[False] = ...) -> float: ...
@@ -227,6 +224,45 @@ class FrictionLaw:
         return self._evaluate("load", one, one_with_slope, many, separation, slope, "separation")
 
     @overload
+    def contact_radius_sum_at_load(self, load: float, *, slope: Literal[False] = ...) -> float: ...
+    @overload
+    def contact_radius_sum_at_load(self, load: float, *, slope: Literal[True]) -> tuple[float, float]: ...
+    @overload
+    def contact_radius_sum_at_load(self, load: Loads, *, slope: Literal[False] = ...) -> Array: ...
+    @overload
+    def contact_radius_sum_at_load(self, load: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
+    @overload
+    def contact_radius_sum_at_load(self, load: Labelled, *, slope: Literal[False] = ...) -> Labelled: ...
+    @overload
+    def contact_radius_sum_at_load(self, load: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
+
+    def contact_radius_sum_at_load(self, load: Any, *, slope: bool = False) -> Any:
+        """Sum of the radii of all contacts at a load, or at many, from the compiled law.
+
+        The thermal or electrical conductance of independent contacts is 2 k times the sum, with k = 2 k1 k2/(k1 + k2) of the
+        conductivities of the two bodies.
+
+        Args:
+            load: normal load [force], as for `friction_at_load`.
+            slope: whether to return d(sum)/d(load) [length/force] too.
+
+        Returns:
+            The sum [length], or (sum, slope); 0 below the pull-off load: a float for a number, an array of the same shape for an
+            array.
+
+        Raises:
+            Error: a load that is NaN, infinite, or too heavy; the class tells more.
+        """
+
+        def one_with_slope(model: Any, at: float, slope: ctypes.c_double) -> float:
+            found = ctypes.c_double()
+            LIBRARY.asperity_contact_radius_sum_at_loads(model, 1, ctypes.c_double(at), found, slope)
+            return found.value
+
+        one, many = LIBRARY.asperity_contact_radius_sum_at_load, LIBRARY.asperity_contact_radius_sum_at_loads
+        return self._evaluate("contact_radius_sum", one, one_with_slope, many, load, slope)
+
+    @overload
     def tangential_stiffness_at_load(self, load: float) -> float: ...
     @overload
     def tangential_stiffness_at_load(self, load: Loads) -> Array: ...
@@ -258,7 +294,6 @@ class FrictionLaw:
 
         Each contact slips from its rim inwards, or as a whole (`Params.slip_onset`), until its force is its strength. T therefore
         rises from K_t times the displacement to the friction force. It is odd in the displacement.
-        `tangential_force_at_displacement` is the same method.
 
         Args:
             load: normal load [force]; a number or an array.
@@ -281,9 +316,6 @@ class FrictionLaw:
         names = ("tangential_force", "tangential_stiffness")
         force_there, slope_there = (_shaped(given, row, pairs.shape, name) for row, name in zip(found, names))
         return force_there, slope_there
-
-    #: The same as `tangential`.
-    tangential_force_at_displacement = tangential
 
     def microslip(self, shape: int | tuple[int, ...] = ()) -> Microslip:
         """A contact that remembers how it was displaced, or many: its force under changing load along any path.
@@ -382,7 +414,7 @@ class FrictionLaw:
     def check(self, lightest: float, heaviest: float) -> Warnings:
         """Warnings of all states between two loads: whether the model holds for a contact that meets these loads.
 
-        >>> model = asperity.Model(asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001))
+        >>> model = asperity.Model(asperity.Params.paper().calibrated(100.0, 0.3))
         >>> print(model.check(10.0, 100.0))
         none
 

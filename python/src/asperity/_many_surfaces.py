@@ -42,6 +42,8 @@ class Block(NamedTuple):
         values: (surfaces, names).
         loads: normal loads [force].
         warnings: whether to find the warnings of each state, exactly.
+        measured: friction forces [force], (surfaces,), that they are calibrated with at the load of the calibration of `params`;
+            0 for those that are not.
     """
 
     params: Params
@@ -49,6 +51,7 @@ class Block(NamedTuple):
     values: Array
     loads: Array
     warnings: bool = False
+    measured: Array | None = None
 
 
 class Answers(NamedTuple):
@@ -117,9 +120,13 @@ def forces(block: Block) -> list[Array | None]:
     """The friction forces of each surface; None for one that the library refuses, or that refuses a load."""
     names = names_of(block.names, block.params)
     found: list[Array | None] = []
-    for row in block.values:
+    measured = np.zeros(len(block.values)) if block.measured is None else block.measured
+    for row, force in zip(block.values, measured.tolist()):
         try:
-            with FrictionLaw(_surface(block.params, names, row)) as law:
+            surface = _surface(block.params, names, row)
+            if force > 0:
+                surface = surface.calibrated_force(block.params.calibration_load, force)
+            with FrictionLaw(surface) as law:
                 found.append(law.friction_force_at_load(block.loads))
         except Error as error:
             if error.status in _FAILURES:

@@ -12,10 +12,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _caller
-from ._surface_file import from_mean_deviation
 from ._typical_roughness import BANDWIDTH, PROCESSES, SLOPE_FACTOR, Known, deviation_of, machined_slope
 from .errors import Error, Status
-from .params import Params
+from .params import Params, both_of, refuse_peaks
 from .results import ValidityWarning
 
 Array = npt.NDArray[np.float64]
@@ -42,17 +41,19 @@ class Roughness(NamedTuple):
 
 def roughness_cases(process: str | None, surface: dict[str, Any]) -> Roughness:
     """Of what was given by name; `TypeError` where that is not enough, with all that would be."""
+    refuse_peaks(surface)
     if process is not None or surface.keys() & {"Rq", "RSm"}:
         return _of_profile(process, surface)
-    surface = from_mean_deviation(surface)
-    for make, names, needed in (
-        (Params.from_iso25178, _AREAL, {"Sq", "Sdq"}),
-        (Params.from_spectral_moments, _MOMENTS, _MOMENTS),
-        (Params.si, _SUMMITS, {"height_std"}),
-    ):
+    kinds: tuple[tuple[Any, set[str], set[str], set[str]], ...] = (
+        (Params.from_spectral_moments, _MOMENTS, {"m2", "m4"}, {"m0", "Ra"}),
+        (Params.from_iso25178, _AREAL, {"Sdq"}, {"Sq", "Ra"}),
+        (Params.si, _SUMMITS, {"height_std"}, {"height_std"}),
+    )
+    for make, names, needed, height in kinds:
         if surface.keys() & names:
-            if not needed <= surface.keys():
+            if not (needed <= surface.keys() and height & surface.keys()):
                 break
+            names = names | height
             return Roughness(make, [{name: surface[name] for name in surface if name in names}], np.ones(1))
     raise TypeError(_MISSING)
 
@@ -62,6 +63,7 @@ def _of_profile(process: str | None, surface: dict[str, Any]) -> Roughness:
     if process is not None and process not in PROCESSES:
         raise Error(f"process = {process!r}: must be one of {', '.join(PROCESSES)}", Status.INVALID_PARAMETER)
     heights = [name for name in HEIGHTS if name in surface]
+    each: list[float] = []
     if len(heights) > 1:
         raise TypeError(f"{' and '.join(heights)} both give the height of the roughness: leave one out")
     other = sorted(surface.keys() & ((_AREAL | _MOMENTS | _SUMMITS) - {"Sq"}))
@@ -71,8 +73,9 @@ def _of_profile(process: str | None, surface: dict[str, Any]) -> Roughness:
         raise TypeError(_MISSING)
     rests_on, narrow = [], []
     if heights:
-        given = _positive(heights[0], surface[heights[0]])
-        deviation = Known(deviation_of(given) if heights[0] == "Ra" else given)
+        (name,) = heights
+        each = [deviation_of(one) if name == "Ra" else one for one in both_of(name, surface[name])]
+        deviation = Known(math.hypot(*each))
     else:
         deviation = Known.between(*map(deviation_of, PROCESSES[str(process)]))
         narrow.append("the height of its roughness: Ra or Rq")
@@ -81,14 +84,14 @@ def _of_profile(process: str | None, surface: dict[str, Any]) -> Roughness:
         left = f"{process} surfaces have an Ra of {least * 1e6:g} to {most * 1e6:g} um"
         if not heights:
             rests_on.append(left)
-        elif not deviation_of(least) <= deviation.middle <= deviation_of(most):
-            _caller.warn(f"{heights[0]} = {given:g}: {left}: is it of this process, and in m?", ValidityWarning)
+        elif not all(deviation_of(least) <= one <= deviation_of(most) for one in each):
+            _caller.warn(f"{heights[0]} = {surface[heights[0]]}: {left}: is it of this process, and in m?", ValidityWarning)
     if "RSm" in surface:
         width = _positive("RSm", surface["RSm"])
         slope: Callable[[float], float] = lambda Rq: 2 * math.pi * Rq / width
         times = Known(1.0)
     else:
-        slope, times = machined_slope, Known(1.0, SLOPE_FACTOR)
+        slope, times = (lambda Rq: math.hypot(*map(machined_slope, each or [Rq]))), Known(1.0, SLOPE_FACTOR)
         assumed = f"{slope(deviation.middle):.2g} to a factor {SLOPE_FACTOR:g}"
         rests_on.append(f"slope of its profile: {assumed}, as assumed of machined surfaces")
         narrow.append("the mean width of its profile's elements: RSm")

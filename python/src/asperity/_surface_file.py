@@ -142,11 +142,7 @@ def calibrated(params: Any, measured: dict[str, Any]) -> Any:
     """With the strength of one measured point, by the names of `CALIBRATION`, where there is one."""
     if not measured:
         return params
-    load, coefficient, force = (measured.get(name) for name in CALIBRATION)
-    if load is None or (coefficient is None) == (force is None):
-        says = f"calibration_load goes with one of {CALIBRATION[1]} and {CALIBRATION[2]}"
-        raise Error(f"{next(iter(measured))}: {says}", Status.INVALID_PARAMETER)
-    return params.calibrated(load=load, mu=coefficient, friction_force=force)
+    return params.replace(**measured)
 
 
 def from_mean_deviation(roughness: dict[str, Any]) -> dict[str, Any]:

@@ -6,42 +6,13 @@ from dataclasses import fields
 from html import escape
 from typing import Any
 
-DIMENSIONS = {
-    "composite_modulus": "stress",
-    "effective_shear_modulus": "stress",
-    "tangential_modulus": "stress",
-    "hardness": "stress",
-    "mean_asperity_pressure": "stress",
-    "work_of_adhesion": "force/length",
-    "tangential_stiffness": "force/length",
-    "dload_dseparation": "force/length",
-    "adhesion_range": "length",
-    "burgers_vector": "length",
-    "height_std": "length",
-    "summit_radius": "length",
-    "separation": "length",
-    "mean_contact_radius": "length",
-    "max_contact_radius": "length",
-    "contact_radius_sum": "length",
-    "nominal_area": "length^2",
-    "real_area": "length^2",
-    "load": "force",
-    "friction_force": "force",
-    "attraction_load": "force",
-    "hertz_load": "force",
-    "pull_off_load": "force",
-    "pull_off_friction_force": "force",
-    "zero_load_friction_force": "force",
-    "min_table_load": "force",
-    "max_table_load": "force",
-    "dmu_dload": "1/force",
-}
+from ._header import UNITS
 
 
 def rows(of: Any) -> list[tuple[str, str, str]]:
     """Name, value and dimension of each field of a dataclass that is not at its default."""
     shown = [field for field in fields(of) if getattr(of, field.name) != field.default]
-    return [(field.name, _value(getattr(of, field.name)), DIMENSIONS.get(field.name, "")) for field in shown]
+    return [(field.name, _value(getattr(of, field.name)), UNITS.get(field.name, "")) for field in shown]
 
 
 def text(of: Any) -> str:

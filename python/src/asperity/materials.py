@@ -187,8 +187,7 @@ def contact(first: str, second: str, **given: float) -> dict[str, Any]:
         Error: what is not known here and is not given.
     """
     struct: Any = _header.asperity_params()
-    size = ctypes.sizeof(struct)
-    check(LIBRARY.asperity_params_init_unset_sized(ctypes.byref(struct), size))
+    check(LIBRARY.asperity_params_init(ctypes.byref(struct), ctypes.sizeof(struct)))
     struct.slip_stress_1 = math.nan  # set only where it is measured
     one, other = MATERIALS[first], MATERIALS[second]
     check(LIBRARY.asperity_params_set_pair(ctypes.byref(struct), f"{first}/{second}".encode()))

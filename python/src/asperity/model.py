@@ -12,7 +12,7 @@ from . import _units
 from ._friction_law import FrictionLaw, as_array
 from .curve import Curve
 from .results import ValidityWarning
-from .uncertainty import AS_GIVEN, uncertainty
+from .uncertainty import AS_GIVEN, strength_of, uncertainty
 
 
 class Model(FrictionLaw):
@@ -50,8 +50,6 @@ class Model(FrictionLaw):
         coverage: float = 0.95,
         samples: int = 0,
         seed: int = 0,
-        measured_load: float | None = None,
-        measured_error: float = 0.05,
         executor: Executor | None = None,
     ) -> Curve:
         """Friction over a range of loads, to look at: `model.curve().plot()`; a notebook shows it by itself.
@@ -61,13 +59,10 @@ class Model(FrictionLaw):
                 `asperity_count` E* b^2.
             spread: name to standard deviation of parameters that are not known well, which gives the curve a band:
                 {"work_of_adhesion": 0.3} is 30 %; see `asperity.uncertainty`. A strength of the interface that was not
-                measured (`uncalibrated`) always widens it.
+                measured (`uncalibrated`), or measured with an error (`Params.calibrated`), always gives it one.
             coverage: probability of the band, between 0 and 1.
             samples: how many surfaces to draw for the band; 0 for the linear one.
             seed: of the random numbers.
-            measured_load: normal load [force] of the one measured friction force that the model was calibrated with, which
-                gives the curve a band too.
-            measured_error: relative standard deviation of that force.
             executor: where the samples of the band are evaluated, by default here; see `asperity.uncertainty`.
 
         Raises:
@@ -84,11 +79,8 @@ class Model(FrictionLaw):
             raise ValueError("loads: must be one-dimensional, not empty and > 0, since their axis is logarithmic")
         force = self.friction_force_at_load(load)
         band = None
-        if spread is not None or measured_load is not None or self.uncalibrated:
-            band = uncertainty(
-                params, spread, load, coverage=coverage, samples=samples, seed=seed,
-                measured_load=measured_load, measured_error=measured_error, executor=executor,
-            )  # fmt: skip
+        if spread is not None or strength_of(self).deviation > 0:
+            band = uncertainty(params, spread, load, coverage=coverage, samples=samples, seed=seed, executor=executor)
         self.warn(float(load[0]), float(load[-1]))
         return Curve(
             params,

@@ -40,9 +40,7 @@ __all__ = ["PLUGIN", "instance", "solve"]
 
 def instance(name: str, params: Params) -> str:
     """The element `<instance>` of a model that has these surfaces."""
-    lines = [f"<instance name={quoteattr(name)}>"]
-    lines += [f'  <config key="{key}" value="{value!r}"/>' for key, value in params.by_name().items()]
-    return "\n".join([*lines, "</instance>"])
+    return f'<instance name={quoteattr(name)}><config key="text" value={quoteattr(params._as_text())}/></instance>'
 
 
 def solve(model: mujoco.MjModel, data: mujoco.MjData) -> int:

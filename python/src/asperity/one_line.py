@@ -24,9 +24,9 @@ from ._surface_file import with_interface
 from .estimate import Estimate
 from .materials import MATERIALS, PAIRS, Pair, contact
 from .model import Model
-from .params import Params
+from .params import CALIBRATION, Params
 from .results import ValidityWarning
-from .uncertainty import AS_GIVEN, NOT_MEASURED, STRENGTH_DEVIATION, measured_at
+from .uncertainty import AS_GIVEN, Strength, strength_of
 
 Array = npt.NDArray[np.float64]
 
@@ -43,8 +43,6 @@ def friction(
     nominal_area: float = 1.0,
     process: str | None = None,
     interface: str | None = None,
-    measured: tuple[float, float] | None = None,
-    measured_error: float = 0.05,
     coverage: float = 0.95,
     **surface: Any,
 ) -> Estimate:
@@ -60,7 +58,7 @@ def friction(
     Three things widen the band:
 
     - The strength of the interface was not measured: a factor of 10 either way, as for `asperity.uncertainty`. Give
-      `measured`.
+      `calibration_load` with `calibration_friction_coefficient`.
     - The bandwidth is not given: Nayak's m0 m4/m2^2 is then log-normal, with 95 % of its probability from 3 to 30.
     - The slopes of a machined surface are assumed: the slope along a profile is 0.14 (Rq/um)^(1/2) to a factor of 4.
       Without Ra or Rq, the roughness is the usual one of the process.
@@ -76,17 +74,15 @@ def friction(
         load: normal load [N] on `nominal_area`; a number, an array, a pandas Series or an xarray DataArray.
         nominal_area: [m^2]; without it loads are those of a square metre: nominal pressures [Pa].
         process: how a surface of metal was machined, if its slopes were not measured: "superfinished", "lapped", "honed",
-            "ground", "turned", "bored" or "milled". For one rough surface against a smooth one; of two alike, Ra is 2^(1/2)
-            times that of one.
+            "ground", "turned", "bored" or "milled". Give Ra or Rq of both surfaces as a list, if both are rough.
         interface: a name in `asperity.materials.INTERFACES`, whose shear strength replaces the default: `Params.with_interface`.
-        measured: (load [N], friction coefficient) measured on these surfaces, which sets the strength of the interface.
-        measured_error: relative standard deviation of that coefficient.
         coverage: probability of the band, between 0 and 1.
         **surface: the roughness, as `Params.from_iso25178` (`Sq`, `Sdq` and `Sds` or `Ssc`), `Params.from_spectral_moments`
             (`m0`, `m2`, `m4`; `Ra` of Gaussian heights may replace `Sq` or `m0`), `Params.from_profile` (`Ra` or `Rq`, `RSm`,
             `bandwidth`) or `Params.si` (`height_std`, `summit_radius`, `summit_density`) take it, with a `process` `Ra`, `Rq`
-            or neither; and what is to replace the numbers of the pair or a default: `work_of_adhesion`, `slip_stress_1`,
-            `kurtosis`, ...
+            or neither; one friction measured on these surfaces, `calibration_load` [N] with `calibration_friction_coefficient`
+            or `calibration_friction_force` [N], and its relative standard error `calibration_error`, 0.05 by default; and what
+            is to replace the numbers of the pair or a default: `work_of_adhesion`, `slip_stress_1`, `kurtosis`, ...
 
     Returns:
         F/P with its band, what it rests on and what would narrow it: `Estimate`. At loads of 0 and below, where F/P is not
@@ -105,6 +101,7 @@ def friction(
         raise TypeError(f"pair = {pair!r}: must be a name, as 'steel/steel', or one of asperity.materials.PAIRS")
     if not 0 < coverage < 1:
         raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
+    point = {name: surface.pop(name) for name in CALIBRATION if name in surface}
     roughness = roughness_cases(process, surface)
     given = _contact(pair, surface) | {name: value for name, value in surface.items() if name not in roughness.cases[0]}
     given = {name: value for name, value in given.items() if name not in HEIGHTS}
@@ -116,51 +113,44 @@ def friction(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ValidityWarning)  # said of the middle case
         cases = [_made(roughness.make, given | case, nominal_area) for case in roughness.cases]
-    cases = [with_interface(params, interface, surface) for params in cases]
-    if measured is not None:
-        cases = [_calibrated(params, measured) for params in cases]
-    models = _models(tuple(cases))
+    models = _models(tuple(with_interface(params, interface, surface).replace(**point) for params in cases))
     value = models[0].friction_at_load(load)
-    strength, narrow, spread = AS_GIVEN, roughness.narrow, 0.0
-    if measured is not None:
-        strength, spread = measured_at(measured[0], measured_error), STRENGTH_DEVIATION
-    elif models[0].uncalibrated:
-        strength, spread = NOT_MEASURED, STRENGTH_DEVIATION
-    elif interface is not None:
-        strength = f"strength of the interface: that of {interface}, measured on other specimens and taken as known"
-    if measured is None and strength != AS_GIVEN:
-        narrow = ("one measured friction force: measured=(load, coefficient)", *narrow)
+    strength, narrow = strength_of(models[0]), roughness.narrow
+    rests_on = strength.told
+    if interface is not None and not point:
+        rests_on = f"strength of the interface: that of {interface}, measured on other specimens and taken as known"
+    if not point and rests_on != AS_GIVEN:
+        narrow = ("one measured friction: calibration_load with calibration_friction_coefficient", *narrow)
     low = high = None
-    if spread > 0 or len(models) > 1:
-        low, high = _band(models, roughness.probability, load, spread, measured, measured_error, coverage)
+    if strength.deviation > 0 or len(models) > 1:
+        low, high = _band(models, roughness.probability, load, strength, coverage)
     pressing = np.asarray(load, dtype=np.float64)
     pressing = pressing[pressing > 0]
     if pressing.size:
         models[0].warn(float(pressing.min()), float(pressing.max()))
-    rests_on = (strength, *roughness.rests_on, *told)
-    return Estimate(value, low, high, None if low is None else coverage, rests_on, narrow)
+    return Estimate(value, low, high, None if low is None else coverage, (rests_on, *roughness.rests_on, *told), narrow)
 
 
 def _band(
     models: tuple[Model, ...],
     probability: Array,
     load: Any,
-    spread: float,
-    measured: tuple[float, float] | None,
-    error: float,
+    strength: Strength,
     coverage: float,
 ) -> tuple[Any, Any]:
     """The ends of the band: log-normal, with mean and variance of ln(mu) over the cases and the strength in each.
 
-    `spread` is the standard deviation of the logarithm of the strength, before the measurement if there is one: the models
-    meet it then, and Bayes' rule gives each case a new probability and its strength a new distribution.
+    If friction was measured, the models meet it, and Bayes' rule gives each case a new probability and its strength a new
+    distribution.
     """
     loads = as_array("load", load)
     there = loads > 0
     at = loads[there]
+    spread, params = strength.deviation, models[0].params
     shift, variance = np.zeros(len(models)), np.full(len(models), spread**2)
-    if measured is not None:
-        by_strength = np.array([_by_strength(model, np.array([float(measured[0])]))[0] for model in models])
+    if strength.measured:
+        error = params.calibration_error
+        by_strength = np.array([_by_strength(model, np.array([params.calibration_load]))[0] for model in models])
         stresses = [model.params.slip_stress_1 for model in models]
         off = np.log(np.array(stresses) / stresses[0])  # of the middle of the strengths before
         total = by_strength**2 * spread**2 + error**2
@@ -176,7 +166,7 @@ def _band(
     ends = []
     for end, name in ((middle - reach, "low"), (middle + reach, "high")):
         band = np.array(models[0].friction_at_load(loads), dtype=np.float64)
-        band[there] = np.minimum(np.exp(end), models[0].params.max_friction_coefficient)
+        band[there] = np.minimum(np.exp(end), params.max_friction_coefficient)
         ends.append(float(band) if isinstance(load, numbers.Real) else like(load, band, name))
     return ends[0], ends[1]
 
@@ -198,14 +188,6 @@ def _plasticity_index(params: Params) -> float:
 
 def _yields(params: Params) -> bool:
     return params.hardness > 0 and _plasticity_index(params) > _PLASTIC_INDEX
-
-
-def _calibrated(params: Params, measured: Any) -> Params:
-    try:
-        load, mu = measured
-    except (TypeError, ValueError):
-        raise TypeError(f"measured = {measured!r}: must be (load, friction coefficient)") from None
-    return params.calibrated(load=load, mu=mu)
 
 
 def _made(make: Any, given: dict[str, Any], nominal_area: float) -> Params:

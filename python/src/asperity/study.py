@@ -20,12 +20,12 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _blocks, _checks, _study_draws
+from ._header import UNITS
 from ._library import version
 from ._many_surfaces import Block, evaluate, names_of
 from ._progress import Progress, teller
 from ._sobol import plot_sobol_indices, sobol_indices
 from ._study_store import Checkpoint, Layout, Memory
-from ._units import DIMENSIONS
 from .params import Params
 
 if TYPE_CHECKING:
@@ -164,7 +164,7 @@ def _layout(
 ) -> Layout:  # fmt: skip
     names = names_of(draws.names, params)
     parameters = {
-        name.given: (draws.values[:, j], DIMENSIONS.get(name.field, name.dimension)) for j, name in enumerate(names)
+        name.given: (draws.values[:, j], UNITS.get(name.field, name.dimension)) for j, name in enumerate(names)
     }
     attributes = {
         "title": "friction of surfaces whose parameters vary, by asperity",

@@ -1,7 +1,8 @@
 """How well friction is known where the parameters are known with an error: a curve with a band.
 
-Linear from the sensitivities, or by as many models as are asked for with parameters drawn at random. A strength of the
-interface that was not measured is such a parameter, also where `spread` does not name it.
+Linear from the sensitivities, or by as many models as are asked for with parameters drawn at random. The strength of the
+interface is such a parameter, also if `spread` does not name it: by default, or by the error of the measurement that the
+parameters were calibrated with.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from collections.abc import Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from statistics import NormalDist
-from typing import TYPE_CHECKING, Any, Callable
+from typing import TYPE_CHECKING, Any, Callable, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -52,6 +53,8 @@ STRENGTH_DEVIATION = math.log(STRENGTH_FACTOR) / NormalDist().inv_cdf(0.975)
 # What bands say that they rest on.
 NOT_MEASURED = f"strength of the interface: not measured, a factor {STRENGTH_FACTOR:g} either way"
 AS_GIVEN = "strength of the interface: as given"
+# A calibrated model has the friction of the measurement to rounding; one whose surface was changed afterwards has not.
+_SAME = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,13 +132,11 @@ def uncertainty(
     seed: int = 0,
     coverage: float = 0.95,
     progress: Progress = None,
-    measured_load: float | None = None,
-    measured_error: float = 0.05,
     executor: Executor | None = None,
 ) -> Uncertainty:
     """Friction at loads, with the band that follows from the spread of the parameters.
 
-    >>> params = asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+    >>> params = asperity.Params.paper()
     >>> band = asperity.uncertainty(params, {"slip_stress": 0.1}, loads=[100.0])
     >>> print(f"{band.high[0] / band.value[0]:.3f}")
     1.217
@@ -147,15 +148,20 @@ def uncertainty(
     A default strength of the interface (`Model.uncalibrated`) is taken as known to a factor of 10 either way, with a
     probability of 95 %: `slip_stress` then has a spread of 1.17 in its logarithm, unless `spread` names it.
 
-    One measured point narrows the band by Bayes' rule, linearised: calibrate the parameters with it (`Params.calibrated`)
-    and name its load here. The parameters are correlated afterwards, so that all of them together are known better than each.
+    One measured point narrows the band by Bayes' rule, linearised: calibrate the parameters with it (`Params.calibrated`). The
+    parameters are correlated afterwards, so that all of them together are known better than each. At the load of the measurement
+    the band is that of the measurement, whatever the spread: each surface drawn is calibrated with a friction force within its
+    error.
+
+    Surfaces that were changed after they were calibrated keep the strength. It then counts as known to the error of the
+    measurement, independently of the roughness here: the roughness of the surface that was measured counts as known.
 
     Args:
         params: the surfaces; or a fit, which brings the spread of its parameters with it, correlations included.
         spread: name to standard deviation, relative to the value for names that are positive (0.1 is 10 %; 1e-6 to 2, or 0),
-            absolute for skew and radius_amplitude. The names are those of `fit`, see `asperity.fit_names`. With
-            `measured_load`, how well they were known before. May be left out where the strength is not measured or is
-            calibrated at `measured_load`; `{"slip_stress": 0}` takes the strength as known.
+            absolute for skew and radius_amplitude. The names are those of `fit`, see `asperity.fit_names`. For calibrated
+            parameters, how well they were known before the measurement. May be left out unless the strength of the interface
+            is given without a measurement; `{"slip_stress": 0}` takes the strength as known.
         loads: normal loads [force], one-dimensional; > 0 for coefficients. By default those of the fit.
         quantity: "mu", the friction coefficient, or "force".
         samples: how many surfaces to draw; 0 for the linear band.
@@ -163,8 +169,6 @@ def uncertainty(
         coverage: probability of the band, between 0 and 1.
         progress: whether to tell how far the samples are, on the error stream, or a function of the part done, 0 to 1, and
             of what is being done; by default for more than a thousand.
-        measured_load: normal load [force] of the one measured friction force that `params` were calibrated with.
-        measured_error: relative standard deviation of that force (0.05 is 5 %; 1e-6 to 2).
         executor: where the samples are evaluated, by default here: anything with the interface of
             `concurrent.futures.Executor`, with the same result (docs/studies.md).
 
@@ -172,7 +176,7 @@ def uncertainty(
         ValueError: names, numbers or loads that cannot be used, or a surface that the library refuses (`Error`).
         TypeError: params is neither.
     """
-    names, params, covariance, given, rests_on = _distribution(params, spread, measured_load, measured_error)
+    names, params, covariance, given, measured, rests_on = _distribution(params, spread)
     loads = given if loads is None else loads
     if loads is None:
         raise ValueError("loads: must be given")
@@ -191,9 +195,10 @@ def uncertainty(
     with FrictionLaw(surfaces(x)) as law:
         force = law.friction_force_at_load(load)
         slopes = log_slopes(surfaces, x, low, high, law, load)
-        if measured_load is not None:
-            at_measured = log_slopes(surfaces, x, low, high, law, np.array([float(measured_load)]))[0]
-            covariance = _narrowed(covariance, at_measured, measured_error)
+        at_measured = np.zeros(x.shape)
+        if measured:
+            at_measured = log_slopes(surfaces, x, low, high, law, np.array([params.calibration_load]))[0]
+            covariance = _narrowed(covariance, at_measured, params.calibration_error)
     unit = load if quantity == "mu" else np.ones(load.shape)
     parts = {name.given: np.abs(slopes[:, i]) * math.sqrt(covariance[i, i]) for i, name in enumerate(names)}
     drawn, refused = None, 0
@@ -205,10 +210,13 @@ def uncertainty(
             at = random.multivariate_normal(x, covariance)
             if not ((low <= at) & (at <= high)).all():
                 return None
-            return np.array([name.value(float(a), float(v)) for name, a, v in zip(names, at, values)])
+            force_there = params.calibration_friction_force * math.exp(at_measured @ (at - x)) if measured else 0.0
+            return np.array([*(name.value(float(a), float(v)) for name, a, v in zip(names, at, values)), force_there])
 
         def evaluated(rows: list[Array]) -> list[Array | None]:
-            blocks = [(i, Block(params, varied, np.array(rows[i : i + _BLOCK]), load)) for i in range(0, len(rows), _BLOCK)]
+            table = np.array(rows)
+            cuts = range(0, len(rows), _BLOCK)
+            blocks = [(i, Block(params, varied, table[i : i + _BLOCK, :-1], load, False, table[i : i + _BLOCK, -1])) for i in cuts]
             by_first = dict(_blocks.completed(forces, blocks, executor))
             return [one for first, _ in blocks for one in by_first[first]]
 
@@ -224,13 +232,13 @@ def uncertainty(
 
 
 def _distribution(
-    params: Params | Fit, spread: Mapping[str, float] | None, measured_load: float | None, measured_error: float
-) -> tuple[tuple[FreeName, ...], Params, Array, Array | None, tuple[str, ...]]:
-    """Names, parameters and the covariance of their coordinates before a measurement; the loads of a fit; in words."""
+    params: Params | Fit, spread: Mapping[str, float] | None
+) -> tuple[tuple[FreeName, ...], Params, Array, Array | None, bool, tuple[str, ...]]:
+    """Names, parameters and the covariance of their coordinates before a measurement; the loads of a fit; whether there is a
+    measurement on these surfaces; in words."""
     if isinstance(params, Fit):
-        if spread is not None or measured_load is not None:
-            name = "measured_load" if spread is None else "spread"
-            raise ValueError(f"{name}: a fit brings its own; give fit.params for another")
+        if spread is not None:
+            raise ValueError("spread: a fit brings its own; give fit.params for another")
         names = free_names(params.free, params.params)
         unit = np.array([name.per_coordinate(params.values[name.given]) for name in names])
         covariance = params.covariance / np.outer(unit, unit)
@@ -238,7 +246,7 @@ def _distribution(
             lost = ", ".join(name for name in params.free if math.isinf(params.errors[name]))
             raise ValueError(f"the fit does not determine {lost}: friction has no band; fit it without")
         fitted = f"a fit of {', '.join(params.free)} to {params.load.size} points"
-        return names, params.params, covariance, params.load, (fitted,)
+        return names, params.params, covariance, params.load, False, (fitted,)
     if not isinstance(params, Params):
         raise TypeError(f"params = {params!r}: must be a Params or a Fit")
     given: Any = {} if spread is None else spread
@@ -249,16 +257,18 @@ def _distribution(
             raise TypeError(f"spread of {name} = {deviation!r}: must be a real number; 10 % are 0.1")
         if not (math.isfinite(deviation) and float(deviation) >= 0):
             raise ValueError(f"spread of {name} = {deviation!r}: must be finite and >= 0")
-    by_default, strength = _strength(params, given, measured_load, measured_error)
+    with FrictionLaw(params) as law:
+        strength = strength_of(law)
+    by_default = {} if given.keys() & set(STRENGTHS) or strength.deviation == 0 else {"slip_stress": strength.deviation}
     if not given and not by_default:
         raise ValueError(
             "spread: must name at least one parameter, {name: standard deviation}, since the strength of this interface is "
-            "given; if it was measured, its load as measured_load"
+            "given; if it was measured, calibrate with the measurement: params.calibrated(load, friction_coefficient)"
         )
     known = {**given, **by_default}
     names = free_names(tuple(known), params)
     for one in names:
-        deviation = known[one.given]
+        deviation = given.get(one.given, 0)
         if one.positive and deviation != 0 and not _NARROWEST <= deviation <= _WIDEST:
             meant = f"{deviation:g} % are {deviation / 100:g}" if 1 < deviation <= 100 else "divide an error in units by the value"
             raise ValueError(
@@ -270,35 +280,35 @@ def _distribution(
         for one in names
         if one.given in given
     )
-    return names, params, np.diag([float(deviation) ** 2 for deviation in known.values()]), None, (strength, *told)
+    covariance = np.diag([float(deviation) ** 2 for deviation in known.values()])
+    rests_on = AS_GIVEN if strength.told == NOT_MEASURED and not by_default else strength.told
+    return names, params, covariance, None, strength.measured, (rests_on, *told)
 
 
-def _strength(
-    params: Params, spread: Mapping[str, float], measured_load: float | None, measured_error: float
-) -> tuple[dict[str, float], str]:
-    """The spread of the strength of the interface where none is given, and what it rests on."""
-    with FrictionLaw(params) as law:
-        uncalibrated = law.uncalibrated
-    prior = {} if spread.keys() & set(STRENGTHS) else {"slip_stress": STRENGTH_DEVIATION}
-    if measured_load is None:
-        return (prior, NOT_MEASURED) if uncalibrated and prior else ({}, AS_GIVEN)
-    if uncalibrated:
-        raise ValueError(
-            f"measured_load = {measured_load!r}: the strength of these params is the default, not a measured one; give "
-            "params.calibrated(load=measured_load, mu=...)"
-        )
-    return prior, measured_at(measured_load, measured_error)
+class Strength(NamedTuple):
+    """How well the strength of an interface is known.
+
+    Attributes:
+        deviation: standard deviation of its logarithm, before a measurement on these surfaces if there is one.
+        measured: whether friction was measured on these surfaces, which narrows it.
+        told: the same in words.
+    """
+
+    deviation: float
+    measured: bool
+    told: str
 
 
-def measured_at(load: Any, error: Any) -> str:
-    """What a band says that rests on one measured point; `ValueError` for numbers that cannot be used."""
-    if not (isinstance(load, numbers.Real) and math.isfinite(load)):
-        raise ValueError(f"measured_load = {load!r}: must be one finite number")
-    if not (isinstance(error, numbers.Real) and _NARROWEST <= float(error) <= _WIDEST):
-        raise ValueError(
-            f"measured_error = {error!r}: must be a relative standard deviation from {_NARROWEST:g} to {_WIDEST:g}; 5 % are 0.05"
-        )
-    return f"strength of the interface: measured at {float(load):g} [force] to {100 * float(error):.3g} %"
+def strength_of(law: FrictionLaw) -> Strength:
+    """How well the strength of a law is known without more ado."""
+    params = law.params
+    load, force, error = params.calibration_load, params.calibration_friction_force, 100 * params.calibration_error
+    if force > 0:
+        if abs(law.friction_force_at_load(load) - force) <= _SAME * force:
+            return Strength(STRENGTH_DEVIATION, True, f"strength of the interface: measured at {load:g} [force] to {error:.3g} %")
+        told = f"strength of the interface: measured on another surface, at {load:g} [force] to {error:.3g} %"
+        return Strength(params.calibration_error, False, told)
+    return Strength(STRENGTH_DEVIATION, False, NOT_MEASURED) if law.uncalibrated else Strength(0.0, False, AS_GIVEN)
 
 
 def _narrowed(covariance: Array, slopes: Array, error: float) -> Array:

@@ -331,12 +331,21 @@ impl<'a> Calls<'a> {
         let (force_at, slope_at): (*mut f64, *mut f64) = (&mut force, &mut slope);
         let one: usize = 1;
         let told: i32 = call!(self, p, asperity_tangential_stiffness_at_loads(at, one, load_at, batch_at));
+        let sum: f64 = call!(self, p, asperity_contact_radius_sum_at_load(at, load));
+        let (mut sum_of_batch, mut sum_slope) = (BEFORE, BEFORE);
+        let (sum_at, sum_slope_at): (*mut f64, *mut f64) = (&mut sum_of_batch, &mut sum_slope);
+        let sums_told: i32 =
+            call!(self, p, asperity_contact_radius_sum_at_loads(at, one, load_at, sum_at, sum_slope_at));
         let far: f64 = 1e150;
         let status: i32 = call!(self, p, asperity_tangential_at_load(at, load, far, force_at, slope_at));
         let what =
             || format!("load {load:e}: F {friction:e}, K {stiffness:e}, status {status}, T {force:e} {slope:e}; {p:?}");
         assert_eq!(batch.to_bits(), stiffness.to_bits(), "{}", what());
         assert!(is_quiet_nan(stiffness) || stiffness >= 0.0, "{}", what());
+        let of_sum = || format!("{}; radii {sum:e} {sum_of_batch:e} {sum_slope:e}, status {sums_told}", what());
+        assert!(sums_told == told && sum.to_bits() == sum_of_batch.to_bits(), "{}", of_sum());
+        assert!(sum.is_nan() == stiffness.is_nan() && (sum > 0.0) <= (stiffness > 0.0), "{}", of_sum());
+        assert!(sum.is_nan() && sum_slope.is_nan() || sum >= 0.0 && sum_slope >= 0.0, "{}", of_sum());
         assert!(told != OK || is_finite(stiffness), "{}", what());
         if status == OK && told == OK && friction > 0.0 && model.is_compiled(load) {
             assert!(force >= 0.0 && force <= friction * (1.0 + 1e-6) && slope >= 0.0, "{}", what());
@@ -751,10 +760,11 @@ impl<'a> Calls<'a> {
         }
         let mut out = [BEFORE.to_bits(); 64];
         let claimed = if size > 8 * words as u64 { size | 1 } else { size };
+        out[0] = claimed;
         let out_at: *mut asperity_params = out.as_mut_ptr().cast();
         reset_message();
-        let status = call!(self, p, asperity_get_params_sized(at, out_at, claimed));
-        let what = || format!("asperity_get_params_sized into {claimed} bytes; {p:?}");
+        let status = call!(self, p, asperity_get_params(at, out_at));
+        let what = || format!("asperity_get_params into {claimed} bytes; {p:?}");
         if status == OK {
             let written = claimed as usize / 8;
             let expected = echo(&p);
@@ -762,13 +772,13 @@ impl<'a> Calls<'a> {
             assert!(same && out[written..].iter().all(|&word| word == BEFORE.to_bits()), "{}: {out:x?}", what());
         } else {
             self.documented(status, &[INVALID_PARAMETER], &what);
-            assert!(out.iter().all(|&word| word == BEFORE.to_bits()), "{}: refused, yet written", what());
+            assert!(out[1..].iter().all(|&word| word == BEFORE.to_bits()), "{}: refused, yet written", what());
         }
     }
 
     pub fn setters(&mut self, x: [f64; 5]) {
         let before = asperity_params::initial();
-        for which in 0..6 {
+        for which in 0..8 {
             let mut params = before;
             let at: *mut asperity_params = &mut params;
             reset_message();
@@ -778,6 +788,8 @@ impl<'a> Calls<'a> {
                 2 => call!(self, x, asperity_params_set_spectral_moments(at, x[0], x[1], x[2], x[3])),
                 3 => call!(self, x, asperity_params_set_nayak_summits(at, x[0], x[1], x[2], x[3])),
                 4 => call!(self, x, asperity_params_set_skew(at, x[0])),
+                5 => call!(self, x, asperity_params_set_elastic_plastic(at, x[0])),
+                6 => call!(self, x, asperity_params_calibrate_force(at, x[0], x[1])),
                 _ => call!(self, x, asperity_params_calibrate(at, x[0], x[1])),
             };
             if status == OK {
@@ -918,14 +930,9 @@ fn refusals(params: &asperity_params) -> &'static [i32] {
     }
 }
 
-/// What `asperity_get_params_sized` gives for parameters that were taken: what is not read has its default.
+/// What `asperity_get_params` gives for parameters that were taken: what is not read has its default.
 fn echo(params: &asperity_params) -> asperity_params {
-    let mut echo = asperity_params::initial();
-    let covered = (params.struct_size as usize).min(size_of::<asperity_params>());
-    // SAFETY: within both structs.
-    unsafe {
-        std::ptr::copy_nonoverlapping(bytes(params).as_ptr(), std::ptr::from_mut(&mut echo).cast(), covered);
-    }
+    let mut echo = *params;
     let default = asperity_params::initial();
     if params.height_distribution != ASPERITY_HEIGHTS_WEIBULL {
         echo.weibull_shape = default.weibull_shape;

@@ -45,21 +45,27 @@ static void expect(int holds, const char *what)
     }
 }
 
-static void *measured(double sigma, double load, double coefficient, double force)
+/* With a line more. */
+static void *changed(const char *line)
 {
-    return asperity_modelica_create(160e9, 0.22, 160e9, 0.22, 0.063, 0.384e-9, 0.384e-9, sigma, 1e-6, 1e5, 0, load, coefficient,
-                                    force);
+    char text[1000];
+
+    snprintf(text, sizeof text,
+             "work_of_adhesion = 0.063\nadhesion_range = 0.384e-9\nburgers_vector = 0.384e-9\nsummit_radius = 1e-6\n"
+             "asperity_count = 1e5\n%s\n[materials]\nE1 = 160e9\nnu1 = 0.22\nE2 = 160e9\nnu2 = 0.22\n",
+             line);
+    return asperity_modelica_create("", text);
 }
 
-static void *polysilicon(double sigma)
+static void *polysilicon(void)
 {
-    return measured(sigma, 0, 0, 0);
+    return changed("height_std = 5e-9");
 }
 
 static void friction_is_a_function_with_a_derivative(void)
 {
     const double load = 1e-3, step = 1e-7;
-    void *law = polysilicon(5e-9);
+    void *law = polysilicon();
     const double difference =
         (asperity_modelica_force(law, load + step) - asperity_modelica_force(law, load - step)) / (2 * step);
 
@@ -82,7 +88,9 @@ static int times_told(const char *text)
 
 static void a_measured_point_is_met(void)
 {
-    void *laws[] = {measured(5e-9, 1e-3, 0.2, 0), measured(5e-9, 1e-3, 0, 2e-4)};
+    const char *const coefficient = "height_std = 5e-9\ncalibration_load = 1e-3\ncalibration_friction_coefficient = 0.2";
+    const char *const force = "height_std = 5e-9\ncalibration_load = 1e-3\ncalibration_friction_force = 2e-4";
+    void *laws[] = {changed(coefficient), changed(force)};
 
     told[0] = '\0';
     for (int i = 0; i < 2; i++) {
@@ -94,7 +102,7 @@ static void a_measured_point_is_met(void)
 
 static void warnings_are_told_once(void)
 {
-    void *law = polysilicon(5e-9);
+    void *law = polysilicon();
 
     told[0] = '\0';
     for (int i = 0; i < 100; i++)
@@ -109,22 +117,45 @@ static void warnings_are_told_once(void)
 static void errors_reach_the_tool(void)
 {
     if (setjmp(simulation) == 0) {
-        polysilicon(-1);
+        changed("height_std = -1");
         expect(0, "height_std = -1 is refused");
     }
-    expect(strncmp(reported, "asperity: height_std = -1: ", 27) == 0, reported);
+    expect(strncmp(reported, "asperity: line 6: height_std = -1: ", 35) == 0, reported);
     if (setjmp(simulation) == 0) {
-        measured(5e-9, 1e-3, 0, 0);
+        changed("calibration_load = 1e-3");
         expect(0, "a load without what was measured at it is refused");
     }
-    expect(strncmp(reported, "asperity: calibration_load: must be given together", 50) == 0, reported);
+    expect(strncmp(reported, "asperity: line 6: calibration_load: must be given together", 58) == 0, reported);
+    if (setjmp(simulation) == 0) {
+        asperity_modelica_create("missing.toml", "");
+        expect(0, "a file that is missing is refused");
+    }
+    expect(strncmp(reported, "asperity: missing.toml: ", 24) == 0, reported);
 }
 
-int main(void)
+static void a_text_changes_a_file(const char *program)
 {
+    char path[4096];
+    FILE *file;
+    void *law;
+
+    snprintf(path, sizeof path, "%s.toml", program);
+    file = fopen(path, "w");
+
+    expect(file != NULL && fputs("pair = \"steel/steel\"\nheight_std = 0.3e-6\nsummit_radius = 1e-5\nasperity_count = 1e6\n", file) >= 0 &&
+           fclose(file) == 0, "a surface file");
+    law = asperity_modelica_create(path, "calibration_load = 100\ncalibration_friction_coefficient = 0.16\n");
+    expect(fabs(asperity_modelica_force(law, 100) / 16 - 1) < 1e-9, "the measured friction of a file and a text");
+    asperity_modelica_free(law);
+}
+
+int main(int argc, char **argv)
+{
+    (void)argc;
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
     friction_is_a_function_with_a_derivative();
     a_measured_point_is_met();
+    a_text_changes_a_file(argv[0]);
     warnings_are_told_once();
     errors_reach_the_tool();
     return failures != 0;

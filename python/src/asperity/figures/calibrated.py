@@ -68,12 +68,6 @@ class Comparison:
         return max(zip(self.readings, self.residuals()), key=lambda pair: max(map(abs, pair[1])))
 
 
-def calibrated(params: Params, load: float, friction_force: float) -> Params:
-    """With both slip stresses scaled, so that the friction force at a load is the measured one."""
-    scale = friction_force / Model(params).state_at_load(load).friction_force
-    return params.replace(slip_stress_1=scale * params.slip_stress_1, slip_stress_2=scale * params.slip_stress_2)
-
-
 def one_summit(first: Material, second: Material, radius: float) -> Params:
     """A smooth ball on a flat without adhesion."""
     burgers_vector = max(first.need("burgers_vector"), second.need("burgers_vector"))
@@ -114,7 +108,7 @@ def film_law(loads: Array) -> Array:
     lightest = float(FILM_LOADS[0])
     at_lightest = float(film_measured(FILM_LOADS[:1])[0][0])
     params = one_summit(MATERIALS["steel"], MATERIALS["steel"], _BALL_RADIUS)
-    return _coefficients(calibrated(params, lightest, at_lightest * lightest), loads)
+    return _coefficients(params.calibrated(lightest, at_lightest), loads)
 
 
 def _coefficients(params: Params, loads: Array) -> Array:
@@ -176,7 +170,7 @@ def _ground_steels(areas: Band) -> list[Params]:
     found = []
     for area in areas:
         elastic = ground.replace(nominal_area=area, asperity_count=density * area, work_of_adhesion=0.0)
-        found += [elastic, elastic.replace(contact_law="elastic-plastic")]
+        found += [elastic, elastic.elastic_plastic(elastic.hardness)]
     return found
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
@@ -157,8 +157,7 @@ YIELD_INDICES = (0.5, 2.0, 8.0)
 def yielding(index: float) -> Params:
     """Summits that yield, of a plasticity index; without adhesion."""
     elastic = surface(*DEFAULT[:2], 0.0)
-    hardness = elastic.composite_modulus * DEFAULT[0] / index
-    return replace(elastic, hardness=hardness, contact_law="elastic-plastic")
+    return elastic.elastic_plastic(elastic.composite_modulus * DEFAULT[0] / index)
 
 
 def yields(index: float, loads: Array = REGIME_LOADS) -> Array:

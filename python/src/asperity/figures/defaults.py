@@ -7,7 +7,6 @@ Of the surfaces only the process is told in the sources, so that sigma and R are
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 from ..materials import PAIRS
 from ..model import Model
@@ -50,18 +49,16 @@ class Rough:
 def _steels() -> tuple[Params, ...]:
     """Ground steel of the map, annealed and hardened, yielding."""
     (ground,) = [contact.params for contact in CONTACTS if contact.name == "ground steel"]
-    yielding = ground.replace(work_of_adhesion=0.0, contact_law="elastic-plastic")
-    return yielding.replace(hardness=2e9), yielding
+    return ground.elastic_plastic(2e9), ground.elastic_plastic(ground.hardness)
 
 
 def _quartz(sigma: float, radius: float) -> tuple[Params, ...]:
     """Silica in place of quartz, on 1 cm^2, with density times radius times sigma as of the ground steel."""
-    bodies: dict[str, Any] = {**PAIRS["SiO2/SiO2"].contact, "work_of_adhesion": 0.0}
-    yielding = Params.si(
-        **bodies, height_std=sigma, summit_radius=radius, summit_density=0.04 / (radius * sigma), nominal_area=1e-4,
-        contact_law="elastic-plastic",
+    elastic = Params.si(
+        **PAIRS["SiO2/SiO2"].contact, height_std=sigma, summit_radius=radius, summit_density=0.04 / (radius * sigma),
+        nominal_area=1e-4,
     )  # fmt: skip
-    return (yielding,)
+    return (elastic.elastic_plastic(elastic.hardness),)
 
 
 _BYERLEE = "J. D. Byerlee, The frictional characteristics of Westerly granite, thesis, MIT 1966, abstract"

@@ -80,11 +80,10 @@ class Iwan:
 @lru_cache(maxsize=1)
 def contact() -> Model:
     """Of 1 m2: its load is the pressure, its friction force the traction."""
-    steel = {**PAIRS["steel/steel"].contact, "work_of_adhesion": 0.0, "hardness": 7.5e9}
     params = Params.si(
-        **steel, height_std=0.4e-6, summit_radius=20e-6, summit_density=5e9, nominal_area=1.0, contact_law="elastic-plastic"
-    )
-    return Model(params.calibrated(load=CALIBRATION_PRESSURE, mu=FRICTION_COEFFICIENT))
+        **PAIRS["steel/steel"].contact, height_std=0.4e-6, summit_radius=20e-6, summit_density=5e9, nominal_area=1.0
+    ).elastic_plastic(7.5e9)
+    return Model(params.calibrated(CALIBRATION_PRESSURE, FRICTION_COEFFICIENT))
 
 
 def pressures() -> Array:

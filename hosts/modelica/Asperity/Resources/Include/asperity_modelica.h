@@ -5,6 +5,7 @@
 #define ASPERITY_MODELICA_H
 
 #include <stdlib.h>
+#include <string.h>
 
 #include <asperity.h>
 #include <asperity_loads.h>
@@ -26,39 +27,17 @@ typedef struct asperity_modelica_law {
     asperity_told told;
 } asperity_modelica_law;
 
-/* Young's moduli [Pa], Poisson's ratios, w [J/m2], h, b, sigma, R [m], number of summits; pressure coefficient; load [N] with
- * coefficient or force [N] of a measurement, 0 where there is none. */
-static inline void *asperity_modelica_create(double E1, double nu1, double E2, double nu2, double w, double h,
-                                             double b, double sigma, double R, double n, double pressure_coefficient,
-                                             double calibration_load, double calibration_friction_coefficient,
-                                             double calibration_friction_force)
+/* The path of a surface file, empty for none, and what a text changes of it. */
+static inline void *asperity_modelica_create(const char *surface, const char *text)
 {
-    static const char *const names[] = {"calibration_load", "calibration_friction_coefficient",
-                                        "calibration_friction_force"};
-    const double values[] = {calibration_load, calibration_friction_coefficient, calibration_friction_force};
-    const char *given[3];
-    double measured[3];
-    size_t count = 0, i;
     asperity_params params;
     asperity_model *model = NULL;
     asperity_modelica_law *law;
 
-    asperity_modelica_check(asperity_params_init(&params));
-    asperity_modelica_check(asperity_params_set_materials(&params, E1, nu1, E2, nu2));
-    params.work_of_adhesion = w;
-    params.adhesion_range = h;
-    params.burgers_vector = b;
-    params.height_std = sigma;
-    params.summit_radius = R;
-    params.asperity_count = n;
-    params.pressure_coefficient = pressure_coefficient;
-    for (i = 0; i < 3; i++)
-        if (values[i] != 0) {
-            given[count] = names[i];
-            measured[count++] = values[i];
-        }
-    if (count != 0)
-        asperity_modelica_check(asperity_params_set_values(&params, count, given, measured));
+    asperity_modelica_check(asperity_params_init(&params, sizeof params));
+    if (*surface)
+        asperity_modelica_check(asperity_params_read(&params, surface));
+    asperity_modelica_check(asperity_params_set_text(&params, text, strlen(text)));
     asperity_modelica_check(asperity_create(&params, &model));
     law = (asperity_modelica_law *)calloc(1, sizeof *law);
     if (law == NULL) {

@@ -1,0 +1,134 @@
+"""The C interface in Fortran: constants, types and an interface block, as the first part of the module asperity."""
+
+import re
+
+from words import WIDTH, first_sentence, wrapped
+
+# Fortran does not tell these constants from the functions of the same name.
+RENAMED = {"ASPERITY_VERSION": "ASPERITY_HEADER_VERSION", "ASPERITY_ABI_VERSION": "ASPERITY_HEADER_ABI_VERSION"}
+KINDS = {
+    "double": "real(c_double)",
+    "size_t": "integer(c_size_t)",
+    "uint64_t": "integer(c_int64_t)",
+    "int64_t": "integer(c_int64_t)",
+    "uint32_t": "integer(c_int32_t)",
+    "int32_t": "integer(c_int32_t)",
+    "asperity_status": "integer(c_int32_t)",
+}
+COLUMN = 52  # at which comments begin
+
+
+def declarations(header, module):
+    """The lines between the marks of the module, whose other functions hide those of C that have their names."""
+    wrappers = set(re.findall(r"^  (?:function|subroutine) (asperity_\w+)\(", module, re.MULTILINE))
+    yield "  ! ---- The C interface: constants ----"
+    for constant in header.constants:
+        yield from constant_lines(constant)
+    yield from ("", "  ! ---- The C interface: types ----")
+    for struct in header.structs.values():
+        yield from type_lines(struct, header)
+    yield from ("", "  ! ---- The C interface: functions ----")
+    yield "  ! A model is a type(c_ptr). Functions of type integer(c_int32_t) return a status."
+    yield from ("", "  interface")
+    yield from (line for function in header.functions for line in function_lines(function, header, wrappers))
+    yield from ("  end interface", "")
+    names = ", ".join(function.name for function in header.functions if function.name not in wrappers)
+    yield from (line.removesuffix(",") for line in wrapped(names, "  public :: "))
+
+
+def constant_lines(constant):
+    name = RENAMED.get(constant.name, constant.name)
+    if isinstance(constant.value, str):
+        yield f"  character(*), parameter, public :: {name} = '{constant.value}'"
+        return
+    kind = "integer(c_int64_t)" if constant.bare.startswith("WARNING_") else "integer(c_int32_t)"
+    code, said = f"  {kind}, parameter, public :: {name} = {constant.value}", text(first_sentence(constant.doc))
+    if len(code) + len(said) + 4 <= WIDTH:
+        yield f"{code}  ! {said}"
+    else:
+        yield from (*wrapped(said, "  ! "), code)
+
+
+def type_lines(struct, header):
+    size, _ = struct.layout(pointer=8)
+    made = any(function.name == f"{struct.name}_init" for function in header.functions)
+    yield ""
+    yield from wrapped(text(first_sentence(struct.doc.split("\n\n")[0])), "  ! ")
+    yield f"  type, bind(c), public :: {struct.name}"
+    for one in struct.fields:
+        kind = "type(c_ptr)" if one.is_pointer else KINDS[one.type]
+        shape = f"({one.count})" if one.count else ""
+        default, doc = " = c_null_ptr" if one.is_pointer else "", one.doc
+        if one.name == "struct_size":
+            default = f" = {0 if made else size}"
+            doc = f"bytes of this type; set by {struct.name}_init" if made else "bytes of this type; leave it"
+        yield from commented(f"    {kind} :: {one.name}{shape}{default}", doc, COLUMN)
+    yield f"  end type {struct.name}"
+
+
+def function_lines(function, header, wrappers):
+    name = function.name + ("_c" if function.name in wrappers else "")
+    bound = f"bind(c, name='{function.name}')" if name != function.name else "bind(c)"
+    kind = "subroutine" if function.result == "void" else "function"
+    # A number of a model that numbers alone tell.
+    pure = function.result == "double" and all(one.type in ("double", "const asperity_model *") for one in function.arguments)
+    yield from wrapped(text(first_sentence(function.doc)), "    ! ")
+    listed = ", ".join(one.name for one in function.arguments)
+    opening = f"    {'pure ' if pure else ''}{kind} {name}({listed}) {bound}"
+    if len(opening) > WIDTH:
+        opening = opening.replace(f") {bound}", f") &\n        {bound}")
+    yield opening
+    yield "      import"
+    for one in function.arguments:
+        yield from commented(f"      {argument_type(one, header)} :: {one.name}", pointed_to(one) + one.doc, COLUMN)
+    if kind == "function":
+        yield f"      {'type(c_ptr)' if '*' in function.result else KINDS[function.result]} :: {name}"
+    yield from (f"    end {kind} {name}", "")
+
+
+def argument_type(one, header):
+    """The type of an argument with its attributes: structs by reference, arrays and strings as addresses."""
+    pointed = one.type.removeprefix("const ").removesuffix(" *")
+    if one.type in KINDS:
+        return f"{KINDS[one.type]}, intent(in), value"
+    if pointed in header.structs:
+        return f"type({pointed}), intent({'in' if one.type.startswith('const') else 'inout'})"
+    if one.type == "uint64_t *":
+        return "integer(c_int64_t), intent(inout)"
+    if one.type == "asperity_model **":
+        return "type(c_ptr), intent(inout)"
+    if one.is_pointer:
+        return "type(c_ptr), intent(in), value"
+    raise ValueError(f"{one.name}: the type {one.type} is not known to packaging/declarations/fortran.py")
+
+
+def pointed_to(one):
+    """What stands at an address, which its type does not say."""
+    pointed = one.type.removeprefix("const ").removesuffix(" *")
+    if one.type.endswith(" *") and pointed in KINDS and one.type != "uint64_t *":
+        return f"{KINDS[pointed]}: "
+    return {"const char *": "characters, the last c_null_char: ", "char *": "characters: "}.get(one.type, "")
+
+
+def commented(code, doc, column):
+    """A declaration with the first sentence of its comment, which goes on below it."""
+    said = text(first_sentence(doc))
+    if not said:
+        return [code]
+    margin = " " * column + "! "
+    lines = wrapped(said, margin)
+    if len(code) + 1 <= column:
+        lines[0] = code.ljust(column) + lines[0].lstrip()
+        return lines
+    room = f"{code} ! "
+    if len(room) + len(said) <= WIDTH:
+        return [room + said]
+    return [code, *lines]
+
+
+def text(doc):
+    """A comment without what holds for C alone."""
+    doc = re.sub(r"(; |, |^)must not be NULL(?: unless [^;,]*)?(?=[;,]|$)", "", doc).strip("; ")
+    doc = doc.replace("`", "").replace("INFINITY", "infinity").replace("NULL", "c_null_ptr")
+    doc = doc.removeprefix("Bit of warnings: ")
+    return doc if doc.endswith("..") or ". " in doc.replace("i.e. ", "") else doc.removesuffix(".")

@@ -1,0 +1,59 @@
+"""The tables of the pages that repeat the header."""
+
+import re
+from itertools import groupby
+
+from words import first_sentence, in_words, sentences
+
+# The dimensions of quantities in SI units, as surface files have them.
+SI = {"stress": "Pa", "length": "m", "length^2": "m²", "force": "N", "force/length": "N/m"}
+
+
+def fields(header):
+    """The parameters as fields of C: unit, domain and meaning."""
+    yield from ("| Field | Unit | Domain | What it is |", "|---|---|---|---|")
+    for one in header.params:
+        yield f"| `{one.name}` | {one.unit} | {cell(one.domain)} | {cell(meaning(one))} |"
+
+
+def keys(header):
+    """The parameters as keys of a surface file, in SI units and words."""
+    yield from ("| Key | Unit | Domain | What it is |", "|---|---|---|---|")
+    for one in header.params:
+        if one.name != "table_length":
+            doc = in_words(meaning(one), header, true="true", false="false")
+            yield f"| `{one.name}` | {SI.get(one.unit, one.unit)} | {cell(one.domain)} | {cell(doc)} |"
+
+
+def functions(header):
+    """All functions, under the headings of the header."""
+    for heading, group in groupby(header.functions, key=lambda function: function.heading):
+        if heading != header.functions[0].heading:
+            yield ""
+        yield from (f"**{heading.rstrip('.')}**", "", "| Function | What it does |", "|---|---|")
+        for function in group:
+            yield f"| `{function.name}` | {cell(first_sentence(function.doc))} |"
+
+
+def warnings(header):
+    yield from ("| `ASPERITY_WARNING_...` | What it says | Set if |", "|---|---|---|")
+    for constant in header.warnings:
+        what, *more = sentences(constant.doc.removeprefix("Bit of `warnings`: "))
+        when = next((one.removeprefix("Set if ").removesuffix(".") for one in more if one.startswith("Set")), "")
+        yield f"| `{constant.bare.removeprefix('WARNING_')}` | {cell(what.removesuffix('.'))} | {cell(when)} |"
+
+
+def statuses(header):
+    yield from ("| Status | | What it means |", "|---|---|---|")
+    for constant in header.statuses:
+        yield f"| `{constant.name}` | {constant.value} | {cell(first_sentence(constant.doc).removesuffix('.'))} |"
+
+
+def meaning(one):
+    """The first sentence of a comment, without unit and domain, which have columns of their own."""
+    doc = re.sub(r" ?\[[^\]]+\]", "", first_sentence(one.doc), count=1).removesuffix(".")
+    return doc.replace(f", {one.domain}", "", 1) if one.domain else doc
+
+
+def cell(text):
+    return re.sub(r"(?<!\\)([|*])", r"\\\1", text)
