@@ -748,15 +748,13 @@ module asperity
       real(c_double) :: asperity_contact_radius_sum_at_load
     end function asperity_contact_radius_sum_at_load
 
-    ! Computes the sums of contact radii at many loads, and their slopes; filled and reported as by
-    ! asperity_friction_at_loads
+    ! Computes the sums of contact radii at many loads, and their slopes
     function asperity_contact_radius_sum_at_loads(model, n, load, sum, dsum_dload) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
-      integer(c_size_t), intent(in), value :: n     ! number of loads; may be 0
+      type(c_ptr), intent(in), value :: model       ! a model
+      integer(c_size_t), intent(in), value :: n     ! number of loads
       type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
-      type(c_ptr), intent(in), value :: sum         ! real(c_double): receives n sums [length]; c_null_ptr to skip; may
-                                                    ! be load itself
+      type(c_ptr), intent(in), value :: sum         ! real(c_double): receives n sums [length]
       type(c_ptr), intent(in), value :: dsum_dload  ! real(c_double): receives n slopes d(sum)/d(load) [length/force]
       integer(c_int32_t) :: asperity_contact_radius_sum_at_loads
     end function asperity_contact_radius_sum_at_loads

@@ -1105,12 +1105,10 @@ asperity_status asperity_tangential_at_load(const struct asperity_model *model, 
  * @param load   normal load [force]
  * @return the sum [length], positive also at zero and negative load down to pull-off; 0 below pull-off and, without
  *         adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a
- *         NULL model
- *
- * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception. */
+ *         NULL model */
 double asperity_contact_radius_sum_at_load(const struct asperity_model *model, double load);
 
-/** Computes the sums of contact radii at many loads, and their slopes; filled and reported as by `asperity_friction_at_loads`.
+/** Computes the sums of contact radii at many loads, and their slopes.
  *
  * With the slope, Newton's method solves for temperatures and loads together. At 1 mN, of silicon with 148 W/(m K):
  *
@@ -1121,17 +1119,15 @@ double asperity_contact_radius_sum_at_load(const struct asperity_model *model, d
  * }
  * ```
  *
- * @param model       must not be NULL
- * @param n           number of loads; may be 0
- * @param load        n loads [force]; must not be NULL unless n = 0
- * @param sum         receives n sums [length]; NULL to skip; may be `load` itself
+ * @param model       a model
+ * @param n           number of loads
+ * @param load        n loads [force]
+ * @param sum         receives n sums [length]
  * @param dsum_dload  receives n slopes d(sum)/d(load) [length/force]. They are within 1e-6 of the exact ones, relative, and
- *                    within 2e-4 where load - pull-off is within 1 % of that of a kink: where an end of the heights or a
+ *                    within 1e-3 where load - pull-off is within 1 % of that of a kink: where an end of the heights or a
  *                    height of their table begins to touch. At zero load, at the pull-off load and below it: as
- *                    `dforce_dload` of `asperity_friction_force_at_loads`. NULL to skip; may be `load` itself
- * @return as `asperity_friction_at_loads`
- *
- * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception. */
+ *                    `dforce_dload` of `asperity_friction_force_at_loads`
+ * @return as `asperity_friction_at_loads` */
 asperity_status asperity_contact_radius_sum_at_loads(const struct asperity_model *model, size_t n, const double *load,
     double *sum, double *dsum_dload);
 
