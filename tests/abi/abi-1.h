@@ -213,6 +213,8 @@ typedef struct asperity_table {
 
 uint32_t asperity_abi_version(void);
 asperity_status asperity_check_loads(const struct asperity_model *, double, double, uint64_t *);
+double asperity_contact_radius_sum_at_load(const struct asperity_model *, double);
+asperity_status asperity_contact_radius_sum_at_loads(const struct asperity_model *, size_t, const double *, double *, double *);
 asperity_status asperity_create(const struct asperity_params *, struct asperity_model **);
 void asperity_free(struct asperity_model *);
 double asperity_friction_and_slope_at_load(const struct asperity_model *, double, double *);
