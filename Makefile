@@ -86,7 +86,7 @@ header:
 	python3 packaging/declarations
 
 abi:
-	ASPERITY_WRITE_ABI=1 $(CARGO) test --locked --test abi the_file
+	ASPERITY_WRITE_ABI=1 $(CARGO) test --locked --test abi the_file_has
 
 clean:
 	$(CARGO) clean

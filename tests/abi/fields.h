@@ -21,7 +21,7 @@ static void needs(asperity_status status)
     exit(1);
 }
 
-static int says(const char *text)
+static inline int says(const char *text)
 {
     asperity_last_error(message, sizeof message);
     return strstr(message, text) != NULL;

@@ -69,9 +69,7 @@ impl Compiler {
             .debug(false)
             .cargo_output(false)
             .cargo_metadata(false)
-            .emit_rerun_if_env_changed(false)
-            .warnings(false)
-            .extra_warnings(false);
+            .emit_rerun_if_env_changed(false);
         if let Some(command) = self.command {
             build.compiler(command);
         }
