@@ -7,8 +7,8 @@
 ! Units: one consistent system of the caller's choice. Loads, forces and areas are totals over asperity_count summits.
 ! Threads: a model may be shared by all calls that take it intent(in); not while it is changed or freed.
 ! Two C constants have the names of functions, which Fortran does not tell apart; here they are
-! ASPERITY_HEADER_VERSION and ASPERITY_HEADER_ABI_VERSION. A C function that takes the size of a struct has in its place a
-! function of this module, which passes it.
+! ASPERITY_HEADER_VERSION and ASPERITY_HEADER_ABI_VERSION. A C function that takes the size of a struct, a text or a path has in
+! its place one of this module, which takes the struct or the string alone.
 module asperity
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_loc, &
                                          c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
@@ -517,6 +517,46 @@ module asperity
       integer(c_int32_t) :: asperity_params_calibrate_force
     end function asperity_params_calibrate_force
 
+    ! Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is
+    ! refused
+    function asperity_params_set_text(params, text, length) bind(c)
+      import
+      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(c_ptr), intent(in), value :: text        ! characters, the last c_null_char: UTF-8, with or without a byte
+                                                    ! order mark; lines end in LF or CRLF
+      integer(c_size_t), intent(in), value :: length ! of the text [bytes], without a NUL; at most 1 MiB
+      integer(c_int32_t) :: asperity_params_set_text
+    end function asperity_params_set_text
+
+    ! Writes parameters as a text of which asperity_params_set_text makes the same, bit for bit, in parameters fresh
+    ! from asperity_params_init
+    function asperity_params_text(params, buffer, length) bind(c)
+      import
+      type(asperity_params), intent(in) :: params   ! initialised parameters
+      type(c_ptr), intent(in), value :: buffer      ! characters: receives the text, NUL-terminated, cut to fit;
+                                                    ! c_null_ptr to ask for the length only
+      integer(c_size_t), intent(in), value :: length ! size of buffer [bytes]
+      integer(c_size_t) :: asperity_params_text
+    end function asperity_params_text
+
+    ! Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver
+    function asperity_params_set_units(params, length, force) bind(c)
+      import
+      type(asperity_params), intent(inout) :: params ! initialised parameters
+      real(c_double), intent(in), value :: length   ! the new unit of length in the present one, > 0: 1e-3 from m to mm
+      real(c_double), intent(in), value :: force    ! the new unit of force in the present one, > 0
+      integer(c_int32_t) :: asperity_params_set_units
+    end function asperity_params_set_units
+
+    ! Sets parameters from a surface file, as asperity_params_set_text does from its text
+    function asperity_params_read(params, path) bind(c)
+      import
+      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(c_ptr), intent(in), value :: path        ! characters, the last c_null_char: of the file: as the system has
+                                                    ! it, on Windows UTF-8; NUL-terminated
+      integer(c_int32_t) :: asperity_params_read
+    end function asperity_params_read
+
     ! Makes a model: checks the parameters, finds the pull-off load, and compiles the law into a table, in milliseconds
     function asperity_create(params, model) bind(c)
       import
@@ -748,15 +788,13 @@ module asperity
       real(c_double) :: asperity_contact_radius_sum_at_load
     end function asperity_contact_radius_sum_at_load
 
-    ! Computes the sums of contact radii at many loads, and their slopes; filled and reported as by
-    ! asperity_friction_at_loads
+    ! Computes the sums of contact radii at many loads, and their slopes
     function asperity_contact_radius_sum_at_loads(model, n, load, sum, dsum_dload) bind(c)
       import
-      type(c_ptr), intent(in), value :: model
-      integer(c_size_t), intent(in), value :: n     ! number of loads; may be 0
+      type(c_ptr), intent(in), value :: model       ! a model
+      integer(c_size_t), intent(in), value :: n     ! number of loads
       type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
-      type(c_ptr), intent(in), value :: sum         ! real(c_double): receives n sums [length]; c_null_ptr to skip; may
-                                                    ! be load itself
+      type(c_ptr), intent(in), value :: sum         ! real(c_double): receives n sums [length]
       type(c_ptr), intent(in), value :: dsum_dload  ! real(c_double): receives n slopes d(sum)/d(load) [length/force]
       integer(c_int32_t) :: asperity_contact_radius_sum_at_loads
     end function asperity_contact_radius_sum_at_loads
@@ -989,12 +1027,13 @@ module asperity
   public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
   public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
   public :: asperity_interface, asperity_interface_name, asperity_params_set_interface, asperity_params_calibrate
-  public :: asperity_params_calibrate_force, asperity_create, asperity_set_params, asperity_free
-  public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
-  public :: asperity_friction_force_at_loads, asperity_friction_and_slope_at_load
-  public :: asperity_friction_force_and_slope_at_load, asperity_friction_at_pressure, asperity_shear_stress_at_pressure
-  public :: asperity_slip_force, asperity_friction_at_pressures, asperity_shear_stresses_at_pressures
-  public :: asperity_slip_forces, asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
+  public :: asperity_params_calibrate_force, asperity_params_set_text, asperity_params_text, asperity_params_set_units
+  public :: asperity_params_read, asperity_create, asperity_set_params, asperity_free, asperity_friction_at_load
+  public :: asperity_friction_force_at_load, asperity_friction_at_loads, asperity_friction_force_at_loads
+  public :: asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
+  public :: asperity_friction_at_pressure, asperity_shear_stress_at_pressure, asperity_slip_force
+  public :: asperity_friction_at_pressures, asperity_shear_stresses_at_pressures, asperity_slip_forces
+  public :: asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
   public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_contact_radius_sum_at_load
   public :: asperity_contact_radius_sum_at_loads, asperity_microslip_length, asperity_microslip_step
   public :: asperity_microslip_steps, asperity_load_at_separation, asperity_load_and_slope_at_separation
@@ -1179,6 +1218,7 @@ module asperity
   public :: asperity_material_of, asperity_pair_of, asperity_material_name_text, asperity_pair_name_text
   public :: asperity_interface_of, asperity_interface_name_text
   public :: asperity_params_use_pair, asperity_params_use_interface
+  public :: asperity_params_read, asperity_params_set_text, asperity_params_text
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
   public :: asperity_warning_text
 
@@ -1235,6 +1275,44 @@ contains
     params%asperity_count = asperity_count
     call report(status, stat, errmsg)
   end function asperity_params_of
+
+  ! Sets what a surface file gives, whose keys docs/surface-file.md has: call asperity_params_read(params, 'film.toml'). In SI
+  ! units, unless asperity_params_set_units follows; what the file does not give stays as it is.
+  subroutine asperity_params_read(params, path, stat, errmsg)
+    type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
+    character(*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg       ! 'film.toml: line 3: slip_onset = ...'
+    character(kind=c_char), target :: text(len(path) + 1)
+    text = c_string(path, size(text))
+    call report(asperity_params_read_c(params, c_loc(text)), stat, errmsg)
+  end subroutine asperity_params_read
+
+  ! The same from the text of a surface file, whose lines end in new_line('a').
+  subroutine asperity_params_set_text(params, text, stat, errmsg)
+    type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
+    character(*), intent(in) :: text
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(text) + 1)
+    characters = c_string(text, size(characters))
+    call report(asperity_params_set_text_c(params, c_loc(characters), len_trim(text, kind=c_size_t)), stat, errmsg)
+  end subroutine asperity_params_set_text
+
+  ! The text of a surface file, of which asperity_params_set_text makes these parameters.
+  function asperity_params_text(params, stat, errmsg) result(text)
+    type(asperity_params), intent(in) :: params           ! initialised
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(:), allocatable :: text                     ! empty on failure
+    character(kind=c_char), allocatable, target :: buffer(:)
+    integer :: length
+    length = int(asperity_params_text_c(params, c_null_ptr, 0_c_size_t))
+    allocate(buffer(length + 1))
+    length = int(asperity_params_text_c(params, c_loc(buffer), size(buffer, kind=c_size_t)))
+    text = joined(buffer(:length))
+    call report(merge(ASPERITY_OK, ASPERITY_INVALID_PARAMETER, length > 0), stat, errmsg)
+  end function asperity_params_text
 
   ! Sets one parameter by its name: call asperity_params_set(params, 'hardness', 9.8e9_c_double). Integers too.
   subroutine set_by_name(params, name, value, stat, errmsg)

@@ -653,6 +653,7 @@ asperity_status asperity_params_set_value(struct asperity_params *params, const 
  * - `E1`, `nu1`, `E2` and `nu2` together: `asperity_params_set_materials`
  * - `m0`, `m2` and `m4` together, with a `nominal_area` given here or earlier: `asperity_params_set_spectral_moments`.
  *   `Ra` may replace `m0`, which is pi/2 Ra^2 for Gaussian heights
+ * - `summit_density`, summits per area, with a `nominal_area` given here or earlier: stands for `asperity_count`
  * - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
  *   `asperity_params_calibrate`, which comes last
  *
@@ -687,7 +688,8 @@ asperity_status asperity_params_get_value(const struct asperity_params *params, 
 
 /** Returns the name of a parameter that is one number, by its index: for messages, and to copy parameters.
  *
- * To copy parameters, read all names with `asperity_params_get_value` and set them one after another in this order.
+ * To copy parameters, read all names with `asperity_params_get_value` and set them one after another in this order. Heights by a
+ * table and the measurement of a calibration are not among them: copy the struct, or `asperity_params_text`.
  *
  * @param index  from 0
  * @return a constant string; NULL after the last */
@@ -820,6 +822,73 @@ asperity_status asperity_params_calibrate(struct asperity_params *params, double
  * @param friction_force  measured at that load [force], > 0
  * @return as `asperity_params_calibrate`, and `ASPERITY_SEPARATED` */
 asperity_status asperity_params_calibrate_force(struct asperity_params *params, double load, double friction_force);
+
+/** Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
+ *
+ * What the text does not give stays as it is, so that parameters fresh from `asperity_params_init` become those of the text.
+ * Keys are the names of `asperity_params_set_values`, in SI units, and what docs/surface-file.md lists: materials, roughness,
+ * interface, a measured friction.
+ *
+ * ```c
+ * const char surface[] =
+ *     "pair = \"steel/steel\"\n"
+ *     "nominal_area = 1e-4\n"
+ *     "calibration_load = 1000\n"
+ *     "calibration_friction_coefficient = 0.16\n"
+ *     "[roughness]\n"
+ *     "Ra = 0.8e-6\n"
+ *     "RSm = 80e-6\n";
+ * asperity_params_set_text(&params, surface, sizeof surface - 1);
+ * ```
+ *
+ * A message has the line and the key: "line 3: slip_onset = "hole": must be "partial" or "whole"". A table of heights is kept by
+ * the library, once for each table, as long as it is loaded: the parameters point to it.
+ *
+ * @param params  initialised parameters
+ * @param text    UTF-8, with or without a byte order mark; lines end in LF or CRLF
+ * @param length  of the text [bytes], without a NUL; at most 1 MiB
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`,
+ *         `ASPERITY_OUT_OF_MEMORY`; with a measured friction also what `asperity_params_calibrate_force` returns */
+asperity_status asperity_params_set_text(struct asperity_params *params, const char *text, size_t length);
+
+/** Writes parameters as a text of which `asperity_params_set_text` makes the same, bit for bit, in parameters fresh from
+ * `asperity_params_init`.
+ *
+ * Fields that have their defaults, or are unset, are left out. A calibration is written if these surfaces still have that friction
+ * force at that load; otherwise it is a comment.
+ *
+ * @param params  initialised parameters
+ * @param buffer  receives the text, NUL-terminated, cut to fit; NULL to ask for the length only
+ * @param length  size of `buffer` [bytes]
+ * @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater; 0 on failure, which
+ *         `asperity_last_error` describes: parameters whose choices are none of the constants, or a table that cannot be read
+ */
+size_t asperity_params_text(const struct asperity_params *params, char *buffer, size_t length);
+
+/** Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.
+ *
+ * Lengths, forces, stresses, areas and the work of adhesion are converted, and the calibration with them. Numbers without a unit
+ * and tables of heights stay as they are, and so does what is unset.
+ *
+ * ```c
+ * asperity_params_set_units(&params, 1e-3, 1.0);  // from SI into mm, N, MPa
+ * ```
+ *
+ * @param params  initialised parameters
+ * @param length  the new unit of length in the present one, > 0: 1e-3 from m to mm
+ * @param force   the new unit of force in the present one, > 0
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE` */
+asperity_status asperity_params_set_units(struct asperity_params *params, double length, double force);
+
+/** Sets parameters from a surface file, as `asperity_params_set_text` does from its text.
+ *
+ * A message has the file, the line and the key: "film.toml: line 3: slip_onset = "hole": must be "partial" or "whole"". In
+ * WebAssembly, where there are no files, the call fails.
+ *
+ * @param params  initialised parameters
+ * @param path    of the file: as the system has it, on Windows UTF-8; NUL-terminated
+ * @return as `asperity_params_set_text`, and `ASPERITY_INVALID_PARAMETER` for what is no file, or cannot be read */
+asperity_status asperity_params_read(struct asperity_params *params, const char *path);
 
 /** Makes a model: checks the parameters, finds the pull-off load, and compiles the law into a table, in milliseconds.
  *
@@ -1105,12 +1174,10 @@ asperity_status asperity_tangential_at_load(const struct asperity_model *model, 
  * @param load   normal load [force]
  * @return the sum [length], positive also at zero and negative load down to pull-off; 0 below pull-off and, without
  *         adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a
- *         NULL model
- *
- * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception. */
+ *         NULL model */
 double asperity_contact_radius_sum_at_load(const struct asperity_model *model, double load);
 
-/** Computes the sums of contact radii at many loads, and their slopes; filled and reported as by `asperity_friction_at_loads`.
+/** Computes the sums of contact radii at many loads, and their slopes.
  *
  * With the slope, Newton's method solves for temperatures and loads together. At 1 mN, of silicon with 148 W/(m K):
  *
@@ -1121,17 +1188,15 @@ double asperity_contact_radius_sum_at_load(const struct asperity_model *model, d
  * }
  * ```
  *
- * @param model       must not be NULL
- * @param n           number of loads; may be 0
- * @param load        n loads [force]; must not be NULL unless n = 0
- * @param sum         receives n sums [length]; NULL to skip; may be `load` itself
+ * @param model       a model
+ * @param n           number of loads
+ * @param load        n loads [force]
+ * @param sum         receives n sums [length]
  * @param dsum_dload  receives n slopes d(sum)/d(load) [length/force]. They are within 1e-6 of the exact ones, relative, and
- *                    within 2e-4 where load - pull-off is within 1 % of that of a kink: where an end of the heights or a
+ *                    within 1e-3 where load - pull-off is within 1 % of that of a kink: where an end of the heights or a
  *                    height of their table begins to touch. At zero load, at the pull-off load and below it: as
- *                    `dforce_dload` of `asperity_friction_force_at_loads`. NULL to skip; may be `load` itself
- * @return as `asperity_friction_at_loads`
- *
- * Threads: may share the model. No allocation, no lock, no system call, no floating-point exception. */
+ *                    `dforce_dload` of `asperity_friction_force_at_loads`
+ * @return as `asperity_friction_at_loads` */
 asperity_status asperity_contact_radius_sum_at_loads(const struct asperity_model *model, size_t n, const double *load,
     double *sum, double *dsum_dload);
 

@@ -33,6 +33,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -75,11 +76,21 @@ inline const char *status_string(Status status) noexcept { return asperity_statu
 /// What a single bit ASPERITY_WARNING_ says: what fails and what to do about it; a constant string.
 inline const char *warning_string(std::uint64_t warning) noexcept { return asperity_warning_string(warning); }
 
+namespace detail {
+
+/// The text that a function of the C interface copies out.
+template <class Copy>
+std::string copied(Copy copy) {
+    std::string text(copy(nullptr, 0), '\0');
+    copy(text.data(), text.size() + 1);
+    return text;
+}
+
+} // namespace detail
+
 /// What the bits ASPERITY_WARNING_ of a state say, a line for each.
 inline std::string warnings_text(std::uint64_t warnings) {
-    std::string text(asperity_warnings_text(warnings, nullptr, 0), '\0');
-    asperity_warnings_text(warnings, &text[0], text.size() + 1);
-    return text;
+    return detail::copied([=](char *buffer, std::size_t length) { return asperity_warnings_text(warnings, buffer, length); });
 }
 
 /// Why a call failed: the status, and in what() a message that names parameter, value and what is allowed.
@@ -103,12 +114,7 @@ public:
 };
 
 /// The message of the last call on this thread that failed; empty if none did.
-inline std::string last_error() {
-    std::string message(asperity_last_error(nullptr, 0) + 1, '\0');
-    asperity_last_error(message.data(), message.size());
-    message.pop_back();
-    return message;
-}
+inline std::string last_error() { return detail::copied(asperity_last_error); }
 
 /// Throws Error with this thread's last message unless the status, just returned by a C call, is ASPERITY_OK.
 inline void check(Status status) {
@@ -374,6 +380,29 @@ public:
     Params &calibrate_force(double load, double friction_force) {
         return checked(asperity_params_calibrate_force(&c_, load, friction_force));
     }
+
+    /// Sets what a surface file gives, in SI units unless set_units follows; what it does not give stays as it is.
+    ///
+    /// docs/surface-file.md has the keys. Throws Error, "film.toml: line 3: slip_onset = ...", as asperity_params_read refuses; the
+    /// parameters are then as before.
+    Params &read(const std::string &path) { return checked(asperity_params_read(&c_, path.c_str())); }
+
+    /// The same from the text of a surface file.
+    Params &set_text(std::string_view text) { return checked(asperity_params_set_text(&c_, text.data(), text.size())); }
+
+    /// The text of a surface file, which read and set_text make these parameters from.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) if a choice is none of the constants.
+    std::string text() const {
+        std::string all = detail::copied([this](char *buffer, std::size_t length) { return asperity_params_text(&c_, buffer, length); });
+        return all.empty() ? throw Error(ASPERITY_INVALID_PARAMETER, last_error()) : all;
+    }
+
+    /// Converts all parameters into other units, of which one is so many of the present ones: from SI into mm, N and MPa with 1e-3
+    /// and 1.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
+    Params &set_units(double length, double force) { return checked(asperity_params_set_units(&c_, length, force)); }
 
     /// Sets a parameter by its name, one of names(), as asperity_params_set_value does.
     ///

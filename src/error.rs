@@ -1,6 +1,7 @@
 //! What can be wrong, in the user's words: which quantity, its value, and what is allowed.
 
 use crate::materials::Interface;
+use std::borrow::Cow;
 use thiserror::Error;
 
 /// Why the library refuses.
@@ -22,6 +23,14 @@ pub enum Error {
     Unset {
         /// The parameter.
         name: &'static str,
+    },
+    /// A number that goes together with others was not given with them.
+    #[error("{name}: {says}")]
+    Missing {
+        /// The parameter.
+        name: &'static str,
+        /// With what it goes.
+        says: &'static str,
     },
     /// An entry of a table has no meaning.
     #[error("{name}[{index}] = {}: {allowed}", Real(*value))]
@@ -104,6 +113,17 @@ pub enum Error {
         /// The interface.
         interface: &'static Interface,
     },
+    /// A text that describes a surface has something that is refused.
+    #[error("line {line}: {error}")]
+    InText {
+        /// Which of its lines, from 1.
+        line: usize,
+        /// What is wrong with it.
+        error: Box<Error>,
+    },
+    /// What was given together, or how it was written, has no meaning.
+    #[error("{0}")]
+    Meaningless(Cow<'static, str>),
     /// An iteration failed to converge.
     #[error("{what} = {value}: no solution was found to full accuracy; please report the parameters")]
     NotConverged {
@@ -118,6 +138,20 @@ impl Error {
     /// A parameter that has no meaning.
     pub(crate) fn invalid(name: &'static str, value: impl Into<Value>, allowed: &'static str) -> Self {
         Self::InvalidParameter { name, value: value.into(), allowed }
+    }
+
+    /// The parameter that it is about, by the name it has in the message.
+    pub(crate) fn name(&self) -> Option<&'static str> {
+        match self {
+            Self::InvalidParameter { name, .. }
+            | Self::OutOfRange { name, .. }
+            | Self::Unset { name }
+            | Self::Missing { name, .. }
+            | Self::InvalidEntry { name, .. }
+            | Self::InvalidLoad { name, .. } => Some(name),
+            Self::NoStrength { .. } => Some("interface"),
+            _ => None,
+        }
     }
 
     /// The same of a load that the caller knows by another name.

@@ -11,7 +11,7 @@
 //! use asperity::{Model, Params};
 //!
 //! // SI units; any other consistent system will do, if you set moduli and lengths yourself.
-//! let mut params = Params::unset();
+//! let mut params = Params::default();
 //! params.set_bodies(&Bodies::find("steel/steel").ok_or("two names of asperity::materials")?)?;
 //! params.height_std = 0.3e-6;
 //! params.summit_radius = 10e-6;
@@ -35,6 +35,7 @@
 // A library says what it has to say by its answers.
 #![cfg_attr(not(test), deny(clippy::print_stdout, clippy::print_stderr))]
 
+mod by_name;
 mod c_string;
 #[doc(hidden)]
 pub mod capi;
@@ -47,6 +48,7 @@ mod joint_distribution;
 mod law;
 pub mod materials;
 mod model;
+mod nearest;
 mod neighbours;
 mod numerics;
 mod params;

@@ -20,6 +20,7 @@ program c_interface
   call default_strengths
   call pressure_coefficients
   call names
+  call surface_texts
   call materials
   call interfaces
   call johnson_heights
@@ -297,6 +298,73 @@ contains
     call check('as many numbers as names', message == 'values: must be as many as names')
     call check_close('what is refused changes nothing', p%hardness, 5.0_c_double, 0.0_c_double)
   end subroutine names
+
+  ! What a text gives is what the calls set, from a string and from a file, and in other units.
+  subroutine surface_texts
+    character(*), parameter :: LF = new_line('a')
+    character(*), parameter :: SURFACE = 'pair = "steel/steel"' // LF // 'contact_law = "elastic-plastic"' // LF // &
+      'work_of_adhesion = 0' // LF // 'nominal_area = 1e-4' // LF // 'calibration_load = 1000' // LF // &
+      'calibration_friction_coefficient = 0.16' // LF // '[roughness]' // LF // 'm0 = 1e-12' // LF // 'm2 = 0.02' // LF // &
+      'm4 = 4e9' // LF
+    type(asperity_params) :: p, expected
+    character(300) :: path, message
+    integer :: unit, stat
+    call asperity_check(asperity_params_init(expected))
+    call asperity_params_use_pair(expected, 'steel/steel')
+    call asperity_check(asperity_params_set_elastic_plastic(expected, expected%hardness))
+    call asperity_check(asperity_params_set_spectral_moments(expected, 1e-12_c_double, 0.02_c_double, 4e9_c_double, &
+                                                             1e-4_c_double))
+    call asperity_check(asperity_params_calibrate(expected, 1000.0_c_double, 0.16_c_double))
+
+    call asperity_check(asperity_params_init(p))
+    call asperity_params_set_text(p, SURFACE)
+    call check_equal_numbers('a text is what the calls set', p, expected)
+    call asperity_check(asperity_params_init(p))
+    call asperity_params_set_text(p, asperity_params_text(expected))
+    call check_equal_numbers('the text that is written is what is read', p, expected)
+
+    call get_command_argument(0, path)
+    path = trim(path) // '.toml'
+    open (newunit=unit, file=path, action='write', access='stream', status='replace')
+    write (unit) SURFACE
+    close (unit)
+    call asperity_check(asperity_params_init(p))
+    call asperity_params_read(p, path)
+    call check_equal_numbers('so is a file', p, expected)
+    open (newunit=unit, file=path, status='old')
+    close (unit, status='delete')
+    call asperity_params_read(p, path, stat, message)
+    call check('a file that is not there is named', stat == ASPERITY_INVALID_PARAMETER .and. &
+               index(message, trim(path) // ': ') == 1)
+    call asperity_params_set_text(p, 'hardness = 1' // LF // 'slip_onset = "hole"', stat, message)
+    call check('a wrong text is refused', stat == ASPERITY_INVALID_PARAMETER)
+    call check_text('... with its line', message, 'line 2: slip_onset = "hole": must be "partial" or "whole"')
+    call check_equal_numbers('... and changes nothing', p, expected)
+
+    call asperity_check(asperity_params_set_units(p, 1e-3_c_double, 1.0_c_double))
+    call check_close('moduli in MPa', p%composite_modulus, expected%composite_modulus * 1e-6_c_double, 1e-14_c_double)
+    call check_close('lengths in mm', p%summit_radius, expected%summit_radius * 1e3_c_double, 1e-14_c_double)
+    call check_close('the measurement too', p%calibration_load, 1000.0_c_double, 0.0_c_double)
+    p%contact_law = 7
+    message = asperity_params_text(p, stat)
+    call check('what has no meaning has no text', stat == ASPERITY_INVALID_PARAMETER .and. message == '')
+  end subroutine surface_texts
+
+  subroutine check_equal_numbers(claim, p, expected)
+    character(*), intent(in) :: claim
+    type(asperity_params), intent(in) :: p, expected
+    character(:), allocatable :: name
+    integer :: i
+    i = 1
+    name = asperity_params_name_text(i)
+    do while (name /= '')
+      call check(claim // ': ' // name, identical(asperity_params_get(p, name), asperity_params_get(expected, name)))
+      i = i + 1
+      name = asperity_params_name_text(i)
+    end do
+    call check(claim // ': the measurement', identical(p%calibration_load, expected%calibration_load) .and. &
+               identical(p%calibration_friction_force, expected%calibration_friction_force))
+  end subroutine check_equal_numbers
 
   ! mu = 0.31 at a load of 4: the law passes through the point, its strength alone has changed, and the point is remembered.
   subroutine one_measured_point

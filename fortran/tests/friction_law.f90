@@ -591,7 +591,7 @@ contains
     call check_close('ground steel from Ra', law%friction_at_load(20.0_c_double), 0.0398_c_double, 2e-3_c_double)
   end subroutine ground_steel
 
-  ! The conversion of docs/fortran.md: the same steel in N and m, and in N and mm.
+  ! The same steel in N and m, and in N and mm.
   subroutine other_units
     type(friction_model) :: metres, millimetres
     type(asperity_params) :: p
@@ -603,15 +603,7 @@ contains
     p%summit_radius = 20e-6_c_double
     p%asperity_count = 5e5_c_double
     call metres%create(p)
-    p%composite_modulus = p%composite_modulus * 1e-6_c_double
-    p%effective_shear_modulus = p%effective_shear_modulus * 1e-6_c_double
-    p%tangential_modulus = p%tangential_modulus * 1e-6_c_double
-    p%hardness = p%hardness * 1e-6_c_double
-    p%work_of_adhesion = p%work_of_adhesion * 1e-3_c_double
-    p%adhesion_range = p%adhesion_range * 1e3_c_double
-    p%burgers_vector = p%burgers_vector * 1e3_c_double
-    p%height_std = p%height_std * 1e3_c_double
-    p%summit_radius = p%summit_radius * 1e3_c_double
+    call asperity_check(asperity_params_set_units(p, 1e-3_c_double, 1.0_c_double))
     call millimetres%create(p)
     call check_close('a coefficient has no units', millimetres%friction_at_load(LOAD), metres%friction_at_load(LOAD), &
                      1e-10_c_double)

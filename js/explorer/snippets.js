@@ -166,7 +166,7 @@ print(f"{model.friction_at_load(${real(load)}):.10g}")  # load in N
 }
 
 function toml(params, surface) {
-  const lines = [`# ${surface.first} on ${surface.second}, in SI units: Params.from_toml("surface.toml")`];
+  const lines = [`# ${surface.first} on ${surface.second}, in SI units: a surface file of asperity`];
   for (const [name, value] of others(params, BODIES)) lines.push(`${name} = ${typeof value === "string" ? `"${value}"` : real(value)}`);
   lines.push("", "[materials]", ...BODIES.map((name) => `${name} = ${real(params[name])}`));
   const rough = Object.entries(roughness(params, surface));

@@ -7,5 +7,5 @@ const instance = await instantiate(
   await readFile(new URL("./asperity.wasm", import.meta.url)),
 );
 export const { Model, version, warningsOf, warningsText, memorySize } = instance;
-export const { paper, calibrate, calibrateForce, withElasticPlastic, withInterface } = instance;
+export const { readText, toText, paper, calibrate, calibrateForce, withElasticPlastic, withInterface } = instance;
 export const { MATERIALS, PAIRS, INTERFACES, material, pair, interfaceOf, knownOf, contact, nayakSummits } = instance;

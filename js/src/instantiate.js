@@ -3,7 +3,7 @@ import { CONSTANTS } from "./header.js";
 import { AsperityError, Library } from "./library.js";
 import { materialsOf } from "./materials.js";
 import { Model, bitsOf, warningsOf, warningsText } from "./model.js";
-import { calibrate, calibrateForce, paper, withElasticPlastic, withInterface } from "./params.js";
+import { calibrate, calibrateForce, paper, readText, toText, withElasticPlastic, withInterface } from "./params.js";
 import { nayakSummits } from "./roughness.js";
 
 /** @typedef {import("./params.js").Params} Params */
@@ -24,6 +24,8 @@ import { nayakSummits } from "./roughness.js";
  * @property {(bits: number) => string} warningsText the same as one text, a line for each warning; "no warning" for 0
  * @property {(moments: import("./roughness.js").Moments, nominal_area: number) => Params} nayakSummits roughness from
  *   spectral moments, with the heights and radii that summits of a Gaussian surface have
+ * @property {(text: string, params?: Params) => Params} readText the surfaces that a text in TOML describes, in SI units
+ * @property {(params: Params) => string} toText a text of which `readText` makes the same surfaces
  * @property {() => Params} paper the paper's case, in its units
  * @property {(params: Params, load: number, frictionCoefficient: number) => Params} calibrate the same surfaces with the strength
  *   of the interface from one measured friction coefficient
@@ -72,6 +74,8 @@ export async function instantiate(source) {
     warningsText: (bits) => warningsText(library, bitsOf("bits", bits)),
     ...materialsOf(library),
     nayakSummits: (moments, nominal_area) => nayakSummits(library, moments, nominal_area),
+    readText: (text, params) => readText(library, text, params),
+    toText: (params) => toText(library, params),
     paper: () => paper(library),
     calibrate: (params, load, frictionCoefficient) => calibrate(library, params, load, frictionCoefficient),
     calibrateForce: (params, load, frictionForce) => calibrateForce(library, params, load, frictionForce),

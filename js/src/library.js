@@ -41,6 +41,8 @@ export class Library {
     if (abi !== CONSTANTS.ABI_VERSION)
       throw new Error(`asperity.wasm has ABI version ${abi}, this package needs ${CONSTANTS.ABI_VERSION}: build both anew`);
     this.block = this.memory.grow(Math.ceil(BLOCK / PAGE)) * PAGE;
+    /** Where texts lie that are longer than the block has room for. */
+    this.long = { at: 0, length: 0 };
     /** Frees models that are no longer reachable. @type {FinalizationRegistry<number>} */
     this.models = new FinalizationRegistry((pointer) => this.call("free", pointer));
     /** @type {DataView} */
@@ -97,11 +99,29 @@ export class Library {
     return this.written((buffer, length) => this.call("last_error", buffer, length));
   }
 
-  /** A text that a C function writes into a buffer. @param {(buffer: number, length: number) => void} write */
+  /** A text that a C function writes into a buffer, and whose length it returns. @param {(buffer: number, length: number) => number} write */
   written(write) {
-    const text = this.block + TEXT;
-    write(text, TEXT_END - TEXT);
+    const length = write(0, 0) + 1;
+    const text = this.room(length);
+    write(text, length);
     return this.string(text);
+  }
+
+  /** A place for a text of so many bytes, for one call. @param {number} length */
+  room(length) {
+    if (length <= TEXT_END - TEXT) return this.block + TEXT;
+    if (length > this.long.length) {
+      const pages = Math.ceil(length / PAGE);
+      this.long = { at: this.memory.grow(pages) * PAGE, length: pages * PAGE };
+    }
+    return this.long.at;
+  }
+
+  /** Lays bytes into the memory, for one call. @param {Uint8Array} bytes */
+  bytes(bytes) {
+    const at = this.room(bytes.length);
+    new Uint8Array(this.memory.buffer).set(bytes, at);
+    return at;
   }
 
   /** @param {number} status */
@@ -117,10 +137,7 @@ export class Library {
 
   /** Lays a name into the block, for one call. The library reads no more of it than this. @param {string} name */
   text(name) {
-    const at = this.block + TEXT;
-    const bytes = new TextEncoder().encode(name.slice(0, 64));
-    new Uint8Array(this.memory.buffer).set([...bytes, 0], at);
-    return at;
+    return this.bytes(new TextEncoder().encode(`${name.slice(0, 64)}\0`));
   }
 
   /**

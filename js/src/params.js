@@ -20,6 +20,8 @@ import { AsperityError, CHUNK } from "./library.js";
 
 /** Names that are set last, when the surfaces are whole. */
 const MEASURED = ["calibration_load", "calibration_friction_coefficient", "calibration_friction_force"];
+/** A longer text is refused [bytes]. */
+const LONGEST_TEXT = 2 ** 20;
 /** What is kept of a calibration. */
 const KEPT = /** @type {const} */ (["calibration_load", "calibration_friction_force"]);
 /** What the dimensionless groups of the paper set. */
@@ -128,6 +130,37 @@ export function paper(library) {
   return only(readStruct(library), GROUPS);
 }
 
+/**
+ * The surfaces that a text in TOML describes, in SI units, with materials, roughness, an interface and a measured friction as
+ * docs/surface-file.md lists them.
+ * @param {import("./library.js").Library} library
+ * @param {string} text
+ * @param {Params} [params] what the text does not give
+ * @returns {Params} without what neither gives
+ * @throws {AsperityError} with the line and the key
+ */
+export function readText(library, text, params = {}) {
+  if (typeof text !== "string") throw new TypeError(`text = ${String(text)}: must be a string`);
+  writeParams(library, params);
+  // Of a text that is too long the library must see no more than that it is.
+  const bytes = new TextEncoder().encode(text).subarray(0, LONGEST_TEXT + 1);
+  library.run("params_set_text", library.struct, library.bytes(bytes), bytes.length);
+  return Object.fromEntries(Object.entries(readStruct(library)).filter(([, value]) => !Number.isNaN(value)));
+}
+
+/**
+ * A text of which `readText` makes the same surfaces, bit for bit.
+ * @param {import("./library.js").Library} library
+ * @param {Params} params
+ * @returns {string}
+ */
+export function toText(library, params) {
+  writeParams(library, params);
+  const text = library.written((buffer, length) => library.call("params_text", library.struct, buffer, length));
+  if (!text) throw new AsperityError(library.lastError(), CONSTANTS.INVALID_PARAMETER);
+  return text;
+}
+
 /** The surfaces without a measured point. @param {Params} params @returns {Params} */
 function withoutPoint(params) {
   return Object.fromEntries(Object.entries(params).filter(([name]) => ![...MEASURED, "calibrated"].includes(name)));
@@ -183,20 +216,18 @@ function writeTable(library, height, density, distribution) {
 export function readParams(library, model) {
   library.write(library.struct, "asperity_params", "struct_size", LAYOUTS.asperity_params.size);
   library.run("get_params", model, library.struct);
-  const { table_length, ...found } = readStruct(library);
-  if (table_length) {
+  return readStruct(library);
+}
+
+/** The struct at `library.struct`, words where they are words. @param {import("./library.js").Library} library */
+export function readStruct(library) {
+  const { calibration_load, calibration_friction_force, table_length, ...found } = library.read(library.struct, "asperity_params");
+  if (table_length)
     for (const name of ["table_height", "table_density"]) {
       const offset = LAYOUTS.asperity_params.fields.find((field) => field.name === name)?.offset ?? 0;
       const pointer = library.data().getUint32(library.struct + offset, true);
       found[name] = new Float64Array(library.memory.buffer, pointer, table_length).slice();
     }
-  }
-  return found;
-}
-
-/** The struct at `library.struct`, words where they are words. @param {import("./library.js").Library} library */
-export function readStruct(library) {
-  const { calibration_load, calibration_friction_force, ...found } = library.read(library.struct, "asperity_params");
   if (calibration_friction_force) found.calibrated = { calibration_load, calibration_friction_force };
   found.attraction = found.attraction !== 0;
   for (const [name, words] of Object.entries(WORDS)) found[name] = wordOf(words, found[name]);

@@ -3,7 +3,6 @@
 maps: .npy files with a distance of points [m] and a power of ten of the unit of the heights; answered with their moments.
 areal: areal parameters; answered with the moments, from the parameters that `Params.from_iso25178` makes.
 bands: parameters by name, spreads and loads; answered with friction and the ends of its band.
-toml: files; answered with the friction at a load.
 """
 
 import json
@@ -15,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import asperity
-from asperity import Model, Params, surface, uncertainty
+from asperity import Params, surface, uncertainty
 
 
 def moments(file: str, step: float, power: int) -> dict[str, float]:
@@ -38,10 +37,6 @@ def areal(given: dict[str, float], nominal_area: float) -> dict[str, float]:
     return {name: getattr(params, name) for name in ("height_std", "summit_radius", "asperity_count")}
 
 
-def toml(file: str, load: float) -> float:
-    return float(Model(Params.from_toml(file)).friction_at_load(load))
-
-
 def finite(value: Any) -> Any:
     """JSON has no other numbers."""
     if isinstance(value, dict):
@@ -52,6 +47,6 @@ def finite(value: Any) -> Any:
     return float(value)
 
 
-ANSWERS = {"maps": moments, "bands": band, "areal": areal, "toml": toml}
+ANSWERS = {"maps": moments, "bands": band, "areal": areal}
 questions = json.load(sys.stdin)
 json.dump({kind: [finite(ANSWERS[kind](*one)) for one in asked] for kind, asked in questions.items()}, sys.stdout)

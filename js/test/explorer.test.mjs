@@ -141,7 +141,7 @@ for (const [name, surface] of Object.entries({ ...SURFACES, calibrated: MEASURED
       const path = resolve(folder, file);
       writeFileSync(path, snippet(language, surface, load));
       let printed;
-      if (language === "TOML") [printed] = expected({ toml: [[path, load]] }).toml;
+      if (language === "TOML") printed = new Model(asperity.readText(readFileSync(path, "utf8"))).frictionAtLoad(load);
       else if (language === "Python") printed = run([path]);
       else {
         const program = resolve(folder, language.replace("++", "pp"));

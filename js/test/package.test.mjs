@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, interfaceOf, material, memorySize, nayakSummits, pair, paper, version, warningsOf, warningsText, withElasticPlastic, withInterface } from "asperity";
+import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, interfaceOf, material, memorySize, nayakSummits, pair, paper, readText, toText, version, warningsOf, warningsText, withElasticPlastic, withInterface } from "asperity";
 import { CONSTANTS } from "../dist/header.js";
 import { answers, bits, contactOf, entries, entryOf, nayakOf, warningLoads, warningsText as nativeText } from "./native.mjs";
 
@@ -218,6 +218,49 @@ test("the paper's case has its groups", () => {
   for (const [found, wanted] of [[alpha, 0.01], [beta, 1000], [gamma, 0.001]]) assert.ok(Math.abs(found / wanted - 1) < 1e-14);
   assert.ok(lambda > 0);
   assert.equal(new Model({ ...paper(), skew: -0.4 }).params.height_distribution, "weibull");
+});
+
+const STEEL = `\ufeffpair = "steel/steel"\r
+contact_law = "elastic-plastic"
+work_of_adhesion = 0
+slip_onset = "whole"
+nominal_area = 1e-4
+calibration_load = 1000
+calibration_friction_coefficient = 0.16
+[roughness]
+Ra = [0.8e-6, 0.4e-6]
+RSm = [80e-6, 60e-6]
+`;
+
+test("a text in TOML is a surface", () => {
+  const params = readText(STEEL);
+  assert.equal(params.contact_law, "elastic-plastic");
+  assert.equal(params.slip_onset, "whole");
+  assert.equal(params.calibrated.calibration_load, 1000);
+  assert.ok(Math.abs(new Model(params).frictionAtLoad(1000) / 0.16 - 1) < 1e-8);
+  // What the text does not give is left out, or is that of others.
+  assert.ok(!("height_std" in readText("pair = 'steel/steel'")));
+  assert.equal(readText("height_std = 1e-9", silicon).summit_radius, silicon.summit_radius);
+});
+
+test("surfaces come back from their text, bit for bit", () => {
+  const height = Float64Array.from({ length: 256 }, (_, i) => i + Math.sin(i) / 3);
+  const table = { table_height: height, table_density: height.map((z) => Math.exp(-(((z - 128) / 30) ** 2))) };
+  const others = { paper: paper(), "a text": readText(STEEL), "a long table": { ...silicon, ...table } };
+  for (const [name, params] of Object.entries({ ...surfaces, ...others })) {
+    const { params: whole } = new Model(params);
+    assert.deepEqual(readText(toText(whole)), whole, name);
+  }
+});
+
+test("a text that is wrong is refused with the line and the key", () => {
+  const status = Status.INVALID_PARAMETER;
+  assert.throws(() => readText(STEEL.replace("whole", "hole")), { status, message: /^line 4: slip_onset = "hole": must be "partial" or "whole"/ });
+  assert.throws(() => readText(STEEL.replace("Ra", "Rz")), { status, message: /^line 9: \[roughness\] Rz: no such key; a height from peak to valley/ });
+  assert.throws(() => readText(STEEL.replace("steel/steel", "steal/steel")), { status, message: /^line 1: .*steel\/steel/ });
+  assert.throws(() => readText("#".repeat(2 ** 20 + 1)), { status, message: /1048576|1 MiB/ });
+  assert.ok(readText("#".repeat(2 ** 20)));
+  assert.throws(() => readText(/** @type {any} */ (undefined)), TypeError);
 });
 
 test("summits that yield do not adhere", () => {

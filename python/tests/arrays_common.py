@@ -13,7 +13,7 @@ Array = npt.NDArray[Any]
 
 _LENGTHS: dict[str, Any] = dict(adhesion_range=0.384e-9, burgers_vector=0.384e-9, height_std=5e-9, summit_radius=1e-6)
 SURFACES = {
-    "adhesive": Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001),
+    "adhesive": Params.paper(),
     "sticky": Params.dimensionless(alpha=0.003, beta=3000, gamma=0.01),
     "without adhesion": Params.dimensionless(alpha=0.01, beta=1000, gamma=0),
     "silicon": Params.si(

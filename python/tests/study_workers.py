@@ -13,7 +13,7 @@ import numpy as np
 from asperity import Params
 from asperity.study import study
 
-PARAMS = Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+PARAMS = Params.paper()
 LOADS = np.geomspace(1e-2, 1e2, 4)
 # A small study with all that can vary: a spread, a list, and what the library refuses.
 SMALL: dict[str, Any] = {

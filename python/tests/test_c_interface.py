@@ -117,6 +117,8 @@ def test_every_function_of_the_header_works() -> None:
     # Before it slips.
     stiffness = lib.tangential_stiffness_at_load(model, 50.0)
     assert lib.tangential_stiffness_at_loads(model, 1, doubles(50.0), one) == Status.OK and one[0] == stiffness
+    radii = lib.contact_radius_sum_at_load(model, 50.0)
+    assert lib.contact_radius_sum_at_loads(model, 1, doubles(50.0), one, other) == Status.OK and one[0] == radii and other[0] > 0
     assert lib.tangential_at_load(model, 50.0, 1e-9 * force[0] / stiffness, one, other) == Status.OK
     assert math.isclose(one[0], 1e-9 * force[0], rel_tol=1e-6) and math.isclose(other[0], stiffness, rel_tol=1e-6)
 

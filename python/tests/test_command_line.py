@@ -41,11 +41,11 @@ def test_version() -> None:
 
 
 def test_the_table_is_that_of_the_model(params: Params) -> None:
-    done = asperity("curve --figure - --lowest 0.01 --highest 100 --count 5")
+    done = asperity("curve --figure - --slip-stress-1 0.02 --lowest 0.01 --highest 100 --count 5")
     assert (done.returncode, done.stderr) == (0, "")
     rows = table(done.stdout)
     assert [row[0] for row in rows] == pytest.approx([0.01, 0.1, 1, 10, 100], rel=1e-9)
-    with Model(params) as model:
+    with Model(params.replace(slip_stress_1=0.02)) as model:
         for load, *found in rows:
             state = model.state_at_load(load)
             expected = [state.friction_coefficient, state.friction_force, state.real_area, state.contacting]
@@ -101,7 +101,7 @@ def test_physical_parameters() -> None:
 @pytest.mark.parametrize("ending, start", [("svg", b"<?xml"), ("png", b"\x89PNG"), ("pdf", b"%PDF")])
 def test_the_figure_is_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str, start: bytes) -> None:
     monkeypatch.chdir(tmp_path)
-    done = asperity(f"curve --count 5 --figure curve.{ending}")
+    done = asperity(f"curve --slip-stress-1 0.02 --count 5 --figure curve.{ending}")
     assert (done.returncode, done.stderr) == (0, f"asperity: the curve is drawn in curve.{ending}\n")
     assert (tmp_path / f"curve.{ending}").read_bytes().startswith(start)
     assert len(table(done.stdout)) == 5
@@ -178,7 +178,7 @@ def test_a_measured_point_is_met() -> None:
     unknown = asperity(f"{curve} --interface 'Al2O3'")
     assert unknown.returncode == 1 and "Al2O3: no interface has this name; the nearest is " in unknown.stderr
     alone = asperity(f"{curve} --calibration-load 1e-3")
-    assert alone.returncode == 1 and "calibration_load goes with one of" in alone.stderr
+    assert alone.returncode == 2 and "calibration_load goes with one of" in alone.stderr
 
 
 def test_a_bandwidth_is_judged() -> None:

@@ -19,7 +19,7 @@ from asperity import Model, Params, __version__, _library
 
 NUMBER = """
 from asperity import Model, Params, _library
-print(Model(Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)).friction_at_load(100.0).hex())
+print(Model(Params.paper()).friction_at_load(100.0).hex())
 print(_library.PATH)
 """
 

@@ -10,7 +10,7 @@ import pytest
 
 from asperity import Error, Model, Params, Status
 
-ELASTIC = Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+ELASTIC = Params.paper()
 YIELDING = replace(ELASTIC, work_of_adhesion=0.0, hardness=0.005 * ELASTIC.composite_modulus, contact_law="elastic-plastic")
 
 

@@ -73,6 +73,7 @@ def test_a_worker_of_dask_that_dies_is_replaced(dask: Any, tmp_path: Path) -> No
     assert found == {i: 2 * i for i in range(12)} and (tmp_path / "died").exists()
 
 
+@pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
 def test_bands_and_pads_are_the_same_on_an_executor() -> None:
     alone = uncertainty(PARAMS, {"height_std": 0.3, "w": 0.5}, LOADS, samples=40)
     few = PARAMS.replace(asperity_count=500.0)

@@ -8,6 +8,10 @@ use super::{fp_environment, last_error};
 use crate::error::Error;
 use std::fmt::{Arguments, Display};
 use std::panic::{catch_unwind, AssertUnwindSafe};
+use std::path::Path;
+
+/// Longer paths are shown by their file's name [bytes].
+const LONGEST_PATH: usize = 200;
 
 /// Why an entry point fails: its status. The caller's message is set where the failure is found, from what is known there.
 #[derive(Debug, PartialEq)]
@@ -22,6 +26,13 @@ impl Failure {
     /// The system refuses memory.
     pub fn out_of_memory() -> Self {
         Self::new(ASPERITY_OUT_OF_MEMORY, &"out of memory: nothing was made or changed; free some and call again")
+    }
+
+    /// A file is refused, for what it has or what the system says of it.
+    pub fn of_file(path: &Path, error: &Error) -> Self {
+        // Of a long path the end, so that what is wrong fits into the message.
+        let name = path.file_name().filter(|_| path.as_os_str().len() > LONGEST_PATH).map_or(path, Path::new);
+        Self::new(error.status(), &format_args!("{}: {error}", name.display()))
     }
 
     /// One element of an array is refused.

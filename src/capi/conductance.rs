@@ -20,8 +20,6 @@ const BLOCK: usize = 128;
 /// @return the sum [length], positive also at zero and negative load down to pull-off; 0 below pull-off and, without
 ///         adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a
 ///         NULL model
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_contact_radius_sum_at_load(model: *const asperity_model, load: f64) -> f64 {
     boundary::fast!(contained_value, {
@@ -35,7 +33,7 @@ pub unsafe extern "C" fn asperity_contact_radius_sum_at_load(model: *const asper
     })
 }
 
-/// Computes the sums of contact radii at many loads, and their slopes; filled and reported as by `asperity_friction_at_loads`.
+/// Computes the sums of contact radii at many loads, and their slopes.
 ///
 /// With the slope, Newton's method solves for temperatures and loads together. At 1 mN, of silicon with 148 W/(m K):
 ///
@@ -46,17 +44,15 @@ pub unsafe extern "C" fn asperity_contact_radius_sum_at_load(model: *const asper
 /// }
 /// ```
 ///
-/// @param model       must not be NULL
-/// @param n           number of loads; may be 0
-/// @param load        n loads [force]; must not be NULL unless n = 0
-/// @param sum         receives n sums [length]; NULL to skip; may be `load` itself
+/// @param model       a model
+/// @param n           number of loads
+/// @param load        n loads [force]
+/// @param sum         receives n sums [length]
 /// @param dsum_dload  receives n slopes d(sum)/d(load) [length/force]. They are within 1e-6 of the exact ones, relative, and
-///                    within 2e-4 where load - pull-off is within 1 % of that of a kink: where an end of the heights or a
+///                    within 1e-3 where load - pull-off is within 1 % of that of a kink: where an end of the heights or a
 ///                    height of their table begins to touch. At zero load, at the pull-off load and below it: as
-///                    `dforce_dload` of `asperity_friction_force_at_loads`. NULL to skip; may be `load` itself
+///                    `dforce_dload` of `asperity_friction_force_at_loads`
 /// @return as `asperity_friction_at_loads`
-///
-/// Threads: may share the model. No allocation, no lock, no system call, no floating-point exception.
 #[no_mangle]
 pub unsafe extern "C" fn asperity_contact_radius_sum_at_loads(
     model: *const asperity_model,

@@ -1,12 +1,12 @@
 //! What is known of the strength of interfaces, as C sees it.
 
 use super::boundary::{self, Failure};
-use super::given::{self, nearest, unknown};
+use super::given;
 use super::output::fill;
 use super::params::asperity_params;
 use super::setters::change;
 use super::status::asperity_status;
-use crate::materials::{Interface, INTERFACES};
+use crate::materials::{no_interface, Interface, INTERFACES};
 use std::ffi::c_char;
 use std::mem::size_of;
 
@@ -39,8 +39,7 @@ pub struct asperity_interface_data {
 
 unsafe fn find(name: *const c_char) -> Result<&'static Interface, Failure> {
     let name = given::read(name)?;
-    let nearest = || nearest(name, INTERFACES.iter().map(|interface| interface.name));
-    Interface::find(name).ok_or_else(|| unknown(name, "interface", nearest()))
+    Interface::find(name).ok_or_else(|| Failure::invalid(format_args!("{}", no_interface(name))))
 }
 
 /// Looks an interface up by its name, "MoS2 film in dry air", and fills its data.

@@ -1,12 +1,12 @@
 //! Materials and pairs of them, as C sees them.
 
 use super::boundary::{self, Failure};
-use super::given::{self, nearest, unknown};
+use super::given;
 use super::output::fill;
 use super::params::asperity_params;
 use super::setters::change;
 use super::status::asperity_status;
-use crate::materials::{halves, Bodies, Material, Pair, MATERIALS, PAIRS};
+use crate::materials::{no_material, Bodies, Material, NoPair, Pair, MATERIALS, PAIRS};
 use std::ffi::c_char;
 use std::mem::size_of;
 
@@ -60,30 +60,9 @@ pub struct asperity_pair_data {
     pub reference: *const c_char,
 }
 
-/// What is said of the name of a pair that is none.
+/// The failure of the name of a pair that is none.
 fn no_pair(name: &[u8]) -> Failure {
-    let text = name.escape_ascii();
-    match halves(name) {
-        Some(_) if Bodies::find(name).is_some() => {
-            let says = "give that of your surfaces, 0 for none";
-            Failure::invalid(format_args!("work_of_adhesion: none is known for {text}: {says}"))
-        }
-        Some((first, second)) => {
-            let [one, other] = [first, second].map(nearest_material);
-            let unknown = [first, second].map(|body| if Material::find(body).is_some() { b"" } else { body });
-            let or = if unknown.contains(&&b""[..]) { "" } else { " or " };
-            let [first, second] = unknown.map(<[u8]>::escape_ascii);
-            Failure::invalid(format_args!(
-                "{text}: no pair has this name; the nearest is {one}/{other}; no material is called {first}{or}{second}"
-            ))
-        }
-        None => unknown(name, "pair", nearest(name, PAIRS.iter().map(|pair| pair.name))),
-    }
-}
-
-fn nearest_material(name: &[u8]) -> &'static str {
-    let meant = Material::meant(name).and_then(|material| material.name.to_str().ok());
-    meant.unwrap_or_else(|| nearest(name, MATERIALS.iter().map(|material| material.name)))
+    Failure::invalid(format_args!("{}", NoPair(name)))
 }
 
 /// Looks a material up by its name, "steel" or "SiO2", and fills its data.
@@ -102,7 +81,7 @@ pub unsafe extern "C" fn asperity_material(
 ) -> asperity_status {
     boundary::status(|| {
         let name = given::read(name)?;
-        let found = Material::find(name).ok_or_else(|| unknown(name, "material", nearest_material(name)))?;
+        let found = Material::find(name).ok_or_else(|| Failure::invalid(format_args!("{}", no_material(name))))?;
         let ([young_low, young_high], [hardness_low, hardness_high]) = (found.young_range, found.hardness_range);
         fill(material, "material", || {
             Ok(asperity_material_data {

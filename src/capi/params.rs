@@ -2,6 +2,7 @@
 
 use super::boundary::{not_null, reference, wrong_struct_size, Failure};
 use crate::asperity::slip::{SlipConstants, SlipOnset};
+use crate::by_name::Draft;
 use crate::distribution::tabulated;
 use crate::error::Error;
 use crate::params::{ContactLawKind, HeightFamily, Params};
@@ -172,17 +173,28 @@ impl asperity_params {
 
     /// The C form of parameters; a table is pointed to where it is.
     pub(super) fn from_params(params: &Params) -> Self {
-        let mut whole = with_same_numbers!(params => Self {
+        let mut whole = Self::from_draft(&Draft::of(params));
+        if let HeightFamily::Tabulated { height, density } = &params.heights {
+            (whole.table_height, whole.table_density) = (height.as_ptr(), density.as_ptr());
+            whole.table_length = height.len() as u64;
+        }
+        whole
+    }
+
+    #[inline(never)]
+    fn from_draft(draft: &Draft) -> Self {
+        let params = &draft.params;
+        with_same_numbers!(params => Self {
             struct_size: SIZE,
-            height_distribution: ASPERITY_HEIGHTS_GAUSSIAN,
+            height_distribution: draft.height_distribution,
             attraction: params.attraction.into(),
-            weibull_shape: DEFAULT_SHAPE,
+            weibull_shape: draft.weibull_shape,
             slip_radius_1: params.slip.radius_1,
             slip_stress_1: params.slip.stress_1,
             slip_radius_2: params.slip.radius_2,
             slip_stress_2: params.slip.stress_2,
-            skew: 0.0,
-            kurtosis: 3.0,
+            skew: draft.skew,
+            kurtosis: draft.kurtosis,
             table_height: std::ptr::null(),
             table_density: std::ptr::null(),
             table_length: 0,
@@ -194,43 +206,20 @@ impl asperity_params {
                 SlipOnset::Partial => ASPERITY_SLIP_PARTIAL,
                 SlipOnset::Whole => ASPERITY_SLIP_WHOLE,
             },
-        });
-        match &params.heights {
-            HeightFamily::Gaussian => {}
-            HeightFamily::Weibull { shape } => {
-                whole.height_distribution = ASPERITY_HEIGHTS_WEIBULL;
-                whole.weibull_shape = *shape;
-            }
-            HeightFamily::Johnson { skew, kurtosis } => {
-                whole.height_distribution = ASPERITY_HEIGHTS_JOHNSON;
-                (whole.skew, whole.kurtosis) = (*skew, *kurtosis);
-            }
-            HeightFamily::Tabulated { height, density } => {
-                whole.height_distribution = ASPERITY_HEIGHTS_TABULATED;
-                (whole.table_height, whole.table_density) = (height.as_ptr(), density.as_ptr());
-                whole.table_length = height.len() as u64;
-            }
-        }
-        whole
+        })
     }
 
-    /// The library's form; only what is an enum in spirit is checked here, the numbers where they are used.
-    ///
-    /// # Safety
-    /// The table, where the heights are one, has the length it says.
-    pub(super) unsafe fn to_params(self) -> Result<Params, Failure> {
+    /// Takes all that a draft has, but for a table: that stays.
+    #[inline(never)]
+    pub(super) fn take(&mut self, draft: &Draft) {
+        let (table_height, table_density, table_length) = (self.table_height, self.table_density, self.table_length);
+        *self = Self { table_height, table_density, table_length, ..Self::from_draft(draft) };
+    }
+
+    /// What is set by name, without the table; only what is an enum in spirit is checked here, the numbers where they are used.
+    #[inline(never)]
+    pub(super) fn draft(&self) -> Result<Draft, Failure> {
         let invalid = |name, value: i32, allowed| Err(Failure::from(Error::invalid(name, value, allowed)));
-        let heights = match self.height_distribution {
-            ASPERITY_HEIGHTS_GAUSSIAN => HeightFamily::Gaussian,
-            ASPERITY_HEIGHTS_WEIBULL => HeightFamily::Weibull { shape: self.weibull_shape },
-            ASPERITY_HEIGHTS_JOHNSON => HeightFamily::Johnson { skew: self.skew, kurtosis: self.kurtosis },
-            ASPERITY_HEIGHTS_TABULATED => self.table()?,
-            other => {
-                let allowed = "must be one of ASPERITY_HEIGHTS_: GAUSSIAN (0), WEIBULL (1), JOHNSON (2), TABULATED (3)";
-                return invalid("height_distribution", other, allowed);
-            }
-        };
-        self.check_shape()?;
         let attraction = match self.attraction {
             0 => false,
             1 => true,
@@ -257,28 +246,44 @@ impl asperity_params {
             radius_2: self.slip_radius_2,
             stress_2: self.slip_stress_2,
         };
-        Ok(with_same_numbers!(self => Params { heights, attraction, contact_law, slip, slip_onset, }))
+        let heights = HeightFamily::Gaussian;
+        Ok(Draft {
+            params: with_same_numbers!(self => Params { heights, attraction, contact_law, slip, slip_onset, }),
+            height_distribution: self.height_distribution,
+            weibull_shape: self.weibull_shape,
+            skew: self.skew,
+            kurtosis: self.kurtosis,
+        })
     }
 
-    /// Refuses a skew or a kurtosis that the heights do not read.
-    fn check_shape(&self) -> Result<(), Failure> {
-        let invalid = |name, value: f64, allowed| Err(Failure::from(Error::invalid(name, value, allowed)));
-        if self.height_distribution == ASPERITY_HEIGHTS_JOHNSON {
-            return Ok(());
+    /// The same with the table, where the heights are one.
+    ///
+    /// # Safety
+    /// The table, where the heights are one, has the length it says.
+    pub(super) unsafe fn whole_draft(&self) -> Result<Draft, Failure> {
+        let mut draft = self.draft()?;
+        if self.height_distribution == ASPERITY_HEIGHTS_TABULATED {
+            draft.params.heights = self.table()?;
         }
-        if self.skew != 0.0 {
-            let allowed =
-                "must be 0 unless heights are Johnson's: set height_distribution to ASPERITY_HEIGHTS_JOHNSON, or call \
-                           asperity_params_set_skew for Weibull heights of this skew";
-            return invalid("skew", self.skew, allowed);
-        }
-        if self.kurtosis != 3.0 {
-            let allowed =
-                "must be 3 unless heights are Johnson's: the kurtosis of other heights follows from their shape; set \
-                           height_distribution to ASPERITY_HEIGHTS_JOHNSON, with skew and kurtosis";
-            return invalid("kurtosis", self.kurtosis, allowed);
-        }
-        Ok(())
+        Ok(draft)
+    }
+
+    /// The table, where the heights are one and it is there.
+    ///
+    /// # Safety
+    /// As that of `whole_draft`.
+    pub(super) unsafe fn readable_table(&self) -> Option<HeightFamily> {
+        let is_there = !self.table_height.is_null() && !self.table_density.is_null();
+        let length = usize::try_from(self.table_length).is_ok_and(|length| tabulated::check_length(length).is_ok());
+        (self.height_distribution == ASPERITY_HEIGHTS_TABULATED && is_there && length).then(|| self.table().ok())?
+    }
+
+    /// The library's form.
+    ///
+    /// # Safety
+    /// As that of `whole_draft`.
+    pub(super) unsafe fn to_params(self) -> Result<Params, Failure> {
+        Ok(self.whole_draft()?.into_params()?)
     }
 
     /// A copy of the caller's table.
@@ -307,6 +312,3 @@ pub(super) fn check_size(size: u64) -> Result<(), Failure> {
         )),
     }
 }
-
-/// The shape of Weibull heights without skew (Table 1 of the paper).
-const DEFAULT_SHAPE: f64 = 3.602;

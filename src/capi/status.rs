@@ -32,7 +32,10 @@ impl Error {
             | Error::Unset { .. }
             | Error::InvalidEntry { .. }
             | Error::NoStrength { .. }
+            | Error::Missing { .. }
+            | Error::Meaningless(_)
             | Error::Uncalibrated { .. } => ASPERITY_INVALID_PARAMETER,
+            Error::InText { error, .. } => error.status(),
             Error::InvalidLoad { .. } => ASPERITY_INVALID_LOAD,
             Error::Separated { .. } | Error::Open { .. } => ASPERITY_SEPARATED,
             Error::OutOfRange { .. } => ASPERITY_OUT_OF_RANGE,

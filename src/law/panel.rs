@@ -13,7 +13,7 @@ pub const NODES: usize = 10;
 /// Interpolation conditions per panel: value and slope at each of them.
 const CONDITIONS: usize = 2 * NODES;
 /// Next to a kink the slope of the stiffness is harder to resolve than that of friction: it need only be as good as values ask for, which
-/// leaves it within 2e-4 where the load is within 1 % of a kink, and within 1e-6 elsewhere.
+/// leaves it within 1e-3 where the load is within 1 % of a kink, and within 1e-6 elsewhere.
 const SLACK: f64 = 20.0;
 /// In panels that span less than this of s, differences of logarithms have lost the digits that its slopes have.
 const NARROW: f64 = 2e-4;

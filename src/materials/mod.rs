@@ -6,11 +6,13 @@
 mod bodies;
 mod interfaces;
 mod pairs;
+mod unknown;
 
 pub use bodies::MATERIALS;
 pub use interfaces::INTERFACES;
 pub use pairs::PAIRS;
 use std::ffi::CStr;
+pub(crate) use unknown::{no_interface, no_material, NoPair};
 
 /// A range for which no source is known.
 pub const NONE: [f64; 2] = [0.0, 0.0];

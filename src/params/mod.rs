@@ -1,6 +1,7 @@
 //! A surface pair in the user's own consistent units, and the ways to set its parameters.
 //!
-//! `checks` says what they may be together, and what they amount to; `numbers` what one of them may be.
+//! `checks` says what they may be together, and what they amount to; `numbers` what one of them may be; `units` converts
+//! them.
 
 // Brackets hold units here, not links.
 #![allow(rustdoc::broken_intra_doc_links)]
@@ -8,6 +9,7 @@
 mod checks;
 mod numbers;
 mod unit_slips;
+mod units;
 
 use crate::asperity::slip::{Slip, SlipConstants, SlipOnset};
 use crate::distribution::weibull::Weibull;
@@ -224,7 +226,7 @@ impl Params {
 
     /// All that is known of two bodies in contact, in SI units: the moduli, the work of adhesion, the longer Burgers vector, the
     /// range of adhesion, equal to it as in the paper, the hardness of the softer body, and the slip stress where it is measured.
-    /// What is not known is left to set, as by [`Params::unset`], and so is the roughness.
+    /// What is not known is left to set, as by [`Params::default`], and so is the roughness.
     ///
     /// # Errors
     /// As [`Params::set_materials`]; none for materials of the library.

@@ -213,6 +213,8 @@ typedef struct asperity_table {
 
 uint32_t asperity_abi_version(void);
 asperity_status asperity_check_loads(const struct asperity_model *, double, double, uint64_t *);
+double asperity_contact_radius_sum_at_load(const struct asperity_model *, double);
+asperity_status asperity_contact_radius_sum_at_loads(const struct asperity_model *, size_t, const double *, double *, double *);
 asperity_status asperity_create(const struct asperity_params *, struct asperity_model **);
 void asperity_free(struct asperity_model *);
 double asperity_friction_and_slope_at_load(const struct asperity_model *, double, double *);
@@ -244,6 +246,7 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *, double
 asperity_status asperity_params_get_value(const struct asperity_params *, const char *, double *);
 asperity_status asperity_params_init(struct asperity_params *, size_t);
 const char *asperity_params_name(size_t);
+asperity_status asperity_params_read(struct asperity_params *, const char *);
 asperity_status asperity_params_set_dimensionless(struct asperity_params *, double, double, double, double, double);
 asperity_status asperity_params_set_elastic_plastic(struct asperity_params *, double);
 asperity_status asperity_params_set_interface(struct asperity_params *, const char *);
@@ -252,8 +255,11 @@ asperity_status asperity_params_set_nayak_summits(struct asperity_params *, doub
 asperity_status asperity_params_set_pair(struct asperity_params *, const char *);
 asperity_status asperity_params_set_skew(struct asperity_params *, double);
 asperity_status asperity_params_set_spectral_moments(struct asperity_params *, double, double, double, double);
+asperity_status asperity_params_set_text(struct asperity_params *, const char *, size_t);
+asperity_status asperity_params_set_units(struct asperity_params *, double, double);
 asperity_status asperity_params_set_value(struct asperity_params *, const char *, double);
 asperity_status asperity_params_set_values(struct asperity_params *, size_t, const char *const *, const double *);
+size_t asperity_params_text(const struct asperity_params *, char *, size_t);
 asperity_status asperity_sensitivities_at_load(const struct asperity_model *, double, struct asperity_sensitivities *);
 asperity_status asperity_set_params(struct asperity_model *, const struct asperity_params *);
 double asperity_shear_stress_at_pressure(const struct asperity_model *, double, double, double *);

@@ -238,7 +238,7 @@ static void a_slip_of_units_is_told(void)
     p.nominal_area = 1e-2; /* mm^2 */
     CHECK(asperity_create(&p, &model) == ASPERITY_OUT_OF_RANGE && says("is nominal_area in mm^2"), "'%s'", last_message());
     p.nominal_area = 1e-22;
-    CHECK(asperity_create(&p, &model) == ASPERITY_OUT_OF_RANGE && says("no surface has so many summits"), "'%s'", last_message());
+    CHECK(asperity_create(&p, &model) == ASPERITY_OUT_OF_RANGE && says("is asperity_count a number of summits and not a density"), "'%s'", last_message());
 }
 
 static void setters_set_what_they_say_and_nothing_else(void)

@@ -4,13 +4,14 @@
 
 use crate::common::neighbours::Neighbours;
 use crate::interface::*;
-use std::ffi::CString;
+use std::mem::size_of;
 
 const HEADER: &str = include_str!("../../include/asperity.h");
 
-/// A field of the parameters, the symbol that its comment begins with, and its domain.
+/// A number of the parameters, where it lies in them, the symbol that its comment begins with, and its domain.
 struct Field {
     name: &'static str,
+    offset: usize,
     symbol: &'static str,
     domain: &'static str,
 }
@@ -21,16 +22,24 @@ type End = (bool, &'static str);
 fn fields() -> Vec<Field> {
     let body = HEADER.split("typedef struct asperity_params {").nth(1).expect("the struct");
     let body = body.split("} asperity_params;").next().expect("its end");
+    let mut end = 0;
     let field = |part: &'static str| {
         let (comment, declaration) = part.split_once("*/")?;
-        let name = declaration.split(';').next()?.rsplit([' ', '*']).next()?;
+        let (kind, name) = declaration.trim().split(';').next()?.rsplit_once([' ', '*'])?;
+        let size = match kind {
+            "int32_t" => 4,
+            "double" | "uint64_t" => 8,
+            _ => size_of::<*const f64>(),
+        };
+        let offset = usize::next_multiple_of(end, size);
+        end = offset + size;
         let (symbol, rest) = comment.trim_start_matches(['*', ' ', '\n']).split_once(" [")?;
         let domain = rest.split_once("], ")?.1;
         // It ends at a colon, a comma or the like, which in a number has no space after it.
         let ends = domain.char_indices().filter(|&(_, c)| [':', ';', ',', '.'].contains(&c));
         let mut ends = ends.map(|(i, _)| i).filter(|&i| domain[i + 1..].starts_with(char::is_whitespace));
         let domain = &domain[..ends.next()?];
-        (!declaration.contains('*')).then_some(Field { name, symbol, domain })
+        (kind == "double").then_some(Field { name, offset, symbol, domain })
     };
     body.split("/**").filter_map(field).collect()
 }
@@ -46,17 +55,16 @@ fn ends(domain: &'static str) -> [Option<End>; 2] {
     [at_least.map(|bound| (true, bound)).or(above.map(|bound| (false, bound))), upper.map(|bound| (true, bound))]
 }
 
-fn set(params: &mut asperity_params, name: &str, value: f64) {
-    let name = CString::new(name).unwrap();
-    // SAFETY: initialised parameters and a string.
-    assert_eq!(unsafe { asperity_params_set_value(params, name.as_ptr(), value) }, OK, "{name:?}: {}", message());
-}
+impl Field {
+    fn read(&self, params: &asperity_params) -> f64 {
+        // SAFETY: the header says that a double lies there.
+        unsafe { *std::ptr::from_ref(params).byte_add(self.offset).cast::<f64>() }
+    }
 
-fn get(params: &asperity_params, name: &str) -> f64 {
-    let (name, mut value) = (CString::new(name).unwrap(), 0.0);
-    // SAFETY: initialised parameters and a string.
-    assert_eq!(unsafe { asperity_params_get_value(params, name.as_ptr(), &mut value) }, OK, "{name:?}: {}", message());
-    value
+    fn write(&self, params: &mut asperity_params, value: f64) {
+        // SAFETY: the header says that a double lies there.
+        unsafe { *std::ptr::from_mut(params).byte_add(self.offset).cast::<f64>() = value };
+    }
 }
 
 /// A bound as a number: terms with " + " between, of factors with spaces between.
@@ -64,7 +72,7 @@ fn bound(text: &str, fields: &[Field], params: &asperity_params) -> f64 {
     let factor = |factor: &str| {
         let symbol = factor.strip_suffix("^2");
         let other = fields.iter().find(|other| [other.symbol, other.name].contains(&symbol.unwrap_or(factor)));
-        let value = other.map(|other| get(params, other.name)).or_else(|| factor.parse().ok());
+        let value = other.map(|other| other.read(params)).or_else(|| factor.parse().ok());
         let value = value.unwrap_or_else(|| panic!("'{factor}' of '{text}' is no number and no symbol of a field"));
         if symbol.is_some() {
             value * value
@@ -76,9 +84,9 @@ fn bound(text: &str, fields: &[Field], params: &asperity_params) -> f64 {
 }
 
 /// Why a model with this value is refused; none if it is made.
-fn refusal(params: &asperity_params, name: &str, value: f64) -> Option<String> {
+fn refusal(params: &asperity_params, field: &Field, value: f64) -> Option<String> {
     let mut params = *params;
-    set(&mut params, name, value);
+    field.write(&mut params, value);
     let mut model = std::ptr::null_mut();
     // SAFETY: initialised parameters; the model is freed once, NULL where there is none.
     let status = unsafe {
@@ -86,7 +94,7 @@ fn refusal(params: &asperity_params, name: &str, value: f64) -> Option<String> {
         asperity_free(model);
         status
     };
-    assert!([OK, INVALID_PARAMETER, OUT_OF_RANGE].contains(&status), "{name} = {value:e}: {}", message());
+    assert!([OK, INVALID_PARAMETER, OUT_OF_RANGE].contains(&status), "{} = {value:e}: {}", field.name, message());
     (status != OK).then(message)
 }
 
@@ -98,8 +106,10 @@ fn parameters_are_taken_where_the_header_says_and_no_further() {
         let mut params = asperity_params::initial();
         // What others must be where this one is at its end.
         match field.name {
-            "skew" => set(&mut params, "kurtosis", 50.0),
-            "slip_radius_2" => set(&mut params, "slip_stress_2", 1.0),
+            "weibull_shape" => params = params.weibull(3.602),
+            "skew" => params = params.johnson(0.0, 50.0),
+            "kurtosis" => params = params.johnson(0.0, 3.0),
+            "slip_radius_2" => params.slip_stress_2 = 1.0,
             _ => {}
         }
         let ends = ends(field.domain);
@@ -119,13 +129,13 @@ fn parameters_are_taken_where_the_header_says_and_no_further() {
             let inside = match (belongs, is_number) {
                 (true, true) => at,
                 (true, false) => step(false),
-                (false, true) => get(&params, field.name),
+                (false, true) => field.read(&params),
                 (false, false) => at * (1.0 + 1e-8),
             };
             let (name, domain) = (field.name, field.domain);
-            let refused = refusal(&params, name, inside);
+            let refused = refusal(&params, field, inside);
             assert!(refused.is_none(), "{name}, {domain}: {inside:e} is refused: {refused:?}");
-            let said = refusal(&params, name, outside);
+            let said = refusal(&params, field, outside);
             let said = said.unwrap_or_else(|| panic!("{name}, {domain}: {outside:e} is taken"));
             assert!(said.starts_with(name), "{name} = {outside:e}: {said}");
             // The refusal has the bound in the words of the header.

@@ -19,4 +19,5 @@ mod pressure_and_slip;
 mod programs;
 mod refusals;
 mod robustness;
+mod surface_text;
 mod tangential;

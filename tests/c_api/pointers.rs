@@ -220,6 +220,16 @@ fn parameters_are_set_in_memory_without_values() {
         assert_eq!(asperity_params_set_value(params, name, 3e11), OK);
         assert_eq!(asperity_params_set_values(params, 2, [name; 2].as_ptr(), [1e11, 2e11].as_ptr()), OK);
         assert_eq!((asperity_params_get_value(params, name, &mut value), value), (OK, 2e11));
+        // A text that ends where it says, at any address, and a file that there is not.
+        let text = b"hardness = 1e9";
+        let bytes = Place::at(text.len(), 1);
+        bytes.pointer::<u8>().copy_from_nonoverlapping(text.as_ptr(), text.len());
+        assert_eq!(asperity_params_set_text(params, bytes.pointer(), text.len()), OK);
+        assert_eq!(asperity_params_set_units(params, 1e-3, 1.0), OK);
+        let written = asperity_params_text(params, null_mut(), 0);
+        let buffer = Place::at(written + 1, 1);
+        assert_eq!(asperity_params_text(params, buffer.pointer(), written + 1), written);
+        assert_eq!(CStr::from_ptr(buffer.pointer()).count_bytes(), written);
         // Refused: the memory stays as it is.
         let before = place.words(whole / 8);
         assert_eq!(asperity_params_set_dimensionless(params, -1.0, 4.0, 1e-3, 1.0, 0.3), INVALID_PARAMETER);
@@ -231,6 +241,8 @@ fn parameters_are_set_in_memory_without_values() {
         assert_eq!(asperity_params_calibrate(params, 1.0, -0.3), INVALID_PARAMETER);
         assert_eq!(asperity_params_calibrate_force(params, 1.0, -0.3), INVALID_PARAMETER);
         assert_eq!(asperity_params_set_interface(params, c"steel/steel dry".as_ptr()), INVALID_PARAMETER);
+        assert_eq!(asperity_params_set_text(params, bytes.pointer(), 11), INVALID_PARAMETER); // "hardness = "
+        assert_eq!(asperity_params_set_units(params, 0.0, 1.0), INVALID_PARAMETER);
         assert_eq!(place.words(whole / 8), before);
     }
     // A size that is none: no more than it is read, and nothing is written.
@@ -276,6 +288,11 @@ fn null_is_refused_or_skipped() {
             asperity_params_get_value(null(), c"skew".as_ptr(), &mut slope),
             asperity_params_get_value(&params, null(), &mut slope),
             asperity_params_get_value(&params, c"skew".as_ptr(), null_mut()),
+            asperity_params_set_text(null_mut(), c"".as_ptr(), 0),
+            asperity_params_set_text(&mut params, null(), 0),
+            asperity_params_read(null_mut(), c"".as_ptr()),
+            asperity_params_read(&mut params, null()),
+            asperity_params_set_units(null_mut(), 1.0, 1.0),
             asperity_params_set_pair(null_mut(), c"Si/Si".as_ptr()),
             asperity_params_set_pair(&mut params, null()),
             asperity_params_set_interface(null_mut(), c"graphite layers".as_ptr()),

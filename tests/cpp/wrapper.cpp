@@ -323,6 +323,63 @@ void parameters_are_set_and_read_by_name() {
     EXPECT(params.hardness() == 3.0);
 }
 
+constexpr const char *STEEL = "pair = \"steel/steel\"\n"
+                              "contact_law = \"elastic-plastic\"\n"
+                              "work_of_adhesion = 0\n"
+                              "nominal_area = 1e-4\n"
+                              "calibration_load = 1000\n"
+                              "calibration_friction_coefficient = 0.16\n"
+                              "[roughness]\n"
+                              "m0 = 1e-12\n"
+                              "m2 = 0.02\n"
+                              "m4 = 4e9\n";
+
+void a_surface_is_a_text() {
+    const Params params = Params().set_text(STEEL);
+    EXPECT(close(Model(params).friction_at_load(1000.0), 0.16, 1e-9) && params.calibration_load() == 1000.0);
+    Params by_hand;
+    by_hand.set_pair("steel/steel").set_elastic_plastic(by_hand.hardness()).set_spectral_moments(1e-12, 0.02, 4e9, 1e-4);
+    by_hand.calibrate(1000.0, 0.16);
+    EXPECT(std::memcmp(&params.c(), &by_hand.c(), sizeof(asperity_params)) == 0);
+    EXPECT(std::memcmp(&Params().set_text(params.text()).c(), &params.c(), sizeof(asperity_params)) == 0);
+
+    Params other = Params::paper();
+    const Error error = thrown_by([&] { other.set_text("hardness = 1\nslip_onset = \"hole\"\n"); });
+    EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(std::string(error.what()) == "line 2: slip_onset = \"hole\": must be \"partial\" or \"whole\"");
+    EXPECT(std::memcmp(&other.c(), &Params::paper().c(), sizeof(asperity_params)) == 0);
+    other.contact_law(static_cast<asperity::ContactLaw>(7));
+    EXPECT(thrown_by([&] { (void)other.text(); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
+// A table of the text belongs to the library: copies, and what comes after, have it too.
+void a_text_may_have_a_table() {
+    const std::string text = "table_height = [1.0, 2.0, 3.0, 4.0, 5.0]\ntable_density = [0.0, 1.0, 2.0, 1.0, 0.0]\n";
+    const Params copy = Params(Params::paper().set_text(text)).set_text("radius_amplitude = 0.1");
+    EXPECT(copy.height_distribution() == asperity::Heights::tabulated && copy.table_height().data()[4] == 5.0);
+    EXPECT(copy.radius_amplitude() == 0.1 && Model(copy).friction_at_load(10.0) > 0.0);
+    EXPECT(Params().set_text(copy.text()).table_density().data()[2] == 2.0);
+}
+
+void a_surface_file_is_read(const std::string &path) {
+    std::FILE *file = std::fopen(path.c_str(), "wb");
+    EXPECT(file != nullptr && std::fputs(STEEL, file) >= 0 && std::fclose(file) == 0);
+    const Params read = Params().read(path);
+    EXPECT(std::memcmp(&read.c(), &Params().set_text(STEEL).c(), sizeof(asperity_params)) == 0);
+    EXPECT(std::remove(path.c_str()) == 0);
+    const Error error = thrown_by([&] { Params().read(path); });
+    EXPECT(error.status() == ASPERITY_INVALID_PARAMETER && begins(error.what(), (path + ": ").c_str()));
+}
+
+void a_surface_in_other_units_has_the_same_friction() {
+    const Params metres = Params().set_text(STEEL);
+    const Params millimetres = Params(metres).set_units(1e-3, 1.0);
+    EXPECT(close(millimetres.composite_modulus(), 1e-6 * metres.composite_modulus(), 1e-14));
+    EXPECT(close(millimetres.nominal_area(), 100.0, 1e-14));
+    EXPECT(close(Model(millimetres).friction_at_load(10.0), Model(metres).friction_at_load(10.0), 1e-10));
+    EXPECT(thrown_by([&] { Params(metres).set_units(0.0, 1.0); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
 void skew_chooses_the_weibull_shape() {
     // Table 1 of the paper: no skew at omega = 3.602. Rayleigh's distribution, omega = 2, has the skew
     // 2 pi^(1/2) (pi - 3)/(4 - pi)^(3/2).
@@ -889,7 +946,7 @@ void threads_share_a_model() {
 
 } // namespace
 
-int main() {
+int main(int, char **arguments) {
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
     versions_are_those_of_the_header();
     every_status_has_its_own_words();
@@ -905,6 +962,10 @@ int main() {
     spectral_moments_give_the_summits();
     dimensionless_groups_come_back_from_the_model();
     parameters_are_set_and_read_by_name();
+    a_surface_is_a_text();
+    a_text_may_have_a_table();
+    a_surface_file_is_read(std::string(arguments[0]) + ".toml");
+    a_surface_in_other_units_has_the_same_friction();
     skew_chooses_the_weibull_shape();
     johnson_heights_have_a_skew_and_a_kurtosis_of_their_own();
     sensitivities_are_those_of_the_friction_force();

@@ -11,7 +11,17 @@ const WRITE: &str = "ASPERITY_WRITE_HEADER";
 const GROUPS: [(&str, &[&str]); 6] = [
     (
         "Make: parameters from what you know of the surfaces, then a model.",
-        &["params", "setters", "names", "materials", "interfaces", "calibration", "model"],
+        &[
+            "params",
+            "setters",
+            "names",
+            "materials",
+            "interfaces",
+            "calibration",
+            "surface_text",
+            "surface_file",
+            "model",
+        ],
     ),
     (
         "Ask: friction, stiffness and conductance of one contact or of many, for the inner loop of a solver.",

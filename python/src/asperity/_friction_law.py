@@ -70,7 +70,7 @@ class FrictionLaw:
     def friction_at_load(self, load: Any, *, slope: bool = False) -> Any:
         """Friction coefficient F/P [-] at a load, or at many.
 
-        >>> model = asperity.Model(asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001))
+        >>> model = asperity.Model(asperity.Params.paper())
         >>> mu, slope = model.friction_at_load([10.0, 100.0], slope=True)
         >>> print(mu.round(4))
         [2.5279 1.9827]
@@ -224,6 +224,45 @@ class FrictionLaw:
         return self._evaluate("load", one, one_with_slope, many, separation, slope, "separation")
 
     @overload
+    def contact_radius_sum_at_load(self, load: float, *, slope: Literal[False] = ...) -> float: ...
+    @overload
+    def contact_radius_sum_at_load(self, load: float, *, slope: Literal[True]) -> tuple[float, float]: ...
+    @overload
+    def contact_radius_sum_at_load(self, load: Loads, *, slope: Literal[False] = ...) -> Array: ...
+    @overload
+    def contact_radius_sum_at_load(self, load: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
+    @overload
+    def contact_radius_sum_at_load(self, load: Labelled, *, slope: Literal[False] = ...) -> Labelled: ...
+    @overload
+    def contact_radius_sum_at_load(self, load: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
+
+    def contact_radius_sum_at_load(self, load: Any, *, slope: bool = False) -> Any:
+        """Sum of the radii of all contacts at a load, or at many, from the compiled law.
+
+        The thermal or electrical conductance of independent contacts is 2 k times the sum, with k = 2 k1 k2/(k1 + k2) of the
+        conductivities of the two bodies.
+
+        Args:
+            load: normal load [force], as for `friction_at_load`.
+            slope: whether to return d(sum)/d(load) [length/force] too.
+
+        Returns:
+            The sum [length], or (sum, slope); 0 below the pull-off load: a float for a number, an array of the same shape for an
+            array.
+
+        Raises:
+            Error: a load that is NaN, infinite, or too heavy; the class tells more.
+        """
+
+        def one_with_slope(model: Any, at: float, slope: ctypes.c_double) -> float:
+            found = ctypes.c_double()
+            LIBRARY.asperity_contact_radius_sum_at_loads(model, 1, ctypes.c_double(at), found, slope)
+            return found.value
+
+        one, many = LIBRARY.asperity_contact_radius_sum_at_load, LIBRARY.asperity_contact_radius_sum_at_loads
+        return self._evaluate("contact_radius_sum", one, one_with_slope, many, load, slope)
+
+    @overload
     def tangential_stiffness_at_load(self, load: float) -> float: ...
     @overload
     def tangential_stiffness_at_load(self, load: Loads) -> Array: ...
@@ -375,7 +414,7 @@ class FrictionLaw:
     def check(self, lightest: float, heaviest: float) -> Warnings:
         """Warnings of all states between two loads: whether the model holds for a contact that meets these loads.
 
-        >>> model = asperity.Model(asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001))
+        >>> model = asperity.Model(asperity.Params.paper().calibrated(100.0, 0.3))
         >>> print(model.check(10.0, 100.0))
         none
 

@@ -53,7 +53,7 @@ def fit(
 ) -> Fit:
     """Parameters of two surfaces, fitted to measured friction by weighted least squares, with their errors: a `Fit`.
 
-    >>> params = asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+    >>> params = asperity.Params.paper()
     >>> load = [10.0, 30.0, 100.0, 300.0]
     >>> measured = 0.5 * asperity.Model(params).friction_at_load(load)  # half the default strength
     >>> found = asperity.fit(load, measured, free=["slip_stress"], params=params)

@@ -136,7 +136,7 @@ def uncertainty(
 ) -> Uncertainty:
     """Friction at loads, with the band that follows from the spread of the parameters.
 
-    >>> params = asperity.Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
+    >>> params = asperity.Params.paper()
     >>> band = asperity.uncertainty(params, {"slip_stress": 0.1}, loads=[100.0])
     >>> print(f"{band.high[0] / band.value[0]:.3f}")
     1.217

@@ -1,0 +1,120 @@
+//! Parameters while they are set by name: the numbers of all families of heights are kept, whichever is chosen in the end.
+
+use crate::distribution::{tabulated, weibull::Weibull};
+use crate::error::Error;
+use crate::params::{HeightFamily, Params};
+use crate::spectrum::SpectralMoments;
+use std::mem::replace;
+
+/// The families of heights as numbers.
+pub const GAUSSIAN: i32 = 0;
+pub const WEIBULL: i32 = 1;
+pub const JOHNSON: i32 = 2;
+pub const TABULATED: i32 = 3;
+
+/// The shape of Weibull heights without skew (Table 1 of the paper).
+const DEFAULT_SHAPE: f64 = 3.602;
+
+/// Parameters with the choice of their heights side by side.
+#[derive(Debug, Clone)]
+pub struct Draft {
+    /// All other parameters. Of the heights only a table is here, where there is one.
+    pub params: Params,
+    pub height_distribution: i32,
+    pub weibull_shape: f64,
+    pub skew: f64,
+    pub kurtosis: f64,
+}
+
+impl Default for Draft {
+    fn default() -> Self {
+        Self::of(&Params::default())
+    }
+}
+
+impl Draft {
+    pub fn of(params: &Params) -> Self {
+        let mut draft = Self {
+            params: params.clone(),
+            height_distribution: GAUSSIAN,
+            weibull_shape: DEFAULT_SHAPE,
+            skew: 0.0,
+            kurtosis: 3.0,
+        };
+        match params.heights {
+            HeightFamily::Gaussian => {}
+            HeightFamily::Weibull { shape } => draft.choose_weibull(shape),
+            HeightFamily::Johnson { skew, kurtosis } => draft.choose_johnson(skew, kurtosis),
+            HeightFamily::Tabulated { .. } => draft.height_distribution = TABULATED,
+        }
+        draft
+    }
+
+    /// The parameters, with the heights that are chosen.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] for a family that is none, and for a skew or a kurtosis that the heights do not read.
+    pub fn into_params(self) -> Result<Params, Error> {
+        let heights = match self.height_distribution {
+            GAUSSIAN => HeightFamily::Gaussian,
+            WEIBULL => HeightFamily::Weibull { shape: self.weibull_shape },
+            JOHNSON => HeightFamily::Johnson { skew: self.skew, kurtosis: self.kurtosis },
+            TABULATED => match self.params.heights {
+                HeightFamily::Tabulated { .. } => self.params.heights.clone(),
+                _ => return Err(tabulated::check_length(0).err().unwrap_or(Error::Unset { name: "table_height" })),
+            },
+            other => {
+                let allowed = "must be one of ASPERITY_HEIGHTS_: GAUSSIAN (0), WEIBULL (1), JOHNSON (2), TABULATED (3)";
+                return Err(Error::invalid("height_distribution", other, allowed));
+            }
+        };
+        self.check_shape()?;
+        Ok(Params { heights, ..self.params })
+    }
+
+    /// Refuses a skew or a kurtosis that the heights do not read.
+    fn check_shape(&self) -> Result<(), Error> {
+        if self.height_distribution == JOHNSON {
+            return Ok(());
+        }
+        if self.skew != 0.0 {
+            let allowed =
+                "must be 0 unless heights are Johnson's: set height_distribution to ASPERITY_HEIGHTS_JOHNSON, or call \
+                           asperity_params_set_skew for Weibull heights of this skew";
+            return Err(Error::invalid("skew", self.skew, allowed));
+        }
+        if self.kurtosis != 3.0 {
+            let allowed =
+                "must be 3 unless heights are Johnson's: the kurtosis of other heights follows from their shape; set \
+                           height_distribution to ASPERITY_HEIGHTS_JOHNSON, with skew and kurtosis";
+            return Err(Error::invalid("kurtosis", self.kurtosis, allowed));
+        }
+        Ok(())
+    }
+
+    pub fn choose_weibull(&mut self, shape: f64) {
+        (self.height_distribution, self.weibull_shape) = (WEIBULL, shape);
+        (self.skew, self.kurtosis) = (0.0, 3.0);
+    }
+
+    fn choose_johnson(&mut self, skew: f64, kurtosis: f64) {
+        self.height_distribution = JOHNSON;
+        (self.skew, self.kurtosis) = (skew, kurtosis);
+    }
+
+    /// As [`Params::set_skew`].
+    pub fn set_skew(&mut self, skew: f64) -> Result<(), Error> {
+        self.choose_weibull(Weibull::shape_of_skew(skew)?);
+        Ok(())
+    }
+
+    /// As [`Params::set_nayak_summits`].
+    pub fn set_nayak_summits(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Error> {
+        let table = replace(&mut self.params.heights, HeightFamily::Gaussian);
+        self.params.set_nayak_summits(moments, nominal_area)?;
+        if let HeightFamily::Johnson { skew, kurtosis } = replace(&mut self.params.heights, table) {
+            self.choose_johnson(skew, kurtosis);
+        }
+        Ok(())
+    }
+}

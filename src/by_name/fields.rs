@@ -1,0 +1,128 @@
+//! The parameters that are one number each, by their names. A new one is a line here.
+
+use super::draft::Draft;
+use crate::asperity::slip::SlipOnset;
+use crate::c_string::c_string;
+use crate::error::Error;
+use crate::params::ContactLawKind;
+use std::ffi::CStr;
+
+/// A parameter that is one number.
+pub struct Field {
+    pub name: &'static str,
+    /// The same, for C.
+    pub c_name: &'static CStr,
+    /// The words for 0, 1, ... where it is a choice.
+    pub words: &'static [&'static str],
+    of: fn(&mut Draft) -> &mut dyn Number,
+}
+
+/// The words of what is true or false.
+pub const FLAG: &[&str] = &["false", "true"];
+
+macro_rules! fields {
+    (@words) => { &[] };
+    (@words $words:expr) => { $words };
+    ($($name:ident: $($place:ident).+ $(as $words:expr)?;)*) => {
+        &[$(Field {
+            name: stringify!($name),
+            c_name: c_string!(stringify!($name)),
+            words: fields!(@words $($words)?),
+            of: |draft| &mut draft.$($place).+,
+        }),*]
+    };
+}
+
+/// All of them. Shape, kurtosis and skew choose the heights; in this order, with the choice itself last, setting one after
+/// another what another surface has copies that surface.
+pub static FIELDS: &[Field; 28] = fields! {
+    composite_modulus: params.composite_modulus;
+    effective_shear_modulus: params.effective_shear_modulus;
+    work_of_adhesion: params.work_of_adhesion;
+    adhesion_range: params.adhesion_range;
+    burgers_vector: params.burgers_vector;
+    height_std: params.height_std;
+    summit_radius: params.summit_radius;
+    asperity_count: params.asperity_count;
+    attraction: params.attraction as FLAG;
+    radius_amplitude: params.radius_amplitude;
+    radius_rate: params.radius_rate;
+    slip_radius_1: params.slip.radius_1;
+    slip_stress_1: params.slip.stress_1;
+    slip_radius_2: params.slip.radius_2;
+    slip_stress_2: params.slip.stress_2;
+    max_friction_coefficient: params.max_friction_coefficient;
+    hardness: params.hardness;
+    tangential_modulus: params.tangential_modulus;
+    nominal_area: params.nominal_area;
+    pressure_coefficient: params.pressure_coefficient;
+    bandwidth: params.bandwidth;
+    calibration_error: params.calibration_error;
+    contact_law: params.contact_law as &["maugis", "elastic-plastic"];
+    slip_onset: params.slip_onset as &["partial", "whole"];
+    weibull_shape: weibull_shape;
+    kurtosis: kurtosis;
+    skew: skew;
+    height_distribution: height_distribution as &["gaussian", "weibull", "johnson", "tabulated"];
+};
+
+trait Number {
+    fn get(&self) -> f64;
+    /// Whether it can have the value, which it then has.
+    fn set(&mut self, value: f64) -> bool;
+}
+
+impl Number for f64 {
+    fn get(&self) -> f64 {
+        *self
+    }
+    fn set(&mut self, value: f64) -> bool {
+        *self = value;
+        true
+    }
+}
+
+impl Number for i32 {
+    fn get(&self) -> f64 {
+        (*self).into()
+    }
+    fn set(&mut self, value: f64) -> bool {
+        *self = value as i32;
+        self.get() == value
+    }
+}
+
+/// What has a word, by its number.
+macro_rules! choice {
+    ($kind:ty: $($value:expr),*) => {
+        impl Number for $kind {
+            fn get(&self) -> f64 {
+                [$($value),*].iter().position(|value| value == self).unwrap_or_default() as f64
+            }
+            fn set(&mut self, value: f64) -> bool {
+                let found = [$($value),*].into_iter().enumerate().find(|(number, _)| *number as f64 == value);
+                found.map(|(_, value)| *self = value).is_some()
+            }
+        }
+    };
+}
+
+choice! { bool: false, true }
+choice! { ContactLawKind: ContactLawKind::Maugis, ContactLawKind::ElasticPlastic }
+choice! { SlipOnset: SlipOnset::Partial, SlipOnset::Whole }
+
+impl Field {
+    pub fn get(&self, draft: &mut Draft) -> f64 {
+        (self.of)(draft).get()
+    }
+
+    /// # Errors
+    /// [`Error::InvalidParameter`] of a choice that is none.
+    pub fn set(&self, draft: &mut Draft, value: f64) -> Result<(), Error> {
+        if (self.of)(draft).set(value) {
+            return Ok(());
+        }
+        let allowed = "must be a whole number, one of the constants that asperity.h lists for it";
+        Err(Error::invalid(self.name, value, allowed))
+    }
+}

@@ -1,0 +1,189 @@
+//! The keys of a text that describes a surface, where each belongs, and what is said of one that is none.
+
+use super::fields::FIELDS;
+use super::toml::{self, Keys, Outcome, Problem, Shown, Value};
+use crate::nearest::nearest;
+use std::fmt::{Display, Formatter};
+
+/// A table of a text, or the top of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Table {
+    Top,
+    Materials,
+    Roughness,
+}
+
+const TABLES: [Table; 3] = [Table::Top, Table::Materials, Table::Roughness];
+
+impl Table {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Top => "",
+            Self::Materials => "materials",
+            Self::Roughness => "roughness",
+        }
+    }
+
+    /// Its keys beside the fields of parameters, which are those of the top.
+    fn keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Top => &[
+                "pair",
+                "interface",
+                "summit_density",
+                "table_height",
+                "table_density",
+                "calibration_load",
+                "calibration_friction_coefficient",
+                "calibration_friction_force",
+                HEIGHTS,
+            ],
+            Self::Materials => &["first", "second", "E1", "nu1", "E2", "nu2"],
+            Self::Roughness => {
+                &["m0", "m2", "m4", "Ra", "Rq", "RSm", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "summits"]
+            }
+        }
+    }
+
+    fn has(self, name: &str) -> bool {
+        self.all_keys().any(|key| key == name)
+    }
+
+    fn all_keys(self) -> impl Iterator<Item = &'static str> {
+        let fields: &[_] = if self == Self::Top { FIELDS } else { &[] };
+        fields.iter().map(|field| field.name).chain(self.keys().iter().copied())
+    }
+}
+
+impl Display for Table {
+    /// As it stands before the key in a message.
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Top => Ok(()),
+            table => write!(f, "[{}] ", table.name()),
+        }
+    }
+}
+
+/// The short word for `height_distribution`.
+const HEIGHTS: &str = "heights";
+
+/// What is said of words that people expect to be keys.
+const EXPECTED: [(&[&str], &str); 8] = [
+    (
+        &["Rz", "Rt", "Rp", "Rv", "Rmax", "Sz", "Sp", "Sv"],
+        "a height from peak to valley, which grows with the length measured: give Ra or Rq",
+    ),
+    (&["Sa"], "give it as Ra"),
+    (&["mu", "friction", "friction_coefficient"], "give calibration_friction_coefficient with calibration_load"),
+    (&["sigma"], "the standard deviation of the summit heights is height_std"),
+    (&["R", "radius"], "the radius of the summits is summit_radius"),
+    (&["E", "nu", "young", "poisson"], "give E1, nu1, E2 and nu2 in [materials]"),
+    (&["material"], "give first and second in [materials], or pair = \"steel/steel\""),
+    (&["N", "count"], "the number of summits is asperity_count, or summit_density with nominal_area"),
+];
+
+/// A key with its value.
+#[derive(Debug)]
+pub struct Entry<'t> {
+    pub table: Table,
+    pub name: &'static str,
+    /// The byte of the text where it is.
+    pub at: usize,
+    pub value: Value<'t>,
+}
+
+/// What a text gives.
+pub struct Entries<'t> {
+    pub text: &'t str,
+    list: Vec<Entry<'t>>,
+    table: Table,
+    /// Where each table begins.
+    tables: Vec<(Table, usize)>,
+}
+
+impl<'t> Entries<'t> {
+    /// # Errors
+    /// What is no TOML, and keys and tables that are unknown or given twice.
+    pub fn read(text: &'t str) -> Outcome<Self> {
+        let mut entries = Self { text, list: Vec::new(), table: Table::Top, tables: Vec::new() };
+        toml::read(text, &mut entries)?;
+        Ok(entries)
+    }
+
+    #[inline(never)]
+    pub fn find(&self, table: Table, name: &str) -> Option<&Entry<'t>> {
+        self.list.iter().find(|entry| entry.table == table && entry.name == name)
+    }
+
+    /// The entries of a table, in their order.
+    pub fn of(&self, table: Table) -> impl Iterator<Item = &Entry<'t>> {
+        self.list.iter().filter(move |entry| entry.table == table)
+    }
+
+    /// Where a table begins, if it is there.
+    pub fn begin(&self, table: Table) -> Option<usize> {
+        self.tables.iter().find(|(other, _)| *other == table).map(|(_, at)| *at)
+    }
+
+    /// Where a name is given, in whichever table.
+    #[inline(never)]
+    pub fn place(&self, name: &str) -> Option<usize> {
+        self.list.iter().find(|entry| entry.name == name).map(|entry| entry.at)
+    }
+
+    fn line(&self, at: usize) -> usize {
+        1 + self.text.as_bytes()[..at].iter().filter(|&&byte| byte == b'\n').count()
+    }
+
+    /// Refuses a key that the table does not have.
+    #[cold]
+    fn unknown(&self, name: &str, at: usize) -> Box<Problem> {
+        let elsewhere = TABLES.into_iter().find(|table| table.has(name));
+        let expected = EXPECTED.iter().find(|(words, _)| words.contains(&name));
+        let (table, shown) = (self.table, Shown(name));
+        match (elsewhere, expected) {
+            (Some(Table::Top), _) => Problem::new(at, format_args!("{table}{shown}: belongs above the first table")),
+            (Some(other), _) => Problem::new(at, format_args!("{table}{shown}: belongs in [{}]", other.name())),
+            (_, Some((_, meant))) => Problem::new(at, format_args!("{table}{shown}: no such key; {meant}")),
+            _ => {
+                let tables = TABLES[1..].iter().filter(|_| table == Table::Top).map(|table| table.name());
+                let nearest = nearest(name.as_bytes(), table.all_keys().chain(tables));
+                Problem::new(at, format_args!("{table}{shown}: no such key; the nearest is {nearest}"))
+            }
+        }
+    }
+}
+
+impl<'t> Keys<'t> for Entries<'t> {
+    fn table(&mut self, name: Option<&str>, at: usize) -> Outcome<()> {
+        self.table = Table::Top;
+        let Some(name) = name else { return Ok(()) };
+        let Some(&table) = TABLES[1..].iter().find(|table| table.name() == name) else {
+            let says = format_args!("[{}]: no such table; there are [materials] and [roughness]", Shown(name));
+            return Err(Problem::new(at, says));
+        };
+        if let Some(first) = self.begin(table) {
+            return Err(Problem::new(at, format_args!("[{name}]: given twice, also in line {}", self.line(first))));
+        }
+        self.tables.push((table, at));
+        self.table = table;
+        Ok(())
+    }
+
+    fn key(&mut self, name: &str, at: usize, value: Value<'t>) -> Outcome<()> {
+        if let (Table::Top, Some(table)) = (self.table, TABLES[1..].iter().find(|table| table.name() == name)) {
+            return Err(Problem::new(at, format_args!("{name} = {value}: must be a table, [{}]", table.name())));
+        }
+        let Some(known) = self.table.all_keys().find(|key| *key == name) else {
+            return Err(self.unknown(name, at));
+        };
+        let name = if known == HEIGHTS { "height_distribution" } else { known };
+        if let Some(first) = self.find(self.table, name) {
+            let line = self.line(first.at);
+            return Err(Problem::new(at, format_args!("{}{known}: given twice, also in line {line}", self.table)));
+        }
+        self.list.push(Entry { table: self.table, name, at, value });
+        Ok(())
+    }
+}

@@ -1,0 +1,208 @@
+//! Numbers by their names, given together: what they make of parameters, in which order.
+
+use super::draft::{Draft, JOHNSON, WEIBULL};
+use super::fields::FIELDS;
+use crate::error::Error;
+use crate::materials::{Bodies, Interface};
+use crate::nearest::{nearest, Unknown};
+use crate::params::{positive, Params};
+use crate::spectrum::SpectralMoments;
+use std::borrow::Cow;
+use std::f64::consts::FRAC_PI_2;
+
+/// Names that are no fields: arguments of setters, which take all of theirs at once.
+pub static ARGUMENTS: [&str; 12] = [
+    "E1",
+    "nu1",
+    "E2",
+    "nu2",
+    "m0",
+    "m2",
+    "m4",
+    "Ra",
+    "summit_density",
+    "calibration_load",
+    "calibration_friction_coefficient",
+    "calibration_friction_force",
+];
+
+/// All names of numbers.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    FIELDS.iter().map(|field| field.name).chain(ARGUMENTS)
+}
+
+/// What is set together. Of a number that is given twice the last counts.
+pub struct Numbers {
+    values: [Option<f64>; FIELDS.len() + ARGUMENTS.len()],
+    /// Two materials by their names.
+    pub bodies: Option<Bodies>,
+    pub interface: Option<&'static Interface>,
+    /// Whether moments stand for summits with Nayak's heights and radii, not for equal ones.
+    pub has_nayak_summits: bool,
+}
+
+impl Default for Numbers {
+    fn default() -> Self {
+        let values = [None; FIELDS.len() + ARGUMENTS.len()];
+        Self { values, bodies: None, interface: None, has_nayak_summits: false }
+    }
+}
+
+/// A measurement of friction, to which the strength of the interface is set.
+#[derive(Debug, Clone, Copy)]
+pub enum Measured {
+    Coefficient { load: f64, coefficient: f64 },
+    Force { load: f64, force: f64 },
+}
+
+impl Measured {
+    /// # Errors
+    /// Those of [`Params::calibrate`] and [`Params::calibrate_force`].
+    pub fn set(&self, params: &mut Params) -> Result<(), Error> {
+        match *self {
+            Self::Coefficient { load, coefficient } => params.calibrate(load, coefficient),
+            Self::Force { load, force } => params.calibrate_force(load, force),
+        }
+    }
+}
+
+fn meaningless(says: &'static str) -> Error {
+    Error::Meaningless(Cow::Borrowed(says))
+}
+
+impl Numbers {
+    /// Which name in turn this is.
+    #[inline(never)]
+    pub fn position(name: &[u8]) -> Option<usize> {
+        names().position(|other| other.as_bytes() == name)
+    }
+
+    /// What is said of a name that is none.
+    pub fn unknown(name: &[u8]) -> Unknown<'_> {
+        Unknown { name, thing: "parameter", nearest: nearest(name, names()) }
+    }
+
+    /// Gives a number by its position.
+    pub fn give(&mut self, position: usize, value: f64) {
+        self.values[position] = Some(value);
+    }
+
+    /// Gives a number by a name that is one.
+    pub fn give_named(&mut self, name: &'static str, value: f64) {
+        if let Some(position) = Self::position(name.as_bytes()) {
+            self.give(position, value);
+        }
+    }
+
+    pub fn get(&self, name: &str) -> Option<f64> {
+        self.values[Self::position(name.as_bytes())?]
+    }
+
+    /// Sets all but the strength from a measurement, which needs all else.
+    ///
+    /// # Errors
+    /// What is refused, by its name; the draft is of no use then.
+    pub fn set(&self, draft: &mut Draft) -> Result<(), Error> {
+        if let Some(bodies) = &self.bodies {
+            draft.params.set_bodies(bodies)?;
+        }
+        if let Some([young_1, poisson_1, young_2, poisson_2]) =
+            self.together(["E1", "nu1", "E2", "nu2"], "must be given too: E1, nu1, E2 and nu2 go together")?
+        {
+            draft.params.set_materials(young_1, poisson_1, young_2, poisson_2)?;
+        }
+        self.set_fields(draft)?;
+        // After `nominal_area`, which they need.
+        if let Some([m0, m2, m4]) = self.moments()? {
+            let (moments, area) = (SpectralMoments { m0, m2, m4 }, draft.params.nominal_area);
+            match self.has_nayak_summits {
+                true => draft.set_nayak_summits(moments, area)?,
+                false => draft.params.set_spectral_moments(moments, area)?,
+            }
+        }
+        if let Some(density) = self.get("summit_density") {
+            self.set_density(draft, density)?;
+        }
+        self.interface.map_or(Ok(()), |interface| draft.params.set_interface(interface))
+    }
+
+    fn set_fields(&self, draft: &mut Draft) -> Result<(), Error> {
+        let (chosen, shape) = (self.get("height_distribution"), self.get("weibull_shape"));
+        for (field, value) in FIELDS.iter().zip(self.values) {
+            let Some(value) = value else { continue };
+            // A skew alone is that of Weibull heights; beside others it is refused with the parameters.
+            let is_weibulls = match chosen {
+                None => draft.height_distribution != JOHNSON,
+                Some(family) => family == f64::from(WEIBULL) && shape.is_none(),
+            };
+            match field.name {
+                "skew" if is_weibulls => draft.set_skew(value)?,
+                "weibull_shape" => draft.choose_weibull(value),
+                _ => field.set(draft, value)?,
+            }
+            if field.name == "kurtosis" {
+                draft.height_distribution = JOHNSON;
+            }
+        }
+        Ok(())
+    }
+
+    /// m0, m2 and m4, the first from Ra where that is given: of Gaussian heights the mean deviation is (2/pi)^(1/2) times the
+    /// standard one.
+    fn moments(&self) -> Result<Option<[f64; 3]>, Error> {
+        let together = "must be given too: m0, m2 and m4 go together";
+        let Some(roughness) = self.get("Ra") else { return self.together(["m0", "m2", "m4"], together) };
+        if self.get("m0").is_some() {
+            return Err(meaningless("Ra: must not be given together with m0, which it replaces"));
+        }
+        positive("Ra", roughness)?;
+        let Some([m2, m4]) = self.together(["m2", "m4"], "must be given too: Ra, m2 and m4 go together")? else {
+            return Err(meaningless("Ra: says how high the roughness is, not how sharp: give m2 and m4 too"));
+        };
+        Ok(Some([FRAC_PI_2 * (roughness * roughness), m2, m4]))
+    }
+
+    fn set_density(&self, draft: &mut Draft, density: f64) -> Result<(), Error> {
+        if self.get("asperity_count").is_some() {
+            return Err(meaningless(
+                "summit_density: must not be given together with asperity_count, which it replaces",
+            ));
+        }
+        positive("summit_density", density)?;
+        if draft.params.nominal_area == 0.0 {
+            return Err(meaningless("nominal_area: must be set, since summit_density gives the summits per area"));
+        }
+        positive("nominal_area", draft.params.nominal_area)?;
+        draft.params.asperity_count = density * draft.params.nominal_area;
+        Ok(())
+    }
+
+    /// The measurement, where one is given.
+    ///
+    /// # Errors
+    /// [`Error::Meaningless`] of a part of one, or of two.
+    pub fn measured(&self) -> Result<Option<Measured>, Error> {
+        let [load, coefficient, force] =
+            ["calibration_load", "calibration_friction_coefficient", "calibration_friction_force"]
+                .map(|name| self.get(name));
+        match (load, coefficient, force) {
+            (None, None, None) => Ok(None),
+            (Some(load), Some(coefficient), None) => Ok(Some(Measured::Coefficient { load, coefficient })),
+            (Some(load), None, Some(force)) => Ok(Some(Measured::Force { load, force })),
+            _ => Err(meaningless(
+                "calibration_load: must be given together with calibration_friction_coefficient or \
+                 calibration_friction_force, and with one of the two alone",
+            )),
+        }
+    }
+
+    /// The arguments of a setter: all or none.
+    fn together<const N: usize>(&self, all: [&'static str; N], says: &'static str) -> Result<Option<[f64; N]>, Error> {
+        let given = all.map(|name| self.get(name));
+        match given.iter().position(Option::is_none) {
+            None => Ok(Some(given.map(Option::unwrap_or_default))),
+            Some(_) if given.iter().all(Option::is_none) => Ok(None),
+            Some(missing) => Err(Error::Missing { name: all[missing], says }),
+        }
+    }
+}

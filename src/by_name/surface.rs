@@ -1,0 +1,341 @@
+//! What a text makes of parameters.
+
+use super::draft::{Draft, TABULATED};
+use super::fields::{FIELDS, FLAG};
+use super::keys::{Entries, Entry, Table};
+use super::numbers::{names, Numbers};
+use super::roughness::Roughness;
+use super::toml::{text, Outcome, Problem, Value};
+use crate::distribution::tabulated;
+use crate::error::Error;
+use crate::materials::{no_interface, no_material, Bodies, Interface, Material, NoPair};
+use crate::params::{HeightFamily, Params};
+use std::fmt::{Arguments, Display, Formatter};
+use std::sync::Arc;
+
+/// What the bodies set, but for what may be given beside them.
+const MODULI: &[&str] = &["composite_modulus", "effective_shear_modulus", "tangential_modulus"];
+/// What the roughness sets.
+const SUMMITS: &[&str] = &["height_std", "summit_radius", "asperity_count", "summit_density"];
+/// What an interface sets.
+const STRENGTH: &[&str] = &["slip_stress_1", "slip_stress_2", "pressure_coefficient"];
+/// What chooses heights, and what Nayak's summits set beside them.
+const SHAPES: &[&str] = &["weibull_shape", "skew", "kurtosis", "table_height", "table_density"];
+const NAYAK: &[&str] = &["height_distribution", "radius_amplitude", "radius_rate"];
+
+/// Sets what a text gives; of what it does not, all stays as it is.
+///
+/// # Errors
+/// [`Error::InText`], with the line; [`Error::Meaningless`] of a text that is too long. The draft is of no use then.
+pub fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Error> {
+    let text = text(bytes)?;
+    set(text, draft).map_err(|problem| problem.in_text(bytes))
+}
+
+fn set(text: &str, draft: &mut Draft) -> Outcome<()> {
+    let entries = Entries::read(text)?;
+    let mut given = Given { entries: &entries, numbers: Numbers::default() };
+    given.numbers()?;
+    given.bodies()?;
+    given.heights(draft)?;
+    given.roughness(draft)?;
+    given.interface()?;
+    let Given { numbers, .. } = given;
+    let begin = [Table::Roughness, Table::Materials].into_iter().find_map(|table| entries.begin(table));
+    numbers.set(draft).map_err(|error| entries.problem(error, begin))?;
+    let measured = numbers.measured().map_err(|error| entries.problem(error, entries.measured()))?;
+    // Of parameters that are not complete no more can be said.
+    let mut params = draft.clone().into_params().map_err(|error| entries.problem(error, None))?;
+    if let Some(measured) = measured {
+        measured.set(&mut params).map_err(|error| entries.problem(error, entries.measured()))?;
+        draft.params = Params { heights: draft.params.heights.clone(), ..params };
+    } else if let Err(error) = params.surface() {
+        if let Some(at) = error.name().and_then(|name| entries.place(name)) {
+            return Err(Problem::of(at, error));
+        }
+    }
+    Ok(())
+}
+
+impl Entries<'_> {
+    /// A problem where its parameter is given, or else at another place, or at the beginning.
+    #[cold]
+    #[inline(never)]
+    fn problem(&self, error: Error, otherwise: Option<usize>) -> Box<Problem> {
+        let at = error.name().and_then(|name| self.place(name)).or(otherwise).unwrap_or_default();
+        Problem::of(at, error)
+    }
+
+    /// Where the measurement is.
+    fn measured(&self) -> Option<usize> {
+        let names = ["calibration_load", "calibration_friction_coefficient", "calibration_friction_force"];
+        names.into_iter().find_map(|name| self.place(name))
+    }
+
+    /// Refuses names that something else sets.
+    #[inline(never)]
+    fn exclude(&self, names: &[&str], by: &str) -> Outcome<()> {
+        match names.iter().find_map(|name| self.find(Table::Top, name)) {
+            Some(entry) => Err(entry.set_by(by)),
+            None => Ok(()),
+        }
+    }
+
+    /// A word, where the key is given.
+    fn word(&self, table: Table, name: &str, of: &str) -> Outcome<Option<(&Entry<'_>, &str)>> {
+        match self.find(table, name) {
+            None => Ok(None),
+            Some(entry) => match &entry.value {
+                Value::Word(word) => Ok(Some((entry, word))),
+                _ => Err(entry.must_be(format_args!("the name of {of}, in quotes"))),
+            },
+        }
+    }
+}
+
+impl Entry<'_> {
+    #[cold]
+    #[inline(never)]
+    fn refused(&self, says: Arguments) -> Box<Problem> {
+        Problem::new(self.at, format_args!("{}{}: {says}", self.table, self.name))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn must_be(&self, what: Arguments) -> Box<Problem> {
+        Problem::new(self.at, format_args!("{}{} = {}: must be {what}", self.table, self.name, self.value))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn set_by(&self, other: &str) -> Box<Problem> {
+        self.refused(format_args!("{other} sets it already, leave one out"))
+    }
+
+    #[inline(never)]
+    fn number(&self) -> Outcome<f64> {
+        match &self.value {
+            Value::Number(number) => Ok(*number),
+            Value::Word(word) if word.trim().parse::<f64>().is_ok() => {
+                Err(self.must_be(format_args!("a number, without quotes")))
+            }
+            _ => Err(self.must_be(format_args!("a number"))),
+        }
+    }
+
+    /// The number of a word of some.
+    #[inline(never)]
+    fn choice(&self, words: &[&str]) -> Outcome<f64> {
+        let found = match &self.value {
+            Value::Word(word) if words != FLAG => words.iter().position(|other| *other == word),
+            Value::Flag(flag) if words == FLAG => Some(usize::from(*flag)),
+            Value::Number(number) => (0..words.len()).find(|&i| i as f64 == *number),
+            _ => None,
+        };
+        found.map(|number| number as f64).ok_or_else(|| self.must_be(format_args!("{}", Words(words))))
+    }
+}
+
+/// Words of which one must be given.
+struct Words<'a>(&'a [&'a str]);
+
+impl Display for Words<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        let quote = if self.0 == FLAG { "" } else { "\"" };
+        for (i, word) in self.0.iter().enumerate() {
+            let before = match i {
+                0 => "",
+                i if i + 1 == self.0.len() => " or ",
+                _ => ", ",
+            };
+            write!(f, "{before}{quote}{word}{quote}")?;
+        }
+        Ok(())
+    }
+}
+
+/// A text on its way to numbers.
+struct Given<'t> {
+    entries: &'t Entries<'t>,
+    numbers: Numbers,
+}
+
+impl Given<'_> {
+    /// Numbers and choices at the top.
+    fn numbers(&mut self) -> Outcome<()> {
+        for entry in self.entries.of(Table::Top) {
+            let Some(position) = names().position(|name| name == entry.name) else { continue };
+            let words = FIELDS.get(position).map_or(&[][..], |field| field.words);
+            let number = if words.is_empty() { entry.number()? } else { entry.choice(words)? };
+            self.numbers.give(position, number);
+        }
+        Ok(())
+    }
+
+    /// The two bodies, by a name for both, a name for each, or numbers.
+    fn bodies(&mut self) -> Outcome<()> {
+        let entries = self.entries;
+        if let Some((entry, name)) = entries.word(Table::Top, "pair", "a pair of materials")? {
+            if let Some(at) = entries.begin(Table::Materials) {
+                return Err(Problem::new(at, format_args!("[materials]: pair sets it already, leave one out")));
+            }
+            entries.exclude(MODULI, "pair")?;
+            let bodies = Bodies::find(name)
+                .ok_or_else(|| Problem::new(entry.at, format_args!("{}", NoPair(name.as_bytes()))))?;
+            return self.set_bodies(entry, bodies);
+        }
+        let Some(begin) = entries.begin(Table::Materials) else { return Ok(()) };
+        if entries.of(Table::Materials).next().is_none() {
+            return Ok(());
+        }
+        entries.exclude(MODULI, "[materials]")?;
+        let mut named = Vec::new();
+        for (name, numbers) in [("first", ["E1", "nu1"]), ("second", ["E2", "nu2"])] {
+            let Some((entry, word)) = entries.word(Table::Materials, name, "a material")? else {
+                for number in numbers {
+                    let entry = entries.find(Table::Materials, number).ok_or_else(|| {
+                        Problem::new(
+                            begin,
+                            format_args!("[materials] gives no name as {name}, so {number} must be set there"),
+                        )
+                    })?;
+                    self.numbers.give_named(number, entry.number()?);
+                }
+                continue;
+            };
+            if let Some(twice) = numbers.iter().find_map(|number| entries.find(Table::Materials, number)) {
+                return Err(twice.set_by(name));
+            }
+            let found = Material::find(word);
+            let material = found.ok_or_else(|| {
+                Problem::new(entry.at, format_args!("[materials] {name}: {}", no_material(word.as_bytes())))
+            })?;
+            for (number, value) in numbers.into_iter().zip([material.young, material.poisson]) {
+                self.numbers.give_named(number, value);
+            }
+            named.push((entry, material));
+        }
+        match named[..] {
+            [(_, first), (entry, second)] => self.set_bodies(entry, Bodies { first, second }),
+            _ => Ok(()),
+        }
+    }
+
+    /// All that is known of two materials by their names, and what is not known of them from beside it.
+    fn set_bodies(&mut self, entry: &Entry, bodies: Bodies) -> Outcome<()> {
+        let name = [bodies.first, bodies.second].map(|body| crate::nearest::text(body.name)).join("/");
+        if bodies.pair().is_none() && self.numbers.get("work_of_adhesion").is_none() {
+            return Err(Problem::new(entry.at, format_args!("{}", NoPair(name.as_bytes()))));
+        }
+        if bodies.burgers_vector().is_none() {
+            let Some(burgers_vector) = self.numbers.get("burgers_vector") else {
+                let says = format_args!("burgers_vector: none is known of a body of {name}: give one");
+                return Err(Problem::new(entry.at, says));
+            };
+            if self.numbers.get("adhesion_range").is_none() {
+                self.numbers.give_named("adhesion_range", burgers_vector);
+            }
+        }
+        self.numbers.bodies = Some(bodies);
+        Ok(())
+    }
+
+    /// A table of heights, and heights that are chosen by what is given of them.
+    fn heights(&mut self, draft: &mut Draft) -> Outcome<()> {
+        let entries = self.entries;
+        let [height, density] = ["table_height", "table_density"].map(|name| entries.find(Table::Top, name));
+        let is_chosen = self.numbers.get("height_distribution").is_some();
+        if !is_chosen {
+            let given = |name: &str| entries.find(Table::Top, name);
+            let tabulated = height.or(density);
+            let meant: Vec<_> = [given("weibull_shape"), given("kurtosis"), tabulated].into_iter().flatten().collect();
+            if let [first, other, ..] = meant[..] {
+                let says = format_args!(
+                    "means other heights than {}: give one of them, or height_distribution too",
+                    other.name
+                );
+                return Err(first.refused(says));
+            }
+            let skewed = given("skew").filter(|_| given("kurtosis").is_none());
+            if let (Some(skew), Some(other)) = (skewed, meant.first()) {
+                return Err(skew.refused(format_args!("chooses the heights by itself: do not give {} too", other.name)));
+            }
+        }
+        let (height, density) = match (height, density) {
+            (None, None) => return Ok(()),
+            (Some(height), Some(density)) => (height, density),
+            (Some(one), None) | (None, Some(one)) => {
+                return Err(one.refused(format_args!("table_height and table_density go together")))
+            }
+        };
+        let [heights, densities] = [height, density].map(|entry| match &entry.value {
+            Value::Numbers(numbers) => Ok(&numbers[..]),
+            _ => Err(entry.must_be(format_args!("an array of numbers"))),
+        });
+        let (heights, densities) = (heights?, densities?);
+        if heights.len() != densities.len() {
+            return Err(density.refused(format_args!("{} numbers for {} heights", densities.len(), heights.len())));
+        }
+        if let Err(error) = tabulated::check_length(heights.len()) {
+            return Err(height.refused(format_args!("{error}")));
+        }
+        draft.params.heights = HeightFamily::Tabulated { height: Arc::from(heights), density: Arc::from(densities) };
+        if !is_chosen {
+            self.numbers.give_named("height_distribution", TABULATED.into());
+        }
+        Ok(())
+    }
+
+    fn roughness(&mut self, draft: &Draft) -> Outcome<()> {
+        let entries = self.entries;
+        let Some(begin) = entries.begin(Table::Roughness) else { return Ok(()) };
+        if entries.of(Table::Roughness).next().is_none() {
+            return Ok(());
+        }
+        entries.exclude(SUMMITS, "[roughness]")?;
+        if !Roughness::reads_bandwidth(entries) {
+            entries.exclude(&["bandwidth"], "[roughness]")?;
+        }
+        if self.numbers.get("nominal_area").is_none() && draft.params.nominal_area == 0.0 {
+            let says = format_args!("nominal_area: must be set, since [roughness] gives the summits per area");
+            return Err(Problem::new(begin, says));
+        }
+        let bandwidth = self.numbers.get("bandwidth");
+        let Roughness { moments, density, shape } = Roughness::of(entries, begin, bandwidth)?;
+        for (name, moment) in [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4)] {
+            self.numbers.give_named(name, moment);
+        }
+        if let Some(density) = density {
+            self.numbers.give_named("summit_density", density);
+        }
+        if let Some((entry, word)) = entries.word(Table::Roughness, "summits", "summits, \"equal\" or \"nayak\"")? {
+            self.numbers.has_nayak_summits = word == "nayak";
+            if !["equal", "nayak"].contains(&word) {
+                return Err(entry.must_be(format_args!("{}", Words(&["equal", "nayak"]))));
+            }
+        }
+        if self.numbers.has_nayak_summits {
+            entries.exclude(SHAPES, "summits = \"nayak\"")?;
+            entries.exclude(NAYAK, "summits = \"nayak\"")?;
+        }
+        let Some(shape) = shape else { return Ok(()) };
+        entries.exclude(SHAPES, "[roughness] Ssk")?;
+        for (name, number) in ["skew", "kurtosis"].into_iter().zip(shape) {
+            self.numbers.give_named(name, number);
+        }
+        match entries.find(Table::Roughness, "Ssk").filter(|_| self.numbers.has_nayak_summits) {
+            Some(entry) => Err(entry.set_by("summits = \"nayak\"")),
+            None => Ok(()),
+        }
+    }
+
+    fn interface(&mut self) -> Outcome<()> {
+        let Some((entry, name)) = self.entries.word(Table::Top, "interface", "an interface")? else { return Ok(()) };
+        self.entries.exclude(STRENGTH, "interface")?;
+        let found = Interface::find(name);
+        let interface = found
+            .ok_or_else(|| Problem::new(entry.at, format_args!("interface: {}", no_interface(name.as_bytes()))))?;
+        self.numbers.interface = Some(interface);
+        Ok(())
+    }
+}

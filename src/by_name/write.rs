@@ -1,0 +1,95 @@
+//! Parameters as a text, of which reading makes equal ones, bit for bit.
+
+use super::draft::{Draft, GAUSSIAN, TABULATED, WEIBULL};
+use super::fields::{Field, FIELDS, FLAG};
+use crate::params::{HeightFamily, Params};
+use std::fmt::{Display, Formatter, Result, Write};
+
+/// Whether the measurement that is kept was made on these surfaces: calibrating once more then changes nothing.
+pub fn is_of_these_surfaces(params: &Params) -> bool {
+    let mut again = params.clone();
+    let (load, force) = (params.calibration_load, params.calibration_friction_force);
+    force > 0.0 && again.calibrate_force(load, force).is_ok() && again.slip == params.slip
+}
+
+/// Writes the fields that are not defaults, the table where the heights are one, and the measurement, which is of these surfaces or
+/// of others.
+pub fn write(draft: &mut Draft, is_of_these: bool, out: &mut dyn Write) -> Result {
+    writeln!(out, "# Two rough surfaces in contact, for asperity: SI units, names as in asperity_params.")?;
+    let mut default = Draft::default();
+    let chooses = is_chosen(draft, &mut default);
+    for field in FIELDS {
+        let number = field.get(draft);
+        let is_written = match field.name {
+            "height_distribution" => chooses,
+            // Beside it a skew is taken as it is.
+            "weibull_shape" if draft.height_distribution == WEIBULL => true,
+            _ => number.to_bits() != field.get(&mut default).to_bits(),
+        };
+        if is_written {
+            writeln!(out, "{} = {}", field.name, Written(field, number))?;
+        }
+    }
+    match &draft.params.heights {
+        HeightFamily::Tabulated { height, density } if draft.height_distribution == TABULATED => {
+            write_numbers("table_height", height, out)?;
+            write_numbers("table_density", density, out)?;
+        }
+        _ => {}
+    }
+    let (load, force) = (draft.params.calibration_load, draft.params.calibration_friction_force);
+    if is_of_these {
+        writeln!(out, "calibration_load = {}", Real(load))?;
+        writeln!(out, "calibration_friction_force = {}", Real(force))?;
+    } else if force != 0.0 {
+        writeln!(
+            out,
+            "# The strength was calibrated on other surfaces: a friction force of {} at a load of {}.",
+            Real(force),
+            Real(load)
+        )?;
+    }
+    Ok(())
+}
+
+/// Whether the family of heights must be named: where it is not the default, or another number would choose one.
+fn is_chosen(draft: &mut Draft, default: &mut Draft) -> bool {
+    let names = ["weibull_shape", "skew", "kurtosis"];
+    let mut choose = FIELDS.iter().filter(|field| names.contains(&field.name));
+    let differs = choose.any(|field| field.get(draft).to_bits() != field.get(default).to_bits());
+    draft.height_distribution != GAUSSIAN || differs
+}
+
+fn write_numbers(name: &str, numbers: &[f64], out: &mut dyn Write) -> Result {
+    write!(out, "{name} = [")?;
+    for (i, number) in numbers.iter().enumerate() {
+        write!(out, "{}{}", if i == 0 { "" } else { ", " }, Real(*number))?;
+    }
+    writeln!(out, "]")
+}
+
+/// The value of a field: a word where it has one.
+struct Written<'a>(&'a Field, f64);
+
+impl Display for Written<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let Self(field, number) = self;
+        match field.words.get(*number as usize) {
+            Some(word) if field.words == FLAG => f.write_str(word),
+            Some(word) => write!(f, "\"{word}\""),
+            None => Real(*number).fmt(f),
+        }
+    }
+}
+
+/// A number as TOML has it, in the fewest digits that read back as itself.
+struct Real(f64);
+
+impl Display for Real {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self.0 {
+            number if number.is_nan() => f.write_str("nan"),
+            number => write!(f, "{number:?}"),
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! A surface as a text, and in other units, as C asks for them.
+
+use super::boundary::{self, not_null, Failure};
+use super::params::asperity_params;
+use super::reserve;
+use super::setters::change;
+use super::status::{asperity_status, ASPERITY_OK};
+use super::tables::{keep, Kept};
+use super::text::write_text;
+use crate::by_name::{self, is_of_these_surfaces, LONGEST};
+use crate::error::Error;
+use crate::params::HeightFamily;
+use std::ffi::c_char;
+use std::mem::replace;
+
+impl asperity_params {
+    /// Sets what a text gives; `refuse` reports what is wrong with it.
+    ///
+    /// # Safety
+    /// As that of `to_params`.
+    pub(super) unsafe fn set_text(
+        &mut self,
+        text: &[u8],
+        refuse: impl FnOnce(Error) -> Failure,
+    ) -> Result<(), Failure> {
+        let (draft, table) = reserve::held(|| {
+            let mut draft = self.draft()?;
+            // A table that cannot be read is refused unless the text chooses other heights.
+            draft.params.heights = self.readable_table().unwrap_or(HeightFamily::Gaussian);
+            let before = draft.params.heights.clone();
+            by_name::read(text, &mut draft).map_err(refuse)?;
+            let table = match replace(&mut draft.params.heights, HeightFamily::Gaussian) {
+                after if after == before => None,
+                HeightFamily::Tabulated { height, density } => Some(Kept::new(height, density)),
+                _ => None,
+            };
+            Ok((draft, table))
+        })?;
+        self.take(&draft);
+        if let Some(table) = table.map(keep) {
+            (self.table_height, self.table_density) = (table.height.as_ptr(), table.density.as_ptr());
+            self.table_length = table.height.len() as u64;
+        }
+        Ok(())
+    }
+}
+
+/// Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
+///
+/// What the text does not give stays as it is, so that parameters fresh from `asperity_params_init` become those of the text.
+/// Keys are the names of `asperity_params_set_values`, in SI units, and what docs/surface-file.md lists: materials, roughness,
+/// interface, a measured friction.
+///
+/// ```c
+/// const char surface[] =
+///     "pair = \"steel/steel\"\n"
+///     "nominal_area = 1e-4\n"
+///     "calibration_load = 1000\n"
+///     "calibration_friction_coefficient = 0.16\n"
+///     "[roughness]\n"
+///     "Ra = 0.8e-6\n"
+///     "RSm = 80e-6\n";
+/// asperity_params_set_text(&params, surface, sizeof surface - 1);
+/// ```
+///
+/// A message has the line and the key: "line 3: slip_onset = "hole": must be "partial" or "whole"". A table of heights is kept by
+/// the library, once for each table, as long as it is loaded: the parameters point to it.
+///
+/// @param params  initialised parameters
+/// @param text    UTF-8, with or without a byte order mark; lines end in LF or CRLF
+/// @param length  of the text [bytes], without a NUL; at most 1 MiB
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`,
+///         `ASPERITY_OUT_OF_MEMORY`; with a measured friction also what `asperity_params_calibrate_force` returns
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_set_text(
+    params: *mut asperity_params,
+    text: *const c_char,
+    length: usize,
+) -> asperity_status {
+    boundary::status(|| {
+        change(params, |params| {
+            not_null(text, "text")?;
+            // Of a longer one nothing is read. SAFETY: the caller says that there are so many bytes.
+            let text = std::slice::from_raw_parts(text.cast::<u8>(), length.min(LONGEST + 1));
+            params.set_text(text, Failure::from)
+        })
+    })
+}
+
+/// Writes parameters as a text of which `asperity_params_set_text` makes the same, bit for bit, in parameters fresh from
+/// `asperity_params_init`.
+///
+/// Fields that have their defaults, or are unset, are left out. A calibration is written if these surfaces still have that friction
+/// force at that load; otherwise it is a comment.
+///
+/// @param params  initialised parameters
+/// @param buffer  receives the text, NUL-terminated, cut to fit; NULL to ask for the length only
+/// @param length  size of `buffer` [bytes]
+/// @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater; 0 on failure, which
+///         `asperity_last_error` describes: parameters whose choices are none of the constants, or a table that cannot be read
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_text(
+    params: *const asperity_params,
+    buffer: *mut c_char,
+    length: usize,
+) -> usize {
+    let mut whole = 0;
+    let status = boundary::status(|| {
+        let params = asperity_params::read(params)?;
+        reserve::held(|| {
+            let mut draft = params.whole_draft()?;
+            let is_measured = draft.clone().into_params().is_ok_and(|params| is_of_these_surfaces(&params));
+            let mut text = String::new();
+            // Writing to a string does not fail.
+            let _ = by_name::write(&mut draft, is_measured, &mut text);
+            whole = write_text(buffer, length, [text.as_bytes()]);
+            Ok(())
+        })
+    });
+    if status != ASPERITY_OK {
+        return write_text(buffer, length, []);
+    }
+    whole
+}
+
+/// Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.
+///
+/// Lengths, forces, stresses, areas and the work of adhesion are converted, and the calibration with them. Numbers without a unit
+/// and tables of heights stay as they are, and so does what is unset.
+///
+/// ```c
+/// asperity_params_set_units(&params, 1e-3, 1.0);  // from SI into mm, N, MPa
+/// ```
+///
+/// @param params  initialised parameters
+/// @param length  the new unit of length in the present one, > 0: 1e-3 from m to mm
+/// @param force   the new unit of force in the present one, > 0
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_set_units(
+    params: *mut asperity_params,
+    length: f64,
+    force: f64,
+) -> asperity_status {
+    boundary::status(|| {
+        change(params, |params| {
+            let mut draft = params.draft()?;
+            draft.params.set_units(length, force)?;
+            params.take(&draft);
+            Ok(())
+        })
+    })
+}

@@ -1,0 +1,609 @@
+//! A text makes the parameters that its keys say, and what is wrong with it is named with line and key; written, it reads back bit
+//! for bit.
+
+use crate::common::assert_near;
+use crate::common::processor_time::processor_time;
+use crate::common::splitmix::SplitMix;
+use crate::interface::*;
+use std::ffi::{c_char, CString};
+use std::path::Path;
+use std::ptr::{null, null_mut};
+use std::time::Duration;
+
+/// Hard carbon on hard carbon, as on docs/surface-file.md.
+const CARBON: &str = "nominal_area = 1e-6
+work_of_adhesion = 0.06
+adhesion_range = 0.25e-9
+burgers_vector = 0.25e-9
+hardness = 51e9
+
+[materials]
+E1 = 493e9
+nu1 = 0.25
+E2 = 493e9
+nu2 = 0.25
+
+[roughness]
+m0 = 9.604e-17
+m2 = 1.8e-3
+m4 = 3.3736e11
+";
+/// No text may take longer, ten times what the longest takes.
+const LONGEST_CALL: Duration = Duration::from_secs(1);
+/// As long as a text may be.
+const MIB: usize = 1 << 20;
+
+fn set(params: &mut asperity_params, text: &[u8]) -> i32 {
+    // SAFETY: an initialised struct, and so many bytes.
+    unsafe { asperity_params_set_text(params, text.as_ptr().cast(), text.len()) }
+}
+
+#[track_caller]
+fn surface(text: &str) -> asperity_params {
+    let mut params = asperity_params::unset();
+    assert_eq!(set(&mut params, text.as_bytes()), OK, "{}\n{text}", message());
+    params
+}
+
+/// Refuses a text, and leaves the parameters as they were.
+#[track_caller]
+fn refused(text: impl AsRef<[u8]>, says: &str) {
+    let mut params = asperity_params { hardness: 1e9, ..asperity_params::unset() };
+    let before = bytes(&params).to_vec();
+    let status = set(&mut params, text.as_ref());
+    assert!([INVALID_PARAMETER, OUT_OF_RANGE].contains(&status), "{status}: {says}");
+    assert_eq!(bytes(&params), before, "{says}: changed");
+    assert!(message().starts_with(says), "{}\nnot\n{says}", message());
+}
+
+/// The parameters as a text.
+fn written(params: &asperity_params) -> String {
+    // SAFETY: NULL asks for the length; then the buffer has it.
+    unsafe {
+        let length = asperity_params_text(params, null_mut(), 0);
+        let mut buffer = vec![0_u8; length + 1];
+        assert_eq!(asperity_params_text(params, buffer.as_mut_ptr().cast(), buffer.len()), length);
+        assert_eq!(buffer.pop(), Some(0));
+        String::from_utf8(buffer).expect("a text")
+    }
+}
+
+/// The same as other parameters, each bit of each number; a table of the same numbers.
+#[track_caller]
+fn assert_same(params: &asperity_params, other: &asperity_params, what: &str) {
+    let table = |params: &asperity_params| -> Vec<u64> {
+        let columns = [params.table_height, params.table_density];
+        // SAFETY: as many as it says.
+        let numbers = |column| unsafe { std::slice::from_raw_parts(column, params.table_length as usize) };
+        columns.into_iter().filter(|column| !column.is_null()).flat_map(numbers).map(|x: &f64| x.to_bits()).collect()
+    };
+    assert_eq!(table(params), table(other), "{what}");
+    let without = |params| asperity_params { table_height: null(), table_density: null(), ..params };
+    assert_eq!(bytes(&without(*params)), bytes(&without(*other)), "{what}\n{params:?}\n{other:?}");
+}
+
+#[test]
+fn materials_and_moments_are_those_of_the_setters() {
+    let mut expected = asperity_params::unset();
+    (expected.work_of_adhesion, expected.hardness) = (0.06, 51e9);
+    (expected.adhesion_range, expected.burgers_vector) = (0.25e-9, 0.25e-9);
+    // SAFETY: an initialised struct.
+    unsafe {
+        assert_eq!(asperity_params_set_materials(&mut expected, 493e9, 0.25, 493e9, 0.25), OK);
+        assert_eq!(asperity_params_set_spectral_moments(&mut expected, 9.604e-17, 1.8e-3, 3.3736e11, 1e-6), OK);
+    }
+    assert_same(&surface(CARBON), &expected, "carbon");
+    // A byte order mark, the ends of lines of Windows, comments, whole numbers with underscores, tables in braces, and no order.
+    assert_same(&surface(&format!("\u{feff}{}", CARBON.replace('\n', " # of carbon\r\n"))), &expected, "Windows");
+    assert_same(&surface(&CARBON.replace("493e9", "493_000_000_000")), &expected, "whole numbers");
+    let mut lines: Vec<_> = CARBON.split("\n\n").flat_map(str::lines).take(5).collect();
+    lines.reverse();
+    let braces = "materials = { E2 = 493e9, nu2 = 0.25, E1 = 493e9, nu1 = 0.25 }\nroughness = {m0=9.604e-17,m4=3.3736e11,m2=1.8e-3}\n";
+    assert_same(&surface(&format!("{braces}{}", lines.join("\n"))), &expected, "braces");
+    // What a text does not give stays.
+    let mut params = expected;
+    assert_eq!(set(&mut params, b"hardness = 1e9\nslip_onset = 'whole'"), OK);
+    assert_same(&params, &asperity_params { hardness: 1e9, slip_onset: ASPERITY_SLIP_WHOLE, ..expected }, "others");
+    assert_eq!(set(&mut params, b""), OK);
+}
+
+#[test]
+fn names_of_materials_bring_what_is_known_of_them() {
+    let mut expected = asperity_params::unset();
+    // SAFETY: an initialised struct, and a name that ends.
+    assert_eq!(unsafe { asperity_params_set_pair(&mut expected, c"Si/Si".as_ptr()) }, OK);
+    assert_same(&surface("pair = \"Si/Si\""), &expected, "a pair");
+    assert_same(&surface("[materials]\nfirst = \"Si\"\nsecond = \"Si\""), &expected, "two names");
+    // What is given beside them counts.
+    let own = asperity_params { work_of_adhesion: 0.1, ..expected };
+    assert_same(&surface("work_of_adhesion = 0.1\npair = \"Si/Si\""), &own, "its own adhesion");
+    let unknown = "work_of_adhesion: none is known for Si/Au: give that of your surfaces, 0 for none";
+    refused("\npair = \"Si/Au\"", &format!("line 2: {unknown}"));
+    refused("[materials]\nfirst = \"Si\"\nsecond = \"Au\"", &format!("line 3: {unknown}"));
+    assert!(surface("work_of_adhesion = 0\npair = \"Si/Au\"").hardness > 1e8);
+    // A name for one body, numbers for the other, which is rigid.
+    let mut data = asperity_material_data { struct_size: size_of::<asperity_material_data>() as u64, ..empty() };
+    // SAFETY: a struct of the size that it says.
+    assert_eq!(unsafe { asperity_material(c"Si".as_ptr(), &mut data) }, OK);
+    let mut expected = asperity_params::unset();
+    // SAFETY: an initialised struct.
+    let status = unsafe { asperity_params_set_materials(&mut expected, data.young, data.poisson, f64::INFINITY, 0.3) };
+    assert_eq!(status, OK);
+    assert_same(&surface("[materials]\nfirst = \"Si\"\nE2 = inf\nnu2 = 0.3"), &expected, "a rigid body");
+}
+
+fn empty() -> asperity_material_data {
+    // SAFETY: zero bits are a value of every field.
+    unsafe { std::mem::zeroed() }
+}
+
+#[test]
+fn parameters_of_roughness_are_moments() {
+    let (area, pi) = (1e-6, std::f64::consts::PI);
+    let with = |roughness: &str| surface(&format!("nominal_area = {area}\n{roughness}"));
+    let by_moments = |m0: f64, m2: f64, m4: f64| {
+        let mut params = asperity_params::unset();
+        // SAFETY: an initialised struct.
+        assert_eq!(unsafe { asperity_params_set_spectral_moments(&mut params, m0, m2, m4, area) }, OK);
+        params
+    };
+    let near = |roughness: &str, [m0, m2, m4]: [f64; 3]| {
+        let (found, expected) = (with(roughness), by_moments(m0, m2, m4));
+        for (found, expected) in [
+            (found.height_std, expected.height_std),
+            (found.summit_radius, expected.summit_radius),
+            (found.asperity_count, expected.asperity_count),
+            (found.bandwidth, expected.bandwidth),
+        ] {
+            assert_near(found, expected, 1e-13, roughness);
+        }
+        found
+    };
+    let (rq, slope, density, curvature) = (5e-9_f64, 0.08_f64, 2e13_f64, 2.6e6_f64);
+    let ra = rq / (pi / 2.0).sqrt();
+    let by_density = |rq: f64, slope: f64, density: f64| {
+        let m2 = slope * slope / 2.0;
+        [rq * rq, m2, 6.0 * pi * 3.0_f64.sqrt() * m2 * density]
+    };
+    let by_curvature = [rq * rq, slope * slope / 2.0, 9.0 * pi / 64.0 * curvature * curvature];
+    near("[roughness]\nSq = 5e-9\nSdq = 0.08\nSds = 2e13", by_density(rq, slope, density));
+    near("[roughness]\nSq = 5e-9\nSdq = 0.08\nSsc = 2.6e6", by_curvature);
+    near(&format!("[roughness]\nRa = {ra}\nSdq = 0.08\nSsc = 2.6e6"), by_curvature);
+    near(&format!("[roughness]\nRa = {ra}\nm2 = 0.0032\nm4 = 3e12"), [rq * rq, 0.0032, 3e12]);
+    // Both: the summits that were counted.
+    let counted = with("[roughness]\nSq = 5e-9\nSdq = 0.08\nSsc = 2.6e6\nSds = 1e13");
+    assert_eq!(counted.asperity_count, 1e13 * area);
+    // A profile: the bandwidth is known, or the usual one.
+    let by_profile = |rq: f64, width: f64, bandwidth: f64| {
+        let m2 = rq * rq * (2.0 * pi / width).powi(2);
+        [rq * rq, m2, bandwidth * m2 * m2 / (rq * rq)]
+    };
+    near("bandwidth = 5.0\n[roughness]\nRq = 5e-9\nRSm = 400e-9", by_profile(rq, 400e-9, 5.0));
+    near(&format!("[roughness]\nRa = {ra}\nRSm = 400e-9"), by_profile(rq, 400e-9, 90.0_f64.sqrt()));
+    // Two rough surfaces: mean squares add.
+    let (one, other) = (by_density(4e-9, 0.06, 2e13), by_density(3e-9, 0.08, 1e13));
+    let sum = std::array::from_fn(|i| one[i] + other[i]);
+    near("[roughness]\nSq = [4e-9, 3e-9]\nSdq = [0.06, 0.08]\nSds = [2e13, 1e13]", sum);
+    near("[roughness]\nm0 = [1e-17, 2e-17]\nm2 = [1e-3, 2e-3]\nm4 = [1e12, 3e12]", [3e-17, 3e-3, 4e12]);
+    let two = 0.8e-6_f64.hypot(0.4e-6);
+    let widths = [0.8e-6, 0.4e-6].map(|ra| by_profile(ra * (pi / 2.0).sqrt(), 80e-6, 1.0)[1]);
+    let (m0, m2) = (pi / 2.0 * two * two, widths[0] + widths[1]);
+    near("[roughness]\nRa = [0.8e-6, 0.4e-6]\nRSm = [80e-6, 80e-6]", [m0, m2, 90.0_f64.sqrt() * m2 * m2 / m0]);
+    // Heights and radii beside them.
+    let shaped =
+        near("[roughness]\nSq = 5e-9\nSdq = 0.08\nSds = 2e13\nSsk = 0.1\nSku = 3.2", by_density(rq, slope, density));
+    assert_eq!((shaped.height_distribution, shaped.skew, shaped.kurtosis), (ASPERITY_HEIGHTS_JOHNSON, 0.1, 3.2));
+    let mut nayak = asperity_params::unset();
+    // SAFETY: an initialised struct.
+    assert_eq!(unsafe { asperity_params_set_nayak_summits(&mut nayak, 4e-18, 2e-3, 8e12, area) }, OK);
+    let moments = "[roughness]\nm0 = 4e-18\nm2 = 2e-3\nm4 = 8e12\nsummits = ";
+    assert_same(&with(&format!("{moments}\"nayak\"")), &nayak, "Nayak's summits");
+    assert_same(&with(&format!("{moments}\"equal\"")), &by_moments(4e-18, 2e-3, 8e12), "equal summits");
+    // Summits per area.
+    assert_eq!(surface("summit_density = 2e12\nnominal_area = 1e-6").asperity_count, 2e6);
+}
+
+#[test]
+fn words_and_numbers_choose() {
+    for (text, law, onset, attraction) in [
+        ("contact_law = \"elastic-plastic\"\nattraction = false", 1, 0, 0),
+        ("slip_onset = \"whole\"\nattraction = true", 0, 1, 1),
+        ("contact_law = 1\nslip_onset = 1.0\nattraction = 0", 1, 1, 0),
+    ] {
+        let params = surface(text);
+        assert_eq!((params.contact_law, params.slip_onset, params.attraction), (law, onset, attraction), "{text}");
+    }
+    let heights = |text: &str| {
+        let params = surface(text);
+        (params.height_distribution, params.weibull_shape, params.skew, params.kurtosis)
+    };
+    assert_eq!(heights("heights = \"weibull\"\nweibull_shape = 5"), (ASPERITY_HEIGHTS_WEIBULL, 5.0, 0.0, 3.0));
+    assert_eq!(heights("weibull_shape = 5"), heights("height_distribution = \"weibull\"\nweibull_shape = 5"));
+    assert_eq!(heights("skew = 0.1\nkurtosis = 3.5"), (ASPERITY_HEIGHTS_JOHNSON, 3.602, 0.1, 3.5));
+    assert_eq!(heights("heights = \"johnson\"\nskew = 0.1"), (ASPERITY_HEIGHTS_JOHNSON, 3.602, 0.1, 3.0));
+    let mut expected = asperity_params::unset();
+    // SAFETY: an initialised struct.
+    assert_eq!(unsafe { asperity_params_set_skew(&mut expected, -0.5) }, OK);
+    assert_same(&surface("skew = -0.5"), &expected, "a skew alone");
+    assert_same(&surface("heights = \"weibull\"\nskew = -0.5"), &expected, "a skew of Weibull heights");
+    let table = surface("table_height = [0, 1, 2.5]\ntable_density = [\n  0.0,  # lowest\n  1,\n  0.5,\n]");
+    assert_eq!((table.height_distribution, table.table_length), (ASPERITY_HEIGHTS_TABULATED, 3));
+    // SAFETY: three numbers each.
+    let columns = [table.table_height, table.table_density].map(|at| unsafe { std::slice::from_raw_parts(at, 3) });
+    assert_eq!(columns, [[0.0, 1.0, 2.5], [0.0, 1.0, 0.5]]);
+    // The same table is kept once, another beside it.
+    let again = surface("table_density = [0, 1, 0.5]\ntable_height = [0, 1, 2.5]");
+    assert_eq!((again.table_height, again.table_density), (table.table_height, table.table_density));
+    assert_ne!(surface("table_height = [0, 1, 3]\ntable_density = [0, 1, 0.5]").table_height, table.table_height);
+}
+
+#[test]
+fn one_measured_point_sets_the_strength_and_is_kept() {
+    for measured in ["calibration_friction_coefficient = 0.4", "calibration_friction_force = 4e-4"] {
+        let params = surface(&format!("calibration_load = 1e-3\n{measured}\ncalibration_error = 0.1\n{CARBON}"));
+        assert_eq!((params.calibration_load, params.calibration_error), (1e-3, 0.1));
+        assert_near(params.calibration_friction_force, 4e-4, 1e-15, measured);
+        let mut state = asperity_state::empty();
+        let model = Handle::new(&params);
+        // SAFETY: a model, and a struct of its size.
+        assert_eq!(unsafe { asperity_state_at_load(model.0, 1e-3, &mut state) }, OK);
+        assert_near(state.friction_force, 4e-4, 1e-12, measured);
+    }
+    let film = surface(&format!("interface = \"KCl film on iron in vacuum\"\n{CARBON}"));
+    let mut expected = surface(CARBON);
+    // SAFETY: an initialised struct, and a name that ends.
+    unsafe {
+        assert_eq!(asperity_params_set_interface(&mut expected, c"KCl film on iron in vacuum".as_ptr()), OK);
+        assert_same(&film, &expected, "an interface");
+        assert_eq!(asperity_params_calibrate(&mut expected, 1e-3, 0.4), OK);
+    }
+    let point =
+        "calibration_load = 1e-3\ncalibration_friction_coefficient = 0.4\ninterface = \"KCl film on iron in vacuum\"\n";
+    assert_same(&surface(&format!("{point}{CARBON}")), &expected, "a point on an interface");
+}
+
+#[test]
+fn what_is_wrong_is_named_with_line_and_key() {
+    let changed = |from: &str, to: &str| CARBON.replacen(from, to, 1);
+    for (text, says) in [
+        (changed("hardness", "hardnes"), "line 5: hardnes: no such key; the nearest is hardness"),
+        (changed("E2", "e2"), "line 10: [materials] e2: no such key; the nearest is E2"),
+        (changed("m4", "M_4"), "line 16: [roughness] M_4: no such key; the nearest is m4"),
+        (changed("[roughness]", "[roughnes]"), "line 13: [roughnes]: no such table; there are [materials] and [roughness]"),
+        (changed("nominal_area = 1e-6", ""), "line 13: nominal_area: must be set, since [roughness] gives"),
+        (changed("m4", "Sq"), "line 16: [roughness] Sq: is not for spectral moments, as m0 is"),
+        (changed("m4 =", "#"), "line 13: [roughness] m4: must be set"),
+        (changed("nu2 =", "#"), "line 7: [materials] gives no name as second, so nu2 must be set there"),
+        (changed("nu2 = 0.25", "nu2 = 0.6"), "line 11: nu2 = 0.6: must be > -1 and <= 0.5"),
+        (changed("51e9", "true"), "line 5: hardness = true: must be a number"),
+        (changed("51e9", "\"hard\""), "line 5: hardness = \"hard\": must be a number"),
+        (changed("51e9", "\"51e9\""), "line 5: hardness = \"51e9\": must be a number, without quotes"),
+        (changed("51e9", "51 GPa"), "line 5: hardness: 51 GPa is neither a number without unit nor a word in quotes"),
+        (changed("51e9", "[51e9, 1e9]"), "line 5: hardness = [51000000000, 1000000000]: must be a number"),
+        (changed("51e9", "1e400"), "line 5: hardness: 1e400 is too large for a number"),
+        (changed("51e9", "-1"), "line 5: hardness = -1: must be finite and >= 0"),
+        (changed("51e9", "1979-05-27"), "line 5: hardness: 1979-05-27 must be a number or a word in quotes"),
+        (changed("3.3736e11", "3.3736"), "line 13: bandwidth m0 m4/m2^2 = "),
+        (format!("height_std = 1e-9\n{CARBON}"), "line 1: height_std: [roughness] sets it already"),
+        (format!("bandwidth = 3\n{CARBON}"), "line 1: bandwidth: [roughness] sets it already"),
+        (format!("\ncomposite_modulus = 1e11\n{CARBON}"), "line 2: composite_modulus: [materials] sets it already"),
+        (format!("pair = \"Si/Si\"\n{CARBON}"), "line 8: [materials]: pair sets it already"),
+        (format!("calibration_load = 1\n{CARBON}"), "line 1: calibration_load: must be given together with"),
+        (changed("E1 = 493e9", "first = \"Stahl\""), "line 9: [materials] nu1: first sets it already"),
+        (changed("E1 = 493e9\nnu1 = 0.25", "first = \"Stahl\""), "line 8: [materials] first: Stahl: no material has this name; the nearest is steel"),
+        ("slip_onset = \"hole\"".into(), "line 1: slip_onset = \"hole\": must be \"partial\" or \"whole\""),
+        ("heights = \"gauss\"".into(), "line 1: height_distribution = \"gauss\": must be \"gaussian\", \"weibull\", \"johnson\" or \"tabulated\""),
+        ("contact_law = 2".into(), "line 1: contact_law = 2: must be \"maugis\" or \"elastic-plastic\""),
+        ("attraction = \"no\"".into(), "line 1: attraction = \"no\": must be false or true"),
+        ("heights = 0\nheight_distribution = 0".into(), "line 2: height_distribution: given twice, also in line 1"),
+        ("[materials]\n[roughness]\n[materials]".into(), "line 3: [materials]: given twice, also in line 1"),
+        ("E1 = 1e9".into(), "line 1: E1: belongs in [materials]"),
+        ("[materials]\nhardness = 1e9".into(), "line 2: [materials] hardness: belongs above the first table"),
+        ("materials = 3".into(), "line 1: materials = 3: must be a table, [materials]"),
+        ("Rz = 3e-6".into(), "line 1: Rz: no such key; a height from peak to valley"),
+        ("mu = 0.3".into(), "line 1: mu: no such key; give calibration_friction_coefficient with calibration_load"),
+        ("nominal_area = 1\n[roughness]\nRz = 3e-6".into(), "line 3: [roughness] Rz: no such key; a height from peak to valley, which grows with the length measured: give Ra or Rq"),
+        ("nominal_area = 1\n[roughness]\nRa = 3e-6".into(), "line 3: [roughness] Ra: give with it RSm"),
+        ("nominal_area = 1\n[roughness]\nRa = 1\nm0 = 1\nm2 = 1\nm4 = 1".into(), "line 3: [roughness] Ra: must not be given together with m0, which it replaces"),
+        ("nominal_area = 1\n[roughness]\nSq = [1, 2]\nSdq = 0.1\nSds = [1, 2]".into(), "line 4: [roughness] Sdq: must be as many numbers as Sq has"),
+        ("nominal_area = 1\n[roughness]\nSq = 1\nSdq = 0.1".into(), "line 2: [roughness] Ssc: must be set, or Sds"),
+        ("nominal_area = 1\n[roughness]\nRa = -1\nRSm = 1".into(), "line 3: Ra = -1: must be finite and > 0"),
+        ("summit_density = 1".into(), "line 1: nominal_area: must be set, since summit_density gives"),
+        ("interface = 3".into(), "line 1: interface = 3: must be the name of an interface, in quotes"),
+        ("interface = \"KCl\"".into(), "line 1: interface: KCl: no interface has this name; the nearest is "),
+        (format!("slip_stress_1 = 1\ninterface = \"KCl film on iron in vacuum\"\n{CARBON}"), "line 1: slip_stress_1: interface sets it already"),
+        (format!("interface = \"Al/Al clean\"\n{CARBON}"), "line 1: Al/Al clean: its shear strength is not known"),
+        ("skew = 0.1\nweibull_shape = 3".into(), "line 1: skew: chooses the heights by itself: do not give weibull_shape too"),
+        ("kurtosis = 3\nweibull_shape = 3".into(), "line 2: weibull_shape: means other heights than kurtosis"),
+        ("table_height = [1, 2]\ntable_density = [1, 2]".into(), "line 1: table_height: table_length = 2: must be between 3 and 256"),
+        ("table_height = [1, 2, 3]\ntable_density = [1, 2]".into(), "line 2: table_density: 2 numbers for 3 heights"),
+        ("table_height = [1, 2, 3]".into(), "line 1: table_height: table_height and table_density go together"),
+        ("table_height = [[1], 2]".into(), "line 1: table_height: must be an array of numbers, not of arrays"),
+        (format!("table_height = [{}]", "1,".repeat(257)), "line 1: table_height: more than 256 numbers"),
+        ("height_std =\n".into(), "line 1: height_std: has no value"),
+        ("height_std: 3".into(), "line 1: not TOML: invalid unquoted key"),
+        ("height_std = 1,5e-9".into(), "line 1: not TOML: unexpected key or value, expected a new line or `#`; is it the point of a number?"),
+        ("contact_law = maugis".into(), "line 1: contact_law: maugis is neither a number without unit nor a word in quotes"),
+        ("height_std".into(), "line 1: not TOML: key with no value, expected `=`"),
+        ("\ntable_height = [1,\n2".into(), "line 2: not TOML: unclosed array, expected `]`"),
+        ("a.b = 3".into(), "line 1: a: keys with dots are not read here"),
+        ("[a.b]".into(), "line 1: a: there are no tables in tables here"),
+        ("[[materials]]".into(), "line 1: a table is given once, in single brackets"),
+        ("[vary]\nheight_std = 0.1".into(), "line 1: [vary]: no such table; there are [materials] and [roughness]"),
+        (format!("{} = 1", "k".repeat(99)), &format!("line 1: {}...: no such key", "k".repeat(40))),
+        ("calibration_load = 1e-3\ncalibration_friction_coefficient = 0.4".into(), "line 1: composite_modulus: must be set"),
+        (format!("calibration_load = 1e-3\ncalibration_friction_coefficient = 40\n{CARBON}"), "line 2: calibration_friction_coefficient = 40: must be > 0 and at most 20"),
+    ] {
+        refused(text, says);
+    }
+    refused(
+        b"# a comment\nheight_distribution = \"gau\xdfian\"",
+        "line 2: must be UTF-8: save the text in this encoding",
+    );
+    refused(vec![b'#'; MIB + 1], "longer than 1 MiB: must be a surface file");
+    surface(&format!("{CARBON}#{}", "x".repeat(MIB - CARBON.len() - 1)));
+    // SAFETY: NULL is refused.
+    unsafe {
+        let mut params = asperity_params::unset();
+        assert_eq!(asperity_params_set_text(&mut params, null(), 0), NULL_POINTER);
+        assert_eq!(asperity_params_set_text(null_mut(), c"".as_ptr(), 0), NULL_POINTER);
+        assert_eq!(asperity_params_text(null(), null_mut(), 0), 0);
+    }
+}
+
+/// A mebibyte of anything.
+#[test]
+#[cfg_attr(miri, ignore = "takes hours there")]
+fn no_text_takes_long() {
+    const UNITS: [(&str, &str); 34] = [
+        ("", "\0"),
+        ("", "\n"),
+        ("", "\r\n"),
+        ("", " "),
+        ("", "#"),
+        ("", "#\n"),
+        ("", "="),
+        ("", "["),
+        ("", "]"),
+        ("", "[a]\n"),
+        ("", "[materials]\n"),
+        ("", "\""),
+        ("", "'"),
+        ("", "k"),
+        ("", "%a"),
+        ("", "é"),
+        ("", "a.a = 1\n"),
+        ("a", ".a"),
+        ("[a", ".a"),
+        ("a = ", "["),
+        ("a = ", "{a="),
+        ("a = [", "1,"),
+        ("table_height = [", "1,"),
+        ("table_height = [", "[1],"),
+        ("table_height = [", "\n"),
+        ("hardness = ", "1"),
+        ("hardness = 0.", "1"),
+        ("hardness = 1e", "1"),
+        ("hardness = 1", "_1"),
+        ("hardness = ", "-"),
+        ("hardness = 0x", "f"),
+        ("pair = \"", "\\u0041"),
+        ("pair = \"", "\\"),
+        ("pair = \"\"\"", "\"\n"),
+    ];
+    for (begin, unit) in UNITS {
+        // As long as it may be, and as it is below the limit of words and signs.
+        for length in [MIB, 120_000] {
+            let text = format!("{begin}{}", unit.repeat((length - begin.len()) / unit.len()));
+            let mut params = asperity_params::unset();
+            let before = processor_time();
+            let status = set(&mut params, text.as_bytes());
+            let took = processor_time() - before;
+            assert!([OK, INVALID_PARAMETER, OUT_OF_RANGE].contains(&status), "{begin}{unit}: {status}");
+            assert!(took < LONGEST_CALL, "{begin}{unit}...: {took:?}");
+        }
+    }
+}
+
+/// Texts that were good, with bytes changed, moved and left out: set or refused, and read back if they are set.
+#[test]
+#[cfg_attr(miri, ignore = "takes hours there")]
+fn any_text_is_set_or_refused() {
+    let tabulated =
+        "table_height = [0.0, 1.0, 2.0, 3.0]\ntable_density = [1.0, 2.0, 1.5, 0.5]\nheights = 'tabulated'\n";
+    let texts =
+        [CARBON.into(), format!("{tabulated}{CARBON}"), "[roughness]\nRa = [1e-6, 2e-6]\nRSm = [1e-4, 1e-4]".into()];
+    let mut random = SplitMix(0x5eed);
+    let mut set_ones = 0;
+    for _ in 0..20_000 {
+        let mut text = texts[random.below(texts.len())].clone().into_bytes();
+        for _ in 0..1 + random.below(4) {
+            let (at, from) = (random.below(text.len()), random.below(text.len()));
+            match random.below(4) {
+                0 => text[at] = random.below(256) as u8,
+                1 => drop(text.drain(at..(at + random.below(20)).min(text.len()))),
+                2 => {
+                    let part = text[from..(from + random.below(20)).min(text.len())].to_vec();
+                    drop(text.splice(at..at, part));
+                }
+                _ => text.insert(at, b"[]{}\"'=.,\n#"[random.below(11)]),
+            }
+            if text.is_empty() {
+                text.push(b' ');
+            }
+        }
+        let mut params = asperity_params::unset();
+        let before = bytes(&params).to_vec();
+        let status = set(&mut params, &text);
+        let shown = String::from_utf8_lossy(&text).into_owned();
+        assert!([OK, INVALID_PARAMETER, OUT_OF_RANGE].contains(&status), "{status}: {shown}");
+        if status == OK {
+            set_ones += 1;
+            assert_same(&surface(&written(&params)), &params, &shown);
+        } else {
+            assert_eq!(bytes(&params), before, "{shown}: refused, yet changed");
+            assert!(message().contains("line "), "{}: {shown}", message());
+        }
+    }
+    assert!(set_ones > 100, "{set_ones}");
+}
+
+#[test]
+fn what_is_written_reads_back_bit_for_bit() {
+    let carbon = surface(CARBON);
+    let third = 0.1 + 0.2;
+    for params in [
+        asperity_params::unset(),
+        asperity_params::initial(),
+        carbon,
+        asperity_params { max_friction_coefficient: f64::INFINITY, attraction: 0, radius_amplitude: third, ..carbon },
+        asperity_params { contact_law: 1, slip_onset: 1, work_of_adhesion: -0.0, tangential_modulus: 1e-30, ..carbon },
+        asperity_params { weibull_shape: 5.0, ..carbon },
+        carbon.weibull(7.1),
+        carbon.weibull(3.602),
+        carbon.johnson(-0.5, 4.0),
+        carbon.johnson(0.0, 3.0),
+        carbon.table(&[-1.0, 0.0, 2.0 / 3.0], &[0.0, 1.0, 5e-324]),
+    ] {
+        let text = written(&params);
+        assert!(text.starts_with("# Two rough surfaces in contact"), "{text}");
+        assert_same(&surface(&text), &params, &text);
+        for room in [1, 10, text.len(), text.len() + 1] {
+            let mut buffer = vec![1_u8; room];
+            // SAFETY: so much room.
+            assert_eq!(unsafe { asperity_params_text(&params, buffer.as_mut_ptr().cast(), room) }, text.len());
+            assert!(buffer[..room - 1] == text.as_bytes()[..room - 1] && buffer[room - 1] == 0, "{room}");
+        }
+    }
+    // Choices that are none have no words.
+    let none = asperity_params { contact_law: 7, ..carbon };
+    let mut buffer: [c_char; 9] = [1; 9];
+    // SAFETY: so much room.
+    assert_eq!(unsafe { asperity_params_text(&none, buffer.as_mut_ptr(), 9) }, 0);
+    assert!(buffer[0] == 0 && message().starts_with("contact_law = 7"), "{}", message());
+}
+
+#[test]
+fn a_calibration_is_written_if_it_is_of_these_surfaces() {
+    let mut params = surface(CARBON);
+    // SAFETY: an initialised struct.
+    assert_eq!(unsafe { asperity_params_calibrate(&mut params, 2e-3, 0.37) }, OK);
+    let text = written(&params);
+    assert!(text.contains("\ncalibration_load = 0.002\ncalibration_friction_force = 0.00074\n"), "{text}");
+    assert_same(&surface(&text), &params, &text);
+    // In other units it is the same measurement.
+    // SAFETY: an initialised struct.
+    assert_eq!(unsafe { asperity_params_set_units(&mut params, 1e-3, 1.0) }, OK);
+    assert_same(&surface(&written(&params)), &params, "in mm");
+    params.height_std *= 2.0;
+    let text = written(&params);
+    let comment = "# The strength was calibrated on other surfaces: a friction force of 0.00074 at a load of 0.002.\n";
+    assert!(text.ends_with(comment) && !text.contains("\ncalibration_load"), "{text}");
+    let expected = asperity_params { calibration_load: 0.0, calibration_friction_force: 0.0, ..params };
+    assert_same(&surface(&text), &expected, &text);
+}
+
+#[test]
+fn units_are_converted_together() {
+    let mut params = surface(&format!("calibration_load = 1e-3\ncalibration_friction_coefficient = 0.4\n{CARBON}"));
+    let before = params;
+    // SAFETY: an initialised struct.
+    unsafe {
+        for (length, force) in [(0.0, 1.0), (1.0, -1.0), (f64::NAN, 1.0), (1.0, f64::INFINITY)] {
+            assert_eq!(asperity_params_set_units(&mut params, length, force), INVALID_PARAMETER);
+        }
+        assert_eq!(bytes(&params), bytes(&before));
+        assert_eq!(asperity_params_set_units(&mut params, 1e-6, 1e-3), OK); // um, mN: GPa
+    }
+    for (name, found, expected) in [
+        ("E*", params.composite_modulus, before.composite_modulus / 1e9),
+        ("G*", params.effective_shear_modulus, before.effective_shear_modulus / 1e9),
+        ("H", params.hardness, 51.0),
+        ("G^", params.tangential_modulus, before.tangential_modulus / 1e9),
+        ("w", params.work_of_adhesion, 0.06 / 1e3),
+        ("h", params.adhesion_range, 0.25e-3),
+        ("b", params.burgers_vector, 0.25e-3),
+        ("sigma", params.height_std, before.height_std * 1e6),
+        ("R", params.summit_radius, before.summit_radius * 1e6),
+        ("N", params.asperity_count, before.asperity_count),
+        ("A", params.nominal_area, 1e6),
+        ("P", params.calibration_load, 1.0),
+        ("F", params.calibration_friction_force, 0.4),
+        ("tau", params.slip_stress_1, before.slip_stress_1),
+    ] {
+        assert_near(found, expected, 1e-14, name);
+    }
+    let [metres, micrometres] = [(before, 1e-2), (params, 10.0)].map(|(params, load)| {
+        let model = Handle::new(&params);
+        // SAFETY: a model.
+        unsafe { asperity_friction_at_load(model.0, load) }
+    });
+    assert_near(micrometres, metres, 1e-11, "the friction coefficient");
+    // What is unset stays so.
+    let mut unset = asperity_params::unset();
+    // SAFETY: an initialised struct.
+    assert_eq!(unsafe { asperity_params_set_units(&mut unset, 1e-3, 1.0) }, OK);
+    assert_eq!(bytes(&unset), bytes(&asperity_params::unset()));
+}
+
+#[test]
+fn summits_per_area_are_set_by_name_too() {
+    let mut params = asperity_params::unset();
+    let (names, values) = ([c"summit_density".as_ptr(), c"nominal_area".as_ptr()], [2e12, 1e-6]);
+    // SAFETY: an initialised struct, and names that end.
+    unsafe {
+        assert_eq!(asperity_params_set_value(&mut params, names[0], 2e12), INVALID_PARAMETER);
+        assert_eq!(asperity_params_set_values(&mut params, 2, names.as_ptr(), values.as_ptr()), OK);
+        assert_eq!((params.asperity_count, params.nominal_area), (2e6, 1e-6));
+        assert_eq!(asperity_params_set_value(&mut params, names[0], 3e12), OK);
+        assert_eq!(params.asperity_count, 3e12 * 1e-6);
+        let both = [c"summit_density".as_ptr(), c"asperity_count".as_ptr()];
+        assert_eq!(asperity_params_set_values(&mut params, 2, both.as_ptr(), values.as_ptr()), INVALID_PARAMETER);
+        assert!(
+            message().starts_with("summit_density: must not be given together with asperity_count"),
+            "{}",
+            message()
+        );
+    }
+}
+
+fn read(params: &mut asperity_params, path: &Path) -> i32 {
+    let path = CString::new(path.to_str().expect("a path in UTF-8")).expect("no NUL");
+    // SAFETY: an initialised struct, and a path that ends.
+    unsafe { asperity_params_read(params, path.as_ptr()) }
+}
+
+#[test]
+#[cfg_attr(miri, ignore = "there are no files")]
+fn a_file_is_read_and_named() {
+    let folder = std::env::temp_dir().join(format!("asperity surface {}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let file = folder.join("film.toml");
+    std::fs::write(&file, CARBON.replace('\n', "\r\n")).expect("a file");
+    let mut params = asperity_params::unset();
+    assert_eq!(read(&mut params, &file), OK, "{}", message());
+    assert_same(&params, &surface(CARBON), "the file");
+    let mut refused = |path: &Path, says: &str| {
+        let before = bytes(&params).to_vec();
+        assert_eq!(read(&mut params, path), INVALID_PARAMETER, "{}", path.display());
+        assert_eq!(bytes(&params), before);
+        let (found, name) = (message(), path.file_name().and_then(|name| name.to_str()).unwrap_or_default());
+        assert!(found.contains(name) && found.contains(says), "{found}");
+    };
+    std::fs::write(&file, "\n\nslip_onset = \"hole\"\n").expect("a file");
+    refused(&file, ": line 3: slip_onset = \"hole\": must be \"partial\" or \"whole\"");
+    std::fs::write(&file, vec![b'\n'; MIB + 1]).expect("a file");
+    refused(&file, ": longer than 1 MiB: must be a surface file");
+    refused(&folder, ": must be a file with a surface");
+    refused(&folder.join("none.toml"), ": ");
+    refused(&folder.join("x".repeat(200)).join("none.toml"), "none.toml: ");
+    std::fs::remove_dir_all(&folder).expect("the folder");
+    if cfg!(unix) {
+        refused(Path::new("/dev/zero"), "/dev/zero: must be a file with a surface");
+    }
+    // SAFETY: NULL is refused.
+    unsafe {
+        assert_eq!(asperity_params_read(&mut params, null()), NULL_POINTER);
+        assert_eq!(asperity_params_read(null_mut(), c"film.toml".as_ptr()), NULL_POINTER);
+    }
+}
