@@ -5,11 +5,12 @@
 ! stops the analysis and says why.
 module asperity_models
   use, intrinsic :: iso_c_binding, only: c_double
-  use asperity, only: asperity_microslip, asperity_params, ASPERITY_SEPARATED, friction_model
-  use asperity_surfaces, only: NUMBER_OF_SURFACES, state_surface
+  use asperity, only: asperity_check, asperity_microslip, asperity_params, asperity_params_init, asperity_params_read, &
+    asperity_params_set_units, ASPERITY_INVALID_PARAMETER, ASPERITY_SEPARATED, friction_model
+  use asperity_surfaces, only: MOST_FRICTION, SURFACES, UNIT_OF_FORCE, UNIT_OF_LENGTH
   implicit none
   private
-  public :: make_models, free_models, friction_coefficients, shear_strength, microslip_length, microslip_step
+  public :: make_models, free_models, read_surface, friction_coefficients, shear_strength, microslip_length, microslip_step
 
   ! Of a point whose summits slip one after the other.
   type, public :: microslip
@@ -21,10 +22,11 @@ module asperity_models
     logical :: apart = .false., invalid = .false.
   end type microslip
 
+  integer, parameter :: NUMBER_OF_SURFACES = size(SURFACES)
   type(friction_model), save :: laws(NUMBER_OF_SURFACES)
   real(c_double), save :: nominal_areas(NUMBER_OF_SURFACES)
   logical, save :: made = .false.
-  character(400), save :: refusal = 'no model was made: call make_models of module asperity_models at the start ' // &
+  character(600), save :: refusal = 'no model was made: call make_models of module asperity_models at the start ' // &
                                     'of the analysis, from UEXTERNALDB (LOP = 0 and 4) or VEXTERNALDB (lOp = 0)'
 
   interface
@@ -40,13 +42,14 @@ contains
   subroutine make_models(refused)
     logical, intent(out) :: refused
     type(asperity_params) :: params
-    character(300) :: message
+    character(500) :: message
     integer :: number, stat
     refused = .false.
     if (made) return
     do number = 1, NUMBER_OF_SURFACES
-      call state_surface(number, params, nominal_areas(number))
-      call laws(number)%create(params, stat, message)
+      call read_surface(number, params, stat, message)
+      if (stat == 0) call laws(number)%create(params, stat, message)
+      nominal_areas(number) = params%nominal_area
       if (stat == 0) cycle
       write (refusal, '(a, i0, 2a)') 'surface ', number, ': ', trim(message)
       refused = .true.
@@ -54,6 +57,23 @@ contains
     end do
     made = .true.
   end subroutine make_models
+
+  ! The parameters of a surface file, in the units of the model. A pressure is the load on nominal_area.
+  subroutine read_surface(number, params, stat, message)
+    integer, intent(in) :: number
+    type(asperity_params), intent(out) :: params
+    integer, intent(out) :: stat
+    character(*), intent(inout) :: message
+    call asperity_check(asperity_params_init(params))
+    call asperity_params_read(params, trim(SURFACES(number)), stat, message)
+    if (stat == 0 .and. .not. params%nominal_area > 0) then
+      stat = ASPERITY_INVALID_PARAMETER
+      message = trim(SURFACES(number)) // ': nominal_area must be given, on which the summits lie'
+    end if
+    if (stat /= 0) return
+    call asperity_check(asperity_params_set_units(params, UNIT_OF_LENGTH, UNIT_OF_FORCE))
+    params%max_friction_coefficient = min(params%max_friction_coefficient, MOST_FRICTION)
+  end subroutine read_surface
 
   subroutine free_models
     integer :: number

@@ -55,9 +55,10 @@ for host in slip_rate slip_data explicit_single explicit_double; do
 done
 
 # What must stop the analysis does, and says why.
+#   stops PROVOKED MESSAGE [FOLDER]     FOLDER with other surface files in it
 stops() {
     local status=0
-    "$build/slip_data/host" "$1" >/dev/null 2>"$build/stops.txt" || status=$?
+    (cd "${3:-.}" && "$build/slip_data/host" "$1") >/dev/null 2>"$build/stops.txt" || status=$?
     if [ "$status" != 7 ] || ! grep -q "^\*\*\*ERROR: asperity: .*$2" "$build/stops.txt"; then
         echo "abaqus  FAIL  '$1' must stop the analysis with: $2" >&2
         cat "$build/stops.txt" >&2
@@ -67,6 +68,14 @@ stops() {
 stops unmade 'no model was made: call make_models'
 stops surface 'the first property of \*FRICTION is 3.*1 to 2'
 stops stiffness 'the stick stiffness, must be > 0'
+surfaces=$build/surfaces
+mkdir -p "$surfaces/hosts/abaqus"
+stops surface 'surface 1: hosts/surface.toml: No such file' "$surfaces"
+sed 's/hardness/hardnes/' hosts/surface.toml >"$surfaces/hosts/surface.toml"
+stops surface 'surface 1: hosts/surface.toml: line 9: hardnes: no such key; the nearest is hardness' "$surfaces"
+{ printf 'calibration_load = 100\ncalibration_friction_coefficient = 0.2\n'; grep -v nominal_area hosts/abaqus/smooth.toml; } \
+    >"$surfaces/hosts/surface.toml"
+stops surface 'surface 1: hosts/surface.toml: nominal_area must be given' "$surfaces"
 stops depvar 'PROPERTIES=1 computes microslip and needs DEPVAR=.*; it has 1'
 
 # How Newton's method converges on the block: increments of stick, of slip, of reversal.

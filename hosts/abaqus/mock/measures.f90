@@ -4,12 +4,12 @@ module measures
   use, intrinsic :: iso_c_binding
   use, intrinsic :: iso_fortran_env, only: error_unit
   use asperity
-  use asperity_surfaces, only: state_surface
+  use asperity_models, only: read_surface
   implicit none
   private
   public :: check, check_pressures, difference, finish, largest, patch_friction, patch_law, worse
 
-  ! The patch is this many of the areas that surfaces.f90 states: what a pressure does must not depend on how many. A
+  ! The patch is this many of the nominal areas of the surface: what a pressure does must not depend on how many. A
   ! power of two, so that the tables of both models are the same but for their exponents.
   real(c_double), parameter :: AREAS_IN_PATCH = 4
   real(c_double), protected, public :: patch_area = 0  ! [mm^2], of the last patch_law
@@ -51,10 +51,14 @@ contains
     integer, intent(in) :: surface
     type(c_ptr) :: model
     type(asperity_params) :: params
-    real(c_double) :: nominal_area
-    call state_surface(surface, params, nominal_area)
+    character(500) :: message
+    integer :: stat
+    message = ''
+    call read_surface(surface, params, stat, message)
+    call check(message, stat == 0)
     params%asperity_count = params%asperity_count * AREAS_IN_PATCH
-    patch_area = nominal_area * AREAS_IN_PATCH
+    params%nominal_area = params%nominal_area * AREAS_IN_PATCH
+    patch_area = params%nominal_area
     model = c_null_ptr
     call asperity_check(asperity_create(params, model))
   end function patch_law
