@@ -381,6 +381,10 @@ static void names_are_those_of_the_fields(void)
 #define NAMES(field)                                                                                                   \
     CHECK(value_of(&p, #field) == p.field, #field);                                                                    \
     CHECK(asperity_params_set_value(&p, #field, 2) == ASPERITY_OK && p.field == 2, #field ": %s", last_message())
+#define CHOOSES(field, last)                                                                                           \
+    CHECK(value_of(&p, #field) == p.field, #field);                                                                    \
+    CHECK(asperity_params_set_value(&p, #field, last + 1) == ASPERITY_INVALID_PARAMETER, #field);                      \
+    CHECK(asperity_params_set_value(&p, #field, last) == ASPERITY_OK && p.field == last, #field ": %s", last_message())
     NAMES(composite_modulus);
     NAMES(effective_shear_modulus);
     NAMES(work_of_adhesion);
@@ -389,7 +393,7 @@ static void names_are_those_of_the_fields(void)
     NAMES(height_std);
     NAMES(summit_radius);
     NAMES(asperity_count);
-    NAMES(attraction);
+    CHOOSES(attraction, 1);
     NAMES(radius_amplitude);
     NAMES(radius_rate);
     NAMES(slip_radius_1);
@@ -403,13 +407,14 @@ static void names_are_those_of_the_fields(void)
     NAMES(pressure_coefficient);
     NAMES(bandwidth);
     NAMES(calibration_error);
-    NAMES(contact_law);
-    NAMES(slip_onset);
+    CHOOSES(contact_law, 1);
+    CHOOSES(slip_onset, 1);
     NAMES(weibull_shape);
     NAMES(height_distribution);
     NAMES(kurtosis);
     NAMES(skew);
 #undef NAMES
+#undef CHOOSES
 }
 
 /* Whatever heights the other surface has, and whatever heights this one had. */
