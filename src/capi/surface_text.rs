@@ -129,7 +129,7 @@ pub unsafe extern "C" fn asperity_params_text(
 /// and tables of heights stay as they are, and so does what is unset.
 ///
 /// ```c
-/// asperity_params_set_units(&params, 1e-3, 1.0);  // from SI into mm, N, MPa
+/// asperity_params_set_units(&params, 1e-3, 1.0);
 /// ```
 ///
 /// @param params  initialised parameters
