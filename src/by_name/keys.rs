@@ -160,8 +160,10 @@ impl<'t> Keys<'t> for Entries<'t> {
         self.table = Table::Top;
         let Some(name) = name else { return Ok(()) };
         let Some(&table) = TABLES[1..].iter().find(|table| table.name() == name) else {
-            let says = format_args!("[{}]: no such table; there are [materials] and [roughness]", Shown(name));
-            return Err(Problem::new(at, says));
+            return Err(Problem::new(
+                at,
+                format_args!("[{}]: no such table; there are [materials] and [roughness]", Shown(name)),
+            ));
         };
         if let Some(first) = self.begin(table) {
             return Err(Problem::new(at, format_args!("[{name}]: given twice, also in line {}", self.line(first))));

@@ -156,10 +156,11 @@ impl Numbers {
             return Err(meaningless("Ra: must not be given together with m0, which it replaces"));
         }
         positive("Ra", roughness)?;
-        let Some([m2, m4]) = self.together(["m2", "m4"], "must be given too: Ra, m2 and m4 go together")? else {
-            return Err(meaningless("Ra: says how high the roughness is, not how sharp: give m2 and m4 too"));
-        };
-        Ok(Some([FRAC_PI_2 * (roughness * roughness), m2, m4]))
+        let says = "must be given too: m0 or Ra, m2 and m4 go together";
+        match self.together(["m2", "m4"], says)? {
+            Some([m2, m4]) => Ok(Some([FRAC_PI_2 * (roughness * roughness), m2, m4])),
+            None => Err(Error::Missing { name: "m2", says }),
+        }
     }
 
     fn set_density(&self, draft: &mut Draft, density: f64) -> Result<(), Error> {

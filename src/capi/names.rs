@@ -82,7 +82,7 @@ pub unsafe extern "C" fn asperity_params_set_value(
 /// - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
 ///   `asperity_params_calibrate`, which comes last
 ///
-/// Fields are set after materials and before moments, and are not checked here: `asperity_create` checks them.
+/// Fields are set after materials and before moments. Of them only choices are checked here: `asperity_create` checks the others.
 ///
 /// Three names choose the heights. `kurtosis` chooses Johnson's. `weibull_shape` without it chooses Weibull's. `skew` is that
 /// of Johnson's heights if they are chosen or `kurtosis` is given too; otherwise it is `asperity_params_set_skew`.

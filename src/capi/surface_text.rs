@@ -128,6 +128,8 @@ pub unsafe extern "C" fn asperity_params_text(
 /// Lengths, forces, stresses, areas and the work of adhesion are converted, and the calibration with them. Numbers without a unit
 /// and tables of heights stay as they are, and so does what is unset.
 ///
+/// From SI into mm, N and MPa:
+///
 /// ```c
 /// asperity_params_set_units(&params, 1e-3, 1.0);
 /// ```
