@@ -110,23 +110,26 @@ module asperity
     real(c_double) :: kurtosis                      ! Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to
                                                     ! 100; 3 by default, which with skew 0 is Gaussian
     real(c_double) :: hardness                      ! H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer
-                                                    ! body
+                                                    ! body; 0, the default, means not known
     type(c_ptr) :: table_height = c_null_ptr        ! table_length summit heights in ascending order, in any unit and
                                                     ! from any origin: the library standardises them
     type(c_ptr) :: table_density = c_null_ptr       ! The density at each of these heights, >= 0; it need not be
                                                     ! normalised
     integer(c_int64_t) :: table_length              ! Number of heights in the table, 3 to 256; 0 by default
     real(c_double) :: tangential_modulus            ! G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the
-                                                    ! stiffness of contacts that stick
+                                                    ! stiffness of contacts that stick; 0, the default, stands for E* G*
+                                                    ! / (2 (E* + G*))
     real(c_double) :: nominal_area                  ! Nominal area of contact [length^2], >= 0, with which warnings
-                                                    ! compare the real area
+                                                    ! compare the real area; 0, the default, means not known
     integer(c_int32_t) :: contact_law               ! Law of one summit in contact, one of ASPERITY_CONTACT_; Maugis' by
                                                     ! default
     integer(c_int32_t) :: slip_onset                ! How a contact begins to slip, one of ASPERITY_SLIP_; partial slip
                                                     ! by default
-    real(c_double) :: pressure_coefficient          ! kappa [-], 0 to 1000: the pressure coefficient of the interface
+    real(c_double) :: pressure_coefficient          ! kappa [-], 0 to 1000: the pressure coefficient of the interface;
+                                                    ! 0, the default, is a strength that does not grow with pressure
     real(c_double) :: bandwidth                     ! Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5,
-                                                    ! with which warnings judge whether summits act independently
+                                                    ! with which warnings judge whether summits act independently; 0,
+                                                    ! the default, means not known
     real(c_double) :: calibration_load              ! Load of the measurement that set the strength of the interface
                                                     ! [force]; 0 if there was none
     real(c_double) :: calibration_friction_force    ! Friction force measured at that load [force], >= 0; 0, the

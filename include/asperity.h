@@ -190,7 +190,7 @@ typedef struct asperity_params {
   /** Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0 is
    * Gaussian. Other `height_distribution`s refuse any other value. */
   double kurtosis;
-  /** H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body. 0, the default, means not known. Warnings
+  /** H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body; 0, the default, means not known. Warnings
    * compare pressures with it; the friction of elastic summits does not depend on it, that of
    * `ASPERITY_CONTACT_ELASTIC_PLASTIC` does. */
   double hardness;
@@ -202,26 +202,26 @@ typedef struct asperity_params {
   const double *table_density;
   /** Number of heights in the table, 3 to 256; 0 by default. */
   uint64_t table_length;
-  /** G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick.
-   * `asperity_params_set_materials` sets it. 0, the default, stands for E* G* / (2 (E* + G*)), which is exact for
-   * two bodies of one material and for one rigid body. */
+  /** G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the
+   * default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
+   * `asperity_params_set_materials` sets it. */
   double tangential_modulus;
-  /** Nominal area of contact [length^2], >= 0, with which warnings compare the real area.
-   * `asperity_params_set_spectral_moments` sets it. 0, the default, means not known. */
+  /** Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not known.
+   * `asperity_params_set_spectral_moments` sets it. */
   double nominal_area;
   /** Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default. */
   int32_t contact_law;
   /** How a contact begins to slip, one of `ASPERITY_SLIP_`; partial slip by default. Friction does not depend on it, the
    * tangential force before gross slip does: `asperity_tangential_at_load`, `asperity_microslip_step`. */
   int32_t slip_onset;
-  /** kappa [-], 0 to 1000: the pressure coefficient of the interface. The friction force of a contact is pi a^2
-   * tau(a) + kappa P_H. P_H is the load that Hertz' contact of the same radius carries: the load, and what adhesion
-   * adds to it. Boundary films have 0.02 to 0.2. 0, the default, is a strength that does not grow with pressure.
+  /** kappa [-], 0 to 1000: the pressure coefficient of the interface; 0, the default, is a strength that does not grow
+   * with pressure. The friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H is the load that Hertz' contact of the
+   * same radius carries: the load, and what adhesion adds to it. Boundary films have 0.02 to 0.2.
    * Where it is > 0, both slip stresses may be 0: Amontons' law. */
   double pressure_coefficient;
   /** Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether summits act
-   * independently. `asperity_params_set_spectral_moments` sets it. 0, the default, means not known: the library then
-   * takes it from `nominal_area`, if that is known. */
+   * independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
+   * `asperity_params_set_spectral_moments` sets it. */
   double bandwidth;
   /** Load of the measurement that set the strength of the interface [force]; 0 if there was none. `asperity_params_calibrate`
    * sets it. */
@@ -657,7 +657,7 @@ asperity_status asperity_params_set_value(struct asperity_params *params, const 
  * - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
  *   `asperity_params_calibrate`, which comes last
  *
- * Fields are set after materials and before moments, and are not checked here: `asperity_create` checks them.
+ * Fields are set after materials and before moments. Of them only choices are checked here: `asperity_create` checks the others.
  *
  * Three names choose the heights. `kurtosis` chooses Johnson's. `weibull_shape` without it chooses Weibull's. `skew` is that
  * of Johnson's heights if they are chosen or `kurtosis` is given too; otherwise it is `asperity_params_set_skew`.
@@ -868,10 +868,12 @@ size_t asperity_params_text(const struct asperity_params *params, char *buffer, 
 /** Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.
  *
  * Lengths, forces, stresses, areas and the work of adhesion are converted, and the calibration with them. Numbers without a unit
- * and tables of heights stay as they are, and so does what is unset.
+ * and tables of heights stay as they are, and so does what is unset. From SI into mm, N and MPa:
+ *
+ * From SI into mm, N and MPa:
  *
  * ```c
- * asperity_params_set_units(&params, 1e-3, 1.0);  // from SI into mm, N, MPa
+ * asperity_params_set_units(&params, 1e-3, 1.0);
  * ```
  *
  * @param params  initialised parameters

@@ -547,22 +547,22 @@ public:
     /// Sets it.
     Params &kurtosis(double value) noexcept { return assign(c_.kurtosis, value); }
 
-    /// H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body. 0, the default, means not known.
+    /// H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body; 0, the default, means not known.
     /// Warnings compare pressures with it; the friction of elastic summits does not depend on it, that of
     /// `ASPERITY_CONTACT_ELASTIC_PLASTIC` does.
     double hardness() const noexcept { return c_.hardness; }
     /// Sets it.
     Params &hardness(double value) noexcept { return assign(c_.hardness, value); }
 
-    /// G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick.
-    /// `asperity_params_set_materials` sets it. 0, the default, stands for E* G* / (2 (E* + G*)), which is exact for
-    /// two bodies of one material and for one rigid body.
+    /// G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the default,
+    /// stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
+    /// `asperity_params_set_materials` sets it.
     double tangential_modulus() const noexcept { return c_.tangential_modulus; }
     /// Sets it.
     Params &tangential_modulus(double value) noexcept { return assign(c_.tangential_modulus, value); }
 
-    /// Nominal area of contact [length^2], >= 0, with which warnings compare the real area.
-    /// `asperity_params_set_spectral_moments` sets it. 0, the default, means not known.
+    /// Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not
+    /// known. `asperity_params_set_spectral_moments` sets it.
     double nominal_area() const noexcept { return c_.nominal_area; }
     /// Sets it.
     Params &nominal_area(double value) noexcept { return assign(c_.nominal_area, value); }
@@ -578,17 +578,17 @@ public:
     /// Sets it.
     Params &slip_onset(SlipOnset value) noexcept { return assign(c_.slip_onset, static_cast<std::int32_t>(value)); }
 
-    /// kappa [-], 0 to 1000: the pressure coefficient of the interface. The friction force of a contact is pi a^2
-    /// tau(a) + kappa P_H. P_H is the load that Hertz' contact of the same radius carries: the load, and what adhesion
-    /// adds to it. Boundary films have 0.02 to 0.2. 0, the default, is a strength that does not grow with pressure.
+    /// kappa [-], 0 to 1000: the pressure coefficient of the interface; 0, the default, is a strength that does not
+    /// grow with pressure. The friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H is the load that Hertz'
+    /// contact of the same radius carries: the load, and what adhesion adds to it. Boundary films have 0.02 to 0.2.
     /// Where it is > 0, both slip stresses may be 0: Amontons' law.
     double pressure_coefficient() const noexcept { return c_.pressure_coefficient; }
     /// Sets it.
     Params &pressure_coefficient(double value) noexcept { return assign(c_.pressure_coefficient, value); }
 
     /// Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether summits act
-    /// independently. `asperity_params_set_spectral_moments` sets it. 0, the default, means not known: the library then
-    /// takes it from `nominal_area`, if that is known.
+    /// independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
+    /// `asperity_params_set_spectral_moments` sets it.
     double bandwidth() const noexcept { return c_.bandwidth; }
     /// Sets it.
     Params &bandwidth(double value) noexcept { return assign(c_.bandwidth, value); }

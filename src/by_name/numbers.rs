@@ -3,6 +3,7 @@
 use super::draft::{Draft, JOHNSON, WEIBULL};
 use super::fields::FIELDS;
 use crate::error::Error;
+use crate::float_bits::nan;
 use crate::materials::{Bodies, Interface};
 use crate::nearest::{nearest, Unknown};
 use crate::params::{positive, Params};
@@ -112,6 +113,11 @@ impl Numbers {
             draft.params.set_materials(young_1, poisson_1, young_2, poisson_2)?;
         }
         self.set_fields(draft)?;
+        // As `Params::set_elastic_plastic` does, but a work of adhesion that was given is refused with the parameters.
+        let of_bodies = self.bodies.is_some() || nan(draft.params.work_of_adhesion);
+        if self.get("contact_law") == Some(1.0) && of_bodies && self.get("work_of_adhesion").is_none() {
+            draft.params.work_of_adhesion = 0.0;
+        }
         // After `nominal_area`, which they need.
         if let Some([m0, m2, m4]) = self.moments()? {
             let (moments, area) = (SpectralMoments { m0, m2, m4 }, draft.params.nominal_area);
@@ -156,10 +162,11 @@ impl Numbers {
             return Err(meaningless("Ra: must not be given together with m0, which it replaces"));
         }
         positive("Ra", roughness)?;
-        let Some([m2, m4]) = self.together(["m2", "m4"], "must be given too: Ra, m2 and m4 go together")? else {
-            return Err(meaningless("Ra: says how high the roughness is, not how sharp: give m2 and m4 too"));
-        };
-        Ok(Some([FRAC_PI_2 * (roughness * roughness), m2, m4]))
+        let says = "must be given too: m0 or Ra, m2 and m4 go together";
+        match self.together(["m2", "m4"], says)? {
+            Some([m2, m4]) => Ok(Some([FRAC_PI_2 * (roughness * roughness), m2, m4])),
+            None => Err(Error::Missing { name: "m2", says }),
+        }
     }
 
     fn set_density(&self, draft: &mut Draft, density: f64) -> Result<(), Error> {

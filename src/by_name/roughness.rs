@@ -112,17 +112,21 @@ impl Given<'_> {
         }
         match (self.at("Ra"), self.at(kind.height)) {
             (Some(_), Some(_)) => {
-                let says = format_args!("must not be given together with {}, which it replaces", kind.height);
-                return Err(self.refused("Ra", says));
+                return Err(self.refused(
+                    "Ra",
+                    format_args!("must not be given together with {}, which it replaces", kind.height),
+                ));
             }
             (None, None) => return Err(self.refused(kind.height, format_args!("must be set, or Ra"))),
             _ => {}
         }
         if let Some(name) = ["Ssk", "Sku"].iter().find(|name| self.at("Ra").is_some() && has(name)) {
-            let says = format_args!(
-                "must not be given together with {name}, it is understood as that of Gaussian heights: give Sq"
-            );
-            return Err(self.refused("Ra", says));
+            return Err(self.refused(
+                "Ra",
+                format_args!(
+                    "must not be given together with {name}, it is understood as that of Gaussian heights: give Sq"
+                ),
+            ));
         }
         match kind.needs.iter().find(|name| self.at(name).is_none()) {
             Some(missing) => Err(self.refused(missing, format_args!("must be set"))),
@@ -146,10 +150,12 @@ impl Given<'_> {
             };
             let (other, expected) = *first.get_or_insert((entry.name, count));
             if count != expected {
-                let says = format_args!(
-                    "must be as many numbers as {other} has: one, or two in brackets, one of each surface"
-                );
-                return Err(self.refused(entry.name, says));
+                return Err(self.refused(
+                    entry.name,
+                    format_args!(
+                        "must be as many numbers as {other} has: one, or two in brackets, one of each surface"
+                    ),
+                ));
             }
         }
         Ok(first.map_or(1, |(_, count)| count))

@@ -229,8 +229,10 @@ impl Given<'_> {
         }
         if bodies.burgers_vector().is_none() {
             let Some(burgers_vector) = self.numbers.get("burgers_vector") else {
-                let says = format_args!("burgers_vector: none is known of a body of {name}: give one");
-                return Err(Problem::new(entry.at, says));
+                return Err(Problem::new(
+                    entry.at,
+                    format_args!("burgers_vector: none is known of a body of {name}: give one"),
+                ));
             };
             if self.numbers.get("adhesion_range").is_none() {
                 self.numbers.give_named("adhesion_range", burgers_vector);
@@ -250,11 +252,10 @@ impl Given<'_> {
             let tabulated = height.or(density);
             let meant: Vec<_> = [given("weibull_shape"), given("kurtosis"), tabulated].into_iter().flatten().collect();
             if let [first, other, ..] = meant[..] {
-                let says = format_args!(
+                return Err(first.refused(format_args!(
                     "means other heights than {}: give one of them, or height_distribution too",
                     other.name
-                );
-                return Err(first.refused(says));
+                )));
             }
             let skewed = given("skew").filter(|_| given("kurtosis").is_none());
             if let (Some(skew), Some(other)) = (skewed, meant.first()) {
@@ -297,8 +298,10 @@ impl Given<'_> {
             entries.exclude(&["bandwidth"], "[roughness]")?;
         }
         if self.numbers.get("nominal_area").is_none() && draft.params.nominal_area == 0.0 {
-            let says = format_args!("nominal_area: must be set, since [roughness] gives the summits per area");
-            return Err(Problem::new(begin, says));
+            return Err(Problem::new(
+                begin,
+                format_args!("nominal_area: must be set, since [roughness] gives the summits per area"),
+            ));
         }
         let bandwidth = self.numbers.get("bandwidth");
         let Roughness { moments, density, shape } = Roughness::of(entries, begin, bandwidth)?;

@@ -81,7 +81,7 @@ impl Problem {
     }
 
     /// The error, with the line of the text.
-    pub fn in_text(self: Box<Self>, text: &[u8]) -> Error {
+    pub fn in_text(self, text: &[u8]) -> Error {
         let before = &text[..self.at.min(text.len())];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
         Error::InText { line, error: Box::new(self.error) }

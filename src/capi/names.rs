@@ -5,11 +5,16 @@ use super::given;
 use super::params::asperity_params;
 use super::setters::change;
 use super::status::asperity_status;
-use crate::by_name::{Numbers, ARGUMENTS, FIELDS};
+use crate::by_name::{meant, Numbers, ARGUMENTS, FIELDS};
 use std::ffi::c_char;
 
 fn position(name: &[u8]) -> Result<usize, Failure> {
-    Numbers::position(name).ok_or_else(|| Failure::invalid(format_args!("{}", Numbers::unknown(name))))
+    Numbers::position(name).ok_or_else(|| {
+        match std::str::from_utf8(name).ok().and_then(|name| meant(name).zip(Some(name))) {
+            Some((meant, name)) => Failure::invalid(format_args!("{name}: no parameter has this name; {meant}")),
+            None => Failure::invalid(format_args!("{}", Numbers::unknown(name))),
+        }
+    })
 }
 
 /// What a caller gives by names.
@@ -82,7 +87,7 @@ pub unsafe extern "C" fn asperity_params_set_value(
 /// - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
 ///   `asperity_params_calibrate`, which comes last
 ///
-/// Fields are set after materials and before moments, and are not checked here: `asperity_create` checks them.
+/// Fields are set after materials and before moments. Of them only choices are checked here: `asperity_create` checks the others.
 ///
 /// Three names choose the heights. `kurtosis` chooses Johnson's. `weibull_shape` without it chooses Weibull's. `skew` is that
 /// of Johnson's heights if they are chosen or `kurtosis` is given too; otherwise it is `asperity_params_set_skew`.

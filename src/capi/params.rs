@@ -88,7 +88,7 @@ pub struct asperity_params {
     /// Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0 is
     /// Gaussian. Other `height_distribution`s refuse any other value.
     pub kurtosis: f64,
-    /// H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body. 0, the default, means not known. Warnings
+    /// H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body; 0, the default, means not known. Warnings
     /// compare pressures with it; the friction of elastic summits does not depend on it, that of
     /// `ASPERITY_CONTACT_ELASTIC_PLASTIC` does.
     pub hardness: f64,
@@ -100,26 +100,26 @@ pub struct asperity_params {
     pub table_density: *const f64,
     /// Number of heights in the table, 3 to 256; 0 by default.
     pub table_length: u64,
-    /// G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick.
-    /// `asperity_params_set_materials` sets it. 0, the default, stands for E* G* / (2 (E* + G*)), which is exact for
-    /// two bodies of one material and for one rigid body.
+    /// G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the
+    /// default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
+    /// `asperity_params_set_materials` sets it.
     pub tangential_modulus: f64,
-    /// Nominal area of contact [length^2], >= 0, with which warnings compare the real area.
-    /// `asperity_params_set_spectral_moments` sets it. 0, the default, means not known.
+    /// Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not known.
+    /// `asperity_params_set_spectral_moments` sets it.
     pub nominal_area: f64,
     /// Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default.
     pub contact_law: i32,
     /// How a contact begins to slip, one of `ASPERITY_SLIP_`; partial slip by default. Friction does not depend on it, the
     /// tangential force before gross slip does: `asperity_tangential_at_load`, `asperity_microslip_step`.
     pub slip_onset: i32,
-    /// kappa [-], 0 to 1000: the pressure coefficient of the interface. The friction force of a contact is pi a^2
-    /// tau(a) + kappa P_H. P_H is the load that Hertz' contact of the same radius carries: the load, and what adhesion
-    /// adds to it. Boundary films have 0.02 to 0.2. 0, the default, is a strength that does not grow with pressure.
+    /// kappa [-], 0 to 1000: the pressure coefficient of the interface; 0, the default, is a strength that does not grow
+    /// with pressure. The friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H is the load that Hertz' contact of the
+    /// same radius carries: the load, and what adhesion adds to it. Boundary films have 0.02 to 0.2.
     /// Where it is > 0, both slip stresses may be 0: Amontons' law.
     pub pressure_coefficient: f64,
     /// Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether summits act
-    /// independently. `asperity_params_set_spectral_moments` sets it. 0, the default, means not known: the library then
-    /// takes it from `nominal_area`, if that is known.
+    /// independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
+    /// `asperity_params_set_spectral_moments` sets it.
     pub bandwidth: f64,
     /// Load of the measurement that set the strength of the interface [force]; 0 if there was none. `asperity_params_calibrate`
     /// sets it.

@@ -381,7 +381,7 @@ mod tests {
         };
         let mut compared = 0;
         for heights in [crate::params::HeightFamily::Weibull { shape: 1.1 }, crate::population::tests::table(), steps] {
-            let branch = Branch::new(crate::population::tests::of(&Params { heights, ..Params::default() }));
+            let branch = Branch::new(crate::population::tests::of(&Params { heights, ..Params::paper() }));
             let branch = branch.expect("a branch");
             let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
             let excess = |sums: &Sums| sums.load() - branch.pull_off_load();

@@ -45,6 +45,9 @@ static void parameters(void)
     needs(asperity_params_get_value(&p, #field, &value));                                                              \
     NEAR(params, p, field, value, 0);
     NUMBERS(SET)
+    /* Choices have few numbers: other ones for neighbours. */
+    p.height_distribution = ASPERITY_HEIGHTS_JOHNSON, p.attraction = 0;
+    p.contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC, p.slip_onset = ASPERITY_SLIP_PARTIAL;
     NUMBERS(READ)
     p = paper(1);
     p.height_distribution = ASPERITY_HEIGHTS_TABULATED;

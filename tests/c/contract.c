@@ -378,38 +378,40 @@ static void names_are_those_of_the_fields(void)
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < i; k++)
             CHECK(strcmp(asperity_params_name(i), asperity_params_name(k)) != 0, "%s twice", asperity_params_name(i));
-#define NAMES(field)                                                                                                   \
+#define NAMES(field, value)                                                                                            \
     CHECK(value_of(&p, #field) == p.field, #field);                                                                    \
-    CHECK(asperity_params_set_value(&p, #field, 2) == ASPERITY_OK && p.field == 2, #field ": %s", last_message())
-    NAMES(composite_modulus);
-    NAMES(effective_shear_modulus);
-    NAMES(work_of_adhesion);
-    NAMES(adhesion_range);
-    NAMES(burgers_vector);
-    NAMES(height_std);
-    NAMES(summit_radius);
-    NAMES(asperity_count);
-    NAMES(attraction);
-    NAMES(radius_amplitude);
-    NAMES(radius_rate);
-    NAMES(slip_radius_1);
-    NAMES(slip_stress_1);
-    NAMES(slip_radius_2);
-    NAMES(slip_stress_2);
-    NAMES(max_friction_coefficient);
-    NAMES(hardness);
-    NAMES(tangential_modulus);
-    NAMES(nominal_area);
-    NAMES(pressure_coefficient);
-    NAMES(bandwidth);
-    NAMES(calibration_error);
-    NAMES(contact_law);
-    NAMES(slip_onset);
-    NAMES(weibull_shape);
-    NAMES(height_distribution);
-    NAMES(kurtosis);
-    NAMES(skew);
+    CHECK(asperity_params_set_value(&p, #field, value) == ASPERITY_OK && p.field == value, #field ": %s", last_message())
+    NAMES(composite_modulus, 2);
+    NAMES(effective_shear_modulus, 2);
+    NAMES(work_of_adhesion, 2);
+    NAMES(adhesion_range, 2);
+    NAMES(burgers_vector, 2);
+    NAMES(height_std, 2);
+    NAMES(summit_radius, 2);
+    NAMES(asperity_count, 2);
+    NAMES(attraction, 0);
+    NAMES(radius_amplitude, 2);
+    NAMES(radius_rate, 2);
+    NAMES(slip_radius_1, 2);
+    NAMES(slip_stress_1, 2);
+    NAMES(slip_radius_2, 2);
+    NAMES(slip_stress_2, 2);
+    NAMES(max_friction_coefficient, 2);
+    NAMES(hardness, 2);
+    NAMES(tangential_modulus, 2);
+    NAMES(nominal_area, 2);
+    NAMES(pressure_coefficient, 2);
+    NAMES(bandwidth, 2);
+    NAMES(calibration_error, 2);
+    NAMES(contact_law, 1);
+    NAMES(slip_onset, 1);
+    NAMES(weibull_shape, 2);
+    NAMES(height_distribution, 2);
+    NAMES(kurtosis, 2);
+    NAMES(skew, 2);
 #undef NAMES
+    CHECK(asperity_params_set_value(&p, "attraction", 2) == ASPERITY_INVALID_PARAMETER && p.attraction == 0
+              && says("attraction = 2: must be a whole number"), "%s", last_message());
 }
 
 /* Whatever heights the other surface has, and whatever heights this one had. */

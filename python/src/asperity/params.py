@@ -135,7 +135,7 @@ class Params:
             value.
         kurtosis: Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0
             is Gaussian. Other `height_distribution`s refuse any other value.
-        hardness: H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body. 0, the default, means not
+        hardness: H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body; 0, the default, means not
             known. Warnings compare pressures with it; the friction of elastic summits does not depend on it, that of
             "elastic-plastic" does.
         table_height: `table_length` summit heights in ascending order, in any unit and from any origin: the library
@@ -143,19 +143,19 @@ class Params:
             and copied when a model is made. Empty by default.
         table_density: The density at each of these heights, >= 0; it need not be normalised. Empty by default.
         tangential_modulus: G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that
-            stick. 0, the default, stands for E* G* / (2 (E* + G*)), which is exact for two bodies of one material and
+            stick; 0, the default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and
             for one rigid body.
-        nominal_area: Nominal area of contact [length^2], >= 0, with which warnings compare the real area. 0, the
+        nominal_area: Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the
             default, means not known.
         contact_law: Law of one summit in contact, one of "maugis", "elastic-plastic"; Maugis' by default.
         slip_onset: How a contact begins to slip, one of "partial", "whole"; partial slip by default. Friction does not
             depend on it, the tangential force before gross slip does.
-        pressure_coefficient: kappa [-], 0 to 1000: the pressure coefficient of the interface. The friction force of a
-            contact is pi a^2 tau(a) + kappa P_H. P_H is the load that Hertz' contact of the same radius carries: the
-            load, and what adhesion adds to it. Boundary films have 0.02 to 0.2. 0, the default, is a strength that does
-            not grow with pressure. Where it is > 0, both slip stresses may be 0: Amontons' law.
+        pressure_coefficient: kappa [-], 0 to 1000: the pressure coefficient of the interface; 0, the default, is a
+            strength that does not grow with pressure. The friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H
+            is the load that Hertz' contact of the same radius carries: the load, and what adhesion adds to it. Boundary
+            films have 0.02 to 0.2. Where it is > 0, both slip stresses may be 0: Amontons' law.
         bandwidth: Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether
-            summits act independently. 0, the default, means not known: the library then takes it from `nominal_area`,
+            summits act independently; 0, the default, means not known. The library then takes it from `nominal_area`,
             if that is known.
         calibration_load: Load of the measurement that set the strength of the interface [force]; 0 if there was none.
         calibration_friction_force: Friction force measured at that load [force], >= 0; 0, the default: not calibrated.

@@ -836,6 +836,39 @@ impl<'a> Calls<'a> {
         }
     }
 
+    /// A text: refused, it changes nothing; taken, the parameters that it makes are written and read again bit for bit.
+    pub fn text(&mut self, text: &[u8], any: f64, unit: f64) {
+        let before = asperity_params::unset();
+        let mut params = before;
+        let (at, text_at): (*mut asperity_params, *const c_char) = (&mut params, text.as_ptr().cast());
+        let what = || String::from_utf8_lossy(text).into_owned();
+        reset_message();
+        let status = call!(self, what(), asperity_params_set_text(at, text_at, text.len()));
+        if status == OK {
+            let (read_only, mut written): (*const asperity_params, _) = (at, [0_u8; 4096]);
+            let written_at: *mut c_char = written.as_mut_ptr().cast();
+            let length: usize = call!(self, what(), asperity_params_text(read_only, written_at, 4096_usize));
+            let mut again = before;
+            let (again_at, written_at): (*mut asperity_params, *const c_char) = (&mut again, written.as_ptr().cast());
+            let status = call!(self, what(), asperity_params_set_text(again_at, written_at, length));
+            assert_eq!(status, OK, "{}: {}", what(), message());
+            assert_eq!(bytes(&again), bytes(&params), "{}: {}", what(), String::from_utf8_lossy(&written[..length]));
+        } else {
+            let allowed = [INVALID_PARAMETER, OUT_OF_RANGE, INVALID_LOAD, SEPARATED, NOT_CONVERGED];
+            self.documented(status, &allowed, &what);
+            assert_eq!(bytes(&params), bytes(&before), "{}: refused, yet the parameters are changed", what());
+        }
+        // Units that are any numbers, and some that are.
+        for (length, force) in [(any, unit), (unit, any), (unit, 1.0 / unit)] {
+            let before = params;
+            let status = call!(self, unit, asperity_params_set_units(at, length, force));
+            if status != OK {
+                self.documented(status, &[INVALID_PARAMETER, OUT_OF_RANGE], &|| format!("units {length:e}, {force:e}"));
+                assert_eq!(bytes(&params), bytes(&before), "{length:e}, {force:e}: refused, yet changed");
+            }
+        }
+    }
+
     /// Materials, pairs and interfaces: one that has a name is found by it, and any bytes are a name that is refused or found.
     pub fn materials(&mut self, mut text: [u8; 65], which: usize) {
         text[64] = 0;

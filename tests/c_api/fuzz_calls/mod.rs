@@ -154,6 +154,44 @@ impl Bytes<'_> {
         params
     }
 
+    /// A text that may describe a surface: parts of one that does, and any bytes.
+    fn text(&mut self) -> Vec<u8> {
+        const PARTS: [&str; 24] = [
+            "\n",
+            " = ",
+            "[",
+            "]",
+            "\"",
+            "{",
+            "}",
+            ", ",
+            "1e-6\n",
+            "\u{feff}",
+            "nominal_area = 1e-6\n",
+            "hardness = 1e9\n",
+            "skew = 0.1\n",
+            "kurtosis = 3.5\n",
+            "heights = \"weibull\"\n",
+            "attraction = false\n",
+            "table_height = [0, 1, 2]\n",
+            "table_density = [0.5, 1, 0]\n",
+            "pair = \"Si/Si\"\n",
+            "interface = \"MoS2 film in dry air\"\n",
+            "calibration_load = 1e-3\ncalibration_friction_coefficient = 0.1\n",
+            "[materials]\nE1 = 1e11\nnu1 = 0.3\nE2 = inf\nnu2 = 0\n",
+            "[roughness]\nRa = 1e-8\nRSm = 1e-6\n",
+            "[roughness]\nSq = [1e-8, 2e-8]\nSdq = [0.1, 0.1]\nSsc = [1e6, 1e6]\n",
+        ];
+        let mut text = Vec::new();
+        for _ in 0..self.below(24) {
+            match self.byte() {
+                0 => text.push(self.byte()),
+                part => text.extend(PARTS[usize::from(part) % PARTS.len()].bytes()),
+            }
+        }
+        text
+    }
+
     /// A load: on the branch, near its ends, or of any bits.
     fn load(&mut self, summary: &asperity_summary) -> f64 {
         let pull_off = summary.pull_off_load;
@@ -262,7 +300,11 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
             let text = std::array::from_fn(|_| bytes.byte());
             calls.materials(text, bytes.below(40));
         }
-        251..=253 => calls.messages(bytes.below(256)),
+        251..=252 => calls.messages(bytes.below(256)),
+        253 => {
+            let text = bytes.text();
+            calls.text(&text, bytes.any_float(), bytes.log_between(1e-12, 1e12));
+        }
         254 => {
             calls.check_loads(model, bytes.load(summary), bytes.load(summary));
             calls.warning_loads(model, bytes.load(summary).to_bits());
