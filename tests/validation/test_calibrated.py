@@ -44,12 +44,6 @@ def test_a_law_that_holds_is_within_the_errors_of_the_measurement_and_one_that_f
         assert all(held) if one.holds else not any(held), one.name
 
 
-def test_calibration_meets_the_measured_point() -> None:
-    params = calibrated.one_summit(MATERIALS["steel"], MATERIALS["steel"], 3.175e-3)
-    with Model(calibrated.calibrated(params, 2.0, 0.1)) as model:
-        assert model.state_at_load(2.0).friction_force == pytest.approx(0.1, rel=1e-12)
-
-
 # ---- MoS2 ----
 
 
