@@ -146,19 +146,6 @@ fn every_dialect_takes_the_header_without_a_warning() {
     }
 }
 
-/// As hosts in C++ do that keep the names of other people's headers apart.
-#[test]
-fn a_namespace_may_hold_the_header() {
-    let program = source(
-        "namespace.cpp",
-        "#include <cstddef>\n#include <cstdint>\nnamespace host {\n#include <asperity.h>\n}\n\nint main()\n{\n    \
-         host::asperity_params p;\n    return host::asperity_params_init(&p, sizeof p) == ASPERITY_OK ? 0 : 1;\n}\n",
-    );
-    for compiler in Compiler::all(Language::Cpp, "c++17") {
-        compiler.program(&program, Linking::Shared).succeeds(&[]);
-    }
-}
-
 /// The examples of the header, as programs: the one at its top whole, and the others with parameters and a model at hand.
 #[test]
 fn examples_of_the_header_run() {
