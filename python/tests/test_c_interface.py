@@ -71,6 +71,15 @@ def test_every_function_of_the_header_works() -> None:
     found = ctypes.c_double(-1.0)
     assert lib.params_get_value(params, b"hardness", found) == Status.OK and found.value == 0.0
 
+    # As a text, and in other units.
+    length = lib.params_text(params, None, 0)
+    written = ctypes.create_string_buffer(length + 1)
+    assert lib.params_text(params, written, length + 1) == length == len(written.value)
+    assert lib.params_init(back, ctypes.sizeof(back)) == Status.OK
+    assert lib.params_set_text(back, written, length) == Status.OK and bytes(back) == bytes(params)
+    assert lib.params_set_units(back, 1e-3, 1.0) == Status.OK and math.isclose(back.height_std, 1e3 * params.height_std)
+    assert lib.params_read(back, b"nowhere.toml") == Status.INVALID_PARAMETER
+
     assert lib.params_set_skew(params, -2.0) == Status.INVALID_PARAMETER
     text = ctypes.create_string_buffer(200)
     assert lib.last_error(text, 200) == len(text.value)
