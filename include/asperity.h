@@ -657,7 +657,7 @@ asperity_status asperity_params_set_value(struct asperity_params *params, const 
  * - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
  *   `asperity_params_calibrate`, which comes last
  *
- * Fields are set after materials and before moments, and are not checked here: `asperity_create` checks them.
+ * Fields are set after materials and before moments. Of them only choices are checked here: `asperity_create` checks the others.
  *
  * Three names choose the heights. `kurtosis` chooses Johnson's. `weibull_shape` without it chooses Weibull's. `skew` is that
  * of Johnson's heights if they are chosen or `kurtosis` is given too; otherwise it is `asperity_params_set_skew`.
@@ -870,8 +870,10 @@ size_t asperity_params_text(const struct asperity_params *params, char *buffer, 
  * Lengths, forces, stresses, areas and the work of adhesion are converted, and the calibration with them. Numbers without a unit
  * and tables of heights stay as they are, and so does what is unset.
  *
+ * From SI into mm, N and MPa:
+ *
  * ```c
- * asperity_params_set_units(&params, 1e-3, 1.0);  // from SI into mm, N, MPa
+ * asperity_params_set_units(&params, 1e-3, 1.0);
  * ```
  *
  * @param params  initialised parameters
