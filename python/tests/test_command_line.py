@@ -70,7 +70,7 @@ def test_a_surface_file_stands_for_the_options(tmp_path: Path) -> None:
     [
         ("--skew -0.5", {"skew": -0.5}),
         ("--weibull-shape 2", {"weibull_shape": 2}),
-        ("--no-attraction", {"attraction": False}),
+        ("--attraction false", {"attraction": False}),
         ("--radius-amplitude -0.5 --radius-rate 1.5", {"radius_amplitude": -0.5, "radius_rate": 1.5}),
         ("--slip-radius-1 20 --slip-stress-1 0.02", {"slip_radius_1": 20, "slip_stress_1": 0.02}),
         ("--slip-radius-2 9e4 --slip-stress-2 9e-4", {"slip_radius_2": 9e4, "slip_stress_2": 9e-4}),
@@ -134,11 +134,13 @@ def test_without_matplotlib_it_says_so_and_prints_nothing(tmp_path: Path) -> Non
         ("curve --alph 1", 2, "unrecognized arguments: --alph"),
         ("curve --alpha x", 2, "--alpha: invalid float value: 'x'"),
         ("curve --alpha 1 --E1 3", 2, "--alpha is dimensionless, --E1 physical: choose one"),
-        ("curve --E1 3", 2, "physical parameters need --work-of-adhesion, --adhesion-range, --burgers-vector"),
-        (f"curve {POLYSILICON} --asperity-count 3", 2, "asperity_count, or summit_density and nominal_area"),
-        ("curve --skew 1 --weibull-shape 2", 2, "do not give weibull_shape too"),
+        ("curve --E1 3", 1, "asperity: [materials] gives no name as first, so nu1 must be set there"),
+        (f"curve {POLYSILICON} --asperity-count 3", 1, "asperity: summit_density: must not be given together with asperity_count"),
+        ("curve --skew 1 --weibull-shape 2", 1, "do not give weibull_shape too"),
         ("curve --surface x.toml --skew 1", 2, "--surface is the whole surface: leave out --skew, and change the file"),
-        ("curve --surface x.toml --no-attraction", 2, "leave out --no-attraction, and change the file"),
+        ("curve --surface x.toml --attraction false", 2, "leave out --attraction, and change the file"),
+        ("curve --pair steel/steel", 1, "asperity: height_std: must be set"),
+        ("curve --hardness hard", 1, 'asperity: hardness = "hard": must be a number'),
         ("curve --surface nowhere.toml", 1, "nowhere.toml"),
         ("curve --count 1", 2, "--count 1: must be 2 or more"),
         ("curve --lowest 0", 2, "--lowest 0: must be finite and > 0"),
@@ -178,7 +180,13 @@ def test_a_measured_point_is_met() -> None:
     unknown = asperity(f"{curve} --interface 'Al2O3'")
     assert unknown.returncode == 1 and "Al2O3: no interface has this name; the nearest is " in unknown.stderr
     alone = asperity(f"{curve} --calibration-load 1e-3")
-    assert alone.returncode == 2 and "calibration_load goes with one of" in alone.stderr
+    assert alone.returncode == 1 and "calibration_load: must be given together with" in alone.stderr
+
+
+def test_a_pair_and_the_roughness_of_both_surfaces_are_options() -> None:
+    both = "--pair steel/steel --Ra '[0.8e-6, 0.4e-6]' --RSm '[80e-6, 60e-6]' --nominal-area 1e-4"
+    done = asperity(f"curve --figure - --lowest 1 --highest 10 --count 2 {both} --calibration-load 1 --calibration-friction-coefficient 0.2")
+    assert table(done.stdout)[0][1] == pytest.approx(0.2, rel=1e-9)
 
 
 def test_a_bandwidth_is_judged() -> None:

@@ -102,7 +102,7 @@ def test_a_surface_that_does_not_hold_is_warned_of_once() -> None:
         ({"load": math.nan}, Error, "load = NaN: must be finite"),
         ({"load": [1.0, math.inf]}, Error, "element 1: load = inf"),
         ({"load": "heavy"}, TypeError, "load: must be real numbers"),
-        ({"Sq": -1e-9}, Error, "Sq = -1e-09: must be finite and > 0"),
+        ({"Sq": -1e-9}, Error, "Sq = -1e-9: must be finite and > 0"),
         ({"Sdqx": 1.0}, TypeError, "Sdqx: no parameter has this name; the nearest is Sdq"),
         ({"nominal_area": 0.0}, Error, "nominal_area = 0"),
         ({"pair": "PDMS/PDMS"}, Error, "burgers_vector: none is known of a body of PDMS/PDMS: give one"),
@@ -134,7 +134,7 @@ def test_the_mean_deviation_stands_for_the_standard_one() -> None:
     m2 = ROUGH["Sdq"] ** 2 / 2
     moments = {"Ra": given["Ra"], "m2": m2, "m4": 6 * math.pi * 3**0.5 * m2 * ROUGH["Sds"]}
     assert friction("Si/Si", **moments, load=1e5).value == pytest.approx(expected, rel=1e-12)
-    with pytest.raises(TypeError, match="give one of Sq and Ra, as the height of the roughness"):
+    with pytest.raises(Error, match="^Ra: must not be given together with Sq, which it replaces"):
         friction("Si/Si", **given, Sq=5e-9, load=1e5)
 
 
@@ -272,6 +272,12 @@ def test_both_surfaces_may_be_rough() -> None:
     total = float(np.hypot(*Rq))
     known = friction(**GROUND, Rq=total, RSm=2 * math.pi * total / slope, bandwidth=5.0, load=20.0)
     assert found.value == pytest.approx(known.value, rel=1e-9)
+    both: dict[str, Any] = {"Rq": [5e-9, 4e-9], "RSm": [600e-9, 900e-9], "bandwidth": 5.0}
+    params = Params.from_profile(**both, **PAIRS["Si/Si"].contact, nominal_area=1.0)
+    with Model(params) as model:
+        assert friction("Si/Si", **both, load=1e5).value == pytest.approx(model.friction_at_load(1e5), rel=1e-9)
+    with pytest.raises(TypeError, match="RSm: must be as many numbers as Rq has"):
+        friction("Si/Si", Rq=5e-9, RSm=[600e-9, 900e-9], load=1e5)
 
 
 def test_the_page_has_the_roughness_that_processes_leave(root: Path) -> None:

@@ -157,18 +157,22 @@ def test_summits_that_yield_have_a_hardness_and_no_adhesion(params: Params) -> N
 
 def test_of_two_rough_surfaces_mean_squares_add() -> None:
     silicon: dict[str, Any] = {**PAIRS["Si/Si"].contact, "nominal_area": 1e-8}
-    both = Params.from_profile(Rq=[4e-9, 3e-9], RSm=600e-9, **silicon)
+    both = Params.from_profile(Rq=[4e-9, 3e-9], RSm=[600e-9, 600e-9], **silicon)
     assert both.height_std == pytest.approx(Params.from_profile(Rq=5e-9, RSm=600e-9, **silicon).height_std, rel=1e-14)
-    mean = Params.from_profile(Ra=[4e-9, 3e-9], RSm=600e-9, **silicon)
+    mean = Params.from_profile(Ra=[4e-9, 3e-9], RSm=[600e-9, 600e-9], **silicon)
     assert mean.height_std == pytest.approx(math.sqrt(math.pi / 2) * both.height_std, rel=1e-14)
-    iso: dict[str, Any] = {"Sds": 2e13, **silicon}
-    expected = Params.from_iso25178(Sq=5e-9, Sdq=0.1, **iso)
-    found = Params.from_iso25178(Sq=[4e-9, 3e-9], Sdq=[0.08, 0.06], **iso)
+    expected = Params.from_iso25178(Sq=5e-9, Sdq=0.1, Ssc=5e6, **silicon)
+    found = Params.from_iso25178(Sq=[4e-9, 3e-9], Sdq=[0.08, 0.06], Ssc=[4e6, 3e6], **silicon)
     assert (found.height_std, found.summit_radius) == pytest.approx((expected.height_std, expected.summit_radius), rel=1e-14)
-    with pytest.raises(TypeError, match=r"Rq = \[1, 2, 3\]: must be one number, or a list of two"):
-        Params.from_profile(Rq=[1, 2, 3], RSm=1.0, **silicon)
-    with pytest.raises(TypeError, match="give one of Rq and Ra, as the height of the roughness"):
-        Params.from_profile(RSm=600e-9, **silicon)
+    for given, message in (
+        ({"Rq": [1, 2, 3]}, "^Rq: must be a number, or two in brackets, one of each surface"),
+        ({"Rq": [1e-9, 2e-9]}, "^RSm: must be as many numbers as Rq has"),
+        ({}, "^Rq: must be set, or Ra"),
+    ):
+        with pytest.raises(Error, match=message):
+            Params.from_profile(**given, RSm=600e-9, **silicon)
+    with pytest.raises(TypeError, match="^Rq = '5': must be a real number"):
+        Params.from_profile(Rq="5", RSm=600e-9, **silicon)  # type: ignore[arg-type]
     peak: dict[str, Any] = {"nominal_area": 1.0, "asperity_count": 1.0, "Sds": 1.0, "Rz": 1e-6}
     for make, rest in ((Params.from_profile, {"RSm": 1e-6}), (Params.from_iso25178, {"Sdq": 0.1}), (Params.si, SURFACE)):
         with pytest.raises(TypeError, match="Rz: is a peak-to-valley height, .*: give Ra or Rq"):

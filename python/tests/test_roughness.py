@@ -48,7 +48,7 @@ def test_two_numbers_of_a_profile_and_a_bandwidth_are_three_moments() -> None:
         assert getattr(found, name) == pytest.approx(getattr(expected, name), rel=1e-12)
     assert Params.from_profile(**profile).bandwidth == pytest.approx(math.sqrt(3 * 30), rel=1e-12)
     assert Params.from_profile(**profile, summits="nayak").radius_amplitude < 0
-    with pytest.raises(Error, match="RSm = 0.0: must be finite and > 0"):
+    with pytest.raises(Error, match="RSm = 0: must be finite and > 0"):
         Params.from_profile(**{**profile, "RSm": 0})
     with pytest.raises(Error, match="bandwidth m0 m4/m2.2 = 1.2.*: must be at least 1.5"):
         Params.from_profile(**profile, bandwidth=1.2)
@@ -110,14 +110,14 @@ def test_areal_parameters_of_a_gaussian_surface_agree_with_its_moments() -> None
 @pytest.mark.parametrize(
     "given, message",
     [
-        ({}, "give Ssc, Sds or both"),
-        ({"Ssc": 5e6, "Ssk": 0.1}, "give both Ssk and Sku, or neither"),
+        ({}, "^Ssc: must be set, or Sds"),
+        ({"Ssc": 5e6, "Ssk": 0.1}, "^Sku: must be set: Ssk and Sku go together"),
         ({"Ssc": 5e6, "Ssk": 0.1, "Sku": 4, "skew": 0.2}, "skew"),
         ({"Ssc": 5e6, "Sa": 1e-9}, "Sa"),
     ],
 )
 def test_areal_parameters_that_do_not_fit_together_are_refused(given: dict[str, Any], message: str) -> None:
-    with pytest.raises(TypeError, match=message):
+    with pytest.raises((TypeError, Error), match=message):
         Params.from_iso25178(Sq=5e-9, Sdq=0.1, nominal_area=AREA, **CONTACT, **given)
 
 
@@ -185,9 +185,9 @@ def test_nayaks_summits_leave_heights_and_radii_to_no_one_else() -> None:
     for name, value in given.items():
         with pytest.raises(TypeError, match=f'^{name}: summits="nayak" sets heights and radii'):
             Params.from_spectral_moments(**moments, summits="nayak", **{name: value})
-    with pytest.raises(Error, match="^summits = 'round': must be 'equal' or 'nayak'$"):
+    with pytest.raises(Error, match='^summits = "round": must be "equal" or "nayak"$'):
         Params.from_spectral_moments(**moments, summits="round")  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="kurtosis: summits"):
+    with pytest.raises(Error, match='^Ssk: summits = "nayak" sets it already'):
         Params.from_iso25178(Sq=1e-9, Sdq=0.05, Ssc=1e7, Ssk=0, Sku=3, nominal_area=AREA, summits="nayak", **CONTACT)
 
 

@@ -78,10 +78,15 @@ const EXPECTED: [(&[&str], &str); 8] = [
     (&["mu", "friction", "friction_coefficient"], "give calibration_friction_coefficient with calibration_load"),
     (&["sigma"], "the standard deviation of the summit heights is height_std"),
     (&["R", "radius"], "the radius of the summits is summit_radius"),
-    (&["E", "nu", "young", "poisson"], "give E1, nu1, E2 and nu2 in [materials]"),
-    (&["material"], "give first and second in [materials], or pair = \"steel/steel\""),
+    (&["E", "nu", "young", "poisson"], "give E1, nu1, E2 and nu2, in a text in [materials]"),
+    (&["material"], "give first and second in [materials] of a text, or pair = \"steel/steel\""),
     (&["N", "count"], "the number of summits is asperity_count, or summit_density with nominal_area"),
 ];
+
+/// What to give in place of a word that people expect to be a name.
+pub fn meant(name: &str) -> Option<&'static str> {
+    EXPECTED.iter().find(|(words, _)| words.contains(&name)).map(|(_, meant)| *meant)
+}
 
 /// A key with its value.
 #[derive(Debug)]
@@ -140,12 +145,11 @@ impl<'t> Entries<'t> {
     #[cold]
     fn unknown(&self, name: &str, at: usize) -> Box<Problem> {
         let elsewhere = TABLES.into_iter().find(|table| table.has(name));
-        let expected = EXPECTED.iter().find(|(words, _)| words.contains(&name));
         let (table, shown) = (self.table, Shown(name));
-        match (elsewhere, expected) {
+        match (elsewhere, meant(name)) {
             (Some(Table::Top), _) => Problem::new(at, format_args!("{table}{shown}: belongs above the first table")),
             (Some(other), _) => Problem::new(at, format_args!("{table}{shown}: belongs in [{}]", other.name())),
-            (_, Some((_, meant))) => Problem::new(at, format_args!("{table}{shown}: no such key; {meant}")),
+            (_, Some(meant)) => Problem::new(at, format_args!("{table}{shown}: no such key; {meant}")),
             _ => {
                 let tables = TABLES[1..].iter().filter(|_| table == Table::Top).map(|table| table.name());
                 let nearest = nearest(name.as_bytes(), table.all_keys().chain(tables));

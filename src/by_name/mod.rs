@@ -15,6 +15,7 @@ mod write;
 
 pub use draft::Draft;
 pub use fields::FIELDS;
+pub use keys::meant;
 pub use numbers::{Numbers, ARGUMENTS};
 pub use surface::read;
 pub use toml::LONGEST;

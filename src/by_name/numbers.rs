@@ -3,6 +3,7 @@
 use super::draft::{Draft, JOHNSON, WEIBULL};
 use super::fields::FIELDS;
 use crate::error::Error;
+use crate::float_bits::nan;
 use crate::materials::{Bodies, Interface};
 use crate::nearest::{nearest, Unknown};
 use crate::params::{positive, Params};
@@ -112,6 +113,11 @@ impl Numbers {
             draft.params.set_materials(young_1, poisson_1, young_2, poisson_2)?;
         }
         self.set_fields(draft)?;
+        // As `Params::set_elastic_plastic` does, but a work of adhesion that was given is refused with the parameters.
+        let of_bodies = self.bodies.is_some() || nan(draft.params.work_of_adhesion);
+        if self.get("contact_law") == Some(1.0) && of_bodies && self.get("work_of_adhesion").is_none() {
+            draft.params.work_of_adhesion = 0.0;
+        }
         // After `nominal_area`, which they need.
         if let Some([m0, m2, m4]) = self.moments()? {
             let (moments, area) = (SpectralMoments { m0, m2, m4 }, draft.params.nominal_area);

@@ -27,11 +27,11 @@ impl asperity_params {
             let mut draft = self.draft()?;
             // A table that cannot be read is refused unless the text chooses other heights.
             draft.params.heights = self.readable_table().unwrap_or(HeightFamily::Gaussian);
-            let before = draft.params.heights.clone();
+            let before = table_at(&draft.params.heights);
             by_name::read(text, &mut draft).map_err(refuse)?;
+            let after = table_at(&draft.params.heights);
             let table = match replace(&mut draft.params.heights, HeightFamily::Gaussian) {
-                after if after == before => None,
-                HeightFamily::Tabulated { height, density } => Some(Kept::new(height, density)),
+                HeightFamily::Tabulated { height, density } if after != before => Some(Kept::new(height, density)),
                 _ => None,
             };
             Ok((draft, table))
@@ -42,6 +42,14 @@ impl asperity_params {
             self.table_length = table.height.len() as u64;
         }
         Ok(())
+    }
+}
+
+/// Where the table of heights is, if they are one.
+fn table_at(heights: &HeightFamily) -> Option<*const f64> {
+    match heights {
+        HeightFamily::Tabulated { height, .. } => Some(height.as_ptr()),
+        _ => None,
     }
 }
 
@@ -126,7 +134,7 @@ pub unsafe extern "C" fn asperity_params_text(
 /// Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.
 ///
 /// Lengths, forces, stresses, areas and the work of adhesion are converted, and the calibration with them. Numbers without a unit
-/// and tables of heights stay as they are, and so does what is unset.
+/// and tables of heights stay as they are, and so does what is unset. From SI into mm, N and MPa:
 ///
 /// From SI into mm, N and MPa:
 ///

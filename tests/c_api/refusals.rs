@@ -168,3 +168,35 @@ fn a_struct_of_another_size_is_refused() {
         refused(&params, told);
     }
 }
+
+#[test]
+fn words_that_people_expect_are_answered_with_what_to_give() {
+    for (name, told) in [
+        (c"Rz", "Rz: no parameter has this name; a height from peak to valley, which grows with the length measured: give Ra or Rq"),
+        (c"mu", "give calibration_friction_coefficient with calibration_load"),
+        (c"skeww", "skeww: no parameter has this name; the nearest is skew"),
+    ] {
+        let mut params = steel();
+        // SAFETY: initialised parameters, and a name that ends.
+        assert_eq!(unsafe { asperity_params_set_value(&mut params, name.as_ptr(), 1.0) }, INVALID_PARAMETER);
+        assert!(message().contains(told), "{}", message());
+    }
+}
+
+#[test]
+fn a_pair_of_metals_that_yields_needs_no_work_of_adhesion() {
+    let read = |text: &str| {
+        let mut params = asperity_params::unset();
+        // SAFETY: an initialised struct, and a text of its length.
+        let status = unsafe { asperity_params_set_text(&mut params, text.as_ptr().cast(), text.len()) };
+        (status, params)
+    };
+    let yields = "pair = \"steel/steel\"\ncontact_law = \"elastic-plastic\"\n";
+    let (status, params) = read(yields);
+    assert_eq!((status, params.work_of_adhesion), (OK, 0.0), "{}", message());
+    let (status, _) = read(&format!(
+        "{yields}work_of_adhesion = 0.05\nheight_std = 1e-7\nsummit_radius = 1e-5\nasperity_count = 1e5\n"
+    ));
+    assert_eq!(status, INVALID_PARAMETER);
+    assert!(message().contains("work_of_adhesion = 0.05: must be 0 where contact_law"), "{}", message());
+}

@@ -122,6 +122,83 @@ static void each_allocation(enum call call, asperity_params p, const char *name,
     asperity_free(model);
 }
 
+/* A text with a table that no text before had, which stays, and a measurement, for which a model is made. */
+static size_t new_text(char *text, size_t size)
+{
+    static int highest = 3;
+
+    return (size_t)snprintf(text, size,
+                            "pair = \"Si/Si\"\nnominal_area = 1e-8\nheight_std = 5e-9\nsummit_radius = 1e-6\n"
+                            "asperity_count = 1e5\ntable_height = [0, 1, 2, %d]\ntable_density = [0, 1, 1, 0]\n"
+                            "calibration_load = 1e-3\ncalibration_friction_coefficient = 0.4\n",
+                            highest++);
+}
+
+/* Texts are set, or refused with nothing changed; of what is written nothing stays. */
+static void each_allocation_of_a_text(void)
+{
+    asperity_params before, p;
+    char text[512], message[128];
+    long count, left, failed = 0, done = 0;
+
+    asperity_params_init(&before, sizeof before);
+    p = before;
+    arm(-1, 0);
+    CHECK(asperity_params_set_text(&p, text, new_text(text, sizeof text)) == ASPERITY_OK, "%s", text);
+    count = disarm(&left);
+    for (long k = 1; k <= count; k += 1 + k / 8)
+        for (int all = 0; all < 2; all++) {
+            const size_t length = new_text(text, sizeof text);
+            asperity_status status;
+            p = before;
+            arm(k, all);
+            status = asperity_params_set_text(&p, text, length);
+            disarm(&left);
+            done++;
+            if (status == ASPERITY_OK) {
+                CHECK(p.calibration_load == 1e-3 && p.table_length == 4, "allocation %ld: not set", k);
+                continue;
+            }
+            failed++;
+            asperity_last_error(message, sizeof message);
+            CHECK(status == ASPERITY_OUT_OF_MEMORY && strncmp(message, "out of memory: ", 15) == 0, "%ld: %s", k, message);
+            CHECK(SAME(p, before) && left == 0, "a text, allocation %ld: %ld blocks are kept", k, left);
+        }
+    CHECK(failed > 0, "a text never fails");
+    p = before;
+    arm(-1, 0);
+    CHECK(asperity_params_set_text(&p, text, new_text(text, sizeof text)) == ASPERITY_OK, "%s", text);
+    disarm(&left);
+    arm(-1, 0);
+    CHECK(asperity_params_text(&p, text, sizeof text) > 0, "no text");
+    disarm(&left);
+    CHECK(left == 0, "a text that is written: %ld blocks are kept", left);
+    printf("texts: %ld allocations; of %ld calls in want of some %ld fail with a status, the others do without\n", count,
+           done, failed);
+}
+
+/* As many words as a text may have, out of the reserve alone. */
+static void the_reserve_suffices_for_the_longest_text(void)
+{
+    enum { LONGEST = 1 << 20, LINES = 43600 };
+    char *text = malloc(LONGEST), message[128] = "";
+    asperity_status status;
+    asperity_params p;
+    long left;
+
+    memset(text, ' ', LONGEST);
+    for (int i = 0; i < LINES; i++) /* three words and signs each */
+        memcpy(text + 24 * i, " # a\n", 5);
+    memcpy(text + LONGEST - 16, "\nhardness = 1e9", 15);
+    asperity_params_init(&p, sizeof p);
+    arm(2, 1);
+    status = asperity_params_set_text(&p, text, LONGEST);
+    disarm(&left);
+    asperity_last_error(message, sizeof message);
+    CHECK(status == ASPERITY_OK && p.hardness == 1e9, "the longest text: %s", message);
+    free(text);
+}
+
 /* Setters and the calls of a loop, within the table and beyond it, where they integrate; a refusal. */
 static void loops_allocate_nothing(void)
 {
@@ -168,6 +245,8 @@ int main(void)
         fprintf(stderr, "out_of_memory: failing_malloc.so is not preloaded\n");
         return 1;
     }
+    each_allocation_of_a_text();
+    the_reserve_suffices_for_the_longest_text();
     each_allocation(CREATE, surface(4), SURFACE_NAMES[4], LONG_MAX);
     each_allocation(CREATE, surface(6), SURFACE_NAMES[6], LONG_MAX);
     each_allocation(CREATE, johnson_heights(), "Johnson's heights", LONG_MAX);

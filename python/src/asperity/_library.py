@@ -10,6 +10,7 @@ import ctypes
 import os
 import sys
 from pathlib import Path
+from typing import Any
 
 from . import _header
 
@@ -64,9 +65,14 @@ def version() -> str:
     return text.decode()
 
 
+def text_of(call: Any, *arguments: Any) -> str:
+    """What a call copies into a buffer, its last two arguments."""
+    length: int = call(*arguments, None, 0)
+    buffer = ctypes.create_string_buffer(length + 1)
+    call(*arguments, buffer, len(buffer))
+    return buffer.value.decode("utf-8", "replace")
+
+
 def last_error() -> str:
     """This thread's last message."""
-    length: int = LIBRARY.asperity_last_error(None, 0)
-    buffer = ctypes.create_string_buffer(length + 1)
-    LIBRARY.asperity_last_error(buffer, len(buffer))
-    return buffer.value.decode("utf-8", "replace")
+    return text_of(LIBRARY.asperity_last_error)

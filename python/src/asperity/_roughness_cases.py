@@ -87,8 +87,10 @@ def _of_profile(process: str | None, surface: dict[str, Any]) -> Roughness:
         elif not all(deviation_of(least) <= one <= deviation_of(most) for one in each):
             _caller.warn(f"{heights[0]} = {surface[heights[0]]}: {left}: is it of this process, and in m?", ValidityWarning)
     if "RSm" in surface:
-        width = _positive("RSm", surface["RSm"])
-        slope: Callable[[float], float] = lambda Rq: 2 * math.pi * Rq / width
+        widths = both_of("RSm", surface["RSm"])
+        if len(widths) != max(len(each), 1):
+            raise TypeError(f"RSm: must be as many numbers as {heights[0] if heights else 'the roughness'} has, one of each surface")
+        slope: Callable[[float], float] = lambda Rq: 2 * math.pi * math.hypot(*(one / width for one, width in zip(each or [Rq], widths)))
         times = Known(1.0)
     else:
         slope, times = (lambda Rq: math.hypot(*map(machined_slope, each or [Rq]))), Known(1.0, SLOPE_FACTOR)

@@ -10,7 +10,6 @@ from typing import Any, Iterator
 
 import numpy as np
 
-from . import _study_file
 from .study import plot_sobol_indices, sobol_indices, study
 
 
@@ -37,6 +36,8 @@ def add(commands: Any) -> None:
 
 def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     """Runs the study, and says what came of it. Under MPI all processes but the first only work for it."""
+    from . import _study_file  # for which Python 3.10 needs a package of the extra "study"
+
     with _executor(options) as (executor, first):
         if not first:
             return

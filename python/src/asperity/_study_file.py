@@ -4,16 +4,27 @@ where, is said on the command line."""
 from __future__ import annotations
 
 import math
+import os
+import re
+import sys
 from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _surface_file
 from ._study_draws import SAMPLINGS, short
 from .errors import Error, Status, nearest
 from .params import Params
 
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+# How a table begins, and whether it is one of a study.
+_HEADER = re.compile(r"[ \t]*\[[ \t]*(?:(vary|loads|study)(?=[ \t.\]])|[A-Za-z\"'\[])")
+# No study needs more; a device such as /dev/zero has no end.
+_LONGEST = 1 << 20
 _LOADS = ("values", "lowest", "highest", "count")
 _STUDY = ("samples", "seed", "sampling", "warnings", "block")
 # A grid of more loads says no more, and would not fit in memory with more than a few surfaces.
@@ -29,17 +40,50 @@ class StudyFile(NamedTuple):
     options: dict[str, Any]
 
 
-def read(file: _surface_file.FileName) -> StudyFile:
+def read(file: str | os.PathLike[str]) -> StudyFile:
     """The study that a file describes; `Error` names the file, the key and what is allowed."""
-    with _surface_file.named(file):
-        found = _surface_file.tables(file, "study, whose keys docs/studies.md has")
-        parts = {name: _table(found, name) for name in ("vary", "loads", "study")}
-        rest = {name: value for name, value in found.items() if name not in parts}
-        vary = {name: _varied(name, value) for name, value in parts["vary"].items()}
-        if not vary:
-            raise _error("[vary]: must have one parameter or more, as height_std = 0.1")
-        params: Params = _surface_file.from_tables(rest, Params)
-        return StudyFile(params, vary, _loads(parts["loads"]), _options(parts["study"]))
+    try:
+        return _study(_text(file))
+    except tomllib.TOMLDecodeError as error:
+        raise _error(f"{file}: no TOML: {error}") from None
+    except UnicodeDecodeError as error:
+        raise _error(f"{file}: must be UTF-8: {error}") from None
+    except RecursionError:
+        raise _error(f"{file}: must not have arrays or tables so deep inside each other") from None
+    except Error as error:
+        raise Error(f"{file}: {error}", error.status) from None
+    except (TypeError, ValueError, OverflowError) as error:
+        raise _error(f"{file}: {error.args[0]}") from None
+
+
+def _text(file: str | os.PathLike[str]) -> str:
+    with open(file, "rb") as stream:
+        text = stream.read(_LONGEST + 1)
+    if len(text) > _LONGEST:
+        raise _error("longer than 1 MiB: must be a study, whose keys docs/studies.md has")
+    return text.decode("utf-8-sig").replace("\r\n", "\n")
+
+
+def _study(text: str) -> StudyFile:
+    surface, own = _parted(text)
+    found = tomllib.loads(own)
+    parts = {name: _table(found, name) for name in ("vary", "loads", "study")}
+    vary = {name: _varied(name, value) for name, value in parts["vary"].items()}
+    if not vary:
+        raise _error("[vary]: must have one parameter or more, as height_std = 0.1")
+    return StudyFile(Params.from_text(surface), vary, _loads(parts["loads"]), _options(parts["study"]))
+
+
+def _parted(text: str) -> tuple[str, str]:
+    """The lines of the surface, which the library reads, and those of the tables of a study; the others are empty."""
+    parts: tuple[list[str], list[str]] = [], []
+    is_own = False
+    for line in text.split("\n"):
+        if header := _HEADER.match(line):
+            is_own = header[1] is not None
+        parts[is_own].append(line)
+        parts[not is_own].append("")
+    return "\n".join(parts[0]), "\n".join(parts[1])
 
 
 def _table(found: dict[str, Any], name: str) -> dict[str, Any]:

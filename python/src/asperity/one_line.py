@@ -20,11 +20,11 @@ import numpy.typing as npt
 from ._friction_law import FrictionLaw, as_array
 from ._labelled import like
 from ._roughness_cases import HEIGHTS, roughness_cases
-from ._surface_file import with_interface
+from .errors import Error, Status
 from .estimate import Estimate
 from .materials import MATERIALS, PAIRS, Pair, contact
 from .model import Model
-from .params import CALIBRATION, Params
+from .params import CALIBRATION, STRENGTH, Params
 from .results import ValidityWarning
 from .uncertainty import AS_GIVEN, Strength, strength_of
 
@@ -113,7 +113,7 @@ def friction(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ValidityWarning)  # said of the middle case
         cases = [_made(roughness.make, given | case, nominal_area) for case in roughness.cases]
-    models = _models(tuple(with_interface(params, interface, surface).replace(**point) for params in cases))
+    models = _models(tuple(_with_interface(params, interface, surface).replace(**point) for params in cases))
     value = models[0].friction_at_load(load)
     strength, narrow = strength_of(models[0]), roughness.narrow
     rests_on = strength.told
@@ -188,6 +188,17 @@ def _plasticity_index(params: Params) -> float:
 
 def _yields(params: Params) -> bool:
     return params.hardness > 0 and _plasticity_index(params) > _PLASTIC_INDEX
+
+
+def _with_interface(params: Params, name: Any, surface: dict[str, Any]) -> Params:
+    if name is None:
+        return params
+    if not isinstance(name, str):
+        raise Error(f"interface = {name!r}: must be the name of an interface", Status.INVALID_PARAMETER)
+    for twice in STRENGTH:
+        if twice in surface:
+            raise Error(f"{twice}: interface sets it already, leave one out", Status.INVALID_PARAMETER)
+    return params.with_interface(name)
 
 
 def _made(make: Any, given: dict[str, Any], nominal_area: float) -> Params:

@@ -6,12 +6,13 @@ import ctypes
 import math
 import numbers
 import os
+import re
 from dataclasses import MISSING, dataclass, fields, replace
-from typing import TYPE_CHECKING, Any, Literal, Sequence, cast
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, Sequence, Union
 
-from . import _bandwidth_bias, _header, _surface_file, _units
-from ._library import LIBRARY
-from ._typical_roughness import BANDWIDTH
+from . import _bandwidth_bias, _header, _units
+from ._library import LIBRARY, last_error, text_of
 from .errors import Error, Status, check, nearest
 
 if TYPE_CHECKING:
@@ -63,6 +64,8 @@ if TYPE_CHECKING:
         nu2: float
 
 
+# Of one rough surface, or of two.
+Numbers = Union[float, Sequence[float]]
 # What a field means for the heights, where no height_distribution is given with it. A skew alone is one of Weibull's.
 _CHOOSES = {"weibull_shape": "weibull", "kurtosis": "johnson", "table_height": "tabulated", "table_density": "tabulated"}
 _HEIGHTS = {"height_distribution", "skew", *_CHOOSES}
@@ -76,15 +79,10 @@ CALIBRATION = ("calibration_load", "calibration_friction_coefficient", "calibrat
 # What an interface by its name sets, and a measured point with it.
 STRENGTH = ("slip_stress_1", "slip_stress_2", "pressure_coefficient")
 
-# How the summits of moments are known: what sets them, and the fields that it sets. A kurtosis means Johnson's heights.
-_MOMENTS = ("height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth")
-_SETTERS: dict[str, tuple[Any, tuple[str, ...]]] = {
-    "equal": (LIBRARY.asperity_params_set_spectral_moments, _MOMENTS),
-    "nayak": (
-        LIBRARY.asperity_params_set_nayak_summits,
-        (*_MOMENTS, "skew", "kurtosis", "radius_amplitude", "radius_rate"),
-    ),
-}
+# What a roughness sets; Nayak's summits, or the shape of the heights, more.
+_SUMMITS = ("height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth")
+_SHAPE = ("skew", "kurtosis")
+_NAYAK = (*_SHAPE, "radius_amplitude", "radius_rate")
 
 
 def _initialised() -> _header.asperity_params:
@@ -335,10 +333,10 @@ class Params:
     def from_spectral_moments(
         cls,
         *,
-        m0: float | None = None,
-        Ra: float | Sequence[float] | None = None,
-        m2: float,
-        m4: float,
+        m0: Numbers | None = None,
+        Ra: Numbers | None = None,
+        m2: Numbers,
+        m4: Numbers,
         nominal_area: float,
         summits: Literal["equal", "nayak"] = "equal",
         **contact: Unpack[Contact],
@@ -346,11 +344,11 @@ class Params:
         """Parameters from the spectral moments of profiles of an isotropic Gaussian surface, in SI units.
 
         Summit density, radius and height deviation are those of Nayak (1971), with the variance of Bush, Gibson and
-        Keogh (1976), as McCool (1987) collects them. Two rough surfaces: add their moments.
+        Keogh (1976), as McCool (1987) collects them. Of two rough surfaces give each number as a list of two: moments add.
 
         Args:
             m0: variance of the heights [m^2] > 0; or
-            Ra: mean deviation of Gaussian heights [m] > 0; of two rough surfaces both, whose mean squares add.
+            Ra: mean deviation of Gaussian heights [m] > 0.
             m2: variance of the slopes dz/dx > 0.
             m4: variance of the curvatures d2z/dx2 [1/m^2] > 0; the bandwidth m0 m4/m2^2 is at least 1.5.
             nominal_area: [m^2] > 0.
@@ -366,29 +364,38 @@ class Params:
         Warns:
             ValidityWarning: a bandwidth for which friction is off by more than 10 %: the message has the expected bias.
         """
-        if summits not in _SETTERS:
-            raise Error(f"summits = {summits!r}: must be 'equal' or 'nayak'", Status.INVALID_PARAMETER)
+        return cls._of_roughness({"m0": m0, "Ra": Ra, "m2": m2, "m4": m4}, nominal_area, summits, contact)
+
+    @classmethod
+    def _of_roughness(
+        cls, given: dict[str, Any], nominal_area: float, summits: Literal["equal", "nayak"], contact: Any
+    ) -> Params:
+        """Of what [roughness] of a surface file has."""
+        refuse_peaks(contact)
+        top = {"nominal_area": nominal_area}
+        if "RSm" in given and "bandwidth" in contact:
+            top["bandwidth"] = contact.pop("bandwidth")
+        roughness = {name: value for name, value in given.items() if value is not None}
         struct: Any = _initialised()
-        variance = _variance(contact, m0=m0, Ra=Ra)
-        moments = {"m0": variance, "m2": m2, "m4": m4, "nominal_area": nominal_area}
-        values = [_real(name, value) for name, value in moments.items()]
-        setter, names = _SETTERS[summits]
-        check(setter(ctypes.byref(struct), *values))
-        surface: dict[str, Any] = {name: getattr(struct, name) for name in names}
-        twice = sorted((surface.keys() | _HEIGHTS) & contact.keys()) if summits == "nayak" else []
+        try:
+            _set_text(struct, f'{_lines(top)}[roughness]\nsummits = "{summits}"\n{_lines(roughness)}')
+        except Error as error:
+            raise Error(re.sub(r"^line \d+: (\[roughness\] )?", "", str(error)), error.status) from None
+        names = (*_SUMMITS, *(_NAYAK if summits == "nayak" else _SHAPE if "Sku" in roughness else ()))
+        twice = sorted(({*names} | _HEIGHTS) & contact.keys()) if summits == "nayak" else []
         if twice:
             raise TypeError(f'{twice[0]}: summits="nayak" sets heights and radii, leave one out')
-        params = cls.si(**surface, **contact)
-        _bandwidth_bias.warn(variance / m2 * (m4 / m2), summits)
+        params = cls.si(**{name: getattr(struct, name) for name in names}, **contact)
+        _bandwidth_bias.warn(struct.bandwidth, summits)
         return params
 
     @classmethod
     def from_profile(
         cls,
         *,
-        Rq: float | Sequence[float] | None = None,
-        Ra: float | Sequence[float] | None = None,
-        RSm: float,
+        Rq: Numbers | None = None,
+        Ra: Numbers | None = None,
+        RSm: Numbers,
         nominal_area: float,
         summits: Literal["equal", "nayak"] = "equal",
         **contact: Unpack[Contact],
@@ -396,15 +403,15 @@ class Params:
         """Parameters from Rq or Ra and RSm of a profile of an isotropic Gaussian surface, in SI units: lengths in m.
 
         >>> params = asperity.Params.from_profile(
-        ...     Ra=[8e-9, 4e-9], RSm=1e-6, nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
+        ...     Ra=[8e-9, 4e-9], RSm=[1e-6, 2e-6], nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
 
         m0 = Rq^2 and m2 = (2 pi Rq/RSm)^2, since a Gaussian profile crosses its mean line upwards once in RSm. Rq and RSm do
-        not determine how sharp the summits are: m4 = bandwidth m2^2/m0.
+        not determine how sharp the summits are: m4 = bandwidth m2^2/m0. Of two rough surfaces give each number as a list of two:
+        their mean squares add.
 
         Args:
             Rq: standard deviation of the profile [m] > 0; or
-            Ra: its mean deviation [m] > 0, 0.8 Rq of Gaussian heights. Of two rough surfaces a list of both: their mean squares
-                add.
+            Ra: its mean deviation [m] > 0, 0.8 Rq of Gaussian heights.
             RSm: mean width of the profile's elements [m] > 0, with every crossing of the mean line counted.
             nominal_area: [m^2] > 0.
             summits: "equal" or "nayak", as for `from_spectral_moments`.
@@ -419,20 +426,17 @@ class Params:
         Warns:
             ValidityWarning: a bandwidth for which friction is off by more than 10 %: the message has the expected bias.
         """
-        m0 = _variance(contact, Rq=Rq, Ra=Ra)
-        m2 = m0 * (2 * math.pi / _positive("RSm", RSm)) ** 2
-        m4 = _positive("bandwidth", contact.pop("bandwidth", BANDWIDTH.middle)) * m2 * (m2 / m0)
-        return cls.from_spectral_moments(m0=m0, m2=m2, m4=m4, nominal_area=nominal_area, summits=summits, **contact)
+        return cls._of_roughness({"Rq": Rq, "Ra": Ra, "RSm": RSm}, nominal_area, summits, contact)
 
     @classmethod
     def from_iso25178(
         cls,
         *,
-        Sq: float | Sequence[float] | None = None,
-        Ra: float | Sequence[float] | None = None,
-        Sdq: float | Sequence[float],
-        Ssc: float | Sequence[float] | None = None,
-        Sds: float | None = None,
+        Sq: Numbers | None = None,
+        Ra: Numbers | None = None,
+        Sdq: Numbers,
+        Ssc: Numbers | None = None,
+        Sds: Numbers | None = None,
         Ssk: float | None = None,
         Sku: float | None = None,
         nominal_area: float,
@@ -448,12 +452,12 @@ class Params:
 
         m0 = Sq^2 and m2 = Sdq^2/2. m4 is that of a Gaussian surface whose summits have the curvature `Ssc` or, without it,
         the density `Sds`. With both, `Sds` gives the number of summits. `Ssk` and `Sku` describe all heights of the
-        surface; here they are taken for those of the summits, which is an approximation.
+        surface; here they are taken for those of the summits, which is an approximation. Of two rough surfaces give each number
+        as a list of two: their mean squares add.
 
         Args:
             Sq: standard deviation of the heights [m] > 0; or
-            Ra: mean deviation of Gaussian heights [m] > 0. Of two rough surfaces a list of both, also for Sdq and Ssc: their
-                mean squares add.
+            Ra: mean deviation of Gaussian heights [m] > 0.
             Sdq: root mean square gradient > 0.
             Ssc: mean curvature of the summits [1/m] > 0.
             Sds: summits per area [1/m^2] > 0; every local maximum counts, unlike for Spd.
@@ -467,20 +471,8 @@ class Params:
             Error: a value that the library refuses.
             TypeError: an unknown name, one missing, or names that exclude each other.
         """
-        if Ssc is None and Sds is None:
-            raise TypeError("give Ssc, Sds or both: Sq and Sdq do not determine how sharp the summits are")
-        if (Ssk is None) != (Sku is None):
-            raise TypeError("give both Ssk and Sku, or neither")
-        if Ra is not None and Sku is not None:
-            raise TypeError("Ra: is understood as that of Gaussian heights: give Sq with Ssk and Sku")
-        shape: dict[str, Any] = {} if Sku is None else {"skew": Ssk, "kurtosis": Sku}
-        m0, m2 = _variance(contact, Sq=Sq, Ra=Ra), _mean_square("Sdq", Sdq) / 2
-        density = 0.0 if Sds is None else _positive("Sds", Sds)
-        m4 = 6 * math.pi * 3**0.5 * m2 * density if Ssc is None else 9 * math.pi / 64 * _mean_square("Ssc", Ssc)
-        both = Ssc is not None and Sds is not None
-        point = _popped(cast("dict[str, Any]", contact), CALIBRATION) if both else {}
-        params = cls.from_spectral_moments(m0=m0, m2=m2, m4=m4, nominal_area=nominal_area, summits=summits, **shape, **contact)
-        return params.replace(asperity_count=density * nominal_area, **point) if both else params
+        given = {"Sq": Sq, "Ra": Ra, "Sdq": Sdq, "Ssc": Ssc, "Sds": Sds, "Ssk": Ssk, "Sku": Sku}
+        return cls._of_roughness(given, nominal_area, summits, contact)
 
     @classmethod
     def from_topography(
@@ -535,30 +527,58 @@ class Params:
         """The parameters that a TOML file describes, in SI units: docs/surface-file.md lists its keys.
 
         Raises:
-            Error: a key or a value that is not allowed; the message names the file, the key and what is allowed.
-            OSError: a file that cannot be read.
+            Error: a file that cannot be read, a key or a value that is not allowed, or one that is missing; the message names the
+                file, the line and the key.
         """
-        return _surface_file.read(path, cls)
+        struct = _initialised()
+        check(LIBRARY.asperity_params_read(ctypes.byref(struct), os.fsencode(path)))
+        try:
+            return cls._of_struct(struct)
+        except Error as error:
+            raise Error(f"{os.fsdecode(path)}: {error}", error.status) from None
 
-    def to_toml(self, path: str | os.PathLike[str]) -> None:
-        """Writes a file of which `from_toml` makes equal parameters; fields that have their defaults are left out."""
-        _surface_file.write(self, path)
+    @classmethod
+    def from_text(cls, text: str, start: Params | None = None) -> Params:
+        """As `from_toml`, from the text of a file.
 
-    def by_name(self) -> dict[str, float]:
-        """All parameters as single numbers, by the names and in the order in which `asperity_params_set_value` takes them in C.
+        Args:
+            text: in TOML.
+            start: what parameters are that the text does not give; without, they are the defaults.
 
         Raises:
-            ValueError: tabulated heights, which are no single numbers.
+            Error: as `from_toml`; the message names the line and the key.
         """
-        if self.table_height:
-            raise ValueError("table_height: tabulated heights cannot be handed on by name, which takes single numbers")
-        struct = self._as_struct()
-        values: dict[str, float] = {}
-        while (name := LIBRARY.asperity_params_name(len(values))) is not None:
-            value = ctypes.c_double()
-            check(LIBRARY.asperity_params_get_value(struct, name, value))
-            values[name.decode()] = value.value
-        return values
+        struct = _initialised() if start is None else start._as_struct()
+        _set_text(struct, text)
+        return cls._of_struct(struct)
+
+    def to_toml(self, path: str | os.PathLike[str]) -> None:
+        """Writes a file of which `from_toml` makes equal parameters; fields that have their defaults are left out.
+
+        A measurement that was made on another surface becomes a comment.
+        """
+        Path(path).write_text(self.to_text(), encoding="utf-8")
+
+    def to_text(self) -> str:
+        """The text that `to_toml` writes."""
+        found = text_of(LIBRARY.asperity_params_text, ctypes.byref(self._as_struct()))
+        if not found:
+            raise Error(last_error(), Status.INVALID_PARAMETER)
+        return found
+
+    @classmethod
+    def _of_struct(cls, struct: Any) -> Params:
+        values: dict[str, Any] = {}
+        for field in fields(cls):
+            value = getattr(struct, field.name)
+            if field.name in _header.WORDS:
+                value = next(word for word, number in _header.WORDS[field.name].items() if number == value)
+            elif field.name in ("table_height", "table_density"):
+                value = value[: struct.table_length]
+            elif math.isnan(value):
+                raise Error(f"{field.name}: must be set", Status.INVALID_PARAMETER)
+            values[field.name] = value
+        return cls(**values)
 
     def replace(self, **changes: Any) -> Params:
         """A copy with some fields changed, as the options of `si`; Johnson's heights stay Johnson's with a new `skew`.
@@ -588,8 +608,8 @@ class Params:
         Use the parameters of the surfaces that were measured. The model then predicts how friction changes with load, area,
         roughness and adhesion.
 
-        The parameters keep the measurement: `uncertainty`, `Model.curve` and studies take it and its error into account, as long
-        as the model still has this friction at this load. Changed surfaces keep the strength; it is then known from a measurement
+        The parameters keep the measurement: `uncertainty` and `Model.curve` take it and its error into account, as long as
+        the model still has this friction at this load. Changed surfaces keep the strength; it is then known from a measurement
         on another surface. Another slip stress or pressure coefficient, set by `replace`, is not calibrated any more.
 
         Args:
@@ -774,11 +794,6 @@ def both_of(name: str, value: Any) -> list[float]:
     return [_positive(name, one) for one in both]
 
 
-def _mean_square(name: str, value: Any) -> float:
-    """Of one surface, or the sum over two."""
-    return sum(one**2 for one in both_of(name, value))
-
-
 def refuse_peaks(given: Any) -> None:
     """`TypeError` for a height from a peak to a valley, which says too little of a roughness."""
     for name in _PEAKS:
@@ -786,16 +801,20 @@ def refuse_peaks(given: Any) -> None:
             raise TypeError(f"{name}: is a peak-to-valley height, which does not determine friction: give Ra or Rq (Sq)")
 
 
-def _variance(others: Any, **given: Any) -> float:
-    """m0 from the one of these names that is given."""
-    refuse_peaks(others)
-    told = {name: value for name, value in given.items() if value is not None}
-    if len(told) != 1:
-        raise TypeError(f"give one of {' and '.join(given)}, as the height of the roughness")
-    ((name, value),) = told.items()
-    if name == "m0":
-        return _positive(name, value)
-    return (math.pi / 2 if name == "Ra" else 1.0) * _mean_square(name, value)
+def _set_text(struct: _header.asperity_params, text: str) -> None:
+    written = text.encode()
+    check(LIBRARY.asperity_params_set_text(ctypes.byref(struct), written, len(written)))
+
+
+def _lines(given: dict[str, Any]) -> str:
+    """Numbers, or lists of them, as lines of a surface file."""
+    return "".join(f"{name} = {_toml(name, value)}\n" for name, value in given.items())
+
+
+def _toml(name: str, value: Any) -> str:
+    if isinstance(value, numbers.Real) or not hasattr(value, "__iter__"):
+        return repr(_real(name, value))
+    return f"[{', '.join(repr(_real(name, one)) for one in value)}]"
 
 
 def _word(name: str, value: Any) -> str:
