@@ -872,6 +872,8 @@ size_t asperity_params_text(const struct asperity_params *params, char *buffer, 
  *
  * From SI into mm, N and MPa:
  *
+ * From SI into mm, N and MPa:
+ *
  * ```c
  * asperity_params_set_units(&params, 1e-3, 1.0);
  * ```
