@@ -272,7 +272,8 @@ module asperity
   type, bind(c), public :: asperity_sensitivities
     integer(c_int64_t) :: struct_size = 160         ! bytes of this type; leave it
     real(c_double) :: composite_modulus             ! With respect to E*
-    real(c_double) :: effective_shear_modulus       ! With respect to G*: 1
+    real(c_double) :: effective_shear_modulus       ! With respect to G*: the share of F that does not come from
+                                                    ! pressure_coefficient, 1 where that is 0
     real(c_double) :: work_of_adhesion              ! With respect to w; 0 where w is 0
     real(c_double) :: adhesion_range                ! With respect to h; 0 where w is 0
     real(c_double) :: burgers_vector                ! With respect to b; the slip radii grow with it

@@ -2,25 +2,20 @@
 hosts/surface.h. docs/hosts-reference.md says where the numbers come from.
 """
 
+from pathlib import Path
+
 import asperity
 
-# Hard carbon on hard carbon, ta-C(51) of Nature Commun. 12 (2021), doi 10.1038/s41467-021-24766-6, table 1: Young's
-# modulus, hardness, and the roughness of both bodies together after running in. The slope is taken as that of the
-# steepest ascent, twice the variance of a profile's. Poisson's ratio, adhesion and b are those of docs/materials.md;
-# Nayak's bandwidth was not measured: 10 is assumed.
-YOUNG, POISSON, HARDNESS, ADHESION, BURGERS = 493e9, 0.25, 51e9, 0.06, 0.25e-9
-RMS_HEIGHT, RMS_SLOPE, BANDWIDTH = 9.8e-9, 0.060, 10
+SURFACE = Path(__file__).resolve().parent / "surface.toml"
 
 
-def surface(nominal_area, metre=1.0, pascal=1.0):
-    """Parameters in a system whose units are so many to a metre and a pascal: SI, or metre=1e3, pascal=1e-6 for mm and
-    MPa. The nominal area is in that system too."""
-    m0, m2 = RMS_HEIGHT**2, RMS_SLOPE**2 / 2
-    return asperity.Params.from_spectral_moments(
-        m0=m0 * metre**2, m2=m2, m4=BANDWIDTH * m2**2 / m0 / metre**2, nominal_area=nominal_area,
-        E1=YOUNG * pascal, nu1=POISSON, E2=YOUNG * pascal, nu2=POISSON, work_of_adhesion=ADHESION * pascal * metre,
-        adhesion_range=BURGERS * metre, burgers_vector=BURGERS * metre, hardness=HARDNESS * pascal,
-    )
+def surface(nominal_area, length=1.0, force=1.0):
+    """Parameters in a system whose units of length and force are so many m and N: SI, or length=1e-3 for mm, N and MPa. The
+    nominal area is in that system too."""
+    params = asperity.Params.from_toml(SURFACE)
+    area = nominal_area * length**2
+    summits = params.asperity_count * area / params.nominal_area
+    return params.replace(asperity_count=summits, nominal_area=area).in_units(length=length, force=force)
 
 
 def demand(model, lightest, heaviest, fewest_summits=None):

@@ -436,7 +436,7 @@ typedef struct asperity_sensitivities {
   uint64_t struct_size;
   /** With respect to E*. */
   double composite_modulus;
-  /** With respect to G*: 1. */
+  /** With respect to G*: the share of F that does not come from `pressure_coefficient`, 1 where that is 0. */
   double effective_shear_modulus;
   /** With respect to w; 0 where w is 0. */
   double work_of_adhesion;
@@ -868,7 +868,7 @@ size_t asperity_params_text(const struct asperity_params *params, char *buffer, 
 /** Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.
  *
  * Lengths, forces, stresses, areas and the work of adhesion are converted, and the calibration with them. Numbers without a unit
- * and tables of heights stay as they are, and so does what is unset. From SI into mm, N and MPa:
+ * and tables of heights stay as they are, and so does what is unset.
  *
  * From SI into mm, N and MPa:
  *

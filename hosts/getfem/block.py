@@ -28,7 +28,7 @@ ELEMENTS = (32, 16)
 
 def coated_steel():
     """A hard film on block and floor, per mm2: the number of summits is their density."""
-    return asperity.Model(surface.surface(nominal_area=1.0, metre=1e3, pascal=1e-6))
+    return asperity.Model(surface.surface(nominal_area=1.0, length=1e-3))
 
 
 class Block:

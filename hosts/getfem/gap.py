@@ -146,7 +146,7 @@ def leaning(blocks):
 
 
 def main():
-    law = asperity.Model(surface.surface(nominal_area=1.0, metre=1e3, pascal=1e-6))
+    law = asperity.Model(surface.surface(nominal_area=1.0, length=1e-3))
     surface.demand(law, PRESSURES[0], 2 * PRESSURES[-1])
     blocks = Blocks(law)
     errors, orders, iterations = uniform(blocks)

@@ -292,7 +292,7 @@ export const WORDS = {
 /**
  * @typedef {object} Sensitivities
  * @property {number} composite_modulus With respect to E*.
- * @property {number} effective_shear_modulus With respect to G*: 1.
+ * @property {number} effective_shear_modulus With respect to G*: the share of F that does not come from `pressure_coefficient`, 1 where that is 0.
  * @property {number} work_of_adhesion With respect to w; 0 where w is 0.
  * @property {number} adhesion_range With respect to h; 0 where w is 0.
  * @property {number} burgers_vector With respect to b; the slip radii grow with it.

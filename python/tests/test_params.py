@@ -148,6 +148,17 @@ def test_the_inputs_that_no_default_can_stand_for_are_asked_for() -> None:
     assert Params.paper() == Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
 
 
+def test_other_units_change_numbers_and_no_friction(params: Params) -> None:
+    params = params.replace(nominal_area=1e8).calibrated(2.0, 0.4)
+    other = params.in_units(length=1e-3, force=10.0)
+    assert other.height_std == pytest.approx(1e3 * params.height_std, rel=1e-15)
+    assert other.nominal_area == pytest.approx(1e6 * params.nominal_area, rel=1e-15)
+    assert other.calibration_load == pytest.approx(0.2, rel=1e-15)
+    assert Model(other).friction_at_load(0.2) == pytest.approx(Model(params).friction_at_load(2.0), rel=1e-9)
+    with pytest.raises(Error, match="^length = 0: must be"):
+        params.in_units(length=0.0, force=1.0)
+
+
 def test_summits_that_yield_have_a_hardness_and_no_adhesion(params: Params) -> None:
     yielding = params.elastic_plastic(0.01)
     assert yielding == params.replace(contact_law="elastic-plastic", hardness=0.01, work_of_adhesion=0.0)

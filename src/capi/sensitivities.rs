@@ -19,7 +19,7 @@ pub struct asperity_sensitivities {
     pub struct_size: u64,
     /// With respect to E*.
     pub composite_modulus: f64,
-    /// With respect to G*: 1.
+    /// With respect to G*: the share of F that does not come from `pressure_coefficient`, 1 where that is 0.
     pub effective_shear_modulus: f64,
     /// With respect to w; 0 where w is 0.
     pub work_of_adhesion: f64,

@@ -134,7 +134,7 @@ pub unsafe extern "C" fn asperity_params_text(
 /// Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.
 ///
 /// Lengths, forces, stresses, areas and the work of adhesion are converted, and the calibration with them. Numbers without a unit
-/// and tables of heights stay as they are, and so does what is unset. From SI into mm, N and MPa:
+/// and tables of heights stay as they are, and so does what is unset.
 ///
 /// From SI into mm, N and MPa:
 ///

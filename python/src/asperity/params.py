@@ -642,6 +642,21 @@ class Params:
         changed = ("slip_stress_1", "slip_stress_2", "calibration_load", "calibration_friction_force", "calibration_error")
         return replace(self, **{field: getattr(struct, field) for field in changed})
 
+    def in_units(self, *, length: float, force: float) -> Params:
+        """A copy in other units: of parameters in SI units, as a surface file has them, in those of a solver.
+
+        Args:
+            length: the new unit of length in the present one, > 0: 1e-3 from m to mm.
+            force: the new unit of force in the present one, > 0.
+
+        Raises:
+            Error: a unit that is not finite and > 0.
+        """
+        struct: Any = self._as_struct()
+        units = _real("length", length), _real("force", force)
+        check(LIBRARY.asperity_params_set_units(ctypes.byref(struct), *units))
+        return Params._of_struct(struct)
+
     def elastic_plastic(self, hardness: float) -> Params:
         """A copy whose summits yield: contact law "elastic-plastic", with this hardness of the softer body [stress], no adhesion.
 
