@@ -29,12 +29,13 @@
  *   Loads, forces and areas are totals over asperity_count summits. Units stand in brackets; [-] is a number without one.
  * Status: functions that can fail return a status, 0 for success. asperity_last_error says which parameter, its value and
  *   what is allowed. Functions that return a number return NaN for a load without an answer, and no status.
- * Outputs come last and are written on success only. Set struct_size to sizeof before the library fills a struct.
+ * Outputs come last and are written on success only; an array that is written may be one that is read. Set struct_size to
+ *   sizeof before the library fills a struct.
  * Pointers must not be NULL, except outputs of numbers, where NULL skips one; NULL gives ASPERITY_NULL_POINTER. Strings end
  *   with NUL; of a name the library reads at most 64 bytes.
- * Batches: functions of n elements. n may be 0, and arrays are then not read. An output may be an input itself. The library
- *   fills all elements, each with the bits of the function for one contact, then reports the first without an answer:
- *   asperity_last_error says its index. An element without an answer is NaN.
+ * Batches: functions of n elements. n may be 0, and arrays are then not read. The library fills all elements, each with the
+ *   bits of the function for one contact, then reports the first without an answer: asperity_last_error says its index. An
+ *   element without an answer is NaN.
  * Names: asperity_params_... changes parameters; asperity_X_at_Y computes X at Y, for one contact, and _at_Ys for many;
  *   asperity_X_name lists names. "friction" alone is the coefficient F/P, "friction_force" is F.
  * Threads: a model may be shared by all calls that take it const; not while it is changed or freed. Calls of the section
