@@ -7,7 +7,7 @@ import math
 import numbers
 import os
 import re
-from dataclasses import MISSING, dataclass, fields, replace
+from dataclasses import MISSING, dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Sequence, Union
 
@@ -639,8 +639,7 @@ class Params:
         struct: Any = self._as_struct()
         struct.calibration_error = _real("error", error)
         check(call(ctypes.byref(struct), _real("load", load), _real(name, value)))
-        changed = ("slip_stress_1", "slip_stress_2", "calibration_load", "calibration_friction_force", "calibration_error")
-        return replace(self, **{field: getattr(struct, field) for field in changed})
+        return self._of_struct(struct)
 
     def in_units(self, *, length: float, force: float) -> Params:
         """A copy in other units: of parameters in SI units, as a surface file has them, in those of a solver.
@@ -655,7 +654,7 @@ class Params:
         struct: Any = self._as_struct()
         units = _real("length", length), _real("force", force)
         check(LIBRARY.asperity_params_set_units(ctypes.byref(struct), *units))
-        return Params._of_struct(struct)
+        return self._of_struct(struct)
 
     def elastic_plastic(self, hardness: float) -> Params:
         """A copy whose summits yield: contact law "elastic-plastic", with this hardness of the softer body [stress], no adhesion.
@@ -665,9 +664,7 @@ class Params:
         """
         struct: Any = self._as_struct()
         check(LIBRARY.asperity_params_set_elastic_plastic(ctypes.byref(struct), _real("hardness", hardness)))
-        return self.replace(
-            contact_law="elastic-plastic", hardness=struct.hardness, work_of_adhesion=struct.work_of_adhesion
-        )
+        return self._of_struct(struct)
 
     def with_interface(self, name: str) -> Params:
         """A copy whose strength of the interface was measured on other specimens, by the name of the interface.
@@ -684,7 +681,7 @@ class Params:
         """
         struct: Any = self._as_struct()
         check(LIBRARY.asperity_params_set_interface(ctypes.byref(struct), name.encode()))
-        return self.replace(**{field: getattr(struct, field) for field in STRENGTH})
+        return self._of_struct(struct)
 
     def __repr__(self) -> str:
         shown = [field for field in fields(self) if getattr(self, field.name) != field.default]
