@@ -1,5 +1,6 @@
 # make demo      build the library, run the C example, draw its friction curve
-# make test      everything that is checked before a release, in order
+# make test      Rust, C, C++, Fortran, Python, JavaScript and one host, in minutes
+# make test-all  that, and everything else that is checked before a release
 # make hosts     the law inside other people's solvers
 # make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, an hour or two
 # make bench     measures speed and accuracy, and writes docs/performance.md and its tables anew
@@ -30,12 +31,41 @@ FIGURE := $(TARGET)/friction_curve.svg
 
 WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Werror
 
-# The scripts of `make test` that check other languages and hosts; each is run as it is, from the root.
-TEST_SCRIPTS := tests/cpp/called.sh tests/c/gpu.sh fortran/test.sh python/test.sh js/test.sh tests/validation/run.sh \
-    tests/examples/run.sh tests/consumers/run.sh tests/build_checks.sh tests/harden/run.sh tests/harden/memory.sh \
-    tests/harden/supply_chain.sh tests/dist/same_bits.sh tests/dist/refusals.sh
+# What `make test` does, and what `make test-all` does after it, in order; each command is run as it is, from the root.
+QUICK_TARGETS := --lib --test layout --test install --test abi --test c_api
+define QUICK_TESTS
+tests/setup.sh core node ode
+$(CARGO) fmt --check
+$(CARGO) test --release --locked $(QUICK_TARGETS)
+fortran/test.sh
+python/test.sh --quick
+js/test.sh --quick
+hosts/run.sh ode
+endef
+define OTHER_TESTS
+tests/setup.sh core validation
+$(CARGO) clippy --release --locked --all-targets -- -D warnings
+$(CARGO) test --release --locked --test law --test numerics --test physics
+$(CARGO) test --release --locked --doc
+tests/cpp/called.sh
+tests/c/gpu.sh
+python/test.sh
+js/test.sh
+tests/validation/run.sh
+tests/examples/run.sh
+tests/consumers/run.sh
+tests/build_checks.sh
+tests/harden/run.sh
+tests/harden/memory.sh
+tests/harden/supply_chain.sh
+tests/dist/same_bits.sh
+tests/dist/refusals.sh
+tests/setup.sh hosts
+hosts/run.sh
+endef
+export QUICK_TESTS OTHER_TESTS
 
-.PHONY: all demo test hosts site figures header abi clean library
+.PHONY: all demo test test-all hosts site figures header abi clean library
 
 all: library
 
@@ -57,13 +87,10 @@ demo: library
 
 test:
 	@cmake/check_rust.sh "$(CARGO)"
-	@echo "== tests/setup.sh core validation"; tests/setup.sh core validation
-	@echo "== cargo fmt --check"; $(CARGO) fmt --check
-	@echo "== cargo clippy"; $(CARGO) clippy --release --locked --all-targets -- -D warnings
-	@echo "== cargo test"; $(CARGO) test --release --locked
-	@set -e; for script in $(TEST_SCRIPTS); do echo "== $$script"; "$$script"; done
-	@$(MAKE) --no-print-directory hosts
-	@echo "== all tests passed"
+	@tests/each.sh "make test" "$$QUICK_TESTS"
+
+test-all: test
+	@tests/each.sh "the rest of make test-all" "$$OTHER_TESTS"
 
 hosts:
 	@echo "== tests/setup.sh hosts"; tests/setup.sh hosts

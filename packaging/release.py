@@ -97,7 +97,7 @@ def main(arguments):
     print(f"make release: every file has {version}", flush=True)
     if only_check:
         return
-    for goal in ("test", "dist", "dist-test"):
+    for goal in ("test-all", "dist", "dist-test"):
         if subprocess.run([os.environ.get("MAKE", "make"), goal], cwd=ROOT, check=False).returncode != 0:
             raise Refusal(f"make {goal} fails")
     run("cargo", "publish", "--dry-run", "--locked", show=True)

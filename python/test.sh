@@ -3,6 +3,7 @@
 # its types and runs its tests there, among them those of the wheel, the source distribution, the guides and the notebooks.
 #
 # usage: python/test.sh [PYTEST-ARGUMENT ...]
+#        python/test.sh --quick     parameters, models, bands and commands, without the packages that the others need
 # PYTHON names the interpreter (python3), 3.10 or later for SurfaceTopography; CARGO_TARGET_DIR is honoured. Needs cargo,
 # a C compiler and, for pip, PyPI.
 set -euo pipefail
@@ -20,9 +21,18 @@ for tool in "${PYTHON:-python3}" cargo cc; do
 done
 before="$(git status --porcelain)"
 
-environment="$(python/environment.sh)"
-cd python
-"$environment/bin/mypy" --cache-dir "$target/python-mypy" src tests examples
+quick=(c_interface command_line docstrings example export floating_point layers library loads materials microslip model params
+    physics sensitivities surface_file threads)
+if [ "${1:-}" = --quick ]; then
+    environment="$(python/environment.sh quick)"
+    set -- "${quick[@]/%/.py}"
+    set -- "${@/#/tests/test_}"
+    cd python
+else
+    environment="$(python/environment.sh)"
+    cd python
+    "$environment/bin/mypy" --cache-dir "$target/python-mypy" src tests examples
+fi
 # A file is one worker's: its pages build on each other, its wheel is built once and its figures drawn once.
 "$environment/bin/pytest" -n auto --dist loadfile --basetemp "$target/python-tests" "$@"
 cd ..

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the demo and the tests need beside cargo, a C compiler and make.
 #
-# usage: tests/setup.sh [core] [hosts] [harden] [validation] [bits] [dist] [web]     (core when no group is named)
+# usage: tests/setup.sh [core] [node] [ode] [hosts] [harden] [validation] [bits] [dist] [web]     (core when no group is named)
 # As root on Debian or Ubuntu it installs what is missing; otherwise it prints the one command that would, and fails.
 set -euo pipefail
 
@@ -10,9 +10,10 @@ hosts="libode-dev libsiconos-numerics-dev libsimbody-dev python3-getfem python3-
     python3-venv"
 harden="valgrind qemu-user llvm-22"
 # Node and npm may come from elsewhere than Debian, whose npm then does not go with them.
-web="chromium fonts-dejavu-core python3 python3-venv"
-command -v node >/dev/null || web+=" nodejs"
-command -v npm >/dev/null || web+=" npm"
+node=""
+command -v node >/dev/null || node+=" nodejs"
+command -v npm >/dev/null || node+=" npm"
+web="chromium fonts-dejavu-core python3 python3-venv $node"
 # Of crates.io, at the versions that were tried; fetched and built by cargo.
 harden_tools="cargo-deny@0.20.2 cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
 
@@ -40,13 +41,15 @@ groups=${*:-core} packages="" tools=""
 for group in $groups; do
     case "$group" in
     core) packages+=" $core" ;;
+    node) packages+=" $node" ;;
+    ode) packages+=" libode-dev" ;;
     hosts) packages+=" $hosts" ;;
     harden) packages+=" $harden" tools+=" $harden_tools" ;;
     validation) packages+=" python3 python3-venv" ;;
     bits) packages+=" $bits" ;;
     dist) packages+=" $dist $machines" ;;
     web) packages+=" $web" ;;
-    *) echo "tests/setup.sh: unknown group '$group': core, hosts, harden, validation, bits, dist or web" >&2; exit 2 ;;
+    *) echo "tests/setup.sh: unknown group '$group': core, node, ode, hosts, harden, validation, bits, dist or web" >&2; exit 2 ;;
     esac
 done
 
@@ -71,6 +74,7 @@ target() {
     [[ " $groups " == *" $1 "* ]] && command -v rustup >/dev/null || return 0
     rustup target list --installed | grep -qx "$2" || rustup target add "$2"
 }
+target node wasm32-unknown-unknown
 target web wasm32-unknown-unknown
 
 # environment GROUP PACKAGES: a virtual environment with the packages, where the group is asked for.
