@@ -5,14 +5,14 @@ import { AsperityError, CHUNK } from "./library.js";
 /**
  * Two rough surfaces. The numbers are in one consistent system of units; their names are those of `asperity_params`, and
  * those of its setters: `E1`, `nu1`, `E2`, `nu2` together stand for the moduli, `m0`, `m2`, `m4` with `nominal_area` for
- * `height_std`, `summit_radius` and `asperity_count`; `Ra` for `m0` of Gaussian heights; `calibration_load` with
- * `calibration_friction_coefficient` is `calibrate`, with `calibration_friction_force` it is `calibrateForce`. `calibrated` is the
- * measurement that the slip stresses are from: it is kept, and does not change them. What is left out has its default, or is asked
- * for.
+ * `height_std`, `summit_radius` and `asperity_count`; `Ra` for `m0` of Gaussian heights; `summit_density` with `nominal_area` for
+ * `asperity_count`; `calibration_load` with `calibration_friction_coefficient` is `calibrate`, with `calibration_friction_force`
+ * it is `calibrateForce`. `calibrated` is the measurement that the slip stresses are from: it is kept, and does not change them.
+ * What is left out has its default, or is asked for.
  *
  * @typedef {import("./header.js").Fields & {
  *   E1?: number, nu1?: number, E2?: number, nu2?: number,
- *   m0?: number, m2?: number, m4?: number, Ra?: number,
+ *   m0?: number, m2?: number, m4?: number, Ra?: number, summit_density?: number,
  *   calibration_friction_coefficient?: number,
  *   calibrated?: { calibration_load: number, calibration_friction_force: number },
  * }} Params

@@ -130,6 +130,13 @@ test("several warnings are told in the library's words, a line each", () => {
   assert.throws(() => warningsText(/** @type {any} */ ("FEW")), TypeError);
 });
 
+test("summits per area stand for their number", () => {
+  const { asperity_count, ...others } = silicon;
+  assert.equal(new Model({ ...others, summit_density: 1e13 }).params.asperity_count, asperity_count);
+  assert.throws(() => new Model({ ...others, nominal_area: 0, summit_density: 1e13 }), /nominal_area: must be set/);
+  assert.throws(() => new Model({ ...silicon, summit_density: 1e13 }), /must not be given together with asperity_count/);
+});
+
 test("words stand for heights and contact laws, and parameters come back", () => {
   const model = new Model({ ...silicon, attraction: false, height_distribution: "weibull", weibull_shape: 4 });
   const { params } = model;
