@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import re
 import shutil
+import struct
 import subprocess
 import zipfile
 from pathlib import Path
@@ -25,7 +26,7 @@ from libcosimpy.CosimManipulator import CosimManipulator
 from libcosimpy.CosimObserver import CosimObserver
 from libcosimpy.CosimSlave import CosimLocalSlave
 
-from asperity import Model, Params
+from asperity import Model, Params, _header
 from asperity.__main__ import main
 from asperity._fmu_binaries import _soname
 
@@ -381,6 +382,36 @@ def test_a_saved_unit_brings_its_parameters_back(instance: Any, references: dict
     instance.setFMUstate(saved)
     assert instance.getReal([LOAD, FORCE]) == [0.5, law(0.5)[0]]
     instance.freeFMUstate(saved)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_damaged_bytes_of_a_saved_unit_are_refused(tmp_path: Path, kind: type[Any]) -> None:
+    """A length that the unit does not have would be read past the end of its table."""
+    table = PARAMS.replace(table_height=(-2.0, 0.0, 2.0), table_density=(0.0, 1.0, 0.0))
+    instance = instantiated(made(table, tmp_path, version_of(kind)), kind, tmp_path / "unit")
+    instance.enterInitializationMode()
+    force = instance.getReal([FORCE])
+    data = bytes(instance.serializeFMUstate(instance.getFMUstate()))
+    size = ctypes.sizeof(_header.asperity_params)
+    start = data.index(struct.pack("<Qd", size, PARAMS.composite_modulus))
+    length = start + _header.asperity_params.table_length.offset
+    assert struct.unpack_from("<Q", data, length) == (3,)
+    forged = [(length, "<Q", wrong) for wrong in (0, 2, 4, 256, 2**63)]
+    forged += [(start, "<Q", wrong) for wrong in (0, size + 8, 2**40)]
+    forged += [(start + size, "<i", wrong) for wrong in (0, 3, 64, -1, 16 if kind in (FMU2Model, FMU3Model) else 4)]
+    for place, form, wrong in forged:
+        changed = bytearray(data)
+        struct.pack_into(form, changed, place, wrong)
+        with pytest.raises(Exception, match="status 3"):
+            instance.deSerializeFMUstate(bytes(changed))
+        assert "damaged" in instance.log[-1]
+    # Where a table lay in another process means nothing in this one.
+    moved = bytearray(data)
+    struct.pack_into("<QQ", moved, start + _header.asperity_params.table_height.offset, 8, 8)
+    instance.setReal([LOAD], [3.0])
+    instance.setFMUstate(instance.deSerializeFMUstate(bytes(moved)))
+    assert instance.getReal([FORCE]) == force
+    instance.freeInstance()
 
 
 def test_directional_derivatives_of_microslip_are_those_of_the_step(contact: Any) -> None:

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from . import _header
+from . import _header, _output
 from ._export_formats import FORMATS, written
 from ._pressure_table import friction_at_pressure, pressure_table
 from .model import Model
@@ -64,7 +64,7 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     )
     text = written(options.format, table, pascal=unit, name=name, title=title, table_id=table_id)
     if options.output:
-        Path(options.output).write_text(text, encoding="utf-8")
+        _output.write(options.output, text)
     else:
         sys.stdout.write(text)
         sys.stdout.flush()

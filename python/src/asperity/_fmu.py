@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import io
 import json
 import re
 import shutil
@@ -12,6 +13,7 @@ import zipfile
 from pathlib import Path
 from typing import Mapping, Sequence
 
+from . import _output
 from ._fmu_binaries import PLATFORMS, add_binaries, library_for
 from ._fmu_description import build_description, model_description
 from .model import Model
@@ -81,10 +83,12 @@ def build(
         starts = {parameter: getattr(params, parameter) for parameter in parameters}
         description = model_description(fmi, name, guid, start_load, parameters, starts, microslip)
         Path(made, "modelDescription.xml").write_text(description, encoding="utf-8")
-        with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        packed_unit = io.BytesIO()
+        with zipfile.ZipFile(packed_unit, "w", zipfile.ZIP_DEFLATED) as archive:
             for path in sorted(Path(made).rglob("*")):
                 if path.is_file():
                     archive.write(path, path.relative_to(made))
+    _output.write(file, packed_unit.getvalue())
 
 
 def _parameters(params: Params) -> dict[str, str]:

@@ -47,13 +47,27 @@ static fmiStatus write_saved(const unit *u, const void *saved, unsigned char byt
     return fmiOK;
 }
 
+/* Bytes may be damaged or forged. The library checks numbers and choices when it makes a model; it believes lengths, and the
+ * functions of FMI believe the mode. */
+static int fits(const unit *u, const unit_state *found)
+{
+    const int mode = found->mode, running = u->exchange ? EVENT | CONTINUOUS_TIME : STEP;
+    return found->params.struct_size == u->state.params.struct_size &&
+           found->params.table_length == u->state.params.table_length && mode > 0 && (mode & (mode - 1)) == 0 &&
+           (mode & (INSTANTIATED | INITIALIZATION | running | TERMINATED));
+}
+
 static fmiStatus read_saved(const unit *u, const unsigned char bytes[], size_t size, void **saved)
 {
+    unit_state found;
     if (size != SAVED_BYTES || memcmp(bytes, GUID, sizeof GUID) != 0)
         return failed(u, fmiError, "the bytes are not those of a saved unit of this kind");
-    *saved = malloc(sizeof(unit_state));
+    memcpy(&found, bytes + sizeof GUID, sizeof found);
+    if (!fits(u, &found))
+        return failed(u, fmiError, "the bytes of the saved unit are damaged: a length or the mode in them is none of this unit");
+    *saved = malloc(sizeof found);
     if (*saved == NULL)
         return failed(u, fmiError, "there is no memory to bring back the unit");
-    memcpy(*saved, bytes + sizeof GUID, sizeof(unit_state));
+    memcpy(*saved, &found, sizeof found);
     return fmiOK;
 }

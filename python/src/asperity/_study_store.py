@@ -7,6 +7,7 @@ folder goes.
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import shutil
@@ -16,6 +17,7 @@ from typing import Any, Iterable
 import numpy as np
 import numpy.typing as npt
 
+from . import _output
 from ._many_surfaces import Answers
 from .errors import Status
 from .results import Warnings
@@ -262,17 +264,14 @@ def _identity_of(file: Path) -> str:
 
 def _replaced(file: Path, write: Any) -> None:
     """Writes a file beside its place, and puts it there once it is on the disk."""
-    part = file.with_name(f"{file.name}.{os.getpid()}.part")
-    try:
-        write(part)
-        descriptor = os.open(part, os.O_RDWR)
+    with _output.replacing(file) as part:
         try:
-            os.fsync(descriptor)
-        finally:
-            os.close(descriptor)
-        os.replace(part, file)
-    finally:
-        part.unlink(missing_ok=True)
+            write(part)
+        except (OSError, RuntimeError) as error:
+            # NetCDF calls a full disk an "HDF error" or "Permission denied": the system itself says what it is.
+            with open(part, "ab") as again:
+                again.write(bytes(1 << 16))
+            raise OSError(errno.EIO, f"cannot be written ({error})", str(file)) from None
 
 
 def _shown(value: Any) -> str:

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any, Iterator
 
 import numpy as np
 
+from . import _output
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -102,8 +104,15 @@ def saved(figure: Figure, file: str | os.PathLike[str] | None) -> Figure:
     """
     setattr(figure, "_repr_png_", partial(_png, figure))
     if file is not None:
-        svg = os.fspath(file).lower().endswith(".svg")
-        figure.savefig(file, metadata={"Date": None, "Creator": None} if svg else None)
+        name = os.fspath(file)
+        ending = os.path.splitext(name)[1][1:]
+        if not ending:
+            ending = "png"
+            name = f"{name.rstrip('.')}.png"
+        picture = BytesIO()
+        svg = ending.lower() == "svg"
+        figure.savefig(picture, format=ending, metadata={"Date": None, "Creator": None} if svg else None)
+        _output.write(name, picture.getvalue())
     return figure
 
 

@@ -8,10 +8,9 @@ import numbers
 import os
 import re
 from dataclasses import MISSING, dataclass, fields
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Sequence, Union
 
-from . import _bandwidth_bias, _header, _units
+from . import _bandwidth_bias, _header, _output, _units
 from ._library import LIBRARY, last_error, text_of
 from .errors import Error, Status, check, nearest
 
@@ -557,7 +556,7 @@ class Params:
 
         A measurement that was made on another surface becomes a comment.
         """
-        Path(path).write_text(self.to_text(), encoding="utf-8")
+        _output.write(path, self.to_text())
 
     def to_text(self) -> str:
         """The text that `to_toml` writes."""

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from .. import _output
 from . import drawing, page
 
 
@@ -27,5 +28,5 @@ def write(directory: Path) -> list[Path]:
     pictures.mkdir(parents=True, exist_ok=True)
     files = drawing.draw_all(pictures)
     gallery = directory / "gallery.md"
-    gallery.write_text(page.text(), encoding="utf-8")
+    _output.write(gallery, page.text())
     return [*files, gallery]
