@@ -88,12 +88,56 @@ def test_a_study_that_was_killed_goes_on_with_equal_bits(tmp_path: Path) -> None
     assert told[0] == f"{4 * done} of 240 surfaces"
 
 
-def test_a_block_that_cannot_be_read_is_computed_anew(small: xarray.Dataset, tmp_path: Path) -> None:
-    stop_after(3, tmp_path / "found.nc")
+def to_be_computed(file: Path) -> list[int]:
+    """The first surfaces of the blocks that a study would compute."""
+    found: list[int] = []
+
+    def none(work: Any, tasks: Any, *_: Any) -> Any:
+        found.extend(first for first, _ in tasks)
+        raise KeyboardInterrupt
+
+    with mock.patch.object(_blocks, "completed", none), pytest.raises(KeyboardInterrupt):
+        study(PARAMS, **SMALL, checkpoint=file)
+    return found
+
+
+def test_any_bit_of_a_block_that_flips_is_noticed(tmp_path: Path) -> None:
+    stop_after(2, tmp_path / "found.nc")
     block = tmp_path / "found.nc.blocks" / "block-0000001.nc"
-    block.write_bytes(block.read_bytes()[:1000])
-    with study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc") as found:
-        assert bits(found) == bits(small)
+    whole, rest = block.read_bytes(), list(range(8, 32, 4))
+    assert to_be_computed(tmp_path / "found.nc") == rest
+    for bit in np.linspace(0, 8 * len(whole) - 1, 401).astype(int).tolist():
+        damaged = bytearray(whole)
+        damaged[bit // 8] ^= 1 << bit % 8
+        block.write_bytes(damaged)
+        with pytest.warns(RuntimeWarning, match=r"block-0000001.nc: damaged, this block is computed anew$"):
+            assert to_be_computed(tmp_path / "found.nc") == [4, *rest], f"bit {bit}"
+
+
+@pytest.mark.parametrize("damage", ["empty", "shorter", "longer", "zeros", "another block", "flipped"])
+def test_a_block_that_is_damaged_is_computed_anew(damage: str, small: xarray.Dataset, tmp_path: Path) -> None:
+    stop_after(3, tmp_path / "found.nc")
+    folder = tmp_path / "found.nc.blocks"
+    block = folder / "block-0000001.nc"
+    whole = block.read_bytes()
+    flipped = whole.replace(np.float64(0.01).tobytes(), np.float64(0.02).tobytes())
+    block.write_bytes({
+        "empty": b"", "shorter": whole[:1000], "longer": whole + b"0", "zeros": whole[:600] + bytes(len(whole) - 600),
+        "another block": (folder / "block-0000000.nc").read_bytes(), "flipped": flipped,
+    }[damage])  # fmt: skip
+    with pytest.warns(RuntimeWarning, match="^[^\n]*block-0000001.nc: damaged[^\n]*$"):
+        with study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc") as found:
+            assert bits(found) == bits(small)
+
+
+def test_a_block_that_is_damaged_while_the_study_runs_is_named(small: xarray.Dataset, tmp_path: Path) -> None:
+    block = tmp_path / "found.nc.blocks" / "block-0000001.nc"
+    given = {**SMALL, "progress": lambda part, doing: block.write_bytes(b"") if part == 1 else None}
+    with pytest.raises(OSError, match="block-0000001.nc: damaged since the study began; call again"):
+        study(PARAMS, **given, checkpoint=tmp_path / "found.nc")
+    with pytest.warns(RuntimeWarning, match="block-0000001.nc"):
+        with study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc") as found:
+            assert bits(found) == bits(small)
 
 
 def test_a_disk_that_is_full_leaves_no_half_block(tmp_path: Path) -> None:
@@ -148,6 +192,9 @@ def test_a_file_that_is_no_study_is_left_as_it_is(tmp_path: Path) -> None:
     xarray.Dataset({"x": ("n", np.ones(3))}).to_netcdf(tmp_path / "other.nc", engine="netcdf4")
     with pytest.raises(ValueError, match="other.nc is no study"):
         study(PARAMS, **SMALL, checkpoint=tmp_path / "other.nc")
+    with mock.patch("netCDF4.Dataset", side_effect=RuntimeError("NetCDF: HDF error")):
+        with pytest.raises(ValueError, match="other.nc is no study"):
+            study(PARAMS, **SMALL, checkpoint=tmp_path / "other.nc")
     (tmp_path / "mine.nc.blocks").mkdir()
     (tmp_path / "mine.nc.blocks" / "study.json").write_text("[1]", encoding="utf-8")
     with pytest.raises(ValueError, match="mine.nc.blocks is no study"):

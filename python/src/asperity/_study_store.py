@@ -1,12 +1,13 @@
 """Where a study is kept: in memory, or in a NetCDF file, beside which each block is written as it is done.
 
 A block is a file of its own, written under another name, flushed to the disk and then renamed: after whatever end of the
-process it is there whole or not at all. When all are there, they become one file in the same way, a block at a time, and their
-folder goes.
+process it is there whole or not at all. It ends with a checksum over all of it: a block that the disk damaged is computed anew.
+When all are there, they become one file in the same way, a block at a time, and their folder goes.
 """
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import shutil
@@ -16,6 +17,7 @@ from typing import Any, Iterable
 import numpy as np
 import numpy.typing as npt
 
+from . import _caller
 from ._many_surfaces import Answers
 from .errors import Status
 from .results import Warnings
@@ -49,6 +51,9 @@ _VARIABLES: dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]] = {
     ),
     "reason": (_EACH, str, {"long_name": "the message that goes with the status"}),
 }
+# NetCDF checks its own metadata, and its data if asked, but not text. Its errors are of these two classes.
+_CHECKSUM = hashlib.sha256
+_UNREADABLE = (OSError, RuntimeError)
 _SI = {"force": "N", "force/length": "N/m", "stress": "Pa", "length": "m", "length^2": "m2"}
 
 
@@ -155,8 +160,9 @@ class Checkpoint:
     def put(self, first: int, answers: Answers) -> None:
         def write(part: Path) -> None:
             count = len(answers.status)
-            with _Writer(part, self._layout, slice(first, first + count), self._identity) as writer:
+            with _Writer(part, self._layout, slice(first, first + count), self._of_block(first)) as writer:
                 writer.put(0, {name: getattr(answers, name) for name in self._layout.names})
+            _seal(part)
 
         _replaced(self._block(first), write)
 
@@ -174,7 +180,9 @@ class Checkpoint:
         with _Writer(part, self._layout, slice(0, self._layout.surfaces), self._identity) as writer:
             refused = 0
             for first in range(0, self._layout.surfaces, self._layout.block):
-                arrays = _read(self._block(first), self._layout.names)
+                if not _intact(file := self._block(first)):
+                    raise OSError(f"{file}: damaged since the study began; call again, and this block alone is computed anew")
+                arrays = _read(file, self._layout.names)
                 refused += int(np.count_nonzero(arrays["status"]))
                 writer.put(first, arrays)
             writer.file.setncattr("refused", refused)
@@ -182,17 +190,23 @@ class Checkpoint:
     def _block(self, first: int) -> Path:
         return self._folder / f"block-{first // self._layout.block:07}.nc"
 
+    def _of_block(self, first: int) -> str:
+        """The identity of a block."""
+        return json.dumps({**self._layout.identity, "first surface": first}, sort_keys=True)
+
     def _done(self, first: int) -> bool:
-        """Whether a block is there and can be read: one that cannot is computed anew."""
+        """Whether a block is there and as it was written: any other is computed anew."""
         file = self._block(first)
         if not file.exists():
             return False
         try:
-            return _identity_of(file) == self._identity and len(_read(file, ["status"])["status"]) == min(
-                self._layout.block, self._layout.surfaces - first
-            )
-        except (OSError, ValueError):
-            return False
+            # What is damaged is kept from HDF, which need not survive it.
+            if _intact(file) and _identity_of(file) == self._of_block(first):
+                return True
+        except OSError:
+            pass
+        _caller.warn(f"{file}: damaged, this block is computed anew", RuntimeWarning)
+        return False
 
     def _agree(self, where: Path, found: str) -> None:
         try:
@@ -219,13 +233,15 @@ class _Writer:
         self.file.createDimension("sample", surfaces.stop - surfaces.start)
         self.file.createDimension("load", layout.load.size)
         for name, (dims, values, attributes) in layout.coordinates().items():
-            made = self.file.createVariable(name, np.float64, dims)
+            made = self.file.createVariable(name, np.float64, dims, fletcher32=True)
             made[:] = values if name == "load" else values[surfaces]
             made.setncatts(attributes)
         for name in layout.names:
             dims, kind, _ = _VARIABLES[name]
-            packed: dict[str, Any] = {"zlib": True, "complevel": 1} if name == "warnings" else {}
-            made = self.file.createVariable(name, kind, dims, **packed)
+            how: dict[str, Any] = {"zlib": True, "complevel": 1} if name == "warnings" else {}
+            if dims == _BOTH:  # in parts of a block, each of which is written once: larger ones take memory
+                how["chunksizes"] = min(layout.block, surfaces.stop - surfaces.start), layout.load.size
+            made = self.file.createVariable(name, kind, dims, fletcher32=kind is not str, **how)
             made.setncatts(layout.described(name) | {"coordinates": " ".join(layout.parameters)})
         self.file.setncatts({**layout.attributes, "study": identity})
 
@@ -256,8 +272,21 @@ def _identity_of(file: Path) -> str:
     try:
         with netCDF4.Dataset(os.fspath(file)) as opened:
             return str(getattr(opened, "study", ""))
-    except OSError:
+    except _UNREADABLE:
         return ""
+
+
+def _seal(file: Path) -> None:
+    """Ends a file with a checksum over all of it, which readers of NetCDF pass over."""
+    digest = _CHECKSUM(file.read_bytes()).digest()
+    with open(file, "ab") as stream:
+        stream.write(digest)
+
+
+def _intact(file: Path) -> bool:
+    """Whether a file ends with the checksum of all before it."""
+    content, size = file.read_bytes(), _CHECKSUM().digest_size
+    return _CHECKSUM(content[:-size]).digest() == content[-size:]
 
 
 def _replaced(file: Path, write: Any) -> None:
