@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
-from typing import Any
+from typing import Any, Iterator
 from unittest import mock
 
 import numpy as np
@@ -65,27 +65,34 @@ def test_a_study_that_was_stopped_computes_the_rest_alone(small: xarray.Dataset,
     assert told[0] == "12 of 32 surfaces" and not folder.exists()
 
 
-def test_a_study_that_was_killed_goes_on_with_equal_bits(tmp_path: Path) -> None:
-    file, program = tmp_path / "found.nc", Path(__file__).with_name("study_workers.py")
-    running = subprocess.Popen([sys.executable, str(program), str(file)])
-    folder = tmp_path / "found.nc.blocks"
-    for _ in range(600):
-        if len(list(folder.glob("block-*.nc"))) >= 5:
-            break
-        time.sleep(0.05)
-    running.send_signal(signal.SIGKILL)
-    assert running.wait() == -signal.SIGKILL and not file.exists()
-    done = len(list(folder.glob("block-???????.nc")))
-    assert 5 <= done < 60
-    for block in folder.glob("block-???????.nc"):  # each is whole
+@contextlib.contextmanager
+def standing(file: Path, blocks: int) -> Iterator[subprocess.Popen[str]]:
+    """A process with a study that has done so many blocks, and stands still while it writes the next; killed at the end."""
+    command = [sys.executable, str(Path(__file__).with_name("study_workers.py")), str(file), str(blocks + 2)]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
+        try:
+            assert running.stdout is not None and running.stdout.readline() == "standing\n"
+            yield running
+        finally:
+            running.kill()
+
+
+def test_a_study_that_was_killed_goes_on_with_equal_bits(small: xarray.Dataset, tmp_path: Path) -> None:
+    file, folder = tmp_path / "found.nc", tmp_path / "found.nc.blocks"
+    with standing(file, 5) as running:
+        running.kill()
+        assert running.wait() == -signal.SIGKILL
+    assert not file.exists() and len(list(folder.glob("*.part"))) == 1
+    blocks = sorted(folder.glob("block-???????.nc"))
+    assert len(blocks) == 5
+    for block in blocks:  # each is whole
         with xarray.open_dataset(block, engine="netcdf4") as one:
             assert one.sizes["sample"] == 4
-    given, told = {**SMALL, "samples": 120}, []
-    whole = study(PARAMS, **given)
-    given["progress"] = lambda part, doing: told.append(doing)
+    told: list[str] = []
+    given = {**SMALL, "progress": lambda part, doing: told.append(doing)}
     with study(PARAMS, **given, checkpoint=file) as found:
-        assert bits(found) == bits(whole)
-    assert told[0] == f"{4 * done} of 240 surfaces"
+        assert bits(found) == bits(small)
+    assert told[0] == "20 of 32 surfaces" and list(tmp_path.iterdir()) == [file]
 
 
 def to_be_computed(file: Path) -> list[int]:
