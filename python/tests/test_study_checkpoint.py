@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import signal
+import socket
 import subprocess
 import sys
 from pathlib import Path
@@ -18,7 +20,7 @@ from scipy import stats
 from study_workers import LOADS, PARAMS, SMALL
 from test_study_engines import bits
 
-from asperity import _blocks, _study_store
+from asperity import _blocks, _study_lock, _study_store
 from asperity.study import study
 
 BLOCKS = 8  # of SMALL
@@ -65,11 +67,15 @@ def test_a_study_that_was_stopped_computes_the_rest_alone(small: xarray.Dataset,
     assert told[0] == "12 of 32 surfaces" and not folder.exists()
 
 
+def worker(file: Path, flushes: int) -> list[str]:
+    """The command of a process with a study, which stands still at so many flushes."""
+    return [sys.executable, str(Path(__file__).with_name("study_workers.py")), str(file), str(flushes)]
+
+
 @contextlib.contextmanager
 def standing(file: Path, blocks: int) -> Iterator[subprocess.Popen[str]]:
     """A process with a study that has done so many blocks, and stands still while it writes the next; killed at the end."""
-    command = [sys.executable, str(Path(__file__).with_name("study_workers.py")), str(file), str(blocks + 2)]
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
+    with subprocess.Popen(worker(file, blocks + 2), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
         try:
             assert running.stdout is not None and running.stdout.readline() == "standing\n"
             yield running
@@ -93,6 +99,38 @@ def test_a_study_that_was_killed_goes_on_with_equal_bits(small: xarray.Dataset, 
     with study(PARAMS, **given, checkpoint=file) as found:
         assert bits(found) == bits(small)
     assert told[0] == "20 of 32 surfaces" and list(tmp_path.iterdir()) == [file]
+
+
+def test_a_second_process_is_told_of_the_first(small: xarray.Dataset, tmp_path: Path) -> None:
+    file = tmp_path / "found.nc"
+    with standing(file, 3) as first:
+        second = subprocess.run(worker(file, 1000), capture_output=True, text=True, check=False)
+        message = f"checkpoint = '{file}': process {first.pid} of {socket.gethostname()} is at work on it; wait until it is done"
+        assert second.returncode == 1 and message in second.stderr
+        with pytest.raises(BlockingIOError, match="is at work on it"):
+            study(PARAMS, **SMALL, checkpoint=file)
+        first.communicate("\n")
+        assert first.returncode == 0
+    with study(PARAMS, **SMALL, checkpoint=file) as found:
+        assert bits(found) == bits(small)
+    assert list(tmp_path.iterdir()) == [file]
+
+
+def test_processes_that_begin_together_leave_one_whole_study(small: xarray.Dataset, tmp_path: Path) -> None:
+    file = tmp_path / "found.nc"
+    running = [subprocess.Popen(worker(file, 1000), stderr=subprocess.PIPE, text=True) for _ in range(3)]
+    said = [process.communicate()[1] for process in running]
+    assert 0 in [process.returncode for process in running]
+    assert all("is at work on it" in text for process, text in zip(running, said) if process.returncode)
+    with study(PARAMS, **SMALL, checkpoint=file) as found:
+        assert bits(found) == bits(small)
+    assert list(tmp_path.iterdir()) == [file]
+
+
+def test_a_disk_without_locks_is_told_of(tmp_path: Path) -> None:
+    with mock.patch.object(_study_lock, "_take", side_effect=OSError(errno.ENOLCK, "No locks available")):
+        with pytest.warns(RuntimeWarning, match="found.nc': cannot be locked here .*: let no other process work on it"):
+            study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc").close()
 
 
 def to_be_computed(file: Path) -> list[int]:

@@ -7,18 +7,20 @@ When all are there, they become one file in the same way, a block at a time, and
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
 import os
 import shutil
 from pathlib import Path
-from typing import Any, Iterable
+from typing import Any, Iterable, Iterator
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _caller
 from ._many_surfaces import Answers
+from ._study_lock import locked
 from .errors import Status
 from .results import Warnings
 
@@ -129,6 +131,16 @@ class Memory:
         return xarray.Dataset(data, layout.coordinates(), {**layout.attributes, "refused": refused})
 
 
+@contextlib.contextmanager
+def checkpoint(file: str | os.PathLike[str], layout: Layout) -> Iterator[Checkpoint]:
+    """A `Checkpoint` that no other process works on meanwhile; one that is whole is only read, by as many as like."""
+    path = Path(file)
+    with contextlib.ExitStack() as stack:
+        if not path.exists() or _identity_of(path) != json.dumps(layout.identity, sort_keys=True):
+            stack.enter_context(locked(path.with_name(path.name + ".lock"), f"checkpoint = {str(path)!r}"))
+        yield Checkpoint(path, layout)
+
+
 class Checkpoint:
     """A study in a file, and in blocks beside it until all are done.
 
@@ -136,8 +148,8 @@ class Checkpoint:
         ValueError: the file or the blocks are of another study, or no study.
     """
 
-    def __init__(self, file: str | os.PathLike[str], layout: Layout) -> None:
-        self._file, self._layout = Path(file), layout
+    def __init__(self, file: Path, layout: Layout) -> None:
+        self._file, self._layout = file, layout
         self._folder = self._file.with_name(self._file.name + ".blocks")
         self._identity = json.dumps(layout.identity, sort_keys=True)
         self._whole = self._file.exists()
