@@ -191,6 +191,73 @@ def test_a_disk_that_is_full_leaves_no_half_block(tmp_path: Path) -> None:
     assert list((tmp_path / "found.nc.blocks").iterdir()) == []
 
 
+def heights(random: np.random.Generator, count: int) -> Any:
+    return random.normal(1.0, 0.1, count)
+
+
+FLAT: dict[str, Any] = {**SMALL, "vary": {"height_std": 0.3, "slip_stress": 0.2}, "samples": 100}
+
+
+@contextlib.contextmanager
+def computed() -> Iterator[list[int]]:
+    """The surfaces that are computed meanwhile."""
+    found: list[int] = []
+    real = _blocks.completed
+
+    def seen(work: Any, tasks: Any, *rest: Any) -> Any:
+        def told() -> Iterator[Any]:
+            for first, block in tasks:
+                found.extend(range(first, first + len(block.values)))
+                yield first, block
+
+        return real(work, told(), *rest)
+
+    with mock.patch.object(_blocks, "completed", seen):
+        yield found
+
+
+@pytest.mark.parametrize("changes", [{}, {"sampling": "random"}, {"vary": {"height_std": heights, "slip_stress": 0.2}}])
+def test_a_study_is_enlarged_without_computing_its_first_surfaces(changes: dict[str, Any], tmp_path: Path) -> None:
+    file, given = tmp_path / "found.nc", {**FLAT, **changes}
+    more = {**given, "samples": 200, "block": 3}
+    study(PARAMS, **given, checkpoint=file).close()
+    stop_after(7, file, **more)  # of 8: at 175 surfaces
+    with computed() as rest, study(PARAMS, **given, checkpoint=file) as found:  # what is there is there until all is
+        assert found.sizes["sample"] == 100 and rest == []
+    with computed() as rest, study(PARAMS, **more, checkpoint=file) as found:
+        assert rest == list(range(175, 200))
+        assert bits(found) == bits(study(PARAMS, **more))
+    assert list(tmp_path.iterdir()) == [file]
+    with computed() as rest:
+        study(PARAMS, **{**more, "samples": 300}, checkpoint=file).close()
+        assert rest == list(range(200, 300))
+
+
+@pytest.mark.parametrize(
+    "changes", [{"sampling": "latin"}, {"sampling": "saltelli"}, {"vary": {"height_std": 0.3, "slip_stress": [0.01, 0.02]}}]
+)
+def test_samples_that_depend_on_their_number_are_not_enlarged(changes: dict[str, Any], tmp_path: Path) -> None:
+    file, given = tmp_path / "found.nc", {**FLAT, **changes, "samples": 4}
+    study(PARAMS, **given, checkpoint=file).close()
+    before = file.read_bytes()
+    with pytest.raises(ValueError, match="found.nc': has 4 samples, which are not the first of 8; a Latin hypercube, Sobol"):
+        study(PARAMS, **{**given, "samples": 8}, checkpoint=file)
+    with pytest.raises(ValueError, match="with seed = 5 where this one has 1"):
+        study(PARAMS, **{**given, "samples": 8, "seed": 1}, checkpoint=file)
+    assert file.read_bytes() == before and list(tmp_path.iterdir()) == [file]
+
+
+def test_a_damaged_study_is_not_enlarged_but_computed_anew(tmp_path: Path) -> None:
+    file, more = tmp_path / "found.nc", {**FLAT, "samples": 12}
+    study(PARAMS, **{**FLAT, "samples": 8}, checkpoint=file).close()
+    whole = file.read_bytes()
+    file.write_bytes(whole.replace(np.float64(100).tobytes(), np.float64(101).tobytes()))
+    assert file.read_bytes() != whole
+    with computed() as done, pytest.warns(RuntimeWarning, match="found.nc: damaged or changed, all of it is computed anew$"):
+        with study(PARAMS, **more, checkpoint=file) as found:
+            assert done == list(range(12)) and bits(found) == bits(study(PARAMS, **more))
+
+
 OTHERS: list[tuple[dict[str, Any], str]] = [
     ({"seed": 6}, "seed = 5 where this one has 6"),
     ({"samples": 8}, "samples = 16 where this one has 8"),

@@ -20,6 +20,7 @@ import numpy.typing as npt
 
 from . import _caller
 from ._many_surfaces import Answers
+from ._study_draws import digest
 from ._study_lock import locked
 from .errors import Status
 from .results import Warnings
@@ -53,9 +54,9 @@ _VARIABLES: dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]] = {
     ),
     "reason": (_EACH, str, {"long_name": "the message that goes with the status"}),
 }
-# NetCDF checks its own metadata, and its data if asked, but not text. Its errors are of these two classes.
-_CHECKSUM = hashlib.sha256
-_UNREADABLE = (OSError, RuntimeError)
+# What of the identity changes with the number of samples.
+_DRAWN = "bits of the parameters drawn"
+_OF_SAMPLES = ("samples", "block", _DRAWN)
 _SI = {"force": "N", "force/length": "N/m", "stress": "Pa", "length": "m", "length^2": "m2"}
 
 
@@ -142,7 +143,7 @@ def checkpoint(file: str | os.PathLike[str], layout: Layout) -> Iterator[Checkpo
 
 
 class Checkpoint:
-    """A study in a file, and in blocks beside it until all are done.
+    """A study in a file, and in blocks beside it until all are done. The file may have fewer samples until then.
 
     Raises:
         ValueError: the file or the blocks are of another study, or no study.
@@ -152,9 +153,13 @@ class Checkpoint:
         self._file, self._layout = file, layout
         self._folder = self._file.with_name(self._file.name + ".blocks")
         self._identity = json.dumps(layout.identity, sort_keys=True)
-        self._whole = self._file.exists()
+        self._whole, self._before = False, 0
+        if self._file.exists():
+            found = _identity_of(self._file)
+            self._whole = found == self._identity
+            if not self._whole:
+                self._before = self._answered(found)
         if self._whole:
-            self._agree(self._file, _identity_of(self._file))
             return
         self._folder.mkdir(exist_ok=True)
         told = self._folder / "study.json"
@@ -165,9 +170,11 @@ class Checkpoint:
 
     def missing(self) -> list[int]:
         """The first surfaces of blocks that are not done."""
-        if self._whole:
-            return []
-        return [first for first in range(0, self._layout.surfaces, self._layout.block) if not self._done(first)]
+        return [] if self._whole else [first for first in self._starts() if not self._done(first)]
+
+    def _starts(self) -> range:
+        """The first surfaces of all blocks: those before are in the file."""
+        return range(self._before, self._layout.surfaces, self._layout.block)
 
     def put(self, first: int, answers: Answers) -> None:
         def write(part: Path) -> None:
@@ -185,19 +192,26 @@ class Checkpoint:
         if not self._whole:
             _replaced(self._file, self._join)
             self._whole = True
-        shutil.rmtree(self._folder, ignore_errors=True)
+        with contextlib.suppress(FileNotFoundError):  # the folder may be of another process, which enlarges this study
+            if (self._folder / "study.json").read_text(encoding="utf-8") == self._identity:
+                shutil.rmtree(self._folder, ignore_errors=True)
         return xarray.open_dataset(self._file, engine="netcdf4")
 
     def _join(self, part: Path) -> None:
+        names, block = self._layout.names, self._layout.block
         with _Writer(part, self._layout, slice(0, self._layout.surfaces), self._identity) as writer:
             refused = 0
-            for first in range(0, self._layout.surfaces, self._layout.block):
-                if not _intact(file := self._block(first)):
+            for first in (*range(0, self._before, block), *self._starts()):
+                if first < self._before:
+                    arrays = _read(self._file, names, slice(first, min(first + block, self._before)))
+                elif _intact(file := self._block(first)):
+                    arrays = _read(file, names)
+                else:
                     raise OSError(f"{file}: damaged since the study began; call again, and this block alone is computed anew")
-                arrays = _read(file, self._layout.names)
                 refused += int(np.count_nonzero(arrays["status"]))
                 writer.put(first, arrays)
             writer.file.setncattr("refused", refused)
+        _seal(part)
 
     def _block(self, first: int) -> Path:
         return self._folder / f"block-{first // self._layout.block:07}.nc"
@@ -220,7 +234,27 @@ class Checkpoint:
         _caller.warn(f"{file}: damaged, this block is computed anew", RuntimeWarning)
         return False
 
-    def _agree(self, where: Path, found: str) -> None:
+    def _answered(self, found: str) -> int:
+        """How many of the first surfaces are in the file, which is of fewer samples of the same study."""
+        try:
+            fewer = json.loads(found)["samples"] < self._layout.identity["samples"]
+        except (ValueError, TypeError, KeyError):
+            fewer = False
+        other = self._agree(self._file, found, _OF_SAMPLES if fewer else ())
+        if not _intact(self._file):
+            _caller.warn(f"{self._file}: damaged or changed, all of it is computed anew", RuntimeWarning)
+            return 0
+        surfaces = len(_read(self._file, ["status"])["status"])
+        drawn = np.column_stack([values[:surfaces] for values, _ in self._layout.parameters.values()])
+        if other[_DRAWN] != digest(drawn):
+            raise ValueError(
+                f"checkpoint = {str(self._file)!r}: has {other['samples']} samples, which are not the first of "
+                f"{self._layout.identity['samples']}; a Latin hypercube, Sobol' indices and a grid cannot be enlarged: "
+                "give another name, or remove it"
+            )
+        return surfaces
+
+    def _agree(self, where: Path, found: str, but: Iterable[str] = ()) -> dict[str, Any]:
         try:
             other = json.loads(found)
         except json.JSONDecodeError:
@@ -228,11 +262,12 @@ class Checkpoint:
         if not isinstance(other, dict):
             raise ValueError(f"checkpoint = {str(self._file)!r}: {where} is no study; give another name, or remove it")
         for name, value in self._layout.identity.items():
-            if other.get(name) != value:
+            if name not in but and other.get(name) != value:
                 raise ValueError(
                     f"checkpoint = {str(self._file)!r}: {where} is of another study, with {name} = {_shown(other.get(name))} "
                     f"where this one has {_shown(value)}; give another name, or remove it"
                 )
+        return other
 
 
 class _Writer:
@@ -269,12 +304,12 @@ class _Writer:
         self.file.close()
 
 
-def _read(file: Path, names: Iterable[str]) -> dict[str, Any]:
+def _read(file: Path, names: Iterable[str], surfaces: slice = slice(None)) -> dict[str, Any]:
     import netCDF4
 
     with netCDF4.Dataset(os.fspath(file)) as opened:
         opened.set_auto_mask(False)
-        return {name: opened[name][:] for name in names}
+        return {name: opened[name][surfaces] for name in names}
 
 
 def _identity_of(file: Path) -> str:
@@ -284,21 +319,33 @@ def _identity_of(file: Path) -> str:
     try:
         with netCDF4.Dataset(os.fspath(file)) as opened:
             return str(getattr(opened, "study", ""))
-    except _UNREADABLE:
+    except (OSError, RuntimeError):  # of damaged files NetCDF raises either
         return ""
+
+
+def _checksum(file: Path, size: int) -> bytes:
+    """Of the first bytes of a file."""
+    found = hashlib.sha256()
+    with open(file, "rb") as stream:
+        while part := stream.read(min(size, 1 << 20)):
+            found.update(part)
+            size -= len(part)
+    return found.digest()
 
 
 def _seal(file: Path) -> None:
     """Ends a file with a checksum over all of it, which readers of NetCDF pass over."""
-    digest = _CHECKSUM(file.read_bytes()).digest()
+    checksum = _checksum(file, file.stat().st_size)
     with open(file, "ab") as stream:
-        stream.write(digest)
+        stream.write(checksum)
 
 
 def _intact(file: Path) -> bool:
     """Whether a file ends with the checksum of all before it."""
-    content, size = file.read_bytes(), _CHECKSUM().digest_size
-    return _CHECKSUM(content[:-size]).digest() == content[-size:]
+    size = max(0, file.stat().st_size - hashlib.sha256().digest_size)
+    with open(file, "rb") as stream:
+        stream.seek(size)
+        return stream.read() == _checksum(file, size)
 
 
 def _replaced(file: Path, write: Any) -> None:

@@ -6,7 +6,8 @@
     found = study(Params.from_toml("surface.toml"), vary={"height_std": 0.1}, loads=[1e-3, 1e-2], samples=1024)
 
 What is drawn is in `_study_draws`, what a block of surfaces answers in `_many_surfaces`, how blocks reach workers in `_blocks`,
-where they are kept in `_study_store`, by one process at a time in `_study_lock`. Needs xarray, SciPy and netCDF4: pip install "asperity[study]".
+where they are kept in `_study_store`, by one process at a time in `_study_lock`. Needs xarray, SciPy and netCDF4:
+pip install "asperity[study]".
 """
 
 from __future__ import annotations
@@ -85,8 +86,10 @@ def study(
             left open. By default here.
         workers: processes to start here for it, instead of an executor.
         checkpoint: a NetCDF file to be written. While the study runs, its blocks are in a folder beside it, "FILE.blocks"; a
-            study that was stopped goes on from them when it is called again with the same arguments. The dataset that is
-            returned reads from this file as it is used. Without, all is kept in memory.
+            study that was stopped goes on from them when it is called again with the same arguments. A file with fewer samples
+            of the same study is enlarged: only the others are computed. Not of "latin", "saltelli" and grids, whose samples
+            depend on their number. The dataset that is returned reads from this file as it is used. Without, all is kept in
+            memory.
         progress: whether to tell how far it is, on the error stream, or a function of the part done, 0 to 1, and of what is
             being done.
         warnings: whether to find the warnings of each state. They need an exact state for each load: without them a study of
