@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import signal
 import sys
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 import numpy as np
 
@@ -61,6 +63,20 @@ def fail(task: Any) -> None:
     raise OSError("never")
 
 
+def stand_at(flushes: int) -> None:
+    """At that flush of a file to the disk, this process says so on its output, and waits for a line of its input."""
+    flush, count = os.fsync, itertools.count(1)
+
+    def flush_or_stand(descriptor: int) -> None:
+        if next(count) == flushes:
+            print("standing", flush=True)
+            sys.stdin.readline()
+        flush(descriptor)
+
+    mock.patch.object(os, "fsync", flush_or_stand).start()
+
+
 if __name__ == "__main__":
-    # A study in a process of its own, which is slow enough to be killed: python study_workers.py FILE.nc
-    study(PARAMS, **{**SMALL, "samples": 120}, checkpoint=sys.argv[1])
+    # A study in a process of its own, which stands still in the middle of a block: python study_workers.py FILE.nc FLUSHES
+    stand_at(int(sys.argv[2]))
+    study(PARAMS, **SMALL, checkpoint=sys.argv[1]).close()

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import os
 import signal
+import socket
 import subprocess
 import sys
-import time
 from pathlib import Path
-from typing import Any
+from typing import Any, Iterator
 from unittest import mock
 
 import numpy as np
@@ -18,7 +20,7 @@ from scipy import stats
 from study_workers import LOADS, PARAMS, SMALL
 from test_study_engines import bits
 
-from asperity import _blocks, _study_store
+from asperity import _blocks, _study_lock, _study_store
 from asperity.study import study
 
 BLOCKS = 8  # of SMALL
@@ -65,41 +67,195 @@ def test_a_study_that_was_stopped_computes_the_rest_alone(small: xarray.Dataset,
     assert told[0] == "12 of 32 surfaces" and not folder.exists()
 
 
-def test_a_study_that_was_killed_goes_on_with_equal_bits(tmp_path: Path) -> None:
-    file, program = tmp_path / "found.nc", Path(__file__).with_name("study_workers.py")
-    running = subprocess.Popen([sys.executable, str(program), str(file)])
-    folder = tmp_path / "found.nc.blocks"
-    for _ in range(600):
-        if len(list(folder.glob("block-*.nc"))) >= 5:
-            break
-        time.sleep(0.05)
-    running.send_signal(signal.SIGKILL)
-    assert running.wait() == -signal.SIGKILL and not file.exists()
-    done = len(list(folder.glob("block-???????.nc")))
-    assert 5 <= done < 60
-    for block in folder.glob("block-???????.nc"):  # each is whole
+def worker(file: Path, flushes: int) -> list[str]:
+    """The command of a process with a study, which stands still at so many flushes."""
+    return [sys.executable, str(Path(__file__).with_name("study_workers.py")), str(file), str(flushes)]
+
+
+@contextlib.contextmanager
+def standing(file: Path, blocks: int) -> Iterator[subprocess.Popen[str]]:
+    """A process with a study that has done so many blocks, and stands still while it writes the next; killed at the end."""
+    with subprocess.Popen(worker(file, blocks + 2), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
+        try:
+            assert running.stdout is not None and running.stdout.readline() == "standing\n"
+            yield running
+        finally:
+            running.kill()
+
+
+def test_a_study_that_was_killed_goes_on_with_equal_bits(small: xarray.Dataset, tmp_path: Path) -> None:
+    file, folder = tmp_path / "found.nc", tmp_path / "found.nc.blocks"
+    with standing(file, 5) as running:
+        running.kill()
+        assert running.wait() == -signal.SIGKILL
+    assert not file.exists() and len(list(folder.glob("*.part"))) == 1
+    blocks = sorted(folder.glob("block-???????.nc"))
+    assert len(blocks) == 5
+    for block in blocks:  # each is whole
         with xarray.open_dataset(block, engine="netcdf4") as one:
             assert one.sizes["sample"] == 4
-    given, told = {**SMALL, "samples": 120}, []
-    whole = study(PARAMS, **given)
-    given["progress"] = lambda part, doing: told.append(doing)
+    told: list[str] = []
+    given = {**SMALL, "progress": lambda part, doing: told.append(doing)}
     with study(PARAMS, **given, checkpoint=file) as found:
-        assert bits(found) == bits(whole)
-    assert told[0] == f"{4 * done} of 240 surfaces"
-
-
-def test_a_block_that_cannot_be_read_is_computed_anew(small: xarray.Dataset, tmp_path: Path) -> None:
-    stop_after(3, tmp_path / "found.nc")
-    block = tmp_path / "found.nc.blocks" / "block-0000001.nc"
-    block.write_bytes(block.read_bytes()[:1000])
-    with study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc") as found:
         assert bits(found) == bits(small)
+    assert told[0] == "20 of 32 surfaces" and list(tmp_path.iterdir()) == [file]
+
+
+def test_a_second_process_is_told_of_the_first(small: xarray.Dataset, tmp_path: Path) -> None:
+    file = tmp_path / "found.nc"
+    with standing(file, 3) as first:
+        second = subprocess.run(worker(file, 1000), capture_output=True, text=True, check=False)
+        message = f"checkpoint = '{file}': process {first.pid} of {socket.gethostname()} is at work on it; wait until it is done"
+        assert second.returncode == 1 and message in second.stderr
+        with pytest.raises(BlockingIOError, match="is at work on it"):
+            study(PARAMS, **SMALL, checkpoint=file)
+        first.communicate("\n")
+        assert first.returncode == 0
+    with study(PARAMS, **SMALL, checkpoint=file) as found:
+        assert bits(found) == bits(small)
+    assert list(tmp_path.iterdir()) == [file]
+
+
+def test_processes_that_begin_together_leave_one_whole_study(small: xarray.Dataset, tmp_path: Path) -> None:
+    file = tmp_path / "found.nc"
+    running = [subprocess.Popen(worker(file, 1000), stderr=subprocess.PIPE, text=True) for _ in range(3)]
+    said = [process.communicate()[1] for process in running]
+    assert 0 in [process.returncode for process in running]
+    assert all("is at work on it" in text for process, text in zip(running, said) if process.returncode)
+    with study(PARAMS, **SMALL, checkpoint=file) as found:
+        assert bits(found) == bits(small)
+    assert list(tmp_path.iterdir()) == [file]
+
+
+def test_a_disk_without_locks_is_told_of(tmp_path: Path) -> None:
+    with mock.patch.object(_study_lock, "_take", side_effect=OSError(errno.ENOLCK, "No locks available")):
+        with pytest.warns(RuntimeWarning, match="found.nc': cannot be locked here .*: let no other process work on it"):
+            study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc").close()
+
+
+def to_be_computed(file: Path) -> list[int]:
+    """The first surfaces of the blocks that a study would compute."""
+    found: list[int] = []
+
+    def none(work: Any, tasks: Any, *_: Any) -> Any:
+        found.extend(first for first, _ in tasks)
+        raise KeyboardInterrupt
+
+    with mock.patch.object(_blocks, "completed", none), pytest.raises(KeyboardInterrupt):
+        study(PARAMS, **SMALL, checkpoint=file)
+    return found
+
+
+def test_any_bit_of_a_block_that_flips_is_noticed(tmp_path: Path) -> None:
+    stop_after(2, tmp_path / "found.nc")
+    block = tmp_path / "found.nc.blocks" / "block-0000001.nc"
+    whole, rest = block.read_bytes(), list(range(8, 32, 4))
+    assert to_be_computed(tmp_path / "found.nc") == rest
+    for bit in np.linspace(0, 8 * len(whole) - 1, 401).astype(int).tolist():
+        damaged = bytearray(whole)
+        damaged[bit // 8] ^= 1 << bit % 8
+        block.write_bytes(damaged)
+        with pytest.warns(RuntimeWarning, match=r"block-0000001.nc: damaged, this block is computed anew$"):
+            assert to_be_computed(tmp_path / "found.nc") == [4, *rest], f"bit {bit}"
+
+
+@pytest.mark.parametrize("damage", ["empty", "shorter", "longer", "zeros", "another block", "flipped"])
+def test_a_block_that_is_damaged_is_computed_anew(damage: str, small: xarray.Dataset, tmp_path: Path) -> None:
+    stop_after(3, tmp_path / "found.nc")
+    folder = tmp_path / "found.nc.blocks"
+    block = folder / "block-0000001.nc"
+    whole = block.read_bytes()
+    flipped = whole.replace(np.float64(0.01).tobytes(), np.float64(0.02).tobytes())
+    block.write_bytes({
+        "empty": b"", "shorter": whole[:1000], "longer": whole + b"0", "zeros": whole[:600] + bytes(len(whole) - 600),
+        "another block": (folder / "block-0000000.nc").read_bytes(), "flipped": flipped,
+    }[damage])  # fmt: skip
+    with pytest.warns(RuntimeWarning, match="^[^\n]*block-0000001.nc: damaged[^\n]*$"):
+        with study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc") as found:
+            assert bits(found) == bits(small)
+
+
+def test_a_block_that_is_damaged_while_the_study_runs_is_named(small: xarray.Dataset, tmp_path: Path) -> None:
+    block = tmp_path / "found.nc.blocks" / "block-0000001.nc"
+    given = {**SMALL, "progress": lambda part, doing: block.write_bytes(b"") if part == 1 else None}
+    with pytest.raises(OSError, match="block-0000001.nc: damaged since the study began; call again"):
+        study(PARAMS, **given, checkpoint=tmp_path / "found.nc")
+    with pytest.warns(RuntimeWarning, match="block-0000001.nc"):
+        with study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc") as found:
+            assert bits(found) == bits(small)
 
 
 def test_a_disk_that_is_full_leaves_no_half_block(tmp_path: Path) -> None:
     with mock.patch.object(os, "fsync", side_effect=OSError(28, "No space left on device")), pytest.raises(OSError):
         study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc")
     assert list((tmp_path / "found.nc.blocks").iterdir()) == []
+
+
+def heights(random: np.random.Generator, count: int) -> Any:
+    return random.normal(1.0, 0.1, count)
+
+
+FLAT: dict[str, Any] = {**SMALL, "vary": {"height_std": 0.3, "slip_stress": 0.2}, "samples": 100}
+
+
+@contextlib.contextmanager
+def computed() -> Iterator[list[int]]:
+    """The surfaces that are computed meanwhile."""
+    found: list[int] = []
+    real = _blocks.completed
+
+    def seen(work: Any, tasks: Any, *rest: Any) -> Any:
+        def told() -> Iterator[Any]:
+            for first, block in tasks:
+                found.extend(range(first, first + len(block.values)))
+                yield first, block
+
+        return real(work, told(), *rest)
+
+    with mock.patch.object(_blocks, "completed", seen):
+        yield found
+
+
+@pytest.mark.parametrize("changes", [{}, {"sampling": "random"}, {"vary": {"height_std": heights, "slip_stress": 0.2}}])
+def test_a_study_is_enlarged_without_computing_its_first_surfaces(changes: dict[str, Any], tmp_path: Path) -> None:
+    file, given = tmp_path / "found.nc", {**FLAT, **changes}
+    more = {**given, "samples": 200, "block": 3}
+    study(PARAMS, **given, checkpoint=file).close()
+    stop_after(7, file, **more)  # of 8: at 175 surfaces
+    with computed() as rest, study(PARAMS, **given, checkpoint=file) as found:  # what is there is there until all is
+        assert found.sizes["sample"] == 100 and rest == []
+    with computed() as rest, study(PARAMS, **more, checkpoint=file) as found:
+        assert rest == list(range(175, 200))
+        assert bits(found) == bits(study(PARAMS, **more))
+    assert list(tmp_path.iterdir()) == [file]
+    with computed() as rest:
+        study(PARAMS, **{**more, "samples": 300}, checkpoint=file).close()
+        assert rest == list(range(200, 300))
+
+
+@pytest.mark.parametrize(
+    "changes", [{"sampling": "latin"}, {"sampling": "saltelli"}, {"vary": {"height_std": 0.3, "slip_stress": [0.01, 0.02]}}]
+)
+def test_samples_that_depend_on_their_number_are_not_enlarged(changes: dict[str, Any], tmp_path: Path) -> None:
+    file, given = tmp_path / "found.nc", {**FLAT, **changes, "samples": 4}
+    study(PARAMS, **given, checkpoint=file).close()
+    before = file.read_bytes()
+    with pytest.raises(ValueError, match="found.nc': has 4 samples, which are not the first of 8; a Latin hypercube, Sobol"):
+        study(PARAMS, **{**given, "samples": 8}, checkpoint=file)
+    with pytest.raises(ValueError, match="with seed = 5 where this one has 1"):
+        study(PARAMS, **{**given, "samples": 8, "seed": 1}, checkpoint=file)
+    assert file.read_bytes() == before and list(tmp_path.iterdir()) == [file]
+
+
+def test_a_damaged_study_is_not_enlarged_but_computed_anew(tmp_path: Path) -> None:
+    file, more = tmp_path / "found.nc", {**FLAT, "samples": 12}
+    study(PARAMS, **{**FLAT, "samples": 8}, checkpoint=file).close()
+    whole = file.read_bytes()
+    file.write_bytes(whole.replace(np.float64(100).tobytes(), np.float64(101).tobytes()))
+    assert file.read_bytes() != whole
+    with computed() as done, pytest.warns(RuntimeWarning, match="found.nc: damaged or changed, all of it is computed anew$"):
+        with study(PARAMS, **more, checkpoint=file) as found:
+            assert done == list(range(12)) and bits(found) == bits(study(PARAMS, **more))
 
 
 OTHERS: list[tuple[dict[str, Any], str]] = [
@@ -148,6 +304,9 @@ def test_a_file_that_is_no_study_is_left_as_it_is(tmp_path: Path) -> None:
     xarray.Dataset({"x": ("n", np.ones(3))}).to_netcdf(tmp_path / "other.nc", engine="netcdf4")
     with pytest.raises(ValueError, match="other.nc is no study"):
         study(PARAMS, **SMALL, checkpoint=tmp_path / "other.nc")
+    with mock.patch("netCDF4.Dataset", side_effect=RuntimeError("NetCDF: HDF error")):
+        with pytest.raises(ValueError, match="other.nc is no study"):
+            study(PARAMS, **SMALL, checkpoint=tmp_path / "other.nc")
     (tmp_path / "mine.nc.blocks").mkdir()
     (tmp_path / "mine.nc.blocks" / "study.json").write_text("[1]", encoding="utf-8")
     with pytest.raises(ValueError, match="mine.nc.blocks is no study"):

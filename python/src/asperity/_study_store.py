@@ -1,24 +1,28 @@
 """Where a study is kept: in memory, or in a NetCDF file, beside which each block is written as it is done.
 
 A block is a file of its own, written under another name, flushed to the disk and then renamed: after whatever end of the
-process it is there whole or not at all. When all are there, they become one file in the same way, a block at a time, and their
-folder goes.
+process it is there whole or not at all. It ends with a checksum over all of it: a block that the disk damaged is computed anew.
+When all are there, they become one file in the same way, a block at a time, and their folder goes.
 """
 
 from __future__ import annotations
 
+import contextlib
 import errno
+import hashlib
 import json
 import os
 import shutil
 from pathlib import Path
-from typing import Any, Iterable
+from typing import Any, Iterable, Iterator
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _output
+from . import _caller, _output
 from ._many_surfaces import Answers
+from ._study_draws import digest
+from ._study_lock import locked
 from .errors import Status
 from .results import Warnings
 
@@ -51,6 +55,9 @@ _VARIABLES: dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]] = {
     ),
     "reason": (_EACH, str, {"long_name": "the message that goes with the status"}),
 }
+# What of the identity changes with the number of samples.
+_DRAWN = "bits of the parameters drawn"
+_OF_SAMPLES = ("samples", "block", _DRAWN)
 _SI = {"force": "N", "force/length": "N/m", "stress": "Pa", "length": "m", "length^2": "m2"}
 
 
@@ -126,20 +133,34 @@ class Memory:
         return xarray.Dataset(data, layout.coordinates(), {**layout.attributes, "refused": refused})
 
 
+@contextlib.contextmanager
+def checkpoint(file: str | os.PathLike[str], layout: Layout) -> Iterator[Checkpoint]:
+    """A `Checkpoint` that no other process works on meanwhile; one that is whole is only read, by as many as like."""
+    path = Path(file)
+    with contextlib.ExitStack() as stack:
+        if not path.exists() or _identity_of(path) != json.dumps(layout.identity, sort_keys=True):
+            stack.enter_context(locked(path.with_name(path.name + ".lock"), f"checkpoint = {str(path)!r}"))
+        yield Checkpoint(path, layout)
+
+
 class Checkpoint:
-    """A study in a file, and in blocks beside it until all are done.
+    """A study in a file, and in blocks beside it until all are done. The file may have fewer samples until then.
 
     Raises:
         ValueError: the file or the blocks are of another study, or no study.
     """
 
-    def __init__(self, file: str | os.PathLike[str], layout: Layout) -> None:
-        self._file, self._layout = Path(file), layout
+    def __init__(self, file: Path, layout: Layout) -> None:
+        self._file, self._layout = file, layout
         self._folder = self._file.with_name(self._file.name + ".blocks")
         self._identity = json.dumps(layout.identity, sort_keys=True)
-        self._whole = self._file.exists()
+        self._whole, self._before = False, 0
+        if self._file.exists():
+            found = _identity_of(self._file)
+            self._whole = found == self._identity
+            if not self._whole:
+                self._before = self._answered(found)
         if self._whole:
-            self._agree(self._file, _identity_of(self._file))
             return
         self._folder.mkdir(exist_ok=True)
         told = self._folder / "study.json"
@@ -150,15 +171,18 @@ class Checkpoint:
 
     def missing(self) -> list[int]:
         """The first surfaces of blocks that are not done."""
-        if self._whole:
-            return []
-        return [first for first in range(0, self._layout.surfaces, self._layout.block) if not self._done(first)]
+        return [] if self._whole else [first for first in self._starts() if not self._done(first)]
+
+    def _starts(self) -> range:
+        """The first surfaces of all blocks: those before are in the file."""
+        return range(self._before, self._layout.surfaces, self._layout.block)
 
     def put(self, first: int, answers: Answers) -> None:
         def write(part: Path) -> None:
             count = len(answers.status)
-            with _Writer(part, self._layout, slice(first, first + count), self._identity) as writer:
+            with _Writer(part, self._layout, slice(first, first + count), self._of_block(first)) as writer:
                 writer.put(0, {name: getattr(answers, name) for name in self._layout.names})
+            _seal(part)
 
         _replaced(self._block(first), write)
 
@@ -169,34 +193,69 @@ class Checkpoint:
         if not self._whole:
             _replaced(self._file, self._join)
             self._whole = True
-        shutil.rmtree(self._folder, ignore_errors=True)
+        with contextlib.suppress(FileNotFoundError):  # the folder may be of another process, which enlarges this study
+            if (self._folder / "study.json").read_text(encoding="utf-8") == self._identity:
+                shutil.rmtree(self._folder, ignore_errors=True)
         return xarray.open_dataset(self._file, engine="netcdf4")
 
     def _join(self, part: Path) -> None:
+        names, block = self._layout.names, self._layout.block
         with _Writer(part, self._layout, slice(0, self._layout.surfaces), self._identity) as writer:
             refused = 0
-            for first in range(0, self._layout.surfaces, self._layout.block):
-                arrays = _read(self._block(first), self._layout.names)
+            for first in (*range(0, self._before, block), *self._starts()):
+                if first < self._before:
+                    arrays = _read(self._file, names, slice(first, min(first + block, self._before)))
+                elif _intact(file := self._block(first)):
+                    arrays = _read(file, names)
+                else:
+                    raise OSError(f"{file}: damaged since the study began; call again, and this block alone is computed anew")
                 refused += int(np.count_nonzero(arrays["status"]))
                 writer.put(first, arrays)
             writer.file.setncattr("refused", refused)
+        _seal(part)
 
     def _block(self, first: int) -> Path:
         return self._folder / f"block-{first // self._layout.block:07}.nc"
 
+    def _of_block(self, first: int) -> str:
+        """The identity of a block."""
+        return json.dumps({**self._layout.identity, "first surface": first}, sort_keys=True)
+
     def _done(self, first: int) -> bool:
-        """Whether a block is there and can be read: one that cannot is computed anew."""
+        """Whether a block is there and as it was written: any other is computed anew."""
         file = self._block(first)
         if not file.exists():
             return False
         try:
-            return _identity_of(file) == self._identity and len(_read(file, ["status"])["status"]) == min(
-                self._layout.block, self._layout.surfaces - first
-            )
-        except (OSError, ValueError):
-            return False
+            # What is damaged is kept from HDF, which need not survive it.
+            if _intact(file) and _identity_of(file) == self._of_block(first):
+                return True
+        except OSError:
+            pass
+        _caller.warn(f"{file}: damaged, this block is computed anew", RuntimeWarning)
+        return False
 
-    def _agree(self, where: Path, found: str) -> None:
+    def _answered(self, found: str) -> int:
+        """How many of the first surfaces are in the file, which is of fewer samples of the same study."""
+        try:
+            fewer = json.loads(found)["samples"] < self._layout.identity["samples"]
+        except (ValueError, TypeError, KeyError):
+            fewer = False
+        other = self._agree(self._file, found, _OF_SAMPLES if fewer else ())
+        if not _intact(self._file):
+            _caller.warn(f"{self._file}: damaged or changed, all of it is computed anew", RuntimeWarning)
+            return 0
+        surfaces = len(_read(self._file, ["status"])["status"])
+        drawn = np.column_stack([values[:surfaces] for values, _ in self._layout.parameters.values()])
+        if other[_DRAWN] != digest(drawn):
+            raise ValueError(
+                f"checkpoint = {str(self._file)!r}: has {other['samples']} samples, which are not the first of "
+                f"{self._layout.identity['samples']}; a Latin hypercube, Sobol' indices and a grid cannot be enlarged: "
+                "give another name, or remove it"
+            )
+        return surfaces
+
+    def _agree(self, where: Path, found: str, but: Iterable[str] = ()) -> dict[str, Any]:
         try:
             other = json.loads(found)
         except json.JSONDecodeError:
@@ -204,11 +263,12 @@ class Checkpoint:
         if not isinstance(other, dict):
             raise ValueError(f"checkpoint = {str(self._file)!r}: {where} is no study; give another name, or remove it")
         for name, value in self._layout.identity.items():
-            if other.get(name) != value:
+            if name not in but and other.get(name) != value:
                 raise ValueError(
                     f"checkpoint = {str(self._file)!r}: {where} is of another study, with {name} = {_shown(other.get(name))} "
                     f"where this one has {_shown(value)}; give another name, or remove it"
                 )
+        return other
 
 
 class _Writer:
@@ -221,13 +281,15 @@ class _Writer:
         self.file.createDimension("sample", surfaces.stop - surfaces.start)
         self.file.createDimension("load", layout.load.size)
         for name, (dims, values, attributes) in layout.coordinates().items():
-            made = self.file.createVariable(name, np.float64, dims)
+            made = self.file.createVariable(name, np.float64, dims, fletcher32=True)
             made[:] = values if name == "load" else values[surfaces]
             made.setncatts(attributes)
         for name in layout.names:
             dims, kind, _ = _VARIABLES[name]
-            packed: dict[str, Any] = {"zlib": True, "complevel": 1} if name == "warnings" else {}
-            made = self.file.createVariable(name, kind, dims, **packed)
+            how: dict[str, Any] = {"zlib": True, "complevel": 1} if name == "warnings" else {}
+            if dims == _BOTH:  # in parts of a block, each of which is written once: larger ones take memory
+                how["chunksizes"] = min(layout.block, surfaces.stop - surfaces.start), layout.load.size
+            made = self.file.createVariable(name, kind, dims, fletcher32=kind is not str, **how)
             made.setncatts(layout.described(name) | {"coordinates": " ".join(layout.parameters)})
         self.file.setncatts({**layout.attributes, "study": identity})
 
@@ -243,12 +305,12 @@ class _Writer:
         self.file.close()
 
 
-def _read(file: Path, names: Iterable[str]) -> dict[str, Any]:
+def _read(file: Path, names: Iterable[str], surfaces: slice = slice(None)) -> dict[str, Any]:
     import netCDF4
 
     with netCDF4.Dataset(os.fspath(file)) as opened:
         opened.set_auto_mask(False)
-        return {name: opened[name][:] for name in names}
+        return {name: opened[name][surfaces] for name in names}
 
 
 def _identity_of(file: Path) -> str:
@@ -258,8 +320,33 @@ def _identity_of(file: Path) -> str:
     try:
         with netCDF4.Dataset(os.fspath(file)) as opened:
             return str(getattr(opened, "study", ""))
-    except OSError:
+    except (OSError, RuntimeError):  # of damaged files NetCDF raises either
         return ""
+
+
+def _checksum(file: Path, size: int) -> bytes:
+    """Of the first bytes of a file."""
+    found = hashlib.sha256()
+    with open(file, "rb") as stream:
+        while part := stream.read(min(size, 1 << 20)):
+            found.update(part)
+            size -= len(part)
+    return found.digest()
+
+
+def _seal(file: Path) -> None:
+    """Ends a file with a checksum over all of it, which readers of NetCDF pass over."""
+    checksum = _checksum(file, file.stat().st_size)
+    with open(file, "ab") as stream:
+        stream.write(checksum)
+
+
+def _intact(file: Path) -> bool:
+    """Whether a file ends with the checksum of all before it."""
+    size = max(0, file.stat().st_size - hashlib.sha256().digest_size)
+    with open(file, "rb") as stream:
+        stream.seek(size)
+        return stream.read() == _checksum(file, size)
 
 
 def _replaced(file: Path, write: Any) -> None:

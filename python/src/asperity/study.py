@@ -6,7 +6,8 @@
     found = study(Params.from_toml("surface.toml"), vary={"height_std": 0.1}, loads=[1e-3, 1e-2], samples=1024)
 
 What is drawn is in `_study_draws`, what a block of surfaces answers in `_many_surfaces`, how blocks reach workers in `_blocks`,
-where they are kept in `_study_store`. Needs xarray, SciPy and netCDF4: pip install "asperity[study]".
+where they are kept in `_study_store`, by one process at a time in `_study_lock`. Needs xarray, SciPy and netCDF4:
+pip install "asperity[study]".
 """
 
 from __future__ import annotations
@@ -14,18 +15,19 @@ from __future__ import annotations
 import os
 import time
 from concurrent.futures import Executor
+from contextlib import nullcontext
 from typing import TYPE_CHECKING, Any, Callable, Iterator, Mapping, Union
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _blocks, _checks, _study_draws
+from . import _blocks, _checks, _study_draws, _study_store
 from ._header import UNITS
 from ._library import version
 from ._many_surfaces import Block, evaluate, names_of
 from ._progress import Progress, teller
 from ._sobol import plot_sobol_indices, sobol_indices
-from ._study_store import Checkpoint, Layout, Memory
+from ._study_store import Layout, Memory
 from .params import Params
 
 if TYPE_CHECKING:
@@ -84,8 +86,10 @@ def study(
             left open. By default here.
         workers: processes to start here for it, instead of an executor.
         checkpoint: a NetCDF file to be written. While the study runs, its blocks are in a folder beside it, "FILE.blocks"; a
-            study that was stopped goes on from them when it is called again with the same arguments. The dataset that is
-            returned reads from this file as it is used. Without, all is kept in memory.
+            study that was stopped goes on from them when it is called again with the same arguments. A file with fewer samples
+            of the same study is enlarged: only the others are computed. Not of "latin", "saltelli" and grids, whose samples
+            depend on their number. The dataset that is returned reads from this file as it is used. Without, all is kept in
+            memory.
         progress: whether to tell how far it is, on the error stream, or a function of the part done, 0 to 1, and of what is
             being done.
         warnings: whether to find the warnings of each state. They need an exact state for each load: without them a study of
@@ -103,6 +107,7 @@ def study(
         ValueError: what an argument may not be, or a checkpoint of another study.
         TypeError: no parameters, or no numbers.
         ImportError: a missing package; the message says what to install.
+        BlockingIOError: another process is at work on the same checkpoint.
         ChildProcessError: an executor that is broken, or workers that die again and again.
     """
     _require()
@@ -120,18 +125,18 @@ def study(
     usual = max(1, min(_BLOCK, surfaces // _BLOCKS, _NUMBERS // load.size))
     size = usual if block is None else _whole("block", block, 1, surfaces)
     layout = _layout(params, draws, load, seed, sampling, size, bool(warnings), units)
-    store = Memory(layout) if checkpoint is None else Checkpoint(checkpoint, layout)
-    missing = store.missing()
+    with nullcontext(Memory(layout)) if checkpoint is None else _study_store.checkpoint(checkpoint, layout) as store:
+        missing = store.missing()
 
-    def tasks() -> Iterator[tuple[int, Block]]:
-        for first in missing:
-            yield first, Block(params, draws.names, draws.values[first : first + size], load, bool(warnings))
+        def tasks() -> Iterator[tuple[int, Block]]:
+            for first in missing:
+                yield first, Block(params, draws.names, draws.values[first : first + size], load, bool(warnings))
 
-    told = _Told(surfaces, surfaces - sum(min(size, surfaces - first) for first in missing), progress)
-    for first, answers in _blocks.completed(evaluate, tasks(), executor, workers):
-        store.put(first, answers)
-        told.add(len(answers.status))
-    found: xarray.Dataset = store.dataset()
+        told = _Told(surfaces, surfaces - sum(min(size, surfaces - first) for first in missing), progress)
+        for first, answers in _blocks.completed(evaluate, tasks(), executor, workers):
+            store.put(first, answers)
+            told.add(len(answers.status))
+        found: xarray.Dataset = store.dataset()
     return found
 
 
