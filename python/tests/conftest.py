@@ -56,6 +56,6 @@ def compile_c() -> Callable[..., None]:
     def compile_c(*arguments: object) -> None:
         if shutil.which("cc") is None:
             pytest.fail("this test needs a C compiler named cc: apt-get install gcc libc6-dev")
-        subprocess.run(["cc", *map(str, arguments)], check=True, timeout=60)
+        subprocess.run(["cc", *map(str, arguments)], check=True, timeout=600)
 
     return compile_c

@@ -22,7 +22,7 @@ POLYSILICON = (
 def started(arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
     """The command as a process of its own."""
     command = [sys.executable, "-m", "asperity", *arguments.split()]
-    return subprocess.run(command, capture_output=True, text=True, timeout=60, check=False, **options)
+    return subprocess.run(command, capture_output=True, text=True, timeout=600, check=False, **options)
 
 
 def asperity(arguments: str) -> subprocess.CompletedProcess[str]:
@@ -163,7 +163,7 @@ def test_bad_input_is_refused(
 
 def test_a_reader_may_leave_early() -> None:
     command = f"'{sys.executable}' -m asperity curve --figure - --count 5000 | head -n 1"
-    done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=60, check=True)
+    done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=600, check=True)
     assert done.stderr == "" and done.stdout.startswith("# load")
 
 

@@ -26,7 +26,7 @@ def twin(root: Path, compile_c: Callable[..., None], tmp_path_factory: pytest.Te
 
 def run(*command: object) -> subprocess.CompletedProcess[str]:
     words = [str(word) for word in command]
-    return subprocess.run(words, capture_output=True, text=True, timeout=60, check=False)
+    return subprocess.run(words, capture_output=True, text=True, timeout=600, check=False)
 
 
 @pytest.fixture

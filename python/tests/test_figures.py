@@ -48,7 +48,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """What the command writes."""
     directory = tmp_path_factory.mktemp("docs")
     command = [sys.executable, "-m", "asperity", "figures", "--out", str(directory)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
     assert (done.returncode, done.stdout) == (0, "")
     count = len(PICTURES | ELSEWHERE) + 1
     assert done.stderr == f"asperity: wrote {count} files, the last is {directory / 'gallery.md'}\n"
@@ -270,7 +270,7 @@ def test_a_claim_that_does_not_hold_is_not_printed_as_one() -> None:
 def test_without_matplotlib_it_says_so(tmp_path: Path) -> None:
     (tmp_path / "matplotlib.py").write_text("raise ImportError('No module named matplotlib')")
     command = [sys.executable, "-m", "asperity", "figures", "--out", str(tmp_path / "out")]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 1 and done.stderr.startswith("asperity: drawing needs matplotlib")
     assert not (tmp_path / "out" / "gallery.md").exists()
 
@@ -278,5 +278,5 @@ def test_without_matplotlib_it_says_so(tmp_path: Path) -> None:
 def test_a_directory_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     (tmp_path / "figures").write_text("")
     command = [sys.executable, "-m", "asperity", "figures", "--out", str(tmp_path)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 1 and str(tmp_path / "figures") in done.stderr and "Traceback" not in done.stderr

@@ -423,7 +423,7 @@ def test_the_command_finds_what_the_function_finds(params: Params, found: Fit, t
     file, figure = tmp_path / "friction.txt", tmp_path / "fit.png"
     file.write_text(table(found.load, found.measured, found.sigma))
     command = [sys.executable, "-m", "asperity", "fit", str(file), "--free", "gamma,sigma", "--figure", str(figure)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 0 and figure.read_bytes().startswith(b"\x89PNG")
     assert done.stderr.startswith("asperity: warning: between the loads 0.1 and 10000: UNCALIBRATED") and done.stderr.count("\n") == 1
     head, gamma, sigma, *remarks = done.stdout.splitlines()

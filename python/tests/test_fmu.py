@@ -536,7 +536,7 @@ def test_the_sources_inside_are_those_of_the_binary(request: pytest.FixtureReque
     if shutil.which("cc") is None:
         pytest.fail("this test needs a C compiler named cc: apt-get install gcc libc6-dev")
     command = ["cc", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-I.", "-c", "asperity_fmu.c"]
-    subprocess.run([*command, f"-DFMI{fmi[0]}_FUNCTION_PREFIX=pad_"], cwd=tmp_path / "sources", check=True, timeout=60)
+    subprocess.run([*command, f"-DFMI{fmi[0]}_FUNCTION_PREFIX=pad_"], cwd=tmp_path / "sources", check=True, timeout=600)
     symbols = subprocess.run(
         ["nm", "-g", "--defined-only", "asperity_fmu.o"], cwd=tmp_path / "sources", capture_output=True, text=True, check=True
     )
@@ -559,7 +559,7 @@ def test_a_library_with_a_soname_lies_under_it(tmp_path: Path) -> None:
     (tmp_path / "empty.c").write_text("int nothing;\n", encoding="utf-8")
     for name, wanted in (("libasperity.so.12", "libasperity.so.12"), ("", None)):
         soname = [f"-Wl,-soname,{name}"] if name else []
-        subprocess.run(["cc", "-shared", *soname, "empty.c", "-o", "library.so"], cwd=tmp_path, check=True, timeout=60)
+        subprocess.run(["cc", "-shared", *soname, "empty.c", "-o", "library.so"], cwd=tmp_path, check=True, timeout=600)
         assert _soname((tmp_path / "library.so").read_bytes()) == wanted
 
 

@@ -24,7 +24,7 @@ def import_with(library: object) -> subprocess.CompletedProcess[str]:
         env={**os.environ, "ASPERITY_LIBRARY": str(library)},
         capture_output=True,
         text=True,
-        timeout=30,
+        timeout=600,
         check=False,
     )
 

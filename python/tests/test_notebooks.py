@@ -34,7 +34,7 @@ def test_every_notebook_is_expected_here_and_kept_without_outputs() -> None:
 @pytest.mark.parametrize("name", EXPECTED)
 def test_a_notebook_runs_and_prints_what_it_should(name: str) -> None:
     notebook: Any = nbformat.read(FOLDER / f"{name}.ipynb", as_version=4)  # type: ignore[no-untyped-call]
-    NotebookClient(notebook, timeout=120, kernel_name="python3", resources={"metadata": {"path": str(FOLDER)}}).execute()
+    NotebookClient(notebook, timeout=600, kernel_name="python3", resources={"metadata": {"path": str(FOLDER)}}).execute()
     outputs = [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
     texts = [output["text"] if "text" in output else output["data"].get("text/plain", "") for output in outputs]
     pictures = sum("image/png" in output.get("data", {}) or "text/html" in output.get("data", {}) for output in outputs)

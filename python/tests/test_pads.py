@@ -149,7 +149,7 @@ def test_pads_of_few_summits_end_and_are_found_from_any_separation(silicon: Para
     """
     params = variants(silicon)[which].replace(asperity_count=float(count))
     command = [sys.executable, "-c", OF_FEW_SUMMITS, repr(asdict(params))]
-    found = subprocess.run(command, check=True, capture_output=True, text=True, timeout=60).stdout
+    found = subprocess.run(command, check=True, capture_output=True, text=True, timeout=600).stdout
     random, tail, expected = np.random.default_rng(3), TailHeights(params), []
     with Model(params) as model:
         law = OneSummitLaw(model, tail.highest)

@@ -195,7 +195,7 @@ def test_mpi_gives_the_same_bits(small: xarray.Dataset, tmp_path: Path) -> None:
     )
     command = [mpiexec(), "-n", "3", sys.executable, "-m", "mpi4py.futures", program, tmp_path / "found.nc"]
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parent)}
-    done = subprocess.run(list(map(str, command)), env=environment, capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run(list(map(str, command)), env=environment, capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     with xarray.open_dataset(tmp_path / "found.nc", engine="netcdf4") as found:
         assert bits(found) == bits(small)

@@ -81,7 +81,7 @@ def test_the_command_writes_what_a_call_returns(file: Path, tmp_path: Path) -> N
 def test_under_mpiexec_and_on_processes_the_file_is_the_same_to_the_byte(file: Path, tmp_path: Path) -> None:
     assert run_main("study", file, "-o", tmp_path / "here.nc", "--workers", 2, "--quiet").returncode == 0
     words = [mpiexec(), "-n", "3", sys.executable, "-m", "asperity", "study", file, "-o", tmp_path / "mpi.nc", "--mpi", "--quiet"]
-    done = subprocess.run(list(map(str, words)), env=os.environ, capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run(list(map(str, words)), env=os.environ, capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 0 and done.stdout.count("8 surfaces") == 1, done.stdout + done.stderr
     assert (tmp_path / "mpi.nc").read_bytes() == (tmp_path / "here.nc").read_bytes()
 

@@ -26,7 +26,7 @@ def test_the_guide_to_studies_prints_what_it_says(page: list[tuple[str, str]], t
         source = "".join(page[i][1] + echo.format(MARK.format(n)) for n, i in enumerate(chosen))
         done = subprocess.run(
             command, input=source, cwd=tmp_path, env={**os.environ, "PATH": path}, capture_output=True, text=True,
-            timeout=300, check=False,
+            timeout=600, check=False,
         )  # fmt: skip
         assert done.returncode == 0, done.stdout + done.stderr
         for i, output in zip(chosen, outputs(done.stdout, len(chosen))):

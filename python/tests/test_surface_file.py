@@ -166,7 +166,7 @@ def reader(root: Path, compile_c: Callable[..., None], tmp_path: Path) -> Callab
     strict = ("-std=c11", "-Wall", "-Wextra", "-Werror")
     compile_c(*strict, tmp_path / "reader.c", "-I", root / "include", "-o", tmp_path / "reader", library,
               f"-Wl,-rpath,{library.parent}")  # fmt: skip
-    return lambda: subprocess.run([tmp_path / "reader"], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False)
+    return lambda: subprocess.run([tmp_path / "reader"], cwd=tmp_path, capture_output=True, text=True, timeout=600, check=False)
 
 
 def test_a_program_in_c_has_the_surface_of_the_file(

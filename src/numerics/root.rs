@@ -55,7 +55,7 @@ pub fn between(mut f: impl FnMut(f64) -> f64, (lower, at_lower): (f64, f64), (up
 mod tests {
     use super::bracketed;
 
-    /// Few where the function is smooth, hardly more than bisection elsewhere.
+    /// Few where the function is smooth, hardly more than bisection elsewhere: at most a quarter more than these.
     #[test]
     fn a_root_takes_few_evaluations() {
         type Case<'a> = (&'a dyn Fn(f64) -> f64, [f64; 2], f64, u32);
@@ -82,7 +82,7 @@ mod tests {
                 // A root at zero has no relative resolution.
                 let error = (root - exact).abs() / (1e-18 * (upper - lower)).max(5e-16 * exact);
                 assert!(error <= 1.0, "{root}, not {exact}");
-                assert!(count <= most + 1, "{count} evaluations for {exact}, not {most}");
+                assert!(4 * count <= 5 * most, "{count} evaluations for {exact}, not {most}");
             }
         }
     }

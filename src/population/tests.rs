@@ -248,11 +248,48 @@ impl walk::ContactVisitor for Asked {
     }
 }
 
-/// Fewer summits than these may be too few, and more are in vain: a change of the rules for panels changes their number, and has
-/// to be followed by a look at the errors over the whole domain (`make domain`) and at the time that a model takes
-/// (`make bench`).
+/// Whether work is about that which is known to be enough: less than half may be too little, a quarter more is in vain.
+fn is_about(found: usize, known: usize) -> bool {
+    4 * found <= 5 * known && 2 * found >= known
+}
+
+/// Whether that is so of each piece of work, and the sum of each column is within 5 %, as a lost rule changes many a little.
+fn are_about(found: &[&[usize]], known: &[&[usize]]) -> bool {
+    let sum = |rows: &[&[usize]], column: usize| rows.iter().map(|row| row[column]).sum::<usize>();
+    found.len() == known.len()
+        && found.iter().zip(known).all(|(found, known)| {
+            found.len() == known.len() && found.iter().zip(*known).all(|(&found, &known)| is_about(found, known))
+        })
+        && (0..known[0].len()).all(|i| 20 * sum(found, i).abs_diff(sum(known, i)) <= sum(known, i))
+}
+
+/// Fails unless work is about that which is known to be enough.
+///
+/// Where this fails a rule was lost, or replaced. Look at the errors over the whole domain (`make domain`) and at the time that
+/// a model takes (`make bench`); if both are well, put the numbers of the message in place of those known.
+pub fn assert_work(found: &[&[usize]], known: &[&[usize]], of: &str) {
+    assert!(are_about(found, known), "{of}: {found:?}, known to be enough: {known:?}");
+}
+
 #[test]
-fn sums_ask_for_as_many_summits_as_are_known_to_be_enough() {
+fn work_is_bounded_from_both_sides() {
+    assert_eq!([49, 50, 100, 125, 126].map(|found| is_about(found, 100)), [false, true, true, true, false]);
+    assert!(is_about(0, 0) && !is_about(1, 0) && !is_about(0, 1));
+    let known: [&[usize]; 2] = [&[100, 7], &[100, 7]];
+    let of = |first: usize, second: usize| are_about(&[&[first, 7], &[second, 7]], &known);
+    assert!(of(100, 100) && of(120, 80) && of(100, 110) && of(90, 100));
+    assert!(!of(106, 106) && !of(94, 94) && !of(126, 80) && !are_about(&known[..1], &known));
+}
+
+/// The panels that are laid over summits in contact while something is made.
+pub fn panels_laid<T>(make: impl FnOnce() -> T) -> usize {
+    let before = walk::LAID.get();
+    make();
+    walk::LAID.get() - before
+}
+
+#[test]
+fn sums_ask_for_about_as_many_summits_as_are_known_to_be_enough() {
     let asked = surfaces().into_iter().map(|params| {
         let population = of(&params).without_tables();
         let (mut contacts, mut others) = (Asked::default(), 0);
@@ -269,32 +306,34 @@ fn sums_ask_for_as_many_summits_as_are_known_to_be_enough() {
     });
     let (in_contact, out_of_contact): (Vec<_>, Vec<_>) = asked.unzip();
     // A line has the families of heights at the same groups and radii.
-    assert_eq!(
-        in_contact.chunks(4).collect::<Vec<_>>(),
-        [
-            [456, 504, 536, 228],
-            [512, 570, 592, 306],
-            [486, 544, 554, 294],
-            [352, 496, 400, 150],
-            [458, 544, 522, 278],
-            [442, 538, 506, 218],
-            [424, 476, 472, 222],
-            [480, 518, 560, 290],
-            [464, 522, 528, 284]
-        ]
+    assert_work(
+        &in_contact.chunks(4).collect::<Vec<_>>(),
+        &[
+            &[456, 504, 536, 228],
+            &[512, 570, 592, 306],
+            &[486, 544, 554, 294],
+            &[352, 496, 400, 150],
+            &[458, 544, 522, 278],
+            &[442, 538, 506, 218],
+            &[424, 476, 472, 222],
+            &[480, 518, 560, 290],
+            &[464, 522, 528, 284],
+        ],
+        "summits in contact",
     );
-    assert_eq!(
-        out_of_contact.chunks(4).collect::<Vec<_>>(),
-        [
-            [64, 112, 64, 80],
-            [208, 224, 208, 176],
-            [224, 240, 224, 192],
-            [0, 0, 0, 0],
-            [0, 0, 0, 0],
-            [0, 0, 0, 0],
-            [0, 0, 0, 0],
-            [0, 0, 0, 0],
-            [0, 0, 0, 0]
-        ]
+    assert_work(
+        &out_of_contact.chunks(4).collect::<Vec<_>>(),
+        &[
+            &[64, 112, 64, 80],
+            &[208, 224, 208, 176],
+            &[224, 240, 224, 192],
+            &[0, 0, 0, 0],
+            &[0, 0, 0, 0],
+            &[0, 0, 0, 0],
+            &[0, 0, 0, 0],
+            &[0, 0, 0, 0],
+            &[0, 0, 0, 0],
+        ],
+        "summits out of contact",
     );
 }

@@ -72,8 +72,10 @@ fn a_batch_has_the_bits_of_single_steps() {
     const N: usize = 300;
     let mut random = SplitMix(5);
     for handle in handles() {
+        // Of 16 contacts the last three have no load, are apart, and have none that is a number.
+        let kind = |i: usize| (i % 16).saturating_sub(12);
         let loads: Vec<f64> =
-            (0..N).map(|i| [1e-4 * 1e8_f64.powf(random.between(0.0, 1.0)), 0.0, -1.0, f64::NAN][i % 16 / 13]).collect();
+            (0..N).map(|i| [1e-4 * 1e8_f64.powf(random.between(0.0, 1.0)), 0.0, -1.0, f64::NAN][kind(i)]).collect();
         let mut states = vec![[0.0; STATE]; N];
         for round in 0..6 {
             let increments: Vec<[f64; 2]> = (0..N)
@@ -107,8 +109,11 @@ fn a_batch_has_the_bits_of_single_steps() {
             }
             for i in 0..N {
                 let (status, single) = &steps[i];
+                assert_eq!(*status, [OK, OK, SEPARATED, INVALID_LOAD][kind(i)], "{i}");
                 match *status {
                     OK | SEPARATED => {
+                        let is_open = *status == SEPARATED || (kind(i) == 1 && handle.summary().pull_off_load == 0.0);
+                        assert!(!is_open || (force[i], stiffness[i], after[i]) == ([0.0; 2], [0.0; 4], [0.0; STATE]));
                         assert_eq!(
                             (bytes(&force[i]), bytes(&stiffness[i])),
                             (bytes(&single.force), bytes(&single.stiffness))
@@ -124,7 +129,7 @@ fn a_batch_has_the_bits_of_single_steps() {
             // In place.
             let place = states.as_mut_ptr().cast();
             // SAFETY: as above; outputs are not asked for.
-            unsafe {
+            let in_place = unsafe {
                 asperity_microslip_steps(
                     handle.0,
                     N,
@@ -134,9 +139,26 @@ fn a_batch_has_the_bits_of_single_steps() {
                     place,
                     null_mut(),
                     null_mut(),
-                );
-            }
-            assert_eq!(states, singles);
+                )
+            };
+            assert_eq!((in_place, &states), (status, &singles));
+            // From the first load that is no number on: it is the first that is told of.
+            let (begin, no) = (15, null_mut());
+            // SAFETY: as above.
+            let status = unsafe {
+                asperity_microslip_steps(
+                    handle.0,
+                    N - begin,
+                    loads[begin..].as_ptr(),
+                    increments[begin..].as_ptr().cast(),
+                    states[begin..].as_ptr().cast(),
+                    no,
+                    no,
+                    no,
+                )
+            };
+            assert_eq!(status, INVALID_LOAD);
+            assert!(message().starts_with("element 0: load = NaN"), "{}", message());
         }
     }
 }
@@ -188,23 +210,32 @@ fn what_is_not_in_order_is_named_and_nothing_is_written() {
         assert_eq!(status == SEPARATED, out.dforce_dload == [0.0; 2], "{load}: {out:?}");
     }
     let mut out = asperity_microslip { struct_size: 12, ..asperity_microslip::empty() };
-    let (one, mut state) = ([0.0; 2], [0.0; STATE]);
+    let (before, mut after) = ([0.0; STATE], [UNTOUCHED; STATE]);
     // SAFETY: what is refused is not read.
     unsafe {
-        let (x, s) = (one.as_ptr(), state.as_mut_ptr());
-        assert_eq!(asperity_microslip_step(handle.0, 1.0, x, s, s, &mut out), INVALID_PARAMETER);
+        let (x, s, a) = (fine.as_ptr(), before.as_ptr(), after.as_mut_ptr());
+        assert_eq!(asperity_microslip_step(handle.0, 1.0, x, s, a, &mut out), INVALID_PARAMETER);
         out.struct_size = size_of::<asperity_microslip>() as u64;
         assert_eq!(asperity_microslip_step(handle.0, 1.0, x, s, null_mut(), &mut out), OK);
-        assert_eq!(asperity_microslip_step(null(), 1.0, x, s, s, &mut out), NULL_POINTER);
-        assert_eq!(asperity_microslip_step(handle.0, 1.0, null(), s, s, &mut out), NULL_POINTER);
-        assert_eq!(asperity_microslip_step(handle.0, 1.0, x, null(), s, &mut out), NULL_POINTER);
-        assert_eq!(asperity_microslip_step(handle.0, 1.0, x, s, s, null_mut()), NULL_POINTER);
+        assert_eq!(asperity_microslip_step(null(), 1.0, x, s, a, &mut out), NULL_POINTER);
+        assert_eq!(asperity_microslip_step(handle.0, 1.0, null(), s, a, &mut out), NULL_POINTER);
+        assert_eq!(asperity_microslip_step(handle.0, 1.0, x, null(), a, &mut out), NULL_POINTER);
+        assert_eq!(asperity_microslip_step(handle.0, 1.0, x, s, a, null_mut()), NULL_POINTER);
+        // Also where the surfaces are apart, which is an answer only if there is a place for it.
+        assert_eq!(asperity_microslip_step(handle.0, -1.0, x, s, a, null_mut()), NULL_POINTER);
         let (no, f) = (null_mut(), out.force.as_mut_ptr());
         assert_eq!(asperity_microslip_steps(handle.0, 0, null(), null(), null(), no, no, no), OK);
-        assert_eq!(asperity_microslip_steps(handle.0, 1, null(), x, s, s, f, no), NULL_POINTER);
-        assert_eq!(asperity_microslip_steps(handle.0, 1, x, null(), s, s, f, no), NULL_POINTER);
-        assert_eq!(asperity_microslip_steps(handle.0, 1, x, x, null(), s, f, no), NULL_POINTER);
+        assert_eq!(asperity_microslip_steps(null(), 1, x, x, s, a, f, no), NULL_POINTER);
+        assert_eq!(asperity_microslip_steps(handle.0, 1, null(), x, s, a, f, no), NULL_POINTER);
+        assert_eq!(asperity_microslip_steps(handle.0, 1, x, null(), s, a, f, no), NULL_POINTER);
+        assert_eq!(asperity_microslip_steps(handle.0, 1, x, x, null(), a, f, no), NULL_POINTER);
+        // Of many, what is not in order by its load, its increment or its state.
+        let (infinite, bad) = ([0.0, f64::INFINITY], bad_state.as_ptr());
+        assert_eq!(asperity_microslip_steps(handle.0, 1, &f64::NAN, x, s, a, f, no), INVALID_LOAD);
+        assert_eq!(asperity_microslip_steps(handle.0, 1, &1.0, infinite.as_ptr(), s, a, f, no), INVALID_PARAMETER);
+        assert_eq!(asperity_microslip_steps(handle.0, 1, &1.0, x, bad, a, f, no), INVALID_PARAMETER);
     }
+    assert_eq!(after, [UNTOUCHED; STATE]);
 }
 
 /// States and displacements as no solver has them: the forces stay within the strength, and everything is a number.

@@ -2,13 +2,12 @@
 //! for bit.
 
 use crate::common::assert_near;
-use crate::common::processor_time::processor_time;
+use crate::common::processor_time::{processor_time, LONGEST_CALL};
 use crate::common::splitmix::SplitMix;
 use crate::interface::*;
 use std::ffi::{c_char, CString};
 use std::path::Path;
 use std::ptr::{null, null_mut};
-use std::time::Duration;
 
 /// Hard carbon on hard carbon, as on docs/surface-file.md.
 const CARBON: &str = "nominal_area = 1e-6
@@ -29,7 +28,6 @@ m2 = 1.8e-3
 m4 = 3.3736e11
 ";
 /// No text may take longer, ten times what the longest takes.
-const LONGEST_CALL: Duration = Duration::from_secs(1);
 /// As long as a text may be.
 const MIB: usize = 1 << 20;
 

@@ -1,10 +1,9 @@
 //! What fuzzing and the sweep over the box of parameters found, each kept as a case.
 
 use crate::common::neighbours::Neighbours;
-use crate::common::processor_time::processor_time;
+use crate::common::processor_time::{processor_time, LONGEST_CALL};
 use crate::common::surfaces::dimensionless;
 use asperity::{HeightFamily, Model, Params};
-use std::time::Duration;
 
 fn surface(alpha: f64, beta: f64, gamma: f64, b_over_h: f64, shape: f64) -> Params {
     Params {
@@ -99,7 +98,7 @@ fn a_pull_off_load_that_is_no_number_is_none() {
 
 /// Where radii vanish slowly below, to its last digits, it took 100 s.
 #[test]
-fn no_model_takes_a_second_to_make() {
+fn a_model_whose_radii_vanish_slowly_is_made_in_time() {
     let params = Params {
         composite_modulus: 55138.43262183106,
         effective_shear_modulus: 38596.90283528174,
@@ -116,7 +115,7 @@ fn no_model_takes_a_second_to_make() {
     let start = processor_time();
     let model = Model::new(&params).expect("a model");
     let took = processor_time() - start;
-    assert!(took < Duration::from_millis(700) || cfg!(debug_assertions), "{took:?}, {:?}", model.summary());
+    assert!(took < LONGEST_CALL || cfg!(debug_assertions), "{took:?}, {:?}", model.summary());
 }
 
 /// A panel of the branch, three times as long as the one before, was as long as all that was left but for a rounding: the next
@@ -191,7 +190,7 @@ fn sums_do_not_stop_where_contact_radii_are_steep() {
         let start = processor_time();
         let model = Model::new(&params).expect("a model");
         let took = processor_time() - start;
-        assert!(took < Duration::from_millis(700) || cfg!(debug_assertions), "{took:?}");
+        assert!(took < LONGEST_CALL || cfg!(debug_assertions), "{took:?}");
         assert!(
             model.summary().pull_off_load > -1e-100 && model.summary().pull_off_load <= 0.0,
             "{:?}",

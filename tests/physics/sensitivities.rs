@@ -10,8 +10,8 @@ use std::time::Duration;
 /// What is promised, relative to 1 or to a sensitivity that is larger.
 const ACCURACY: f64 = 1e-7;
 const SEED: u64 = 0x5e45_1715;
-/// The longest time of a call.
-const LONGEST: Duration = Duration::from_millis(2);
+/// The longest processor time of a call, which is ten times what it takes: a few sums, not a new model.
+const LONGEST: Duration = Duration::from_millis(20);
 
 /// A parameter, its sensitivity, and what the parameter is after a change: of its logarithm, but for two.
 struct Parameter {
@@ -340,7 +340,7 @@ fn equal_radii_have_no_rate() {
 }
 
 #[test]
-fn sensitivities_take_less_than_two_milliseconds() {
+fn sensitivities_take_milliseconds() {
     for (heights, amplitude) in [
         (HeightFamily::Gaussian, 0.0),
         (HeightFamily::Weibull { shape: 2.2 }, 0.5),

@@ -1,9 +1,9 @@
 //! Each function of the C interface, called with its oracles: a documented status with a message, outputs untouched
-//! where it is refused, no floating-point flag raised, no call longer than a second, answers that agree with each other.
+//! where it is refused, no floating-point flag raised, no call without end, answers that agree with each other.
 
 use super::TABLE_AT;
 use crate::common::neighbours::Neighbours;
-use crate::common::processor_time::processor_time;
+use crate::common::processor_time::{processor_time, LONGEST_CALL};
 use crate::interface::*;
 use std::collections::BTreeMap;
 use std::ffi::{c_char, CStr};
@@ -11,8 +11,6 @@ use std::hint::black_box;
 use std::ptr::{null, null_mut};
 use std::time::Duration;
 
-/// No call may take longer, of this thread's processor time: the machine may be busy elsewhere.
-const LONGEST_CALL: Duration = Duration::from_secs(1);
 /// Heavier loads, in `composite_modulus burgers_vector^2 asperity_count`, may be out of range.
 const HEAVIEST: f64 = 0.9e80;
 /// The accuracy of an exact load, relative to the loads that it is the difference of: next to pull-off, where friction
