@@ -148,6 +148,25 @@ def test_the_inputs_that_no_default_can_stand_for_are_asked_for() -> None:
     assert Params.paper() == Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001)
 
 
+def test_what_a_new_user_gets_wrong_is_refused_or_told() -> None:
+    summits: dict[str, Any] = {"height_std": 0.3e-6, "summit_radius": 1e-5, "asperity_count": 1.7e6, "nominal_area": 1e-4}
+    steel = Params.si(**PAIRS["steel/steel"].contact, **summits)
+    measured = steel.calibrated(20.0, 0.16)
+    assert Model(measured).friction_at_load(20.0) == pytest.approx(0.16, rel=1e-8)
+    assert not Model(measured).uncalibrated
+    for not_measured in (steel, steel.replace(asperity_count=1.0, nominal_area=0.0), steel.replace(slip_radius_1=20.0)):
+        assert Model(not_measured).uncalibrated
+    for wrong, message in (
+        (lambda: Model(steel.replace(slip_radius_1=10.75e-9)), "is it a length\\? It is a ratio to burgers_vector"),
+        (lambda: steel.calibrated(20.0, 47.0), "must be > 0 and at most 20; is it a force\\?"),
+        (lambda: steel.calibrated(0.0, 0.16), "calibration_load = 0: must be > 0"),
+        (lambda: Model(steel.replace(nominal_area=100.0)), "is nominal_area in mm\\^2"),
+        (lambda: Model(steel.replace(asperity_count=1.7e10)), "a number of summits and not a density"),
+    ):
+        with pytest.raises(Error, match=message):
+            wrong()
+
+
 def test_other_units_change_numbers_and_no_friction(params: Params) -> None:
     params = params.replace(nominal_area=1e8).calibrated(2.0, 0.4)
     other = params.in_units(length=1e-3, force=10.0)
