@@ -38,7 +38,7 @@ fn made(set: impl FnOnce(&mut Params) -> Result<(), Error>) -> Result<asperity_p
     Ok(asperity_params::from_params(&params))
 }
 
-/// What the functions below set, which also parameters by name, pairs of materials and interfaces set.
+/// What the functions below set, and those of pairs of materials and of interfaces.
 impl asperity_params {
     pub(super) fn set_materials(&mut self, [young_1, poisson_1, young_2, poisson_2]: [f64; 4]) -> Result<(), Failure> {
         take! { made(|params| params.set_materials(young_1, poisson_1, young_2, poisson_2))? => self;

@@ -8,20 +8,25 @@ use std::mem::size_of;
 
 const HEADER: &str = include_str!("../../include/asperity.h");
 
-/// A number of the parameters, where it lies in them, the symbol that its comment begins with, and its domain.
+/// A number of the parameters, where it lies in them, the symbol that its comment begins with, its unit, and its domain, empty
+/// where there is none.
 struct Field {
     name: &'static str,
     offset: usize,
     symbol: &'static str,
+    unit: &'static str,
     domain: &'static str,
 }
 
 /// One end of a domain: whether the bound belongs to it, and its text.
 type End = (bool, &'static str);
 
-fn fields() -> Vec<Field> {
+fn body() -> &'static str {
     let body = HEADER.split("typedef struct asperity_params {").nth(1).expect("the struct");
-    let body = body.split("} asperity_params;").next().expect("its end");
+    body.split("} asperity_params;").next().expect("its end")
+}
+
+fn fields() -> Vec<Field> {
     let mut end = 0;
     let field = |part: &'static str| {
         let (comment, declaration) = part.split_once("*/")?;
@@ -34,14 +39,15 @@ fn fields() -> Vec<Field> {
         let offset = usize::next_multiple_of(end, size);
         end = offset + size;
         let (symbol, rest) = comment.trim_start_matches(['*', ' ', '\n']).split_once(" [")?;
-        let domain = rest.split_once("], ")?.1;
+        let (unit, rest) = rest.split_once(']')?;
+        let domain = rest.strip_prefix(", ").unwrap_or(".");
         // It ends at a colon, a comma or the like, which in a number has no space after it.
         let ends = domain.char_indices().filter(|&(_, c)| [':', ';', ',', '.'].contains(&c));
         let mut ends = ends.map(|(i, _)| i).filter(|&i| domain[i + 1..].starts_with(char::is_whitespace));
-        let domain = &domain[..ends.next()?];
-        (kind == "double").then_some(Field { name, offset, symbol, domain })
+        let domain = &domain[..ends.next().unwrap_or_default()];
+        (kind == "double").then_some(Field { name, offset, symbol, unit, domain })
     };
-    body.split("/**").filter_map(field).collect()
+    body().split("/**").filter_map(field).collect()
 }
 
 /// The lower and the upper end of a domain; none of what is no domain.
@@ -143,4 +149,28 @@ fn parameters_are_taken_where_the_header_says_and_no_further() {
         }
     }
     assert!(checked >= 20, "{checked} domains are understood");
+}
+
+#[test]
+fn other_units_convert_every_parameter_by_the_unit_that_the_header_says() {
+    let (length, force) = (1e-3, 10.0);
+    let fields = fields();
+    assert_eq!(fields.len(), body().matches("\n  double ").count());
+    let mut params = asperity_params::initial();
+    fields.iter().for_each(|field| field.write(&mut params, 1.0));
+    // SAFETY: an initialised struct.
+    assert_eq!(unsafe { asperity_params_set_units(&mut params, length, force) }, OK, "{}", message());
+    for field in &fields {
+        let unit = match field.unit {
+            "-" => 1.0,
+            "length" => length,
+            "length^2" => length * length,
+            "force" => force,
+            "force/length" => force / length,
+            "stress" => force / (length * length),
+            other => panic!("{}: [{other}] is no unit that is converted", field.name),
+        };
+        let found = field.read(&params);
+        assert!((found * unit - 1.0).abs() < 1e-14, "{} [{}]: {found}", field.name, field.unit);
+    }
 }
