@@ -136,6 +136,8 @@ module asperity
                                                     ! default: not calibrated
     real(c_double) :: calibration_error             ! Relative standard error of that measurement [-], > 0 and at most
                                                     ! 1; 0.05 by default
+    real(c_double) :: summit_mean_height            ! Height of the mean of the summits above the mean plane of the
+                                                    ! surface [length], >= 0; 0, the default, means not known
   end type asperity_params
 
   ! What is known of a material, in SI units

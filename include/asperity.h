@@ -232,6 +232,9 @@ typedef struct asperity_params {
   double calibration_friction_force;
   /** Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default. */
   double calibration_error;
+  /** Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not known.
+   */
+  double summit_mean_height;
 } asperity_params;
 
 /** What is known of a material, in SI units. 0 means that no source is known. */

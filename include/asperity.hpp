@@ -609,6 +609,12 @@ public:
     double calibration_error() const noexcept { return c_.calibration_error; }
     /// Sets it.
     Params &calibration_error(double value) noexcept { return assign(c_.calibration_error, value); }
+
+    /// Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not
+    /// known.
+    double summit_mean_height() const noexcept { return c_.summit_mean_height; }
+    /// Sets it.
+    Params &summit_mean_height(double value) noexcept { return assign(c_.summit_mean_height, value); }
     // end of parameters
 
     /// The heights of the table; none by default.

@@ -44,7 +44,7 @@ export const CONSTANTS = /** @type {const} */ ({
 /** Where the fields of the structs lie in WebAssembly's memory. @type {Record<string, Layout>} */
 export const LAYOUTS = {
   asperity_params: {
-    size: 248,
+    size: 256,
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
       { name: "composite_modulus", type: "double", offset: 8 },
@@ -80,6 +80,7 @@ export const LAYOUTS = {
       { name: "calibration_load", type: "double", offset: 224 },
       { name: "calibration_friction_force", type: "double", offset: 232 },
       { name: "calibration_error", type: "double", offset: 240 },
+      { name: "summit_mean_height", type: "double", offset: 248 },
     ],
   },
   asperity_material_data: {
@@ -346,4 +347,5 @@ export const WORDS = {
  * @property {number} [calibration_load] Load of the measurement that set the strength of the interface [force]; 0 if there was none.
  * @property {number} [calibration_friction_force] Friction force measured at that load [force], >= 0; 0, the default: not calibrated.
  * @property {number} [calibration_error] Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default.
+ * @property {number} [summit_mean_height] Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not known.
  */

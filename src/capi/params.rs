@@ -128,6 +128,8 @@ pub struct asperity_params {
     pub calibration_friction_force: f64,
     /// Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default.
     pub calibration_error: f64,
+    /// Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not known.
+    pub summit_mean_height: f64,
 }
 
 /// Size of the struct.
@@ -156,6 +158,7 @@ macro_rules! with_same_numbers {
             calibration_load: $from.calibration_load,
             calibration_friction_force: $from.calibration_friction_force,
             calibration_error: $from.calibration_error,
+            summit_mean_height: $from.summit_mean_height,
             $($others)*
         }
     };

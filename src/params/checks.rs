@@ -45,6 +45,7 @@ impl Params {
         let default_modulus = "must be finite and >= 0; 0 stands for E* G* / (2 (E* + G*))";
         not_negative("tangential_modulus", self.tangential_modulus, default_modulus)?;
         not_negative("nominal_area", self.nominal_area, "must be finite and >= 0; 0 means not known")?;
+        not_negative("summit_mean_height", self.summit_mean_height, "must be finite and >= 0; 0 means not known")?;
         let no_bandwidth = "must be at least 1.5, the least of isotropic surfaces; 0 means not known";
         not_negative("bandwidth", self.bandwidth, no_bandwidth)?;
         if self.bandwidth != 0.0 && self.bandwidth < LEAST_BANDWIDTH {

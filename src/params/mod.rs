@@ -88,6 +88,9 @@ pub struct Params {
     pub calibration_friction_force: f64,
     /// The relative standard error of that measurement.
     pub calibration_error: f64,
+    /// Height of the mean of the summits above the mean plane of the surface [length]; 0 if not known: gaps then count from the
+    /// mean of the summits.
+    pub summit_mean_height: f64,
 }
 
 impl Default for Params {
@@ -143,6 +146,7 @@ impl Params {
             calibration_load: 0.0,
             calibration_friction_force: 0.0,
             calibration_error: 0.05,
+            summit_mean_height: 0.0,
         };
         params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
         params
@@ -395,6 +399,7 @@ impl Params {
             burgers_vector: self.burgers_vector * length,
             height_std: self.height_std * length,
             summit_radius: self.summit_radius * length,
+            summit_mean_height: self.summit_mean_height * length,
             ..self.clone()
         }
     }

@@ -74,7 +74,8 @@ typedef struct asperity_params {
   double calibration_load; /* 232, 8 */
   double calibration_friction_force; /* 240, 8 */
   double calibration_error; /* 248, 8 */
-} asperity_params; /* 256 */
+  double summit_mean_height; /* 256, 8 */
+} asperity_params; /* 264 */
 
 typedef struct asperity_material_data {
   uint64_t struct_size; /* 0, 8 */

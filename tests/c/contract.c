@@ -403,6 +403,7 @@ static void names_are_those_of_the_fields(void)
     NAMES(pressure_coefficient, 2);
     NAMES(bandwidth, 2);
     NAMES(calibration_error, 2);
+    NAMES(summit_mean_height, 2);
     NAMES(contact_law, 1);
     NAMES(slip_onset, 1);
     NAMES(weibull_shape, 2);

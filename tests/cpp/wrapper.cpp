@@ -157,6 +157,7 @@ void each_setter_sets_its_own_field() {
     FIELD(calibration_load, 20.0);
     FIELD(calibration_friction_force, 3.2);
     FIELD(calibration_error, 0.1);
+    FIELD(summit_mean_height, 2e-9);
 }
 
 void a_table_is_copied_and_shared() {

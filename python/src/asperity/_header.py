@@ -84,6 +84,7 @@ class asperity_params(Structure):
         ("calibration_load", c_double),
         ("calibration_friction_force", c_double),
         ("calibration_error", c_double),
+        ("summit_mean_height", c_double),
     ]
 
 
@@ -356,6 +357,7 @@ UNITS = {
     "nominal_area": "length^2",
     "calibration_load": "force",
     "calibration_friction_force": "force",
+    "summit_mean_height": "length",
     "load": "force",
     "separation": "length",
     "friction_force": "force",
