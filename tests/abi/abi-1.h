@@ -35,6 +35,7 @@
 #define ASPERITY_WARNING_UNCALIBRATED 64
 #define ASPERITY_WARNING_BROAD 128
 #define ASPERITY_WARNING_STRONG 256
+#define ASPERITY_WARNING_FEW_WAVES 512
 #define ASPERITY_TABLE_LAYOUT 1
 typedef struct asperity_model asperity_model;
 typedef int32_t asperity_status;
