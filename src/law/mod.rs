@@ -12,6 +12,7 @@ mod curve;
 mod fill;
 mod gap;
 mod panel;
+mod planes;
 mod position;
 mod row;
 mod shares;
@@ -29,10 +30,11 @@ use curve::Curve;
 use fill::{Filling, Source};
 pub use gap::Gap;
 use panel::Sample;
+use planes::Planes;
 use shares::Shares;
 
 pub use curve::Unfollowed;
-use gap::Lengths;
+pub use gap::Lengths;
 pub use row::{polynomial, Row};
 #[cfg(target_arch = "x86_64")]
 pub use row::{COEFFICIENTS, DIVISIONS, OFFSET};
@@ -60,7 +62,7 @@ const LIGHTEST_PULL_OFF: f64 = 1e-30;
 pub enum Quantity {
     /// The friction force.
     Friction,
-    /// The sum of contact radii, to which the tangential stiffness is proportional.
+    /// The sum of contact radii over psi, to which the tangential stiffness is proportional.
     Radius,
 }
 
@@ -73,16 +75,17 @@ impl Quantity {
     pub fn of(self, sums: &Sums) -> (f64, f64) {
         match self {
             Self::Friction => (sums.friction, sums.friction_slope),
-            Self::Radius => (sums.radius, sums.radius_slope),
+            Self::Radius => sums.spread_radius(),
         }
     }
 }
 
-/// Friction force and tangential stiffness against load, and load against separation.
+/// Friction force and tangential stiffness against load, and load against gap.
 #[derive(Debug, Clone)]
 pub struct Law {
     compiled: [Compiled; Quantity::COUNT],
     gap: Gap,
+    planes: Option<Box<Planes>>,
     shares: Shares,
 }
 
@@ -131,11 +134,12 @@ impl Reach {
 }
 
 impl Law {
-    /// Compiles the law in units of load, of each quantity and of length.
+    /// Compiles the law in units of load, of each quantity and of length; `mean_height` is that of the mean of the summits above the
+    /// mean plane, in that unit.
     ///
     /// # Errors
     /// [`Unfollowed`] where the load rises with separation already: the branch ends before.
-    pub fn new(branch: &Branch, load: f64, units: [f64; Quantity::COUNT], length: f64) -> Result<Self, Unfollowed> {
+    pub fn new(branch: &Branch, load: f64, units: [f64; Quantity::COUNT], lengths: Lengths) -> Result<Self, Unfollowed> {
         let mut samples = Vec::new();
         let reach = Reach::of(branch);
         let curve = Curve::new(branch, reach, &mut samples)?;
@@ -146,9 +150,8 @@ impl Law {
             compiled
         });
         let shares = Shares::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
-        let lengths = Lengths { unit: length, origin: branch.population().heights().origin() };
         let gap = Gap::new(branch, &curve, reach, lengths, load);
-        Ok(Self { compiled, gap, shares })
+        Ok(Self { compiled, gap, planes: curve.into_planes(), shares })
     }
 
     /// The table of a quantity.
@@ -183,7 +186,24 @@ impl Law {
         &self.shares
     }
 
-    /// Load against separation.
+    /// The gap between mean planes at a separation of the population, in the caller's unit.
+    pub fn gap_at(&self, separation: f64) -> f64 {
+        let gap = self.planes.as_ref().map_or(separation, |planes| planes.gap(separation));
+        self.gap.lengths().callers(gap)
+    }
+
+    /// The separation of the population at a gap in the caller's unit.
+    pub fn separation_at(&self, gap: f64) -> f64 {
+        let gap = self.gap.lengths().dimensionless(gap);
+        self.planes.as_ref().map_or(gap, |planes| planes.separation(gap).0)
+    }
+
+    /// The separation that carries a load, to some digits; `None` beyond the table.
+    pub fn separation_of(&self, load: f64) -> Option<f64> {
+        self.gap.of_load(load).map(|gap| self.separation_at(gap))
+    }
+
+    /// Load against gap.
     #[inline]
     pub fn gap(&self) -> &Gap {
         &self.gap

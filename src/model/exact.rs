@@ -22,13 +22,13 @@ const PULL_OFF_UNDERFLOWS: &str =
     "the surfaces adhere, but the pull-off load of so rough ones is too small for a number and \
     counts as 0; must be > 0, or sum single summits (asperity_summits_at_overlaps; asperity.pads in Python)";
 
-/// The exact state of the contact at a load or a separation.
+/// The exact state of the contact at a load or a gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Normal load [force].
     pub load: f64,
-    /// Separation d of the mean planes of summit heights and flat [length].
-    pub separation: f64,
+    /// Gap between the mean planes of the surfaces [length]; from the mean of the summits without a `summit_mean_height`.
+    pub gap: f64,
     /// Friction force [force].
     pub friction_force: f64,
     /// Friction coefficient, capped; see [`Model::friction_at_load`].
@@ -37,8 +37,8 @@ pub struct State {
     pub dforce_dload: f64,
     /// d(friction coefficient)/d(load) [1/force]; 0 where the coefficient is capped.
     pub dmu_dload: f64,
-    /// d(load)/d(separation) [force/length].
-    pub dload_dseparation: f64,
+    /// d(load)/d(gap) [force/length].
+    pub dload_dgap: f64,
     /// Real area of contact [length^2].
     pub real_area: f64,
     /// Number of summits in contact.
@@ -75,7 +75,8 @@ pub struct State {
     pub fraction_elastic: f64,
     /// Fraction of the contacts that are fully plastic.
     pub fraction_flowing: f64,
-    /// Sum of the radii of all contacts [length]: the constriction conductance of independent contacts is 2 k times it.
+    /// Sum of the radii of all contacts over psi, by which neighbours make it larger [length]: the constriction conductance is 2 k
+    /// times it. psi is 1 where the nominal area is not known.
     pub contact_radius_sum: f64,
     /// Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
     pub hertz_load: f64,
@@ -124,7 +125,7 @@ impl Model {
         let mut state = self.state(load, separation, &sums)?;
         if self.is_pull_off(load) {
             state.dforce_dload = f64::INFINITY;
-            state.dload_dseparation = 0.0;
+            state.dload_dgap = 0.0;
         }
         Ok(state)
     }
@@ -173,7 +174,7 @@ impl Model {
         }
         // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
         let log_excess = log(load - pull_off) - log(self.units.load);
-        let guess = self.law.gap().separation_of(load);
+        let guess = self.law.separation_of(load);
         // A guess may lead nowhere where the load hardly changes with separation.
         self.branch.at_log_excess(log_excess, guess).or_else(|_| self.branch.at_log_excess(log_excess, None))
     }
@@ -192,10 +193,10 @@ impl Model {
             return Ok((0.0, 0.0));
         }
         let (separation, sums) = self.equilibrium_at(load)?;
-        let stiffness = sums.radius * self.units.stiffness;
+        let stiffness = sums.spread_radius().0 * self.units.stiffness;
         let force = sums.friction * self.units.force;
-        // 8 G^ delta a over G* b^2 and a/b.
-        let unit = self.units.stiffness / self.units.force;
+        // 8 G^ delta a over G* b^2 and a/b; a contact is displaced by more than the mean planes are.
+        let unit = self.units.stiffness / self.units.force / sums.psi();
         let force_over_radius = displacement.abs().min(LARGEST_DISPLACEMENT / unit) * unit;
         if force_over_radius < SMALLEST_DISPLACEMENT {
             return Ok((stiffness * displacement, stiffness));
@@ -360,14 +361,15 @@ impl Model {
             scatter_and_bias(contacts.friction_variance, sums.contacting * units.count, units.count);
         let mean_asperity_pressure =
             if sums.area > 0.0 { sums.load_contacting / sums.area * self.params.composite_modulus } else { 0.0 };
+        let (spread_radius, _) = sums.spread_radius();
         let mut state = State {
             load,
-            separation: (separation + self.branch.population().heights().origin()) * units.length,
+            gap: self.law.gap_at(separation),
             friction_force,
             friction_coefficient: coefficient,
             dforce_dload,
             dmu_dload,
-            dload_dseparation: load_slope * units.load / units.length,
+            dload_dgap: load_slope / sums.psi() * units.load / units.length,
             real_area: sums.area * units.area,
             contacting: sums.contacting * units.count,
             attracted: sums.attracted * units.count,
@@ -382,10 +384,10 @@ impl Model {
             plasticity_index: self.plasticity_index(),
             mean_steepness: contacts.mean_steepness * self.params.burgers_vector / self.params.summit_radius,
             warnings: 0,
-            tangential_stiffness: sums.radius * units.stiffness,
+            tangential_stiffness: spread_radius * units.stiffness,
             fraction_elastic: contacts.elastic,
             fraction_flowing: contacts.flowing,
-            contact_radius_sum: sums.radius * self.params.burgers_vector * units.count,
+            contact_radius_sum: spread_radius * self.params.burgers_vector * units.count,
             hertz_load: sums.hertz_load * units.load,
             friction_scatter,
             friction_bias,

@@ -18,12 +18,12 @@ use crate::float_bits::finite;
 use crate::groups::Groups;
 #[cfg(target_arch = "x86_64")]
 use crate::law::Continuation;
-use crate::law::{Law, Quantity, Table, Unfollowed};
+use crate::law::{Law, Lengths, Quantity, Table, Unfollowed};
 use crate::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
 pub use exact::{State, SummitState};
-pub(crate) use gap::by_separation;
+pub(crate) use gap::by_gap;
 pub use microslip::MicroslipStep;
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
@@ -123,7 +123,10 @@ impl Model {
         let units = Units::new(params);
         let population = Population::new(&groups, params.slip_law(), heights, radius, params.attraction)?;
         let compile = |branch: &Branch| {
-            Law::new(branch, units.load, Quantity::ALL.map(|quantity| units.of(quantity)), units.length)
+            // Heights count from the mean of the summits, gaps from the mean plane.
+            let origin = branch.population().heights().origin() + params.summit_mean_height / units.length;
+            let lengths = Lengths { unit: units.length, origin };
+            Law::new(branch, units.load, Quantity::ALL.map(|quantity| units.of(quantity)), lengths)
         };
         let mut branch = Branch::new(population)?;
         let mut law = compile(&branch);

@@ -77,7 +77,7 @@ fn weibull_moments_have_the_closed_forms_of_exponential_and_rayleigh() {
 fn groups_of_lambda(lambda: f64) -> Groups {
     let (alpha, beta) = (0.01, 1000.0);
     let gamma = (lambda.powi(3) * 2.0 * PI * alpha / (9.0 * beta)).sqrt();
-    Groups { alpha, beta, gamma, b_over_h: 1.0, hardness: f64::INFINITY, yields: false }
+    Groups { alpha, beta, gamma, b_over_h: 1.0, hardness: f64::INFINITY, yields: false, nominal_area: 0.0 }
 }
 
 /// pi w R' in E* b^2, for a summit of radius g R.
