@@ -41,7 +41,7 @@ private:
         const double sigma = surface.params.height_std;
         asperity_state far, half;
         far.struct_size = half.struct_size = sizeof far;
-        require(asperity_state_at_separation(model_.get(), 0.0, &half));
+        require(asperity_state_at_gap(model_.get(), 0.0, &half));
         require(asperity_state_at_load(model_.get(), 1e-8 * std::fabs(half.load), &far));
         for (size_t i = 0; i < kCount; ++i) {
             close_[i] = uniform(-6.0 * sigma, far.separation);
@@ -78,13 +78,13 @@ private:
         const asperity_model *model = model_.get();
         static double value[kCount], slope[kCount];
         const auto batch = [model](const std::vector<double> &at, double *slopes) {
-            asperity_loads_at_separations(model, kCount, at.data(), value, slopes);
+            asperity_loads_at_gaps(model, kCount, at.data(), value, slopes);
             asm volatile("" : : "r"(value), "r"(slope) : "memory");
         };
         const Interleaved times({
             each("scalar F", [this, model](size_t i) { return asperity_friction_force_at_load(model, load_[i]); }),
-            each("load at separation", [this, model](size_t i) { return asperity_load_at_separation(model, close_[i]); }),
-            each("load at separation, all kinds", [this, model](size_t i) { return asperity_load_at_separation(model, all_[i]); }),
+            each("load at separation", [this, model](size_t i) { return asperity_load_at_gap(model, close_[i]); }),
+            each("load at separation, all kinds", [this, model](size_t i) { return asperity_load_at_gap(model, all_[i]); }),
             call("loads at separations", [this, batch] { batch(close_, nullptr); }),
             call("loads at separations and slopes", [this, batch] { batch(close_, slope); }),
             call("loads at separations, all kinds", [this, batch] { batch(all_, nullptr); }),

@@ -213,7 +213,7 @@ module asperity
                                                     ! asperity_friction_at_load returns it
     real(c_double) :: dforce_dload                  ! dF/dP [-]; infinity at the pull-off load itself
     real(c_double) :: dmu_dload                     ! d(F/P)/dP [1/force]; 0 where the coefficient is capped
-    real(c_double) :: dload_dseparation             ! dP/dd [force/length]: minus the normal contact stiffness
+    real(c_double) :: dload_dgap             ! dP/dd [force/length]: minus the normal contact stiffness
     real(c_double) :: real_area                     ! Real area of contact [length^2]
     real(c_double) :: contacting                    ! Number of summits in contact [-]; need not be an integer
     real(c_double) :: attracted                     ! Number of summits that attract without contact [-]
@@ -844,40 +844,40 @@ module asperity
     end function asperity_microslip_steps
 
     ! Load at a separation of the mean planes, from the compiled law
-    pure function asperity_load_at_separation(model, separation) bind(c)
+    pure function asperity_load_at_gap(model, separation) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
       real(c_double), intent(in), value :: separation
                                                     ! of the mean planes of asperity heights and flat [length]; negative
                                                     ! in deep compression
-      real(c_double) :: asperity_load_at_separation
-    end function asperity_load_at_separation
+      real(c_double) :: asperity_load_at_gap
+    end function asperity_load_at_gap
 
     ! Load at a separation, with its slope
-    function asperity_load_and_slope_at_separation(model, separation, dload_dseparation) bind(c)
+    function asperity_load_and_slope_at_gap(model, separation, dload_dgap) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: separation ! as for asperity_load_at_separation
-      type(c_ptr), intent(in), value :: dload_dseparation
+      real(c_double), intent(in), value :: separation ! as for asperity_load_at_gap
+      type(c_ptr), intent(in), value :: dload_dgap
                                                     ! real(c_double): receives d(load)/d(separation) [force/length], <=
                                                     ! 0: minus the normal stiffness; 0 at pull-off and beyond; NaN where
                                                     ! the load is
-      real(c_double) :: asperity_load_and_slope_at_separation
-    end function asperity_load_and_slope_at_separation
+      real(c_double) :: asperity_load_and_slope_at_gap
+    end function asperity_load_and_slope_at_gap
 
     ! Loads at many separations, and their slopes
-    function asperity_loads_at_separations(model, n, separation, load, dload_dseparation) bind(c)
+    function asperity_loads_at_gaps(model, n, separation, load, dload_dgap) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
       integer(c_size_t), intent(in), value :: n     ! number of separations
       type(c_ptr), intent(in), value :: separation  ! real(c_double): n separations [length]
       type(c_ptr), intent(in), value :: load        ! real(c_double): receives n loads [force]
-      type(c_ptr), intent(in), value :: dload_dseparation
+      type(c_ptr), intent(in), value :: dload_dgap
                                                     ! real(c_double): receives n slopes d(load)/d(separation)
                                                     ! [force/length], <= 0: minus the normal stiffness; 0 at pull-off
                                                     ! and beyond
-      integer(c_int32_t) :: asperity_loads_at_separations
-    end function asperity_loads_at_separations
+      integer(c_int32_t) :: asperity_loads_at_gaps
+    end function asperity_loads_at_gaps
 
     ! Computes load, friction force and contact radius of single summits, by the law that the model sums over all
     ! summits
@@ -910,15 +910,15 @@ module asperity
 
     ! Computes the exact state at a separation, also beyond the pull-off point, where no load holds the surfaces in
     ! equilibrium
-    function asperity_state_at_separation(model, separation, state) bind(c)
+    function asperity_state_at_gap(model, separation, state) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
       real(c_double), intent(in), value :: separation
                                                     ! of the flat from the mean of the summit heights [length]; may be
                                                     ! negative
       type(asperity_state), intent(inout) :: state  ! receives the state
-      integer(c_int32_t) :: asperity_state_at_separation
-    end function asperity_state_at_separation
+      integer(c_int32_t) :: asperity_state_at_gap
+    end function asperity_state_at_gap
 
     ! Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table
     function asperity_summary_of(model, summary) bind(c)
@@ -1041,9 +1041,9 @@ module asperity
   public :: asperity_slip_forces, asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
   public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_contact_radius_sum_at_load
   public :: asperity_contact_radius_sum_at_loads, asperity_microslip_length, asperity_microslip_step
-  public :: asperity_microslip_steps, asperity_load_at_separation, asperity_load_and_slope_at_separation
-  public :: asperity_loads_at_separations, asperity_summits_at_overlaps, asperity_state_at_load
-  public :: asperity_state_at_separation, asperity_summary_of, asperity_sensitivities_at_load, asperity_check_loads
+  public :: asperity_microslip_steps, asperity_load_at_gap, asperity_load_and_slope_at_gap
+  public :: asperity_loads_at_gaps, asperity_summits_at_overlaps, asperity_state_at_load
+  public :: asperity_state_at_gap, asperity_summary_of, asperity_sensitivities_at_load, asperity_check_loads
   public :: asperity_warning_string, asperity_warning_loads, asperity_warnings_text, asperity_last_error
   public :: asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of, asperity_load_table_of
   ! end of interface
@@ -1156,18 +1156,18 @@ module asperity
     procedure, public :: microslip_step => model_microslip_step
     procedure, public :: microslip_steps => model_microslip_steps
 
-    ! load = law%load_at_separation(separation [, slope] [, stat] [, errmsg])
-    !   separation  real(c_double), intent(in) [length] of the mean planes, as for state_at_separation
+    ! load = law%load_at_gap(separation [, slope] [, stat] [, errmsg])
+    !   separation  real(c_double), intent(in) [length] of the mean planes, as for state_at_gap
     !   load        real(c_double) [force]: negative where adhesion pulls, 0 at pull-off and beyond
     !   slope       real(c_double), intent(out), optional: d(load)/d(separation) [force/length], minus the normal stiffness
     ! A separation that is not finite gives NaN, with a slope of NaN, and ASPERITY_INVALID_PARAMETER.
-    procedure, public :: load_at_separation => model_load_at_separation
+    procedure, public :: load_at_gap => model_load_at_gap
 
     ! call law%state_at_load(load, state [, stat] [, errmsg])                the exact state at a load [force]
-    ! call law%state_at_separation(separation, state [, stat] [, errmsg])    the same at a separation [length]
+    ! call law%state_at_gap(separation, state [, stat] [, errmsg])    the same at a separation [length]
     !   state  type(asperity_state), intent(inout); as it was on failure
     procedure, public :: state_at_load => model_state_at_load
-    procedure, public :: state_at_separation => model_state_at_separation
+    procedure, public :: state_at_gap => model_state_at_gap
 
     ! call law%sensitivities_at_load(load, sensitivities [, stat] [, errmsg])    what F at a load [force] changes by
     !   sensitivities  type(asperity_sensitivities), intent(inout); as it was on failure
@@ -1630,15 +1630,15 @@ contains
     call report(asperity_state_at_load(self%handle, load, state), stat, errmsg)
   end subroutine model_state_at_load
 
-  subroutine model_state_at_separation(self, separation, state, stat, errmsg)
+  subroutine model_state_at_gap(self, separation, state, stat, errmsg)
     class(friction_model), intent(in), target :: self
     real(c_double), intent(in) :: separation
     type(asperity_state), intent(inout) :: state
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     if (.not. is_created(self, stat, errmsg)) return
-    call report(asperity_state_at_separation(self%handle, separation, state), stat, errmsg)
-  end subroutine model_state_at_separation
+    call report(asperity_state_at_gap(self%handle, separation, state), stat, errmsg)
+  end subroutine model_state_at_gap
 
   subroutine model_sensitivities_at_load(self, load, sensitivities, stat, errmsg)
     class(friction_model), intent(in), target :: self
@@ -1753,7 +1753,7 @@ contains
     end if
   end function model_slip_force
 
-  function model_load_at_separation(self, separation, slope, stat, errmsg) result(load)
+  function model_load_at_gap(self, separation, slope, stat, errmsg) result(load)
     class(friction_model), intent(in), target :: self
     real(c_double), intent(in) :: separation
     real(c_double), intent(out), optional, target :: slope
@@ -1761,12 +1761,12 @@ contains
     character(*), intent(inout), optional :: errmsg
     real(c_double) :: load
     real(c_double), target :: at(1)
-    load = asperity_load_and_slope_at_separation(c_model(self), separation, scalar_address(slope))
+    load = asperity_load_and_slope_at_gap(c_model(self), separation, scalar_address(slope))
     if (.not. is_created(self, stat, errmsg)) return
     at(1) = separation
-    call report(open_is_an_answer(asperity_loads_at_separations(self%handle, 1_c_size_t, c_loc(at), c_null_ptr, &
+    call report(open_is_an_answer(asperity_loads_at_gaps(self%handle, 1_c_size_t, c_loc(at), c_null_ptr, &
                                                                 c_null_ptr)), stat, errmsg)
-  end function model_load_at_separation
+  end function model_load_at_gap
 
   ! Surfaces apart carry no load: that is no failure.
   pure function open_is_an_answer(status) result(found)

@@ -797,12 +797,12 @@ contains
     call asperity_check(asperity_state_at_load(model, 3.0_c_double, state))
     at = [state%separation, 1e6_c_double]
     call check('surfaces apart are reported', &
-               asperity_loads_at_separations(model, 2_c_size_t, c_loc(at), c_loc(load), c_loc(slope)) == ASPERITY_SEPARATED)
+               asperity_loads_at_gaps(model, 2_c_size_t, c_loc(at), c_loc(load), c_loc(slope)) == ASPERITY_SEPARATED)
     call check_close('the load at a separation', load(1), 3.0_c_double, 1e-9_c_double)
-    call check_close('its slope', slope(1), state%dload_dseparation, 1e-7_c_double)
+    call check_close('its slope', slope(1), state%dload_dgap, 1e-7_c_double)
     call check('apart there is none', identical(load(2), 0.0_c_double))
-    call check('one as many', identical(asperity_load_at_separation(model, at(1)), load(1)))
-    call check('with its slope', identical(asperity_load_and_slope_at_separation(model, at(1), c_loc(one)), load(1)))
+    call check('one as many', identical(asperity_load_at_gap(model, at(1)), load(1)))
+    call check('with its slope', identical(asperity_load_and_slope_at_gap(model, at(1), c_loc(one)), load(1)))
     call check('... too', identical(one, slope(1)))
     call asperity_check(asperity_load_table_of(model, table))
     call check('the table has rows', table%row_count > 50 .and. -table%pull_off_load > at(1))
@@ -906,7 +906,7 @@ contains
     model = c_null_ptr
     call asperity_check(asperity_create(p, model))
     do i = 1, size(T)
-      call asperity_check(asperity_state_at_separation(model, T(i) * p%height_std, state))
+      call asperity_check(asperity_state_at_gap(model, T(i) * p%height_std, state))
       fraction = erfc(T(i) / sqrt(2.0_c_double)) / 2
       area = PI * p%asperity_count * p%summit_radius * p%height_std * (normal_density(T(i)) - T(i) * fraction)
       call check_close('n = N/2 erfc(t/sqrt 2)', state%contacting, p%asperity_count * fraction, 1e-10_c_double)

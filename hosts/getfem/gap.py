@@ -88,7 +88,7 @@ class Blocks:
         changes = []
         opened = self.openings()
         for _ in range(20):
-            pressure, slope = self.law.load_at_separation(self.at_rest + opened, slope=True)
+            pressure, slope = self.law.load_at_gap(self.at_rest + opened, slope=True)
             for name, values in (("pressure", pressure), ("slope", slope), ("opened", opened)):
                 self.model.set_variable(name, values)
             self.model.solve("lsolver", "mumps")
@@ -105,7 +105,7 @@ class Blocks:
     def exact_pressures(self):
         """From the integrals at the openings, not from the compiled law that the solution used; from the middle outwards."""
         order = np.argsort(self.model.interpolation("X(1)", self.points, 4))
-        return np.array([self.law.state_at_separation(self.at_rest + opened).load for opened in self.openings()[order]])
+        return np.array([self.law.state_at_gap(self.at_rest + opened).load for opened in self.openings()[order]])
 
 
 def bars(load):

@@ -147,7 +147,7 @@ export const LAYOUTS = {
       { name: "friction_coefficient", type: "double", offset: 32 },
       { name: "dforce_dload", type: "double", offset: 40 },
       { name: "dmu_dload", type: "double", offset: 48 },
-      { name: "dload_dseparation", type: "double", offset: 56 },
+      { name: "dload_dgap", type: "double", offset: 56 },
       { name: "real_area", type: "double", offset: 64 },
       { name: "contacting", type: "double", offset: 72 },
       { name: "attracted", type: "double", offset: 80 },
@@ -251,7 +251,7 @@ export const WORDS = {
  * @property {number} friction_coefficient Friction coefficient F/P [-], at most `max_friction_coefficient`.
  * @property {number} dforce_dload dF/dP [-]; infinity at the pull-off load itself.
  * @property {number} dmu_dload d(F/P)/dP [1/force]; 0 where the coefficient is capped.
- * @property {number} dload_dseparation dP/dd [force/length]: minus the normal contact stiffness.
+ * @property {number} dload_dgap dP/dd [force/length]: minus the normal contact stiffness.
  * @property {number} real_area Real area of contact [length^2].
  * @property {number} contacting Number of summits in contact [-]; need not be an integer.
  * @property {number} attracted Number of summits that attract without contact [-].

@@ -146,8 +146,8 @@ export class Model {
    * @param {T} separation of the flat from the mean of the summit heights [length]
    * @returns {T extends number ? number : Float64Array}
    */
-  loadAtSeparation(separation) {
-    return this.#values("loads_at_separations", separation);
+  loadAtGap(separation) {
+    return this.#values("loads_at_gaps", separation);
   }
 
   /**
@@ -156,8 +156,8 @@ export class Model {
    * @param {T} separation of the flat from the mean of the summit heights [length]
    * @returns {{ value: T extends number ? number : Float64Array, slope: T extends number ? number : Float64Array }}
    */
-  loadAndSlopeAtSeparation(separation) {
-    return this.#valuesAndSlopes("loads_at_separations", separation);
+  loadAndSlopeAtGap(separation) {
+    return this.#valuesAndSlopes("loads_at_gaps", separation);
   }
 
   /**
@@ -186,8 +186,8 @@ export class Model {
    * @param {number} separation of the flat from the mean of the summit heights [length]
    * @returns {State}
    */
-  stateAtSeparation(separation) {
-    return this.library.fill("asperity_state", "state_at_separation", this.#open, separation);
+  stateAtGap(separation) {
+    return this.library.fill("asperity_state", "state_at_gap", this.#open, separation);
   }
 
   /**
@@ -282,7 +282,7 @@ export class Model {
    */
   #refuse(name, argument, place) {
     try {
-      if (name === "loads_at_separations") this.stateAtSeparation(argument);
+      if (name === "loads_at_gaps") this.stateAtGap(argument);
       else this.stateAtLoad(argument);
     } catch (error) {
       if (error instanceof AsperityError) throw new AsperityError(place + error.message, error.status);

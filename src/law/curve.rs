@@ -6,7 +6,7 @@
 
 use super::coordinate::Coordinate;
 use super::panel::{chebyshev, Panel, PerQuantity, Sample, NODES};
-use super::planes::{Planes, Rise};
+use super::planes::{self, Planes};
 use super::position::Positions;
 use super::steps::{Steps, Stretch};
 use super::{Quantity, Reach};
@@ -64,7 +64,7 @@ impl Curve {
         let coordinate = Coordinate { log_pull_off };
         let mut curve = Self { coordinate, positions, reference, panels: Vec::new(), samples: 0, planes: None };
         let is_crowded = branch.population().is_crowded();
-        let mut rises = Vec::new();
+        let mut gaps = Vec::new();
         let mut depth = FIRST_DEPTH.max(positions.middle + FIRST_DEPTH - steps.end);
         let mut from = curve.sample(branch, positions.middle - depth)?;
         while from.log_excess < reach.log_heaviest {
@@ -98,7 +98,7 @@ impl Curve {
             }
             curve.panels.push(attempt.panel);
             if is_crowded {
-                rises.push(Rise::between(&from, &attempt.end, attempt.nodes.as_ref(), positions));
+                gaps.push(planes::Panel::between(&from, &attempt.end, attempt.nodes.as_ref(), positions));
             }
             check.extend(attempt.between);
             if attempt.end.slope[0].is_finite() {
@@ -106,7 +106,7 @@ impl Curve {
             }
             from = attempt.end;
         }
-        curve.planes = is_crowded.then(|| Box::new(Planes::new(branch, rises, positions)));
+        curve.planes = is_crowded.then(|| Box::new(Planes::new(branch, gaps, positions)));
         Ok(curve)
     }
 
@@ -221,16 +221,19 @@ impl Curve {
         self.planes.as_ref().map_or(separation, |planes| planes.gap(separation))
     }
 
-    /// The load and d(load)/d(gap) at a gap, dimensionless.
-    pub fn load_at_gap(&self, gap: f64) -> (f64, f64) {
-        match &self.planes {
-            None => self.load_at(gap),
-            Some(planes) => {
-                let (separation, rate) = planes.separation(gap);
-                let (load, slope) = self.load_at(separation);
-                (load, slope * rate)
-            }
+    /// The load and d(load)/d(gap) at neighbouring gaps, dimensionless.
+    pub fn load_at_gaps<const N: usize>(&self, gap: [f64; N]) -> [(f64, f64); N] {
+        let Some(planes) = &self.planes else { return gap.map(|gap| self.load_at(gap)) };
+        let [index, last] = [gap[0], gap[N - 1]].map(|gap| planes.index_of(gap).min(self.panels.len() - 1));
+        if index != last {
+            return gap.map(|gap| self.load_at_gaps([gap])[0]);
         }
+        let panel = &self.panels[index];
+        planes.panel(index).places(gap).map(|(place, rate)| {
+            let (s, by_place) = panel.s_at_place(place);
+            let (load, by_s) = self.coordinate.load(s);
+            (load, by_s * by_place * rate)
+        })
     }
 
     /// How gaps and separations follow from each other, if they differ.

@@ -84,7 +84,7 @@ impl Gap {
         let scale = match pull_off {
             Some(point) => curve.gap(end) - curve.gap(zero_load(curve, point.separation)),
             None => {
-                let (load, slope) = curve.load_at_gap(curve.gap(first));
+                let (load, slope) = curve.load_at(first);
                 -TAIL_POWER * load / slope
             }
         };
@@ -98,7 +98,7 @@ impl Gap {
             }
         }
         let tail = pull_off.is_none().then(|| {
-            let (load, slope) = curve.load_at_gap(lengths.dimensionless(anchor - margin));
+            let [(load, slope)] = curve.load_at_gaps([lengths.dimensionless(anchor - margin)]);
             let load = load * unit_load;
             let rise = -slope * unit_load / lengths.unit * margin / load;
             Tail { begin: margin, load, bend: TAIL_POWER - rise }
@@ -207,11 +207,11 @@ struct Distances<'a> {
 
 impl Source for Distances<'_> {
     fn at<const N: usize>(&self, log_x: [f64; N]) -> [(f64, f64); N] {
-        log_x.map(|log_x| {
-            let x = exp(log_x);
-            let gap = (self.anchor - x - self.lengths.origin).min(self.end);
-            let (load, slope) = self.curve.load_at_gap(gap);
-            (load * self.unit_load, -slope * self.unit_load * x)
+        let x = log_x.map(exp);
+        let loads = self.curve.load_at_gaps(x.map(|x| (self.anchor - x - self.lengths.origin).min(self.end)));
+        std::array::from_fn(|i| {
+            let (load, slope) = loads[i];
+            (load * self.unit_load, -slope * self.unit_load * x[i])
         })
     }
 
@@ -236,7 +236,7 @@ mod tests {
     #[test]
     fn the_table_is_small_and_nearly_all_of_it_is_whole_rows() {
         for (gamma, most) in [(0.0, 400), (1e-3, 340)] {
-            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], 3e-9).expect("a law");
+            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], Lengths { unit: 3e-9, origin: 0.0 }).expect("a law");
             let table = law.gap().table();
             let links = table.rows.iter().filter(|row| row.is_link()).count();
             println!("{} rows, {} with parts, {links} links", table.row_count, table.rows.len());
@@ -246,7 +246,7 @@ mod tests {
             // From next to the end, or from where the load is more than nothing, to far in compression.
             for i in 0..200 {
                 let separation = branch.farthest().min(9.0) - 1e-3 * 1.08_f64.powi(i);
-                let (load, _) = table.at_load(-law.gap().lengths.separation(separation)).expect("it is tabulated");
+                let (load, _) = table.at_load(-law.gap().lengths.callers(separation)).expect("it is tabulated");
                 let exact = 3.0 * branch.population().at_separation(separation).load();
                 let error = (load - exact).abs() / exact.abs().max(least);
                 assert!(error < 1e-9, "{error:e} at {separation}");
@@ -270,7 +270,7 @@ mod tests {
     #[test]
     fn beyond_the_table_surfaces_are_apart_or_the_load_goes_on() {
         for gamma in [0.0, 1e-3] {
-            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], 3e-9).expect("a law");
+            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], Lengths { unit: 3e-9, origin: 0.0 }).expect("a law");
             let gap = law.gap();
             let [end, step] = [gap.end(), 1e-12];
             assert!(gap.is_open(end + step) && !gap.is_open(end - step), "{gamma}: {end:e}");

@@ -195,7 +195,7 @@ impl Law {
     /// The separation of the population at a gap in the caller's unit.
     pub fn separation_at(&self, gap: f64) -> f64 {
         let gap = self.gap.lengths().dimensionless(gap);
-        self.planes.as_ref().map_or(gap, |planes| planes.separation(gap).0)
+        self.planes.as_ref().map_or(gap, |planes| planes.separation(gap))
     }
 
     /// The separation that carries a load, to some digits; `None` beyond the table.
@@ -279,20 +279,20 @@ mod tests {
 
     const LOAD: f64 = 3.0;
     const UNITS: [f64; 2] = [0.5, 7.0];
-    const LENGTH: f64 = 3e-9;
+    const LENGTHS: Lengths = Lengths { unit: 3e-9, origin: 0.0 };
 
     #[test]
     fn every_row_of_the_default_case_answers_from_next_to_pull_off_to_any_load_of_a_solver() {
         for gamma in [0.0, 0.001] {
             let branch = branch(gamma);
-            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             for quantity in Quantity::ALL {
                 let error = law.error(quantity);
                 assert!(error > 1e-16 && error < 5e-11, "{quantity:?}: {error:e}");
             }
             let table = law.table(Quantity::Friction);
             for load in [0.1, 1.0, 55.0, 3e3].map(|load| load * LOAD) {
-                let separation = law.gap().separation_of(load).expect("it is covered");
+                let separation = law.separation_of(load).expect("it is covered");
                 let found = branch.log_excess(separation).sums.load() * LOAD;
                 assert!((found / load - 1.0).abs() < 1e-8, "{found}, not {load}");
             }
@@ -322,7 +322,7 @@ mod tests {
             let mut params = Params::paper();
             params.set_dimensionless(0.01, beta, 0.001, 1.0, 0.3).expect("a surface");
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
-            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             let table = law.table(Quantity::Friction);
             // Hertz' overlap at that radius, in sigma, with R = beta/alpha and sigma = alpha beta.
             let overlap = 8e4 * 8e4 / (beta * beta);
@@ -375,7 +375,7 @@ mod tests {
                     let branch = Branch::new(of(&surface(groups, heights, radii))).expect("a branch");
                     let mut samples = Vec::new();
                     let curve = Curve::new(&branch, Reach::of(&branch), &mut samples).expect("a curve");
-                    let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+                    let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
                     let rows = law.table(Quantity::Friction).rows.len();
                     [samples.len(), curve.joints().count(), rows, law.gap().table().rows.len()]
                 },
@@ -445,7 +445,7 @@ mod tests {
         let panels = surfaces.map(|params| {
             [panels_laid(|| {
                 let branch = Branch::new(of(&params)).expect("a branch");
-                Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law")
+                Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law")
             })]
         });
         assert_work(
@@ -467,7 +467,7 @@ mod tests {
         for heights in [crate::params::HeightFamily::Weibull { shape: 1.1 }, crate::population::tests::table(), steps] {
             let branch = Branch::new(crate::population::tests::of(&Params { heights, ..Params::paper() }));
             let branch = branch.expect("a branch");
-            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             let excess = |sums: &Sums| sums.load() - branch.pull_off_load();
             let at = |separation: f64| branch.population().at_separation(separation);
             let kinks: Vec<f64> =
@@ -503,7 +503,7 @@ mod tests {
                 ..default
             };
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
-            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             let feet: Vec<f64> = branch.kinks().iter().copied().filter(|&kink| kink > -10.0).collect();
             assert!(feet.len() >= 2, "{feet:?}");
             for quantity in Quantity::ALL {

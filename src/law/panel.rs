@@ -74,6 +74,14 @@ impl Length {
         }
     }
 
+    /// The separation at a place.
+    pub fn beyond(self, from: f64, place: f64) -> f64 {
+        match self {
+            Self::Separation => from + place,
+            Self::Position(positions) => positions.separation(positions.position(from) + place),
+        }
+    }
+
     /// The second derivative of a separation by its place.
     pub fn bend(self, separation: f64) -> f64 {
         match self {
@@ -143,6 +151,11 @@ impl Panel {
         let (place, density) = self.length.between(self.begin, separation);
         let (s, slope) = self.s.at(place);
         (s, slope * density)
+    }
+
+    /// s at a place, and its slope by that.
+    pub fn s_at_place(&self, place: f64) -> (f64, f64) {
+        self.s.at(place)
     }
 
     /// The separation at s.

@@ -1,14 +1,15 @@
 //! How far apart the mean planes of the surfaces are: the gap u of a separation d of the summits, u = d + the integral of 1 - psi from d
 //! to infinity, and the separation of a gap. Without a nominal area psi is 1, and both are the same.
 //!
-//! In each panel of the curve the separation is a polynomial of the gap through the panel's exact states, with its slopes 1/psi. Beyond
+//! In each panel of the curve psi is a polynomial through the panel's exact states, with its slopes; its integral is the gap. Beyond
 //! the branch there are panels of the same kind, up to where psi is 1. Farther in compression than the first panel, psi is constant.
-//! Heights of the mean of the summits above the mean plane of the surface are left to the callers.
+//! The height of the mean of the summits above the mean plane of the surface is left to the callers.
 
 use super::panel::{chebyshev, Hermite, Length, Sample, NODES};
 use super::position::Positions;
 use crate::equilibrium::Branch;
-use crate::numerics::{quadrature, root};
+use crate::numerics::quadrature::integrate_short;
+use crate::numerics::root;
 
 /// Beyond the branch panels end where 1 - psi is less than this.
 const NEGLIGIBLE: f64 = 1e-9;
@@ -17,6 +18,9 @@ const NEGLIGIBLE: f64 = 1e-9;
 const FALL_OF_AREA: f64 = 8.0;
 const MOST_OF_THE_REST: f64 = 0.7;
 const MOST_PANELS: usize = 64;
+/// A step of Newton's method, over the length of the panel, after which the next would be rounding; it takes some four steps.
+const LAST_STEP: f64 = 1e-9;
+const MOST_STEPS: u32 = 12;
 
 /// A separation with 1 - psi, and the slope of that.
 #[derive(Debug, Clone, Copy)]
@@ -35,10 +39,10 @@ impl Place {
     }
 }
 
-/// Separations against gaps.
+/// Gaps against separations.
 #[derive(Debug, Clone)]
 pub struct Planes {
-    /// In ascending order.
+    /// In ascending order: those of the curve, and those beyond it.
     panels: Vec<Panel>,
     /// psi where the first begins.
     first_psi: f64,
@@ -46,40 +50,30 @@ pub struct Planes {
 
 /// A stretch between two separations.
 #[derive(Debug, Clone)]
-struct Panel {
-    begin: Ends,
-    end: Ends,
+pub struct Panel {
+    begin: f64,
+    end: f64,
+    /// The gaps there.
+    begin_gap: f64,
+    end_gap: f64,
     length: Length,
-    separation: Hermite,
-}
-
-/// A separation with its gap.
-#[derive(Debug, Clone, Copy)]
-struct Ends {
-    separation: f64,
-    gap: f64,
-}
-
-/// How far the mean planes move apart from one place to another, before it is known where they are.
-#[derive(Debug, Clone)]
-pub struct Rise {
-    from: Place,
-    to: Place,
+    /// How long it is, in that.
     whole: f64,
-    /// Places in between with their rises; none where psi is a cubic.
-    within: Option<[(Place, f64); NODES]>,
+    /// What the gap rises by.
+    rise: Hermite,
 }
 
-impl Rise {
-    /// From one state to another, through those of the nodes, if it is not so short that psi is a cubic.
+impl Panel {
+    /// From one state to another, through those of the nodes, if it is not so short that psi is a cubic; where gaps begin is not
+    /// known yet.
     pub fn between(from: &Sample, to: &Sample, nodes: Option<&[Sample; NODES]>, positions: Positions) -> Self {
+        let (from, to) = (Place::of(from), Place::of(to));
         match nodes {
-            Some(nodes) => Self::new(Place::of(from), Place::of(to), nodes.each_ref().map(Place::of), positions),
-            None => Self::of_short(Place::of(from), Place::of(to)),
+            Some(nodes) => Self::new(from, to, nodes.each_ref().map(Place::of), positions),
+            None => Self::bridge(from, to),
         }
     }
 
-    /// Through places in between.
     fn new(from: Place, to: Place, nodes: [Place; NODES], positions: Positions) -> Self {
         let length = Length::of(positions, from.separation, to.separation);
         let (mut places, mut slopes, mut bends) = ([0.0; NODES], [0.0; NODES], [0.0; NODES]);
@@ -90,104 +84,108 @@ impl Rise {
             bends[i] = node.psi() * length.bend(node.separation) - node.crowding.1 / (density * density);
         }
         let slope = Hermite::new(0.0, places, slopes, bends);
-        let between = |from: f64, to: f64| -> f64 {
-            quadrature::nodes_of_part(0.0, from, to).map(|(place, weight)| weight * slope.at(place).0).sum()
-        };
-        let (mut whole, mut last) = (0.0, 0.0);
-        let within = std::array::from_fn(|i| {
-            whole += between(last, places[i]);
-            last = places[i];
-            (nodes[i], whole)
+        let rise_between = |from: f64, to: f64| integrate_short(from, to, |place| slope.at(place).0);
+        let (mut rise, mut last) = (0.0, 0.0);
+        let rises = places.map(|place| {
+            rise += rise_between(last, place);
+            last = place;
+            rise
         });
-        whole += between(last, length.between(from.separation, to.separation).0);
-        Self { from, to, whole, within: Some(within) }
+        let (whole, _) = length.between(from.separation, to.separation);
+        let end_gap = rise + rise_between(last, whole);
+        let rise = Hermite::new(0.0, places, rises, slopes);
+        Self { begin: from.separation, end: to.separation, begin_gap: 0.0, end_gap, length, whole, rise }
     }
 
-    /// Between places so near to each other that psi is a cubic.
-    fn of_short(from: Place, to: Place) -> Self {
-        let width = to.separation - from.separation;
-        let bend = (to.crowding.1 - from.crowding.1) * width * width / 12.0;
-        Self { from, to, whole: 0.5 * width * (from.psi() + to.psi()) + bend, within: None }
-    }
-}
-
-impl Panel {
-    /// Of a rise that ends at a gap.
-    fn new(rise: &Rise, end_gap: f64, positions: Positions) -> Self {
-        let (from, to, begin_gap) = (&rise.from, &rise.to, end_gap - rise.whole);
-        // As far from a middle as separations are, over psi.
-        let middle = begin_gap - from.psi() * (from.separation - positions.middle);
-        let length = Length::of(Positions { middle }, begin_gap, end_gap);
-        let apart = |place: &Place| place.separation - from.separation;
-        let separation = match &rise.within {
-            Some(within) => {
-                let places = within.map(|(_, rise)| length.between(begin_gap, begin_gap + rise));
-                let slopes = std::array::from_fn(|i| 1.0 / (within[i].0.psi() * places[i].1));
-                Hermite::new(0.0, places.map(|(place, _)| place), within.map(|(place, _)| apart(&place)), slopes)
-            }
-            None => {
-                let [start, end] = [(from, 0.0), (to, rise.whole)].map(|(place, at)| (at, 1.0 / place.psi()));
-                Hermite::cubic(0.0, start, end, apart(to))
-            }
-        };
-        let ends = |place: &Place, gap: f64| Ends { separation: place.separation, gap };
-        let length = if rise.within.is_some() { length } else { Length::Separation };
-        Self { begin: ends(from, begin_gap), end: ends(to, end_gap), length, separation }
+    fn bridge(from: Place, to: Place) -> Self {
+        let whole = to.separation - from.separation;
+        let bend = (to.crowding.1 - from.crowding.1) * whole * whole / 12.0;
+        let end_gap = 0.5 * whole * (from.psi() + to.psi()) + bend;
+        let rise = Hermite::cubic(0.0, (0.0, from.psi()), (whole, to.psi()), end_gap);
+        let (begin, end, length) = (from.separation, to.separation, Length::Separation);
+        Self { begin, end, begin_gap: 0.0, end_gap, length, whole, rise }
     }
 
-    /// The separation at a gap, and its slope.
-    fn separation(&self, gap: f64) -> (f64, f64) {
-        let (place, density) = self.length.between(self.begin.gap, gap);
-        let (rise, slope) = self.separation.at(place);
-        (self.begin.separation + rise, slope * density)
-    }
-
+    /// The gap at a separation.
     fn gap(&self, separation: f64) -> f64 {
-        root::bracketed(|gap| self.separation(gap).0 - separation, self.begin.gap, self.end.gap)
+        let (place, _) = self.length.between(self.begin, separation);
+        self.begin_gap + self.rise.at(place).0
+    }
+
+    /// The place at each of several gaps, and its slope.
+    pub fn places<const N: usize>(&self, gap: [f64; N]) -> [(f64, f64); N] {
+        let rise = gap.map(|gap| gap - self.begin_gap);
+        let mean = (self.end - self.begin) / (self.end_gap - self.begin_gap);
+        let mut place = rise.map(|rise| self.length.between(self.begin, self.begin + mean * rise).0);
+        for _ in 0..MOST_STEPS {
+            let found = place.map(|place| self.rise.at(place));
+            let steps: [f64; N] = std::array::from_fn(|i| (rise[i] - found[i].0) / found[i].1);
+            for (place, step) in place.iter_mut().zip(steps) {
+                *place = (*place + step).clamp(0.0, self.whole);
+            }
+            if steps.iter().all(|step| step.abs() <= LAST_STEP * self.whole) {
+                return std::array::from_fn(|i| (place[i], 1.0 / found[i].1));
+            }
+        }
+        rise.map(|rise| {
+            let place = root::bracketed(|place| self.rise.at(place).0 - rise, 0.0, self.whole);
+            (place, 1.0 / self.rise.at(place).1)
+        })
     }
 }
 
 impl Planes {
-    /// From what the mean planes rise by along the branch, which ends in the last of them.
-    pub fn new(branch: &Branch, mut rises: Vec<Rise>, positions: Positions) -> Self {
-        extend(branch, &mut rises, positions);
-        let mut gap = rises.last().map_or(0.0, |rise| rise.to.separation);
-        let first_psi = rises.first().map_or(1.0, |rise| rise.from.psi());
-        let mut panels = Vec::with_capacity(rises.len());
-        for rise in rises.iter().rev() {
-            panels.push(Panel::new(rise, gap, positions));
-            gap -= rise.whole;
+    /// From the panels of the curve.
+    pub fn new(branch: &Branch, mut panels: Vec<Panel>, positions: Positions) -> Self {
+        let first_psi = panels.first().map_or(1.0, |first| first.rise.at(0.0).1 * first.length.between(first.begin, first.begin).1);
+        extend(branch, &mut panels, positions);
+        let mut gap = panels.last().map_or(0.0, |panel| panel.end);
+        for panel in panels.iter_mut().rev() {
+            let rise = panel.end_gap;
+            (panel.end_gap, panel.begin_gap) = (gap, gap - rise);
+            gap -= rise;
         }
-        panels.reverse();
         Self { panels, first_psi }
     }
 
-    /// The separation at a gap, and its slope.
-    pub fn separation(&self, gap: f64) -> (f64, f64) {
-        match self.panels.get(self.panels.partition_point(|panel| panel.end.gap < gap)) {
-            Some(panel) if gap >= panel.begin.gap => panel.separation(gap),
-            Some(Panel { begin, .. }) => (begin.separation + (gap - begin.gap) / self.first_psi, 1.0 / self.first_psi),
-            None => (gap, 1.0),
+    /// The index of the panel of a gap, or of the next one.
+    pub fn index_of(&self, gap: f64) -> usize {
+        self.panels.partition_point(|panel| panel.end_gap < gap)
+    }
+
+    pub fn panel(&self, index: usize) -> &Panel {
+        &self.panels[index]
+    }
+
+    /// The separation at a gap.
+    pub fn separation(&self, gap: f64) -> f64 {
+        match self.panels.get(self.index_of(gap)) {
+            Some(panel) if gap >= panel.begin_gap => {
+                let [(place, _)] = panel.places([gap]);
+                panel.length.beyond(panel.begin, place)
+            }
+            Some(panel) => panel.begin + (gap - panel.begin_gap) / self.first_psi,
+            None => gap,
         }
     }
 
     /// The gap at a separation.
     pub fn gap(&self, separation: f64) -> f64 {
-        match self.panels.get(self.panels.partition_point(|panel| panel.end.separation < separation)) {
-            Some(Panel { end, .. }) if separation == end.separation => end.gap,
-            Some(panel) if separation >= panel.begin.separation => panel.gap(separation),
-            Some(Panel { begin, .. }) => begin.gap + (separation - begin.separation) * self.first_psi,
+        match self.panels.get(self.panels.partition_point(|panel| panel.end < separation)) {
+            Some(panel) if separation == panel.end => panel.end_gap,
+            Some(panel) if separation >= panel.begin => panel.gap(separation),
+            Some(panel) => panel.begin_gap + (separation - panel.begin) * self.first_psi,
             None => separation,
         }
     }
 }
 
-/// Adds rises beyond the branch, up to where neighbours change nothing.
-fn extend(branch: &Branch, rises: &mut Vec<Rise>, positions: Positions) {
+/// Adds panels beyond the branch, up to where neighbours change nothing.
+fn extend(branch: &Branch, panels: &mut Vec<Panel>, positions: Positions) {
     let population = branch.population();
     let place = |separation: f64| Place { separation, crowding: population.at_separation(separation).crowding };
-    let Some(last) = rises.last() else { return };
-    let mut from = last.to;
+    let Some(last) = panels.last() else { return };
+    let mut from = place(last.end);
     let end = population.farthest();
     for _ in 0..MOST_PANELS {
         if from.crowding.0 < NEGLIGIBLE {
@@ -202,7 +200,7 @@ fn extend(branch: &Branch, rises: &mut Vec<Rise>, positions: Positions) {
         }
         let to = place(from.separation + length);
         let nodes = std::array::from_fn(|i| place(positions.between(from.separation, to.separation, chebyshev(i))));
-        rises.push(Rise::new(from, to, nodes, positions));
+        panels.push(Panel::new(from, to, nodes, positions));
         from = to;
     }
 }

@@ -263,15 +263,15 @@ impl Model {
         self.measures_of(sums.load() * self.units.load, separation, &sums)
     }
 
-    /// The exact state at a separation, in contact or not, on the branch of load control or beyond it.
+    /// The exact state at a gap between the mean planes, in contact or not, on the branch of load control or beyond it.
     ///
     /// # Errors
-    /// [`Error::InvalidParameter`] for a separation that is not finite, [`Error::OutOfRange`].
-    pub fn state_at_separation(&self, separation: f64) -> Result<State, Error> {
-        let dimensionless = self.dimensionless("separation", separation)?;
-        let sums = self.branch.population().at_separation(dimensionless);
+    /// [`Error::InvalidParameter`] for a gap that is not finite, [`Error::OutOfRange`].
+    pub fn state_at_gap(&self, gap: f64) -> Result<State, Error> {
+        let separation = self.separation_at(gap)?;
+        let sums = self.branch.population().at_separation(separation);
         let load = sums.load() * self.units.load;
-        self.state(load, dimensionless, &sums)
+        self.state(load, separation, &sums)
     }
 
     /// One summit of a height above the mean, at an overlap: its height less the separation. By the law that the sums over
@@ -290,12 +290,12 @@ impl Model {
         })
     }
 
-    /// A separation of the means of summit heights and flat, in sigma from where the sums have it.
-    pub(super) fn dimensionless(&self, name: &'static str, separation: f64) -> Result<f64, Error> {
-        Ok(self.in_sigma(name, separation)? - self.branch.population().heights().origin())
+    /// The separation of the population, in sigma, at a gap.
+    pub(super) fn separation_at(&self, gap: f64) -> Result<f64, Error> {
+        self.in_sigma("gap", gap).map(|_| self.law.separation_at(gap))
     }
 
-    /// Minus separations beyond this are out of range.
+    /// Minus gaps beyond this are out of range.
     pub(super) fn deepest_compression(&self) -> f64 {
         (FARTHEST_SEPARATION * self.units.length).min(f64::MAX)
     }
@@ -431,10 +431,10 @@ mod tests {
         for (outcome, refused) in [
             (model.state_at_load(load), false),
             (model.state_at_load(load.above()), true),
-            (model.state_at_separation(separation), false),
-            (model.state_at_separation(separation.above()), true),
-            (model.state_at_separation(-separation), false),
-            (model.state_at_separation((-separation).below()), true),
+            (model.state_at_gap(separation), false),
+            (model.state_at_gap(separation.above()), true),
+            (model.state_at_gap(-separation), false),
+            (model.state_at_gap((-separation).below()), true),
         ] {
             assert_eq!(matches!(outcome, Err(Error::OutOfRange { .. })), refused, "{outcome:?}");
         }
@@ -447,11 +447,11 @@ mod tests {
         let pull_off = model.branch.farthest() * model.units.length;
         let cap = model.params.max_friction_coefficient;
         for (off, coefficient) in [(-1e-6, cap), (0.0, cap), (1e-6, 0.0), (0.5, 0.0)] {
-            let state = model.state_at_separation(pull_off + off * model.units.length).expect("a state");
+            let state = model.state_at_gap(pull_off + off * model.units.length).expect("a state");
             assert!(state.load < 0.0 && state.friction_coefficient == coefficient, "{off}: {state:?}");
             assert_eq!(state.dmu_dload, 0.0, "{off}");
         }
-        let heavy = model.state_at_separation(0.0).expect("a state");
+        let heavy = model.state_at_gap(0.0).expect("a state");
         let coefficient = heavy.friction_force / heavy.load;
         assert_eq!(heavy.friction_coefficient, coefficient);
         let slope = (heavy.dforce_dload - coefficient) / heavy.load;
@@ -465,8 +465,8 @@ mod tests {
         let pull_off = model.branch.farthest();
         for step in 0..300 {
             let separation = pull_off - f64::from(step * step) * f64::EPSILON;
-            let state = model.state_at_separation(separation * model.units.length).expect("a state");
-            assert!(state.dforce_dload > 1e5 && state.dload_dseparation <= 0.0, "{step}: {}", state.dforce_dload);
+            let state = model.state_at_gap(separation * model.units.length).expect("a state");
+            assert!(state.dforce_dload > 1e5 && state.dload_dgap <= 0.0, "{step}: {}", state.dforce_dload);
         }
     }
 
@@ -485,9 +485,9 @@ mod tests {
         let model = Model::new(&params).expect("a model");
         let summary = model.summary();
         let pull_off = model.state_at_load(summary.pull_off_load).expect("a state").separation;
-        let pulled = model.state_at_separation(pull_off + 0.5 * model.units.length).expect("a state");
+        let pulled = model.state_at_gap(pull_off + 0.5 * model.units.length).expect("a state");
         assert!(pulled.load < 0.0 && pulled.friction_force > 0.0 && pulled.friction_coefficient == 0.0, "{pulled:?}");
-        let pressed = model.state_at_separation(pull_off + model.units.length).expect("a state");
+        let pressed = model.state_at_gap(pull_off + model.units.length).expect("a state");
         assert!(pressed.load > 300.0 && summary.pull_off_load < 0.0, "{pressed:?}");
         assert_eq!(pressed.friction_coefficient, pressed.friction_force / pressed.load);
     }
@@ -516,11 +516,11 @@ mod tests {
         let model = Model::new(&params).expect("a model");
         let near = |a: f64, b: f64, tolerance: f64| (a - b).abs() <= tolerance * b.abs();
         for separation in [-0.5, 0.3, 1.1] {
-            let at = |separation: f64| model.state_at_separation(separation).expect("a state");
+            let at = |separation: f64| model.state_at_gap(separation).expect("a state");
             let (state, before, after) = (at(separation), at(separation - 1e-5), at(separation + 1e-5));
             assert!(near(state.separation, separation, 1e-14), "{}", state.separation);
             let step = after.separation - before.separation;
-            assert!(near(state.dload_dseparation, (after.load - before.load) / step, 1e-7), "{state:?}");
+            assert!(near(state.dload_dgap, (after.load - before.load) / step, 1e-7), "{state:?}");
             let slope = (after.friction_force - before.friction_force) / (after.load - before.load);
             assert!(near(state.dforce_dload, slope, 1e-7), "{}, not {slope}", state.dforce_dload);
             let again = model.state_at_load(state.load).expect("a state");
@@ -534,7 +534,7 @@ mod tests {
         assert!(near(summary.pull_off_load, point.load * load, 1e-14));
         assert!(near(summary.pull_off_friction_force, point.sums.friction * force, 1e-14));
         assert!(near(pull_off.friction_force, summary.pull_off_friction_force, 1e-14));
-        assert_eq!((pull_off.dforce_dload, pull_off.dload_dseparation), (f64::INFINITY, 0.0));
+        assert_eq!((pull_off.dforce_dload, pull_off.dload_dgap), (f64::INFINITY, 0.0));
         assert_eq!(model.friction_force_and_slope(summary.pull_off_load), (pull_off.friction_force, f64::INFINITY));
         for (load, is_finite) in [(0.9 * summary.pull_off_load, true), (0.0, true), (1.0, true)] {
             assert_eq!(model.friction_force_and_slope(load).1.is_finite(), is_finite, "{load}");
@@ -549,7 +549,7 @@ mod tests {
             assert_eq!(none.friction_force_and_slope(load), (0.0, lightest), "{load}");
         }
         // Nothing is left, and nothing is divided by it.
-        let apart = none.state_at_separation(27.0).expect("a state");
+        let apart = none.state_at_gap(27.0).expect("a state");
         assert_eq!((apart.load, apart.friction_force, apart.dforce_dload), (0.0, 0.0, 0.0));
         assert_eq!((apart.mean_contact_radius, apart.mean_asperity_pressure), (0.0, 0.0));
     }

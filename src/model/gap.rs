@@ -71,7 +71,7 @@ impl Model {
         if finite(gap) && self.law.gap().is_open(gap) {
             return Err(Error::Open { gap, end: self.law.gap().end() });
         }
-        self.summits_apart(gap).map(|_| ())
+        self.separation_at(gap).map(|_| ())
     }
 }
 

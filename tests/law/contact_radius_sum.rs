@@ -35,7 +35,7 @@ fn models() -> Vec<Model> {
 fn slopes(model: &Model, separation: f64) -> [f64; 2] {
     let step = STEP * model.params().height_std.max(0.1 * separation.abs());
     let at = |steps: f64| {
-        let state = model.state_at_separation(separation + steps * step).expect("a state");
+        let state = model.state_at_gap(separation + steps * step).expect("a state");
         (state.contact_radius_sum, state.load)
     };
     let rise = |steps: f64| {

@@ -21,7 +21,7 @@ fn agree(surface: &Surface, separations: &[f64]) -> Vec<f64> {
     let params = params_of(surface);
     let model = Model::new(&params).unwrap_or_else(|error| panic!("{surface:?}: {error}"));
     let compare = |&separation: &f64| {
-        let state = model.state_at_separation(separation * params.height_std).expect("a state");
+        let state = model.state_at_gap(separation * params.height_std).expect("a state");
         let exact = surface.at_separation(separation);
         assert!(exact.converged, "{surface:?} at {separation}");
         let scale = exact.log_scale.exp();

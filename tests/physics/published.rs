@@ -189,7 +189,7 @@ fn without_adhesion_load_is_that_of_greenwood_and_williamson() {
     let model = Model::new(&params).expect("a model");
     let (sigma, radius) = (params.height_std, params.summit_radius);
     for (h, integral) in known {
-        let state = model.state_at_separation(h * sigma).expect("a state");
+        let state = model.state_at_gap(h * sigma).expect("a state");
         let expected = 4.0 / 3.0 * params.composite_modulus * radius.sqrt() * sigma.powf(1.5) * integral;
         assert!((state.load / expected - 1.0).abs() < 2e-8, "load {} at h = {h}, not {expected}", state.load);
         // The closed forms for n = 0 and 1: number and area of contacts.

@@ -28,7 +28,7 @@ class TailHeights:
         with Model(params.replace(work_of_adhesion=0.0)) as model:
 
             def logits(heights: Array) -> Array:
-                states = [model.state_at_separation(z * self._sigma) for z in heights]
+                states = [model.state_at_gap(z * self._sigma) for z in heights]
                 return self._logit(np.array([state.fraction_in_contact for state in states]))
 
             farthest = 8.0

@@ -142,7 +142,7 @@ def _start(model: Model, law: OneSummitLaw, heights: TailHeights, heaviest: floa
     """A separation at which the load of any pad is above the heaviest one, in all likelihood."""
     separation, step = heights.exceeded_by(_FIRST_CONTACTS), model.params.height_std / 16
     while True:
-        state = model.state_at_separation(separation)
+        state = model.state_at_gap(separation)
         summits = state.contacting + state.attracted
         one = law.least + (state.load - state.attraction_load) / max(state.contacting, 1.0)
         if state.load - max(heaviest, 0.0) > _DEVIATIONS * one * math.sqrt(summits):

@@ -101,7 +101,7 @@ class State(_WithUnits):
         friction_coefficient: Friction coefficient F/P [-], at most `max_friction_coefficient`.
         dforce_dload: dF/dP [-]; infinity at the pull-off load itself.
         dmu_dload: d(F/P)/dP [1/force]; 0 where the coefficient is capped.
-        dload_dseparation: dP/dd [force/length]: minus the normal contact stiffness.
+        dload_dgap: dP/dd [force/length]: minus the normal contact stiffness.
         real_area: Real area of contact [length^2].
         contacting: Number of summits in contact [-]; need not be an integer.
         attracted: Number of summits that attract without contact [-].
@@ -143,7 +143,7 @@ class State(_WithUnits):
     friction_coefficient: float
     dforce_dload: float
     dmu_dload: float
-    dload_dseparation: float
+    dload_dgap: float
     real_area: float
     contacting: float
     attracted: float
