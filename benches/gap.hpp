@@ -44,7 +44,7 @@ private:
         require(asperity_state_at_gap(model_.get(), 0.0, &half));
         require(asperity_state_at_load(model_.get(), 1e-8 * std::fabs(half.load), &far));
         for (size_t i = 0; i < kCount; ++i) {
-            close_[i] = uniform(-6.0 * sigma, far.separation);
+            close_[i] = uniform(-6.0 * sigma, far.gap);
             const double kinds[] = {close_[i], uniform(10.0, 100.0) * sigma, -sigma * std::exp(uniform(1.0, 9.1))};
             all_[i] = kinds[i % 3];
             load_[i] = std::exp(uniform(std::log(1e-3), std::log(1e3)));

@@ -795,7 +795,7 @@ contains
     type(c_ptr) :: model
     model = default_model()
     call asperity_check(asperity_state_at_load(model, 3.0_c_double, state))
-    at = [state%separation, 1e6_c_double]
+    at = [state%gap, 1e6_c_double]
     call check('surfaces apart are reported', &
                asperity_loads_at_gaps(model, 2_c_size_t, c_loc(at), c_loc(load), c_loc(slope)) == ASPERITY_SEPARATED)
     call check_close('the load at a separation', load(1), 3.0_c_double, 1e-9_c_double)
@@ -932,7 +932,7 @@ contains
       call check('... with the loads at which they hold', warned(1) <= state%load .and. warned(2) >= state%load)
       call check('... and have texts', c_associated(asperity_warning_string(ASPERITY_WARNING_PLASTIC)))
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
-      call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)
+      call check_close('the state at that load is the state', at_load%separation, state%gap, 1e-9_c_double)
       call check_close('... and so is its friction', at_load%friction_force, state%friction_force, 1e-9_c_double)
       load(1) = state%load
       call check_close('the stiffness is that of the state', asperity_tangential_stiffness_at_load(model, load(1)), &

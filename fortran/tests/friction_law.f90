@@ -312,7 +312,7 @@ contains
     integer :: stat
     call law%create(paper_case())
     call law%state_at_load(3.0_c_double, state)
-    load = law%load_at_gap(state%separation, slope, stat)
+    load = law%load_at_gap(state%gap, slope, stat)
     call check_close('the load at a separation', load, 3.0_c_double, 1e-9_c_double)
     call check_close('minus the normal stiffness', slope, state%dload_dgap, 1e-7_c_double)
     call check('surfaces apart are no failure', stat == 0 .and. &
@@ -396,7 +396,7 @@ contains
     call law%create(paper_case())
     call law%state_at_load(10.0_c_double, state)
     call check_close('the state has the load', state%load, 10.0_c_double, 1e-12_c_double)
-    call law%state_at_gap(state%separation, back)
+    call law%state_at_gap(state%gap, back)
     call check_close('load of the separation of the load', back%load, 10.0_c_double, 1e-9_c_double)
     call check_close('area too', back%real_area, state%real_area, 1e-9_c_double)
     back%load = 1

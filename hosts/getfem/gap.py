@@ -31,7 +31,7 @@ class Blocks:
 
     def __init__(self, law):
         self.law = law
-        self.at_rest = law.state_at_load(PRESSURES[0]).separation
+        self.at_rest = law.state_at_load(PRESSURES[0]).gap
         heights = np.concatenate([np.linspace(0, LOWER, 5), LOWER + BETWEEN + np.linspace(0, UPPER, 7)])
         self.mesh = getfem.Mesh("cartesian", np.linspace(0, WIDTH, 5), heights)
         self.mesh.del_convex([cv for cv in self.mesh.cvid() if LOWER < self.height(cv) < LOWER + BETWEEN])
@@ -125,7 +125,7 @@ def uniform(blocks):
     blocks.solve(PRESSURES[0])
     for load in PRESSURES[1:]:
         changes = blocks.solve(load)
-        interface = blocks.at_rest - blocks.law.state_at_load(load).separation
+        interface = blocks.at_rest - blocks.law.state_at_load(load).gap
         errors.append(np.max(np.abs(blocks.top() + bars(load) + interface)) / interface)
         orders.append(order(changes))
         iterations.append(len(changes))

@@ -144,7 +144,7 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.state_at_load(model, 50.0, state) == Status.OK
     assert math.isclose(state.friction_force, force[0], rel_tol=1e-9)
     assert math.isclose(state.dforce_dload, slope[0], rel_tol=1e-6)
-    separation = state.separation
+    separation = state.gap
     assert lib.state_at_gap(model, separation, state) == Status.OK
     assert math.isclose(state.load, 50.0, rel_tol=1e-9)
     assert math.isclose(lib.load_at_gap(model, separation), 50.0, rel_tol=1e-9)

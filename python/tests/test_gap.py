@@ -34,8 +34,8 @@ def model(request: pytest.FixtureRequest) -> asperity.Model:
 def separations(model: asperity.Model) -> npt.NDArray[Any]:
     """From heavy load to one that is 1e-12 of it, or to pull-off."""
     pull_off = model.summary().pull_off_load
-    nearest = model.state_at_load(1e3).separation
-    farthest = model.state_at_load(pull_off if pull_off < 0 else 1e-9).separation
+    nearest = model.state_at_load(1e3).gap
+    farthest = model.state_at_load(pull_off if pull_off < 0 else 1e-9).gap
     return np.linspace(nearest, farthest, 40)[:-1]
 
 

@@ -300,7 +300,7 @@ def test_warnings_need_a_hardness(params: Params) -> None:
 
 def test_load_and_separation_lead_to_the_same_state(model: Model) -> None:
     at_load = model.state_at_load(10.0)
-    at_separation = model.state_at_gap(at_load.separation)
+    at_separation = model.state_at_gap(at_load.gap)
     for name, value in vars(at_load).items():
         assert getattr(at_separation, name) == pytest.approx(float(value), rel=1e-8), name
 

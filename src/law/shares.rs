@@ -175,7 +175,7 @@ fn normalised(mut shares: PerElement) -> PerElement {
 #[cfg(test)]
 mod tests {
     use super::super::tests::branch;
-    use super::super::Law;
+    use super::super::{Law, Lengths};
     use super::*;
 
     fn force(shares: &PerElement, x: f64) -> f64 {

@@ -484,7 +484,7 @@ mod tests {
         };
         let model = Model::new(&params).expect("a model");
         let summary = model.summary();
-        let pull_off = model.state_at_load(summary.pull_off_load).expect("a state").separation;
+        let pull_off = model.state_at_load(summary.pull_off_load).expect("a state").gap;
         let pulled = model.state_at_gap(pull_off + 0.5 * model.units.length).expect("a state");
         assert!(pulled.load < 0.0 && pulled.friction_force > 0.0 && pulled.friction_coefficient == 0.0, "{pulled:?}");
         let pressed = model.state_at_gap(pull_off + model.units.length).expect("a state");
@@ -518,13 +518,13 @@ mod tests {
         for separation in [-0.5, 0.3, 1.1] {
             let at = |separation: f64| model.state_at_gap(separation).expect("a state");
             let (state, before, after) = (at(separation), at(separation - 1e-5), at(separation + 1e-5));
-            assert!(near(state.separation, separation, 1e-14), "{}", state.separation);
-            let step = after.separation - before.separation;
+            assert!(near(state.gap, separation, 1e-14), "{}", state.gap);
+            let step = after.gap - before.gap;
             assert!(near(state.dload_dgap, (after.load - before.load) / step, 1e-7), "{state:?}");
             let slope = (after.friction_force - before.friction_force) / (after.load - before.load);
             assert!(near(state.dforce_dload, slope, 1e-7), "{}, not {slope}", state.dforce_dload);
             let again = model.state_at_load(state.load).expect("a state");
-            assert!(near(again.separation, separation, 1e-10), "{}", again.separation);
+            assert!(near(again.gap, separation, 1e-10), "{}", again.gap);
             let (force, slope) = model.friction_force_and_slope(state.load);
             assert!(near(force, state.friction_force, 1e-9) && near(slope, state.dforce_dload, 1e-7), "{force}");
         }

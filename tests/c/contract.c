@@ -1311,7 +1311,7 @@ static void mu_is_force_over_load_and_the_table_is_as_good_as_it_says(int which)
         {
             asperity_state again;
             again.struct_size = sizeof again;
-            CHECK(asperity_state_at_gap(model, state.separation, &again) == ASPERITY_OK, "%s", last_message());
+            CHECK(asperity_state_at_gap(model, state.gap, &again) == ASPERITY_OK, "%s", last_message());
             CHECK(close_to(again.friction_force, state.friction_force, 1e-9), "%s at %g: not on the way back", name,
                   load);
         }

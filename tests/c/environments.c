@@ -156,7 +156,7 @@ static void prepare(const asperity_model *model, questions *q)
         q->load[LOADS - FAR + i] = ldexp(0.7 + 0.1 * (i % 3), (i % 2 == 0 ? 27 : -27) * i) * s.max_table_load;
     /* From compression beyond the table over all heights to surfaces apart. */
     for (int i = 0; i < LOADS; i++)
-        q->separation[i] = i < specials ? special[i] : state.separation * (1.5 - ldexp(0.1 * i, i % 4 == 0 ? 40 - i : -2));
+        q->separation[i] = i < specials ? special[i] : state.gap * (1.5 - ldexp(0.1 * i, i % 4 == 0 ? 40 - i : -2));
     q->load[specials] = s.pull_off_load;
     q->load[specials + 1] = 0.4 * s.pull_off_load;
     q->load[specials + 2] = 3 * s.pull_off_load;

@@ -192,7 +192,7 @@ fn refused(status: i32, documented: &[i32], what: &dyn Fn() -> String) {
 
 /// Every number that a caller could want is one: finite where it must be, with its sign.
 fn is_sound(state: &asperity_state) -> bool {
-    let finite = [state.load, state.separation, state.friction_force, state.real_area, state.contacting];
+    let finite = [state.load, state.gap, state.friction_force, state.real_area, state.contacting];
     let rates = [state.friction_coefficient, state.dforce_dload, state.dmu_dload, state.dload_dgap];
     let positive = [state.friction_force, state.real_area, state.contacting, state.attracted];
     let radii = [state.mean_contact_radius, state.max_contact_radius];
@@ -515,7 +515,7 @@ fn check_round_trips(watched: &mut Watched, handle: &Handle, params: &asperity_p
             continue;
         };
         watched.claim(is_sound(&state), || format!("{}: {state:?}", what()));
-        let again = watched.at_separation(handle, state.separation);
+        let again = watched.at_separation(handle, state.gap);
         let Ok(again) = again else {
             watched.failures.push(format!("{}: at its separation {again:?}: {}", what(), message()));
             continue;
@@ -523,7 +523,7 @@ fn check_round_trips(watched: &mut Watched, handle: &Handle, params: &asperity_p
         let off = (again.load - load).abs();
         // Contacts that push and contacts that pull cancel in a load: its resolution is that of their loads.
         watched.claim(off <= 1e-9 * load.abs().max(scale).max(again.attraction_load.abs()), || {
-            format!("{}: at its separation {:e} the load is {:e}", what(), state.separation, again.load)
+            format!("{}: at its separation {:e} the load is {:e}", what(), state.gap, again.load)
         });
         // SAFETY: the model lives.
         let force = watched.call(&what, |library| unsafe { (library.force)(handle.0, load) });

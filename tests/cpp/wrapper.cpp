@@ -528,7 +528,7 @@ void states_are_those_of_the_reference() {
     EXPECT((soft.state_at_load(state.load).warnings & ASPERITY_WARNING_PLASTIC) != 0);
 
     const asperity::State same = model.state_at_load(state.load);
-    EXPECT(close(same.separation, state.separation, 1e-9));
+    EXPECT(close(same.gap, state.gap, 1e-9));
     EXPECT(close(same.friction_force, state.friction_force, 1e-9));
 }
 
@@ -728,10 +728,10 @@ void a_contact_remembers() {
 void a_gap_has_a_load() {
     const Model model(Params::paper());
     const asperity::State state = model.state_at_load(REFERENCE_LOAD);
-    const asperity::ValueAndSlope load = model.load_and_slope_at_gap(state.separation);
+    const asperity::ValueAndSlope load = model.load_and_slope_at_gap(state.gap);
     EXPECT(close(load.value, REFERENCE_LOAD, 1e-9) && close(load.slope, state.dload_dgap, 1e-7));
-    EXPECT(model.load_at_gap(state.separation) == load.value);
-    const std::vector<double> separations{state.separation, 1e6, 0.0};
+    EXPECT(model.load_at_gap(state.gap) == load.value);
+    const std::vector<double> separations{state.gap, 1e6, 0.0};
     const std::vector<double> loads = model.load_at_gap(separations);
     EXPECT(loads[0] == load.value && loads[1] == 0.0 && loads[2] > loads[0]);
     std::vector<double> into(3), slopes(3);

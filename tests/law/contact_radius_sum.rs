@@ -65,7 +65,7 @@ fn the_sum_of_contact_radii_and_its_slope_are_those_of_exact_states() {
             failures.claim(error < VALUE, || format!("load {load:e}: off by {error:e}; {:?}", model.params()));
             worst = worst.max(error);
             compared += 1;
-            let [exact, coarse] = slopes(&model, state.separation);
+            let [exact, coarse] = slopes(&model, state.gap);
             if (coarse / exact - 1.0).abs() > SMOOTH {
                 kinked += 1;
                 continue;

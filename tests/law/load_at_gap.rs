@@ -39,7 +39,7 @@ fn surfaces() -> Vec<Params> {
 /// The separations between which it is compared: of 1e6 times the load at which half of the summits touch, or 1e4 times that of pull-off,
 /// and of pull-off or a load 1e-22 times as large, below which a pull-off load counts as none.
 fn range(model: &Model) -> (f64, f64) {
-    let separation = |load: f64| model.state_at_load(load).expect("a state").separation;
+    let separation = |load: f64| model.state_at_load(load).expect("a state").gap;
     let pull_off = model.summary().pull_off_load;
     let half = model.state_at_gap(0.0).map_or(0.0, |state| state.load);
     let lightest = 1e-22 * half.max(-pull_off);
@@ -94,7 +94,7 @@ fn separation_load_and_friction_agree() {
             let separation = far - (far - near) * 1e-4_f64.powf(f64::from(i) / 20.0);
             let load = model.load_at_gap(separation);
             let state = model.state_at_load(load).expect("a state");
-            assert!((state.separation - separation).abs() < 1e-8 * (params.height_std + separation.abs()));
+            assert!((state.gap - separation).abs() < 1e-8 * (params.height_std + separation.abs()));
             let force = model.friction_force_at_load(load);
             let expected = model.state_at_gap(separation).expect("a state").friction_force;
             assert!((force / expected - 1.0).abs() < 1e-8, "{separation:e}: {force:e}, not {expected:e}");
@@ -134,7 +134,7 @@ fn surfaces_part_at_the_separation_of_pull_off() {
     for gamma in [5e-4, 1e-3, 0.02] {
         let model = model(&dimensionless(0.01, 1000.0, gamma, 1.0));
         let pull_off = model.summary().pull_off_load;
-        let end = model.state_at_load(pull_off).expect("a state").separation;
+        let end = model.state_at_load(pull_off).expect("a state").gap;
         for separation in [end, end.above(), end + 1e-3, 2.0 * end, 1e9, f64::MAX] {
             assert_eq!(model.load_and_slope_at_gap(separation), (0.0, 0.0), "{separation:e}");
             assert!(matches!(model.validate_separation(separation), Err(Error::Open { .. })));

@@ -204,7 +204,7 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
                 continue;
             }
         };
-        let separation = state.separation / params.height_std;
+        let separation = state.gap / params.height_std;
         let exact = surface.at_separation(separation);
         if !exact.converged {
             answer.unresolved += 1;
@@ -222,7 +222,7 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
         }
     }
     if pull_off < 0.0 {
-        let end = model.state_at_load(pull_off).map_or(f64::NAN, |state| state.separation);
+        let end = model.state_at_load(pull_off).map_or(f64::NAN, |state| state.gap);
         answer.note("minimum", pull_off, rise_before_pull_off(&model, end, params.height_std));
         answer.note("minimum", pull_off, fall_beyond(surface, end / params.height_std));
     } else if let Some(load) = pulling(&model, params.height_std) {

@@ -36,7 +36,7 @@ fn a_load_next_to_pull_off_is_that_of_its_separation() {
     for x in [1e-7, 1e-6, 3e-6, 1e-5, 3e-5, 9e-5] {
         let load = pull_off * (1.0 - x);
         let state = model.state_at_load(load).expect("a state");
-        let there = model.state_at_gap(state.separation).expect("a state");
+        let there = model.state_at_gap(state.gap).expect("a state");
         assert!((there.load / load - 1.0).abs() < 1e-12, "x {x:e}: load {load:e}, at its separation {:e}", there.load);
     }
 }
@@ -229,7 +229,7 @@ fn the_last_bit_of_the_heights_is_no_panel_to_cut() {
         ..surface(9.222395660932716e-4, 48152.316878953374, 6.0884284861439574e-5, 1.550888465802803, 1.0)
     };
     let model = Model::new(&params).expect("a model");
-    let end = model.state_at_load(model.summary().pull_off_load).expect("a state").separation;
+    let end = model.state_at_load(model.summary().pull_off_load).expect("a state").gap;
     for i in 0..=80 {
         let separation = end - 0.1 * f64::from(i) * params.height_std;
         model.state_at_gap(separation).expect("a state");
@@ -265,7 +265,7 @@ fn sums_do_not_stop_where_contact_radii_pass_the_slip_law() {
         (params.heights, params.attraction) = (heights, true);
         (params.radius_amplitude, params.radius_rate) = (amplitude, rate);
         let model = Model::new(&params).expect("a model");
-        let end = model.state_at_load(model.summary().pull_off_load).expect("a state").separation;
+        let end = model.state_at_load(model.summary().pull_off_load).expect("a state").gap;
         let load = |steps: i32| {
             let separation = end - 0.01 * f64::from(steps) * params.height_std;
             model.state_at_gap(separation).expect("a state").load

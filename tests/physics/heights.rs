@@ -196,7 +196,7 @@ fn the_whole_domain_makes_sound_models() {
             assert!(exact.dload_dgap < 0.0, "{name}, load {load}: {exact:?}");
             if let Some(before) = before {
                 assert!(exact.friction_force > before.friction_force, "{name}, load {load}: friction falls");
-                assert!(exact.separation <= before.separation, "{name}, load {load}: separation rises");
+                assert!(exact.gap <= before.gap, "{name}, load {load}: separation rises");
             }
             before = Some(exact);
         }
@@ -365,7 +365,7 @@ fn slopes_are_those_of_secants() {
                         continue; // above the highest summit
                     }
                     let (above, below) = (at(step), at(-step));
-                    let secant = (above.load - below.load) / (above.separation - below.separation);
+                    let secant = (above.load - below.load) / (above.gap - below.gap);
                     assert!(
                         (secant / here.dload_dgap - 1.0).abs() < 1e-6,
                         "{heights:?}, gamma {gamma}, epsilon {amplitude}, d {separation}: {secant:e}, not {:e}",

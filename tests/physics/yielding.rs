@@ -174,7 +174,7 @@ fn without_an_end_of_hardness_summits_are_those_of_hertz() {
             for (a, b) in [
                 (a.friction_force, b.friction_force),
                 (a.real_area, b.real_area),
-                (a.separation, b.separation),
+                (a.gap, b.gap),
                 (a.dforce_dload, b.dforce_dload),
                 (a.tangential_stiffness, b.tangential_stiffness),
                 (hard.friction_at_load(load), elastic.friction_at_load(load)),

@@ -218,7 +218,7 @@ impl<'a> Calls<'a> {
         let state_at: *mut asperity_state = &mut state;
         let pull_off = model.summary.pull_off_load;
         assert_eq!(call!(self, model.params, asperity_state_at_load(at, pull_off, state_at)), OK, "{:?}", model.params);
-        let (end, height_std) = (state.separation, model.params.height_std);
+        let (end, height_std) = (state.gap, model.params.height_std);
         for offset in (-15..0).map(|k| height_std * 10_f64.powi(k)) {
             let status = call!(self, model.params, asperity_state_at_gap(at, end + offset, state_at));
             assert_eq!(status, OK, "{end:e} + {offset:e}: {}; {:?}", message(), model.params);
@@ -647,7 +647,7 @@ impl<'a> Calls<'a> {
             let (at, mut state): (Shared, _) = (model.handle.0, asperity_state::empty());
             let state_at: *mut asperity_state = &mut state;
             assert_eq!(call!(self, model.params, asperity_state_at_load(at, load, state_at)), OK, "load {load:e}");
-            state.separation
+            state.gap
         });
         let height_std = model.params.height_std;
         (lighter - heavier).abs() > UNRESOLVED * f64::EPSILON * lighter.abs().max(height_std)
@@ -980,7 +980,7 @@ fn words_of(params: &asperity_params) -> Vec<u64> {
 
 /// Every number of a state is one, finite where it must be, with its sign.
 fn check_state(state: &asperity_state, what: &dyn Fn() -> String) {
-    let finite = [state.load, state.separation, state.friction_force, state.real_area, state.contacting];
+    let finite = [state.load, state.gap, state.friction_force, state.real_area, state.contacting];
     let rates = [state.friction_coefficient, state.dforce_dload, state.dmu_dload, state.dload_dgap];
     let positive = [state.friction_force, state.real_area, state.contacting, state.attracted];
     let sound = finite.iter().all(|&x| is_finite(x))
