@@ -1156,15 +1156,15 @@ module asperity
     procedure, public :: microslip_step => model_microslip_step
     procedure, public :: microslip_steps => model_microslip_steps
 
-    ! load = law%load_at_gap(separation [, slope] [, stat] [, errmsg])
-    !   separation  real(c_double), intent(in) [length] of the mean planes, as for state_at_gap
+    ! load = law%load_at_gap(gap [, slope] [, stat] [, errmsg])
+    !   gap  real(c_double), intent(in) [length] between the mean planes, as for state_at_gap
     !   load        real(c_double) [force]: negative where adhesion pulls, 0 at pull-off and beyond
-    !   slope       real(c_double), intent(out), optional: d(load)/d(separation) [force/length], minus the normal stiffness
-    ! A separation that is not finite gives NaN, with a slope of NaN, and ASPERITY_INVALID_PARAMETER.
+    !   slope       real(c_double), intent(out), optional: d(load)/d(gap) [force/length], minus the normal stiffness
+    ! A gap that is not finite gives NaN, with a slope of NaN, and ASPERITY_INVALID_PARAMETER.
     procedure, public :: load_at_gap => model_load_at_gap
 
     ! call law%state_at_load(load, state [, stat] [, errmsg])                the exact state at a load [force]
-    ! call law%state_at_gap(separation, state [, stat] [, errmsg])    the same at a separation [length]
+    ! call law%state_at_gap(gap, state [, stat] [, errmsg])    the same at a gap [length]
     !   state  type(asperity_state), intent(inout); as it was on failure
     procedure, public :: state_at_load => model_state_at_load
     procedure, public :: state_at_gap => model_state_at_gap
@@ -1630,14 +1630,14 @@ contains
     call report(asperity_state_at_load(self%handle, load, state), stat, errmsg)
   end subroutine model_state_at_load
 
-  subroutine model_state_at_gap(self, separation, state, stat, errmsg)
+  subroutine model_state_at_gap(self, gap, state, stat, errmsg)
     class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: separation
+    real(c_double), intent(in) :: gap
     type(asperity_state), intent(inout) :: state
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     if (.not. is_created(self, stat, errmsg)) return
-    call report(asperity_state_at_gap(self%handle, separation, state), stat, errmsg)
+    call report(asperity_state_at_gap(self%handle, gap, state), stat, errmsg)
   end subroutine model_state_at_gap
 
   subroutine model_sensitivities_at_load(self, load, sensitivities, stat, errmsg)
@@ -1753,17 +1753,17 @@ contains
     end if
   end function model_slip_force
 
-  function model_load_at_gap(self, separation, slope, stat, errmsg) result(load)
+  function model_load_at_gap(self, gap, slope, stat, errmsg) result(load)
     class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: separation
+    real(c_double), intent(in) :: gap
     real(c_double), intent(out), optional, target :: slope
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     real(c_double) :: load
     real(c_double), target :: at(1)
-    load = asperity_load_and_slope_at_gap(c_model(self), separation, scalar_address(slope))
+    load = asperity_load_and_slope_at_gap(c_model(self), gap, scalar_address(slope))
     if (.not. is_created(self, stat, errmsg)) return
-    at(1) = separation
+    at(1) = gap
     call report(open_is_an_answer(asperity_loads_at_gaps(self%handle, 1_c_size_t, c_loc(at), c_null_ptr, &
                                                                 c_null_ptr)), stat, errmsg)
   end function model_load_at_gap

@@ -787,7 +787,7 @@ contains
     call asperity_free(model)
   end subroutine batches_beside_friction
 
-  ! The load at a separation, of one and of many, and by the table.
+  ! The load at a gap, of one and of many, and by the table.
   subroutine gaps
     real(c_double), target :: at(2), load(2), slope(2), one
     type(asperity_state) :: state
@@ -798,7 +798,7 @@ contains
     at = [state%gap, 1e6_c_double]
     call check('surfaces apart are reported', &
                asperity_loads_at_gaps(model, 2_c_size_t, c_loc(at), c_loc(load), c_loc(slope)) == ASPERITY_SEPARATED)
-    call check_close('the load at a separation', load(1), 3.0_c_double, 1e-9_c_double)
+    call check_close('the load at a gap', load(1), 3.0_c_double, 1e-9_c_double)
     call check_close('its slope', slope(1), state%dload_dgap, 1e-7_c_double)
     call check('apart there is none', identical(load(2), 0.0_c_double))
     call check('one as many', identical(asperity_load_at_gap(model, at(1)), load(1)))
@@ -932,7 +932,7 @@ contains
       call check('... with the loads at which they hold', warned(1) <= state%load .and. warned(2) >= state%load)
       call check('... and have texts', c_associated(asperity_warning_string(ASPERITY_WARNING_PLASTIC)))
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
-      call check_close('the state at that load is the state', at_load%separation, state%gap, 1e-9_c_double)
+      call check_close('the state at that load is the state', at_load%gap, state%gap, 1e-9_c_double)
       call check_close('... and so is its friction', at_load%friction_force, state%friction_force, 1e-9_c_double)
       load(1) = state%load
       call check_close('the stiffness is that of the state', asperity_tangential_stiffness_at_load(model, load(1)), &

@@ -1,4 +1,4 @@
-"""Two blocks with a rough interface in GetFEM: the pressure between them is the library's load at the separation (normal
+"""Two blocks with a rough interface in GetFEM: the pressure between them is the library's load at the gap (normal
 compliance), with its slope in Newton's method. Under uniform pressure the displacement has a closed form. Units: mm, N, MPa. The law
 is made for 1 mm2, so that its load is a pressure.
 """

@@ -13,7 +13,8 @@ use std::ffi::{c_char, CStr};
 /// a hardness, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding.
 pub const ASPERITY_WARNING_PLASTIC: u64 = 1;
 /// Bit of `warnings`: summits do not act independently. Set if more than 10 % of them touch, or if the real area is more than
-/// 10 % of `nominal_area`, where that is given. Never set if `asperity_count` is 1.
+/// 10 % of `nominal_area`, where that is given: areas and stiffness are then rough, above half of it saturated. Never set if
+/// `asperity_count` is 1.
 pub const ASPERITY_WARNING_CROWDED: u64 = 2;
 /// Bit of `warnings`: contacts are not small compared with their summits. Set if contact radii are more than a tenth of the
 /// summit radii, on average.
@@ -159,7 +160,8 @@ fn string(warning: u64) -> &'static CStr {
         }
         ASPERITY_WARNING_CROWDED => {
             c"summits do not act independently: more than 10 % of them touch, or the real area is more than 10 % of \
-              nominal_area; use lighter loads, or check height_std and asperity_count, which are usually too small"
+              nominal_area; areas and stiffness are rough here, and from half of nominal_area on stiffness no longer counts more \
+              neighbours; use lighter loads, or check height_std and asperity_count, which are usually too small"
         }
         ASPERITY_WARNING_STEEP => {
             c"contacts are too large for their summits: contact radii are above a tenth of summit radii on \

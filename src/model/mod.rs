@@ -203,8 +203,8 @@ impl Model {
         self.value_and_slope(Quantity::Radius, load).0
     }
 
-    /// Sum of the radii of all contacts [length]: the constriction conductance of independent contacts is 2 k times it, k the
-    /// harmonic mean of the conductivities of the two bodies. 0 below pull-off; NaN for a load that is not finite or too heavy.
+    /// Sum of the radii of all contacts over psi, which is 1 where the nominal area is not known [length]: the constriction
+    /// conductance is 2 k times it, k the harmonic mean of the conductivities of the two bodies. 0 below pull-off; NaN for a load that is not finite or too heavy.
     pub fn contact_radius_sum_at_load(&self, load: f64) -> f64 {
         self.contact_radius_sum_and_slope(load).0
     }

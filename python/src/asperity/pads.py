@@ -23,7 +23,7 @@ import numpy.typing as npt
 
 from . import _blocks, _checks
 from ._pad_equilibrium import Counts, Mask, OneSummitLaw, descend
-from ._pad_heights import TailHeights
+from ._pad_heights import TailHeights, counted_from_summits
 from ._pad_results import Pads
 from ._progress import Progress, teller
 from .model import Model
@@ -97,7 +97,7 @@ def pads(
     apart = np.zeros((count, load.size), dtype=bool)
     random = np.random.default_rng(seed)
     heights = TailHeights(params)
-    with Model(params) as model:
+    with Model(counted_from_summits(params)) as model:
         model_force = model.friction_force_at_load(load)
         law = _law(params, heights.highest)
         heaviest, whole = float(load.max()), heights.count <= _DRAWN_WHOLE
