@@ -39,6 +39,7 @@ ASPERITY_WARNING_ADHESIVE = 32
 ASPERITY_WARNING_UNCALIBRATED = 64
 ASPERITY_WARNING_BROAD = 128
 ASPERITY_WARNING_STRONG = 256
+ASPERITY_WARNING_FEW_WAVES = 512
 ASPERITY_TABLE_LAYOUT = 1
 
 _double = POINTER(c_double)
@@ -85,6 +86,7 @@ class asperity_params(Structure):
         ("calibration_friction_force", c_double),
         ("calibration_error", c_double),
         ("summit_mean_height", c_double),
+        ("rms_slope", c_double),
     ]
 
 
@@ -257,7 +259,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_params_set_materials": (c_int32, [_params, c_double, c_double, c_double, c_double]),
     "asperity_params_set_elastic_plastic": (c_int32, [_params, c_double]),
     "asperity_params_set_spectral_moments": (c_int32, [_params, c_double, c_double, c_double, c_double]),
-    "asperity_params_set_nayak_summits": (c_int32, [_params, c_double, c_double, c_double, c_double]),
+    "asperity_params_set_mccool_summits": (c_int32, [_params, c_double, c_double, c_double, c_double]),
     "asperity_params_set_skew": (c_int32, [_params, c_double]),
     "asperity_params_set_value": (c_int32, [_params, c_char_p, c_double]),
     "asperity_params_set_values": (c_int32, [_params, c_size_t, POINTER(POINTER(c_char)), _double]),
