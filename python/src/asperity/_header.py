@@ -148,7 +148,7 @@ class asperity_state(Structure):
     _fields_ = [
         ("struct_size", c_uint64),
         ("load", c_double),
-        ("separation", c_double),
+        ("gap", c_double),
         ("friction_force", c_double),
         ("friction_coefficient", c_double),
         ("dforce_dload", c_double),
@@ -361,7 +361,7 @@ UNITS = {
     "calibration_friction_force": "force",
     "summit_mean_height": "length",
     "load": "force",
-    "separation": "length",
+    "gap": "length",
     "friction_force": "force",
     "dmu_dload": "1/force",
     "dload_dgap": "force/length",

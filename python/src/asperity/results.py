@@ -100,12 +100,12 @@ class State(_WithUnits):
 
     Attributes:
         load: Normal load P [force]; negative pulls.
-        gap: Gap between the mean planes of the surfaces [length]; without a `summit_mean_height` from the mean of the summits.
+        gap: Gap between the mean planes of the surfaces [length].
         friction_force: Friction force F [force], >= 0.
         friction_coefficient: Friction coefficient F/P [-], at most `max_friction_coefficient`.
         dforce_dload: dF/dP [-]; infinity at the pull-off load itself.
         dmu_dload: d(F/P)/dP [1/force]; 0 where the coefficient is capped.
-        dload_dgap: dP/dd [force/length]: minus the normal contact stiffness.
+        dload_dgap: d(load)/d(gap) [force/length]: minus the normal contact stiffness.
         real_area: Real area of contact [length^2].
         contacting: Number of summits in contact [-]; need not be an integer.
         attracted: Number of summits that attract without contact [-].
@@ -129,8 +129,8 @@ class State(_WithUnits):
         tangential_stiffness: K_t [force/length]: tangential force by displacement while all contacts stick.
         fraction_elastic: Fraction of the contacts below first yield [-]; 1 for "maugis" without a hardness.
         fraction_flowing: Fraction of the contacts that are fully plastic [-].
-        contact_radius_sum: Sum of the radii of all contacts [length]. The constriction conductance, thermal or
-            electrical, of independent contacts is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of
+        contact_radius_sum: Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction
+            conductance, thermal or electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of
             both bodies.
         hertz_load: Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to
             it.
