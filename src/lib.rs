@@ -44,7 +44,6 @@ mod equilibrium;
 mod error;
 mod float_bits;
 mod jenkins;
-mod joint_distribution;
 mod law;
 pub mod materials;
 mod model;
