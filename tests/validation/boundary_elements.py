@@ -157,28 +157,44 @@ class Known:
 
     @property
     def bandwidth(self) -> float:
+        """Nayak's, m0 m4/m2^2."""
         return self.m0 * self.m4 / self.m2**2
+
+    @property
+    def waves(self) -> float:
+        """Of the longest waves with full power, how many fit a side."""
+        return self.corner
+
+    @property
+    def kind(self) -> str:
+        """Of the spectrum."""
+        if self.bands == 2:
+            return "two bands"
+        if self.corner > self.lowest:
+            return "plateau"
+        return "narrow" if self.highest < 10 * self.lowest else f"self-affine, H = {self.hurst:g}"
+
+    @property
+    def fitted(self) -> bool:
+        """Whether the constants of src/spectrum.rs were fitted to this surface, by fit_asperities.py."""
+        return self.grid == 512 and self.seed % 2 == 0
+
+    def from_moments(self, **law: Any) -> Params:
+        """Parameters from m0 and m2, with the law of contact."""
+        moments = dict(m0=self.m0, m2=self.m2, nominal_area=float(self.grid**2))
+        return Params.from_spectral_moments(**moments, **CONTACT | law)
 
     def from_map(self, **law: Any) -> Params:
         """Parameters from the summits on the map, with the law of contact."""
-        count = self.density * self.grid**2
-        summits = dict(height_std=self.height_std, summit_radius=self.radius, asperity_count=count)
+        summits = dict(height_std=self.height_std, summit_radius=self.radius, asperity_count=self.density * self.grid**2)
         trend = dict(radius_amplitude=self.amplitude, radius_rate=self.rate)
-        return Params.si(**summits, **trend, **CONTACT, **law)
-
-    def from_moments(self, summits: Literal["equal", "nayak"] = "equal", **law: Any) -> Params:
-        """Parameters from the spectral moments, with the law of contact."""
-        moments = dict(m0=self.m0, m2=self.m2, m4=self.m4, nominal_area=float(self.grid**2))
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", ValidityWarning)  # of the bias that is measured here
-            return Params.from_spectral_moments(**moments, summits=summits, **CONTACT, **law)
+        return Params.si(**summits, **trend, **CONTACT | law)
 
     def predicted(self, params: Params) -> Prediction:
         """The library over the boundary elements."""
         nominal = self.grid**2
         state = Model(params).state_at_load(self.pressure * SLOPE * nominal)
-        area, friction = state.real_area / nominal / self.area, state.friction_force / nominal / self.friction
-        return Prediction(area, friction, state.fraction_in_contact)
+        return Prediction(state.real_area / nominal / self.area, state.friction_force / nominal / self.friction)
 
 
 @dataclass(frozen=True)
@@ -196,14 +212,26 @@ class Row(Known):
     greater_gap: float
 
     @property
-    def by_moments(self) -> Prediction:
-        """By the library, from the spectral moments."""
-        return self.predicted(self.from_moments())
+    def stiffness(self) -> float:
+        """Normal stiffness over E* and nominal area, between the two gaps."""
+        return (GREATER - 1) * self.pressure * SLOPE / (self.gap - self.greater_gap)
 
     @property
-    def by_nayak(self) -> Prediction:
-        """By the library, from the spectral moments with Nayak's joint distribution of heights and radii."""
-        return self.predicted(self.from_moments("nayak"))
+    def by_moments(self) -> Planes:
+        """By the library, from m0 and m2."""
+        nominal, model = self.grid**2, Model(self.from_moments())
+        gap, greater_gap = (model.gap_at_load(load * self.pressure * SLOPE * nominal) for load in (1, GREATER))
+        contact = self.predicted(self.from_moments())
+        stiffness = (self.gap - self.greater_gap) / (gap - greater_gap)
+        return Planes(contact.area, contact.friction, stiffness, (gap - self.gap) / math.sqrt(self.m0))
+
+    @property
+    def by_mccool(self) -> Prediction:
+        """By the library, from the three moments: McCool's summits."""
+        moments = dict(m0=self.m0, m2=self.m2, m4=self.m4, nominal_area=float(self.grid**2))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ValidityWarning)  # of the bias that is measured here
+            return self.predicted(Params.from_spectral_moments(**moments, summits="mccool", **CONTACT))
 
     @property
     def by_map(self) -> Prediction:
@@ -213,11 +241,18 @@ class Row(Known):
 
 @dataclass(frozen=True)
 class Prediction:
-    """Area and friction of the library over those of the boundary elements, and its fraction of summits in contact."""
+    """Area and friction of the library over those of the boundary elements."""
 
     area: float
     friction: float
-    fraction_in_contact: float
+
+
+@dataclass(frozen=True)
+class Planes(Prediction):
+    """Normal stiffness too, and the gap of the library less that of the boundary elements, over root mean square height."""
+
+    stiffness: float
+    gap: float
 
 
 def surface(spectrum: Spectrum, seed: int) -> tuple[np.ndarray[Any, Any], topography.SpectralMoments]:
@@ -282,6 +317,13 @@ def slip_force(areas: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
     return np.asarray(areas * np.clip(radius / 28, 1, 8e4 / 28) ** exponent / 43)
 
 
+def summits(heights: np.ndarray[Any, Any]) -> Any:
+    """Those of a map."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ValidityWarning)  # of coarse maps
+        return topography.summits(heights, 1.0, 1.0, detrend=0)
+
+
 def known(spectrum: Spectrum, seed: int, moments: topography.SpectralMoments, summits: Any) -> tuple[Any, ...]:
     """What a row knows of its surface."""
     trend = summits.radius_trend
@@ -295,11 +337,9 @@ def known(spectrum: Spectrum, seed: int, moments: topography.SpectralMoments, su
 def compare(spectrum: Spectrum, seed: int, ratios: tuple[float, ...] = PRESSURES) -> Iterator[Row]:
     """One surface at pressures over E* and slope."""
     heights, moments = surface(spectrum, seed)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ValidityWarning)  # of coarse maps
-        summits = topography.summits(heights, 1.0, 1.0, detrend=0)
+    found = summits(heights)
     for ratio, answer in zip(ratios, press(heights, tuple(ratio * SLOPE for ratio in ratios))):
-        yield Row(*known(spectrum, seed, moments, summits), ratio, *answer)
+        yield Row(*known(spectrum, seed, moments, found), ratio, *answer)
 
 
 AnyRow = TypeVar("AnyRow", bound=Known)
