@@ -4,11 +4,11 @@ An isotropic Gaussian surface on a periodic square is pressed against a flat by 
 and Molinari, J. Open Source Softw. 5 (2020), 2121) with the solver of Polonsky and Keer (Wear 231 (1999), 206): an
 elastic half-space, no adhesion, summits that press each other down and contacts of any shape. Friction is that of eqs
 (13) to (15), summed over the patches of contact, each taken for a circle of its area. The library answers for the same
-surface, known by its spectral moments or by its summits.
+surface from two of its spectral moments, from McCool's summits of three moments, and from the summits on the map.
 
 usage: boundary_elements.py [FILE.csv]
 
-Computes every surface anew, for an hour or two, and writes boundary_elements.csv.
+Computes every surface anew, for two hours or so on one core, and writes boundary_elements.csv.
 """
 
 from __future__ import annotations
@@ -18,13 +18,14 @@ import math
 import sys
 import warnings
 from dataclasses import astuple, dataclass, fields
+from functools import lru_cache
 from pathlib import Path
-from typing import Any, Iterable, Iterator, Literal, TypeVar
+from typing import Any, Iterable, Iterator, TypeVar
 
 import numpy as np
 import tamaas
 
-from asperity import Model, Params, ValidityWarning
+from asperity import Model, Params, State, ValidityWarning
 from asperity import surface as topography
 
 FILE = Path(__file__).with_name("boundary_elements.csv")
@@ -192,9 +193,17 @@ class Known:
 
     def predicted(self, params: Params) -> Prediction:
         """The library over the boundary elements."""
+        return self.ratios(state(params, self.load))
+
+    def ratios(self, state: State) -> Prediction:
+        """A state over the boundary elements."""
         nominal = self.grid**2
-        state = Model(params).state_at_load(self.pressure * SLOPE * nominal)
         return Prediction(state.real_area / nominal / self.area, state.friction_force / nominal / self.friction)
+
+    @property
+    def load(self) -> float:
+        """Over E*."""
+        return self.pressure * SLOPE * self.grid**2
 
 
 @dataclass(frozen=True)
@@ -212,18 +221,12 @@ class Row(Known):
     greater_gap: float
 
     @property
-    def stiffness(self) -> float:
-        """Normal stiffness over E* and nominal area, between the two gaps."""
-        return (GREATER - 1) * self.pressure * SLOPE / (self.gap - self.greater_gap)
-
-    @property
     def by_moments(self) -> Planes:
         """By the library, from m0 and m2."""
-        nominal, model = self.grid**2, Model(self.from_moments())
-        gap, greater_gap = (model.gap_at_load(load * self.pressure * SLOPE * nominal) for load in (1, GREATER))
-        contact = self.predicted(self.from_moments())
-        stiffness = (self.gap - self.greater_gap) / (gap - greater_gap)
-        return Planes(contact.area, contact.friction, stiffness, (gap - self.gap) / math.sqrt(self.m0))
+        params = self.from_moments()
+        here, greater = (state(params, factor * self.load) for factor in (1.0, GREATER))
+        stiffness = (self.gap - self.greater_gap) / (here.gap - greater.gap)
+        return Planes(*astuple(self.ratios(here)), stiffness, (here.gap - self.gap) / math.sqrt(self.m0))
 
     @property
     def by_mccool(self) -> Prediction:
@@ -253,6 +256,16 @@ class Planes(Prediction):
 
     stiffness: float
     gap: float
+
+
+@lru_cache(maxsize=None)
+def model(params: Params) -> Model:
+    return Model(params)
+
+
+def state(params: Params, load: float) -> State:
+    """Of a model that is made once."""
+    return model(params).state_at_load(load)
 
 
 def surface(spectrum: Spectrum, seed: int) -> tuple[np.ndarray[Any, Any], topography.SpectralMoments]:
