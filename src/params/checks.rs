@@ -71,6 +71,7 @@ impl Params {
             b_over_h: self.burgers_vector / self.adhesion_range,
             hardness: if self.hardness > 0.0 { self.hardness / self.composite_modulus } else { f64::INFINITY },
             yields: self.contact_law == ContactLawKind::ElasticPlastic,
+            nominal_area: self.nominal_area / (self.burgers_vector * self.burgers_vector) / self.asperity_count,
         }
     }
 

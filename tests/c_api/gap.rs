@@ -32,8 +32,8 @@ fn scalar(model: *const asperity_model, separation: f64) -> (f64, f64) {
     let mut slope = 7.0;
     // SAFETY: the model lives.
     let (alone, load) = unsafe {
-        let alone = asperity_load_at_separation(model, separation);
-        (alone, asperity_load_and_slope_at_separation(model, separation, &mut slope))
+        let alone = asperity_load_at_gap(model, separation);
+        (alone, asperity_load_and_slope_at_gap(model, separation, &mut slope))
     };
     assert_eq!(alone.to_bits(), load.to_bits(), "{separation:e}");
     (load, slope)
@@ -58,21 +58,21 @@ fn an_element_has_the_bits_of_the_call_for_one() {
             // SAFETY: arrays of so many elements; in place both ways.
             unsafe {
                 let (d, loads, slopes) = (separations.as_ptr(), load.as_mut_ptr(), slope.as_mut_ptr());
-                asperity_loads_at_separations(model, count, d, loads, slopes);
+                asperity_loads_at_gaps(model, count, d, loads, slopes);
                 same(&load, &slope);
                 let mut place = separations.clone();
-                asperity_loads_at_separations(model, count, place.as_ptr(), place.as_mut_ptr(), slopes);
+                asperity_loads_at_gaps(model, count, place.as_ptr(), place.as_mut_ptr(), slopes);
                 same(&place, &slope);
                 place.clone_from(&separations);
-                asperity_loads_at_separations(model, count, place.as_ptr(), loads, place.as_mut_ptr());
+                asperity_loads_at_gaps(model, count, place.as_ptr(), loads, place.as_mut_ptr());
                 same(&load, &place);
                 // One byte off, and one output only.
                 let mut bytes = vec![0_u8; 8 * count + 8];
                 let unaligned = bytes.as_mut_ptr().add(1).cast::<f64>();
                 std::ptr::copy_nonoverlapping(d.cast::<u8>(), unaligned.cast(), 8 * count);
-                asperity_loads_at_separations(model, count, unaligned, null_mut(), slopes);
+                asperity_loads_at_gaps(model, count, unaligned, null_mut(), slopes);
                 same(&load, &slope);
-                asperity_loads_at_separations(model, count, unaligned, unaligned, null_mut());
+                asperity_loads_at_gaps(model, count, unaligned, unaligned, null_mut());
                 std::ptr::copy_nonoverlapping(unaligned.cast::<u8>(), loads.cast(), 8 * count);
                 same(&load, &slope);
             }
@@ -98,7 +98,7 @@ fn the_first_separation_that_is_not_in_order_is_named() {
             let mut load = [0.0; 300];
             // SAFETY: arrays of 300 elements.
             let found = unsafe {
-                asperity_loads_at_separations(model, 300, separations.as_ptr(), load.as_mut_ptr(), null_mut())
+                asperity_loads_at_gaps(model, 300, separations.as_ptr(), load.as_mut_ptr(), null_mut())
             };
             assert_eq!(found, status, "{separation}: {}", message());
             let message = message();
@@ -114,13 +114,13 @@ fn null_is_refused_or_nan() {
     let mut load = [7.0];
     // SAFETY: NULL is what is tested.
     unsafe {
-        assert!(asperity_load_at_separation(null(), 1.0).is_nan());
-        assert!(asperity_load_and_slope_at_separation(null(), 1.0, null_mut()).is_nan());
-        let at = asperity_loads_at_separations(null(), 1, [1.0].as_ptr(), load.as_mut_ptr(), null_mut());
+        assert!(asperity_load_at_gap(null(), 1.0).is_nan());
+        assert!(asperity_load_and_slope_at_gap(null(), 1.0, null_mut()).is_nan());
+        let at = asperity_loads_at_gaps(null(), 1, [1.0].as_ptr(), load.as_mut_ptr(), null_mut());
         assert_eq!((at, load), (ASPERITY_NULL_POINTER, [7.0]));
-        let at = asperity_loads_at_separations(handle.0, 1, null(), load.as_mut_ptr(), null_mut());
+        let at = asperity_loads_at_gaps(handle.0, 1, null(), load.as_mut_ptr(), null_mut());
         assert_eq!((at, load), (ASPERITY_NULL_POINTER, [7.0]));
-        assert_eq!(asperity_loads_at_separations(handle.0, 0, null(), null_mut(), null_mut()), ASPERITY_OK);
-        assert_eq!(asperity_loads_at_separations(handle.0, 1, [1.0].as_ptr(), null_mut(), null_mut()), ASPERITY_OK);
+        assert_eq!(asperity_loads_at_gaps(handle.0, 0, null(), null_mut(), null_mut()), ASPERITY_OK);
+        assert_eq!(asperity_loads_at_gaps(handle.0, 1, [1.0].as_ptr(), null_mut(), null_mut()), ASPERITY_OK);
     }
 }

@@ -21,7 +21,7 @@ fn agree(surface: &Surface, separations: &[f64]) -> Vec<f64> {
     let params = params_of(surface);
     let model = Model::new(&params).unwrap_or_else(|error| panic!("{surface:?}: {error}"));
     let compare = |&separation: &f64| {
-        let state = model.state_at_separation(separation * params.height_std).expect("a state");
+        let state = model.state_at_gap(separation * params.height_std).expect("a state");
         let exact = surface.at_separation(separation);
         assert!(exact.converged, "{surface:?} at {separation}");
         let scale = exact.log_scale.exp();
@@ -201,12 +201,12 @@ fn separation_nears_that_of_pull_off_as_the_root_of_the_load() {
     ] {
         let model = Model::new(&params).expect("a model");
         let pull_off = model.summary().pull_off_load;
-        let end = model.state_at_load(pull_off).expect("a state").separation;
+        let end = model.state_at_load(pull_off).expect("a state").gap;
         let quotient = |x: f64| {
             let load = pull_off * (1.0 - x);
             let state = model.state_at_load(load).expect("a state");
             // The difference of loads that are so near is exact.
-            (end - state.separation) / ((load - pull_off) / -pull_off).sqrt()
+            (end - state.gap) / ((load - pull_off) / -pull_off).sqrt()
         };
         let limit = quotient(1e-9);
         for x in [1e-14, 1e-13, 1e-12, 1e-11, 1e-10] {
