@@ -15,13 +15,14 @@ import math
 import sys
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Iterator
+from typing import Any, Iterator
 
 import numpy as np
 import tamaas
 
 import boundary_elements
-from boundary_elements import SLOPE, TOLERANCE, Known, Prediction, Spectrum, falling, known, surface
+from asperity import Params
+from boundary_elements import SLOPE, TOLERANCE, Known, Prediction, Spectrum, falling, known, state, surface
 
 FILE = Path(__file__).with_name("adhesion.csv")
 
@@ -46,26 +47,35 @@ class Row(Known):
         work: of adhesion, over E*, root mean square height and gradient; 0 for none.
         reach: of adhesion, over root mean square height.
         attraction: load of the points that attract without contact, over the net load.
+        dry_pressure: of the same surface at the same mean gap, without adhesion.
     """
 
     work: float
     reach: float
     attraction: float
+    dry_pressure: float
 
     @property
-    def _adhesion(self) -> dict[str, float]:
-        height = math.sqrt(self.m0)
-        return dict(work_of_adhesion=self.work * height * SLOPE, adhesion_range=self.reach * height)
+    def share(self) -> float:
+        """Adhesive share of the load in the library: loads of Hertz' contacts of the same radii over the load, less 1."""
+        found = state(self._params, self.load)
+        return found.hertz_load / found.load - 1
 
     @property
     def by_moments(self) -> Prediction:
         """By the library, from m0 and m2."""
-        return self.predicted(self.from_moments(**self._adhesion))
+        return self.predicted(self._params)
 
     @property
-    def by_load_alone(self) -> Prediction:
-        """By the library, from m0 and m2, without adhesion."""
+    def without_adhesion(self) -> Prediction:
+        """By the library, from m0 and m2, with adhesion neglected."""
         return self.predicted(self.from_moments())
+
+    @property
+    def _params(self) -> Params:
+        height = math.sqrt(self.m0)
+        adhesion = dict(work_of_adhesion=self.work * height * SLOPE, adhesion_range=self.reach * height)
+        return self.from_moments(**adhesion if self.work else {})
 
 
 def compare(spectrum: Spectrum, seed: int) -> Iterator[Row]:
@@ -76,15 +86,15 @@ def compare(spectrum: Spectrum, seed: int) -> Iterator[Row]:
     gaps = []
     for ratio, found in zip(PRESSURES, boundary_elements.press(heights, tuple(ratio * SLOPE for ratio in PRESSURES))):
         gaps.append(found[-2])
-        yield Row(*surface_known, ratio, *found[:3], 0.0, 0.0, 0.0)
+        yield Row(*surface_known, ratio, *found[:3], 0.0, 0.0, 0.0, ratio)
     for work in WORKS:
         for reach in REACHES:
-            for gap in gaps:
+            for dry, gap in zip(PRESSURES, gaps):
                 found = stick(heights, work * height * SLOPE, reach * height, gap)
-                yield Row(*surface_known, *found[:4], work, reach, found[4])
+                yield Row(*surface_known, *found[:4], work, reach, found[4], dry)
 
 
-def stick(heights: np.ndarray, work: float, reach: float, mean_gap: float) -> tuple[float, float, float, int, float]:
+def stick(heights: np.ndarray[Any, Any], work: float, reach: float, mean_gap: float) -> tuple[float, float, float, int, float]:
     """At a mean gap: nominal pressure over E* and gradient, real area and friction force over the nominal area, number of
     patches, and the part of the load that the points out of contact pull."""
     n = len(heights)
