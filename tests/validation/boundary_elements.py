@@ -384,11 +384,15 @@ def frozen(file: Path = FILE) -> list[Row]:
     return read(file, Row)
 
 
+def surfaces() -> list[tuple[Spectrum, int]]:
+    """Spectra and seeds, the small grids first."""
+    all_of_them = [(spectrum, seed) for spectrum in SPECTRA for seed in range(spectrum.seeds)]
+    return sorted(all_of_them, key=lambda one: (one[0].grid, one[1]))
+
+
 def rows() -> Iterator[Row]:
     """All of boundary_elements.csv, anew."""
-    seeds = range(max(spectrum.seeds for spectrum in SPECTRA))
-    made = [(seed // 2, spectrum.grid, seed, spectrum) for spectrum in SPECTRA for seed in seeds if seed < spectrum.seeds]
-    for _, _, seed, spectrum in sorted(made, key=lambda one: one[:3]):
+    for spectrum, seed in surfaces():
         yield from compare(spectrum, seed)
 
 

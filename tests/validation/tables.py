@@ -131,7 +131,7 @@ def yields() -> str:
                 laws = [[getattr(row, law) for row in found] for law in ("by_map", "by_moments", "by_elastic")]
                 cells = [
                     f"{np.mean([row.bandwidth for row in found]):.2g}",
-                    f"{index:g}",
+                    f"{np.mean([row.plasticity_index for row in found]):.2g}",
                     f"{100 * np.mean([row.area for row in found]):.2g} %",
                     f"{100 * np.mean([row.saturated for row in found]):.0f} %",
                     f"{np.mean([row.area_at_the_hardness for row in found]):.2f}",
@@ -151,7 +151,7 @@ def _groups(frozen: list[AnyRow]) -> list[list[AnyRow]]:
 
 
 def _spread(values: list[float]) -> str:
-    return f"{np.mean(values):.2f} ± {np.std(values, ddof=1):.2f}"
+    return f"{np.mean(values):.2f} ± {np.std(values, ddof=1):.2f}".replace("-", "−")
 
 
 # By page and mark.

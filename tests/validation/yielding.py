@@ -25,7 +25,7 @@ import scipy.fft
 
 import boundary_elements
 from asperity import Params, ValidityWarning
-from boundary_elements import CONTACT, SLOPE, Known, Prediction, Spectrum, known, surface
+from boundary_elements import CONTACT, SLOPE, Known, Prediction, Spectrum, known, state, surface
 
 FILE = Path(__file__).with_name("yielding.csv")
 
@@ -65,8 +65,13 @@ class Row(Known):
         return self.area * self.hardness / (self.pressure * SLOPE)
 
     @property
+    def plasticity_index(self) -> float:
+        """As the library says it, from m0 and m2."""
+        return state(self.from_moments(**self._yielding), self.load).plasticity_index
+
+    @property
     def by_moments(self) -> Prediction:
-        """By the law of summits that yield, from the spectral moments."""
+        """By the law of summits that yield, from m0 and m2."""
         return self.predicted(self.from_moments(**self._yielding))
 
     @property
