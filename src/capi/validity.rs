@@ -170,8 +170,8 @@ fn string(warning: u64) -> &'static CStr {
         }
         ASPERITY_WARNING_STEEP => {
             c"the surface is too steep for small strains: rms_slope is above 0.3, or, where none is given, contact radii are \
-              above a tenth of summit radii on average; check slope or summit_radius, since a height map that is noisy \
-              gives too steep a surface and too small a radius; if only the radii are too large, use lighter loads"
+              above a tenth of summit radii on average; use lighter loads if only the radii are too large, and check slope and \
+              summit_radius: a height map that is noisy gives too steep a surface and too small a radius"
         }
         ASPERITY_WARNING_ATOMIC => {
             c"contacts are too small for continuum mechanics: their mean radius is below burgers_vector; use heavier \
@@ -205,8 +205,8 @@ fn string(warning: u64) -> &'static CStr {
         }
         ASPERITY_WARNING_FEW_WAVES => {
             c"fewer than 8 mean waves of the roughness fit a side of nominal_area, so that one or two hills may carry the \
-              load: friction is then 5 to 45 % higher than the model predicts, most at light loads, and nominally equal \
-              surfaces differ by 16 to 25 %; use a larger area, or remove waves longer than it from the heights"
+              load: friction is then 1.05 to 1.8 times what the model predicts, most at light loads, and nominally equal \
+              surfaces differ by up to 30 %; use a larger area, or remove waves longer than it from the heights"
         }
         _ => c"unknown warning",
     }

@@ -49,8 +49,8 @@ def friction(
     """The friction coefficient of two materials with a roughness, at a load or at many, with its band. SI units.
 
     >>> estimate = asperity.friction("Si/Si", Sq=5e-9, Sdq=0.08, load=1e-3, nominal_area=1e-8)
-    >>> print(f"{estimate:.2g}")
-    0.44 (0.044 to 4.4)
+    >>> print(f"{estimate:.1g}")
+    0.4 (0.04 to 4)
 
     `print(estimate)` says what the number rests on and what would narrow its band. For more than the coefficient make
     `Params` and a `Model`. The models of the last surfaces are kept, so that the next call for them is fast.
