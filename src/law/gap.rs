@@ -169,8 +169,7 @@ impl Gap {
         }
         let (from, to) = (self.table.begin_of(row), self.table.begin_of(next));
         let excess = |x: f64| self.table.at_excess(x).map_or(f64::INFINITY, |(at, _)| at - load);
-        (next < self.table.row_count)
-            .then(|| -self.table.pull_off - root::bracketed(excess, from, to))
+        (next < self.table.row_count).then(|| -self.table.pull_off - root::bracketed(excess, from, to))
     }
 }
 

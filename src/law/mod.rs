@@ -139,7 +139,12 @@ impl Law {
     ///
     /// # Errors
     /// [`Unfollowed`] where the load rises with separation already: the branch ends before.
-    pub fn new(branch: &Branch, load: f64, units: [f64; Quantity::COUNT], lengths: Lengths) -> Result<Self, Unfollowed> {
+    pub fn new(
+        branch: &Branch,
+        load: f64,
+        units: [f64; Quantity::COUNT],
+        lengths: Lengths,
+    ) -> Result<Self, Unfollowed> {
         let mut samples = Vec::new();
         let reach = Reach::of(branch);
         let curve = Curve::new(branch, reach, &mut samples)?;

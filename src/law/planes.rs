@@ -14,10 +14,12 @@ use crate::numerics::root;
 /// Beyond the branch panels end where 1 - psi is less than this.
 const NEGLIGIBLE: f64 = 1e-9;
 /// A panel there reaches as far as the real area falls by this factor, as a power of e, or over this part of what is left to the
-/// separation from which on nothing touches; there are no more than so many.
+/// separation from which on nothing touches. There are no more than so many.
 const FALL_OF_AREA: f64 = 8.0;
 const MOST_OF_THE_REST: f64 = 0.7;
 const MOST_PANELS: usize = 64;
+/// None is shorter, relative to 1 or to the separation: its nodes would have no digits.
+const SHORTEST: f64 = 1e-9;
 /// A step of Newton's method, over the length of the panel, after which the next would be rounding; it takes some four steps.
 const LAST_STEP: f64 = 1e-9;
 const MOST_STEPS: u32 = 12;
@@ -137,7 +139,8 @@ impl Panel {
 impl Planes {
     /// From the panels of the curve.
     pub fn new(branch: &Branch, mut panels: Vec<Panel>, positions: Positions) -> Self {
-        let first_psi = panels.first().map_or(1.0, |first| first.rise.at(0.0).1 * first.length.between(first.begin, first.begin).1);
+        let first_psi =
+            panels.first().map_or(1.0, |first| first.rise.at(0.0).1 * first.length.between(first.begin, first.begin).1);
         extend(branch, &mut panels, positions);
         let mut gap = panels.last().map_or(0.0, |panel| panel.end);
         for panel in panels.iter_mut().rev() {
@@ -191,16 +194,21 @@ fn extend(branch: &Branch, panels: &mut Vec<Panel>, positions: Positions) {
         if from.crowding.0 < NEGLIGIBLE {
             return;
         }
-        let next_kink = branch.kinks().iter().copied().find(|&kink| kink > from.separation).unwrap_or(end);
+        let least = SHORTEST * (1.0 + from.separation.abs());
+        let next_kink = branch.kinks().iter().copied().find(|&kink| kink - from.separation > least).unwrap_or(end);
         // 1 - psi goes as the root of the area.
         let fall = 0.5 * FALL_OF_AREA * from.crowding.0 / -from.crowding.1;
         let length = fall.min(MOST_OF_THE_REST * (end - from.separation)).min(next_kink - from.separation);
-        if length.is_nan() || length <= 0.0 {
+        if length.is_nan() || length < least {
             return;
         }
         let to = place(from.separation + length);
         let nodes = std::array::from_fn(|i| place(positions.between(from.separation, to.separation, chebyshev(i))));
-        panels.push(Panel::new(from, to, nodes, positions));
+        let panel = Panel::new(from, to, nodes, positions);
+        if !panel.end_gap.is_finite() {
+            return;
+        }
+        panels.push(panel);
         from = to;
     }
 }

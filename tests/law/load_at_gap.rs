@@ -1,16 +1,16 @@
-//! Load against separation, compiled, is that of exact states: values, slopes, joints between rows, the ends.
+//! Load against gap, compiled, is that of exact states: values, slopes, joints between rows, the ends.
 
 use super::compiled::{random_models, Failures};
 use crate::common::neighbours::Neighbours;
 use crate::common::splitmix::SplitMix;
-use crate::common::surfaces::{dimensionless, johnson, model, of_the_benchmark};
+use crate::common::surfaces::{crowded, dimensionless, johnson, model, of_the_benchmark};
 use asperity::{Error, HeightFamily, Model, Params};
 
 const SEED: u64 = 0x6a90;
 const SETS: usize = 48;
 const SEPARATIONS: usize = 40;
 
-/// The surfaces of benches/surfaces.hpp, and one in other units.
+/// The surfaces of benches/surfaces.hpp, also where their summits are neighbours, and one in other units.
 fn surfaces() -> Vec<Params> {
     let mut polysilicon = Params {
         work_of_adhesion: 0.063,
@@ -33,7 +33,8 @@ fn surfaces() -> Vec<Params> {
         },
         polysilicon,
     ];
-    of_the_benchmark().into_iter().chain(others).collect()
+    let crowd = of_the_benchmark().into_iter().zip([0.5, 0.1, 0.01, 0.1, 0.5, 2.0, 0.1, 0.5]);
+    of_the_benchmark().into_iter().chain(others).chain(crowd.map(|(params, share)| crowded(params, share))).collect()
 }
 
 /// The separations between which it is compared: of 1e6 times the load at which half of the summits touch, or 1e4 times that of pull-off,
@@ -41,7 +42,8 @@ fn surfaces() -> Vec<Params> {
 fn range(model: &Model) -> (f64, f64) {
     let separation = |load: f64| model.state_at_load(load).expect("a state").gap;
     let pull_off = model.summary().pull_off_load;
-    let half = model.state_at_gap(0.0).map_or(0.0, |state| state.load);
+    let lone = Params { nominal_area: 0.0, summit_mean_height: 0.0, ..model.params().clone() };
+    let half = Model::new(&lone).and_then(|model| model.state_at_gap(0.0)).map_or(0.0, |state| state.load);
     let lightest = 1e-22 * half.max(-pull_off);
     (separation((1e6 * half).max(-1e4 * pull_off)), separation(if pull_off < -lightest { pull_off } else { lightest }))
 }
@@ -137,12 +139,12 @@ fn surfaces_part_at_the_separation_of_pull_off() {
         let end = model.state_at_load(pull_off).expect("a state").gap;
         for separation in [end, end.above(), end + 1e-3, 2.0 * end, 1e9, f64::MAX] {
             assert_eq!(model.load_and_slope_at_gap(separation), (0.0, 0.0), "{separation:e}");
-            assert!(matches!(model.validate_separation(separation), Err(Error::Open { .. })));
+            assert!(matches!(model.validate_gap(separation), Err(Error::Open { .. })));
         }
         let (load, slope) = model.load_and_slope_at_gap(end - 1e-12 * end);
         assert!((load / pull_off - 1.0).abs() < 1e-10, "{load:e}, not {pull_off:e}");
         assert!(slope <= 0.0 && slope > 1e-6 * pull_off / end, "{slope:e}");
-        assert_eq!(model.validate_separation(end - 1e-12 * end), Ok(()));
+        assert_eq!(model.validate_gap(end - 1e-12 * end), Ok(()));
     }
 }
 
@@ -188,7 +190,7 @@ fn beyond_the_table_and_out_of_range() {
     for separation in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1e300] {
         let (load, slope) = model.load_and_slope_at_gap(separation);
         assert!(load.is_nan() && slope.is_nan(), "{separation}: {load}, {slope}");
-        assert!(model.validate_separation(separation).is_err());
+        assert!(model.validate_gap(separation).is_err());
     }
 }
 

@@ -258,7 +258,15 @@ fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
     let slip = Params::paper().slip;
     // The second with a fold beyond the first regime.
     for (gamma, beta) in [(0.002, 2000.0), (0.02, 1e5)] {
-        let groups = Groups { alpha: 0.02, beta, gamma, b_over_h: 0.5, hardness: f64::INFINITY, yields: false };
+        let groups = Groups {
+            alpha: 0.02,
+            beta,
+            gamma,
+            b_over_h: 0.5,
+            hardness: f64::INFINITY,
+            yields: false,
+            nominal_area: 0.0,
+        };
         for attract in [true, false] {
             let kinks = |heights: Arc<dyn HeightDistribution>| {
                 Population::new(&groups, Slip::new(slip, 0.0, SlipOnset::Partial), heights, radius, attract)

@@ -357,9 +357,7 @@ fn slopes_are_those_of_secants() {
                 };
                 made += 1;
                 for separation in [-2.0, 0.1, 0.7, 1.0] {
-                    let at = |part: f64| {
-                        model.state_at_gap((separation + part) * params.height_std).expect("a state")
-                    };
+                    let at = |part: f64| model.state_at_gap((separation + part) * params.height_std).expect("a state");
                     let (here, step) = (at(0.0), 1e-5);
                     if here.contacting + here.attracted == 0.0 {
                         continue; // above the highest summit

@@ -153,7 +153,15 @@ fn contacts_of_large_lambda_lie_on_the_curve_of_jkr() {
 /// Hertz: a^2 = R u, P = 4/3 E* R^(1/2) u^(3/2); without adhesion on any radius factor g.
 #[test]
 fn without_adhesion_a_contact_is_that_of_hertz() {
-    let groups = Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0, hardness: f64::INFINITY, yields: false };
+    let groups = Groups {
+        alpha: 0.02,
+        beta: 300.0,
+        gamma: 0.0,
+        b_over_h: 1.0,
+        hardness: f64::INFINITY,
+        yields: false,
+        nominal_area: 0.0,
+    };
     let hertz = Hertz::new(&groups);
     let sigma = groups.alpha * groups.beta;
     for g in [0.05, 1.0, 1.95] {
