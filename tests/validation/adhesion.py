@@ -27,7 +27,7 @@ from boundary_elements import SLOPE, TOLERANCE, Known, Prediction, Spectrum, fal
 FILE = Path(__file__).with_name("adhesion.csv")
 
 # Bandwidths of about 5, 30 and 80.
-SPECTRA = (falling(256, 4, 32, 0.8, 2), falling(512, 4, 128, 0.8, 2), falling(512, 2, 128, 0.8, 2))
+SPECTRA = (falling(256, 4, 32, 0.8, 2), falling(512, 4, 128, 0.8, 1), falling(512, 2, 128, 0.8, 1))
 # Work of adhesion over E*, root mean square height and root mean square gradient: silicon of 80 GPa with heights of 5 nm and a
 # gradient of 0.1 has 1 mJ/m^2 to 2 J/m^2.
 WORKS = (0.001, 0.004, 0.012, 0.04)
