@@ -429,8 +429,8 @@ typedef struct asperity_summary {
   /** Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from
    * the pull-off load. */
   double min_table_load;
-  /** Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load.
-   */
+  /** Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load: up to 28 %
+   * below exact states at ten times the load, 63 % at a thousand times (docs/contract.md). */
   double max_table_load;
   /** Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
    * made; between samples it may be four times as large, or 2e-10 where that is more. */
@@ -1260,11 +1260,11 @@ asperity_status asperity_microslip_steps(const struct asperity_model *model, siz
 /** Load at a separation of the mean planes, from the compiled law.
  *
  * The separation is that of `asperity_state_at_separation`, on the branch of load control: from deep compression to
- * pull-off, where the surfaces part. Without adhesion the load decays with separation: below about 1e-24 of the load at which
- * half of the asperities touch it is taken to 0 smoothly, within about one standard deviation of heights. A pull-off load
- * weaker than 1e-30 of that counts as none. Values are within 1e-9 of exact ones, slopes within 1e-7, both relative to the
- * load or to the pull-off load, whichever is larger. In compression beyond that of 1e6 times the load at which half of the
- * asperities touch, the load goes on as a power of the compression.
+ * pull-off, where the surfaces part. Without adhesion it goes to 0 at the highest asperity; if heights have no end, it is taken
+ * to 0 smoothly below about 1e-24 of the load at which half of the asperities touch. A pull-off load weaker than 1e-30 of that
+ * counts as none. Values are within 1e-9 of exact ones, slopes within 1e-7, relative to the load or to the pull-off load,
+ * whichever is larger, or within what the rounding of the separation changes them by. In compression beyond that of 1e6 times
+ * the load at which half of the asperities touch, the load goes on as a power of the compression.
  *
  * @param model       a model
  * @param separation  of the mean planes of asperity heights and flat [length]; negative in deep compression
