@@ -1184,7 +1184,7 @@ module asperity
     procedure, public :: check_loads => model_check_loads
 
     ! call law%summits_at_overlaps(overlap, load, force, radius [, height] [, stat] [, errmsg])    single summits
-    !   overlap  real(c_double), intent(in) [length], (n): the height of a summit less the separation
+    !   overlap  real(c_double), intent(in) [length], (n): how far a summit would reach beyond the flat
     !   load     real(c_double), intent(out) [force], (n); negative where a summit pulls
     !   force    real(c_double), intent(out) [force], (n): the friction force, 0 out of contact
     !   radius   real(c_double), intent(out) [length], (n): of the contact, 0 out of contact
