@@ -886,8 +886,8 @@ module asperity
       import
       type(c_ptr), intent(in), value :: model       ! a model
       integer(c_size_t), intent(in), value :: n     ! number of summits
-      type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: the height of the summit less
-                                                    ! the separation, negative for a gap unless n = 0
+      type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: how far the summit would
+                                                    ! reach beyond the flat, negative for a gap unless n = 0
       type(c_ptr), intent(in), value :: height      ! real(c_double): n heights from the mean of the summit heights
                                                     ! [length], on which radii of summits depend where radius_amplitude
                                                     ! is not 0; c_null_ptr: all summits have the mean height
