@@ -67,7 +67,8 @@ def test_an_interface_brings_its_strength() -> None:
 
 
 def test_a_burgers_vector_that_is_given_stands_for_one_that_is_not_known() -> None:
-    contact_of, rough = contact("PDMS", "PDMS", burgers_vector=50e-9), {"Sq": 10e-6, "Sdq": 0.2}
+    contact_of = contact("PDMS", "PDMS", burgers_vector=50e-9)
+    rough: dict[str, Any] = {"Sq": 10e-6, "Sdq": 0.2}
     with Model(Params.from_iso25178(**contact_of, **rough, nominal_area=1.0)) as model:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ValidityWarning)  # rubber sticks at any load
