@@ -886,8 +886,8 @@ module asperity
       import
       type(c_ptr), intent(in), value :: model       ! a model
       integer(c_size_t), intent(in), value :: n     ! number of summits
-      type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: the height of the summit less
-                                                    ! the separation, negative for a gap unless n = 0
+      type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: how far the summit would
+                                                    ! reach beyond the flat, negative for a gap unless n = 0
       type(c_ptr), intent(in), value :: height      ! real(c_double): n heights from the mean of the summit heights
                                                     ! [length], on which radii of summits depend where radius_amplitude
                                                     ! is not 0; c_null_ptr: all summits have the mean height
@@ -1184,7 +1184,7 @@ module asperity
     procedure, public :: check_loads => model_check_loads
 
     ! call law%summits_at_overlaps(overlap, load, force, radius [, height] [, stat] [, errmsg])    single summits
-    !   overlap  real(c_double), intent(in) [length], (n): the height of a summit less the separation
+    !   overlap  real(c_double), intent(in) [length], (n): how far a summit would reach beyond the flat
     !   load     real(c_double), intent(out) [force], (n); negative where a summit pulls
     !   force    real(c_double), intent(out) [force], (n): the friction force, 0 out of contact
     !   radius   real(c_double), intent(out) [length], (n): of the contact, 0 out of contact

@@ -1123,7 +1123,7 @@ public:
 
     /// Single summits at overlaps [length], by the law that the model sums over all summits.
     ///
-    /// @param overlaps  height of a summit less the separation; negative for a gap
+    /// @param overlaps  how far a summit would reach beyond the flat; negative for a gap
     /// @param heights   from the mean of the summit heights [length], on which radii depend where radius_amplitude is not
     ///                  0; the mean height by default
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE).

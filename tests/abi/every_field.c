@@ -126,7 +126,7 @@ static void state_of_many_summits(void)
     HOLDS(state, s, struct_size, s.struct_size == sizeof s);
     NEAR(state, s, load, load, 0);
     expected = asperity_load_and_slope_at_gap(model, s.gap, &slope);
-    HOLDS(state, s, separation, fabs(expected / load - 1) < 1e-7);
+    HOLDS(state, s, gap, fabs(expected / load - 1) < 1e-7);
     NEAR(state, s, dload_dgap, slope, 1e-5);
     NEAR(state, s, friction_force, asperity_friction_force_and_slope_at_load(model, load, &slope), 1e-9);
     NEAR(state, s, friction_coefficient, asperity_friction_and_slope_at_load(model, load, &mu_slope), 1e-9);

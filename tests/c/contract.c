@@ -1101,10 +1101,10 @@ static void failing_states_say_what_is_wrong(void)
     CHECK(asperity_state_at_load(model, 1e200, &state) == ASPERITY_OUT_OF_RANGE && says("load = 1e200: "), "1e200");
     CHECK(asperity_state_at_load(hertz, 0, &state) == ASPERITY_OUT_OF_RANGE && says("load = 0: "), "Hertz at 0");
     CHECK(asperity_state_at_load(hertz, -1, &state) == ASPERITY_SEPARATED, "Hertz below 0");
-    CHECK(asperity_state_at_gap(model, NAN, &state) == ASPERITY_INVALID_PARAMETER && says("separation = NaN: "),
-          "NaN separation");
-    CHECK(asperity_state_at_gap(model, -INFINITY, &state) == ASPERITY_INVALID_PARAMETER, "inf separation");
-    CHECK(asperity_state_at_gap(model, 1e300, &state) == ASPERITY_OUT_OF_RANGE && says("separation = 1e300: "),
+    CHECK(asperity_state_at_gap(model, NAN, &state) == ASPERITY_INVALID_PARAMETER && says("gap = NaN: "),
+          "NaN gap");
+    CHECK(asperity_state_at_gap(model, -INFINITY, &state) == ASPERITY_INVALID_PARAMETER, "inf gap");
+    CHECK(asperity_state_at_gap(model, 1e300, &state) == ASPERITY_OUT_OF_RANGE && says("gap = 1e300: "),
           "'%s'", last_message());
     CHECK(SAME(state, before), "the state was touched by a failing call");
     asperity_free(model);

@@ -731,11 +731,11 @@ void a_gap_has_a_load() {
     const asperity::ValueAndSlope load = model.load_and_slope_at_gap(state.gap);
     EXPECT(close(load.value, REFERENCE_LOAD, 1e-9) && close(load.slope, state.dload_dgap, 1e-7));
     EXPECT(model.load_at_gap(state.gap) == load.value);
-    const std::vector<double> separations{state.gap, 1e6, 0.0};
-    const std::vector<double> loads = model.load_at_gap(separations);
+    const std::vector<double> gaps{state.gap, 1e6, 0.0};
+    const std::vector<double> loads = model.load_at_gap(gaps);
     EXPECT(loads[0] == load.value && loads[1] == 0.0 && loads[2] > loads[0]);
     std::vector<double> into(3), slopes(3);
-    EXPECT(model.load_at_gap(separations, into, slopes) == ASPERITY_SEPARATED && into == loads);
+    EXPECT(model.load_at_gap(gaps, into, slopes) == ASPERITY_SEPARATED && into == loads);
     EXPECT(slopes[0] == load.slope && slopes[1] == 0.0);
     EXPECT(model.load_table().row_count > 0);
     const std::vector<double> wrong{1e6, NAN};

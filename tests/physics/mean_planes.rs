@@ -108,7 +108,7 @@ fn the_gap_is_what_the_summits_are_apart_and_the_integral_of_what_psi_lacks() {
 /// However small the nominal area: stiffness is finite, and rises with load up to 9.1 times that of lone contacts.
 #[test]
 fn stiffness_rises_with_any_load_and_stays_finite() {
-    for share in [1e-3, 0.1, 10.0, 1e6, 1e60] {
+    for share in [1e-3, 0.1, 10.0, 1e6, 1e30] {
         let params = crowded(dimensionless(0.01, 1000.0, 0.0, 1.0), share);
         let (model, lone) = (model(&params), model(&lone(&params)));
         let table = model.summary();
@@ -142,6 +142,29 @@ fn without_a_nominal_area_nothing_changes_but_where_gaps_count_from() {
     }
     let state = from_plane.state_at_load(3.0).expect("a state");
     assert!((state.gap - from_summits.state_at_load(3.0).expect("a state").gap - 7.0).abs() < 1e-9);
+}
+
+/// On the branch and beyond pull-off, up to where nothing is left.
+#[test]
+fn states_are_found_at_their_gaps_also_beyond_pull_off() {
+    for (gamma, share) in [(1e-3, 0.1), (0.02, 0.5), (0.3, 5.0)] {
+        let params = crowded(dimensionless(0.01, 1000.0, gamma, 1.0), share);
+        let model = model(&params);
+        let sigma = params.height_std;
+        let end = model.state_at_load(model.summary().pull_off_load).expect("a state").gap;
+        let mut before: Option<State> = None;
+        for i in 0..400 {
+            let gap = end + sigma * (0.02 * f64::from(i) - 4.0);
+            let state = model.state_at_gap(gap).expect("a state");
+            assert!((state.gap - gap).abs() < 1e-9 * sigma, "{gap}: {}", state.gap);
+            if let Some(before) = before {
+                let steepest = before.dload_dgap.abs().max(state.dload_dgap.abs());
+                let most = 1.01 * steepest * (gap - before.gap) + 1e-9 * state.load.abs();
+                assert!((state.load - before.load).abs() <= most, "{gap}: {state:?} after {before:?}");
+            }
+            before = Some(state);
+        }
+    }
 }
 
 // ---- Persson's theory ----
