@@ -43,7 +43,8 @@ mod elementary;
 mod equilibrium;
 mod error;
 mod float_bits;
-mod jenkins;
+mod four;
+mod levels;
 mod joint_distribution;
 mod law;
 pub mod materials;
@@ -68,7 +69,7 @@ pub mod population;
 
 pub use crate::asperity::slip::{SlipConstants, SlipOnset};
 pub use error::{CalibrationFailure, Error, Value};
-pub use jenkins::STATE as MICROSLIP_LENGTH;
+pub use levels::STATE as MICROSLIP_LENGTH;
 pub use model::validity::{
     WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP,
     WARNING_STRONG, WARNING_UNCALIBRATED,

@@ -11,10 +11,10 @@ mod coordinate;
 mod curve;
 mod fill;
 mod gap;
+mod limits;
 mod panel;
 mod position;
 mod row;
-mod shares;
 mod steps;
 mod table;
 mod tolerance;
@@ -29,7 +29,7 @@ use curve::Curve;
 use fill::{Filling, Source};
 pub use gap::Gap;
 use panel::Sample;
-use shares::Shares;
+use limits::Limits;
 
 pub use curve::Unfollowed;
 use gap::Lengths;
@@ -83,7 +83,7 @@ impl Quantity {
 pub struct Law {
     compiled: [Compiled; Quantity::COUNT],
     gap: Gap,
-    shares: Shares,
+    limits: Limits,
 }
 
 /// One quantity against load.
@@ -145,10 +145,10 @@ impl Law {
             compiled.compare(quantity, scale, &samples);
             compiled
         });
-        let shares = Shares::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
+        let limits = Limits::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
         let lengths = Lengths { unit: length, origin: branch.population().heights().origin() };
         let gap = Gap::new(branch, &curve, reach, lengths, load);
-        Ok(Self { compiled, gap, shares })
+        Ok(Self { compiled, gap, limits })
     }
 
     /// The table of a quantity.
@@ -177,10 +177,10 @@ impl Law {
         beyond.is_moderate(table, load - table.pull_off)
     }
 
-    /// The shares of the elements that follow the contacts before gross slip.
+    /// The limits of the levels of stiffness.
     #[inline]
-    pub fn shares(&self) -> &Shares {
-        &self.shares
+    pub fn limits(&self) -> &Limits {
+        &self.limits
     }
 
     /// Load against separation.

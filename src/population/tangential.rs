@@ -38,45 +38,54 @@ impl Visitor for Displaced {
     }
 }
 
-/// What part of the strength of all contacts they resist at several displacements.
-struct Shares<const N: usize> {
+/// What contacts that stick would resist more at several displacements, and what part of the stiffness they have given up.
+struct Lost<const N: usize> {
     /// Force over contact radius of a contact that sticks, in G* b.
     force_over_radius: [f64; N],
     force: [f64; N],
+    radius: [f64; N],
     strength: f64,
+    all: f64,
     onset: SlipOnset,
 }
 
-impl<const N: usize> Visitor for Shares<N> {
+impl<const N: usize> Visitor for Lost<N> {
     fn summits(&mut self, _z: f64, fraction: f64, summit: &Summit) {
-        let strength = fraction * summit.friction;
+        let (strength, radius) = (fraction * summit.friction, fraction * summit.radius);
         self.strength += strength;
-        // Of no strength is no share.
-        let rate = summit.radius / summit.friction / self.onset.reach();
-        if !(rate > 0.0 && strength > 0.0) {
-            return;
-        }
-        let each = self.force.iter_mut().zip(self.force_over_radius);
-        match self.onset {
-            SlipOnset::Partial => each.for_each(|(force, stuck)| {
-                let left = (1.0 - stuck * rate).max(0.0);
-                *force += strength * (1.0 - left * left.sqrt());
-            }),
-            SlipOnset::Whole => each.for_each(|(force, stuck)| *force += strength * (stuck * rate).min(1.0)),
+        self.all += radius;
+        let reach = self.onset.reach() * strength;
+        for i in 0..N {
+            let stuck = self.force_over_radius[i] * radius;
+            // Of a contact that slips from its rim: F y, y up to 3/2, less F (1 - r^3), r^2 = 1 - 2/3 y, which the difference is of.
+            let left = if stuck < reach { 1.0 - stuck / reach } else { 0.0 };
+            let (force, sticking) = match self.onset {
+                SlipOnset::Partial => {
+                    let root = left.sqrt();
+                    let gone = (1.0 - left) / (1.0 + root);
+                    let part = gone * gone * (0.5 + root);
+                    (if left > 0.0 { strength * part } else { stuck - strength }, gone)
+                }
+                SlipOnset::Whole => ((stuck - strength).max(0.0), if left > 0.0 { 0.0 } else { 1.0 }),
+            };
+            self.force[i] += force;
+            self.radius[i] += radius * sticking;
         }
     }
 }
 
 impl Population {
-    /// What part of their strength the contacts at a separation resist when they are displaced so far that one that sticks bears
-    /// these forces times its radius: to some four digits, since panels do not end where contacts begin to slip. `None` if
-    /// there are none, or their sums are not to be had.
-    pub fn shares_of_strength<const N: usize>(&self, separation: f64, force_over_radius: [f64; N]) -> Option<[f64; N]> {
+    /// How much less than contacts that stick the contacts at a separation resist, over their strength, and what part of their
+    /// stiffness has been given up, when they are displaced so far that one that sticks bears these forces times its radius: to
+    /// some four digits, since panels do not end where contacts begin to slip. `None` if there are none, or their sums are not
+    /// to be had.
+    pub fn lost_to_slip<const N: usize>(&self, separation: f64, force_over_radius: [f64; N]) -> Option<[[f64; N]; 2]> {
         let onset = self.slip.onset;
-        let mut shares = Shares { force_over_radius, force: [0.0; N], strength: 0.0, onset };
-        self.visit(separation, &self.edge(separation), &mut shares).ok()?;
-        let Shares { force, strength, .. } = shares;
-        (strength > 0.0).then(|| force.map(|force| force / strength))
+        let none = [0.0; N];
+        let mut lost = Lost { force_over_radius, force: none, radius: none, strength: 0.0, all: 0.0, onset };
+        self.visit(separation, &self.edge(separation), &mut lost).ok()?;
+        let Lost { force, radius, strength, all, .. } = lost;
+        (strength > 0.0).then(|| [force.map(|force| force / strength), radius.map(|radius| radius / all)])
     }
 
     /// The contacts at a separation, displaced so far that one that sticks bears this force times its radius.
