@@ -195,8 +195,10 @@ module asperity
                                                     ! positive displacement
     real(c_double) :: stiffness(4)                  ! dT/d(increment) [force/length], row by row: T1 by the first, T1 by
                                                     ! the second, T2 by the first, T2 by the second
-    real(c_double) :: dforce_dload(2)               ! dT/d(load), of the same increment
-    real(c_double) :: dissipated                    ! Work that slip turned into heat in this step, >= 0 [force length]
+    real(c_double) :: dforce_dload(2)               ! dT/d(load) of the same increment; at the load of the last step, as
+                                                    ! it rises
+    real(c_double) :: dissipated                    ! Energy lost in this step, >= 0 [force length]: heat of slip, and
+                                                    ! what parts held that separated
     real(c_double) :: slipping                      ! Fraction of the strength that slips, 0 to 1; 1 is gross slip
   end type asperity_microslip
 
@@ -803,7 +805,7 @@ module asperity
       integer(c_int32_t) :: asperity_contact_radius_sum_at_loads
     end function asperity_contact_radius_sum_at_loads
 
-    ! How many doubles the state of one contact takes; today 32, the same for all models
+    ! How many doubles the state of one contact takes; today 42, the same for all models
     function asperity_microslip_length(model) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
@@ -840,6 +842,16 @@ module asperity
                                                     ! [force/length], those of a contact together, row by row
       integer(c_int32_t) :: asperity_microslip_steps
     end function asperity_microslip_steps
+
+    ! Turns the state of a contact with its directions, by the angle from the first to the second of a cosine and a sine
+    function asperity_microslip_turn(state, cosine, sine) bind(c)
+      import
+      type(c_ptr), intent(in), value :: state       ! real(c_double): asperity_microslip_length doubles, changed in
+                                                    ! place
+      real(c_double), intent(in), value :: cosine   ! both of any length
+      real(c_double), intent(in), value :: sine     ! but 0
+      integer(c_int32_t) :: asperity_microslip_turn
+    end function asperity_microslip_turn
 
     ! Load at a separation of the mean planes, from the compiled law
     pure function asperity_load_at_separation(model, separation) bind(c)
@@ -1039,11 +1051,12 @@ module asperity
   public :: asperity_slip_forces, asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
   public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_contact_radius_sum_at_load
   public :: asperity_contact_radius_sum_at_loads, asperity_microslip_length, asperity_microslip_step
-  public :: asperity_microslip_steps, asperity_load_at_separation, asperity_load_and_slope_at_separation
-  public :: asperity_loads_at_separations, asperity_summits_at_overlaps, asperity_state_at_load
-  public :: asperity_state_at_separation, asperity_summary_of, asperity_sensitivities_at_load, asperity_check_loads
-  public :: asperity_warning_string, asperity_warning_loads, asperity_warnings_text, asperity_last_error
-  public :: asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of, asperity_load_table_of
+  public :: asperity_microslip_steps, asperity_microslip_turn, asperity_load_at_separation
+  public :: asperity_load_and_slope_at_separation, asperity_loads_at_separations, asperity_summits_at_overlaps
+  public :: asperity_state_at_load, asperity_state_at_separation, asperity_summary_of, asperity_sensitivities_at_load
+  public :: asperity_check_loads, asperity_warning_string, asperity_warning_loads, asperity_warnings_text
+  public :: asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of
+  public :: asperity_load_table_of
   ! end of interface
 
   ! ---- The Fortran interface ----

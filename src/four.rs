@@ -4,9 +4,7 @@
 use std::ops::{Add, Div, Mul, Sub};
 
 /// Four numbers. Each operation is that of each number, and nothing is fused or reordered.
-pub trait Four:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
-{
+pub trait Four: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
     fn splat(x: f64) -> Self;
     /// From this index on.
     fn read(from: &[f64], index: usize) -> Self;

@@ -24,7 +24,7 @@ pub struct asperity_microslip {
     /// dT/d(increment) [force/length], row by row: T1 by the first, T1 by the second, T2 by the first, T2 by the second.
     /// Symmetric, with eigenvalues from 0 to K_t.
     pub stiffness: [f64; 4],
-    /// dT/d(load) of the same increment; where the load is that of the last step, of one that rises.
+    /// dT/d(load) of the same increment; at the load of the last step, as it rises.
     pub dforce_dload: [f64; 2],
     /// Energy lost in this step, >= 0 [force length]: heat of slip, and what parts held that separated.
     pub dissipated: f64,
@@ -47,18 +47,18 @@ pub unsafe extern "C" fn asperity_microslip_length(model: *const asperity_model)
 
 /// Displaces a contact under a load: the tangential force with what happened before, its tangents and the work of slip.
 ///
-/// Each part of the contact remembers how far it is sheared; parts separate and touch as the load changes. The force rises
-/// with K_t (`asperity_tangential_stiffness_at_load`) and ends at the friction force F (`asperity_friction_force_at_load`). At
-/// constant load loops are Masing's. No path of displacement and load gains energy.
+/// The force rises with K_t (`asperity_tangential_stiffness_at_load`) and ends at F (`asperity_friction_force_at_load`). Each
+/// part of the contact remembers how far it is sheared; parts separate and touch as the load changes. No path of displacement
+/// and load gains energy.
 ///
 /// The caller owns the state, one for each contact: `asperity_microslip_length` doubles, all 0 for a contact that has just
-/// closed. Where directions turn with the contact, `asperity_microslip_turn` turns it. An iteration repeats the call with
-/// the same `before`; the step that is accepted keeps `after`.
+/// closed; `asperity_microslip_turn` turns it with the contact. An iteration repeats the call with the same `before`; the
+/// step that is accepted keeps `after`.
 ///
-/// More load on a contact at rest adds stiffness and no force. Less load takes away what touches no more, with its force; the
-/// energy that it held counts as dissipated. A step in which the load rises takes displacement and separation as changing
-/// together. Below the pull-off load the contact is open: force, stiffness and `after` become 0, and the status is
-/// `ASPERITY_SEPARATED`. At zero load without adhesion they are 0 too, with `ASPERITY_OK`.
+/// More load on a contact at rest adds stiffness and no force. Less takes away what touches no more, with its force and energy.
+/// Where the load rises in a step, separation and displacement change together. Below the pull-off load the contact is open:
+/// force, stiffness and `after` become 0, and the status is `ASPERITY_SEPARATED`. At zero load without adhesion they are 0
+/// too, with `ASPERITY_OK`.
 ///
 /// @param model      a model
 /// @param load       normal load of this step [force]
@@ -66,9 +66,9 @@ pub unsafe extern "C" fn asperity_microslip_length(model: *const asperity_model)
 /// @param before     the state before the step
 /// @param after      receives the state after the step
 /// @param out        receives force, tangents and work
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment or a
-///         state that is not finite, a state that is none), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs
-///         are 0 but for `dissipated`), `ASPERITY_OUT_OF_RANGE`
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment that is
+///         not finite, a state that is none), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs are 0 but for
+///         `dissipated`), `ASPERITY_OUT_OF_RANGE`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_microslip_step(
     model: *const asperity_model,
@@ -138,14 +138,12 @@ pub unsafe extern "C" fn asperity_microslip_steps(
     })
 }
 
-/// Turns the state of a contact with the directions that displacements and forces have in it.
+/// Turns the state of a contact with its directions, by the angle from the first to the second of a cosine and a sine.
 ///
-/// @param state   `asperity_microslip_length` doubles, which become those along the new directions
-/// @param cosine  cosine and...
-/// @param sine    ...sine of the angle by which a force turns, from the first direction to the second; lengths other
-///                than 1 are taken as 1
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (not finite, or both 0; a state that is
-///         not finite)
+/// @param state   `asperity_microslip_length` doubles, changed in place
+/// @param cosine  both of any length
+/// @param sine    but 0
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (what is not finite; both 0)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_microslip_turn(state: *mut f64, cosine: f64, sine: f64) -> asperity_status {
     boundary::status(|| {

@@ -28,8 +28,8 @@ pub use continuation::{Continuation, DIGIT, DIGIT_BITS};
 use curve::Curve;
 use fill::{Filling, Source};
 pub use gap::Gap;
-use panel::Sample;
 use limits::Limits;
+use panel::Sample;
 
 pub use curve::Unfollowed;
 use gap::Lengths;

