@@ -201,8 +201,10 @@ module asperity
                                                     ! positive displacement
     real(c_double) :: stiffness(4)                  ! dT/d(increment) [force/length], row by row: T1 by the first, T1 by
                                                     ! the second, T2 by the first, T2 by the second
-    real(c_double) :: dforce_dload(2)               ! dT/d(load), of the same increment
-    real(c_double) :: dissipated                    ! Work that slip turned into heat in this step, >= 0 [force length]
+    real(c_double) :: dforce_dload(2)               ! dT/d(load) of the same increment; at the load of the last step, as
+                                                    ! it rises
+    real(c_double) :: dissipated                    ! Energy lost in this step, >= 0 [force length]: heat of slip, and
+                                                    ! what parts held that separated
     real(c_double) :: slipping                      ! Fraction of the strength that slips, 0 to 1; 1 is gross slip
   end type asperity_microslip
 
@@ -811,7 +813,7 @@ module asperity
       integer(c_int32_t) :: asperity_contact_radius_sum_at_loads
     end function asperity_contact_radius_sum_at_loads
 
-    ! How many doubles the state of one contact takes; today 32, the same for all models
+    ! How many doubles the state of one contact takes; today 42, the same for all models
     function asperity_microslip_length(model) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model

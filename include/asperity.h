@@ -326,9 +326,9 @@ typedef struct asperity_microslip {
   /** dT/d(increment) [force/length], row by row: T1 by the first, T1 by the second, T2 by the first, T2 by the second.
    * Symmetric, with eigenvalues from 0 to K_t. */
   double stiffness[4];
-  /** dT/d(load), of the same increment. */
+  /** dT/d(load) of the same increment; at the load of the last step, as it rises. */
   double dforce_dload[2];
-  /** Work that slip turned into heat in this step, >= 0 [force length]. */
+  /** Energy lost in this step, >= 0 [force length]: heat of slip, and what parts held that separated. */
   double dissipated;
   /** Fraction of the strength that slips, 0 to 1; 1 is gross slip. */
   double slipping;
@@ -1205,7 +1205,7 @@ double asperity_contact_radius_sum_at_load(const struct asperity_model *model, d
 asperity_status asperity_contact_radius_sum_at_loads(const struct asperity_model *model, size_t n, const double *load,
     double *sum, double *dsum_dload);
 
-/** How many doubles the state of one contact takes; today 32, the same for all models.
+/** How many doubles the state of one contact takes; today 42, the same for all models.
  *
  * @param model  a model
  * @return the number of doubles; 0 for a NULL model */
@@ -1213,20 +1213,18 @@ size_t asperity_microslip_length(const struct asperity_model *model);
 
 /** Displaces a contact under a load: the tangential force with what happened before, its tangents and the work of slip.
  *
- * The contacts of the surfaces are represented by springs in series with sliders, whose shares were found when the model
- * was made. The force rises with the stiffness K_t (`asperity_tangential_stiffness_at_load`) and ends at the friction force F
- * (`asperity_friction_force_at_load`), in any direction, after any path. After a reversal it follows Masing's rule. It
- * does not depend on time or on the number of steps in which a straight path is taken.
+ * The force rises with K_t (`asperity_tangential_stiffness_at_load`) and ends at F (`asperity_friction_force_at_load`). Each
+ * part of the contact remembers how far it is sheared; parts separate and touch as the load changes. No path of displacement
+ * and load gains energy.
  *
  * The caller owns the state, one for each contact: `asperity_microslip_length` doubles, all 0 for a contact that has just
- * closed. They are the forces of the sliders, first all along the first direction, then all along the second [force]; where the
- * directions turn with the contact, turn each pair with them. An iteration repeats the call with the same `before`; the
+ * closed; `asperity_microslip_turn` turns it with the contact. An iteration repeats the call with the same `before`; the
  * step that is accepted keeps `after`.
  *
- * More load on a contact at rest adds stiffness and no force. Less load lets sliders slip that are no longer held. Below
- * the pull-off load the contact is open: force, stiffness and `after` become 0, and the status is `ASPERITY_SEPARATED`. At
- * zero load without adhesion they are 0 too, with `ASPERITY_OK`. At the pull-off load itself, where F and K_t have no
- * finite slope, `dforce_dload` is that of the next load.
+ * More load on a contact at rest adds stiffness and no force. Less takes away what touches no more, with its force and energy.
+ * Where the load rises in a step, separation and displacement change together. Below the pull-off load the contact is open:
+ * force, stiffness and `after` become 0, and the status is `ASPERITY_SEPARATED`. At zero load without adhesion they are 0
+ * too, with `ASPERITY_OK`.
  *
  * @param model      a model
  * @param load       normal load of this step [force]
@@ -1234,9 +1232,9 @@ size_t asperity_microslip_length(const struct asperity_model *model);
  * @param before     the state before the step
  * @param after      receives the state after the step
  * @param out        receives force, tangents and work
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment or a
- *         state that is not finite), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs are 0),
- *         `ASPERITY_OUT_OF_RANGE` */
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment that is
+ *         not finite, a state that is none), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs are 0 but for
+ *         `dissipated`), `ASPERITY_OUT_OF_RANGE` */
 asperity_status asperity_microslip_step(const struct asperity_model *model, double load, const double *increment,
     const double *before, double *after, struct asperity_microslip *out);
 
@@ -1256,6 +1254,14 @@ asperity_status asperity_microslip_step(const struct asperity_model *model, doub
  * @return as `asperity_microslip_step` */
 asperity_status asperity_microslip_steps(const struct asperity_model *model, size_t n, const double *load,
     const double *increment, const double *before, double *after, double *force, double *stiffness);
+
+/** Turns the state of a contact with its directions, by the angle from the first to the second of a cosine and a sine.
+ *
+ * @param state   `asperity_microslip_length` doubles, changed in place
+ * @param cosine  both of any length
+ * @param sine    but 0
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (what is not finite; both 0) */
+asperity_status asperity_microslip_turn(double *state, double cosine, double sine);
 
 /** Load at a separation of the mean planes, from the compiled law.
  *

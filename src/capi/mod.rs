@@ -12,6 +12,8 @@ mod boundary;
 mod calibration;
 mod conductance;
 mod evaluate;
+#[cfg(target_arch = "x86_64")]
+mod four_avx2;
 mod fp_environment;
 mod gap;
 mod given;

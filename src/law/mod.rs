@@ -11,11 +11,11 @@ mod coordinate;
 mod curve;
 mod fill;
 mod gap;
+mod limits;
 mod panel;
 mod planes;
 mod position;
 mod row;
-mod shares;
 mod steps;
 mod table;
 mod tolerance;
@@ -29,9 +29,9 @@ pub use continuation::{Continuation, DIGIT, DIGIT_BITS};
 use curve::Curve;
 use fill::{Filling, Source};
 pub use gap::Gap;
+use limits::Limits;
 use panel::Sample;
 use planes::Planes;
-use shares::Shares;
 
 pub use curve::Unfollowed;
 pub use gap::Lengths;
@@ -86,7 +86,7 @@ pub struct Law {
     compiled: [Compiled; Quantity::COUNT],
     gap: Gap,
     planes: Option<Box<Planes>>,
-    shares: Shares,
+    limits: Limits,
 }
 
 /// One quantity against load.
@@ -154,9 +154,9 @@ impl Law {
             compiled.compare(quantity, scale, &samples);
             compiled
         });
-        let shares = Shares::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
+        let limits = Limits::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
         let gap = Gap::new(branch, &curve, reach, lengths, load);
-        Ok(Self { compiled, gap, planes: curve.into_planes(), shares })
+        Ok(Self { compiled, gap, planes: curve.into_planes(), limits })
     }
 
     /// The table of a quantity.
@@ -185,10 +185,10 @@ impl Law {
         beyond.is_moderate(table, load - table.pull_off)
     }
 
-    /// The shares of the elements that follow the contacts before gross slip.
+    /// The limits of the levels of stiffness.
     #[inline]
-    pub fn shares(&self) -> &Shares {
-        &self.shares
+    pub fn limits(&self) -> &Limits {
+        &self.limits
     }
 
     /// The gap between mean planes at a separation of the population, in the caller's unit.

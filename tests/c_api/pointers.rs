@@ -324,6 +324,7 @@ fn null_is_refused_or_skipped() {
             asperity_tangential_at_load(null(), 1.0, 1.0, &mut slope, null_mut()),
             asperity_microslip_step(null(), 1.0, &0.0, &0.0, null_mut(), &mut asperity_microslip::empty()),
             asperity_microslip_steps(null(), 1, &1.0, &0.0, &0.0, null_mut(), null_mut(), null_mut()),
+            asperity_microslip_turn(null_mut(), 1.0, 0.0),
             asperity_sensitivities_at_load(null(), 1.0, &mut asperity_sensitivities::empty()),
         ] {
             assert_eq!(refused, NULL_POINTER);
