@@ -25,10 +25,15 @@ $sudo env SYSTEM="$system" TREE="$PWD" RUSTUP_HOME="${RUSTUP_HOME:-$HOME/.rustup
     RUSTUP_TOOLCHAIN="$rust" HOME=/root DEBIAN_FRONTEND=noninteractive \
     GIT_CONFIG_COUNT=1 GIT_CONFIG_KEY_0=safe.directory GIT_CONFIG_VALUE_0='*' \
     unshare -m --propagation private bash -euo pipefail -c '
+        mount --bind "$SYSTEM" "$SYSTEM"
         for folder in "$TREE" "$RUSTUP_HOME" "$CARGO_HOME" /dev /proc /sys; do
             mkdir -p "$SYSTEM$folder"
             mount --rbind "$folder" "$SYSTEM$folder"
         done
         export PATH=$CARGO_HOME/bin:/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
-        exec chroot "$SYSTEM" bash -euc "cd \"\$TREE\"; $1" "$@"
+        # Not by chroot, in which the kernel makes no user its own name space.
+        cd "$SYSTEM"
+        pivot_root . mnt
+        umount -l /mnt
+        exec bash -euc "cd \"\$TREE\"; $1" "$@"
     ' bash "$@"
