@@ -16,6 +16,7 @@ rustup toolchain install "$rust" --profile minimal --component clippy --componen
 $sudo apt-get update -qq
 $sudo apt-get install -y -qq --no-install-recommends debootstrap debian-archive-keyring >/dev/null
 system=$(mktemp -d /var/tmp/debian.XXXXXX)
+chmod 755 "$system"
 trap '$sudo rm -rf --one-file-system "$system" "$system.log"' EXIT
 $sudo debootstrap --variant=minbase --keyring=/usr/share/keyrings/debian-archive-keyring.gpg --force-check-gpg \
     --include=build-essential,ca-certificates,git bookworm "$system" >"$system.log" || { tail -n 20 "$system.log" >&2; exit 1; }
