@@ -100,11 +100,12 @@
  * hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never set without
  * a hardness, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding. */
 #define ASPERITY_WARNING_PLASTIC 1
-/** Bit of `warnings`: summits do not act independently. Set if more than 10 % of them touch, or if the real area is more than
- * 10 % of `nominal_area`, where that is given. Never set if `asperity_count` is 1. */
+/** Bit of `warnings`: summits do not act independently. Set if the real area is more than 10 % of `nominal_area`, where that is
+ * given, or if more than 10 % of the summits touch and `rms_slope` is not given. Never set if `asperity_count` is 1.
+ */
 #define ASPERITY_WARNING_CROWDED 2
-/** Bit of `warnings`: contacts are not small compared with their summits. Set if contact radii are more than a tenth of the
- * summit radii, on average. */
+/** Bit of `warnings`: contacts are not small compared with their summits. Set if `rms_slope` is above 0.3, or, if it is not
+ * given, contact radii are more than a tenth of the summit radii, on average. */
 #define ASPERITY_WARNING_STEEP 4
 /** Bit of `warnings`: contacts have few atoms. Set if their mean radius is below `burgers_vector`. */
 #define ASPERITY_WARNING_ATOMIC 8
@@ -118,12 +119,16 @@
  * slip stresses are the defaults, `pressure_coefficient` is 0 and nothing was calibrated. With the default the model predicts
  * 1/200 to 36 times the measured friction: call `asperity_params_calibrate`. */
 #define ASPERITY_WARNING_UNCALIBRATED 64
-/** Bit of `warnings`: the surface is rough on so many scales that summits stand on summits. Set if Nayak's bandwidth is
- * above 6: the `bandwidth` given, or that of this many summits on `nominal_area`. */
+/** Bit of `warnings`: summits that were counted stand on summits, as the surface is rough on many scales. Set if Nayak's
+ * bandwidth is above 6: the `bandwidth` given, or that of this many summits on `nominal_area`. Never set after
+ * `asperity_params_set_spectral_moments`. */
 #define ASPERITY_WARNING_BROAD 128
 /** Bit of `warnings`: the interface is stronger than the softer body, which shears at H/(3 sqrt 3). Set if the slip stress at
  * the mean contact radius is larger. Never set without a hardness. */
 #define ASPERITY_WARNING_STRONG 256
+/** Bit of `warnings`: one piece of the surface is not like another. Set if fewer than 8 mean waves, of the length 2 pi
+ * `height_std`/`rms_slope`, fit a side of `nominal_area`; never set if one of these is not known. */
+#define ASPERITY_WARNING_FEW_WAVES 512
 /** Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7. */
 #define ASPERITY_TABLE_LAYOUT 1
 /** A friction law ready for use; opaque. `asperity_create` makes it, `asperity_free` frees it. */
@@ -208,7 +213,7 @@ typedef struct asperity_params {
    * `asperity_params_set_materials` sets it. */
   double tangential_modulus;
   /** Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not known.
-   * `asperity_params_set_spectral_moments` sets it. */
+   */
   double nominal_area;
   /** Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default. */
   int32_t contact_law;
@@ -220,9 +225,9 @@ typedef struct asperity_params {
    * same radius carries: the load, and what adhesion adds to it. Boundary films have 0.02 to 0.2.
    * Where it is > 0, both slip stresses may be 0: Amontons' law. */
   double pressure_coefficient;
-  /** Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether summits act
-   * independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
-   * `asperity_params_set_spectral_moments` sets it. */
+  /** Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were counted [-], at least 1.5, with which warnings judge whether
+   * they act independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
+   */
   double bandwidth;
   /** Load of the measurement that set the strength of the interface [force]; 0 if there was none. `asperity_params_calibrate`
    * sets it. */
@@ -232,6 +237,12 @@ typedef struct asperity_params {
   double calibration_friction_force;
   /** Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default. */
   double calibration_error;
+  /** Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not known.
+   */
+  double summit_mean_height;
+  /** Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known.
+   */
+  double rms_slope;
 } asperity_params;
 
 /** What is known of a material, in SI units. 0 means that no source is known. */
@@ -589,43 +600,34 @@ asperity_status asperity_params_set_materials(struct asperity_params *params, do
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE` */
 asperity_status asperity_params_set_elastic_plastic(struct asperity_params *params, double hardness);
 
-/** Sets roughness, `nominal_area` and `bandwidth` from the spectral moments of profiles of an isotropic Gaussian surface.
+/** Sets the roughness from the spectral moments of an isotropic surface, rough on however many scales.
  *
- * m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile. Isotropy makes them the
- * same in every direction. For two rough surfaces, add their moments. With the bandwidth alpha = m0 m4/m2^2, after
- * Nayak (1971), Bush, Gibson and Keogh (1976) and McCool (1987):
- *
- * - height_std = ((1 - 0.8968/alpha) m0)^(1/2), where 0.8968 is 1 + 16/pi - 3^(3/2)
- * - summit_radius = 3 pi^(1/2)/(8 m4^(1/2))
- * - asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area
+ * m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile: m0 = Rq^2 = Sq^2,
+ * m2 = Rdq^2 = Sdq^2/2. For two rough surfaces, add their moments. The area of contact, its patches and its stiffness depend
+ * on m0 and m2, hardly on m4. The asperities set here follow boundary elements for bandwidths alpha = m0 m4/m2^2 from 1.8 to
+ * 1000 (docs/validation.md); docs/roughness.md has the formulas. Sets `height_std`, `summit_radius`, `asperity_count`,
+ * `radius_amplitude`, `radius_rate`, `summit_mean_height`, `nominal_area` and `rms_slope` = (2 m2)^(1/2), and `bandwidth` to 0.
  *
  * @param params        initialised parameters
- * @param m0            variance of the heights [length^2] > 0: the square of Rq
+ * @param m0            variance of the heights [length^2] > 0
  * @param m2            variance of the slopes [-] > 0
- * @param m4            variance of the curvatures [1/length^2] > 0; alpha must be at least 1.5
+ * @param m4            variance of the curvatures [1/length^2] > 0, alpha at least 1.5; 0: not known, alpha = 10
  * @param nominal_area  [length^2] > 0
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE` */
 asperity_status asperity_params_set_spectral_moments(struct asperity_params *params, double m0, double m2, double m4,
     double nominal_area);
 
-/** Sets the roughness as `asperity_params_set_spectral_moments`, and heights and radii as Nayak's summits have them.
+/** Sets the roughness to the summits of such a surface, all with one radius, as McCool (1987) does: for comparison with literature.
  *
- * On a Gaussian surface higher summits are sharper, and summit heights are not Gaussian: their joint distribution (Nayak,
- * 1971) depends on the bandwidth alone. This function also sets:
- *
- * - height_distribution = ASPERITY_HEIGHTS_JOHNSON with the skew and kurtosis of the summit heights: 0.47 and 3.19 at a
- *   bandwidth of 1.5, 0.07 and 3.01 at 3, none and 3 for broad spectra
- * - radius_amplitude and radius_rate, so that the radius is the inverse of the mean curvature of summits of the mean
- *   height and 1.5 and 3 standard deviations above
- * - summit_radius, which is that at the mean height: up to 2 % above that of the other function
- *
- * Prefer it for narrow spectra, with bandwidths near 1.5: it lowers the real area at light loads by a third, to that of
- * boundary elements. Above a bandwidth of 2 the other function errs less. docs/validation.md has the numbers.
+ * Right for narrow spectra alone: at a bandwidth of 27 the real area is 0.6 of that of boundary elements. Sets the parameters
+ * that `asperity_params_set_spectral_moments` sets, with height_std = ((1 - 0.8968/alpha) m0)^(1/2), where 0.8968 is
+ * 1 + 16/pi - 3^(3/2), summit_radius = 3 pi^(1/2)/(8 m4^(1/2)), asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area,
+ * radius_amplitude = 0, summit_mean_height = 4 (m0/(pi alpha))^(1/2) and bandwidth = alpha.
  *
  * @param params                 initialised parameters
- * @param m0,m2,m4,nominal_area  as for `asperity_params_set_spectral_moments`
+ * @param m0,m2,m4,nominal_area  as for `asperity_params_set_spectral_moments`; m4 must be known
  * @return as `asperity_params_set_spectral_moments` */
-asperity_status asperity_params_set_nayak_summits(struct asperity_params *params, double m0, double m2, double m4,
+asperity_status asperity_params_set_mccool_summits(struct asperity_params *params, double m0, double m2, double m4,
     double nominal_area);
 
 /** Chooses Weibull heights of a given skew: sets `height_distribution` and `weibull_shape`.
@@ -652,8 +654,8 @@ asperity_status asperity_params_set_value(struct asperity_params *params, const 
  * A name is that of a field of `asperity_params` that is one number, or one of these arguments of setters:
  *
  * - `E1`, `nu1`, `E2` and `nu2` together: `asperity_params_set_materials`
- * - `m0`, `m2` and `m4` together, with a `nominal_area` given here or earlier: `asperity_params_set_spectral_moments`.
- *   `Ra` may replace `m0`, which is pi/2 Ra^2 for Gaussian heights
+ * - `m0` and `m2` together, with a `nominal_area` given here or earlier: `asperity_params_set_spectral_moments`. `m4` or
+ *   `bandwidth` may be given too. `Ra` may replace `m0`, which is pi/2 Ra^2 for Gaussian heights
  * - `summit_density`, summits per area, with a `nominal_area` given here or earlier: stands for `asperity_count`
  * - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
  *   `asperity_params_calibrate`, which comes last

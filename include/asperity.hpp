@@ -336,20 +336,19 @@ public:
         return checked(asperity_params_set_interface(&c_, name.c_str()));
     }
 
-    /// Sets height_std, summit_radius, asperity_count and nominal_area from the variances of height [length^2], slope and curvature
-    /// [1/length^2] along a profile of an isotropic Gaussian surface; those of two surfaces add.
+    /// Sets the asperities of a surface, rough on however many scales, and nominal_area, from the variances of height [length^2], slope
+    /// and curvature [1/length^2], 0 if that is not known, along a profile; those of two surfaces add.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_spectral_moments(double m0, double m2, double m4, double nominal_area) {
         return checked(asperity_params_set_spectral_moments(&c_, m0, m2, m4, nominal_area));
     }
 
-    /// The same summits, with the heights and radii of Nayak's joint distribution: also sets Johnson's heights, radius_amplitude and
-    /// radius_rate.
+    /// Sets McCool's summits of the surface instead, all with one radius, to compare with literature. m4 must be known.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
-    Params &set_nayak_summits(double m0, double m2, double m4, double nominal_area) {
-        return checked(asperity_params_set_nayak_summits(&c_, m0, m2, m4, nominal_area));
+    Params &set_mccool_summits(double m0, double m2, double m4, double nominal_area) {
+        return checked(asperity_params_set_mccool_summits(&c_, m0, m2, m4, nominal_area));
     }
 
     /// Chooses Weibull heights with this skew.
@@ -561,8 +560,10 @@ public:
     /// Sets it.
     Params &tangential_modulus(double value) noexcept { return assign(c_.tangential_modulus, value); }
 
-    /// Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not
-    /// known. `asperity_params_set_spectral_moments` sets it.
+    /// Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A
+    /// with it. Where it is known, neighbours share the compliance: stiffness, along the surfaces and normal to them,
+    /// and the sum of contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and a gap changes by
+    /// psi times what the summits approach by. A/A_0 counts as 0.5 at most.
     double nominal_area() const noexcept { return c_.nominal_area; }
     /// Sets it.
     Params &nominal_area(double value) noexcept { return assign(c_.nominal_area, value); }
@@ -586,9 +587,9 @@ public:
     /// Sets it.
     Params &pressure_coefficient(double value) noexcept { return assign(c_.pressure_coefficient, value); }
 
-    /// Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether summits act
-    /// independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
-    /// `asperity_params_set_spectral_moments` sets it.
+    /// Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were counted [-], at least 1.5, with which warnings
+    /// judge whether they act independently; 0, the default, means not known. The library then takes it from
+    /// `nominal_area`, if that is known.
     double bandwidth() const noexcept { return c_.bandwidth; }
     /// Sets it.
     Params &bandwidth(double value) noexcept { return assign(c_.bandwidth, value); }
@@ -609,6 +610,18 @@ public:
     double calibration_error() const noexcept { return c_.calibration_error; }
     /// Sets it.
     Params &calibration_error(double value) noexcept { return assign(c_.calibration_error, value); }
+
+    /// Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not
+    /// known.
+    double summit_mean_height() const noexcept { return c_.summit_mean_height; }
+    /// Sets it.
+    Params &summit_mean_height(double value) noexcept { return assign(c_.summit_mean_height, value); }
+
+    /// Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not
+    /// known.
+    double rms_slope() const noexcept { return c_.rms_slope; }
+    /// Sets it.
+    Params &rms_slope(double value) noexcept { return assign(c_.rms_slope, value); }
     // end of parameters
 
     /// The heights of the table; none by default.
@@ -811,49 +824,48 @@ public:
                                     dforce_dload.data(), dforce_dslip_rate.data());
     }
 
-    /// Load [force] at a separation [length] of the mean planes, from the compiled law.
+    /// Load [force] at a gap [length] between the mean planes, from the compiled law.
     ///
-    /// Negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a NaN or infinite separation.
-    double load_at_separation(double separation) const {
-        return asperity_load_at_separation(open(), separation);
+    /// Negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a NaN or infinite gap.
+    double load_at_gap(double gap) const {
+        return asperity_load_at_gap(open(), gap);
     }
 
-    /// Load as load_at_separation, and its slope d(load)/d(separation) [force/length]: minus the normal stiffness.
-    ValueAndSlope load_and_slope_at_separation(double separation) const {
+    /// Load as load_at_gap, and its slope d(load)/d(gap) [force/length]: minus the normal stiffness.
+    ValueAndSlope load_and_slope_at_gap(double gap) const {
         ValueAndSlope load;
-        load.value = asperity_load_and_slope_at_separation(open(), separation, &load.slope);
+        load.value = asperity_load_and_slope_at_gap(open(), gap, &load.slope);
         return load;
     }
 
-    /// Loads at many separations, into memory of the caller; for the inner loop: allocates nothing.
+    /// Loads at many gaps, into memory of the caller; for the inner loop: allocates nothing.
     ///
-    /// Every element is as load_at_separation gives it, also when the status is not ASPERITY_OK.
+    /// Every element is as load_at_gap gives it, also when the status is not ASPERITY_OK.
     ///
-    /// @param separations        separations [length]
-    /// @param load               receives as many loads [force]; may be `separations` itself
-    /// @param dload_dseparation  receives as many slopes [force/length]; none by default
-    /// @return ASPERITY_OK, or what is wrong with the first separation that has no load: ASPERITY_SEPARATED (at pull-off or
+    /// @param gaps        gaps [length]
+    /// @param load        receives as many loads [force]; may be `gaps` itself
+    /// @param dload_dgap  receives as many slopes [force/length]; none by default
+    /// @return ASPERITY_OK, or what is wrong with the first gap that has no load: ASPERITY_SEPARATED (at pull-off or
     ///         beyond, the load is 0), ASPERITY_INVALID_PARAMETER (NaN, infinite) or ASPERITY_OUT_OF_RANGE; last_error()
     ///         names its index
     /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
-    [[nodiscard]] Status load_at_separation(Span<const double> separations, Span<double> load,
-                                            Span<double> dload_dseparation = {}) const {
-        return many(asperity_loads_at_separations, separations, load, dload_dseparation);
+    [[nodiscard]] Status load_at_gap(Span<const double> gaps, Span<double> load, Span<double> dload_dgap = {}) const {
+        return many(asperity_loads_at_gaps, gaps, load, dload_dgap);
     }
 
-    /// Loads [force] at many separations.
+    /// Loads [force] at many gaps.
     ///
     /// 0 at pull-off and beyond. Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE) that names the first
-    /// separation that has no answer.
-    std::vector<double> load_at_separation(Span<const double> separations) const {
-        std::vector<double> load(separations.size());
-        const Status status = many(asperity_loads_at_separations, separations, load, {});
-        // An open contact is an answer, but may hide a separation without one.
+    /// gap that has no answer.
+    std::vector<double> load_at_gap(Span<const double> gaps) const {
+        std::vector<double> load(gaps.size());
+        const Status status = many(asperity_loads_at_gaps, gaps, load, {});
+        // An open contact is an answer, but may hide a gap without one.
         for (std::size_t i = 0; status == ASPERITY_SEPARATED && i < load.size(); ++i) {
             double value;
             if (is_nan(load[i])) {
-                const Status why = asperity_loads_at_separations(open(), 1, separations.data() + i, &value, nullptr);
-                throw Error(why, "element " + std::to_string(i) + " of the separations: " + last_error());
+                const Status why = asperity_loads_at_gaps(open(), 1, gaps.data() + i, &value, nullptr);
+                throw Error(why, "element " + std::to_string(i) + " of the gaps: " + last_error());
             }
         }
         if (status != ASPERITY_SEPARATED) {
@@ -1070,12 +1082,12 @@ public:
         return state;
     }
 
-    /// The exact state at a separation [length] from the mean of the summit heights, also beyond the pull-off point.
+    /// The exact state at a gap [length] between the mean planes, also beyond the pull-off point.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE).
-    State state_at_separation(double separation) const {
+    State state_at_gap(double gap) const {
         auto state = detail::sized<State>();
-        check(asperity_state_at_separation(open(), separation, &state));
+        check(asperity_state_at_gap(open(), gap, &state));
         return state;
     }
 
@@ -1142,7 +1154,7 @@ public:
         return table;
     }
 
-    /// The compiled load against separation, for code that cannot call out of a kernel: minus the separation stands in place
+    /// The compiled load against gap, for code that cannot call out of a kernel: minus the gap stands in place
     /// of a load, and the load in place of the friction force. Valid as `table` is.
     Table load_table() const {
         auto table = detail::sized<Table>();

@@ -44,7 +44,6 @@ mod equilibrium;
 mod error;
 mod float_bits;
 mod jenkins;
-mod joint_distribution;
 mod law;
 pub mod materials;
 mod model;
@@ -70,8 +69,8 @@ pub use crate::asperity::slip::{SlipConstants, SlipOnset};
 pub use error::{CalibrationFailure, Error, Value};
 pub use jenkins::STATE as MICROSLIP_LENGTH;
 pub use model::validity::{
-    WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP,
-    WARNING_STRONG, WARNING_UNCALIBRATED,
+    WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_FEW_WAVES, WARNING_PLASTIC,
+    WARNING_STEEP, WARNING_STRONG, WARNING_UNCALIBRATED,
 };
 pub use model::{MicroslipStep, Model, State, Summary, SummitState};
 pub use params::{ContactLawKind, HeightFamily, Params};

@@ -55,10 +55,10 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.params_set_materials(params, 3.0, 0.5, math.inf, 0.0) == Status.OK
     assert math.isclose(params.composite_modulus, 4.0, rel_tol=1e-15)
     summits = _header.asperity_params.from_buffer_copy(params)
-    assert lib.params_set_nayak_summits(summits, 1.5, 1.0, 1.0, 11.0) == Status.OK
-    assert math.isclose(summits.skew, 0.46948489, rel_tol=1e-7)
-    assert lib.params_set_spectral_moments(params, 3.0, 0.5, 0.7, 11.0) == Status.OK
-    assert math.isclose(params.summit_radius, 0.375 * math.sqrt(math.pi / 0.7), rel_tol=1e-14)
+    assert lib.params_set_mccool_summits(summits, 3.0, 0.5, 0.7, 11.0) == Status.OK
+    assert math.isclose(summits.summit_radius, 0.375 * math.sqrt(math.pi / 0.7), rel_tol=1e-14)
+    assert lib.params_set_spectral_moments(params, 3.0, 0.5, 0.0, 11.0) == Status.OK
+    assert params.rms_slope == 1.0 and params.radius_amplitude < 0
     assert lib.params_set_skew(params, 0.0) == Status.OK
     assert params.height_distribution == _header.ASPERITY_HEIGHTS_WEIBULL
     assert abs(params.weibull_shape - 3.602) < 5e-4  # Table 1 of the paper
@@ -144,14 +144,14 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.state_at_load(model, 50.0, state) == Status.OK
     assert math.isclose(state.friction_force, force[0], rel_tol=1e-9)
     assert math.isclose(state.dforce_dload, slope[0], rel_tol=1e-6)
-    separation = state.separation
-    assert lib.state_at_separation(model, separation, state) == Status.OK
+    separation = state.gap
+    assert lib.state_at_gap(model, separation, state) == Status.OK
     assert math.isclose(state.load, 50.0, rel_tol=1e-9)
-    assert math.isclose(lib.load_at_separation(model, separation), 50.0, rel_tol=1e-9)
-    assert lib.load_and_slope_at_separation(model, separation, one) == lib.load_at_separation(model, separation)
-    assert math.isclose(one[0], state.dload_dseparation, rel_tol=1e-7)
-    assert lib.loads_at_separations(model, 1, doubles(separation), other, None) == Status.OK
-    assert other[0] == lib.load_at_separation(model, separation)
+    assert math.isclose(lib.load_at_gap(model, separation), 50.0, rel_tol=1e-9)
+    assert lib.load_and_slope_at_gap(model, separation, one) == lib.load_at_gap(model, separation)
+    assert math.isclose(one[0], state.dload_dgap, rel_tol=1e-7)
+    assert lib.loads_at_gaps(model, 1, doubles(separation), other, None) == Status.OK
+    assert other[0] == lib.load_at_gap(model, separation)
 
     # What friction depends on, and whether the law holds at these loads.
     by = _header.asperity_sensitivities(struct_size=ctypes.sizeof(_header.asperity_sensitivities))

@@ -13,7 +13,7 @@ import pandas
 import pytest
 
 from asperity import Error, Estimate, Model, Params, ValidityWarning, Warnings, friction, uncertainty
-from asperity._typical_roughness import BANDWIDTH, PROCESSES, SLOPE_FACTOR, machined_slope
+from asperity._typical_roughness import PROCESSES, SLOPE_FACTOR, machined_slope
 from asperity.materials import MATERIALS, PAIRS, contact
 
 # Nobody measured the strength of these interfaces, and they say so.
@@ -39,7 +39,8 @@ def test_roughness_is_taken_in_three_forms() -> None:
     params = Params.from_iso25178(**PAIRS["Si/Si"].contact, **ROUGH, nominal_area=1.0)
     m2 = ROUGH["Sdq"] ** 2 / 2
     moments = {"m0": ROUGH["Sq"] ** 2, "m2": m2, "m4": 6 * math.pi * 3**0.5 * m2 * ROUGH["Sds"]}
-    summits = {"height_std": params.height_std, "summit_radius": params.summit_radius, "summit_density": params.asperity_count}
+    summits = {"height_std": params.height_std, "summit_radius": params.summit_radius, "summit_density": params.asperity_count,
+               "radius_amplitude": params.radius_amplitude, "radius_rate": params.radius_rate}
     expected = friction("Si/Si", **ROUGH, load=1e5).value
     for rough in (moments, summits):
         assert friction("Si/Si", **rough, load=1e5).value == pytest.approx(expected, rel=1e-12)
@@ -66,11 +67,11 @@ def test_an_interface_brings_its_strength() -> None:
 
 
 def test_a_burgers_vector_that_is_given_stands_for_one_that_is_not_known() -> None:
-    contact_of = contact("PDMS", "PDMS", burgers_vector=50e-9)
-    with Model(Params.from_iso25178(**contact_of, **ROUGH, nominal_area=1.0)) as model:
+    contact_of, rough = contact("PDMS", "PDMS", burgers_vector=50e-9), {"Sq": 10e-6, "Sdq": 0.2}
+    with Model(Params.from_iso25178(**contact_of, **rough, nominal_area=1.0)) as model:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", ValidityWarning)  # rubber is crowded at any load
-            found = friction("PDMS/PDMS", **ROUGH, load=1.0, burgers_vector=50e-9)
+            warnings.simplefilter("ignore", ValidityWarning)  # rubber sticks at any load
+            found = friction("PDMS/PDMS", **rough, load=1.0, burgers_vector=50e-9)
         assert found.value == model.friction_at_load(1.0)
 
 
@@ -123,7 +124,7 @@ def test_bad_input_is_refused(arguments: dict[str, Any], error: type[Exception],
 def test_a_roughness_is_asked_for_by_all_names_that_tell_it(given: dict[str, Any]) -> None:
     with pytest.raises(TypeError) as refused:
         friction("Si/Si", load=1e5, **given)
-    for name in ("Sq, Sdq and Sds or Ssc", "m0, m2 and m4", "Ra or Rq with RSm of a profile", "process, one of superfinished, "):
+    for name in ("Sq and Sdq", "m0 and m2", "Ra or Rq with RSm or Rdq of a profile", "process, one of superfinished, "):
         assert name in str(refused.value)
 
 
@@ -176,23 +177,21 @@ def test_ground_steel_is_a_band_that_says_what_would_narrow_it() -> None:
     assert [line for line in lines if line.startswith("rests on: ")] == [
         "rests on: strength of the interface: not measured, a factor 10 either way",
         "rests on: slope of its profile: 0.14 to a factor 4, as assumed of machined surfaces",
-        "rests on: bandwidth: not measured, 3 to 30",
-        "rests on: summits yield, plasticity index 4.4: elastic-plastic, without adhesion",
+        "rests on: summits yield, plasticity index 2.2: elastic-plastic, without adhesion",
     ]
-    assert [line[:24] for line in lines[5:]] == ["to narrow it: one measur", "to narrow it: the mean w", "to narrow it: how sharp "]
+    assert [line[:24] for line in lines[4:]] == ["to narrow it: one measur", "to narrow it: the mean w"]
     without = friction(**GROUND, load=20.0)
     assert "rests on: ground surfaces have an Ra of 0.1 to 1.6 um" in repr(without)
     assert math.log(without.high / without.low) > math.log(found.high / found.low)
     # What is known of it makes it narrower.
     with_width = friction(**GROUND, Ra=0.8e-6, RSm=40e-6, load=20.0)
-    with_both = friction(**GROUND, Ra=0.8e-6, RSm=40e-6, bandwidth=5.0, load=20.0)
-    ratios = [found.high / found.low for found in (found, with_width, with_both)]
+    ratios = [found.high / found.low for found in (found, with_width)]
     assert ratios == sorted(ratios, reverse=True) and ratios[-1] == pytest.approx(100)
 
 
 @pytest.mark.parametrize("measured", [None, (20.0, 0.3)])
 def test_the_band_is_that_of_a_monte_carlo(measured: tuple[float, float] | None) -> None:
-    """Of strengths, slopes and bandwidths drawn at random, each with the probability that it gives to the measurement."""
+    """Of strengths and slopes drawn at random, each with the probability that it gives to the measurement."""
     loads, error = np.array([2.0, 20.0, 2000.0]), 0.1
     point: dict[str, Any] = {} if measured is None else dict(zip(MEASURED, measured))
     found = friction(**GROUND, Ra=0.8e-6, load=loads, **point, calibration_error=error)
@@ -200,19 +199,14 @@ def test_the_band_is_that_of_a_monte_carlo(measured: tuple[float, float] | None)
     Rq = math.sqrt(math.pi / 2) * 0.8e-6
     bodies = {**PAIRS["steel/steel"].contact, "work_of_adhesion": 0.0}
 
-    def logs(slope: float, bandwidth: float) -> Any:
-        m0, m2 = Rq**2, slope**2
-        params = Params.from_spectral_moments(
-            m0=m0, m2=m2, m4=bandwidth * m2**2 / m0, nominal_area=1e-4, contact_law="elastic-plastic", **bodies
-        )
+    def logs(slope: float) -> Any:
+        params = Params.from_spectral_moments(m0=Rq**2, m2=slope**2, nominal_area=1e-4, contact_law="elastic-plastic", **bodies)
         with Model(params) as model:
             return np.log(model.friction_at_load(loads))
 
-    middle = logs(0.14 * math.sqrt(Rq / 1e-6), math.sqrt(90))
-    drawn = np.array([
-        logs(0.14 * math.sqrt(Rq / 1e-6) * 4 ** (one / NORMAL), math.sqrt(90) * math.sqrt(10) ** (other / NORMAL))
-        for one, other in random.standard_normal((250, 2))
-    ])  # fmt: skip
+    usual = 0.14 * math.sqrt(Rq / 1e-6)
+    middle = logs(usual)
+    drawn = np.array([logs(usual * 4 ** (one / NORMAL)) for one in random.standard_normal(250)])
     strength = math.log(10) / NORMAL * random.standard_normal((250, 400, 1))
     if measured is not None:
         strength = strength + math.log(measured[1]) - middle[1]
@@ -229,7 +223,7 @@ def test_the_band_is_that_of_a_monte_carlo(measured: tuple[float, float] | None)
 
 def test_a_pressure_coefficient_takes_its_part_of_a_measurement() -> None:
     """Without adhesion it is a constant on top of the rest, of which alone the strength is in question."""
-    given: dict[str, Any] = {**GROUND, "Ra": 0.8e-6, "RSm": 40e-6, "bandwidth": 5.0, "pressure_coefficient": 0.1}
+    given: dict[str, Any] = {**GROUND, "Ra": 0.8e-6, "RSm": 40e-6, "pressure_coefficient": 0.1}
     point: dict[str, Any] = dict(zip(MEASURED, (20.0, 0.15)))
     found = friction(**given, load=20.0, **point, calibration_error=0.1)
     assert found.value == pytest.approx(0.15, rel=1e-9)
@@ -266,13 +260,13 @@ def test_roughness_that_a_process_does_not_leave_is_warned_of() -> None:
 def test_both_surfaces_may_be_rough() -> None:
     """Mean squares of heights and of slopes add."""
     Rq = 1e-6 * np.array([0.8, 0.4])
-    found = friction(**GROUND, Rq=Rq.tolist(), bandwidth=5.0, load=20.0)
+    found = friction(**GROUND, Rq=Rq.tolist(), load=20.0)
     slope = 0.14 * math.sqrt(1.2)
     assert f"rests on: slope of its profile: {slope:.2g} to a factor 4" in repr(found)
     total = float(np.hypot(*Rq))
-    known = friction(**GROUND, Rq=total, RSm=2 * math.pi * total / slope, bandwidth=5.0, load=20.0)
+    known = friction(**GROUND, Rq=total, RSm=2 * math.pi * total / slope, load=20.0)
     assert found.value == pytest.approx(known.value, rel=1e-9)
-    both: dict[str, Any] = {"Rq": [5e-9, 4e-9], "RSm": [600e-9, 900e-9], "bandwidth": 5.0}
+    both: dict[str, Any] = {"Rq": [5e-9, 4e-9], "RSm": [600e-9, 900e-9]}
     params = Params.from_profile(**both, **PAIRS["Si/Si"].contact, nominal_area=1.0)
     with Model(params) as model:
         assert friction("Si/Si", **both, load=1e5).value == pytest.approx(model.friction_at_load(1e5), rel=1e-9)
@@ -286,7 +280,6 @@ def test_the_page_has_the_roughness_that_processes_leave(root: Path) -> None:
     for process, ends in PROCESSES.items():
         (told,) = [(float(low), float(high)) for name, low, high in rows if process in name]
         assert told == pytest.approx([1.25e6 * end for end in ends], rel=0.05)
-    assert f"from {BANDWIDTH.low:.0f} to {BANDWIDTH.high:.0f}" in page
     assert f"0.14 (Rq/µm)^½, with 95 % of its probability within a factor of {SLOPE_FACTOR:g}" in page
     assert machined_slope(1e-6) == pytest.approx(0.14)
 
@@ -296,7 +289,8 @@ def test_an_estimate_is_a_number_with_its_band() -> None:
     assert isinstance(found, Estimate) and float(found) == found.value and np.asarray(found) == found.value
     assert 2.0 * np.asarray(found, dtype=np.float32) == pytest.approx(2 * found.value, rel=1e-6)
     assert f"{found:.2f}" == f"{found.value:.2f} ({found.low:.2f} to {found.high:.2f})" and f"{found}" == repr(found)
-    assert f"{friction('Si/Si', **ROUGH, load=1e5, slip_stress_1=0.02):.3f}" == "0.515"
+    given = friction("Si/Si", **ROUGH, load=1e5, slip_stress_1=0.02)  # has no band
+    assert f"{given:.3f}" == f"{given.value:.3f}"
     many = friction("Si/Si", **ROUGH, load=pandas.Series([1e4, 0.0, -1e20], index=list("abc")))
     assert many.high.index.tolist() == list("abc") and many.high["a"] == pytest.approx(10 * many.value["a"])
     assert many.low["b"] == many.value["b"] and many.low["c"] == many.value["c"] == 0.0
@@ -309,7 +303,11 @@ def test_an_estimate_is_a_number_with_its_band() -> None:
 def test_what_a_profile_does_not_tell_is_told() -> None:
     found = friction("Si/Si", Rq=5e-9, RSm=600e-9, load=1e5)
     with Model(Params.from_profile(**PAIRS["Si/Si"].contact, Rq=5e-9, RSm=600e-9, nominal_area=1.0)) as model:
-        assert found.value == model.friction_at_load(1e5) and Warnings.BROAD in model.check(1e5, 1e5)
-    assert found.rests_on[1:] == ("bandwidth: not measured, 3 to 30",)
+        assert found.value == pytest.approx(model.friction_at_load(1e5), rel=1e-12) and Warnings.BROAD not in model.check(1e5, 1e5)
+    assert found.rests_on == ("strength of the interface: not measured, a factor 10 either way",)
+    slope = friction("Si/Si", Rq=5e-9, Rdq=2 * math.pi * 5 / 600, load=1e5)
+    assert slope.value == pytest.approx(found.value, rel=1e-12)
+    with pytest.raises(TypeError, match="RSm and Rdq both give the slope"):
+        friction("Si/Si", Rq=5e-9, RSm=600e-9, Rdq=0.05, load=1e5)
     by_mean = friction("Si/Si", Ra=math.sqrt(2 / math.pi) * 5e-9, RSm=600e-9, load=1e5)
     assert by_mean.value == pytest.approx(found.value, rel=1e-12)

@@ -1,7 +1,8 @@
 //! The roughness of a text: the spectral moments of the two surfaces, from whichever parameters of roughness are given.
 //!
-//! Of isotropic Gaussian surfaces m0 = Rq^2 = Sq^2 = pi/2 Ra^2. By areal parameters m2 = Sdq^2/2, and m4 is 9 pi/64 Ssc^2 or
-//! 6 pi 3^(1/2) m2 Sds; of a profile m2 = m0 (2 pi/RSm)^2, and m4 follows from the bandwidth. Of two rough surfaces moments add.
+//! Of isotropic Gaussian surfaces m0 = Rq^2 = Sq^2 = pi/2 Ra^2. By areal parameters m2 = Sdq^2/2, of a profile m2 = Rdq^2 or
+//! m0 (2 pi/RSm)^2. m4, where it is known, is 9 pi/64 Ssc^2 or 6 pi 3^(1/2) m2 Sds, or follows from the bandwidth. Of two rough
+//! surfaces moments add.
 
 use super::keys::{Entries, Table};
 use super::toml::{Outcome, Problem, Value};
@@ -10,12 +11,10 @@ use crate::spectrum::SpectralMoments;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Arguments;
 
-/// The bandwidth of a surface of which only Rq and RSm are known: the middle of 3 to 30, the range of most.
-const USUAL_BANDWIDTH: f64 = 9.486_832_980_505_138;
-
 /// What a text says of the roughness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roughness {
+    /// m4 is 0 where nothing is said of it.
     pub moments: SpectralMoments,
     /// Summits per area, where they were counted beside their curvature.
     pub density: Option<f64>,
@@ -28,57 +27,59 @@ struct Kind {
     /// The name that Ra replaces.
     height: &'static str,
     names: &'static [&'static str],
-    needs: &'static [&'static str],
+    /// One of these gives m2.
+    slopes: &'static [&'static str],
+    /// One of these, or all in turn, gives m4.
+    curvatures: &'static [&'static str],
     called: &'static str,
 }
 
 const MOMENTS: Kind =
-    Kind { height: "m0", names: &["m0", "m2", "m4"], needs: &["m2", "m4"], called: "spectral moments" };
+    Kind { height: "m0", names: &["m0", "m2", "m4"], slopes: &["m2"], curvatures: &["m4"], called: "spectral moments" };
 const AREAL: Kind = Kind {
     height: "Sq",
     names: &["Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku"],
-    needs: &["Sdq"],
+    slopes: &["Sdq"],
+    curvatures: &["Ssc", "Sds"],
     called: "areal parameters",
 };
-const PROFILE: Kind = Kind { height: "Rq", names: &["Rq", "RSm"], needs: &["RSm"], called: "parameters of a profile" };
+const PROFILE: Kind = Kind {
+    height: "Rq",
+    names: &["Rq", "RSm", "Rdq"],
+    slopes: &["RSm", "Rdq"],
+    curvatures: &[],
+    called: "parameters of a profile",
+};
+const KINDS: [&Kind; 3] = [&MOMENTS, &AREAL, &PROFILE];
 
 impl Roughness {
     /// What [roughness] gives, which begins at a byte of the text, with the bandwidth that the text gives beside it.
     pub fn of(entries: &Entries, begin: usize, bandwidth: Option<f64>) -> Outcome<Self> {
         let given = Given { entries, begin };
         let is_of = |kind: &&Kind| kind.names.iter().any(|name| given.at(name).is_some());
-        let Some(kind) = [MOMENTS, AREAL, PROFILE].iter().find(is_of) else {
-            return Err(
-                given.refused("Ra", format_args!("give with it RSm, or Sdq and one of Ssc and Sds, or m2 and m4"))
-            );
+        let Some(kind) = KINDS.into_iter().find(is_of) else {
+            return Err(given.refused("Ra", format_args!("give with it RSm or Rdq, or Sdq, or m2")));
         };
         given.check(kind)?;
         let count = given.surfaces()?;
         let mut moments = SpectralMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
         for surface in 0..count {
-            let [m0, m2, m4] = match kind.height {
-                "m0" => [given.height(kind, surface)?, given.need("m2", surface)?, given.need("m4", surface)?],
-                "Sq" => given.areal(kind, surface)?,
-                _ => {
-                    let m0 = given.height(kind, surface)?;
-                    let slope = 2.0 * PI / given.need("RSm", surface)?;
-                    [m0, m0 * (slope * slope), 0.0]
-                }
-            };
+            let (m0, m2) = (given.height(kind, surface)?, given.slope(kind, surface)?);
+            let m4 = given.curvature(m2, surface)?;
             moments = SpectralMoments { m0: moments.m0 + m0, m2: moments.m2 + m2, m4: moments.m4 + m4 };
         }
-        if kind.height == "Rq" {
-            let SpectralMoments { m0, m2, .. } = moments;
-            moments.m4 = bandwidth.unwrap_or(USUAL_BANDWIDTH) * m2 * (m2 / m0);
+        if let Some(bandwidth) = bandwidth {
+            moments.m4 = bandwidth * moments.m2 * (moments.m2 / moments.m0);
         }
         let is_counted = given.at("Ssc").is_some() && given.at("Sds").is_some();
         let density = is_counted.then(|| given.need("Sds", 0)).transpose()?;
         Ok(Self { moments, density, shape: given.shape(count)? })
     }
 
-    /// Whether the bandwidth is one of its inputs.
-    pub fn reads_bandwidth(entries: &Entries) -> bool {
-        entries.find(Table::Roughness, "RSm").is_some()
+    /// Whether it says m4, so that no bandwidth is to be given beside it.
+    pub fn gives_curvature(entries: &Entries) -> bool {
+        let names = KINDS.into_iter().flat_map(|kind| kind.curvatures);
+        names.into_iter().any(|name| entries.find(Table::Roughness, name).is_some())
     }
 }
 
@@ -105,7 +106,7 @@ impl Given<'_> {
     fn check(&self, kind: &Kind) -> Outcome<()> {
         let has = |name: &&&str| self.at(name).is_some();
         let first = kind.names.iter().find(has).unwrap_or(&kind.height);
-        for name in [MOMENTS, AREAL, PROFILE].iter().flat_map(|other| other.names) {
+        for name in KINDS.into_iter().flat_map(|other| other.names) {
             if self.at(name).is_some() && !kind.names.contains(name) {
                 return Err(self.refused(name, format_args!("is not for {}, as {first} is", kind.called)));
             }
@@ -128,9 +129,13 @@ impl Given<'_> {
                 ),
             ));
         }
-        match kind.needs.iter().find(|name| self.at(name).is_none()) {
-            Some(missing) => Err(self.refused(missing, format_args!("must be set"))),
-            None => Ok(()),
+        match kind.slopes.iter().filter(|name| self.at(name).is_some()).count() {
+            0 => {
+                let others = kind.slopes.get(1).map_or("", |_| ", or Rdq");
+                Err(self.refused(kind.slopes[0], format_args!("must be set{others}")))
+            }
+            1 => Ok(()),
+            _ => Err(self.refused("Rdq", format_args!("must not be given together with RSm, which it replaces"))),
         }
     }
 
@@ -190,23 +195,32 @@ impl Given<'_> {
         Ok(if kind.height == "m0" { height } else { height * height })
     }
 
-    fn areal(&self, kind: &Kind, surface: usize) -> Outcome<[f64; 3]> {
-        let (m0, slope) = (self.height(kind, surface)?, self.need("Sdq", surface)?);
-        let m2 = slope * slope / 2.0;
-        let m4 = match (self.at("Ssc"), self.at("Sds")) {
-            (Some(_), _) => {
-                let curvature = self.need("Ssc", surface)?;
-                9.0 * PI / 64.0 * (curvature * curvature)
+    /// m2 of one surface.
+    fn slope(&self, kind: &Kind, surface: usize) -> Outcome<f64> {
+        let named = kind.slopes.iter().find(|name| self.at(name).is_some()).unwrap_or(&kind.slopes[0]);
+        let number = self.need(named, surface)?;
+        Ok(match *named {
+            "m2" => number,
+            "Sdq" => number * number / 2.0,
+            "Rdq" => number * number,
+            _ => {
+                let wave_number = 2.0 * PI / number;
+                self.height(kind, surface)? * (wave_number * wave_number)
             }
-            (None, Some(_)) => 6.0 * PI * 3.0_f64.sqrt() * m2 * self.need("Sds", surface)?,
-            (None, None) => {
-                return Err(self.refused(
-                    "Ssc",
-                    format_args!("must be set, or Sds: Sq and Sdq do not determine how sharp the summits are"),
-                ))
-            }
-        };
-        Ok([m0, m2, m4])
+        })
+    }
+
+    /// m4 of one surface, 0 where nothing is said of it.
+    fn curvature(&self, m2: f64, surface: usize) -> Outcome<f64> {
+        if self.at("m4").is_some() {
+            return self.need("m4", surface);
+        }
+        if self.at("Ssc").is_some() {
+            let curvature = self.need("Ssc", surface)?;
+            return Ok(9.0 * PI / 64.0 * (curvature * curvature));
+        }
+        let density = self.at("Sds").map(|_| self.need("Sds", surface)).transpose()?;
+        Ok(6.0 * PI * 3.0_f64.sqrt() * m2 * density.unwrap_or(0.0))
     }
 
     /// Skew and kurtosis, where both are given, of one rough surface.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import numbers
 from itertools import product
 from statistics import NormalDist
 from typing import Any, Callable, NamedTuple
@@ -12,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _caller
-from ._typical_roughness import BANDWIDTH, PROCESSES, SLOPE_FACTOR, Known, deviation_of, machined_slope
+from ._typical_roughness import PROCESSES, SLOPE_FACTOR, Known, deviation_of, machined_slope
 from .errors import Error, Status
 from .params import Params, both_of, refuse_peaks
 from .results import ValidityWarning
@@ -24,8 +23,8 @@ _AREAL = {"Sq", "Sdq", "Sds", "Ssc"}
 _MOMENTS = {"m0", "m2", "m4"}
 _SUMMITS = {"height_std", "summit_radius", "summit_density", "asperity_count"}
 _MISSING = (
-    "the roughness is missing: give Sq, Sdq and Sds or Ssc; or m0, m2 and m4; or height_std, summit_radius and summit_density; "
-    f"or Ra or Rq with RSm of a profile; or process, one of {', '.join(PROCESSES)}, with Ra or Rq if that is known"
+    "the roughness is missing: give Sq and Sdq; or m0 and m2; or height_std, summit_radius and summit_density; "
+    f"or Ra or Rq with RSm or Rdq of a profile; or process, one of {', '.join(PROCESSES)}, with Ra or Rq if that is known"
 )
 
 
@@ -42,10 +41,10 @@ class Roughness(NamedTuple):
 def roughness_cases(process: str | None, surface: dict[str, Any]) -> Roughness:
     """Of what was given by name; `TypeError` where that is not enough, with all that would be."""
     refuse_peaks(surface)
-    if process is not None or surface.keys() & {"Rq", "RSm"}:
+    if process is not None or surface.keys() & {"Rq", "RSm", "Rdq"}:
         return _of_profile(process, surface)
     kinds: tuple[tuple[Any, set[str], set[str], set[str]], ...] = (
-        (Params.from_spectral_moments, _MOMENTS, {"m2", "m4"}, {"m0", "Ra"}),
+        (Params.from_spectral_moments, _MOMENTS, {"m2"}, {"m0", "Ra"}),
         (Params.from_iso25178, _AREAL, {"Sdq"}, {"Sq", "Ra"}),
         (Params.si, _SUMMITS, {"height_std"}, {"height_std"}),
     )
@@ -69,7 +68,7 @@ def _of_profile(process: str | None, surface: dict[str, Any]) -> Roughness:
     other = sorted(surface.keys() & ((_AREAL | _MOMENTS | _SUMMITS) - {"Sq"}))
     if other:
         raise TypeError(f"{other[0]}: is not for a profile or a process; give all of the roughness, or Ra or Rq alone with those")
-    if process is None and not (heights and "RSm" in surface):
+    if process is None and not (heights and surface.keys() & {"RSm", "Rdq"}):
         raise TypeError(_MISSING)
     rests_on, narrow = [], []
     if heights:
@@ -86,27 +85,30 @@ def _of_profile(process: str | None, surface: dict[str, Any]) -> Roughness:
             rests_on.append(left)
         elif not all(deviation_of(least) <= one <= deviation_of(most) for one in each):
             _caller.warn(f"{heights[0]} = {surface[heights[0]]}: {left}: is it of this process, and in m?", ValidityWarning)
-    if "RSm" in surface:
-        widths = both_of("RSm", surface["RSm"])
-        if len(widths) != max(len(each), 1):
-            raise TypeError(f"RSm: must be as many numbers as {heights[0] if heights else 'the roughness'} has, one of each surface")
-        slope: Callable[[float], float] = lambda Rq: 2 * math.pi * math.hypot(*(one / width for one, width in zip(each or [Rq], widths)))
-        times = Known(1.0)
+    slope: Callable[[float], float]
+    told = [name for name in ("RSm", "Rdq") if name in surface]
+    if len(told) > 1:
+        raise TypeError("RSm and Rdq both give the slope of a profile: leave one out")
+    if told:
+        numbers = both_of(told[0], surface[told[0]])
+        if len(numbers) != max(len(each), 1):
+            of = heights[0] if heights else "the roughness"
+            raise TypeError(f"{told[0]}: must be as many numbers as {of} has, one of each surface")
+        if told == ["Rdq"]:
+            slope, times = (lambda Rq: math.hypot(*numbers)), Known(1.0)
+        else:
+            slope = lambda Rq: 2 * math.pi * math.hypot(*(one / width for one, width in zip(each or [Rq], numbers)))
+            times = Known(1.0)
     else:
         slope, times = (lambda Rq: math.hypot(*map(machined_slope, each or [Rq]))), Known(1.0, SLOPE_FACTOR)
         assumed = f"{slope(deviation.middle):.2g} to a factor {SLOPE_FACTOR:g}"
         rests_on.append(f"slope of its profile: {assumed}, as assumed of machined surfaces")
         narrow.append("the mean width of its profile's elements: RSm")
-    if "bandwidth" in surface:
-        bandwidth = Known(_positive("bandwidth", surface["bandwidth"]))
-    else:
-        bandwidth = BANDWIDTH
-        rests_on.append(f"bandwidth: not measured, {bandwidth.low:.0f} to {bandwidth.high:.0f}")
-        narrow.append("how sharp its summits are: Sq, Sdq and Sds or Ssc, or a height map (asperity.surface)")
+    bandwidth = {name: surface[name] for name in surface if name == "bandwidth"}
     cases, probability = [], []
-    for (Rq, first), (steeper, second), (alpha, third) in product(_nodes(deviation), _nodes(times), _nodes(bandwidth)):
-        cases.append({"Rq": Rq, "RSm": 2 * math.pi * Rq / (steeper * slope(Rq)), "bandwidth": alpha})
-        probability.append(first * second * third)
+    for (Rq, first), (steeper, second) in product(_nodes(deviation), _nodes(times)):
+        cases.append({"Rq": Rq, "RSm": None, "Rdq": steeper * slope(Rq), **bandwidth})
+        probability.append(first * second)
     return Roughness(Params.from_profile, cases, np.array(probability), tuple(rests_on), tuple(narrow))
 
 
@@ -116,9 +118,3 @@ def _nodes(known: Known) -> list[tuple[float, float]]:
         return [(known.middle, 1.0)]
     reach = math.sqrt(3.0) * math.log(known.factor) / NormalDist().inv_cdf(0.975)
     return [(known.middle * math.exp(at * reach), part) for at, part in ((0, 2 / 3), (-1, 1 / 6), (1, 1 / 6))]
-
-
-def _positive(name: str, value: Any) -> float:
-    if not (isinstance(value, numbers.Real) and math.isfinite(value) and float(value) > 0):
-        raise Error(f"{name} = {value!r}: must be finite and > 0", Status.INVALID_PARAMETER)
-    return float(value)

@@ -42,11 +42,6 @@ PROCESSES: dict[str, tuple[float, float]] = {
     "milled": (0.8e-6, 6.3e-6),
 }
 
-# Nayak's m0 m4/m2^2: 3 of a Gaussian correlation function, about 30 of a fractal surface whose longest waves are 32 times as
-# long as the shortest (docs/domain.md); the surfaces of Greenwood and Williamson, with density R sigma of 0.05, have 6.9.
-BANDWIDTH = Known.between(3.0, 30.0)
-
-
 def deviation_of(mean_deviation: float) -> float:
     """Rq from Ra, of Gaussian heights."""
     return math.sqrt(math.pi / 2) * mean_deviation

@@ -48,22 +48,21 @@ def friction(
 ) -> Estimate:
     """The friction coefficient of two materials with a roughness, at a load or at many, with its band. SI units.
 
-    >>> estimate = asperity.friction("Si/Si", Sq=5e-9, Sdq=0.08, Sds=2e13, load=1e-3, nominal_area=1e-8)
-    >>> print(f"{estimate:.2g}")
-    0.45 (0.045 to 4.5)
+    >>> estimate = asperity.friction("Si/Si", Sq=5e-9, Sdq=0.08, load=1e-3, nominal_area=1e-8)
+    >>> print(f"{estimate:.1g}")
+    0.4 (0.04 to 4)
 
     `print(estimate)` says what the number rests on and what would narrow its band. For more than the coefficient make
     `Params` and a `Model`. The models of the last surfaces are kept, so that the next call for them is fast.
 
-    Three things widen the band:
+    Two things widen the band:
 
     - The strength of the interface was not measured: a factor of 10 either way, as for `asperity.uncertainty`. Give
       `calibration_load` with `calibration_friction_coefficient`.
-    - The bandwidth is not given: Nayak's m0 m4/m2^2 is then log-normal, with 95 % of its probability from 3 to 30.
     - The slopes of a machined surface are assumed: the slope along a profile is 0.14 (Rq/um)^(1/2) to a factor of 4.
       Without Ra or Rq, the roughness is the usual one of the process.
 
-    The band is log-normal, with the mean and variance of ln(mu) from all three. Heights are Gaussian.
+    The band is log-normal, with the mean and variance of ln(mu) from both. Heights are Gaussian.
 
     Where summits yield (a plasticity index above 1) the contact law is elastic-plastic, without adhesion, unless you give a
     `contact_law` or a `work_of_adhesion`.
@@ -77,9 +76,8 @@ def friction(
             "ground", "turned", "bored" or "milled". Give Ra or Rq of both surfaces as a list, if both are rough.
         interface: a name in `asperity.materials.INTERFACES`, whose shear strength replaces the default: `Params.with_interface`.
         coverage: probability of the band, between 0 and 1.
-        **surface: the roughness, as `Params.from_iso25178` (`Sq`, `Sdq` and `Sds` or `Ssc`), `Params.from_spectral_moments`
-            (`m0`, `m2`, `m4`; `Ra` of Gaussian heights may replace `Sq` or `m0`), `Params.from_profile` (`Ra` or `Rq`, `RSm`,
-            `bandwidth`) or `Params.si` (`height_std`, `summit_radius`, `summit_density`) take it, with a `process` `Ra`, `Rq`
+        **surface: the roughness, as `Params.from_iso25178` (`Sq`, `Sdq`), `Params.from_spectral_moments` (`m0`, `m2`; `Ra` of
+            Gaussian heights may replace `Sq` or `m0`), `Params.from_profile` (`Ra` or `Rq`, `RSm` or `Rdq`) or `Params.si` (`height_std`, `summit_radius`, `summit_density`) take it, with a `process` `Ra`, `Rq`
             or neither; one friction measured on these surfaces, `calibration_load` [N] with `calibration_friction_coefficient`
             or `calibration_friction_force` [N], and its relative standard error `calibration_error`, 0.05 by default; and what
             is to replace the numbers of the pair or a default: `work_of_adhesion`, `slip_stress_1`, `kurtosis`, ...
