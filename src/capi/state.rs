@@ -121,7 +121,7 @@ pub struct asperity_summary {
 unsafe fn exact(
     model: *const asperity_model,
     out: *mut asperity_state,
-    state: impl FnOnce(&Model) -> Result<State, Error>,
+    state: &dyn Fn(&Model) -> Result<State, Error>,
 ) -> asperity_status {
     boundary::status(|| {
         let model = model::of(model)?;
@@ -160,7 +160,7 @@ pub unsafe extern "C" fn asperity_state_at_load(
     load: f64,
     state: *mut asperity_state,
 ) -> asperity_status {
-    exact(model, state, |model| model.state_at_load(load))
+    exact(model, state, &|model| model.state_at_load(load))
 }
 
 /// Computes the exact state at a gap, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
@@ -176,7 +176,7 @@ pub unsafe extern "C" fn asperity_state_at_gap(
     gap: f64,
     state: *mut asperity_state,
 ) -> asperity_status {
-    exact(model, state, |model| model.state_at_gap(gap))
+    exact(model, state, &|model| model.state_at_gap(gap))
 }
 
 /// Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table.

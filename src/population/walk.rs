@@ -28,7 +28,8 @@ pub trait Visitor {
     fn end_of_panel(&mut self, _end: &Point) {}
 }
 
-/// What the contacts of a walk are handed to, with all that is known of them.
+/// What the contacts of a walk are handed to, with all that is known of them. The walk is compiled once for all of these: a copy
+/// of it takes 8 kB.
 pub trait ContactVisitor {
     /// So many contacts, as a fraction of all summits.
     fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip);
@@ -93,7 +94,7 @@ impl Population {
         &self,
         walk: &Walk,
         progress: &mut Progress,
-        visitor: &mut impl ContactVisitor,
+        visitor: &mut dyn ContactVisitor,
     ) -> Result<(), Error> {
         let &Walk { separation, start, edge_height, end } = walk;
         let mut here = self.above_lower_end(walk, progress, visitor);
@@ -185,7 +186,7 @@ impl Population {
 
     /// The first panel where the range begins at a lower end of the distribution at which the density is a power; returns where
     /// it ends.
-    fn above_lower_end(&self, walk: &Walk, progress: &mut Progress, visitor: &mut impl ContactVisitor) -> Point {
+    fn above_lower_end(&self, walk: &Walk, progress: &mut Progress, visitor: &mut dyn ContactVisitor) -> Point {
         let &Walk { separation, start, edge_height, end } = walk;
         let (lower_end, _) = self.heights.support();
         let smooth = (start.z - edge_height).min(self.radius.smooth_length(lower_end));
