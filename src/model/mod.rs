@@ -9,6 +9,7 @@ mod calibration;
 mod exact;
 mod gap;
 mod microslip;
+pub(crate) mod points;
 pub mod validity;
 
 use crate::elementary::cbrt;
