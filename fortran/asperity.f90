@@ -127,15 +127,19 @@ module asperity
                                                     ! by default
     real(c_double) :: pressure_coefficient          ! kappa [-], 0 to 1000: the pressure coefficient of the interface;
                                                     ! 0, the default, is a strength that does not grow with pressure
-    real(c_double) :: bandwidth                     ! Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5,
-                                                    ! with which warnings judge whether summits act independently; 0,
-                                                    ! the default, means not known
+    real(c_double) :: bandwidth                     ! Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were
+                                                    ! counted [-], at least 1.5, with which warnings judge whether they
+                                                    ! act independently; 0, the default, means not known
     real(c_double) :: calibration_load              ! Load of the measurement that set the strength of the interface
                                                     ! [force]; 0 if there was none
     real(c_double) :: calibration_friction_force    ! Friction force measured at that load [force], >= 0; 0, the
                                                     ! default: not calibrated
     real(c_double) :: calibration_error             ! Relative standard error of that measurement [-], > 0 and at most
                                                     ! 1; 0.05 by default
+    real(c_double) :: summit_mean_height            ! Height of the mean of the summits above the mean plane of the
+                                                    ! surface [length], >= 0; 0, the default, means not known
+    real(c_double) :: rms_slope                     ! Root mean square slope of the surface [-], Sdq, 0 to 5, with which
+                                                    ! warnings judge; 0, the default, means not known
   end type asperity_params
 
   ! What is known of a material, in SI units
@@ -367,28 +371,29 @@ module asperity
       integer(c_int32_t) :: asperity_params_set_elastic_plastic
     end function asperity_params_set_elastic_plastic
 
-    ! Sets roughness, nominal_area and bandwidth from the spectral moments of profiles of an isotropic Gaussian surface
+    ! Sets the roughness from the spectral moments of an isotropic surface, rough on however many scales
     function asperity_params_set_spectral_moments(params, m0, m2, m4, nominal_area) bind(c)
       import
       type(asperity_params), intent(inout) :: params ! initialised parameters
-      real(c_double), intent(in), value :: m0       ! variance of the heights [length^2] > 0: the square of Rq
+      real(c_double), intent(in), value :: m0       ! variance of the heights [length^2] > 0
       real(c_double), intent(in), value :: m2       ! variance of the slopes [-] > 0
-      real(c_double), intent(in), value :: m4       ! variance of the curvatures [1/length^2] > 0; alpha must be at
-                                                    ! least 1.5
+      real(c_double), intent(in), value :: m4       ! variance of the curvatures [1/length^2] > 0, alpha at least 1.5;
+                                                    ! 0: not known, alpha = 10
       real(c_double), intent(in), value :: nominal_area ! [length^2] > 0
       integer(c_int32_t) :: asperity_params_set_spectral_moments
     end function asperity_params_set_spectral_moments
 
-    ! Sets the roughness as asperity_params_set_spectral_moments, and heights and radii as Nayak's summits have them
-    function asperity_params_set_nayak_summits(params, m0, m2, m4, nominal_area) bind(c)
+    ! Sets the roughness to the summits of such a surface, all with one radius, as McCool (1987) does: for comparison
+    ! with literature
+    function asperity_params_set_mccool_summits(params, m0, m2, m4, nominal_area) bind(c)
       import
       type(asperity_params), intent(inout) :: params ! initialised parameters
-      real(c_double), intent(in), value :: m0       ! as for asperity_params_set_spectral_moments
-      real(c_double), intent(in), value :: m2       ! as for asperity_params_set_spectral_moments
-      real(c_double), intent(in), value :: m4       ! as for asperity_params_set_spectral_moments
-      real(c_double), intent(in), value :: nominal_area ! as for asperity_params_set_spectral_moments
-      integer(c_int32_t) :: asperity_params_set_nayak_summits
-    end function asperity_params_set_nayak_summits
+      real(c_double), intent(in), value :: m0       ! as for asperity_params_set_spectral_moments; m4 must be known
+      real(c_double), intent(in), value :: m2       ! as for asperity_params_set_spectral_moments; m4 must be known
+      real(c_double), intent(in), value :: m4       ! as for asperity_params_set_spectral_moments; m4 must be known
+      real(c_double), intent(in), value :: nominal_area ! as for asperity_params_set_spectral_moments; m4 must be known
+      integer(c_int32_t) :: asperity_params_set_mccool_summits
+    end function asperity_params_set_mccool_summits
 
     ! Chooses Weibull heights of a given skew: sets height_distribution and weibull_shape
     function asperity_params_set_skew(params, skew) bind(c)
@@ -1027,7 +1032,7 @@ module asperity
   end interface
 
   public :: asperity_params_set_dimensionless, asperity_params_set_materials, asperity_params_set_elastic_plastic
-  public :: asperity_params_set_spectral_moments, asperity_params_set_nayak_summits, asperity_params_set_skew
+  public :: asperity_params_set_spectral_moments, asperity_params_set_mccool_summits, asperity_params_set_skew
   public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
   public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
   public :: asperity_interface, asperity_interface_name, asperity_params_set_interface, asperity_params_calibrate

@@ -208,7 +208,7 @@ typedef struct asperity_params {
    * `asperity_params_set_materials` sets it. */
   double tangential_modulus;
   /** Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not known.
-   * `asperity_params_set_spectral_moments` sets it. */
+   */
   double nominal_area;
   /** Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default. */
   int32_t contact_law;
@@ -220,9 +220,9 @@ typedef struct asperity_params {
    * same radius carries: the load, and what adhesion adds to it. Boundary films have 0.02 to 0.2.
    * Where it is > 0, both slip stresses may be 0: Amontons' law. */
   double pressure_coefficient;
-  /** Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether summits act
-   * independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
-   * `asperity_params_set_spectral_moments` sets it. */
+  /** Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were counted [-], at least 1.5, with which warnings judge whether
+   * they act independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
+   */
   double bandwidth;
   /** Load of the measurement that set the strength of the interface [force]; 0 if there was none. `asperity_params_calibrate`
    * sets it. */
@@ -232,6 +232,12 @@ typedef struct asperity_params {
   double calibration_friction_force;
   /** Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default. */
   double calibration_error;
+  /** Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not known.
+   */
+  double summit_mean_height;
+  /** Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known.
+   */
+  double rms_slope;
 } asperity_params;
 
 /** What is known of a material, in SI units. 0 means that no source is known. */
@@ -589,43 +595,35 @@ asperity_status asperity_params_set_materials(struct asperity_params *params, do
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE` */
 asperity_status asperity_params_set_elastic_plastic(struct asperity_params *params, double hardness);
 
-/** Sets roughness, `nominal_area` and `bandwidth` from the spectral moments of profiles of an isotropic Gaussian surface.
+/** Sets the roughness from the spectral moments of an isotropic surface, rough on however many scales.
  *
- * m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile. Isotropy makes them the
- * same in every direction. For two rough surfaces, add their moments. With the bandwidth alpha = m0 m4/m2^2, after
- * Nayak (1971), Bush, Gibson and Keogh (1976) and McCool (1987):
- *
- * - height_std = ((1 - 0.8968/alpha) m0)^(1/2), where 0.8968 is 1 + 16/pi - 3^(3/2)
- * - summit_radius = 3 pi^(1/2)/(8 m4^(1/2))
- * - asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area
+ * m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile: m0 = Rq^2 = Sq^2,
+ * m2 = Rdq^2 = Sdq^2/2. For two rough surfaces, add their moments. The area of contact, its patches and its stiffness depend
+ * on m0 and m2, hardly on m4. The asperities set here follow boundary elements for bandwidths alpha = m0 m4/m2^2 from 1.8 to
+ * 1000 (docs/validation.md). With L^2 = m0/(2 m2), they have height_std 0.92 m0^(1/2), asperity_count 0.0235 nominal_area/L^2,
+ * summit_radius 1.65 (alpha/5)^-0.03 L^2/m0^(1/2), radius_amplitude -0.61, radius_rate 0.90 and
+ * summit_mean_height 1.34 m0^(1/2). Also sets `nominal_area` and `rms_slope` = (2 m2)^(1/2), and `bandwidth` to 0.
  *
  * @param params        initialised parameters
- * @param m0            variance of the heights [length^2] > 0: the square of Rq
+ * @param m0            variance of the heights [length^2] > 0
  * @param m2            variance of the slopes [-] > 0
- * @param m4            variance of the curvatures [1/length^2] > 0; alpha must be at least 1.5
+ * @param m4            variance of the curvatures [1/length^2] > 0, alpha at least 1.5; 0: not known, alpha = 10
  * @param nominal_area  [length^2] > 0
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE` */
 asperity_status asperity_params_set_spectral_moments(struct asperity_params *params, double m0, double m2, double m4,
     double nominal_area);
 
-/** Sets the roughness as `asperity_params_set_spectral_moments`, and heights and radii as Nayak's summits have them.
+/** Sets the roughness to the summits of such a surface, all with one radius, as McCool (1987) does: for comparison with literature.
  *
- * On a Gaussian surface higher summits are sharper, and summit heights are not Gaussian: their joint distribution (Nayak,
- * 1971) depends on the bandwidth alone. This function also sets:
- *
- * - height_distribution = ASPERITY_HEIGHTS_JOHNSON with the skew and kurtosis of the summit heights: 0.47 and 3.19 at a
- *   bandwidth of 1.5, 0.07 and 3.01 at 3, none and 3 for broad spectra
- * - radius_amplitude and radius_rate, so that the radius is the inverse of the mean curvature of summits of the mean
- *   height and 1.5 and 3 standard deviations above
- * - summit_radius, which is that at the mean height: up to 2 % above that of the other function
- *
- * Prefer it for narrow spectra, with bandwidths near 1.5: it lowers the real area at light loads by a third, to that of
- * boundary elements. Above a bandwidth of 2 the other function errs less. docs/validation.md has the numbers.
+ * Right for narrow spectra alone: at a bandwidth of 27 the real area is 0.6 of that of boundary elements. Sets the parameters
+ * that `asperity_params_set_spectral_moments` sets, with height_std = ((1 - 0.8968/alpha) m0)^(1/2), where 0.8968 is
+ * 1 + 16/pi - 3^(3/2), summit_radius = 3 pi^(1/2)/(8 m4^(1/2)), asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area,
+ * radius_amplitude = 0, summit_mean_height = 4 (m0/(pi alpha))^(1/2) and bandwidth = alpha.
  *
  * @param params                 initialised parameters
- * @param m0,m2,m4,nominal_area  as for `asperity_params_set_spectral_moments`
+ * @param m0,m2,m4,nominal_area  as for `asperity_params_set_spectral_moments`; m4 must be known
  * @return as `asperity_params_set_spectral_moments` */
-asperity_status asperity_params_set_nayak_summits(struct asperity_params *params, double m0, double m2, double m4,
+asperity_status asperity_params_set_mccool_summits(struct asperity_params *params, double m0, double m2, double m4,
     double nominal_area);
 
 /** Chooses Weibull heights of a given skew: sets `height_distribution` and `weibull_shape`.
@@ -652,8 +650,8 @@ asperity_status asperity_params_set_value(struct asperity_params *params, const 
  * A name is that of a field of `asperity_params` that is one number, or one of these arguments of setters:
  *
  * - `E1`, `nu1`, `E2` and `nu2` together: `asperity_params_set_materials`
- * - `m0`, `m2` and `m4` together, with a `nominal_area` given here or earlier: `asperity_params_set_spectral_moments`.
- *   `Ra` may replace `m0`, which is pi/2 Ra^2 for Gaussian heights
+ * - `m0` and `m2` together, with a `nominal_area` given here or earlier: `asperity_params_set_spectral_moments`. `m4` or
+ *   `bandwidth` may be given too. `Ra` may replace `m0`, which is pi/2 Ra^2 for Gaussian heights
  * - `summit_density`, summits per area, with a `nominal_area` given here or earlier: stands for `asperity_count`
  * - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
  *   `asperity_params_calibrate`, which comes last

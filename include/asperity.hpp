@@ -562,7 +562,7 @@ public:
     Params &tangential_modulus(double value) noexcept { return assign(c_.tangential_modulus, value); }
 
     /// Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not
-    /// known. `asperity_params_set_spectral_moments` sets it.
+    /// known.
     double nominal_area() const noexcept { return c_.nominal_area; }
     /// Sets it.
     Params &nominal_area(double value) noexcept { return assign(c_.nominal_area, value); }
@@ -586,9 +586,9 @@ public:
     /// Sets it.
     Params &pressure_coefficient(double value) noexcept { return assign(c_.pressure_coefficient, value); }
 
-    /// Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether summits act
-    /// independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
-    /// `asperity_params_set_spectral_moments` sets it.
+    /// Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were counted [-], at least 1.5, with which warnings
+    /// judge whether they act independently; 0, the default, means not known. The library then takes it from
+    /// `nominal_area`, if that is known.
     double bandwidth() const noexcept { return c_.bandwidth; }
     /// Sets it.
     Params &bandwidth(double value) noexcept { return assign(c_.bandwidth, value); }
@@ -609,6 +609,18 @@ public:
     double calibration_error() const noexcept { return c_.calibration_error; }
     /// Sets it.
     Params &calibration_error(double value) noexcept { return assign(c_.calibration_error, value); }
+
+    /// Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not
+    /// known.
+    double summit_mean_height() const noexcept { return c_.summit_mean_height; }
+    /// Sets it.
+    Params &summit_mean_height(double value) noexcept { return assign(c_.summit_mean_height, value); }
+
+    /// Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not
+    /// known.
+    double rms_slope() const noexcept { return c_.rms_slope; }
+    /// Sets it.
+    Params &rms_slope(double value) noexcept { return assign(c_.rms_slope, value); }
     // end of parameters
 
     /// The heights of the table; none by default.

@@ -45,7 +45,6 @@ mod error;
 mod estimate;
 mod float_bits;
 mod jenkins;
-mod joint_distribution;
 mod law;
 pub mod materials;
 mod model;

@@ -125,7 +125,7 @@ contains
     real(c_double), parameter :: M0 = 3, M2 = 0.5_c_double, M4 = 0.7_c_double, AREA = 11
     type(asperity_params) :: p
     p = paper_case()
-    call asperity_check(asperity_params_set_spectral_moments(p, M0, M2, M4, AREA))
+    call asperity_check(asperity_params_set_mccool_summits(p, M0, M2, M4, AREA))
     call check_close('variance of the summit heights', p%height_std**2, (1 - 0.8968_c_double * M2**2 / (M0 * M4)) * M0, &
                      1e-4_c_double)
     call check_close('radius of the summits', p%summit_radius, 0.375_c_double * sqrt(PI / M4), 1e-14_c_double)
@@ -136,12 +136,10 @@ contains
     call check_text('... with a message', asperity_error_message(), &
                     'bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5, the least of isotropic surfaces; ' // &
                     'are all lengths in one unit?')
-    ! One wavelength: the moments of Nayak's density of curvatures, integrated by hand.
-    call asperity_check(asperity_params_set_nayak_summits(p, 1.5_c_double, 1.0_c_double, 1.0_c_double, AREA))
-    call check_close('skew of the summits of one wavelength', p%skew, 0.46948489_c_double, 1e-7_c_double)
-    call check_close('kurtosis', p%kurtosis, 3.18672953_c_double, 1e-7_c_double)
-    call check('heights of Johnson', p%height_distribution == ASPERITY_HEIGHTS_JOHNSON)
-    call check('higher summits are sharper', p%radius_amplitude < 0)
+    call asperity_check(asperity_params_set_spectral_moments(p, M0, M2, 0.0_c_double, AREA))
+    call check_close('slope of the surface', p%rms_slope, sqrt(2 * M2), 1e-14_c_double)
+    call check('higher asperities are sharper', p%radius_amplitude < 0)
+    call check('asperities stand above the mean plane', p%summit_mean_height > sqrt(M0))
   end subroutine spectral_moments
 
   ! Skew from the moments of the Weibull distribution, B_n = Gamma(1 + n/omega).

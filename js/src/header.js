@@ -44,7 +44,7 @@ export const CONSTANTS = /** @type {const} */ ({
 /** Where the fields of the structs lie in WebAssembly's memory. @type {Record<string, Layout>} */
 export const LAYOUTS = {
   asperity_params: {
-    size: 248,
+    size: 264,
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
       { name: "composite_modulus", type: "double", offset: 8 },
@@ -80,6 +80,8 @@ export const LAYOUTS = {
       { name: "calibration_load", type: "double", offset: 224 },
       { name: "calibration_friction_force", type: "double", offset: 232 },
       { name: "calibration_error", type: "double", offset: 240 },
+      { name: "summit_mean_height", type: "double", offset: 248 },
+      { name: "rms_slope", type: "double", offset: 256 },
     ],
   },
   asperity_material_data: {
@@ -342,8 +344,10 @@ export const WORDS = {
  * @property {"maugis" | "elastic-plastic"} [contact_law] Law of one summit in contact, one of "maugis", "elastic-plastic"; Maugis' by default.
  * @property {"partial" | "whole"} [slip_onset] How a contact begins to slip, one of "partial", "whole"; partial slip by default. Friction does not depend on it, the tangential force before gross slip does.
  * @property {number} [pressure_coefficient] kappa [-], 0 to 1000: the pressure coefficient of the interface; 0, the default, is a strength that does not grow with pressure. The friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H is the load that Hertz' contact of the same radius carries: the load, and what adhesion adds to it. Boundary films have 0.02 to 0.2. Where it is > 0, both slip stresses may be 0: Amontons' law.
- * @property {number} [bandwidth] Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether summits act independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
+ * @property {number} [bandwidth] Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were counted [-], at least 1.5, with which warnings judge whether they act independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
  * @property {number} [calibration_load] Load of the measurement that set the strength of the interface [force]; 0 if there was none.
  * @property {number} [calibration_friction_force] Friction force measured at that load [force], >= 0; 0, the default: not calibrated.
  * @property {number} [calibration_error] Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default.
+ * @property {number} [summit_mean_height] Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not known.
+ * @property {number} [rms_slope] Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known.
  */

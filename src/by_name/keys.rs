@@ -42,7 +42,7 @@ impl Table {
             ],
             Self::Materials => &["first", "second", "E1", "nu1", "E2", "nu2"],
             Self::Roughness => {
-                &["m0", "m2", "m4", "Ra", "Rq", "RSm", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "summits", "process"]
+                &["m0", "m2", "m4", "Ra", "Rq", "RSm", "Rdq", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "summits", "process"]
             }
         }
     }

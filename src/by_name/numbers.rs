@@ -38,14 +38,14 @@ pub struct Numbers {
     /// Two materials by their names.
     pub bodies: Option<Bodies>,
     pub interface: Option<&'static Interface>,
-    /// Whether moments stand for summits with Nayak's heights and radii, not for equal ones.
-    pub has_nayak_summits: bool,
+    /// Whether moments stand for McCool's summits.
+    pub has_mccool_summits: bool,
 }
 
 impl Default for Numbers {
     fn default() -> Self {
         let values = [None; FIELDS.len() + ARGUMENTS.len()];
-        Self { values, bodies: None, interface: None, has_nayak_summits: false }
+        Self { values, bodies: None, interface: None, has_mccool_summits: false }
     }
 }
 
@@ -101,10 +101,10 @@ impl Numbers {
             draft.params.work_of_adhesion = 0.0;
         }
         // After `nominal_area`, which they need.
-        if let Some([m0, m2, m4]) = self.moments()? {
-            let (moments, area) = (SpectralMoments { m0, m2, m4 }, draft.params.nominal_area);
-            match self.has_nayak_summits {
-                true => draft.set_nayak_summits(moments, area)?,
+        if let Some(moments) = self.moments()? {
+            let area = draft.params.nominal_area;
+            match self.has_mccool_summits {
+                true => draft.params.set_mccool_summits(moments, area)?,
                 false => draft.params.set_spectral_moments(moments, area)?,
             }
         }
@@ -135,20 +135,32 @@ impl Numbers {
         Ok(())
     }
 
-    /// m0, m2 and m4, the first from Ra where that is given: of Gaussian heights the mean deviation is (2/pi)^(1/2) times the
-    /// standard one.
-    fn moments(&self) -> Result<Option<[f64; 3]>, Error> {
-        let together = "must be given too: m0, m2 and m4 go together";
-        let Some(roughness) = self.get("Ra") else { return self.together(["m0", "m2", "m4"], together) };
-        if self.get("m0").is_some() {
-            return Err(meaningless("Ra: must not be given together with m0, which it replaces"));
-        }
-        positive("Ra", roughness)?;
-        let says = "must be given too: m0 or Ra, m2 and m4 go together";
-        match self.together(["m2", "m4"], says)? {
-            Some([m2, m4]) => Ok(Some([FRAC_PI_2 * (roughness * roughness), m2, m4])),
-            None => Err(Error::Missing { name: "m2", says }),
-        }
+    /// m0, or Ra in its place, and m2, with m4 or the bandwidth where they are given: of Gaussian heights the mean deviation
+    /// is (2/pi)^(1/2) times the standard one.
+    fn moments(&self) -> Result<Option<SpectralMoments>, Error> {
+        let [m0, m2, m4, ra, bandwidth] = ["m0", "m2", "m4", "Ra", "bandwidth"].map(|name| self.get(name));
+        let missing =
+            |name| Error::Missing { name, says: "must be given too: m2 goes with m0 or Ra, and m4 with both" };
+        let m0 = match (m0, ra) {
+            (Some(_), Some(_)) => return Err(meaningless("Ra: must not be given together with m0, which it replaces")),
+            (None, Some(ra)) => {
+                positive("Ra", ra)?;
+                Some(FRAC_PI_2 * (ra * ra))
+            }
+            (m0, None) => m0,
+        };
+        let (m0, m2) = match (m0, m2) {
+            (Some(m0), Some(m2)) => (m0, m2),
+            (None, None) if m4.is_none() => return Ok(None),
+            (None, _) => return Err(missing("m0")),
+            (_, None) => return Err(missing("m2")),
+        };
+        let of_bandwidth = |bandwidth: f64| bandwidth * m2 * (m2 / m0);
+        Ok(Some(SpectralMoments {
+            m0,
+            m2,
+            m4: m4.filter(|m4| *m4 != 0.0).or(bandwidth.map(of_bandwidth)).unwrap_or(0.0),
+        }))
     }
 
     fn set_density(&self, draft: &mut Draft, density: f64) -> Result<(), Error> {

@@ -21,12 +21,22 @@ const MOST_POINTS: usize = 64;
 /// What the bodies set, but for what may be given beside them.
 const MODULI: &[&str] = &["composite_modulus", "effective_shear_modulus", "tangential_modulus"];
 /// What the roughness sets.
-const SUMMITS: &[&str] = &["height_std", "summit_radius", "asperity_count", "summit_density"];
+const SUMMITS: &[&str] = &[
+    "height_std",
+    "summit_radius",
+    "asperity_count",
+    "summit_density",
+    "radius_amplitude",
+    "radius_rate",
+    "summit_mean_height",
+    "rms_slope",
+];
+/// The words for the summits of a roughness.
+const KINDS_OF_SUMMITS: &[&str] = &["moments", "mccool"];
 /// What an interface sets.
 const STRENGTH: &[&str] = &["slip_stress_1", "slip_stress_2", "pressure_coefficient"];
-/// What chooses heights, and what Nayak's summits set beside them.
+/// What chooses heights.
 const SHAPES: &[&str] = &["weibull_shape", "skew", "kurtosis", "table_height", "table_density"];
-const NAYAK: &[&str] = &["height_distribution", "radius_amplitude", "radius_rate"];
 
 /// Sets what a text gives; of what it does not, all stays as it is.
 ///
@@ -77,7 +87,7 @@ pub struct Described {
 /// # Errors
 /// Those of [`read`].
 pub fn describe(bytes: &[u8], case: Case) -> Result<Described, Error> {
-    let described = Entries::read(text(bytes)?).and_then(|entries| {
+    let described = Entries::read(text(bytes)?).and_then(|entries: Entries| {
         let described = entries.describe(&mut Draft::default(), case)?;
         described.params.surface().map_err(|error| entries.problem(error, None))?;
         Ok(described)
@@ -419,7 +429,7 @@ impl Given<'_> {
             return Ok(());
         }
         entries.exclude(SUMMITS, "[roughness]")?;
-        if !Roughness::reads_bandwidth(entries) {
+        if Roughness::gives_curvature(entries) {
             entries.exclude(&["bandwidth"], "[roughness]")?;
         }
         if self.numbers.get("nominal_area").is_none() && draft.params.nominal_area == 0.0 {
@@ -429,32 +439,28 @@ impl Given<'_> {
             ));
         }
         let bandwidth = self.numbers.get("bandwidth");
-        let Roughness { moments, density, shape } = Roughness::of(entries, begin, bandwidth)?;
+        let Roughness { moments, density, shape, machined } = Roughness::of(entries, begin, bandwidth, case)?;
+        self.machined = machined;
         for (name, moment) in [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4)] {
             self.numbers.give_named(name, moment);
         }
-        if let Some(density) = density {
-            self.numbers.give_named("summit_density", density);
-        }
-        if let Some((entry, word)) = entries.word(Table::Roughness, "summits", "summits, \"equal\" or \"nayak\"")? {
-            self.numbers.has_nayak_summits = word == "nayak";
-            if !["equal", "nayak"].contains(&word) {
-                return Err(entry.must_be(format_args!("{}", Words(&["equal", "nayak"]))));
+        if let Some(entry) = entries.find(Table::Roughness, "summits") {
+            self.numbers.has_mccool_summits = entry.choice(KINDS_OF_SUMMITS)? == 1.0;
+            if self.numbers.has_mccool_summits && moments.m4 == 0.0 {
+                return Err(entry.refused(format_args!(
+                    "\"mccool\" needs the curvature of the surface: give m4, Ssc, Sds or bandwidth"
+                )));
             }
         }
-        if self.numbers.has_nayak_summits {
-            entries.exclude(SHAPES, "summits = \"nayak\"")?;
-            entries.exclude(NAYAK, "summits = \"nayak\"")?;
+        if let Some(density) = density.filter(|_| self.numbers.has_mccool_summits) {
+            self.numbers.give_named("summit_density", density);
         }
         let Some(shape) = shape else { return Ok(()) };
         entries.exclude(SHAPES, "[roughness] Ssk")?;
         for (name, number) in ["skew", "kurtosis"].into_iter().zip(shape) {
             self.numbers.give_named(name, number);
         }
-        match entries.find(Table::Roughness, "Ssk").filter(|_| self.numbers.has_nayak_summits) {
-            Some(entry) => Err(entry.set_by("summits = \"nayak\"")),
-            None => Ok(()),
-        }
+        Ok(())
     }
 
     fn interface(&mut self) -> Outcome<()> {

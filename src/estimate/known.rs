@@ -16,8 +16,10 @@ pub const DEFAULT_FACTOR: f64 = 10.0;
 pub const ROW_FACTOR: f64 = 3.0;
 /// The same of the slopes of machined surfaces.
 pub const SLOPE_FACTOR: f64 = 4.0;
-/// The nominal pressure [Pa] of a friction coefficient in the table of interfaces, whose loads are those of other specimens.
+/// The nominal pressure [Pa] that is taken for a friction coefficient of the table of interfaces without a load, ...
 pub const ROW_PRESSURE: f64 = 1e6;
+/// ... and the largest where its load, which is one of other specimens, is known.
+pub const LARGEST_ROW_PRESSURE: f64 = 1e8;
 /// Of a surface without a nominal area, summits per area times their radius and standard deviation of height (Greenwood and
 /// Williamson, Proc. R. Soc. A 295, 1966).
 pub const SUMMIT_PRODUCT: f64 = 0.05;

@@ -114,15 +114,15 @@ pub fn tell_pressure(seen: &[Seen]) -> bool {
     precision * PRESSURE_DEVIATION * PRESSURE_DEVIATION > 1.0
 }
 
-/// The largest pressure coefficient worth a look: that which alone gives some measured force, with its error.
-fn most(seen: &[Seen]) -> f64 {
-    let of = |one: &Seen| exp(one.measured - log(one.pressed) + 4.0 * one.error);
+/// The largest pressure coefficient worth a look: that which alone gives some measured force, so many of its errors off.
+fn most(seen: &[Seen], errors: f64) -> f64 {
+    let of = |one: &Seen| exp(one.measured - log(one.pressed) + errors * one.error);
     seen.iter().filter(|one| one.pressed > 0.0).map(of).fold(LARGEST, f64::min)
 }
 
 /// Slices at pressure coefficients that are evenly apart, where they have weight.
 pub fn slices(seen: &[Seen], prior: Prior) -> Vec<Slice> {
-    let [mut low, mut high] = [0.0, most(seen)];
+    let [mut low, mut high] = [0.0, most(seen, 4.0)];
     let mut found = Vec::new();
     for _ in 0..ROUNDS {
         let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(NODES);
@@ -152,7 +152,9 @@ pub fn nearest(seen: &[Seen], kappa: Option<f64>) -> (f64, f64) {
     if let Some(kappa) = kappa {
         return (best_at(kappa).1, kappa);
     }
-    let [mut low, mut high] = [0.0, most(seen)];
+    // Some strength is left.
+    let highest = 0.99 * most(seen, 0.0);
+    let [mut low, mut high] = [0.0, highest];
     let mut best = (f64::INFINITY, 0.0, 0.0);
     // Each takes the range to an eighth.
     for _ in 0..14 {
@@ -164,7 +166,7 @@ pub fn nearest(seen: &[Seen], kappa: Option<f64>) -> (f64, f64) {
                 best = (cost, log_c, kappa);
             }
         }
-        [low, high] = [(best.2 - step).max(0.0), best.2 + step];
+        [low, high] = [(best.2 - step).max(0.0), (best.2 + step).min(highest)];
     }
     (best.1, best.2)
 }

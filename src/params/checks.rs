@@ -10,6 +10,9 @@ use crate::groups::Groups;
 use crate::population::radius::RadiusProfile;
 use std::sync::Arc;
 
+/// No surface is steeper on average; it is the slope in another unit.
+const STEEPEST: f64 = 5.0;
+
 /// Larger ones are another quantity; friction forces stay in range.
 const LARGEST_PRESSURE_COEFFICIENT: f64 = 1e3;
 
@@ -45,6 +48,12 @@ impl Params {
         let default_modulus = "must be finite and >= 0; 0 stands for E* G* / (2 (E* + G*))";
         not_negative("tangential_modulus", self.tangential_modulus, default_modulus)?;
         not_negative("nominal_area", self.nominal_area, "must be finite and >= 0; 0 means not known")?;
+        not_negative("summit_mean_height", self.summit_mean_height, "must be finite and >= 0; 0 means not known")?;
+        not_negative("rms_slope", self.rms_slope, "must be finite and >= 0; 0 means not known")?;
+        if self.rms_slope > STEEPEST {
+            let allowed = "must be at most 5, a slope of 79 degrees; is Sdq in degrees or per cent?";
+            return Err(Error::out_of_range("rms_slope", self.rms_slope, allowed));
+        }
         let no_bandwidth = "must be at least 1.5, the least of isotropic surfaces; 0 means not known";
         not_negative("bandwidth", self.bandwidth, no_bandwidth)?;
         if self.bandwidth != 0.0 && self.bandwidth < LEAST_BANDWIDTH {

@@ -74,7 +74,9 @@ typedef struct asperity_params {
   double calibration_load; /* 232, 8 */
   double calibration_friction_force; /* 240, 8 */
   double calibration_error; /* 248, 8 */
-} asperity_params; /* 256 */
+  double summit_mean_height; /* 256, 8 */
+  double rms_slope; /* 264, 8 */
+} asperity_params; /* 272 */
 
 typedef struct asperity_material_data {
   uint64_t struct_size; /* 0, 8 */
@@ -251,7 +253,7 @@ asperity_status asperity_params_set_dimensionless(struct asperity_params *, doub
 asperity_status asperity_params_set_elastic_plastic(struct asperity_params *, double);
 asperity_status asperity_params_set_interface(struct asperity_params *, const char *);
 asperity_status asperity_params_set_materials(struct asperity_params *, double, double, double, double);
-asperity_status asperity_params_set_nayak_summits(struct asperity_params *, double, double, double, double);
+asperity_status asperity_params_set_mccool_summits(struct asperity_params *, double, double, double, double);
 asperity_status asperity_params_set_pair(struct asperity_params *, const char *);
 asperity_status asperity_params_set_skew(struct asperity_params *, double);
 asperity_status asperity_params_set_spectral_moments(struct asperity_params *, double, double, double, double);

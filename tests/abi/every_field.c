@@ -29,7 +29,7 @@ static asperity_state state_at(const asperity_model *model, double load)
     F(radius_amplitude) F(radius_rate) F(slip_radius_1) F(slip_stress_1) F(slip_radius_2) F(slip_stress_2)             \
     F(max_friction_coefficient) F(skew) F(kurtosis) F(hardness) F(tangential_modulus) F(nominal_area) F(contact_law)   \
     F(slip_onset) F(pressure_coefficient) F(bandwidth) F(calibration_load) F(calibration_friction_force)               \
-    F(calibration_error)
+    F(calibration_error) F(summit_mean_height) F(rms_slope)
 
 static void parameters(void)
 {

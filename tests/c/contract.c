@@ -274,34 +274,33 @@ static void setters_set_what_they_say_and_nothing_else(void)
     CHECK(close_to(p.composite_modulus, 200e9 / 0.91, 1e-14), "E* against a rigid body");
     CHECK(close_to(p.effective_shear_modulus, 2 * 200e9 / 2.6, 1e-14), "G* against a rigid body is 2 G");
 
+    /* Asperities by their dimensions, with L = (m0/(2 m2))^(1/2); m4 changes the radius alone, by the power -0.03 or so. */
     expected = p;
     CHECK(asperity_params_set_spectral_moments(&p, 3, 0.5, 0.7, 11) == ASPERITY_OK, "%s", last_message());
+    CHECK(close_to(p.height_std, sqrt(3), 0.2) && close_to(p.summit_mean_height, 2.3, 0.2), "heights");
+    CHECK(p.radius_amplitude < -0.3 && p.radius_amplitude > -0.9 && p.radius_rate > 0.3, "higher asperities are sharper");
+    CHECK(p.asperity_count > 0.01 * 11 / 3 && p.asperity_count < 0.05 * 11 / 3, "N = %.9g", p.asperity_count);
+    CHECK(p.nominal_area == 11 && p.rms_slope == 1 && p.bandwidth == 0, "what warnings judge");
+#define SUMMITS(F)                                                                                                     \
+    F(height_std) F(summit_radius) F(asperity_count) F(nominal_area) F(bandwidth) F(radius_amplitude) F(radius_rate)   \
+    F(summit_mean_height) F(rms_slope)
+#define TAKE(field) expected.field = p.field;
+    SUMMITS(TAKE)
+    CHECK(SAME(p, expected), "set_spectral_moments changed another field");
+    CHECK(asperity_params_set_spectral_moments(&p, 3, 0.5, 0, 11) == ASPERITY_OK, "%s", last_message());
+    CHECK(close_to(p.summit_radius, expected.summit_radius, 0.05) && p.summit_radius != expected.summit_radius, "R without m4");
+    expected.summit_radius = p.summit_radius;
+    CHECK(SAME(p, expected), "m4 changed more than the radius");
+
+    CHECK(asperity_params_set_mccool_summits(&p, 3, 0.5, 0.7, 11) == ASPERITY_OK, "%s", last_message());
     CHECK(close_to(p.height_std * p.height_std, 3 - 0.8968 * 0.25 / 0.7, 1e-4), "sigma = %g", p.height_std);
     CHECK(close_to(p.summit_radius, 0.375 * sqrt(3.14159265358979324 / 0.7), 1e-14), "R = %.9g", p.summit_radius);
     CHECK(close_to(p.asperity_count, 0.7 * 11 / (3 * sqrt(3) * 3.14159265358979324), 1e-14), "N = %.9g", p.asperity_count);
-    expected.height_std = p.height_std;
-    expected.summit_radius = p.summit_radius;
-    expected.asperity_count = p.asperity_count;
-    CHECK(p.nominal_area == 11, "the area");
-    expected.nominal_area = 11;
     CHECK(close_to(p.bandwidth, 3 * 0.7 / 0.25, 1e-14), "bandwidth = %.9g", p.bandwidth);
-    expected.bandwidth = p.bandwidth;
-    CHECK(SAME(p, expected), "set_spectral_moments changed another field");
-
-    /* One wavelength: the density of curvatures, t^2 - 1 + exp(-t^2) times exp(-t^2/2), integrated by hand. */
-    CHECK(asperity_params_set_nayak_summits(&p, 1.5, 1, 1, 11) == ASPERITY_OK, "%s", last_message());
-    CHECK(p.height_distribution == ASPERITY_HEIGHTS_JOHNSON, "heights");
-    CHECK(close_to(p.skew, 0.46948489, 1e-7) && close_to(p.kurtosis, 3.18672953, 1e-7), "%.9g, %.9g", p.skew, p.kurtosis);
-    CHECK(p.radius_amplitude < 0 && p.radius_rate > 0, "radii");
-    CHECK(asperity_params_set_spectral_moments(&expected, 1.5, 1, 1, 11) == ASPERITY_OK, "%s", last_message());
-    CHECK(close_to(p.summit_radius, expected.summit_radius, 1e-12), "R = %.9g", p.summit_radius);
-    expected.summit_radius = p.summit_radius;
-    expected.height_distribution = p.height_distribution;
-    expected.skew = p.skew;
-    expected.kurtosis = p.kurtosis;
-    expected.radius_amplitude = p.radius_amplitude;
-    expected.radius_rate = p.radius_rate;
-    CHECK(SAME(p, expected), "set_nayak_summits changed another field");
+    CHECK(close_to(p.summit_mean_height, 4 * sqrt(3 / (3.14159265358979324 * p.bandwidth)), 1e-14), "mean height");
+    CHECK(p.nominal_area == 11 && p.rms_slope == 1 && p.radius_amplitude == 0, "the rest");
+    SUMMITS(TAKE)
+    CHECK(SAME(p, expected), "set_mccool_summits changed another field");
 
     expected = p;
     CHECK(asperity_params_set_skew(&p, 0) == ASPERITY_OK, "%s", last_message());
@@ -342,9 +341,11 @@ static void failing_setters_touch_nothing(void)
     FAILS(asperity_params_set_spectral_moments(&p, 0, 1, 2, 1), ASPERITY_INVALID_PARAMETER, "m0 = 0: ");
     FAILS(asperity_params_set_spectral_moments(&p, 1, -1, 2, 1), ASPERITY_INVALID_PARAMETER, "m2 = -1: ");
     FAILS(asperity_params_set_spectral_moments(&p, 1, 1, NAN, 1), ASPERITY_INVALID_PARAMETER, "m4 = NaN: ");
+    FAILS(asperity_params_set_mccool_summits(&p, 1, 1, 0, 1), ASPERITY_INVALID_PARAMETER, "m4 = 0: ");
+    FAILS(asperity_params_set_spectral_moments(&p, 1, 1, -0.5, 1), ASPERITY_INVALID_PARAMETER, "m4 = -0.5: must be finite and >= 0");
     FAILS(asperity_params_set_spectral_moments(&p, 1, 1, 2, INFINITY), ASPERITY_INVALID_PARAMETER, "nominal_area = inf: ");
     FAILS(asperity_params_set_spectral_moments(&p, 1, 1e-41, 2, 1), ASPERITY_OUT_OF_RANGE, "m2 = 1e-41: ");
-    FAILS(asperity_params_set_nayak_summits(&p, 1, 1, 1.49, 1), ASPERITY_INVALID_PARAMETER,
+    FAILS(asperity_params_set_mccool_summits(&p, 1, 1, 1.49, 1), ASPERITY_INVALID_PARAMETER,
           "bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5");
     FAILS(asperity_params_set_skew(&p, -1.2), ASPERITY_INVALID_PARAMETER, "skew = -1.2: ");
     FAILS(asperity_params_set_skew(&p, NAN), ASPERITY_INVALID_PARAMETER, "skew = NaN: ");
@@ -403,6 +404,8 @@ static void names_are_those_of_the_fields(void)
     NAMES(pressure_coefficient, 2);
     NAMES(bandwidth, 2);
     NAMES(calibration_error, 2);
+    NAMES(summit_mean_height, 2);
+    NAMES(rms_slope, 2);
     NAMES(contact_law, 1);
     NAMES(slip_onset, 1);
     NAMES(weibull_shape, 2);

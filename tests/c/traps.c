@@ -270,8 +270,8 @@ static void special_setter_arguments(void)
             memcpy(&x[k], &specials[i], sizeof *x);
             doing = "asperity_params_set_spectral_moments";
             asperity_params_set_spectral_moments(&p, x[0], x[1], x[2], x[3]);
-            doing = "asperity_params_set_nayak_summits";
-            asperity_params_set_nayak_summits(&p, x[0], x[1], x[2], x[3]);
+            doing = "asperity_params_set_mccool_summits";
+            asperity_params_set_mccool_summits(&p, x[0], x[1], x[2], x[3]);
         }
         {
             asperity_params p = surface(0);
@@ -325,7 +325,7 @@ static void null_pointers(void)
     REFUSES(asperity_params_calibrate(NULL, 1, 1));
     REFUSES(asperity_params_calibrate_force(NULL, 1, 1));
     REFUSES(asperity_params_set_spectral_moments(NULL, 3, 0.5, 0.7, 11));
-    REFUSES(asperity_params_set_nayak_summits(NULL, 3, 0.5, 0.7, 11));
+    REFUSES(asperity_params_set_mccool_summits(NULL, 3, 0.5, 0.7, 11));
     REFUSES(asperity_params_set_dimensionless(NULL, 0.01, 1000, 0.001, 1, 0.3));
     REFUSES(asperity_params_set_materials(NULL, 1, 0.3, 1, 0.3));
     REFUSES(asperity_params_set_skew(NULL, 0));

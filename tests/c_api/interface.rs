@@ -132,6 +132,8 @@ impl TestParams for asperity_params {
             &mut self.calibration_load,
             &mut self.calibration_friction_force,
             &mut self.calibration_error,
+            &mut self.summit_mean_height,
+            &mut self.rms_slope,
         ]
     }
 }

@@ -210,7 +210,7 @@ fn parameters_are_set_in_memory_without_values() {
         assert_eq!(asperity_params_set_dimensionless(params, 0.1, 4.0, 1e-3, 1.0, 0.3), OK);
         assert_eq!(asperity_params_set_materials(params, 2e11, 0.3, f64::INFINITY, 0.2), OK);
         assert_eq!(asperity_params_set_spectral_moments(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
-        assert_eq!(asperity_params_set_nayak_summits(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
+        assert_eq!(asperity_params_set_mccool_summits(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
         assert_eq!(asperity_params_set_skew(params, 0.5), OK);
         assert_eq!(asperity_params_set_elastic_plastic(params, 1e9), OK);
         assert_eq!(asperity_params_set_pair(params, c"steel/steel".as_ptr()), OK);
@@ -235,7 +235,7 @@ fn parameters_are_set_in_memory_without_values() {
         assert_eq!(asperity_params_set_dimensionless(params, -1.0, 4.0, 1e-3, 1.0, 0.3), INVALID_PARAMETER);
         assert_eq!(asperity_params_set_materials(params, 2e11, 0.7, 1e11, 0.2), INVALID_PARAMETER);
         assert_eq!(asperity_params_set_spectral_moments(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
-        assert_eq!(asperity_params_set_nayak_summits(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
+        assert_eq!(asperity_params_set_mccool_summits(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
         assert_eq!(asperity_params_set_skew(params, -9.0), INVALID_PARAMETER);
         assert_eq!(asperity_params_set_elastic_plastic(params, 0.0), INVALID_PARAMETER);
         assert_eq!(asperity_params_calibrate(params, 1.0, -0.3), INVALID_PARAMETER);
@@ -276,7 +276,7 @@ fn null_is_refused_or_skipped() {
             asperity_params_set_dimensionless(null_mut(), 0.1, 4.0, 1e-3, 1.0, 0.3),
             asperity_params_set_materials(null_mut(), 1.0, 0.3, 1.0, 0.3),
             asperity_params_set_spectral_moments(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
-            asperity_params_set_nayak_summits(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
+            asperity_params_set_mccool_summits(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
             asperity_params_set_skew(null_mut(), 0.0),
             asperity_params_set_elastic_plastic(null_mut(), 1.0),
             asperity_params_calibrate(null_mut(), 1.0, 1.0),

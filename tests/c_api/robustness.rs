@@ -34,7 +34,7 @@ struct Library {
     set_dimensionless: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64, f64) -> i32,
     set_materials: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
     set_moments: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
-    set_nayak: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
+    set_mccool: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
     set_skew: unsafe extern "C" fn(*mut asperity_params, f64) -> i32,
 }
 
@@ -61,7 +61,7 @@ impl Watched {
             set_dimensionless: asperity_params_set_dimensionless,
             set_materials: asperity_params_set_materials,
             set_moments: asperity_params_set_spectral_moments,
-            set_nayak: asperity_params_set_nayak_summits,
+            set_mccool: asperity_params_set_mccool_summits,
             set_skew: asperity_params_set_skew,
         };
         Self {
@@ -420,7 +420,7 @@ fn setters_given_random_bits_leave_the_parameters_or_set_valid_ones() {
                 0 => (library.set_dimensionless)(&mut params, x[0], x[1], x[2], x[3], x[4]),
                 1 => (library.set_materials)(&mut params, x[0], x[1], x[2], x[3]),
                 2 => (library.set_moments)(&mut params, x[0], x[1], x[2], x[3]),
-                3 => (library.set_nayak)(&mut params, x[0], x[1], x[2], x[3]),
+                3 => (library.set_mccool)(&mut params, x[0], x[1], x[2], x[3]),
                 _ => (library.set_skew)(&mut params, x[0]),
             }
         });

@@ -157,6 +157,8 @@ void each_setter_sets_its_own_field() {
     FIELD(calibration_load, 20.0);
     FIELD(calibration_friction_force, 3.2);
     FIELD(calibration_error, 0.1);
+    FIELD(summit_mean_height, 2e-9);
+    FIELD(rms_slope, 0.1);
 }
 
 void a_table_is_copied_and_shared() {
@@ -274,7 +276,9 @@ void bounds_are_those_that_the_pages_say() {
 }
 
 void spectral_moments_give_the_summits() {
-    const Params params = Params().set_spectral_moments(3.0, 0.5, 0.7, 11.0);
+    const Params unknown = Params().set_spectral_moments(3.0, 0.5, 0.0, 11.0);
+    EXPECT(unknown.rms_slope() == 1.0 && unknown.radius_amplitude() < 0.0 && unknown.summit_mean_height() > 1.7);
+    const Params params = Params().set_mccool_summits(3.0, 0.5, 0.7, 11.0);
     EXPECT(close(params.height_std() * params.height_std(), 3.0 - 0.8968 * 0.25 / 0.7, 1e-4));
     EXPECT(close(params.summit_radius(), 0.375 * std::sqrt(3.14159265358979324 / 0.7), 1e-14));
     EXPECT(close(params.asperity_count(), 0.7 * 11.0 / (6.0 * 3.14159265358979324 * std::sqrt(3.0) * 0.5), 1e-14));
@@ -283,10 +287,7 @@ void spectral_moments_give_the_summits() {
     EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
     EXPECT(begins(error.what(), "bandwidth m0 m4/m2^2 = 1.25: must be at least 1.5"));
     EXPECT(changed.summit_radius() == params.summit_radius());
-    changed.set_nayak_summits(1.5, 1.0, 1.0, 11.0);
-    EXPECT(changed.height_distribution() == asperity::Heights::johnson);
-    EXPECT(close(changed.skew(), 0.46948489, 1e-7) && close(changed.kurtosis(), 3.18672953, 1e-7));
-    EXPECT(thrown_by([&] { changed.set_nayak_summits(1.0, 1.0, 1.25, 1.0); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { changed.set_mccool_summits(1.0, 1.0, 1.25, 1.0); }).status() == ASPERITY_INVALID_PARAMETER);
 }
 
 void dimensionless_groups_come_back_from_the_model() {

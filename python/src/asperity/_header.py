@@ -84,6 +84,8 @@ class asperity_params(Structure):
         ("calibration_load", c_double),
         ("calibration_friction_force", c_double),
         ("calibration_error", c_double),
+        ("summit_mean_height", c_double),
+        ("rms_slope", c_double),
     ]
 
 
@@ -256,7 +258,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_params_set_materials": (c_int32, [_params, c_double, c_double, c_double, c_double]),
     "asperity_params_set_elastic_plastic": (c_int32, [_params, c_double]),
     "asperity_params_set_spectral_moments": (c_int32, [_params, c_double, c_double, c_double, c_double]),
-    "asperity_params_set_nayak_summits": (c_int32, [_params, c_double, c_double, c_double, c_double]),
+    "asperity_params_set_mccool_summits": (c_int32, [_params, c_double, c_double, c_double, c_double]),
     "asperity_params_set_skew": (c_int32, [_params, c_double]),
     "asperity_params_set_value": (c_int32, [_params, c_char_p, c_double]),
     "asperity_params_set_values": (c_int32, [_params, c_size_t, POINTER(POINTER(c_char)), _double]),
@@ -356,6 +358,7 @@ UNITS = {
     "nominal_area": "length^2",
     "calibration_load": "force",
     "calibration_friction_force": "force",
+    "summit_mean_height": "length",
     "load": "force",
     "separation": "length",
     "friction_force": "force",

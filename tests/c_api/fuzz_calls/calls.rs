@@ -784,7 +784,7 @@ impl<'a> Calls<'a> {
                 0 => call!(self, x, asperity_params_set_dimensionless(at, x[0], x[1], x[2], x[3], x[4])),
                 1 => call!(self, x, asperity_params_set_materials(at, x[0], x[1], x[2], x[3])),
                 2 => call!(self, x, asperity_params_set_spectral_moments(at, x[0], x[1], x[2], x[3])),
-                3 => call!(self, x, asperity_params_set_nayak_summits(at, x[0], x[1], x[2], x[3])),
+                3 => call!(self, x, asperity_params_set_mccool_summits(at, x[0], x[1], x[2], x[3])),
                 4 => call!(self, x, asperity_params_set_skew(at, x[0])),
                 5 => call!(self, x, asperity_params_set_elastic_plastic(at, x[0])),
                 6 => call!(self, x, asperity_params_calibrate_force(at, x[0], x[1])),
